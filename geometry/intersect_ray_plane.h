@@ -1,0 +1,52 @@
+// A ray and a plane.
+#pragma once
+
+#include "geometry/plane.h"
+#include "geometry/ray.h"
+
+namespace halfspace {
+
+enum class RayPlaneCase { Hit, Behind, Parallel, InPlane, ZeroNormal, ZeroDirection };
+
+/// Where a ray meets a plane, with every number on the way.
+template <class Scalar> struct RayPlane {
+  RayPlaneCase which = RayPlaneCase::ZeroNormal;
+  Scalar numerator{};                        ///< (P − Q)·n, which is −f(Q)
+  Scalar denominator{};                      ///< r·n
+  Scalar t{};                                ///< numerator/denominator; a distance only when |r| = 1
+  Vec3<Scalar> point{};                      ///< Q + t·r
+  std::array<Root<Scalar>, 3> facingNormal{}; ///< unit normal on the side that the ray's line comes from: n·r < 0
+
+  /// Whether the ray's line crosses the plane in one point; t, point and facingNormal are set only then.
+  [[nodiscard]] bool crosses() const { return which == RayPlaneCase::Hit || which == RayPlaneCase::Behind; }
+};
+
+/// Intersects a ray with a plane by dot products (note PG 5; facing normal: note RP 28).
+/// Hit: t ≥ 0. Behind: t < 0. Parallel: the denominator is 0. InPlane: the numerator is 0 too.
+/// With a zero normal, else a zero direction, the case says so.
+template <class Scalar>
+[[nodiscard]] RayPlane<Scalar> intersectRayPlane(const Ray<Scalar> &ray, const Plane<Scalar> &plane) {
+  const Scalar zero(0);
+  RayPlane<Scalar> result;
+  result.numerator = -evaluate(plane, ray.origin);
+  result.denominator = dot(ray.direction, plane.normal);
+  if (isZero(plane.normal))
+    return result;
+  if (isZero(ray.direction)) {
+    result.which = RayPlaneCase::ZeroDirection;
+    return result;
+  }
+  if (result.denominator == zero) {
+    result.which = result.numerator == zero ? RayPlaneCase::InPlane : RayPlaneCase::Parallel;
+    return result;
+  }
+  result.t = result.numerator / result.denominator;
+  result.which = result.t < zero ? RayPlaneCase::Behind : RayPlaneCase::Hit;
+  result.point = pointAt(ray, result.t);
+  const Scalar square = dot(plane.normal, plane.normal);
+  const Vec3<Scalar> facing = result.denominator > zero ? Vec3<Scalar>(-plane.normal) : plane.normal;
+  result.facingNormal = {overRoot(facing.x, square), overRoot(facing.y, square), overRoot(facing.z, square)};
+  return result;
+}
+
+} // namespace halfspace

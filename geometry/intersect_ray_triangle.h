@@ -1,0 +1,88 @@
+// A ray and a triangle, by u⊥ and v⊥ with five dot products.
+#pragma once
+
+#include "geometry/intersect_ray_plane.h"
+#include "geometry/triangle.h"
+
+namespace halfspace {
+
+enum class RayTriangleCase { Hit, Miss, Behind, Parallel, InPlane, Coincident, Collinear, ZeroDirection };
+
+/// The numbers of the method of perps that belong to the triangle alone (note PG 6.2).
+template <class Scalar> struct TrianglePerps {
+  Vec3<Scalar> u{};      ///< P1 − P0
+  Vec3<Scalar> v{};      ///< P2 − P0
+  Vec3<Scalar> normal{}; ///< u×v
+  Vec3<Scalar> uPerp{};  ///< n×u = (u·u)v − (u·v)u: in the plane, perpendicular to u
+  Vec3<Scalar> vPerp{};  ///< n×v = (u·v)v − (v·v)u: in the plane, perpendicular to v
+  Scalar uu{};
+  Scalar uv{};
+  Scalar vv{};
+  Scalar denominator{}; ///< (u·v)² − (u·u)(v·v) = −n·n; 0 exactly for a degenerate triangle
+};
+
+template <class Scalar> [[nodiscard]] TrianglePerps<Scalar> perpsOf(const Triangle<Scalar> &triangle) {
+  TrianglePerps<Scalar> result;
+  result.u = triangle.p1 - triangle.p0;
+  result.v = triangle.p2 - triangle.p0;
+  result.normal = cross(result.u, result.v);
+  result.uu = dot(result.u, result.u);
+  result.uv = dot(result.u, result.v);
+  result.vv = dot(result.v, result.v);
+  result.uPerp = result.v * result.uu - result.u * result.uv;
+  result.vPerp = result.v * result.uv - result.u * result.vv;
+  result.denominator = result.uv * result.uv - result.uu * result.vv;
+  return result;
+}
+
+/// Where a ray meets a triangle, with every number on the way.
+template <class Scalar> struct RayTriangle {
+  RayTriangleCase which = RayTriangleCase::Coincident;
+  TrianglePerps<Scalar> perps;
+  RayPlane<Scalar> plane; ///< the ray and the triangle's plane: t, point
+  TrianglePlace place;
+  Vec3<Scalar> w{};   ///< point − P0
+  Scalar wu{};        ///< w·u, one of the five dot products
+  Scalar wv{};        ///< w·v
+  Scalar s{};         ///< w = s·u + tTriangle·v
+  Scalar tTriangle{}; ///< the notes call it t as well; the ray's own t is plane.t
+
+  /// Whether the ray's line crosses the triangle's plane in one point; all the rest is set only then.
+  [[nodiscard]] bool crosses() const { return plane.crosses(); }
+};
+
+/// Intersects a ray with a triangle by the method of note PG 6.2.
+/// Hit: t ≥ 0 inside or on the boundary. Miss: the line crosses the plane outside. Behind: it crosses the triangle at
+/// t < 0. Parallel and InPlane as for the triangle's plane. A degenerate triangle is named by its shape and only its
+/// perps are set; with a zero direction the case says so.
+template <class Scalar>
+[[nodiscard]] RayTriangle<Scalar> intersectRayTriangle(const Ray<Scalar> &ray, const Triangle<Scalar> &triangle) {
+  RayTriangle<Scalar> result;
+  result.perps = perpsOf(triangle);
+  const auto &perps = result.perps;
+  const TriangleShape shape = shapeOf(triangle);
+  if (shape != TriangleShape::Proper) {
+    result.which = shape == TriangleShape::Coincident ? RayTriangleCase::Coincident : RayTriangleCase::Collinear;
+    return result;
+  }
+  result.plane = intersectRayPlane(ray, planeThrough(triangle.p0, perps.normal));
+  if (!result.plane.crosses()) {
+    result.which = result.plane.which == RayPlaneCase::ZeroDirection ? RayTriangleCase::ZeroDirection
+                   : result.plane.which == RayPlaneCase::InPlane     ? RayTriangleCase::InPlane
+                                                                     : RayTriangleCase::Parallel;
+    return result;
+  }
+  result.w = result.plane.point - triangle.p0;
+  result.wu = dot(result.w, perps.u);
+  result.wv = dot(result.w, perps.v);
+  result.s = (perps.uv * result.wv - perps.vv * result.wu) / perps.denominator;
+  result.tTriangle = (perps.uv * result.wu - perps.uu * result.wv) / perps.denominator;
+  result.place = placeInTriangle(result.s, result.tTriangle);
+  if (result.place.location == TriangleLocation::Outside)
+    result.which = RayTriangleCase::Miss;
+  else
+    result.which = result.plane.which == RayPlaneCase::Hit ? RayTriangleCase::Hit : RayTriangleCase::Behind;
+  return result;
+}
+
+} // namespace halfspace

@@ -1,0 +1,39 @@
+// The implicit plane n·x + d = 0.
+#pragma once
+
+#include "geometry/surd.h"
+#include "geometry/vector.h"
+
+#include <array>
+
+namespace halfspace {
+
+/// The points x with normal·x + offset = 0. The positive side is the one that the normal points to.
+/// A zero normal is no plane: the queries say so by a case of their own.
+template <class Scalar> struct Plane {
+  Vec3<Scalar> normal;
+  Scalar offset;
+};
+
+/// The plane through a point: d = −n·P0 (note PG 1).
+template <class Scalar>
+[[nodiscard]] Plane<Scalar> planeThrough(const Vec3<Scalar> &point, const Vec3<Scalar> &normal) {
+  return {normal, Scalar(-dot(normal, point))};
+}
+
+/// f(x) = n·x + d: zero on the plane, its sign is the side of x (note PG 3.4). A distance only when |n| = 1.
+template <class Scalar> [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane, const Vec3<Scalar> &x) {
+  return dot(plane.normal, x) + plane.offset;
+}
+
+/// [a, b, c, d] divided by |n|, for n ≠ 0 (note PG 3.3): with them f is the signed distance.
+template <class Scalar> [[nodiscard]] std::array<Root<Scalar>, 4> normalizedCoefficients(const Plane<Scalar> &plane) {
+  const Scalar square = dot(plane.normal, plane.normal);
+  return {overRoot(plane.normal.x, square), overRoot(plane.normal.y, square), overRoot(plane.normal.z, square),
+          overRoot(plane.offset, square)};
+}
+
+/// The positive multiple of [a, b, c, d] in integers without a common factor, for n ≠ 0.
+[[nodiscard]] std::array<Integer, 4> primitiveCoefficients(const Plane<Rational> &plane);
+
+} // namespace halfspace

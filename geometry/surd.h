@@ -1,0 +1,64 @@
+// Exact lengths: A + B·√n.
+#pragma once
+
+#include "geometry/rational.h"
+
+#include <cmath>
+
+namespace halfspace {
+
+/// The exact value A + B·√n that a length, a normalized coefficient or a root of a quadratic has.
+///
+/// Canonical form: n is a square-free integer > 1 and B ≠ 0, or n = 1 and B = 0 (a plain fraction); equal values then
+/// have equal parts. Where n would need the factors of a number beyond `factorLimit` that is no square, n stays as it
+/// is and `canonical()` is false; the value is exact all the same.
+class Surd {
+public:
+  Surd() = default;
+  Surd(Rational value) : m_rational(std::move(value)) {} // NOLINT(google-explicit-constructor): every fraction is one
+  Surd(int value) : m_rational(value) {}                 // NOLINT(google-explicit-constructor)
+
+  /// factor · √square, for square ≥ 0.
+  [[nodiscard]] static Surd root(const Rational &square, const Rational &factor = 1);
+
+  [[nodiscard]] const Rational &rationalPart() const { return m_rational; }
+  [[nodiscard]] const Rational &rootFactor() const { return m_factor; }
+  [[nodiscard]] const Integer &radicand() const { return m_radicand; }
+  [[nodiscard]] bool isRational() const { return m_factor == 0; }
+  [[nodiscard]] bool canonical() const { return m_canonical; }
+
+  [[nodiscard]] int sign() const;
+  [[nodiscard]] Surd operator-() const;
+  [[nodiscard]] Surd operator+(const Rational &shift) const;
+  [[nodiscard]] Surd operator*(const Rational &scale) const;
+  [[nodiscard]] bool operator==(const Surd &other) const;
+
+private:
+  Rational m_rational = 0;
+  Rational m_factor = 0;
+  Integer m_radicand = 1;
+  bool m_canonical = true;
+};
+
+/// The largest number that is factored to find the square-free part of a radicand.
+inline const Integer factorLimit = mp::pow(Integer(10), 18);
+
+/// The double nearest to the exact value (at most one unit in the last place off); ±infinity beyond their range.
+[[nodiscard]] double toDouble(const Surd &value);
+
+/// `A`, `B*sqrt(n)`, `A + B*sqrt(n)` or `A - B*sqrt(n)`; nothing where the value is not canonical.
+[[nodiscard]] std::optional<std::string> toText(const Surd &value);
+
+/// The type of a square root over a scalar: double stays double, fractions become surds.
+template <class Scalar> struct RootOf;
+template <> struct RootOf<double> { using Type = double; };
+template <> struct RootOf<Rational> { using Type = Surd; };
+template <class Scalar> using Root = typename RootOf<Scalar>::Type;
+
+/// value/√square for square > 0: what normalizing does to a number.
+[[nodiscard]] inline double overRoot(double value, double square) { return value / std::sqrt(square); }
+[[nodiscard]] inline Surd overRoot(const Rational &value, const Rational &square) {
+  return Surd::root(square, Rational(value / square));
+}
+
+} // namespace halfspace

@@ -1,0 +1,58 @@
+// Triangles.
+#pragma once
+
+#include "geometry/vector.h"
+
+namespace halfspace {
+
+/// Three corners; u = p1 − p0 and v = p2 − p0 span it.
+template <class Scalar> struct Triangle {
+  Vec3<Scalar> p0;
+  Vec3<Scalar> p1;
+  Vec3<Scalar> p2;
+};
+
+enum class TriangleShape { Proper, Coincident, Collinear };
+
+/// Coincident: two corners are the same point. Collinear: u×v = 0 though no two are (note PG 6.2).
+template <class Scalar> [[nodiscard]] TriangleShape shapeOf(const Triangle<Scalar> &triangle) {
+  const Vec3<Scalar> u = triangle.p1 - triangle.p0;
+  const Vec3<Scalar> v = triangle.p2 - triangle.p0;
+  if (isZero(u) || isZero(v) || triangle.p1 == triangle.p2)
+    return TriangleShape::Coincident;
+  return isZero(cross(u, v)) ? TriangleShape::Collinear : TriangleShape::Proper;
+}
+
+/// Where a point of a triangle's plane lies. On an edge or at a corner the feature tells which one:
+/// the corner's index, or the index of the corner opposite the edge.
+enum class TriangleLocation { Interior, Edge, Vertex, Outside };
+struct TrianglePlace {
+  TriangleLocation location = TriangleLocation::Outside;
+  int feature = -1; ///< set for Edge and Vertex
+};
+
+/// The place of the point with barycentric coordinates [1 − s − t, s, t] (note PG 2; note CG).
+/// A coordinate 0 is an edge only where the other two are positive, a corner where one more is 0.
+template <class Scalar> [[nodiscard]] TrianglePlace placeInTriangle(const Scalar &s, const Scalar &t) {
+  const Scalar zero(0);
+  const Scalar barycentric[3] = {Scalar(1) - s - t, s, t};
+  int zeros = 0;
+  int lastZero = -1;
+  int lastPositive = -1;
+  for (int i = 0; i < 3; ++i) {
+    if (barycentric[i] < zero)
+      return {TriangleLocation::Outside, -1};
+    if (barycentric[i] == zero) {
+      ++zeros;
+      lastZero = i;
+    } else {
+      lastPositive = i;
+    }
+  }
+  if (zeros == 0)
+    return {TriangleLocation::Interior, -1};
+  return zeros == 1 ? TrianglePlace{TriangleLocation::Edge, lastZero}
+                    : TrianglePlace{TriangleLocation::Vertex, lastPositive};
+}
+
+} // namespace halfspace

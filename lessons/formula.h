@@ -1,0 +1,56 @@
+// Numbers as LaTeX, and formulas that know whether they are still exact.
+#pragma once
+
+#include "geometry/plane.h"
+#include "geometry/surd.h"
+#include "lessons/object.h"
+
+#include <span>
+#include <string>
+
+namespace halfspace {
+
+/// A number as it is written for a learner.
+struct ShownNumber {
+  std::string latex;
+  bool exact = true; ///< false: rounded to `shownDigits` significant digits, because the exact form is too long
+};
+
+/// Exact forms of more characters than this are shown rounded.
+inline constexpr std::size_t longestExactForm = 14;
+inline constexpr int shownDigits = 6;
+
+[[nodiscard]] ShownNumber show(const Rational &value);
+[[nodiscard]] ShownNumber show(const Surd &value);
+
+/// The value rounded to `shownDigits` significant digits, as a decimal.
+[[nodiscard]] std::string roundedText(double value);
+
+/// Builds one piece of a worked line. It remembers whether a number in it was rounded, so that the piece begins with
+/// `=` only when every number that it shows is exact.
+class Formula {
+public:
+  [[nodiscard]] std::string operator()(const Rational &value);
+  [[nodiscard]] std::string operator()(const Surd &value);
+  /// (x, y, z)
+  [[nodiscard]] std::string operator()(const ExactVec3 &value);
+  /// In parentheses when it is negative: what may stand after an operator.
+  [[nodiscard]] std::string factor(const Rational &value);
+  /// ` + 5`, ` - 5`; nothing for 0.
+  [[nodiscard]] std::string addend(const Rational &value);
+  /// 3·4 + (−1)·2 + 0·5: a dot product with its numbers put in.
+  [[nodiscard]] std::string products(const ExactVec3 &a, const ExactVec3 &b);
+  /// ax + by + cz + d without zero terms; `variables` are the LaTeX names that the first coefficients go with.
+  [[nodiscard]] std::string linear(std::span<const Surd> coefficients, std::span<const std::string> variables);
+
+  /// The body after `=` or, when a number in it was rounded, after `\approx`.
+  [[nodiscard]] std::string equals(const std::string &body) const;
+
+private:
+  bool m_exact = true;
+};
+
+/// `\mark{id}{latex}`
+[[nodiscard]] std::string marked(std::string_view id, std::string_view latex);
+
+} // namespace halfspace
