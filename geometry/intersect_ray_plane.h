@@ -11,11 +11,12 @@ enum class RayPlaneCase { Hit, Behind, Parallel, InPlane, ZeroNormal, ZeroDirect
 /// Where a ray meets a plane, with every number on the way.
 template <class Scalar> struct RayPlane {
   RayPlaneCase which = RayPlaneCase::ZeroNormal;
-  Scalar numerator{};                        ///< (P − Q)·n, which is −f(Q)
-  Scalar denominator{};                      ///< r·n
-  Scalar t{};                                ///< numerator/denominator; a distance only when |r| = 1
-  Vec3<Scalar> point{};                      ///< Q + t·r
-  std::array<Root<Scalar>, 3> facingNormal{}; ///< unit normal on the side that the ray's line comes from: n·r < 0
+  Scalar numerator{};   ///< (P − Q)·n, which is −f(Q)
+  Scalar denominator{}; ///< r·n
+  Scalar t{};           ///< numerator/denominator; a distance only when |r| = 1
+  Vec3<Scalar> point{}; ///< Q + t·r
+  std::array<Root<Scalar>, 3>
+      facingNormal{}; ///< unit normal on the side that the ray's line comes from: n·r < 0
 
   /// Whether the ray's line crosses the plane in one point; t, point and facingNormal are set only then.
   [[nodiscard]] bool crosses() const { return which == RayPlaneCase::Hit || which == RayPlaneCase::Behind; }

@@ -52,17 +52,19 @@ template <class Scalar> struct RayTriangle {
 };
 
 /// Intersects a ray with a triangle by the method of note PG 6.2.
-/// Hit: t ≥ 0 inside or on the boundary. Miss: the line crosses the plane outside. Behind: it crosses the triangle at
-/// t < 0. Parallel and InPlane as for the triangle's plane. A degenerate triangle is named by its shape and only its
-/// perps are set; with a zero direction the case says so.
+/// Hit: t ≥ 0 inside or on the boundary. Miss: the line crosses the plane outside. Behind: it crosses the
+/// triangle at t < 0. Parallel and InPlane as for the triangle's plane. A degenerate triangle is named by its
+/// shape and only its perps are set; with a zero direction the case says so.
 template <class Scalar>
-[[nodiscard]] RayTriangle<Scalar> intersectRayTriangle(const Ray<Scalar> &ray, const Triangle<Scalar> &triangle) {
+[[nodiscard]] RayTriangle<Scalar> intersectRayTriangle(const Ray<Scalar> &ray,
+                                                       const Triangle<Scalar> &triangle) {
   RayTriangle<Scalar> result;
   result.perps = perpsOf(triangle);
   const auto &perps = result.perps;
   const TriangleShape shape = shapeOf(triangle);
   if (shape != TriangleShape::Proper) {
-    result.which = shape == TriangleShape::Coincident ? RayTriangleCase::Coincident : RayTriangleCase::Collinear;
+    result.which =
+        shape == TriangleShape::Coincident ? RayTriangleCase::Coincident : RayTriangleCase::Collinear;
     return result;
   }
   result.plane = intersectRayPlane(ray, planeThrough(triangle.p0, perps.normal));

@@ -27,10 +27,11 @@ template <class Scalar> [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane
 }
 
 /// [a, b, c, d] divided by |n|, for n ≠ 0 (note PG 3.3): with them f is the signed distance.
-template <class Scalar> [[nodiscard]] std::array<Root<Scalar>, 4> normalizedCoefficients(const Plane<Scalar> &plane) {
+template <class Scalar>
+[[nodiscard]] std::array<Root<Scalar>, 4> normalizedCoefficients(const Plane<Scalar> &plane) {
   const Scalar square = dot(plane.normal, plane.normal);
-  return {overRoot(plane.normal.x, square), overRoot(plane.normal.y, square), overRoot(plane.normal.z, square),
-          overRoot(plane.offset, square)};
+  return {overRoot(plane.normal.x, square), overRoot(plane.normal.y, square),
+          overRoot(plane.normal.z, square), overRoot(plane.offset, square)};
 }
 
 /// The positive multiple of [a, b, c, d] in integers without a common factor, for n ≠ 0.

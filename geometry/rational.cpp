@@ -120,8 +120,8 @@ double nearestDouble(const Integer &p, const Integer &q, int exponent) {
     return 0;
   const Integer magnitude = mp::abs(p);
 
-  // Scale so that the quotient has 64 or 65 bits; a last odd bit stands for all that the division cut off, so that
-  // the one rounding below rounds the true value.
+  // Scale so that the quotient has 64 or 65 bits; a last odd bit stands for all that the division cut off, so
+  // that the one rounding below rounds the true value.
   const int shift = 65 - (bitLength(magnitude) - bitLength(q));
   const Integer dividend = shift > 0 ? Integer(magnitude << shift) : magnitude;
   const Integer divisor = shift < 0 ? Integer(q << -shift) : q;
@@ -133,8 +133,9 @@ double nearestDouble(const Integer &p, const Integer &q, int exponent) {
 
   // Keep the bits that a double of this size has: 53, fewer when it is subnormal.
   const int top = bitLength(quotient) - shift + exponent;
-  const int kept = std::min(std::numeric_limits<double>::digits,
-                            top - (std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits));
+  const int kept =
+      std::min(std::numeric_limits<double>::digits,
+               top - (std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits));
   if (kept < 0)
     return p < 0 ? -0.0 : 0.0;
   const int dropped = bitLength(quotient) - kept;
@@ -164,8 +165,8 @@ Rational roundToMultiple(double value, const Rational &step) {
   const double mantissa = std::frexp(value, &exponent);
   const Integer digits(static_cast<long long>(std::ldexp(mantissa, 53)));
   exponent -= 53;
-  const Rational exact =
-      exponent >= 0 ? Rational(Integer(digits << exponent)) : Rational(digits, Integer(Integer(1) << -exponent));
+  const Rational exact = exponent >= 0 ? Rational(Integer(digits << exponent))
+                                       : Rational(digits, Integer(Integer(1) << -exponent));
   return roundToMultiple(exact, step);
 }
 

@@ -18,13 +18,14 @@ using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 /// A fraction in lowest terms with a positive denominator.
 using Rational = mp::number<mp::rational_adaptor<mp::cpp_int_backend<>>, mp::et_off>;
 
-/// The most digits that `parseRational` takes: in a decimal before its exponent, in a numerator, in a denominator.
+/// The most digits that `parseRational` takes: in a decimal before its exponent, in a numerator, in a
+/// denominator.
 inline constexpr std::size_t maxDigits = 200;
 /// The largest magnitude of a decimal exponent that `parseRational` takes.
 inline constexpr int maxExponent = 400;
 
-/// The fraction that a text spells: a decimal (`-1.5`, `2e-3`: taken as exactly that decimal) or `p/q`, without
-/// spaces. Nothing for any other text, a zero denominator, or a number beyond the limits above.
+/// The fraction that a text spells: a decimal (`-1.5`, `2e-3`: taken as exactly that decimal) or `p/q`,
+/// without spaces. Nothing for any other text, a zero denominator, or a number beyond the limits above.
 [[nodiscard]] std::optional<Rational> parseRational(std::string_view text);
 
 /// `p` or `p/q` in lowest terms.

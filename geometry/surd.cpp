@@ -35,8 +35,8 @@ SquareParts splitSquares(const Integer &value) {
     parts.complete = false;
     return parts;
   }
-  // Below the cube root of what is left every prime is tried. What remains has at most two prime factors: it is
-  // square-free unless it is a square itself.
+  // Below the cube root of what is left every prime is tried. What remains has at most two prime factors: it
+  // is square-free unless it is a square itself.
   auto left = value.convert_to<std::uint64_t>();
   for (std::uint64_t prime = 2; prime * prime * prime <= left; prime += prime == 2 ? 1 : 2)
     if (left % prime == 0)
@@ -97,7 +97,9 @@ Surd Surd::operator*(const Rational &scale) const {
 
 bool Surd::operator==(const Surd &other) const {
   // Squares compare the roots whether or not their radicands could be brought to square-free form.
-  const auto rootSquare = [](const Surd &s) { return Rational(s.m_factor * s.m_factor * Rational(s.m_radicand)); };
+  const auto rootSquare = [](const Surd &s) {
+    return Rational(s.m_factor * s.m_factor * Rational(s.m_radicand));
+  };
   return m_rational == other.m_rational && m_factor.sign() == other.m_factor.sign() &&
          rootSquare(*this) == rootSquare(other);
 }
@@ -105,8 +107,8 @@ bool Surd::operator==(const Surd &other) const {
 double toDouble(const Surd &value) {
   if (value.isRational())
     return toDouble(value.rationalPart());
-  // The root is taken in fixed point, B·√n = ±√(B²n); more bits are added until 64 of the sum are true, however much
-  // of A and B·√n cancels.
+  // The root is taken in fixed point, B·√n = ±√(B²n); more bits are added until 64 of the sum are true,
+  // however much of A and B·√n cancels.
   const Rational square = value.rootFactor() * value.rootFactor() * Rational(value.radicand());
   const Integer p = mp::numerator(square);
   const Integer q = mp::denominator(square);

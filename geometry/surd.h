@@ -9,14 +9,15 @@ namespace halfspace {
 
 /// The exact value A + B·√n that a length, a normalized coefficient or a root of a quadratic has.
 ///
-/// Canonical form: n is a square-free integer > 1 and B ≠ 0, or n = 1 and B = 0 (a plain fraction); equal values then
-/// have equal parts. Where n would need the factors of a number beyond `factorLimit` that is no square, n stays as it
-/// is and `canonical()` is false; the value is exact all the same.
+/// Canonical form: n is a square-free integer > 1 and B ≠ 0, or n = 1 and B = 0 (a plain fraction); equal
+/// values then have equal parts. Where n would need the factors of a number beyond `factorLimit` that is no
+/// square, n stays as it is and `canonical()` is false; the value is exact all the same.
 class Surd {
 public:
   Surd() = default;
-  Surd(Rational value) : m_rational(std::move(value)) {} // NOLINT(google-explicit-constructor): every fraction is one
-  Surd(int value) : m_rational(value) {}                 // NOLINT(google-explicit-constructor)
+  Surd(Rational value)
+      : m_rational(std::move(value)) {}  // NOLINT(google-explicit-constructor): every fraction is one
+  Surd(int value) : m_rational(value) {} // NOLINT(google-explicit-constructor)
 
   /// factor · √square, for square ≥ 0.
   [[nodiscard]] static Surd root(const Rational &square, const Rational &factor = 1);
@@ -43,7 +44,8 @@ private:
 /// The largest number that is factored to find the square-free part of a radicand.
 inline const Integer factorLimit = mp::pow(Integer(10), 18);
 
-/// The double nearest to the exact value (at most one unit in the last place off); ±infinity beyond their range.
+/// The double nearest to the exact value (at most one unit in the last place off); ±infinity beyond their
+/// range.
 [[nodiscard]] double toDouble(const Surd &value);
 
 /// `A`, `B*sqrt(n)`, `A + B*sqrt(n)` or `A - B*sqrt(n)`; nothing where the value is not canonical.

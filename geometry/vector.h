@@ -7,7 +7,8 @@
 
 namespace halfspace {
 
-/// Three coordinates of a point or a vector. GLM's own dot and cross refuse a class type: those below serve both.
+/// Three coordinates of a point or a vector. GLM's own dot and cross refuse a class type: those below serve
+/// both.
 template <class Scalar> using Vec3 = glm::vec<3, Scalar>;
 
 /// a·b

@@ -5,7 +5,6 @@
 #include "geometry/surd.h"
 #include "lessons/object.h"
 
-#include <span>
 #include <string>
 
 namespace halfspace {
@@ -13,7 +12,8 @@ namespace halfspace {
 /// A number as it is written for a learner.
 struct ShownNumber {
   std::string latex;
-  bool exact = true; ///< false: rounded to `shownDigits` significant digits, because the exact form is too long
+  bool exact =
+      true; ///< false: rounded to `shownDigits` significant digits, because the exact form is too long
 };
 
 /// Exact forms of more characters than this are shown rounded.
@@ -26,7 +26,8 @@ inline constexpr int shownDigits = 6;
 /// The value rounded to `shownDigits` significant digits, as a decimal.
 [[nodiscard]] std::string roundedText(double value);
 
-/// Builds one piece of a worked line. It remembers whether a number in it was rounded, so that the piece begins with
+/// Builds one piece of a worked line. It remembers whether a number in it was rounded, so that the piece
+/// begins with
 /// `=` only when every number that it shows is exact.
 class Formula {
 public:
@@ -40,8 +41,12 @@ public:
   [[nodiscard]] std::string addend(const Rational &value);
   /// 3·4 + (−1)·2 + 0·5: a dot product with its numbers put in.
   [[nodiscard]] std::string products(const ExactVec3 &a, const ExactVec3 &b);
-  /// ax + by + cz + d without zero terms; `variables` are the LaTeX names that the first coefficients go with.
-  [[nodiscard]] std::string linear(std::span<const Surd> coefficients, std::span<const std::string> variables);
+  /// (p/q) as a tall fraction with the numbers as they are, not reduced.
+  [[nodiscard]] std::string quotient(const Surd &p, const Surd &q);
+  /// ax + by + cz + d without zero terms, 0 when all are zero. A coefficient goes with the variable at its
+  /// place (LaTeX); those beyond the last variable stand alone.
+  [[nodiscard]] std::string linear(const std::vector<Surd> &coefficients,
+                                   const std::vector<std::string> &variables);
 
   /// The body after `=` or, when a number in it was rounded, after `\approx`.
   [[nodiscard]] std::string equals(const std::string &body) const;
@@ -52,5 +57,11 @@ private:
 
 /// `\mark{id}{latex}`
 [[nodiscard]] std::string marked(std::string_view id, std::string_view latex);
+
+/// The value in plain text for a sentence: `t = −10/3`, or `t ≈ 0.271828` when it is rounded.
+[[nodiscard]] std::string equation(std::string_view name, const Surd &value);
+
+/// The coordinates as a list of values.
+[[nodiscard]] std::vector<Surd> listOf(const ExactVec3 &value);
 
 } // namespace halfspace

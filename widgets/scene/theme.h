@@ -3,6 +3,7 @@
 
 #include "lessons/figure.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct Theme {
   Color axis;
   Color shadow;
   Color halo; ///< around labels
+  Color planeFace; ///< the face of a plane's patch, drawn with planeOpacity; its border and normal are darker
   double planeOpacity = 0.30;
   double polygonOpacity = 0.34;
   double lineScale = 1; ///< widths of everything drawn in 3D
@@ -48,8 +50,8 @@ struct Theme {
   /// The colour of text about that subject: darker where the solid colour would not read on the background.
   [[nodiscard]] Color inkOf(Subject subject) const;
 
-  Color solids[8]; ///< by Subject
-  Color inks[8];   ///< by Subject
+  std::array<Color, 8> solids{}; ///< by Subject
+  std::array<Color, 8> inks{};   ///< by Subject
 };
 
 /// light, dark, print (white, black ink), projector (strong contrast, thick lines, large type).

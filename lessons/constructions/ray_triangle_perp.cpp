@@ -1,0 +1,428 @@
+// Where a ray meets a triangle, by u⊥ and v⊥ with five dot products (note PG 6.2, figure 4). The ray's
+// parameter is λ here, because s and t belong to the triangle.
+#include "geometry/intersect_ray_triangle.h"
+#include "lessons/construction.h"
+#include "lessons/drawing.h"
+#include "lessons/words.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+struct In {
+  TriangleObject T;
+  RayObject L;
+};
+
+struct Out {
+  RayTriangle<Rational> meet; // u, v, n, perps, the five dot products, s, t, place
+  Rational wOnUPerp;          // a = w·u⊥
+  Rational vOnUPerp;          // b = v·u⊥
+  Rational wOnVPerp;          // w·v⊥
+  Rational uOnVPerp;          // u·v⊥
+  std::vector<Surd> barycentric;
+  ExactVec3 tv;    // P0 + t·v
+  ExactVec3 footA; // of w on the line P0 + u⊥, a along u⊥
+  ExactVec3 footB; // of v on it, b along u⊥
+};
+
+Out compute(const In &in) {
+  Out out;
+  out.meet = intersectRayTriangle(Ray<Rational>{in.L.origin, in.L.direction},
+                                  Triangle<Rational>{in.T.p0, in.T.p1, in.T.p2});
+  const auto &perps = out.meet.perps;
+  if (!out.meet.crosses())
+    return out;
+  out.wOnUPerp = dot(out.meet.w, perps.uPerp);
+  out.vOnUPerp = dot(perps.v, perps.uPerp);
+  out.wOnVPerp = dot(out.meet.w, perps.vPerp);
+  out.uOnVPerp = dot(perps.u, perps.vPerp);
+  const Rational rest = 1 - out.meet.s - out.meet.tTriangle;
+  out.barycentric = {rest, out.meet.s, out.meet.tTriangle};
+  out.tv = in.T.p0 + perps.v * out.meet.tTriangle;
+  const Rational perpSquared = dot(perps.uPerp, perps.uPerp);
+  out.footA = in.T.p0 + perps.uPerp * Rational(out.wOnUPerp / perpSquared);
+  out.footB = in.T.p0 + perps.uPerp * Rational(out.vOnUPerp / perpSquared);
+  return out;
+}
+
+const char *const cornerNames[3] = {"P₀", "P₁", "P₂"};
+const char *const edgeNames[3] = {"P₁P₂", "P₀P₂", "P₀P₁"}; // by the opposite corner
+
+/// Where in the triangle, in words; for a point of it.
+std::string placeWords(const TrianglePlace &place) {
+  switch (place.location) {
+  case TriangleLocation::Interior:
+    return words("inside the triangle");
+  case TriangleLocation::Edge:
+    return words("on the edge {edge}", {{"edge", edgeNames[place.feature]}});
+  case TriangleLocation::Vertex:
+    return words("at the corner {corner}", {{"corner", cornerNames[place.feature]}});
+  case TriangleLocation::Outside:
+    break;
+  }
+  return words("outside the triangle");
+}
+
+CaseWords tell(const In &in, const Out &out) {
+  const std::string lambda = equation("λ", out.meet.plane.t);
+  switch (out.meet.which) {
+  case RayTriangleCase::Hit:
+    return {"hit", words("The ray hits {place}, at {lambda}.",
+                         {{"place", placeWords(out.meet.place)}, {"lambda", lambda}})};
+  case RayTriangleCase::Behind:
+    return {"behind", words("{lambda} is negative: the triangle is behind the ray's start. The line "
+                            "backwards would meet it {place}.",
+                            {{"place", placeWords(out.meet.place)}, {"lambda", lambda}})};
+  case RayTriangleCase::Miss:
+    return {"miss", words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
+                          {{"s", equation("s", out.meet.s)},
+                           {"t", equation("t", out.meet.tTriangle)},
+                           {"sum", equation("s + t", Rational(out.meet.s + out.meet.tTriangle))}})};
+  case RayTriangleCase::Parallel:
+    return {"parallel", words("r·n = 0: the ray runs parallel to the triangle's plane and never meets it.")};
+  case RayTriangleCase::InPlane:
+    return {"in-plane", words("r·n = 0 and Q lies in the triangle's plane: the ray runs inside it, and no "
+                              "single point is the hit.")};
+  case RayTriangleCase::ZeroDirection:
+    return {"zero-direction", words("The direction r is the zero vector: the ray goes nowhere."), true};
+  case RayTriangleCase::Coincident: {
+    const int pair = in.T.p0 == in.T.p1 ? 2 : in.T.p0 == in.T.p2 ? 1 : 0;
+    return {"coincident",
+            words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
+                  {{"first", cornerNames[pair == 0 ? 1 : 0]}, {"second", cornerNames[pair == 2 ? 1 : 2]}}),
+            true};
+  }
+  case RayTriangleCase::Collinear:
+    break;
+  }
+  return {
+      "collinear",
+      words(
+          "P₀, P₁ and P₂ lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and there is no "
+          "triangle to hit."),
+      true};
+}
+
+const std::string Q = marked("Q", "Q");
+const std::string r = marked("r", "\\vec r");
+const std::string P0 = marked("P0", "P_0");
+const std::string P1 = marked("P1", "P_1");
+const std::string P2 = marked("P2", "P_2");
+const std::string u = marked("u", "\\vec u");
+const std::string v = marked("v", "\\vec v");
+const std::string n = marked("n", "\\vec n");
+const std::string w = marked("w", "\\vec w");
+const std::string uPerp = marked("uperp", "\\vec u^{\\perp}");
+const std::string vPerp = marked("vperp", "\\vec v^{\\perp}");
+const std::string I = marked("I", "I");
+
+std::string locationName(TriangleLocation location) {
+  switch (location) {
+  case TriangleLocation::Interior:
+    return "interior";
+  case TriangleLocation::Edge:
+    return "edge";
+  case TriangleLocation::Vertex:
+    return "vertex";
+  case TriangleLocation::Outside:
+    break;
+  }
+  return "outside";
+}
+
+std::vector<NamedValue> perpValues(const Out &out) {
+  const auto &perps = out.meet.perps;
+  std::vector<NamedValue> values{{"u_perp", uPerp, listOf(perps.uPerp)},
+                                 {"v_perp", vPerp, listOf(perps.vPerp)},
+                                 {"uu", u + "\\cdot " + u, Surd(perps.uu)},
+                                 {"uv", u + "\\cdot " + v, Surd(perps.uv)},
+                                 {"vv", v + "\\cdot " + v, Surd(perps.vv)}};
+  if (out.meet.crosses()) {
+    values.push_back({"wu", w + "\\cdot " + u, Surd(out.meet.wu)});
+    values.push_back({"wv", w + "\\cdot " + v, Surd(out.meet.wv)});
+  }
+  values.push_back({"denominator", "\\text{denominator}", Surd(perps.denominator)});
+  return values;
+}
+
+std::vector<NamedValue> list(const In &, const Out &out) {
+  std::vector<NamedValue> values;
+  if (out.meet.crosses()) {
+    values.push_back({"location", "\\text{place}", locationName(out.meet.place.location)});
+    if (out.meet.place.feature >= 0)
+      values.push_back({"feature", "", out.meet.place.feature});
+    values.push_back({"t", "\\lambda", Surd(out.meet.plane.t)});
+    values.push_back({"point", I, listOf(out.meet.plane.point)});
+    values.push_back({"s", "s", Surd(out.meet.s)});
+    values.push_back({"t_triangle", "t", Surd(out.meet.tTriangle)});
+    values.push_back({"barycentric", "(1-s-t,\\ s,\\ t)", out.barycentric});
+  }
+  values.push_back({"perp", "", perpValues(out)});
+  return values;
+}
+
+/// A line that subtracts two points: \vec u = P_1 − P_0 with numbers and result.
+WorkingLine differenceLine(std::string id, std::string symbols, const ExactVec3 &to, const ExactVec3 &from,
+                           const ExactVec3 &difference, std::string sentence) {
+  Formula f;
+  const std::string inserted = f.equals(f(to) + " - " + f(from));
+  Formula g;
+  return {std::move(id), std::move(symbols), inserted, g.equals(g(difference)), std::move(sentence)};
+}
+
+/// A line for a dot product of two vectors.
+WorkingLine dotLine(std::string id, std::string symbols, const ExactVec3 &a, const ExactVec3 &b,
+                    const Rational &product, std::string sentence = "") {
+  Formula f;
+  const std::string inserted = f.equals(f.products(a, b));
+  Formula g;
+  return {std::move(id), std::move(symbols), inserted, g.equals(g(product)), std::move(sentence)};
+}
+
+/// n×u = (u·u)v − (u·v)u and n×v = (u·v)v − (v·v)u: both are k·v − l·u.
+WorkingLine perpLine(std::string id, std::string symbols, const Rational &k, const Rational &l,
+                     const TrianglePerps<Rational> &perps, const ExactVec3 &result, std::string sentence) {
+  Formula f;
+  const std::string inserted = f.equals(f.factor(k) + f(perps.v) + " - " + f.factor(l) + f(perps.u));
+  Formula g;
+  return {std::move(id), std::move(symbols), inserted, g.equals(g(result)), std::move(sentence)};
+}
+
+std::vector<WorkingLine> triangleLines(const In &in, const TrianglePerps<Rational> &perps) {
+  Formula f;
+  const std::string normal = f.equals(f(perps.normal));
+  return {
+      differenceLine("u", u + " = " + P1 + " - " + P0, in.T.p1, in.T.p0, perps.u, ""),
+      differenceLine("v", v + " = " + P2 + " - " + P0, in.T.p2, in.T.p0, perps.v,
+                     words("Two sides of the triangle, both from P₀.")),
+      {"normal", n + " = " + u + "\\times " + v, "", normal, words("Perpendicular to both sides.")},
+      dotLine("uu", u + "\\cdot " + u, perps.u, perps.u, perps.uu),
+      dotLine("uv", u + "\\cdot " + v, perps.u, perps.v, perps.uv),
+      dotLine("vv", v + "\\cdot " + v, perps.v, perps.v, perps.vv,
+              words("Three of the five dot products: they belong to the triangle alone.")),
+      perpLine("uperp",
+               uPerp + " = " + n + "\\times " + u + " = (" + u + "\\cdot " + u + ")" + v + " - (" + u +
+                   "\\cdot " + v + ")" + u,
+               perps.uu, perps.uv, perps, perps.uPerp,
+               words("u perp: in the plane of the triangle and perpendicular to u.")),
+      perpLine("vperp",
+               vPerp + " = " + n + "\\times " + v + " = (" + u + "\\cdot " + v + ")" + v + " - (" + v +
+                   "\\cdot " + v + ")" + u,
+               perps.uv, perps.vv, perps, perps.vPerp, words("v perp likewise: perpendicular to v.")),
+  };
+}
+
+WorkingLine denominatorLine(const Out &out) {
+  const auto &perps = out.meet.perps;
+  Formula f;
+  const std::string inserted =
+      f.equals(f.factor(perps.uv) + "^2 - " + f.factor(perps.uu) + "\\cdot " + f.factor(perps.vv));
+  Formula g;
+  const bool degenerate = perps.denominator == 0;
+  return {"denominator",
+          "D = (" + u + "\\cdot " + v + ")^2 - (" + u + "\\cdot " + u + ")(" + v + "\\cdot " + v + ")",
+          inserted, g.equals(g(perps.denominator)),
+          degenerate ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
+                     : words("The denominator of s and t. It is zero only for a degenerate triangle.")};
+}
+
+WorkingLine lambdaLine(const Out &out) {
+  Formula f;
+  const std::string inserted = f.equals(f.quotient(out.meet.plane.numerator, out.meet.plane.denominator));
+  Formula g;
+  return {"plane-t", "\\lambda = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}",
+          inserted, g.equals(g(out.meet.plane.t)),
+          words("First the triangle's plane: so many steps r lead from Q to it.")};
+}
+
+WorkingLine hitLine(const In &in, const Out &out) {
+  Formula f;
+  const std::string inserted =
+      f.equals(f(in.L.origin) + " + " + f.factor(out.meet.plane.t) + f(in.L.direction));
+  Formula g;
+  return {"hit", I + " = " + Q + " + \\lambda\\," + r, inserted, g.equals(g(out.meet.plane.point)),
+          words("The point of the plane that the ray's line goes through. Is it in the triangle?")};
+}
+
+/// x = w·x⊥ / y·x⊥ as a fraction of the five dot products.
+WorkingLine shareLine(std::string id, std::string symbols, const Rational &first, const Rational &second,
+                      const Rational &third, const Rational &fourth, const Rational &denominator,
+                      const Rational &share, std::string sentence) {
+  Formula f;
+  const std::string inserted =
+      f.equals("\\frac{" + f.factor(first) + "\\cdot " + f.factor(second) + " - " + f.factor(third) +
+               "\\cdot " + f.factor(fourth) + "}{" + f(denominator) + "}");
+  Formula g;
+  return {std::move(id), std::move(symbols), inserted, g.equals(g(share)), std::move(sentence)};
+}
+
+WorkingLine placeLine(const Out &out) {
+  Formula f;
+  const std::string sum = f(Rational(out.meet.s + out.meet.tTriangle));
+  const std::string values =
+      f(out.meet.s) + ",\\quad t " + f.equals(f(out.meet.tTriangle)) + ",\\quad s + t " + f.equals(sum);
+  return {"place", "s", f.equals(values), "",
+          words("Inside means s ≥ 0, t ≥ 0 and s + t ≤ 1. Equality in one of them is an edge only while the "
+                "other two "
+                "hold. Here the point is {place}.",
+                {{"place", placeWords(out.meet.place)}})};
+}
+
+std::vector<WorkingLine> similarLines(const Out &out) {
+  Formula fa;
+  Formula fb;
+  Formula ft;
+  const std::string a = marked("a", "a");
+  const std::string b = marked("b", "b");
+  return {
+      {"a", a + " = " + w + "\\cdot " + uPerp, fa.equals(fa(out.wOnUPerp)), "",
+       words("What w has of the direction of u⊥.")},
+      {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("What v has of it.")},
+      {"similar", "t = \\frac{" + a + "}{" + b + "}", ft.equals(ft.quotient(out.wOnUPerp, out.vOnUPerp)),
+       ft.equals(ft(out.meet.tTriangle)),
+       words("Two right triangles at P₀ have the same shape, so t·v is to v as a is to b. The length of u⊥ "
+             "stands "
+             "in both and cancels.")}};
+}
+
+std::vector<WorkingLine> crossingLines(const In &in, const Out &out) {
+  const auto &perps = out.meet.perps;
+  const auto &meet = out.meet;
+  std::vector<WorkingLine> lines{
+      lambdaLine(out),
+      hitLine(in, out),
+      differenceLine("w", w + " = " + I + " - " + P0, meet.plane.point, in.T.p0, meet.w,
+                     words("From P₀ to that point. We look for w = s·u + t·v.")),
+      dotLine("wu", w + "\\cdot " + u, meet.w, perps.u, meet.wu),
+      dotLine("wv", w + "\\cdot " + v, meet.w, perps.v, meet.wv,
+              words("The last two of the five dot products.")),
+      denominatorLine(out),
+      shareLine("s",
+                "s = \\frac{" + w + "\\cdot " + vPerp + "}{" + u + "\\cdot " + vPerp + "} = \\frac{(" + u +
+                    "\\cdot " + v + ")(" + w + "\\cdot " + v + ") - (" + v + "\\cdot " + v + ")(" + w +
+                    "\\cdot " + u + ")}{D}",
+                perps.uv, meet.wv, perps.vv, meet.wu, perps.denominator, meet.s,
+                words("Dotted with v⊥, the part t·v drops out and only s is left.")),
+      shareLine("t",
+                "t = \\frac{" + w + "\\cdot " + uPerp + "}{" + v + "\\cdot " + uPerp + "} = \\frac{(" + u +
+                    "\\cdot " + v + ")(" + w + "\\cdot " + u + ") - (" + u + "\\cdot " + u + ")(" + w +
+                    "\\cdot " + v + ")}{D}",
+                perps.uv, meet.wu, perps.uu, meet.wv, perps.denominator, meet.tTriangle,
+                words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
+                      "triangle; the "
+                      "ray's own parameter is λ.")),
+      placeLine(out)};
+  for (WorkingLine &line : similarLines(out))
+    lines.push_back(std::move(line));
+  return lines;
+}
+
+Working explain(const In &in, const Out &out) {
+  Working working{triangleLines(in, out.meet.perps)};
+  if (out.meet.crosses())
+    for (WorkingLine &line : crossingLines(in, out))
+      working.lines.push_back(std::move(line));
+  else
+    working.lines.push_back(denominatorLine(out));
+  return working;
+}
+
+/// The normal is drawn this long, whatever u×v is: only its direction matters here.
+constexpr double drawnNormalLength = 3;
+/// The perps are drawn a little longer than the farther of the feet on them.
+constexpr double perpBeyondFoot = 1.12;
+
+/// The arrow of a direction drawn at another length.
+ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
+  return {std::move(base), from, glm::normalize(place(direction)) * length};
+}
+
+void drawSpan(Figure &figure, const In &in, const Out &out) {
+  const auto &perps = out.meet.perps;
+  const Place p0 = place(in.T.p0);
+  const Place pv = place(perps.v);
+  const Place pu = place(perps.u);
+  figure.marks.push_back(
+      PolygonMark{{"T", Role::Given, Subject::Triangle, ""}, {p0, place(in.T.p1), place(in.T.p2)}});
+  figure.marks.push_back(
+      drawnArrow({"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, perps.normal, drawnNormalLength));
+  const double heightOfV = std::abs(glm::dot(pv, glm::normalize(place(perps.uPerp))));
+  const double heightOfU = std::abs(glm::dot(pu, glm::normalize(place(perps.vPerp))));
+  const double reachOfFeet =
+      out.meet.crosses() ? std::max(heightOfV, glm::length(place(out.footA) - p0)) : heightOfV;
+  figure.marks.push_back(drawnArrow({"uperp", Role::Derived, Subject::EdgeU, "\\vec u^{\\perp}"}, p0,
+                                    perps.uPerp, reachOfFeet * perpBeyondFoot));
+  figure.marks.push_back(drawnArrow({"vperp", Role::Derived, Subject::EdgeV, "\\vec v^{\\perp}"}, p0,
+                                    perps.vPerp, heightOfU * perpBeyondFoot));
+}
+
+void drawEdges(Figure &figure, const In &in, const Out &out) {
+  const Place p0 = place(in.T.p0);
+  const bool proper = out.meet.perps.denominator != 0;
+  const Role role = proper ? Role::Given : Role::Warning;
+  figure.marks.push_back(ArrowMark{{"u", role, Subject::EdgeU, "\\vec u"}, p0, place(out.meet.perps.u)});
+  figure.marks.push_back(ArrowMark{{"v", role, Subject::EdgeV, "\\vec v"}, p0, place(out.meet.perps.v)});
+  const std::pair<const char *, const ExactVec3 *> corners[] = {
+      {"0", &in.T.p0}, {"1", &in.T.p1}, {"2", &in.T.p2}};
+  for (const auto &[index, corner] : corners)
+    figure.marks.push_back(
+        PointMark{{std::string("P") + index, Role::Given, Subject::Triangle, std::string("P_") + index},
+                  place(*corner)});
+}
+
+/// Figure 4 of the note: the feet of w and v on u⊥, and the two similar right triangles that they make with
+/// P0.
+void drawSimilarTriangles(Figure &figure, const In &in, const Out &out) {
+  const Place p0 = place(in.T.p0);
+  const Place p2 = place(in.T.p2);
+  const Place tv = place(out.tv);
+  const Place a = place(out.footA);
+  const Place b = place(out.footB);
+  const Place point = place(out.meet.plane.point);
+  figure.marks.push_back(SegmentMark{{"tv", Role::Derived, Subject::EdgeV, "t\\vec v"}, p0, tv});
+  figure.marks.push_back(SegmentMark{{"su", Role::Helper, Subject::EdgeU, ""}, tv, point});
+  figure.marks.push_back(SegmentMark{{"a-foot", Role::Helper, Subject::Measure, ""}, point, a});
+  figure.marks.push_back(SegmentMark{{"b-foot", Role::Helper, Subject::Measure, ""}, p2, b});
+  figure.marks.push_back(PointMark{{"a", Role::Derived, Subject::Measure, "a"}, a});
+  figure.marks.push_back(PointMark{{"b", Role::Derived, Subject::Measure, "b"}, b});
+  if (out.wOnUPerp != 0)
+    figure.marks.push_back(
+        RightAngleMark{{"a-angle", Role::Helper, Subject::Measure, ""}, a, p0 - a, point - a});
+  figure.marks.push_back(RightAngleMark{{"b-angle", Role::Helper, Subject::Measure, ""}, b, p0 - b, p2 - b});
+}
+
+Figure draw(const In &in, const Out &out) {
+  Figure figure;
+  const bool crosses = out.meet.crosses();
+  const bool ahead = out.meet.plane.which == RayPlaneCase::Hit;
+  const Place point = place(out.meet.plane.point);
+  if (out.meet.perps.denominator != 0)
+    drawSpan(figure, in, out);
+  drawEdges(figure, in, out);
+  drawRay(figure, in.L, rayReach(in.L, crosses && ahead ? std::optional(point) : std::nullopt));
+  if (!crosses)
+    return figure;
+  if (!ahead)
+    figure.marks.push_back(
+        SegmentMark{{"backward", Role::Ghost, Subject::Ray, ""}, place(in.L.origin), point});
+  figure.marks.push_back(
+      ArrowMark{{"w", Role::Derived, Subject::Neutral, "\\vec w"}, place(in.T.p0), place(out.meet.w)});
+  drawSimilarTriangles(figure, in, out);
+  const bool hit = out.meet.which == RayTriangleCase::Hit;
+  figure.marks.push_back(PointMark{{"I", hit ? Role::Result : Role::Ghost, Subject::Ray, "I"}, point});
+  return figure;
+}
+
+} // namespace
+
+Construction ray_triangle_perp() {
+  return makeConstruction<In, Out>("ray-triangle-perp", compute, tell, list, explain, draw,
+                                   TypedRole<In, TriangleObject>{"T", &In::T},
+                                   TypedRole<In, RayObject>{"L", &In::L});
+}
+
+} // namespace halfspace

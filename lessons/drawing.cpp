@@ -1,0 +1,53 @@
+#include "lessons/drawing.h"
+
+#include <glm/geometric.hpp>
+
+namespace halfspace {
+namespace {
+
+/// How far a ray runs on behind what it hits, in scene units.
+constexpr double beyondHit = 2.5;
+
+} // namespace
+
+std::string planeEquation(const std::vector<Surd> &coefficients) {
+  Formula f;
+  const std::string left = f.linear(coefficients, {"x", "y", "z"});
+  return left + f.equals("0");
+}
+
+void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd> &coefficients,
+               const std::vector<Place> &covers) {
+  const Place point = place(plane.point);
+  if (!isZero(plane.normal)) {
+    figure.marks.push_back(
+        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ " + planeEquation(coefficients)},
+                       point,
+                       place(plane.normal),
+                       covers});
+    figure.marks.push_back(
+        ArrowMark{{"n", Role::Given, Subject::Plane, "\\vec n"}, point, place(plane.normal)});
+  }
+  figure.marks.push_back(PointMark{{"P0", Role::Given, Subject::Plane, "P_0"}, point});
+}
+
+void drawRay(Figure &figure, const RayObject &ray, double reach) {
+  const Place origin = place(ray.origin);
+  const Place direction = place(ray.direction);
+  if (!isZero(ray.direction)) {
+    figure.marks.push_back(RayMark{{"ray", Role::Given, Subject::Ray, ""}, origin, direction, reach});
+    figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction});
+  }
+  figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, origin});
+}
+
+double rayReach(const RayObject &ray, const std::optional<Place> &hit) {
+  const double unit = glm::length(place(ray.direction));
+  if (unit == 0)
+    return 0;
+  if (!hit)
+    return openRayLength / unit;
+  return (glm::length(*hit - place(ray.origin)) + beyondHit) / unit;
+}
+
+} // namespace halfspace

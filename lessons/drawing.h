@@ -1,0 +1,30 @@
+// What the figures of all constructions are made with.
+#pragma once
+
+#include "lessons/figure.h"
+#include "lessons/formula.h"
+
+namespace halfspace {
+
+/// Where exact coordinates are drawn.
+[[nodiscard]] inline Place place(const ExactVec3 &exact) { return toDouble(exact); }
+
+/// The LaTeX of a plane's equation, with the relation that its numbers allow: `x + 2y + 2z - 27 = 0`.
+[[nodiscard]] std::string planeEquation(const std::vector<Surd> &coefficients);
+
+/// The marks that every figure with a plane has: the patch E with its equation, P0 and n. A zero normal
+/// leaves P0.
+void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd> &coefficients,
+               const std::vector<Place> &covers);
+
+/// The marks that every figure with a ray has: Q, its direction r and the line it runs along up to t = reach.
+/// A zero direction leaves Q.
+void drawRay(Figure &figure, const RayObject &ray, double reach);
+
+/// How far to draw a ray that meets nothing ahead: this many scene units.
+inline constexpr double openRayLength = 16;
+
+/// The t up to which a ray is drawn: a little beyond the hit, or openRayLength units where there is none.
+[[nodiscard]] double rayReach(const RayObject &ray, const std::optional<Place> &hit);
+
+} // namespace halfspace
