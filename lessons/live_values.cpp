@@ -1,0 +1,93 @@
+#include "lessons/condition.h"
+#include "lessons/formula.h"
+
+#include <algorithm>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+/// Stands for a value that the present case does not have.
+constexpr std::string_view noValue = "—";
+
+/// Braces further apart than this hold no name.
+constexpr std::size_t longestName = 80;
+
+/// A value as Markdown: numbers as LaTeX, with ≈ when they are rounded, words as they are.
+struct ValueMarkdown {
+  std::string operator()(const Surd &number) const { return inLatex(show(number).latex, show(number).exact); }
+  std::string operator()(int number) const { return (*this)(Surd(number)); }
+  std::string operator()(const std::string &word) const { return word; }
+  std::string operator()(const std::vector<Surd> &list) const {
+    std::string numbers;
+    bool exact = true;
+    for (const Surd &number : list) {
+      const ShownNumber shown = show(number);
+      numbers += (numbers.empty() ? "" : ",\\,") + shown.latex;
+      exact = exact && shown.exact;
+    }
+    return inLatex("\\left(" + numbers + "\\right)", exact);
+  }
+  std::string operator()(const std::vector<NamedValue> &) const { return std::string(noValue); }
+
+private:
+  static std::string inLatex(const std::string &latex, bool exact) {
+    return "$" + (exact ? latex : "\\approx " + latex) + "$";
+  }
+};
+
+std::string markdownOf(std::string_view name, const Scene &scene, const Outcome &outcome) {
+  if (const auto value = findValue(outcome, name))
+    return std::visit(ValueMarkdown(), *value);
+  if (const auto id = findCoordinate(scene, name))
+    return ValueMarkdown()(listOf(coordinate(*findObject(scene, id->object), id->index)));
+  return std::string(noValue);
+}
+
+/// The length of a formula or of code that starts here, where braces mean something else; 0 elsewhere.
+std::size_t verbatimLength(std::string_view text) {
+  if (text.front() == '\\' && text.size() > 1)
+    return 2;
+  if (text.front() != '$' && text.front() != '`')
+    return 0;
+  const std::string_view fence = text.substr(0, std::min(text.find_first_not_of(text.front()), text.size()));
+  const auto end = text.find(fence, fence.size());
+  return end == std::string_view::npos ? fence.size() : end + fence.size();
+}
+
+} // namespace
+
+std::string withLiveValues(const std::string &markdown, const Scene &scene, const Outcome &outcome) {
+  std::string filled;
+  for (std::string_view rest = markdown; !rest.empty();) {
+    const std::size_t verbatim = verbatimLength(rest);
+    const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
+    std::size_t taken = std::max<std::size_t>(verbatim, 1);
+    if (close != std::string_view::npos && isValueName(rest.substr(1, close - 1))) {
+      filled += markdownOf(rest.substr(1, close - 1), scene, outcome);
+      taken = close + 1;
+    } else {
+      filled += rest.substr(0, taken);
+    }
+    rest.remove_prefix(taken);
+  }
+  return filled;
+}
+
+Outcome shownIn(const LessonStep &step, Outcome outcome) {
+  if (step.lines.empty())
+    return outcome;
+  std::set<std::string> named;
+  std::erase_if(outcome.working.lines, [&](const WorkingLine &line) {
+    return std::find(step.lines.begin(), step.lines.end(), line.id) == step.lines.end();
+  });
+  for (const WorkingLine &line : outcome.working.lines)
+    for (const std::string &id : marksNamedIn(line.symbols + line.numbers + line.result))
+      named.insert(id);
+  std::erase_if(outcome.figure.marks, [&](const Mark &mark) {
+    return baseOf(mark).role != Role::Given && !named.contains(baseOf(mark).id);
+  });
+  return outcome;
+}
+
+} // namespace halfspace

@@ -1,0 +1,201 @@
+#include "lessons/snapping.h"
+
+#include "lessons/drawing.h"
+#include "lessons/session.h"
+#include "lessons/snap_targets.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// The pointer's place is taken to this fineness before exact work begins: far below a pixel, and short.
+const Rational pointerFineness(1, 1000);
+/// Directions with longer whole numbers than this give steps too large to be one: then a coordinate is
+/// rounded instead.
+const Rational longestStepVector = 12;
+/// Grid places this many steps around the nearest one are tried.
+constexpr int gridReach = 2;
+
+/// One way to satisfy a target.
+struct Candidate {
+  ExactVec3 at;
+  std::size_t denominatorDigits = 0; ///< of the value's longest denominator
+  double pixels = 0;                 ///< from where the pointer wants it
+};
+
+std::size_t denominatorDigits(const ExactVec3 &value) {
+  std::size_t digits = 0;
+  for (int i = 0; i < 3; ++i)
+    digits = std::max(digits, Integer(mp::denominator(value[i])).str().size());
+  return digits;
+}
+
+/// The whole-numbered vector without a common factor in the direction of one that is not zero.
+ExactVec3 primitive(const ExactVec3 &direction) {
+  Integer denominators = 1;
+  for (int i = 0; i < 3; ++i)
+    denominators = mp::lcm(denominators, Integer(mp::denominator(direction[i])));
+  const ExactVec3 whole = direction * Rational(denominators);
+  Integer factor = 0;
+  for (int i = 0; i < 3; ++i)
+    factor = mp::gcd(factor, Integer(mp::numerator(whole[i])));
+  return whole / Rational(factor);
+}
+
+Rational largestMagnitude(const ExactVec3 &vector) {
+  return std::max({Rational(mp::abs(vector.x)), Rational(mp::abs(vector.y)), Rational(mp::abs(vector.z))});
+}
+
+int dominantAxis(const ExactVec3 &vector) {
+  int dominant = 0;
+  for (int i = 1; i < 3; ++i)
+    if (mp::abs(vector[i]) > mp::abs(vector[dominant]))
+      dominant = i;
+  return dominant;
+}
+
+/// Finds where one handle comes to rest.
+class Snapper {
+public:
+  explicit Snapper(const SnapRequest &request)
+      : m_request(request), m_wanted(wantedPlace()), m_grid(gridPlace()) {}
+
+  SnappedPlace find() const {
+    SnappedPlace best{m_grid, ""};
+    std::size_t bestDimension = 4;
+    double bestPixels = 0;
+    for (const SnapTarget &target : snapTargets(m_request.scene, m_request.handle)) {
+      const std::size_t dimension = target.places.dimension();
+      if (dimension > bestDimension)
+        continue;
+      const auto candidate = bestFor(target);
+      if (!candidate || (dimension == bestDimension && candidate->pixels >= bestPixels))
+        continue;
+      best = {candidate->at, target.name};
+      bestDimension = dimension;
+      bestPixels = candidate->pixels;
+    }
+    return best;
+  }
+
+private:
+  ExactVec3 wantedPlace() const {
+    ExactVec3 wanted;
+    for (int i = 0; i < 3; ++i)
+      wanted[i] = roundToMultiple(m_request.raw[i], pointerFineness);
+    return m_request.freedom.nearest(wanted);
+  }
+
+  /// The place whose value has this coordinate rounded to the grid.
+  Rational onGrid(const ExactVec3 &place, int axis) const {
+    const Rational &base = m_request.handle.base[axis];
+    return base + roundToMultiple(Rational(place[axis] - base), m_request.step);
+  }
+
+  ExactVec3 gridPlace() const {
+    const Flat &freedom = m_request.freedom;
+    if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
+      return gridPlaceOnLine(freedom.direction());
+    ExactVec3 place = m_request.handle.at;
+    for (int axis = 0; axis < 3; ++axis)
+      if (freedom.moves(axis))
+        place[axis] = onGrid(m_wanted, axis);
+    return place;
+  }
+
+  static bool isSlanted(const ExactVec3 &direction) {
+    return (direction.x != 0) + (direction.y != 0) + (direction.z != 0) > 1;
+  }
+
+  /// On a slanted line: whole steps of its shortest whole-numbered direction, or, where these are long, its
+  /// steepest coordinate on the grid.
+  ExactVec3 gridPlaceOnLine(const ExactVec3 &direction) const {
+    const ExactVec3 &start = m_request.handle.at;
+    const ExactVec3 unit = primitive(direction);
+    if (largestMagnitude(unit) <= longestStepVector) {
+      const Rational along = dot(m_wanted - start, unit) / dot(unit, unit);
+      return start + unit * roundToMultiple(along, m_request.step);
+    }
+    return withAxisOnGrid(m_wanted, unit, dominantAxis(unit));
+  }
+
+  /// The place of the line through `place` where one coordinate is on the grid.
+  ExactVec3 withAxisOnGrid(const ExactVec3 &place, const ExactVec3 &direction, int axis) const {
+    return place + direction * Rational((onGrid(place, axis) - place[axis]) / direction[axis]);
+  }
+
+  /// The shortest of the places that satisfy the target within reach; among equally short ones the nearest.
+  std::optional<Candidate> bestFor(const SnapTarget &target) const {
+    const auto common = Flat::intersection(m_request.freedom, target.places);
+    if (!common)
+      return {};
+    // Nothing of the target is within reach when its nearest place is far beyond: the rest is slow exact
+    // work.
+    const ExactVec3 foot = common->nearest(m_wanted);
+    std::optional<Candidate> best;
+    for (const ExactVec3 &place : placesToTry(*common, foot))
+      if (const auto candidate = judge(place, target))
+        if (!best || candidate->denominatorDigits < best->denominatorDigits ||
+            (candidate->denominatorDigits == best->denominatorDigits && candidate->pixels < best->pixels))
+          best = candidate;
+    return best;
+  }
+
+  std::vector<ExactVec3> placesToTry(const Flat &common, const ExactVec3 &foot) const {
+    std::vector<ExactVec3> places{foot};
+    if (common.dimension() == 0)
+      return places;
+    if (common.dimension() == 1) {
+      const ExactVec3 direction = common.direction();
+      for (int axis = 0; axis < 3; ++axis)
+        if (direction[axis] != 0)
+          places.push_back(withAxisOnGrid(foot, direction, axis));
+    }
+    for (const ExactVec3 &place : gridAround())
+      if (common.contains(place))
+        places.push_back(place);
+    return places;
+  }
+
+  /// The grid places around the nearest one, within the freedom.
+  std::vector<ExactVec3> gridAround() const {
+    const auto reach = [this](int axis) { return m_request.freedom.moves(axis) ? gridReach : 0; };
+    std::vector<ExactVec3> places;
+    for (int x = -reach(0); x <= reach(0); ++x)
+      for (int y = -reach(1); y <= reach(1); ++y)
+        for (int z = -reach(2); z <= reach(2); ++z) {
+          const ExactVec3 place = m_grid + ExactVec3(x, y, z) * m_request.step;
+          if (m_request.freedom.contains(place))
+            places.push_back(place);
+        }
+    return places;
+  }
+
+  /// A place with its merits; nothing when it does not count, is too far away or has too long fractions.
+  std::optional<Candidate> judge(const ExactVec3 &at, const SnapTarget &target) const {
+    if (target.counts && !target.counts(at))
+      return {};
+    const ExactVec3 value = at - m_request.handle.base;
+    const std::size_t digits = denominatorDigits(value);
+    if (digits > longestSnapDenominator)
+      return {};
+    for (int i = 0; i < 3; ++i)
+      if (refuseCoordinate(value[i]))
+        return {};
+    const double pixels = m_request.pixelsApart(place(at), m_request.raw);
+    if (!(pixels <= m_request.catchPixels))
+      return {};
+    return Candidate{at, digits, pixels};
+  }
+
+  const SnapRequest &m_request;
+  ExactVec3 m_wanted;
+  ExactVec3 m_grid;
+};
+
+} // namespace
+
+SnappedPlace snap(const SnapRequest &request) { return Snapper(request).find(); }
+
+} // namespace halfspace

@@ -1,0 +1,37 @@
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+Catalogue &catalogue() {
+  static Catalogue plugged;
+  return plugged;
+}
+
+} // namespace
+
+void setCatalogue(Catalogue newCatalogue) { catalogue() = std::move(newCatalogue); }
+
+std::string words(const char *english,
+                  std::initializer_list<std::pair<std::string_view, std::string>> values) {
+  const std::string sentence = catalogue() ? catalogue()(english) : english;
+  std::string filled;
+  // One pass, so that a brace in a value is never taken for a place to fill.
+  for (std::size_t at = 0; at < sentence.size();) {
+    const auto close = sentence[at] == '{' ? sentence.find('}', at) : std::string::npos;
+    const std::string *text = nullptr;
+    if (close != std::string::npos)
+      for (const auto &[name, value] : values)
+        if (name == std::string_view(sentence).substr(at + 1, close - at - 1))
+          text = &value;
+    if (text) {
+      filled += *text;
+      at = close + 1;
+    } else {
+      filled += sentence[at++];
+    }
+  }
+  return filled;
+}
+
+} // namespace halfspace
