@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Fails where a C++ file is not formatted as .clang-format says. With --fix, formats it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+how=(--dry-run --Werror)
+[[ ${1-} == --fix ]] && how=(-i)
+find app geometry lessons tests widgets \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format "${how[@]}"
