@@ -103,8 +103,15 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
   return nullptr;
 }
 
-/// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal, at least
-/// `minimumPatchSide` long and reaching beyond every covered point.
+/// A patch is at least this long on each side, in scene units …
+inline constexpr double minimumPatchSide = 14;
+/// … goes on this far behind a covered point …
+inline constexpr double patchMargin = 1;
+/// … and ends this far from its centre, so that a far point does not make it fill the picture.
+inline constexpr double maximumPatchReach = 24;
+
+/// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal, reaching
+/// beyond the covered points (their feet on the plane) as far as the bounds above let it. Empty for a zero normal.
 [[nodiscard]] std::vector<Place> cornersOf(const PlanePatchMark &patch);
 
 } // namespace halfspace

@@ -30,9 +30,9 @@ public:
   explicit Camera(const CameraView &view);
 
   Place target{};
-  double azimuth = 0;          ///< of the eye as seen from the target, from +x towards +y
-  double elevation = 0.4;      ///< of the eye above the horizontal; within ±maxElevation
-  double height = 21;          ///< scene units from the bottom to the top of the view, at the target
+  double azimuth = 0;     ///< of the eye as seen from the target, from +x towards +y
+  double elevation = 0.4; ///< of the eye above the horizontal; within ±maxElevation
+  double height = 21;     ///< scene units from the bottom to the top of the view, at the target
   bool orthographic = false;
 
   /// Just short of straight up, where the horizon would lose its direction.
@@ -51,15 +51,15 @@ public:
   [[nodiscard]] Place up() const;
 
   void turn(double azimuthChange, double elevationChange);
-  /// Moves the target in the plane of the screen, so that the picture there follows a pointer that moved by so many
-  /// pixels (x right, y down).
+  /// Moves the target in the plane of the screen, so that the picture there follows a pointer that moved by
+  /// so many pixels (x right, y down).
   void pan(glm::dvec2 pixels, PixelSize size);
-  /// Scales the view by a factor (< 1 comes nearer), keeping the point under the pixel (at the target's depth)
-  /// where it is. `height` stays between minHeight and maxHeight.
+  /// Scales the view by a factor (< 1 comes nearer), keeping the point under the pixel (at the target's
+  /// depth) where it is. `height` stays between minHeight and maxHeight.
   void zoom(double factor, glm::dvec2 pixel, PixelSize size);
 
-  /// Pixel (x right, y down, from the top left corner of the view) and depth (0 at the eye, 1/2 at the target's depth,
-  /// towards 1 far away) of a place; nothing for a place behind the eye or not finite.
+  /// Pixel (x right, y down, from the top left corner of the view) and depth (0 at the eye, 1/2 at the
+  /// target's depth, towards 1 far away) of a place; nothing for a place behind the eye or not finite.
   [[nodiscard]] std::optional<glm::dvec3> project(Place place, PixelSize size) const;
   [[nodiscard]] SightLine sightThrough(glm::dvec2 pixel, PixelSize size) const;
   /// The scene units that one pixel spans at a place; 0 behind the eye.
@@ -68,7 +68,8 @@ public:
   bool operator==(const Camera &) const = default;
 };
 
-/// A camera looking the same way that has all places in view, with a margin around; the same camera for no places.
+/// A camera looking the same way that has all places in view, with a margin around; the same camera for no
+/// places.
 [[nodiscard]] Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size);
 
 } // namespace halfspace

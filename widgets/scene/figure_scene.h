@@ -16,11 +16,11 @@ struct Gizmo {
   enum class Part { AxisX, AxisY, AxisZ, PlaneXY, PlaneYZ, PlaneZX };
   enum class Mode { None, Horizontal, Vertical, AlongX, AlongY, AlongZ, AlongAxis };
   Place at{};
-  Mode mode = Mode::None;        ///< how the handle moves now: a flat disc, an upright arrow, or one locked axis
-  bool axes = true;              ///< whether the three arrows and squares are shown
-  std::optional<Place> axis;     ///< the one direction of a handle that has no other (a plane's offset)
-  std::optional<Part> hot;       ///< the part under the pointer
-  std::string note;              ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
+  Mode mode = Mode::None;    ///< how the handle moves now: a flat disc, an upright arrow, or one locked axis
+  bool axes = true;          ///< whether the three arrows and squares are shown
+  std::optional<Place> axis; ///< the one direction of a handle that has no other (a plane's offset)
+  std::optional<Part> hot;   ///< the part under the pointer
+  std::string note;          ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
   bool operator==(const Gizmo &) const = default;
 };
 
@@ -49,8 +49,8 @@ struct SceneContent {
   std::optional<DropLine> dropLine;
 };
 
-/// Keeps one VTK renderer in step with what it is told to show. All setters are cheap when nothing changed; nothing is
-/// drawn until the owner renders the window.
+/// Keeps one VTK renderer in step with what it is told to show. All setters are cheap when nothing changed;
+/// nothing is drawn until the owner renders the window.
 class FigureScene {
 public:
   explicit FigureScene(LabelPainter labels);

@@ -9,8 +9,8 @@
 
 namespace halfspace {
 
-/// A typeset label as an image: rows from top to bottom, four bytes a pixel (red, green, blue, straight alpha), one
-/// texel for one pixel of the screen.
+/// A typeset label as an image: rows from top to bottom, four bytes a pixel (red, green, blue, straight
+/// alpha), one texel for one pixel of the screen.
 struct LabelPicture {
   int width = 0;
   int height = 0;
@@ -25,8 +25,9 @@ struct LabelStyle {
   bool operator==(const LabelStyle &) const = default;
 };
 
-/// Makes the picture of a piece of LaTeX, or gives null while it is not ready yet (the caller asks again later).
-/// The same request gives the same picture object.
-using LabelPainter = std::function<std::shared_ptr<const LabelPicture>(const std::string &latex, const LabelStyle &)>;
+/// Makes the picture of a piece of LaTeX, or gives null while it is not ready yet (the caller asks again
+/// later). The same request gives the same picture object.
+using LabelPainter =
+    std::function<std::shared_ptr<const LabelPicture>(const std::string &latex, const LabelStyle &)>;
 
 } // namespace halfspace

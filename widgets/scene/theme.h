@@ -38,7 +38,7 @@ struct Theme {
   Color gridMajor;
   Color axis;
   Color shadow;
-  Color halo; ///< around labels
+  Color halo;      ///< around labels
   Color planeFace; ///< the face of a plane's patch, drawn with planeOpacity; its border and normal are darker
   double planeOpacity = 0.30;
   double polygonOpacity = 0.34;

@@ -1,0 +1,47 @@
+#include "lessons/figure.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+/// How far a patch reaches from its centre, both ways along one of its sides' directions.
+struct Reach {
+  double low = -minimumPatchSide / 2;
+  double high = minimumPatchSide / 2;
+
+  void cover(double coordinate) {
+    low = std::clamp(coordinate - patchMargin, -maximumPatchReach, low);
+    high = std::clamp(coordinate + patchMargin, high, maximumPatchReach);
+  }
+};
+
+} // namespace
+
+std::vector<Place> cornersOf(const PlanePatchMark &patch) {
+  if (patch.normal == Place(0) || !isFinite(patch.normal) || !isFinite(patch.center))
+    return {};
+  const Place normal = glm::normalize(patch.normal);
+  const bool isHorizontal = normal.x == 0 && normal.y == 0;
+  const Place level = isHorizontal ? Place(1, 0, 0) : glm::normalize(Place(-normal.y, normal.x, 0));
+  const Place slope = glm::cross(normal, level);
+
+  Reach along;
+  Reach upward;
+  for (const Place &covered : patch.covers) {
+    if (!isFinite(covered))
+      continue;
+    along.cover(glm::dot(covered - patch.center, level));
+    upward.cover(glm::dot(covered - patch.center, slope));
+  }
+  const auto corner = [&](double a, double b) { return patch.center + level * a + slope * b; };
+  return {corner(along.low, upward.low), corner(along.high, upward.low), corner(along.high, upward.high),
+          corner(along.low, upward.high)};
+}
+
+} // namespace halfspace

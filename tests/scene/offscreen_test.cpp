@@ -1,0 +1,111 @@
+#include "tests/scene/marks.h"
+#include "tests/scene/pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// The middle of all pixels that are more orange than anything else in the picture is.
+glm::dvec2 middleOfOrange(const LabelPicture &picture) {
+  glm::dvec2 sum(0);
+  double count = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Rgba pixel = pixelAt(picture, x, y);
+      if (pixel.red - pixel.blue > 60) {
+        sum += glm::dvec2(x + 0.5, y + 0.5);
+        ++count;
+      }
+    }
+  return sum / count;
+}
+
+class Offscreen : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(PerspectiveAndOrthographic, Offscreen, testing::Bool());
+
+TEST_P(Offscreen, DrawsAPointWhereTheCameraProjectsIt) {
+  for (const Place at : {Place(11, 15, 8), Place(2, 1, 3), Place(9, 6, 9)}) {
+    PictureRequest request = requestFor({{named(pointAt(at), "Q", Subject::Point)}});
+    request.camera.orthographic = GetParam();
+    const auto picture = drawOffscreen(request, noLabels);
+    ASSERT_TRUE(picture) << picture.problem().text();
+    const auto expected = request.camera.project(at, request.size);
+    ASSERT_TRUE(expected);
+    const glm::dvec2 found = middleOfOrange(*picture);
+    EXPECT_NEAR(found.x, expected->x, 0.5);
+    EXPECT_NEAR(found.y, expected->y, 0.5);
+  }
+}
+
+TEST(OffscreenPicture, IsTheSameWhenDrawnAgain) {
+  const PictureRequest request = requestFor({{named(patchAt({6, 8, 4}, {1, 2, 2}), "E", Subject::Plane)}});
+  const auto first = drawOffscreen(request, noLabels);
+  const auto second = drawOffscreen(request, noLabels);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->rgba, second->rgba);
+}
+
+TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {
+  PictureRequest request = requestFor({{named(pointAt({11, 15, 8}), "Q", Subject::Point)}});
+  const auto small = drawOffscreen(request, noLabels);
+  request.size = {1280, 800};
+  const auto large = drawOffscreen(request, noLabels);
+  ASSERT_TRUE(small && large);
+  const auto orangePixels = [](const LabelPicture &picture) {
+    double count = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x)
+        count += pixelAt(picture, x, y).red - pixelAt(picture, x, y).blue > 60;
+    return count;
+  };
+  EXPECT_NEAR(orangePixels(*large) / orangePixels(*small), 4, 0.4);
+}
+
+TEST(OffscreenPicture, TransparentHasStraightAlpha) {
+  PictureRequest request = requestFor({{named(patchAt({6, 8, 12}, {1, 0.6, 0.5}), "E", Subject::Plane)}});
+  request.transparent = true;
+  const auto picture = drawOffscreen(request, noLabels);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(pixelAt(*picture, 2, 2), (Rgba{0, 0, 0, 0}));
+  const Rgba face = pixelAt(*picture, *request.camera.project({6, 8, 12}, request.size));
+  EXPECT_NEAR(face.alpha, 255 * request.theme.planeOpacity, 2);
+  EXPECT_NEAR(face.red, request.theme.planeFace.red, 5);
+  EXPECT_NEAR(face.green, request.theme.planeFace.green, 5);
+  EXPECT_NEAR(face.blue, request.theme.planeFace.blue, 5);
+}
+
+TEST(OffscreenPicture, OpaqueIsOpaqueEverywhere) {
+  const auto picture = drawOffscreen(requestFor({{named(patchAt({6, 8, 4}, {1, 2, 2}), "E")}}), noLabels);
+  ASSERT_TRUE(picture);
+  for (std::size_t i = 3; i < picture->rgba.size(); i += 4)
+    ASSERT_EQ(picture->rgba[i], 255);
+}
+
+TEST(OffscreenPicture, WhatLiesBehindAFaceIsPalerThanBeforeIt) {
+  const Place toEye = Place(1, 0.6, 0.5) * 3.0;
+  const Place target(6, 8, 9);
+  const auto orangeOf = [&](Place at) {
+    PictureRequest request = requestFor(
+        {{named(patchAt(target, toEye), "E", Subject::Plane), named(pointAt(at), "Q", Subject::Point)}});
+    const auto picture = drawOffscreen(request, noLabels);
+    const Rgba pixel = pixelAt(*picture, *request.camera.project(at, request.size));
+    return pixel.red - pixel.blue;
+  };
+  EXPECT_GT(orangeOf(target + toEye), orangeOf(target - toEye) + 40);
+}
+
+TEST(OffscreenPicture, OfAnImpossibleSizeIsRefusedWithASentence) {
+  for (const PixelSize size : {PixelSize{0, 400}, PixelSize{640, -1}, PixelSize{maxPictureSide + 1, 400}}) {
+    PictureRequest request = requestFor({});
+    request.size = size;
+    const auto picture = drawOffscreen(request, noLabels);
+    ASSERT_FALSE(picture);
+    EXPECT_NE(picture.problem().sentence.find("16384"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,217 @@
+#include "widgets/scene/figure_scene.h"
+
+#include "widgets/scene/design_scale.h"
+#include "widgets/scene/label_overlay.h"
+#include "widgets/scene/mark_outline.h"
+#include "widgets/scene/mark_picker.h"
+#include "widgets/scene/scene_actors.h"
+#include "widgets/scene/solids.h"
+#include "widgets/scene/vtk_mesh.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// Near and far clipping planes keep this distance, in parts of the depth, from what they enclose …
+constexpr double clippingMargin = 0.02;
+/// … and the near one is never nearer than this part of the far one: depth values are too coarse otherwise.
+constexpr double leastNearPerFar = 1e-3;
+
+/// All corners and ends of a figure's marks.
+std::vector<Place> placesOf(const Figure &figure, double scale) {
+  std::vector<Place> places;
+  for (const Mark &mark : figure.marks) {
+    const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+    places.insert(places.end(), outline.path.begin(), outline.path.end());
+  }
+  return places;
+}
+
+/// The places that say how long the axes are: patches may reach beyond them.
+std::vector<Place> placesForAxes(const Figure &figure) {
+  std::vector<Place> places;
+  for (const Mark &mark : figure.marks)
+    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
+      const MarkOutline outline = outlineOf(mark, 0);
+      places.insert(places.end(), outline.path.begin(), outline.path.end());
+    }
+  return places;
+}
+
+} // namespace
+
+class FigureScene::Impl {
+public:
+  explicit Impl(LabelPainter painter) : labels(actors.renderer(), std::move(painter)) {}
+
+  void prepare();
+
+  SceneActors actors;
+  LabelOverlay labels;
+  Theme theme = themes().front();
+  SceneContent content;
+  View view;
+  bool backgroundVisible = true;
+  bool themeChanged = true;
+  bool contentChanged = true;
+  bool viewChanged = true;
+
+private:
+  [[nodiscard]] double scale() const { return designScale(view.camera, view.size, view.pixelRatio); }
+  void prepareFigure();
+  void prepareFaceOrder();
+  void prepareGround();
+  void prepareTools();
+  void prepareCamera();
+
+  /// What grid and axes depend on.
+  struct GroundKey {
+    Place target{};
+    double height = 0;
+    double scale = 0;
+    AxesReach axes;
+    bool operator==(const GroundKey &) const = default;
+  };
+
+  FaceOrder m_faces;
+  AxesReach m_axes;
+  std::optional<GroundKey> m_ground;  ///< what they were made for
+  std::optional<double> m_solidScale; ///< what the solids were made for
+  std::vector<Place> m_places;        ///< of the figure
+};
+
+void FigureScene::Impl::prepare() {
+  const bool sizesChanged = m_solidScale != scale();
+  if (themeChanged)
+    actors.applyTheme(theme, backgroundVisible);
+  if (contentChanged)
+    m_axes = axesFor(placesForAxes(content.figure));
+  if (themeChanged || contentChanged || sizesChanged)
+    prepareFigure();
+  if (themeChanged || contentChanged || viewChanged) {
+    prepareFaceOrder();
+    prepareGround();
+    prepareTools();
+    prepareCamera();
+  }
+  // Labels whose pictures were not ready are asked for again.
+  if (themeChanged || contentChanged || viewChanged || labels.isPending())
+    labels.show(labelTexts(content, axisLabels(m_axes, gridStep(view.camera.height), scale()), theme, view),
+                obstaclesOf(content, theme, view), theme, view);
+  themeChanged = contentChanged = viewChanged = false;
+}
+
+void FigureScene::Impl::prepareFigure() {
+  m_solidScale = scale();
+  m_places = placesOf(content.figure, scale());
+  write(solidsOf(content.figure, content.highlighted, theme, scale()), actors.solids());
+  m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme));
+}
+
+void FigureScene::Impl::prepareFaceOrder() {
+  const glm::dvec4 eye = view.camera.orthographic ? glm::dvec4(-view.camera.viewDirection(), 0)
+                                                  : glm::dvec4(view.camera.eye(), 1);
+  write(m_faces.backToFront(eye), actors.faces());
+}
+
+void FigureScene::Impl::prepareGround() {
+  // Turning the camera changes neither grid nor axes.
+  const GroundKey key{view.camera.target, view.camera.height, scale(), m_axes};
+  if (themeChanged || m_ground != key) {
+    m_ground = key;
+    write(gridAround(view.camera), theme, actors.grid());
+    write(axesMesh(m_axes, gridStep(view.camera.height), theme, scale()), actors.axes());
+    actors.setGridLineWidth(theme.lineScale * view.pixelRatio);
+  }
+  // Seen from below, shadows on the ground would only cover what casts them.
+  actors.setShadowsVisible(view.camera.eye().z > 0);
+}
+
+void FigureScene::Impl::prepareTools() { write(toolsMesh(content, theme, view), actors.tools()); }
+
+void FigureScene::Impl::prepareCamera() {
+  const Camera &camera = view.camera;
+  vtkCamera *vtk = actors.renderer()->GetActiveCamera();
+  const Place eye = camera.eye();
+  const Place up = camera.up();
+  vtk->SetPosition(eye.x, eye.y, eye.z);
+  vtk->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
+  vtk->SetViewUp(up.x, up.y, up.z);
+  vtk->SetViewAngle(glm::degrees(Camera::viewAngle));
+  vtk->SetParallelProjection(camera.orthographic);
+  vtk->SetParallelScale(camera.height / 2);
+
+  // Everything from the nearest to the farthest place, with room for thicknesses, the grid and what a hand
+  // holds.
+  double nearest = camera.distance();
+  double farthest = nearest;
+  const double around = camera.height;
+  const auto enclose = [&](Place place, double margin) {
+    const double depth = glm::dot(place - eye, camera.viewDirection());
+    nearest = std::min(nearest, depth - margin);
+    farthest = std::max(farthest, depth + margin);
+  };
+  enclose(Place(camera.target.x, camera.target.y, 0), around);
+  enclose(m_axes.low, around / 4);
+  enclose(m_axes.high, around / 4);
+  enclose(Place(0), std::max({m_axes.high.x, m_axes.high.y, m_axes.high.z}));
+  for (const Place &place : m_places) {
+    enclose(place, around / 8);
+    enclose({place.x, place.y, 0}, around / 8);
+  }
+  for (const Knob &knob : content.knobs)
+    enclose(knob.at, around / 4);
+  if (content.gizmo)
+    enclose(content.gizmo->at, around / 4);
+  farthest *= 1 + clippingMargin;
+  vtk->SetClippingRange(std::max(nearest * (1 - clippingMargin), farthest * leastNearPerFar), farthest);
+}
+
+FigureScene::FigureScene(LabelPainter labels) : m_impl(std::make_unique<Impl>(std::move(labels))) {}
+FigureScene::~FigureScene() = default;
+
+vtkRenderer *FigureScene::renderer() const { return m_impl->actors.renderer(); }
+
+void FigureScene::setTheme(const Theme &theme) {
+  m_impl->theme = theme;
+  m_impl->themeChanged = true;
+}
+
+void FigureScene::setBackgroundVisible(bool visible) {
+  m_impl->backgroundVisible = visible;
+  m_impl->themeChanged = true;
+}
+
+void FigureScene::setContent(SceneContent content) {
+  m_impl->content = std::move(content);
+  m_impl->contentChanged = true;
+}
+
+void FigureScene::setView(const Camera &camera, PixelSize size, double pixelRatio) {
+  const View view{camera, {std::max(size.width, 1), std::max(size.height, 1)}, pixelRatio};
+  m_impl->viewChanged = m_impl->viewChanged || !(view == m_impl->view);
+  m_impl->view = view;
+}
+
+void FigureScene::prepare() { m_impl->prepare(); }
+
+bool FigureScene::labelsPending() const { return m_impl->labels.isPending(); }
+
+std::string FigureScene::markAt(glm::dvec2 pixel) const {
+  const std::string labelled = m_impl->labels.markAt(pixel);
+  if (!labelled.empty())
+    return labelled;
+  const View &view = m_impl->view;
+  return markUnder(pixel, m_impl->content.figure, view.camera, view.size, view.pixelRatio);
+}
+
+} // namespace halfspace

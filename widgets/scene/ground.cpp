@@ -1,0 +1,136 @@
+#include "widgets/scene/ground.h"
+
+#include "widgets/scene/design_scale.h"
+#include "widgets/scene/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+// In scene units at scale 1.
+constexpr double axisRadius = 0.055;
+constexpr double tickRadius = 0.044;
+constexpr double tickLength = 0.35;
+constexpr double tickLabelDistance = 0.78;
+constexpr double nameDistance = 0.4;
+constexpr double originRadius = 0.13;
+
+/// Every so many steps a major line and a tick.
+constexpr int stepsPerMajor = 5;
+
+/// The grid's radius in heights of the view, and the part of it in which the lines fade.
+constexpr double gridRadius = 0.62;
+constexpr double fadingPart = 0.5;
+constexpr int piecesPerLine = 48;
+
+/// The axes reach this far beyond the last place and end here at the latest.
+constexpr double axisMargin = 1.2;
+constexpr double longestAxis = 60;
+
+constexpr std::array<Place, 3> axisDirections{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
+constexpr std::array<const char *, 3> axisNames{"x", "y", "z"};
+/// To which side of an axis its ticks and numbers stand.
+constexpr std::array<Place, 3> tickSides{Place{0, -1, 0}, Place{-1, 0, 0}, Place{-0.7071, -0.7071, 0}};
+
+double strengthAt(double distance, double radius) {
+  const double t = std::clamp((radius - distance) / (fadingPart * radius), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// A line of the grid on one of its two directions, at a whole number of steps.
+Grid::Line gridLine(glm::dvec2 middle, double radius, double step, double number, bool alongX) {
+  Grid::Line line;
+  line.isMajor = std::fmod(std::abs(number), stepsPerMajor) == 0;
+  const double at = number * step;
+  const double halfLength =
+      std::sqrt(std::max(0.0, radius * radius - std::pow(at - (alongX ? middle.y : middle.x), 2)));
+  for (int i = 0; i <= piecesPerLine; ++i) {
+    const double along = halfLength * (2.0 * i / piecesPerLine - 1);
+    const Place point = alongX ? Place(middle.x + along, at, 0) : Place(at, middle.y + along, 0);
+    line.points.push_back(point);
+    line.strengths.push_back(strengthAt(std::hypot(point.x - middle.x, point.y - middle.y), radius));
+  }
+  return line;
+}
+
+/// The numbers of the ticks of an axis, without the origin.
+std::vector<double> ticksOf(double low, double high, double step) {
+  const double spacing = step * stepsPerMajor;
+  std::vector<double> ticks;
+  for (double i = std::ceil(low / spacing); i * spacing < high - spacing / stepsPerMajor; ++i)
+    if (i != 0)
+      ticks.push_back(i * spacing);
+  return ticks;
+}
+
+} // namespace
+
+double gridStep(double viewHeight) {
+  return std::pow(5.0, std::round(std::log(viewHeight / designUnits) / std::log(5.0)));
+}
+
+Grid gridAround(const Camera &camera) {
+  const double step = gridStep(camera.height);
+  const double radius = gridRadius * camera.height;
+  const glm::dvec2 middle(camera.target);
+  Grid grid;
+  for (const bool alongX : {true, false}) {
+    const double center = alongX ? middle.y : middle.x;
+    for (double number = std::ceil((center - radius) / step); number * step <= center + radius; ++number)
+      grid.lines.push_back(gridLine(middle, radius, step, number, alongX));
+  }
+  // Major lines last: they lie over the others.
+  std::stable_partition(grid.lines.begin(), grid.lines.end(),
+                        [](const Grid::Line &line) { return !line.isMajor; });
+  return grid;
+}
+
+AxesReach axesFor(const std::vector<Place> &places) {
+  AxesReach reach;
+  for (const Place &place : places)
+    for (int axis = 0; axis < 3; ++axis) {
+      reach.high[axis] =
+          std::max(reach.high[axis], std::min(std::ceil(place[axis]) + axisMargin, longestAxis));
+      if (place[axis] < 0)
+        reach.low[axis] =
+            std::min(reach.low[axis], std::max(std::floor(place[axis]) - axisMargin, -longestAxis));
+    }
+  return reach;
+}
+
+Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double scale) {
+  Mesh mesh;
+  const double width = scale * theme.lineScale;
+  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
+    const auto axis = static_cast<Place::length_type>(i);
+    const Place start = axisDirections[i] * reach.low[axis];
+    addArrow(mesh, start, axisDirections[i] * reach.high[axis] - start, axisRadius * width, theme.axis);
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], step)) {
+      const Place at = axisDirections[i] * tick;
+      addTube(mesh, at, at + tickSides[i] * (tickLength * scale), tickRadius * width, theme.axis);
+    }
+  }
+  addBall(mesh, Place(0), originRadius * width, theme.axis);
+  return mesh;
+}
+
+AxisLabel axisNumber(int axis, double number, double scale) {
+  const auto i = static_cast<std::size_t>(axis);
+  return {numberText(number), axisDirections[i] * number + tickSides[i] * (tickLabelDistance * scale)};
+}
+
+std::vector<AxisLabel> axisLabels(const AxesReach &reach, double step, double scale) {
+  std::vector<AxisLabel> labels;
+  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
+    const auto axis = static_cast<Place::length_type>(i);
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], step))
+      labels.push_back(axisNumber(axis, tick, scale));
+    labels.push_back({axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true});
+  }
+  return labels;
+}
+
+} // namespace halfspace

@@ -1,0 +1,50 @@
+// The ground grid and the axes.
+#pragma once
+
+#include "widgets/scene/camera.h"
+#include "widgets/scene/mesh.h"
+
+namespace halfspace {
+
+/// The grid as straight pieces between neighbouring points, in two lists of the same length, with how much of
+/// a line's colour is left there: 1 around the middle, 0 at the rim.
+struct Grid {
+  struct Line {
+    std::vector<Place> points;
+    std::vector<double> strengths;
+    bool isMajor = false;
+  };
+  std::vector<Line> lines;
+};
+
+/// The distance of neighbouring lines of the grid, a power of five: 1 unless the view is very low or very
+/// high. Every fifth line is a major one, and the axes have their ticks there.
+[[nodiscard]] double gridStep(double viewHeight);
+
+/// The grid on z = 0 around what the camera looks at.
+[[nodiscard]] Grid gridAround(const Camera &camera);
+
+/// How far the axes reach from the origin, to both sides.
+struct AxesReach {
+  Place low{0};
+  Place high{16.2, 18.2, 12.2};
+  bool operator==(const AxesReach &) const = default;
+};
+
+/// Long enough for all places, but not without bound: what is far away does not stretch them.
+[[nodiscard]] AxesReach axesFor(const std::vector<Place> &places);
+
+/// A number or a name written at an axis.
+struct AxisLabel {
+  std::string latex;
+  Place at{};
+  bool isName = false;
+};
+
+/// A number at its place beside an axis (0, 1, 2 for x, y, z).
+[[nodiscard]] AxisLabel axisNumber(int axis, double number, double scale);
+
+[[nodiscard]] Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double scale);
+[[nodiscard]] std::vector<AxisLabel> axisLabels(const AxesReach &reach, double step, double scale);
+
+} // namespace halfspace

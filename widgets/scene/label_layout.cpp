@@ -1,0 +1,207 @@
+#include "widgets/scene/label_layout.h"
+
+#include "widgets/scene/screen_shapes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace halfspace {
+namespace {
+
+/// Directions around an anchor, and the distances that are tried, in design pixels; the last ones need a
+/// leader line.
+constexpr std::size_t directionCount = 12;
+constexpr std::array<double, 4> distances{3, 16, 38, 70};
+constexpr std::size_t firstWithLeader = 2;
+
+// What makes a candidate worse. An overlap counts by the part of the label that it takes.
+constexpr double costOfOtherSide = 7;
+constexpr double costOfNextAnchor = 6;
+constexpr std::array<double, 4> costOfDistance{0, 7, 22, 40};
+constexpr double costOfOverlap = 140;
+constexpr double costOfTouching = 24;
+constexpr double costOfPoint = 45;
+constexpr double costOfLine = 16;
+constexpr double costOfChange = 9;
+constexpr double costOfLeaving = 200;
+
+/// Labels are gone through this often: the second time each sees where all others are.
+constexpr int passes = 2;
+
+struct Rectangle {
+  glm::dvec2 low{};
+  glm::dvec2 high{};
+
+  [[nodiscard]] glm::dvec2 extent() const { return high - low; }
+};
+
+double overlapArea(const Rectangle &a, const Rectangle &b) {
+  const glm::dvec2 common = glm::min(a.high, b.high) - glm::max(a.low, b.low);
+  return std::max(0.0, common.x) * std::max(0.0, common.y);
+}
+
+double distanceTo(const Rectangle &box, glm::dvec2 pixel) {
+  return glm::distance(pixel, glm::clamp(pixel, box.low, box.high));
+}
+
+/// The length of the part of a segment that lies in a box.
+double lengthInside(const Rectangle &box, const LabelObstacles::Segment &segment) {
+  const glm::dvec2 low = glm::min(segment.from, segment.to);
+  const glm::dvec2 high = glm::max(segment.from, segment.to);
+  if (high.x < box.low.x || high.y < box.low.y || low.x > box.high.x || low.y > box.high.y)
+    return 0;
+  const glm::dvec2 along = segment.to - segment.from;
+  double enter = 0;
+  double leave = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] == 0)
+      continue;
+    const double a = (box.low[axis] - segment.from[axis]) / along[axis];
+    const double b = (box.high[axis] - segment.from[axis]) / along[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return std::max(0.0, leave - enter) * glm::length(along);
+}
+
+glm::dvec2 direction(std::size_t number) {
+  const double angle = 2 * std::acos(-1.0) * static_cast<double>(number) / directionCount;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// The box beside an anchor: its side or corner that faces the anchor is `gap` away from it.
+Rectangle boxBeside(glm::dvec2 anchor, glm::dvec2 toward, double gap, glm::dvec2 extent) {
+  const glm::dvec2 square = toward / std::max(std::abs(toward.x), std::abs(toward.y));
+  const glm::dvec2 center = anchor + toward * gap + square * extent / 2.0;
+  return {center - extent / 2.0, center + extent / 2.0};
+}
+
+/// The box moved into the screen, as far as it fits, and onto whole pixels.
+Rectangle movedInside(Rectangle box, PixelSize size) {
+  const glm::dvec2 extent = box.extent();
+  const glm::dvec2 room = glm::max(glm::dvec2(0), glm::dvec2(size.width, size.height) - extent);
+  box.low = glm::round(glm::clamp(box.low, glm::dvec2(0), room));
+  box.high = box.low + extent;
+  return box;
+}
+
+bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.width && pixel.y <= size.height;
+}
+
+} // namespace
+
+struct LabelLayout::Candidate {
+  Choice choice;
+  Rectangle box;
+  glm::dvec2 anchor{};
+  double cost = 0; ///< by itself, whatever else is on the screen
+};
+
+/// All that is on the screen while labels are placed.
+struct LabelLayout::Board {
+  const LabelObstacles &obstacles;
+  PixelSize size;
+  double pixelRatio;
+  std::vector<std::optional<Candidate>> placed; ///< by the label's number
+};
+
+std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest &request,
+                                                              const Board &board) {
+  std::vector<Candidate> candidates;
+  double liking = 0;
+  for (std::size_t a = 0; a < request.anchors.size(); ++a) {
+    const LabelAnchor &anchor = request.anchors[a];
+    if (!isOnScreen(anchor.pixel, board.size))
+      continue;
+    if (request.isPinned) {
+      const Rectangle box{anchor.pixel - request.extent / 2.0, anchor.pixel + request.extent / 2.0};
+      return {{{}, movedInside(box, board.size), anchor.pixel, 0}};
+    }
+    const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
+    for (std::size_t way = 0; way < directionCount; ++way)
+      for (std::size_t far = 0; far < distances.size(); ++far) {
+        const double gap = anchor.clearance + distances[far] * board.pixelRatio;
+        const Rectangle wanted = boxBeside(anchor.pixel, direction(way), gap, request.extent);
+        const Rectangle box = movedInside(wanted, board.size);
+        const double pushed = glm::distance(wanted.low, box.low) / (request.extent.x + request.extent.y);
+        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, direction(way))) +
+                            costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - 0.02);
+        candidates.push_back({{a, way, far}, box, anchor.pixel, cost});
+      }
+    liking += costOfNextAnchor;
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate &a, const Candidate &b) { return a.cost < b.cost; });
+  return candidates;
+}
+
+double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const Board &board, double limit) {
+  double cost = candidate.cost;
+  const Rectangle &box = candidate.box;
+  const glm::dvec2 extent = box.extent();
+  for (std::size_t other = 0; other < board.placed.size(); ++other) {
+    if (other == label || !board.placed[other])
+      continue;
+    const double overlap = overlapArea(box, board.placed[other]->box);
+    cost += costOfOverlap * overlap / (extent.x * extent.y) + (overlap > 0 ? costOfTouching : 0);
+  }
+  for (const LabelObstacles::Disc &disc : board.obstacles.discs)
+    if (distanceTo(box, disc.center) < disc.radius)
+      cost += costOfPoint;
+  for (const LabelObstacles::Segment &segment : board.obstacles.segments) {
+    if (cost >= limit)
+      return cost;
+    cost += costOfLine * std::min(1.0, 2 * lengthInside(box, segment) / (extent.x + extent.y));
+  }
+  return cost;
+}
+
+std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
+                                            const LabelObstacles &obstacles, PixelSize size,
+                                            double pixelRatio) {
+  Board board{obstacles, size, pixelRatio, std::vector<std::optional<Candidate>>(requests.size())};
+  std::vector<std::vector<Candidate>> candidates;
+  for (std::size_t label = 0; label < requests.size(); ++label) {
+    candidates.push_back(candidatesOf(requests[label], board));
+    if (requests[label].isPinned && !candidates.back().empty())
+      board.placed[label] = candidates.back().front();
+  }
+  // Every label takes the cheapest candidate beside those placed before it; the second time, beside all
+  // others.
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t label = 0; label < requests.size(); ++label) {
+      const auto previous = m_choices.find(requests[label].id);
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const Candidate &candidate : candidates[label]) {
+        if (candidate.cost >= lowest)
+          break; // they are sorted: those after it cost even more
+        const bool isChange = previous != m_choices.end() && previous->second != candidate.choice;
+        const double change = isChange ? costOfChange : 0;
+        const double cost = costOf(candidate, label, board, lowest - change) + change;
+        if (cost < lowest) {
+          lowest = cost;
+          board.placed[label] = candidate;
+        }
+      }
+    }
+
+  std::vector<PlacedLabel> result;
+  m_choices.clear();
+  for (std::size_t label = 0; label < requests.size(); ++label) {
+    if (!board.placed[label])
+      continue;
+    const Candidate &chosen = *board.placed[label];
+    m_choices[requests[label].id] = chosen.choice;
+    result.push_back({requests[label].id, chosen.box.low, chosen.box.extent(), chosen.anchor,
+                      chosen.choice.distance >= firstWithLeader});
+  }
+  return result;
+}
+
+} // namespace halfspace

@@ -1,0 +1,171 @@
+#include "widgets/scene/label_overlay.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTexture.h>
+#include <vtkTexturedActor2D.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// Leader lines in design pixels, and how far short of the label they end.
+constexpr double leaderWidth = 1;
+
+vtkSmartPointer<vtkImageData> imageOf(const LabelPicture &picture) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(picture.width, picture.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const auto rowBytes = static_cast<std::ptrdiff_t>(picture.width) * 4;
+  for (int row = 0; row < picture.height; ++row) // VTK's rows go from bottom to top
+    std::copy_n(picture.rgba.data() + row * rowBytes, rowBytes,
+                static_cast<std::uint8_t *>(image->GetScalarPointer(0, picture.height - 1 - row, 0)));
+  return image;
+}
+
+} // namespace
+
+/// A rectangle of the screen with a picture on it.
+struct LabelOverlay::Sprite {
+  vtkRenderer *renderer;
+  Picture picture;
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkPolyData> rectangle;
+  vtkNew<vtkTexture> texture;
+  vtkNew<vtkTexturedActor2D> actor;
+
+  explicit Sprite(vtkRenderer *owner) : renderer(owner) {
+    corners->SetNumberOfPoints(4);
+    vtkNew<vtkCellArray> cell;
+    cell->InsertNextCell({0, 1, 2, 3});
+    vtkNew<vtkFloatArray> texels;
+    texels->SetNumberOfComponents(2);
+    for (const float coordinate : {0.F, 0.F, 1.F, 0.F, 1.F, 1.F, 0.F, 1.F})
+      texels->InsertNextValue(coordinate);
+    rectangle->SetPoints(corners);
+    rectangle->SetPolys(cell);
+    rectangle->GetPointData()->SetTCoords(texels);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(rectangle);
+    texture->InterpolateOff();
+    texture->RepeatOff();
+    actor->SetMapper(mapper);
+    actor->SetTexture(texture);
+    renderer->AddActor2D(actor);
+  }
+  ~Sprite() { renderer->RemoveActor2D(actor); }
+  Sprite(const Sprite &) = delete;
+  Sprite &operator=(const Sprite &) = delete;
+
+  void show(const Picture &newPicture, glm::dvec2 topLeft, PixelSize size) {
+    if (newPicture != picture) {
+      picture = newPicture;
+      texture->SetInputData(imageOf(*picture));
+    }
+    const double left = topLeft.x;
+    const double right = left + picture->width;
+    const double top = size.height - topLeft.y;
+    const double bottom = top - picture->height;
+    corners->SetPoint(0, left, bottom, 0);
+    corners->SetPoint(1, right, bottom, 0);
+    corners->SetPoint(2, right, top, 0);
+    corners->SetPoint(3, left, top, 0);
+    corners->Modified();
+    actor->VisibilityOn();
+  }
+};
+
+LabelOverlay::LabelOverlay(vtkRenderer *renderer, LabelPainter painter)
+    : m_renderer(renderer), m_painter(std::move(painter)) {
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(m_leaderLines);
+  m_leaders->SetMapper(mapper);
+  m_renderer->AddActor2D(m_leaders);
+}
+
+LabelOverlay::~LabelOverlay() { m_renderer->RemoveActor2D(m_leaders); }
+
+LabelOverlay::Picture LabelOverlay::pictureOf(const LabelText &text) {
+  Picture &last = m_lastPictures[text.id];
+  if (Picture picture = m_painter ? m_painter(text.latex, text.style) : nullptr)
+    last = std::move(picture);
+  else
+    m_pending = true;
+  return last && last->width > 0 && last->height > 0 ? last : nullptr;
+}
+
+LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
+  while (m_sprites.size() <= number)
+    m_sprites.push_back(std::make_unique<Sprite>(m_renderer));
+  return *m_sprites[number];
+}
+
+void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles,
+                        const Theme &theme, const View &view) {
+  m_pending = false;
+  std::vector<LabelRequest> requests;
+  std::map<std::string, Picture> pictures;
+  std::set<std::string> marks;
+  for (const LabelText &text : texts) {
+    const Picture picture = pictureOf(text);
+    if (!picture)
+      continue;
+    requests.push_back({text.id, {picture->width, picture->height}, text.anchors, text.isPinned});
+    pictures[text.id] = picture;
+    if (text.isMark)
+      marks.insert(text.id);
+  }
+  m_lastPictures = pictures;
+
+  const std::vector<PlacedLabel> placed = m_layout.place(requests, obstacles, view.size, view.pixelRatio);
+  m_markLabels.clear();
+  for (const PlacedLabel &label : placed)
+    if (marks.contains(label.id))
+      m_markLabels.push_back(label);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    sprite(i).show(pictures[placed[i].id], placed[i].topLeft, view.size);
+  for (std::size_t i = placed.size(); i < m_sprites.size(); ++i)
+    m_sprites[i]->actor->VisibilityOff();
+  showLeaders(placed, theme, view);
+}
+
+void LabelOverlay::showLeaders(const std::vector<PlacedLabel> &placed, const Theme &theme, const View &view) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const PlacedLabel &label : placed) {
+    if (!label.needsLeader)
+      continue;
+    const glm::dvec2 end = glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent);
+    const vtkIdType from = points->InsertNextPoint(label.anchor.x, view.size.height - label.anchor.y, 0);
+    const vtkIdType to = points->InsertNextPoint(end.x, view.size.height - end.y, 0);
+    lines->InsertNextCell({from, to});
+  }
+  m_leaderLines->SetPoints(points);
+  m_leaderLines->SetLines(lines);
+  const Color color = theme.mutedInk;
+  m_leaders->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+  m_leaders->GetProperty()->SetLineWidth(static_cast<float>(leaderWidth * view.pixelRatio));
+  m_leaders->SetVisibility(points->GetNumberOfPoints() > 0);
+}
+
+std::string LabelOverlay::markAt(glm::dvec2 pixel) const {
+  for (const PlacedLabel &label : m_markLabels) {
+    const glm::dvec2 inside = pixel - label.topLeft;
+    if (inside.x >= 0 && inside.y >= 0 && inside.x < label.extent.x && inside.y < label.extent.y)
+      return label.id;
+  }
+  return {};
+}
+
+} // namespace halfspace

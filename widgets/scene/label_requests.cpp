@@ -1,0 +1,182 @@
+#include "widgets/scene/label_requests.h"
+
+#include "widgets/scene/design_scale.h"
+#include "widgets/scene/gizmo_shape.h"
+#include "widgets/scene/mark_outline.h"
+#include "widgets/scene/number_text.h"
+#include "widgets/scene/solids.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace halfspace {
+namespace {
+
+/// What balls and arrow heads cover around an anchor, in design pixels.
+constexpr double pointClearance = 9;
+constexpr double lineClearance = 5;
+constexpr double tipClearance = 4;
+constexpr double gizmoClearance = 16;
+
+/// Numbers at an axis are at least this far apart, in scene units at scale 1.
+constexpr double numberSpacing = 0.8;
+
+/// Beside a point a label is best to the upper right.
+constexpr glm::dvec2 upperRight{1, -0.8};
+
+glm::dvec2 squareTo(glm::dvec2 along) {
+  const glm::dvec2 side(along.y, -along.x);
+  return side.y > 0 || (side.y == 0 && side.x < 0) ? -side : side;
+}
+
+/// Collects the anchors of one mark, those behind the eye left out.
+class Anchors {
+public:
+  explicit Anchors(const View &view) : m_view(view) {}
+
+  void add(Place at, glm::dvec2 toward, double clearance) {
+    if (const auto pixel = pixelOf(at))
+      m_anchors.push_back({*pixel, toward, clearance * m_view.pixelRatio});
+  }
+
+  /// Beside a line, at a part of its length.
+  void addBeside(Place from, Place to, double part) {
+    const auto start = pixelOf(from);
+    const auto end = pixelOf(to);
+    if (start && end)
+      add(glm::mix(from, to, part), squareTo(*end - *start), lineClearance);
+  }
+
+  /// Beyond the tip of an arrow, in its direction.
+  void addTip(Place from, Place tip) {
+    const auto start = pixelOf(from);
+    const auto end = pixelOf(tip);
+    if (start && end && *start != *end)
+      add(tip, glm::normalize(*end - *start) + glm::dvec2(0, -0.4), tipClearance);
+  }
+
+  /// Beside the corners of a patch, the highest on the screen first.
+  void addCorners(const std::vector<Place> &corners) {
+    const std::size_t first = m_anchors.size();
+    for (const Place &corner : corners)
+      add(corner, {1, -0.3}, tipClearance);
+    std::sort(m_anchors.begin() + static_cast<std::ptrdiff_t>(first), m_anchors.end(),
+              [](const LabelAnchor &a, const LabelAnchor &b) { return a.pixel.y < b.pixel.y; });
+  }
+
+  [[nodiscard]] std::vector<LabelAnchor> take() { return std::move(m_anchors); }
+
+private:
+  [[nodiscard]] std::optional<glm::dvec2> pixelOf(Place at) const {
+    const auto pixel = m_view.camera.project(at, m_view.size);
+    return pixel ? std::optional(glm::dvec2(*pixel)) : std::nullopt;
+  }
+
+  const View &m_view;
+  std::vector<LabelAnchor> m_anchors;
+};
+
+Place middleOf(const std::vector<Place> &places) {
+  return std::accumulate(places.begin(), places.end(), Place(0)) / static_cast<double>(places.size());
+}
+
+std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+  if (outline.path.empty())
+    return {};
+  const std::vector<Place> &path = outline.path;
+  Anchors anchors(view);
+  const auto besideLine = [&] {
+    for (const double part : {0.5, 0.65, 0.35, 0.8})
+      anchors.addBeside(path.front(), path.back(), part);
+  };
+  std::visit(Overloaded{
+                 [&](const PointMark &point) { anchors.add(point.at, upperRight, pointClearance); },
+                 [&](const SegmentMark &) { besideLine(); },
+                 [&](const RayMark &) { besideLine(); },
+                 [&](const ArrowMark &) {
+                   anchors.addTip(path.front(), path.back());
+                   anchors.addBeside(path.front(), path.back(), 0.5);
+                   anchors.addBeside(path.front(), path.back(), 0.7);
+                 },
+                 [&](const PlanePatchMark &) { anchors.addCorners(path); },
+                 [&](const PolygonMark &) {
+                   anchors.add(middleOf(path), {0, 0}, 0);
+                 },
+                 [&](const ArcMark &arc) { anchors.addTip(arc.center, path[path.size() / 2]); },
+                 [&](const RightAngleMark &corner) { anchors.addTip(corner.at, path[1]); },
+             },
+             mark);
+  return anchors.take();
+}
+
+} // namespace
+
+std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector<AxisLabel> &axes,
+                                  const Theme &theme, const View &view) {
+  std::vector<LabelText> texts;
+  const double pixels = view.pixelRatio * theme.textScale;
+  const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
+  const auto pin = [&](const std::string &id, const std::string &latex, Place at, const LabelStyle &look) {
+    Anchors anchors(view);
+    anchors.add(at, {0, 0}, 0);
+    texts.push_back({id, latex, look, anchors.take(), true});
+  };
+
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  std::vector<AxisLabel> dropNumbers;
+  if (content.dropLine)
+    for (const int axis : {0, 1})
+      dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], scale));
+  for (const AxisLabel &label : dropNumbers)
+    pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
+  for (const AxisLabel &label : axes) {
+    // A drop line's number takes the place of a tick's.
+    const auto covers = [&](const AxisLabel &drop) {
+      return glm::distance(drop.at, label.at) < numberSpacing * scale * theme.textScale;
+    };
+    if (std::none_of(dropNumbers.begin(), dropNumbers.end(), covers))
+      pin("axis " + std::to_string(texts.size()), label.latex, label.at,
+          label.isName ? style(theme.ink, markTextSize) : style(theme.mutedInk, tickTextSize));
+  }
+  for (const Mark &mark : content.figure.marks) {
+    const MarkBase &base = baseOf(mark);
+    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
+    if (!base.label.empty())
+      texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(mark, view), false, true});
+  }
+  if (content.gizmo && !content.gizmo->note.empty()) {
+    Anchors anchors(view);
+    anchors.add(content.gizmo->at, {-1, 0.6}, gizmoClearance);
+    texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take()});
+  }
+  return texts;
+}
+
+LabelObstacles obstaclesOf(const SceneContent &content, const Theme &theme, const View &view) {
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  const double radius = pointClearance * theme.lineScale * view.pixelRatio;
+  LabelObstacles obstacles;
+  const auto addPath = [&](const std::vector<Place> &path) {
+    std::optional<glm::dvec3> previous;
+    for (const Place &place : path) {
+      const auto pixel = view.camera.project(place, view.size);
+      if (pixel && path.size() == 1)
+        obstacles.discs.push_back({glm::dvec2(*pixel), radius});
+      else if (pixel && previous)
+        obstacles.segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel)});
+      previous = pixel;
+    }
+  };
+  for (const Mark &mark : content.figure.marks)
+    addPath(outlineOf(mark, rightAngleSize * scale).path);
+  if (content.gizmo)
+    for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
+      addPath(part.outline);
+  return obstacles;
+}
+
+} // namespace halfspace

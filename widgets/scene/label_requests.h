@@ -1,0 +1,33 @@
+// What is written into the picture, and beside what.
+#pragma once
+
+#include "widgets/scene/ground.h"
+#include "widgets/scene/label_layout.h"
+#include "widgets/scene/label_picture.h"
+#include "widgets/scene/tools_mesh.h"
+
+namespace halfspace {
+
+/// A label before it has a picture.
+struct LabelText {
+  std::string id; ///< of the mark, or a name of its own for ticks and notes
+  std::string latex;
+  LabelStyle style;
+  std::vector<LabelAnchor> anchors;
+  bool isPinned = false;
+  bool isMark = false; ///< whether the id is a mark's
+};
+
+/// The height of type in design pixels.
+inline constexpr double markTextSize = 22;
+inline constexpr double tickTextSize = 15;
+
+/// All labels of a content: marks, the gizmo's note, the drop line's numbers, and those of the axes.
+[[nodiscard]] std::vector<LabelText> labelTexts(const SceneContent &content,
+                                                const std::vector<AxisLabel> &axes, const Theme &theme,
+                                                const View &view);
+
+/// The points and lines on the screen that labels keep clear of.
+[[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const Theme &theme, const View &view);
+
+} // namespace halfspace

@@ -1,0 +1,26 @@
+// The opaque parts of a figure: tubes, balls, arrows, dashes.
+#pragma once
+
+#include "widgets/scene/mesh.h"
+
+#include <set>
+
+namespace halfspace {
+
+/// What the corner of a right angle measures at scale 1, in scene units.
+inline constexpr double rightAngleSize = 0.9;
+/// The radius of a given point, the thickest thing there is.
+inline constexpr double freePointRadius = 0.32;
+
+/// Whether a mark's lines are dashed.
+[[nodiscard]] bool isDashed(Role role);
+
+/// The colour of a mark's solid parts, by its subject, its role and whether it stands out.
+[[nodiscard]] Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted);
+
+/// The meshes of all marks. Thicknesses, dashes and corners are multiplied by `scale`, so that they measure
+/// the same on the screen however near the camera is.
+[[nodiscard]] Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted,
+                            const Theme &theme, double scale);
+
+} // namespace halfspace

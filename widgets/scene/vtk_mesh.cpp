@@ -1,0 +1,106 @@
+#include "widgets/scene/vtk_mesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+vtkNew<vtkFloatArray> floatArray(const std::vector<glm::vec3> &values) {
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  if (!values.empty())
+    std::copy_n(&values.front().x, values.size() * 3, array->GetPointer(0));
+  return array;
+}
+
+vtkNew<vtkUnsignedCharArray> colorArray(const std::vector<Color> &colors) {
+  static_assert(sizeof(Color) == 3);
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
+  if (!colors.empty())
+    std::copy_n(&colors.front().red, colors.size() * 3, array->GetPointer(0));
+  return array;
+}
+
+vtkNew<vtkCellArray> triangleArray(const std::vector<std::int32_t> &corners) {
+  const std::size_t count = corners.size() / 3;
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
+  for (std::size_t i = 0; i <= count; ++i)
+    offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
+  vtkNew<vtkTypeInt32Array> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
+  std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+/// Points with a colour and an opacity each, gathered one by one.
+struct ColoredPoints {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colors;
+
+  ColoredPoints() { colors->SetNumberOfComponents(4); }
+
+  vtkIdType add(Place at, Color color, double opacity) {
+    const std::uint8_t rgba[4] = {
+        color.red, color.green, color.blue,
+        static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)))};
+    colors->InsertNextTypedTuple(rgba);
+    return points->InsertNextPoint(at.x, at.y, at.z);
+  }
+};
+
+} // namespace
+
+void write(const Mesh &mesh, vtkPolyData *data) {
+  vtkNew<vtkPoints> points;
+  points->SetData(floatArray(mesh.positions));
+  data->SetPoints(points);
+  data->SetPolys(triangleArray(mesh.triangles));
+  data->GetPointData()->SetNormals(floatArray(mesh.normals));
+  data->GetPointData()->SetScalars(colorArray(mesh.colors));
+}
+
+void write(const std::vector<const Face *> &faces, vtkPolyData *data) {
+  ColoredPoints corners;
+  vtkNew<vtkCellArray> polygons;
+  for (const Face *face : faces) {
+    polygons->InsertNextCell(static_cast<int>(face->corners.size()));
+    for (const Place &corner : face->corners)
+      polygons->InsertCellPoint(corners.add(corner, face->color, face->opacity));
+  }
+  data->SetPoints(corners.points);
+  data->SetPolys(polygons);
+  data->GetPointData()->SetScalars(corners.colors);
+}
+
+void write(const Grid &grid, const Theme &theme, vtkPolyData *data) {
+  ColoredPoints points;
+  vtkNew<vtkCellArray> lines;
+  for (const Grid::Line &line : grid.lines) {
+    lines->InsertNextCell(static_cast<int>(line.points.size()));
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+      lines->InsertCellPoint(
+          points.add(line.points[i], line.isMajor ? theme.gridMajor : theme.grid, line.strengths[i]));
+  }
+  data->SetPoints(points.points);
+  data->SetLines(lines);
+  data->GetPointData()->SetScalars(points.colors);
+}
+
+} // namespace halfspace

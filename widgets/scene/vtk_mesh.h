@@ -1,0 +1,21 @@
+// From plain meshes to VTK.
+#pragma once
+
+#include "widgets/scene/ground.h"
+#include "widgets/scene/translucent_faces.h"
+
+class vtkPolyData;
+
+namespace halfspace {
+
+/// Makes a poly data show a mesh: triangles with normals and colours.
+void write(const Mesh &mesh, vtkPolyData *data);
+
+/// The faces in this order, each corner with the face's colour and opacity.
+void write(const std::vector<const Face *> &faces, vtkPolyData *data);
+
+/// The grid's lines, paler where they are weak: by their opacity, so that they fade into whatever lies
+/// behind.
+void write(const Grid &grid, const Theme &theme, vtkPolyData *data);
+
+} // namespace halfspace
