@@ -55,13 +55,16 @@ Surd Surd::root(const Rational &square, const Rational &factor) {
   Surd result;
   if (square == 0 || factor == 0)
     return result;
+  // B·√n = ±√(B²n), so the form depends on the value alone and not on how it was come by.
   // √(p/q) = root(p)/(root(q)·rest(q)) · √(rest(p)·rest(q)), square-free because p and q share no factor.
-  const SquareParts p = splitSquares(mp::numerator(square));
-  const SquareParts q = splitSquares(mp::denominator(square));
-  const Rational outside = factor * Rational(p.root, Integer(q.root * q.rest));
+  const Rational whole = square * factor * factor;
+  const SquareParts p = splitSquares(mp::numerator(whole));
+  const SquareParts q = splitSquares(mp::denominator(whole));
+  const Rational magnitude(p.root, Integer(q.root * q.rest));
+  const Rational outside = factor < 0 ? Rational(-magnitude) : magnitude;
   const Integer inside = p.rest * q.rest;
   if (inside == 1)
-    return Surd(outside);
+    return outside;
   result.m_factor = outside;
   result.m_radicand = inside;
   result.m_canonical = p.complete && q.complete;
@@ -78,7 +81,12 @@ int Surd::sign() const {
   return rootWins ? m_factor.sign() : m_rational.sign();
 }
 
-Surd Surd::operator-() const { return *this * Rational(-1); }
+Surd Surd::operator-() const {
+  Surd result = *this;
+  result.m_rational = -m_rational;
+  result.m_factor = -m_factor;
+  return result;
+}
 
 Surd Surd::operator+(const Rational &shift) const {
   Surd result = *this;
@@ -87,12 +95,7 @@ Surd Surd::operator+(const Rational &shift) const {
 }
 
 Surd Surd::operator*(const Rational &scale) const {
-  Surd result = *this;
-  result.m_rational *= scale;
-  result.m_factor *= scale;
-  if (scale == 0)
-    result.m_radicand = 1;
-  return result;
+  return root(Rational(m_radicand), m_factor * scale) + m_rational * scale;
 }
 
 bool Surd::operator==(const Surd &other) const {
@@ -127,7 +130,7 @@ std::optional<std::string> toText(const Surd &value) {
     return {};
   if (value.isRational())
     return toText(value.rationalPart());
-  const Rational factor = value.rootFactor();
+  const Rational &factor = value.rootFactor();
   const bool mixed = value.rationalPart() != 0;
   const Rational magnitude = mixed ? Rational(mp::abs(factor)) : factor;
   std::string text;

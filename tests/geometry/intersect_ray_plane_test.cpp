@@ -1,0 +1,134 @@
+#include "geometry/intersect_ray_plane.h"
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+const Plane<Rational> notesPlane = planeThrough(ExactVec3(5, 4, 7), ExactVec3(1, 2, 2));
+const ExactVec3 notesOrigin(11, 15, 8);
+
+TEST(IntersectRayPlane, notesExample_isBehindAtMinusTenThirds) {
+  const auto result = intersectRayPlane({notesOrigin, ExactVec3(-1, 3, 2)}, notesPlane);
+  EXPECT_EQ(result.which, RayPlaneCase::Behind);
+  EXPECT_EQ(result.numerator, -30);
+  EXPECT_EQ(result.denominator, 9);
+  EXPECT_EQ(result.t, Rational(-10, 3));
+  EXPECT_EQ(result.point, ExactVec3(Rational(43, 3), 5, Rational(4, 3)));
+  EXPECT_TRUE(result.crosses());
+}
+
+TEST(IntersectRayPlane, notesExampleReversed_hitsAtTenThirds) {
+  const auto result = intersectRayPlane({notesOrigin, ExactVec3(1, -3, -2)}, notesPlane);
+  EXPECT_EQ(result.which, RayPlaneCase::Hit);
+  EXPECT_EQ(result.t, Rational(10, 3));
+  EXPECT_EQ(toText(result.facingNormal[0]), "1/3");
+  EXPECT_EQ(toText(result.facingNormal[1]), "2/3");
+  EXPECT_EQ(toText(result.facingNormal[2]), "2/3");
+}
+
+TEST(IntersectRayPlane, startOnThePlane_hitsAtZero) {
+  const auto result = intersectRayPlane({ExactVec3(5, 4, 7), ExactVec3(0, 0, 1)}, notesPlane);
+  EXPECT_EQ(result.which, RayPlaneCase::Hit);
+  EXPECT_EQ(result.t, 0);
+}
+
+TEST(IntersectRayPlane, directionAlongThePlane_isParallelOrInThePlane) {
+  const ExactVec3 along(2, -1, 0);
+  const auto parallel = intersectRayPlane({notesOrigin, along}, notesPlane);
+  EXPECT_EQ(parallel.which, RayPlaneCase::Parallel);
+  EXPECT_EQ(parallel.numerator, -30);
+  EXPECT_EQ(parallel.denominator, 0);
+  EXPECT_FALSE(parallel.crosses());
+  const auto inPlane = intersectRayPlane({ExactVec3(5, 4, 7), along}, notesPlane);
+  EXPECT_EQ(inPlane.which, RayPlaneCase::InPlane);
+  EXPECT_FALSE(inPlane.crosses());
+}
+
+TEST(IntersectRayPlane, zeroNormalOrDirection_isACaseOfItsOwn) {
+  const ExactVec3 zero(0, 0, 0);
+  EXPECT_EQ(intersectRayPlane({notesOrigin, zero}, notesPlane).which, RayPlaneCase::ZeroDirection);
+  EXPECT_EQ(intersectRayPlane({notesOrigin, notesOrigin}, Plane<Rational>{zero, 1}).which,
+            RayPlaneCase::ZeroNormal);
+  EXPECT_EQ(intersectRayPlane({notesOrigin, zero}, Plane<Rational>{zero, 1}).which, RayPlaneCase::ZeroNormal);
+}
+
+TEST(IntersectRayPlane, anyRay_meetsThePlaneAtItsPoint) {
+  RandomNumbers random(41);
+  for (int i = 0; i < 1000; ++i) {
+    const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
+    const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
+    const auto result = intersectRayPlane(ray, plane);
+    if (!result.crosses()) {
+      EXPECT_EQ(dot(ray.direction, plane.normal), 0);
+      continue;
+    }
+    EXPECT_EQ(evaluate(plane, result.point), 0);
+    EXPECT_EQ(result.point, pointAt(ray, result.t));
+    EXPECT_EQ(result.which, result.t < 0 ? RayPlaneCase::Behind : RayPlaneCase::Hit);
+
+    const auto reversed = intersectRayPlane({ray.origin, -ray.direction}, plane);
+    EXPECT_EQ(reversed.t, -result.t);
+    EXPECT_EQ(reversed.point, result.point);
+    const auto stretched = intersectRayPlane({ray.origin, ray.direction * Rational(3)}, plane);
+    EXPECT_EQ(stretched.t, result.t / 3);
+  }
+}
+
+TEST(IntersectRayPlane, facingNormal_isUnitAndAgainstTheRayOnWhicheverSideTheNormalPoints) {
+  RandomNumbers random(42);
+  for (int i = 0; i < 500; ++i) {
+    const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
+    const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
+    const auto result = intersectRayPlane(ray, plane);
+    if (!result.crosses())
+      continue;
+    const auto flipped = intersectRayPlane(ray, Plane<Rational>{-plane.normal, Rational(-plane.offset)});
+    EXPECT_EQ(flipped.facingNormal, result.facingNormal);
+    const double length = std::hypot(toDouble(result.facingNormal[0]), toDouble(result.facingNormal[1]),
+                                     toDouble(result.facingNormal[2]));
+    EXPECT_DOUBLE_EQ(length, 1);
+    // All three share one root, so their signs and ratios are those of ±n.
+    const Rational side = result.denominator > 0 ? -1 : 1;
+    EXPECT_EQ(result.facingNormal[0],
+              overRoot(Rational(plane.normal.x * side), dot(plane.normal, plane.normal)));
+    EXPECT_LT(Rational(dot(ray.direction, plane.normal) * side), 0);
+  }
+}
+
+TEST(IntersectRayPlane, rayTurnedTowardsParallel_isParallelOnlyAtZero) {
+  const Plane<Rational> ground{ExactVec3(0, 0, 1), 0};
+  for (int k = 0; k <= 60; ++k) {
+    const Rational tilt = tenToThe(-k);
+    const auto down = intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, Rational(-tilt))}, ground);
+    EXPECT_EQ(down.which, RayPlaneCase::Hit);
+    EXPECT_EQ(down.t, tenToThe(k));
+    const auto up = intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, tilt)}, ground);
+    EXPECT_EQ(up.which, RayPlaneCase::Behind);
+    EXPECT_EQ(up.t, -tenToThe(k));
+  }
+  EXPECT_EQ(intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, 0)}, ground).which,
+            RayPlaneCase::Parallel);
+}
+
+TEST(IntersectRayPlane, doubles_agreeWithFractionsWhereTheAngleIsLarge) {
+  RandomNumbers random(43);
+  // |r·n| ≥ 1 and coordinates up to 20 keep the relative rounding error of t far below this bound.
+  const double bound = 1e-8;
+  for (int i = 0; i < 1000; ++i) {
+    const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
+    const Plane<Rational> plane = planeThrough(random.vector(), random.nonZeroVector());
+    const auto exact = intersectRayPlane(ray, plane);
+    if (Rational(mp::abs(exact.denominator)) < 1)
+      continue;
+    const auto rounded = intersectRayPlane(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)},
+                                           Plane<double>{toDouble(plane.normal), toDouble(plane.offset)});
+    EXPECT_NEAR(rounded.t, toDouble(exact.t), bound);
+    EXPECT_NEAR(rounded.facingNormal[2], toDouble(exact.facingNormal[2]), bound);
+    EXPECT_EQ(rounded.which, exact.which);
+  }
+}
+
+} // namespace
+} // namespace halfspace

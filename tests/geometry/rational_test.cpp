@@ -1,0 +1,187 @@
+#include "geometry/rational.h"
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+std::string randomDecimal(RandomNumbers &random) {
+  std::string text = random.integer(0, 1) == 0 ? "" : "-";
+  text += static_cast<char>('1' + random.integer(0, 8));
+  if (const int decimals = random.integer(0, 40); decimals > 0) {
+    text += '.';
+    for (int i = 0; i < decimals; ++i)
+      text += static_cast<char>('0' + random.integer(0, 9));
+  }
+  return text + "e" + std::to_string(random.integer(-345, 312));
+}
+
+TEST(ParseRational, decimalsAndFractions_areTakenAsExactlyWhatTheySpell) {
+  EXPECT_EQ(parseRational("0"), Rational(0));
+  EXPECT_EQ(parseRational("-0"), Rational(0));
+  EXPECT_EQ(parseRational("15"), Rational(15));
+  EXPECT_EQ(parseRational("0.1"), Rational(1, 10));
+  EXPECT_EQ(parseRational("-1.50"), Rational(-3, 2));
+  EXPECT_EQ(parseRational("1e-3"), Rational(1, 1000));
+  EXPECT_EQ(parseRational("2E+3"), Rational(2000));
+  EXPECT_EQ(parseRational("12.5e1"), Rational(125));
+  EXPECT_EQ(parseRational("-10/3"), Rational(-10, 3));
+  EXPECT_EQ(parseRational("6/-4"), Rational(-3, 2));
+  EXPECT_EQ(parseRational("-6/-4"), Rational(3, 2));
+}
+
+TEST(ParseRational, leadingZeros_areNoOctalNumbers) {
+  EXPECT_EQ(parseRational("010"), Rational(10));
+  EXPECT_EQ(parseRational("08/010"), Rational(4, 5));
+  EXPECT_EQ(parseRational("1e0002"), Rational(100));
+}
+
+TEST(ParseRational, anyOtherText_isRefused) {
+  for (const char *text :
+       {"",    "-",    "+1",    "--1",   " 1",    "1 ",    "1 /2",  "NaN",   "nan", "inf",  "Infinity",
+        "0x1", "1.",   ".5",    "-.5",   "1e",    "1e+",   "e5",    "1,5",   "1_0", "1/",   "/2",
+        "1/+", "1/+2", "1/2/3", "1.5/2", "1/2.5", "1e2/3", "1/2e3", "1.2.3", "½",   "1/--2"})
+    EXPECT_EQ(parseRational(text), std::nullopt) << '"' << text << '"';
+}
+
+TEST(ParseRational, zeroDenominator_isRefused) {
+  EXPECT_EQ(parseRational("1/0"), std::nullopt);
+  EXPECT_EQ(parseRational("0/-00"), std::nullopt);
+}
+
+TEST(ParseRational, atItsLimits_takesTheLastAndRefusesTheNext) {
+  const std::string most(maxDigits, '1');
+  const std::string half(maxDigits / 2, '0');
+  EXPECT_TRUE(parseRational(most));
+  EXPECT_TRUE(parseRational("-" + most + "/" + most));
+  EXPECT_TRUE(parseRational(half + "." + half));
+  EXPECT_EQ(parseRational(most + "1"), std::nullopt);
+  EXPECT_EQ(parseRational("1/" + most + "1"), std::nullopt);
+  EXPECT_EQ(parseRational(most + "1/1"), std::nullopt);
+  EXPECT_EQ(parseRational(half + ".0" + half), std::nullopt);
+  EXPECT_EQ(parseRational("1e400"), tenToThe(400));
+  EXPECT_EQ(parseRational("1e-400"), tenToThe(-400));
+  EXPECT_EQ(parseRational("1e401"), std::nullopt);
+  EXPECT_EQ(parseRational("1e-401"), std::nullopt);
+  EXPECT_EQ(parseRational("1e99999999999999999999"), std::nullopt);
+}
+
+TEST(ToText, fraction_isInLowestTermsWithoutDenominatorOne) {
+  EXPECT_EQ(toText(Rational(0)), "0");
+  EXPECT_EQ(toText(Rational(-20, 6)), "-10/3");
+  EXPECT_EQ(toText(Rational(14, 7)), "2");
+}
+
+TEST(ToText, readBack_givesTheSameFraction) {
+  RandomNumbers random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Rational value = random.rational(1000000);
+    EXPECT_EQ(parseRational(toText(value)), value);
+  }
+}
+
+TEST(ToDouble, decimalsOfEverySize_areRoundedAsTheCLibraryDoes) {
+  RandomNumbers random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const std::string text = randomDecimal(random);
+    const auto value = parseRational(text);
+    ASSERT_TRUE(value) << text;
+    EXPECT_EQ(toDouble(*value), std::strtod(text.c_str(), nullptr)) << text;
+  }
+}
+
+TEST(ToDouble, anyDouble_isItself) {
+  RandomNumbers random(3);
+  for (int i = 0; i < 10000; ++i) {
+    const double value = random.anyDouble();
+    EXPECT_EQ(toDouble(exactly(value)), value);
+  }
+  for (const double value : {smallest, -smallest, largest, -largest, std::numeric_limits<double>::min()})
+    EXPECT_EQ(toDouble(exactly(value)), value);
+}
+
+TEST(ToDouble, halfwayBetweenTwoDoubles_takesTheEvenOne) {
+  RandomNumbers random(4);
+  for (int i = 0; i < 10000; ++i) {
+    const double below = std::abs(random.anyDouble());
+    const double above = std::nextafter(below, infinity);
+    if (above == infinity)
+      continue;
+    const Rational middle = (exactly(below) + exactly(above)) / 2;
+    const Rational hair = (exactly(above) - exactly(below)) * tenToThe(-30);
+    // Of two neighbours the even one is a whole number of twice their distance.
+    const Rational steps = exactly(below) / (2 * (exactly(above) - exactly(below)));
+    const double even = mp::denominator(steps) == 1 ? below : above;
+    EXPECT_EQ(toDouble(middle), even);
+    EXPECT_EQ(toDouble(Rational(-middle)), -even);
+    EXPECT_EQ(toDouble(Rational(middle - hair)), below);
+    EXPECT_EQ(toDouble(Rational(middle + hair)), above);
+  }
+}
+
+TEST(ToDouble, atTheSmallestDouble_halfIsZeroAndAnythingMoreIsNot) {
+  const Rational half = exactly(smallest) / 2;
+  EXPECT_EQ(toDouble(half), 0);
+  EXPECT_EQ(toDouble(Rational(half * Rational(1000001, 1000000))), smallest);
+  EXPECT_EQ(toDouble(Rational(half * Rational(-1000001, 1000000))), -smallest);
+  EXPECT_EQ(toDouble(Rational(half * 3)), 2 * smallest);
+  EXPECT_EQ(toDouble(tenToThe(-400)), 0);
+}
+
+TEST(ToDouble, beyondTheLargestDouble_isInfinite) {
+  const Rational halfStep = exactly(largest) / ((Integer(1) << 54) - 2);
+  const Rational edge = exactly(largest) + halfStep;
+  EXPECT_EQ(toDouble(edge), infinity);
+  EXPECT_EQ(toDouble(Rational(-edge)), -infinity);
+  EXPECT_EQ(toDouble(Rational(edge * (1 - tenToThe(-40)))), largest);
+  EXPECT_EQ(toDouble(tenToThe(400)), infinity);
+}
+
+TEST(NearestDouble, scaledByAPowerOfTwo_isTheScaledFraction) {
+  EXPECT_EQ(nearestDouble(3, 4, 10), 768);
+  EXPECT_EQ(nearestDouble(-3, 4, -1074), -smallest);
+  EXPECT_EQ(nearestDouble(0, 7, 5000), 0);
+}
+
+TEST(RoundToMultiple, halves_goUp) {
+  EXPECT_EQ(roundToMultiple(Rational(1, 2), 1), 1);
+  EXPECT_EQ(roundToMultiple(Rational(-1, 2), 1), 0);
+  EXPECT_EQ(roundToMultiple(Rational(-3, 2), 1), -1);
+  EXPECT_EQ(roundToMultiple(Rational(3, 8), Rational(1, 4)), Rational(1, 2));
+  EXPECT_EQ(roundToMultiple(2.5, 1), 3);
+  EXPECT_EQ(roundToMultiple(-2.5, 1), -2);
+}
+
+TEST(RoundToMultiple, anyValueAndStep_givesTheNearestMultiple) {
+  RandomNumbers random(5);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational value = random.rational(1000);
+    const Rational step = mp::abs(random.nonZeroRational());
+    const Rational rounded = roundToMultiple(value, step);
+    EXPECT_EQ(mp::denominator(Rational(rounded / step)), 1);
+    EXPECT_LE(Rational(mp::abs(Rational(rounded - value))), Rational(step / 2));
+    EXPECT_EQ(roundToMultiple(rounded, step), rounded);
+  }
+}
+
+TEST(RoundToMultiple, double_isTakenAtItsExactValue) {
+  RandomNumbers random(6);
+  for (int i = 0; i < 3000; ++i) {
+    const double value = random.anyDouble();
+    EXPECT_EQ(roundToMultiple(value, Rational(1, 10)), roundToMultiple(exactly(value), Rational(1, 10)));
+  }
+  // 0.15 as a double is a little less than 15/100.
+  EXPECT_EQ(roundToMultiple(0.15, Rational(1, 10)), Rational(1, 10));
+  EXPECT_EQ(roundToMultiple(0.0, Rational(1, 1000)), 0);
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,181 @@
+#include "geometry/surd.h"
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+/// √square · factor + shift
+Surd surd(const Rational &square, const Rational &factor = 1, const Rational &shift = 0) {
+  return Surd::root(square, factor) + shift;
+}
+
+bool isSquareFree(const Integer &value) {
+  for (Integer root = 2; root * root <= value; ++root)
+    if (value % (root * root) == 0)
+      return false;
+  return true;
+}
+
+/// Whether no other double lies nearer to the exact value, decided exactly.
+testing::AssertionResult isNearestDoubleOf(double rounded, const Surd &value) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Rational below = (exactly(rounded) + exactly(std::nextafter(rounded, -infinity))) / 2;
+  const Rational above = (exactly(rounded) + exactly(std::nextafter(rounded, infinity))) / 2;
+  if ((value + Rational(-below)).sign() >= 0 && (value + Rational(-above)).sign() <= 0)
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure() << rounded << " is not the double nearest to "
+                                     << toText(value).value_or("?");
+}
+
+/// The fractions p/q with p² − 2q² = ±1: each is nearer to √2 than the one before, on the other side.
+std::vector<std::pair<Integer, Integer>> bestFractionsOfRootTwo(int count) {
+  std::vector<std::pair<Integer, Integer>> fractions{{1, 1}};
+  while (static_cast<int>(fractions.size()) < count) {
+    const auto [p, q] = fractions.back();
+    fractions.emplace_back(Integer(p + 2 * q), Integer(p + q));
+  }
+  return fractions;
+}
+
+TEST(SurdText, eachForm_isWrittenAsTheFormatSays) {
+  EXPECT_EQ(toText(Surd()), "0");
+  EXPECT_EQ(toText(Surd(Rational(-10, 3))), "-10/3");
+  EXPECT_EQ(toText(surd(2)), "sqrt(2)");
+  EXPECT_EQ(toText(surd(2, -1)), "-sqrt(2)");
+  EXPECT_EQ(toText(surd(3, Rational(1, 3))), "1/3*sqrt(3)");
+  EXPECT_EQ(toText(surd(3, -2)), "-2*sqrt(3)");
+  EXPECT_EQ(toText(surd(5, Rational(3, 4), Rational(-1, 2))), "-1/2 + 3/4*sqrt(5)");
+  EXPECT_EQ(toText(surd(5, Rational(-3, 4), Rational(-1, 2))), "-1/2 - 3/4*sqrt(5)");
+  EXPECT_EQ(toText(surd(7, 1, 2)), "2 + sqrt(7)");
+  EXPECT_EQ(toText(surd(7, -1, 2)), "2 - sqrt(7)");
+}
+
+TEST(SurdRoot, squaresInTheRadicand_areTakenOut) {
+  EXPECT_EQ(toText(surd(12)), "2*sqrt(3)");
+  EXPECT_EQ(toText(surd(Rational(1, 2))), "1/2*sqrt(2)");
+  EXPECT_EQ(toText(surd(Rational(8, 27))), "2/9*sqrt(6)");
+  EXPECT_EQ(toText(surd(Rational(9, 4))), "3/2");
+  EXPECT_EQ(toText(surd(0)), "0");
+  EXPECT_EQ(toText(surd(5, 0)), "0");
+}
+
+TEST(SurdRoot, anyFraction_hasASquareFreeRadicandAndTheRightSquare) {
+  RandomNumbers random(11);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational square = mp::abs(random.nonZeroRational(200));
+    const Rational factor = random.nonZeroRational();
+    const Surd value = surd(square, factor);
+    ASSERT_TRUE(value.canonical());
+    EXPECT_TRUE(isSquareFree(value.radicand())) << value.radicand();
+    EXPECT_EQ(value.sign(), factor.sign());
+    const Rational root = value.isRational() ? value.rationalPart() : value.rootFactor();
+    EXPECT_EQ(Rational(root * root * Rational(value.radicand())), Rational(square * factor * factor));
+    EXPECT_EQ(value.isRational(), value.radicand() == 1);
+  }
+}
+
+TEST(SurdRoot, largePrimeFactors_areFoundUpToTheLimit) {
+  // Two primes just below a million, so that p²q is just below the limit; and the largest prime below it.
+  EXPECT_EQ(toText(surd(Rational(Integer(999983) * 999983 * 999979))), "999983*sqrt(999979)");
+  EXPECT_EQ(toText(surd(Rational(Integer(707106781) * 707106781 * 2))), "707106781*sqrt(2)");
+  EXPECT_EQ(toText(surd(Rational(Integer("999999999999999989")))), "sqrt(999999999999999989)");
+  EXPECT_EQ(toText(surd(Rational(Integer(1), Integer("999999999999999989")))),
+            "1/999999999999999989*sqrt(999999999999999989)");
+  EXPECT_EQ(toText(surd(Rational(factorLimit))), "1000000000");
+}
+
+TEST(SurdRoot, beyondTheLimit_hasNoTextUnlessItIsASquare) {
+  const Rational beyond(Integer(factorLimit + 1));
+  EXPECT_EQ(toText(surd(beyond)), std::nullopt);
+  EXPECT_EQ(toText(surd(Rational(1 / beyond), 1, 3)), std::nullopt);
+  EXPECT_FALSE(surd(beyond).canonical());
+  EXPECT_EQ(toText(surd(Rational(beyond * beyond))), toText(beyond));
+  EXPECT_EQ(surd(beyond).sign(), 1);
+  EXPECT_TRUE(isNearestDoubleOf(toDouble(surd(beyond)), surd(beyond)));
+}
+
+TEST(SurdRoot, valueWithinTheLimit_hasItsTextHoweverItWasComeBy) {
+  // 10^10/√(3·10^20) = 1/√3: what is judged is the value's own square, 1/3.
+  const Rational large = tenToThe(10);
+  EXPECT_EQ(toText(overRoot(large, Rational(3 * large * large))), "1/3*sqrt(3)");
+  EXPECT_EQ(toText(surd(Rational(large * large * 3)) * Rational(1 / large)), "sqrt(3)");
+  EXPECT_EQ(toText(surd(3) * large), std::nullopt);
+}
+
+TEST(SurdEquality, sameValueInTwoForms_isEqual) {
+  const Rational beyond(Integer(factorLimit + 1));
+  EXPECT_EQ(surd(12), surd(3, 2));
+  EXPECT_EQ(surd(Rational(4 * beyond)), surd(beyond, 2));
+  EXPECT_FALSE(surd(2) == surd(2, -1));
+  EXPECT_FALSE(surd(2) == surd(3));
+  EXPECT_FALSE(surd(2, 1, 1) == surd(2));
+}
+
+TEST(SurdArithmetic, scalingShiftingAndNegating_actOnBothParts) {
+  const Surd value = surd(5, Rational(3, 4), Rational(-1, 2));
+  EXPECT_EQ(toText(value * Rational(-2)), "1 - 3/2*sqrt(5)");
+  EXPECT_EQ(toText(value * Rational(0)), "0");
+  EXPECT_EQ(toText(value + Rational(1, 2)), "3/4*sqrt(5)");
+  EXPECT_EQ(toText(-value), "1/2 - 3/4*sqrt(5)");
+  EXPECT_EQ(toText(Surd(Rational(2, 3)) * Rational(3)), "2");
+}
+
+TEST(SurdSign, partsThatPullApart_areDecidedExactly) {
+  int expected = -1;
+  for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
+    const Surd difference = surd(2, Rational(-q), Rational(p));
+    EXPECT_EQ(difference.sign(), expected);
+    EXPECT_EQ((-difference).sign(), -expected);
+    expected = -expected;
+  }
+}
+
+TEST(SurdSign, conjugates_multiplyToTheSignOfTheirNorm) {
+  RandomNumbers random(12);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational square = mp::abs(random.nonZeroRational(50));
+    const Rational factor = random.rational();
+    const Rational shift = random.rational();
+    const Rational norm = shift * shift - factor * factor * square;
+    EXPECT_EQ(surd(square, factor, shift).sign() * surd(square, Rational(-factor), shift).sign(),
+              norm.sign());
+  }
+}
+
+TEST(SurdToDouble, anyValue_isTheNearestDouble) {
+  RandomNumbers random(13);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational scale = tenToThe(random.integer(-60, 60));
+    const Surd value =
+        surd(mp::abs(random.nonZeroRational(1000)), Rational(random.rational() * scale), random.rational());
+    EXPECT_TRUE(isNearestDoubleOf(toDouble(value), value));
+  }
+}
+
+TEST(SurdToDouble, partsThatCancel_loseNoDigits) {
+  for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
+    const Surd difference = surd(2, Rational(-q), Rational(p));
+    EXPECT_TRUE(isNearestDoubleOf(toDouble(difference), difference));
+  }
+}
+
+TEST(SurdToDouble, tinyAndHugeValues_keepTheirRange) {
+  EXPECT_EQ(toDouble(surd(tenToThe(-801))), 0);
+  EXPECT_EQ(toDouble(surd(tenToThe(801))), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(toDouble(surd(tenToThe(801), -1)), -std::numeric_limits<double>::infinity());
+  const Surd tiny = surd(Rational(2 * tenToThe(-640)));
+  EXPECT_TRUE(isNearestDoubleOf(toDouble(tiny), tiny));
+}
+
+TEST(OverRoot, doubleAndFraction_agree) {
+  EXPECT_DOUBLE_EQ(overRoot(30.0, 9.0), 10.0);
+  EXPECT_EQ(overRoot(Rational(30), Rational(9)), Surd(10));
+  EXPECT_DOUBLE_EQ(overRoot(1.0, 3.0), toDouble(overRoot(Rational(1), Rational(3))));
+}
+
+} // namespace
+} // namespace halfspace
