@@ -54,8 +54,8 @@ build() {
       say "Configuring Halfspace in build/release"
       cmake --preset release >&2 || stop "Halfspace could not be configured: see CMake's message above."
     fi
-    [[ $(ninja -C "$buildDir" -n "$@" 2>&1) != *"no work to do"* ]] || exit 0
-    say "Building Halfspace in build/release"
-    ninja -C "$buildDir" "$@" >&2 || stop "Halfspace could not be built: see the message above."
+    # Ninja's own remarks go: without work there is nothing to read.
+    ninja -C "$buildDir" "$@" 2>&1 | sed --unbuffered '/^ninja: [En]/d; /Re-checking globbed/d' >&2 ||
+      stop "Halfspace could not be built: see the message above."
   ) 9>"$buildDir.lock"
 }
