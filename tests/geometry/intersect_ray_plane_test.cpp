@@ -9,7 +9,7 @@ namespace {
 const Plane<Rational> notesPlane = planeThrough(ExactVec3(5, 4, 7), ExactVec3(1, 2, 2));
 const ExactVec3 notesOrigin(11, 15, 8);
 
-TEST(IntersectRayPlane, notesExample_isBehindAtMinusTenThirds) {
+TEST(IntersectRayPlane, NotesExample_IsBehindAtMinusTenThirds) {
   const auto result = intersectRayPlane({notesOrigin, ExactVec3(-1, 3, 2)}, notesPlane);
   EXPECT_EQ(result.which, RayPlaneCase::Behind);
   EXPECT_EQ(result.numerator, -30);
@@ -19,7 +19,7 @@ TEST(IntersectRayPlane, notesExample_isBehindAtMinusTenThirds) {
   EXPECT_TRUE(result.crosses());
 }
 
-TEST(IntersectRayPlane, notesExampleReversed_hitsAtTenThirds) {
+TEST(IntersectRayPlane, NotesExampleReversed_HitsAtTenThirds) {
   const auto result = intersectRayPlane({notesOrigin, ExactVec3(1, -3, -2)}, notesPlane);
   EXPECT_EQ(result.which, RayPlaneCase::Hit);
   EXPECT_EQ(result.t, Rational(10, 3));
@@ -28,13 +28,13 @@ TEST(IntersectRayPlane, notesExampleReversed_hitsAtTenThirds) {
   EXPECT_EQ(toText(result.facingNormal[2]), "2/3");
 }
 
-TEST(IntersectRayPlane, startOnThePlane_hitsAtZero) {
+TEST(IntersectRayPlane, StartOnThePlane_HitsAtZero) {
   const auto result = intersectRayPlane({ExactVec3(5, 4, 7), ExactVec3(0, 0, 1)}, notesPlane);
   EXPECT_EQ(result.which, RayPlaneCase::Hit);
   EXPECT_EQ(result.t, 0);
 }
 
-TEST(IntersectRayPlane, directionAlongThePlane_isParallelOrInThePlane) {
+TEST(IntersectRayPlane, DirectionAlongThePlane_IsParallelOrInThePlane) {
   const ExactVec3 along(2, -1, 0);
   const auto parallel = intersectRayPlane({notesOrigin, along}, notesPlane);
   EXPECT_EQ(parallel.which, RayPlaneCase::Parallel);
@@ -46,7 +46,7 @@ TEST(IntersectRayPlane, directionAlongThePlane_isParallelOrInThePlane) {
   EXPECT_FALSE(inPlane.crosses());
 }
 
-TEST(IntersectRayPlane, zeroNormalOrDirection_isACaseOfItsOwn) {
+TEST(IntersectRayPlane, ZeroNormalOrDirection_IsACaseOfItsOwn) {
   const ExactVec3 zero(0, 0, 0);
   EXPECT_EQ(intersectRayPlane({notesOrigin, zero}, notesPlane).which, RayPlaneCase::ZeroDirection);
   EXPECT_EQ(intersectRayPlane({notesOrigin, notesOrigin}, Plane<Rational>{zero, 1}).which,
@@ -54,7 +54,7 @@ TEST(IntersectRayPlane, zeroNormalOrDirection_isACaseOfItsOwn) {
   EXPECT_EQ(intersectRayPlane({notesOrigin, zero}, Plane<Rational>{zero, 1}).which, RayPlaneCase::ZeroNormal);
 }
 
-TEST(IntersectRayPlane, anyRay_meetsThePlaneAtItsPoint) {
+TEST(IntersectRayPlane, AnyRay_MeetsThePlaneAtItsPoint) {
   RandomNumbers random(41);
   for (int i = 0; i < 1000; ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
@@ -76,7 +76,7 @@ TEST(IntersectRayPlane, anyRay_meetsThePlaneAtItsPoint) {
   }
 }
 
-TEST(IntersectRayPlane, facingNormal_isUnitAndAgainstTheRayOnWhicheverSideTheNormalPoints) {
+TEST(IntersectRayPlane, FacingNormal_IsUnitAndAgainstTheRayOnWhicheverSideTheNormalPoints) {
   RandomNumbers random(42);
   for (int i = 0; i < 500; ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
@@ -97,7 +97,7 @@ TEST(IntersectRayPlane, facingNormal_isUnitAndAgainstTheRayOnWhicheverSideTheNor
   }
 }
 
-TEST(IntersectRayPlane, rayTurnedTowardsParallel_isParallelOnlyAtZero) {
+TEST(IntersectRayPlane, RayTurnedTowardsParallel_IsParallelOnlyAtZero) {
   const Plane<Rational> ground{ExactVec3(0, 0, 1), 0};
   for (int k = 0; k <= 60; ++k) {
     const Rational tilt = tenToThe(-k);
@@ -112,7 +112,7 @@ TEST(IntersectRayPlane, rayTurnedTowardsParallel_isParallelOnlyAtZero) {
             RayPlaneCase::Parallel);
 }
 
-TEST(IntersectRayPlane, doubles_agreeWithFractionsWhereTheAngleIsLarge) {
+TEST(IntersectRayPlane, Doubles_AgreeWithFractionsWhereTheAngleIsLarge) {
   RandomNumbers random(43);
   // |r·n| ≥ 1 and coordinates up to 20 keep the relative rounding error of t far below this bound.
   const double bound = 1e-8;

@@ -30,7 +30,7 @@ void expectPlace(const TrianglePlace &place, TriangleLocation location, int feat
   EXPECT_EQ(place.feature, feature);
 }
 
-TEST(IntersectRayTriangle, rayThroughTheInside_hitsWithItsParameters) {
+TEST(IntersectRayTriangle, RayThroughTheInside_HitsWithItsParameters) {
   const auto result = intersectRayTriangle(downAt(1, 2), corner);
   EXPECT_EQ(result.which, RayTriangleCase::Hit);
   EXPECT_EQ(result.plane.t, 3);
@@ -45,14 +45,14 @@ TEST(IntersectRayTriangle, rayThroughTheInside_hitsWithItsParameters) {
   expectPlace(result.place, TriangleLocation::Interior, -1);
 }
 
-TEST(IntersectRayTriangle, rayFromBehind_isBehindOrMissesByWhereItsLineCrosses) {
+TEST(IntersectRayTriangle, RayFromBehind_IsBehindOrMissesByWhereItsLineCrosses) {
   const ExactVec3 up(0, 0, 1);
   EXPECT_EQ(intersectRayTriangle({ExactVec3(1, 2, 3), up}, corner).which, RayTriangleCase::Behind);
   EXPECT_EQ(intersectRayTriangle({ExactVec3(3, 3, 3), up}, corner).which, RayTriangleCase::Miss);
   EXPECT_EQ(intersectRayTriangle(downAt(3, 3), corner).which, RayTriangleCase::Miss);
 }
 
-TEST(IntersectRayTriangle, rayAlongThePlane_isParallelOrInThePlane) {
+TEST(IntersectRayTriangle, RayAlongThePlane_IsParallelOrInThePlane) {
   const ExactVec3 along(1, 1, 0);
   EXPECT_EQ(intersectRayTriangle({ExactVec3(0, 0, 1), along}, corner).which, RayTriangleCase::Parallel);
   const auto inPlane = intersectRayTriangle({ExactVec3(9, 9, 0), along}, corner);
@@ -60,7 +60,7 @@ TEST(IntersectRayTriangle, rayAlongThePlane_isParallelOrInThePlane) {
   EXPECT_FALSE(inPlane.crosses());
 }
 
-TEST(IntersectRayTriangle, degenerateInput_isNamed) {
+TEST(IntersectRayTriangle, DegenerateInput_IsNamed) {
   const ExactVec3 a(1, 2, 3);
   const ExactVec3 b(2, 4, 6);
   const ExactVec3 c(3, 6, 9);
@@ -74,7 +74,7 @@ TEST(IntersectRayTriangle, degenerateInput_isNamed) {
   EXPECT_EQ(intersectRayTriangle({a, ExactVec3(0, 0, 0)}, corner).which, RayTriangleCase::ZeroDirection);
 }
 
-TEST(PlaceInTriangle, cornersAndEdges_areNamedByTheirIndex) {
+TEST(PlaceInTriangle, CornersAndEdges_AreNamedByTheirIndex) {
   const Rational half(1, 2);
   expectPlace(placeInTriangle(Rational(0), Rational(0)), TriangleLocation::Vertex, 0);
   expectPlace(placeInTriangle(Rational(1), Rational(0)), TriangleLocation::Vertex, 1);
@@ -84,13 +84,13 @@ TEST(PlaceInTriangle, cornersAndEdges_areNamedByTheirIndex) {
   expectPlace(placeInTriangle(half, Rational(0)), TriangleLocation::Edge, 2);
 }
 
-TEST(PlaceInTriangle, edgeLineBeyondTheCorners_isOutside) {
+TEST(PlaceInTriangle, EdgeLineBeyondTheCorners_IsOutside) {
   expectPlace(placeInTriangle(Rational(0), Rational(2)), TriangleLocation::Outside, -1);
   expectPlace(placeInTriangle(Rational(-1), Rational(0)), TriangleLocation::Outside, -1);
   expectPlace(placeInTriangle(Rational(3), Rational(-2)), TriangleLocation::Outside, -1);
 }
 
-TEST(PlaceInTriangle, pointMovedOverAnEdge_isOnItOnlyAtZero) {
+TEST(PlaceInTriangle, PointMovedOverAnEdge_IsOnItOnlyAtZero) {
   for (int k = 1; k <= 60; ++k) {
     const Rational step = tenToThe(-k);
     const Rational half(1, 2);
@@ -103,7 +103,7 @@ TEST(PlaceInTriangle, pointMovedOverAnEdge_isOnItOnlyAtZero) {
   }
 }
 
-TEST(PerpsOf, anyTriangle_obeysTheNotesIdentities) {
+TEST(PerpsOf, AnyTriangle_ObeysTheNotesIdentities) {
   RandomNumbers random(51);
   for (int i = 0; i < 2000; ++i) {
     Triangle<Rational> triangle{random.vector(), random.vector(), random.vector()};
@@ -120,7 +120,7 @@ TEST(PerpsOf, anyTriangle_obeysTheNotesIdentities) {
   }
 }
 
-TEST(IntersectRayTriangle, rayAimedAtParameters_findsExactlyThese) {
+TEST(IntersectRayTriangle, RayAimedAtParameters_FindsExactlyThese) {
   RandomNumbers random(52);
   for (int i = 0; i < 2000; ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
@@ -140,7 +140,7 @@ TEST(IntersectRayTriangle, rayAimedAtParameters_findsExactlyThese) {
   }
 }
 
-TEST(IntersectRayTriangle, rayAimedAtEdgesAndCorners_neverSlipsThrough) {
+TEST(IntersectRayTriangle, RayAimedAtEdgesAndCorners_NeverSlipsThrough) {
   RandomNumbers random(53);
   for (int i = 0; i < 250; ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
@@ -159,7 +159,7 @@ TEST(IntersectRayTriangle, rayAimedAtEdgesAndCorners_neverSlipsThrough) {
   }
 }
 
-TEST(IntersectRayTriangle, cornersInAnotherOrder_giveTheSameHit) {
+TEST(IntersectRayTriangle, CornersInAnotherOrder_GiveTheSameHit) {
   RandomNumbers random(54);
   for (int i = 0; i < 250; ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
@@ -178,7 +178,7 @@ TEST(IntersectRayTriangle, cornersInAnotherOrder_giveTheSameHit) {
   }
 }
 
-TEST(IntersectRayTriangle, triangleSqueezedToALine_keepsItsParametersUntilItIsOne) {
+TEST(IntersectRayTriangle, TriangleSqueezedToALine_KeepsItsParametersUntilItIsOne) {
   const Rational s(1, 3);
   const Rational t(1, 5);
   RandomNumbers random(55);
@@ -194,7 +194,7 @@ TEST(IntersectRayTriangle, triangleSqueezedToALine_keepsItsParametersUntilItIsOn
             TriangleShape::Collinear);
 }
 
-TEST(IntersectRayTriangle, doubles_agreeWithFractionsOnPlumpTriangles) {
+TEST(IntersectRayTriangle, Doubles_AgreeWithFractionsOnPlumpTriangles) {
   RandomNumbers random(56);
   // |n|² ≥ 100 and |r·n| ≥ 1 with coordinates up to 20 keep the rounding errors of s and t far below this
   // bound.

@@ -19,12 +19,12 @@ std::vector<std::string> textsOf(const std::array<Surd, 4> &values) {
   return texts;
 }
 
-TEST(PlaneThrough, notesExample_isXPlus2YPlus2ZMinus27) {
+TEST(PlaneThrough, NotesExample_IsXPlus2YPlus2ZMinus27) {
   EXPECT_EQ(notesPlane.normal, ExactVec3(1, 2, 2));
   EXPECT_EQ(notesPlane.offset, -27);
 }
 
-TEST(PlaneThrough, anyPointOfThePlane_givesTheSameOffset) {
+TEST(PlaneThrough, AnyPointOfThePlane_GivesTheSameOffset) {
   RandomNumbers random(21);
   for (int i = 0; i < 2000; ++i) {
     const ExactVec3 point = random.vector();
@@ -37,24 +37,24 @@ TEST(PlaneThrough, anyPointOfThePlane_givesTheSameOffset) {
   }
 }
 
-TEST(Evaluate, notesExample_is30AtQ) {
+TEST(Evaluate, NotesExample_Is30AtQ) {
   EXPECT_EQ(evaluate(notesPlane, ExactVec3(11, 15, 8)), 30);
   EXPECT_EQ(evaluate(notesPlane, ExactVec3(5, 4, 7)), 0);
   EXPECT_EQ(evaluate(notesPlane, ExactVec3(0, 0, 0)), -27);
 }
 
-TEST(NormalizedCoefficients, notesExample_areThirds) {
+TEST(NormalizedCoefficients, NotesExample_AreThirds) {
   EXPECT_EQ(textsOf(normalizedCoefficients(notesPlane)),
             (std::vector<std::string>{"1/3", "2/3", "2/3", "-9"}));
 }
 
-TEST(NormalizedCoefficients, lengthThatIsNoFraction_keepsItsRoot) {
+TEST(NormalizedCoefficients, LengthThatIsNoFraction_KeepsItsRoot) {
   const Plane<Rational> plane{ExactVec3(1, -1, 0), 3};
   EXPECT_EQ(textsOf(normalizedCoefficients(plane)),
             (std::vector<std::string>{"1/2*sqrt(2)", "-1/2*sqrt(2)", "0", "3/2*sqrt(2)"}));
 }
 
-TEST(NormalizedCoefficients, positiveMultiples_giveTheSame) {
+TEST(NormalizedCoefficients, PositiveMultiples_GiveTheSame) {
   RandomNumbers random(22);
   for (int i = 0; i < 500; ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
@@ -64,7 +64,7 @@ TEST(NormalizedCoefficients, positiveMultiples_giveTheSame) {
   }
 }
 
-TEST(NormalizedCoefficients, normal_hasLengthOne) {
+TEST(NormalizedCoefficients, Normal_HasLengthOne) {
   RandomNumbers random(23);
   for (int i = 0; i < 500; ++i) {
     const auto normalized =
@@ -79,7 +79,7 @@ TEST(NormalizedCoefficients, normal_hasLengthOne) {
   }
 }
 
-TEST(PrimitiveCoefficients, fractionsAndCommonFactors_becomeSmallestIntegers) {
+TEST(PrimitiveCoefficients, FractionsAndCommonFactors_BecomeSmallestIntegers) {
   EXPECT_EQ(primitiveCoefficients(notesPlane), (Coefficients{1, 2, 2, -27}));
   EXPECT_EQ(primitiveCoefficients({ExactVec3(Rational(1, 2), Rational(-1, 3), 0), Rational(5, 6)}),
             (Coefficients{3, -2, 0, 5}));
@@ -87,7 +87,7 @@ TEST(PrimitiveCoefficients, fractionsAndCommonFactors_becomeSmallestIntegers) {
   EXPECT_EQ(primitiveCoefficients({ExactVec3(0, 0, -7), 0}), (Coefficients{0, 0, -1, 0}));
 }
 
-TEST(PrimitiveCoefficients, positiveMultiples_giveTheSameAndNegativeOnesTheOpposite) {
+TEST(PrimitiveCoefficients, PositiveMultiples_GiveTheSameAndNegativeOnesTheOpposite) {
   RandomNumbers random(24);
   for (int i = 0; i < 2000; ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};

@@ -8,7 +8,7 @@ namespace {
 
 const Plane<Rational> notesPlane = planeThrough(ExactVec3(5, 4, 7), ExactVec3(1, 2, 2));
 
-TEST(MeasurePointPlane, notesExample_isTenAway) {
+TEST(MeasurePointPlane, NotesExample_IsTenAway) {
   const auto result = measurePointPlane(ExactVec3(11, 15, 8), notesPlane);
   EXPECT_EQ(result.which, PointPlaneCase::Positive);
   EXPECT_EQ(result.f, 30);
@@ -18,7 +18,7 @@ TEST(MeasurePointPlane, notesExample_isTenAway) {
   EXPECT_EQ(result.foot, ExactVec3(Rational(23, 3), Rational(25, 3), Rational(4, 3)));
 }
 
-TEST(MeasurePointPlane, lengthThatIsNoFraction_isARoot) {
+TEST(MeasurePointPlane, LengthThatIsNoFraction_IsARoot) {
   const auto result =
       measurePointPlane(ExactVec3(0, 0, 0), planeThrough(ExactVec3(1, 0, 0), ExactVec3(1, 1, 1)));
   EXPECT_EQ(result.which, PointPlaneCase::Negative);
@@ -26,14 +26,14 @@ TEST(MeasurePointPlane, lengthThatIsNoFraction_isARoot) {
   EXPECT_EQ(result.foot, ExactVec3(Rational(1, 3), Rational(1, 3), Rational(1, 3)));
 }
 
-TEST(MeasurePointPlane, zeroNormal_isACaseOfItsOwn) {
+TEST(MeasurePointPlane, ZeroNormal_IsACaseOfItsOwn) {
   const auto result = measurePointPlane(ExactVec3(1, 2, 3), Plane<Rational>{ExactVec3(0, 0, 0), 4});
   EXPECT_EQ(result.which, PointPlaneCase::ZeroNormal);
   EXPECT_EQ(result.f, 4);
   EXPECT_EQ(result.normalSquared, 0);
 }
 
-TEST(MeasurePointPlane, foot_liesOnThePlaneAlongTheNormalFromThePoint) {
+TEST(MeasurePointPlane, Foot_LiesOnThePlaneAlongTheNormalFromThePoint) {
   RandomNumbers random(31);
   for (int i = 0; i < 2000; ++i) {
     const ExactVec3 point = random.vector();
@@ -48,7 +48,7 @@ TEST(MeasurePointPlane, foot_liesOnThePlaneAlongTheNormalFromThePoint) {
   }
 }
 
-TEST(MeasurePointPlane, flippedNormal_flipsTheDistanceAndKeepsTheFoot) {
+TEST(MeasurePointPlane, FlippedNormal_FlipsTheDistanceAndKeepsTheFoot) {
   RandomNumbers random(32);
   for (int i = 0; i < 1000; ++i) {
     const ExactVec3 point = random.vector();
@@ -61,7 +61,7 @@ TEST(MeasurePointPlane, flippedNormal_flipsTheDistanceAndKeepsTheFoot) {
   }
 }
 
-TEST(MeasurePointPlane, pointMovedThroughThePlane_isOnItOnlyAtZero) {
+TEST(MeasurePointPlane, PointMovedThroughThePlane_IsOnItOnlyAtZero) {
   for (int k = 0; k <= 60; ++k) {
     const ExactVec3 step = notesPlane.normal * tenToThe(-k);
     const ExactVec3 on(5, 4, 7);
@@ -73,7 +73,7 @@ TEST(MeasurePointPlane, pointMovedThroughThePlane_isOnItOnlyAtZero) {
   EXPECT_EQ(measurePointPlane(ExactVec3(5, 4, 7), notesPlane).which, PointPlaneCase::On);
 }
 
-TEST(MeasurePointPlane, doubles_agreeWithFractions) {
+TEST(MeasurePointPlane, Doubles_AgreeWithFractions) {
   RandomNumbers random(33);
   // Coordinates up to 20: the sums stay below 2000, so that their rounding errors do below this bound.
   const double bound = 1e-9;

@@ -24,7 +24,7 @@ std::string randomDecimal(RandomNumbers &random) {
   return text + "e" + std::to_string(random.integer(-345, 312));
 }
 
-TEST(ParseRational, decimalsAndFractions_areTakenAsExactlyWhatTheySpell) {
+TEST(ParseRational, DecimalsAndFractions_AreTakenAsExactlyWhatTheySpell) {
   EXPECT_EQ(parseRational("0"), Rational(0));
   EXPECT_EQ(parseRational("-0"), Rational(0));
   EXPECT_EQ(parseRational("15"), Rational(15));
@@ -38,13 +38,13 @@ TEST(ParseRational, decimalsAndFractions_areTakenAsExactlyWhatTheySpell) {
   EXPECT_EQ(parseRational("-6/-4"), Rational(3, 2));
 }
 
-TEST(ParseRational, leadingZeros_areNoOctalNumbers) {
+TEST(ParseRational, LeadingZeros_AreNoOctalNumbers) {
   EXPECT_EQ(parseRational("010"), Rational(10));
   EXPECT_EQ(parseRational("08/010"), Rational(4, 5));
   EXPECT_EQ(parseRational("1e0002"), Rational(100));
 }
 
-TEST(ParseRational, anyOtherText_isRefused) {
+TEST(ParseRational, AnyOtherText_IsRefused) {
   for (const char *text :
        {"",    "-",    "+1",    "--1",   " 1",    "1 ",    "1 /2",  "NaN",   "nan", "inf",  "Infinity",
         "0x1", "1.",   ".5",    "-.5",   "1e",    "1e+",   "e5",    "1,5",   "1_0", "1/",   "/2",
@@ -52,12 +52,12 @@ TEST(ParseRational, anyOtherText_isRefused) {
     EXPECT_EQ(parseRational(text), std::nullopt) << '"' << text << '"';
 }
 
-TEST(ParseRational, zeroDenominator_isRefused) {
+TEST(ParseRational, ZeroDenominator_IsRefused) {
   EXPECT_EQ(parseRational("1/0"), std::nullopt);
   EXPECT_EQ(parseRational("0/-00"), std::nullopt);
 }
 
-TEST(ParseRational, atItsLimits_takesTheLastAndRefusesTheNext) {
+TEST(ParseRational, AtItsLimits_TakesTheLastAndRefusesTheNext) {
   const std::string most(maxDigits, '1');
   const std::string half(maxDigits / 2, '0');
   EXPECT_TRUE(parseRational(most));
@@ -74,13 +74,13 @@ TEST(ParseRational, atItsLimits_takesTheLastAndRefusesTheNext) {
   EXPECT_EQ(parseRational("1e99999999999999999999"), std::nullopt);
 }
 
-TEST(ToText, fraction_isInLowestTermsWithoutDenominatorOne) {
+TEST(ToText, Fraction_IsInLowestTermsWithoutDenominatorOne) {
   EXPECT_EQ(toText(Rational(0)), "0");
   EXPECT_EQ(toText(Rational(-20, 6)), "-10/3");
   EXPECT_EQ(toText(Rational(14, 7)), "2");
 }
 
-TEST(ToText, readBack_givesTheSameFraction) {
+TEST(ToText, ReadBack_GivesTheSameFraction) {
   RandomNumbers random(1);
   for (int i = 0; i < 1000; ++i) {
     const Rational value = random.rational(1000000);
@@ -88,7 +88,7 @@ TEST(ToText, readBack_givesTheSameFraction) {
   }
 }
 
-TEST(ToDouble, decimalsOfEverySize_areRoundedAsTheCLibraryDoes) {
+TEST(ToDouble, DecimalsOfEverySize_AreRoundedAsTheCLibraryDoes) {
   RandomNumbers random(2);
   for (int i = 0; i < 20000; ++i) {
     const std::string text = randomDecimal(random);
@@ -98,7 +98,7 @@ TEST(ToDouble, decimalsOfEverySize_areRoundedAsTheCLibraryDoes) {
   }
 }
 
-TEST(ToDouble, anyDouble_isItself) {
+TEST(ToDouble, AnyDouble_IsItself) {
   RandomNumbers random(3);
   for (int i = 0; i < 10000; ++i) {
     const double value = random.anyDouble();
@@ -108,7 +108,7 @@ TEST(ToDouble, anyDouble_isItself) {
     EXPECT_EQ(toDouble(exactly(value)), value);
 }
 
-TEST(ToDouble, halfwayBetweenTwoDoubles_takesTheEvenOne) {
+TEST(ToDouble, HalfwayBetweenTwoDoubles_TakesTheEvenOne) {
   RandomNumbers random(4);
   for (int i = 0; i < 10000; ++i) {
     const double below = std::abs(random.anyDouble());
@@ -127,7 +127,7 @@ TEST(ToDouble, halfwayBetweenTwoDoubles_takesTheEvenOne) {
   }
 }
 
-TEST(ToDouble, atTheSmallestDouble_halfIsZeroAndAnythingMoreIsNot) {
+TEST(ToDouble, AtTheSmallestDouble_HalfIsZeroAndAnythingMoreIsNot) {
   const Rational half = exactly(smallest) / 2;
   EXPECT_EQ(toDouble(half), 0);
   EXPECT_EQ(toDouble(Rational(half * Rational(1000001, 1000000))), smallest);
@@ -136,7 +136,7 @@ TEST(ToDouble, atTheSmallestDouble_halfIsZeroAndAnythingMoreIsNot) {
   EXPECT_EQ(toDouble(tenToThe(-400)), 0);
 }
 
-TEST(ToDouble, beyondTheLargestDouble_isInfinite) {
+TEST(ToDouble, BeyondTheLargestDouble_IsInfinite) {
   const Rational halfStep = exactly(largest) / ((Integer(1) << 54) - 2);
   const Rational edge = exactly(largest) + halfStep;
   EXPECT_EQ(toDouble(edge), infinity);
@@ -145,13 +145,13 @@ TEST(ToDouble, beyondTheLargestDouble_isInfinite) {
   EXPECT_EQ(toDouble(tenToThe(400)), infinity);
 }
 
-TEST(NearestDouble, scaledByAPowerOfTwo_isTheScaledFraction) {
+TEST(NearestDouble, ScaledByAPowerOfTwo_IsTheScaledFraction) {
   EXPECT_EQ(nearestDouble(3, 4, 10), 768);
   EXPECT_EQ(nearestDouble(-3, 4, -1074), -smallest);
   EXPECT_EQ(nearestDouble(0, 7, 5000), 0);
 }
 
-TEST(RoundToMultiple, halves_goUp) {
+TEST(RoundToMultiple, Halves_GoUp) {
   EXPECT_EQ(roundToMultiple(Rational(1, 2), 1), 1);
   EXPECT_EQ(roundToMultiple(Rational(-1, 2), 1), 0);
   EXPECT_EQ(roundToMultiple(Rational(-3, 2), 1), -1);
@@ -160,7 +160,7 @@ TEST(RoundToMultiple, halves_goUp) {
   EXPECT_EQ(roundToMultiple(-2.5, 1), -2);
 }
 
-TEST(RoundToMultiple, anyValueAndStep_givesTheNearestMultiple) {
+TEST(RoundToMultiple, AnyValueAndStep_GivesTheNearestMultiple) {
   RandomNumbers random(5);
   for (int i = 0; i < 3000; ++i) {
     const Rational value = random.rational(1000);
@@ -172,7 +172,7 @@ TEST(RoundToMultiple, anyValueAndStep_givesTheNearestMultiple) {
   }
 }
 
-TEST(RoundToMultiple, double_isTakenAtItsExactValue) {
+TEST(RoundToMultiple, Double_IsTakenAtItsExactValue) {
   RandomNumbers random(6);
   for (int i = 0; i < 3000; ++i) {
     const double value = random.anyDouble();

@@ -41,7 +41,7 @@ std::vector<std::pair<Integer, Integer>> bestFractionsOfRootTwo(int count) {
   return fractions;
 }
 
-TEST(SurdText, eachForm_isWrittenAsTheFormatSays) {
+TEST(SurdText, EachForm_IsWrittenAsTheFormatSays) {
   EXPECT_EQ(toText(Surd()), "0");
   EXPECT_EQ(toText(Surd(Rational(-10, 3))), "-10/3");
   EXPECT_EQ(toText(surd(2)), "sqrt(2)");
@@ -54,7 +54,7 @@ TEST(SurdText, eachForm_isWrittenAsTheFormatSays) {
   EXPECT_EQ(toText(surd(7, -1, 2)), "2 - sqrt(7)");
 }
 
-TEST(SurdRoot, squaresInTheRadicand_areTakenOut) {
+TEST(SurdRoot, SquaresInTheRadicand_AreTakenOut) {
   EXPECT_EQ(toText(surd(12)), "2*sqrt(3)");
   EXPECT_EQ(toText(surd(Rational(1, 2))), "1/2*sqrt(2)");
   EXPECT_EQ(toText(surd(Rational(8, 27))), "2/9*sqrt(6)");
@@ -63,7 +63,7 @@ TEST(SurdRoot, squaresInTheRadicand_areTakenOut) {
   EXPECT_EQ(toText(surd(5, 0)), "0");
 }
 
-TEST(SurdRoot, anyFraction_hasASquareFreeRadicandAndTheRightSquare) {
+TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
   RandomNumbers random(11);
   for (int i = 0; i < 3000; ++i) {
     const Rational square = mp::abs(random.nonZeroRational(200));
@@ -78,7 +78,7 @@ TEST(SurdRoot, anyFraction_hasASquareFreeRadicandAndTheRightSquare) {
   }
 }
 
-TEST(SurdRoot, largePrimeFactors_areFoundUpToTheLimit) {
+TEST(SurdRoot, LargePrimeFactors_AreFoundUpToTheLimit) {
   // Two primes just below a million, so that p²q is just below the limit; and the largest prime below it.
   EXPECT_EQ(toText(surd(Rational(Integer(999983) * 999983 * 999979))), "999983*sqrt(999979)");
   EXPECT_EQ(toText(surd(Rational(Integer(707106781) * 707106781 * 2))), "707106781*sqrt(2)");
@@ -88,7 +88,7 @@ TEST(SurdRoot, largePrimeFactors_areFoundUpToTheLimit) {
   EXPECT_EQ(toText(surd(Rational(factorLimit))), "1000000000");
 }
 
-TEST(SurdRoot, beyondTheLimit_hasNoTextUnlessItIsASquare) {
+TEST(SurdRoot, BeyondTheLimit_HasNoTextUnlessItIsASquare) {
   const Rational beyond(Integer(factorLimit + 1));
   EXPECT_EQ(toText(surd(beyond)), std::nullopt);
   EXPECT_EQ(toText(surd(Rational(1 / beyond), 1, 3)), std::nullopt);
@@ -98,7 +98,7 @@ TEST(SurdRoot, beyondTheLimit_hasNoTextUnlessItIsASquare) {
   EXPECT_TRUE(isNearestDoubleOf(toDouble(surd(beyond)), surd(beyond)));
 }
 
-TEST(SurdRoot, valueWithinTheLimit_hasItsTextHoweverItWasComeBy) {
+TEST(SurdRoot, ValueWithinTheLimit_HasItsTextHoweverItWasComeBy) {
   // 10^10/√(3·10^20) = 1/√3: what is judged is the value's own square, 1/3.
   const Rational large = tenToThe(10);
   EXPECT_EQ(toText(overRoot(large, Rational(3 * large * large))), "1/3*sqrt(3)");
@@ -106,7 +106,7 @@ TEST(SurdRoot, valueWithinTheLimit_hasItsTextHoweverItWasComeBy) {
   EXPECT_EQ(toText(surd(3) * large), std::nullopt);
 }
 
-TEST(SurdEquality, sameValueInTwoForms_isEqual) {
+TEST(SurdEquality, SameValueInTwoForms_IsEqual) {
   const Rational beyond(Integer(factorLimit + 1));
   EXPECT_EQ(surd(12), surd(3, 2));
   EXPECT_EQ(surd(Rational(4 * beyond)), surd(beyond, 2));
@@ -115,7 +115,7 @@ TEST(SurdEquality, sameValueInTwoForms_isEqual) {
   EXPECT_FALSE(surd(2, 1, 1) == surd(2));
 }
 
-TEST(SurdArithmetic, scalingShiftingAndNegating_actOnBothParts) {
+TEST(SurdArithmetic, ScalingShiftingAndNegating_ActOnBothParts) {
   const Surd value = surd(5, Rational(3, 4), Rational(-1, 2));
   EXPECT_EQ(toText(value * Rational(-2)), "1 - 3/2*sqrt(5)");
   EXPECT_EQ(toText(value * Rational(0)), "0");
@@ -124,7 +124,7 @@ TEST(SurdArithmetic, scalingShiftingAndNegating_actOnBothParts) {
   EXPECT_EQ(toText(Surd(Rational(2, 3)) * Rational(3)), "2");
 }
 
-TEST(SurdSign, partsThatPullApart_areDecidedExactly) {
+TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
   int expected = -1;
   for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
     const Surd difference = surd(2, Rational(-q), Rational(p));
@@ -134,7 +134,7 @@ TEST(SurdSign, partsThatPullApart_areDecidedExactly) {
   }
 }
 
-TEST(SurdSign, conjugates_multiplyToTheSignOfTheirNorm) {
+TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) {
   RandomNumbers random(12);
   for (int i = 0; i < 3000; ++i) {
     const Rational square = mp::abs(random.nonZeroRational(50));
@@ -146,7 +146,7 @@ TEST(SurdSign, conjugates_multiplyToTheSignOfTheirNorm) {
   }
 }
 
-TEST(SurdToDouble, anyValue_isTheNearestDouble) {
+TEST(SurdToDouble, AnyValue_IsTheNearestDouble) {
   RandomNumbers random(13);
   for (int i = 0; i < 3000; ++i) {
     const Rational scale = tenToThe(random.integer(-60, 60));
@@ -156,14 +156,14 @@ TEST(SurdToDouble, anyValue_isTheNearestDouble) {
   }
 }
 
-TEST(SurdToDouble, partsThatCancel_loseNoDigits) {
+TEST(SurdToDouble, PartsThatCancel_LoseNoDigits) {
   for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
     const Surd difference = surd(2, Rational(-q), Rational(p));
     EXPECT_TRUE(isNearestDoubleOf(toDouble(difference), difference));
   }
 }
 
-TEST(SurdToDouble, tinyAndHugeValues_keepTheirRange) {
+TEST(SurdToDouble, TinyAndHugeValues_KeepTheirRange) {
   EXPECT_EQ(toDouble(surd(tenToThe(-801))), 0);
   EXPECT_EQ(toDouble(surd(tenToThe(801))), std::numeric_limits<double>::infinity());
   EXPECT_EQ(toDouble(surd(tenToThe(801), -1)), -std::numeric_limits<double>::infinity());
@@ -171,7 +171,7 @@ TEST(SurdToDouble, tinyAndHugeValues_keepTheirRange) {
   EXPECT_TRUE(isNearestDoubleOf(toDouble(tiny), tiny));
 }
 
-TEST(OverRoot, doubleAndFraction_agree) {
+TEST(OverRoot, DoubleAndFraction_Agree) {
   EXPECT_DOUBLE_EQ(overRoot(30.0, 9.0), 10.0);
   EXPECT_EQ(overRoot(Rational(30), Rational(9)), Surd(10));
   EXPECT_DOUBLE_EQ(overRoot(1.0, 3.0), toDouble(overRoot(Rational(1), Rational(3))));
