@@ -20,16 +20,11 @@ constexpr int gridReach = 2;
 /// One way to satisfy a target.
 struct Candidate {
   ExactVec3 at;
-  std::size_t denominatorDigits = 0; ///< of the value's longest denominator
-  double pixels = 0;                 ///< from where the pointer wants it
+  Integer offGrid = 1; ///< the longest denominator of its coordinates counted in steps; 1 on the grid
+  double pixels = 0;   ///< from where the pointer wants it
 };
 
-std::size_t denominatorDigits(const ExactVec3 &value) {
-  std::size_t digits = 0;
-  for (int i = 0; i < 3; ++i)
-    digits = std::max(digits, Integer(mp::denominator(value[i])).str().size());
-  return digits;
-}
+Integer denominatorOf(const Rational &value) { return mp::denominator(value); }
 
 /// The whole-numbered vector without a common factor in the direction of one that is not zero.
 ExactVec3 primitive(const ExactVec3 &direction) {
@@ -67,14 +62,17 @@ public:
     double bestPixels = 0;
     for (const SnapTarget &target : snapTargets(m_request.scene, m_request.handle)) {
       const std::size_t dimension = target.places.dimension();
-      if (dimension > bestDimension)
+      const auto common = Flat::intersection(m_request.freedom, target.places);
+      if (dimension > bestDimension || !common)
         continue;
-      const auto candidate = bestFor(target);
-      if (!candidate || (dimension == bestDimension && candidate->pixels >= bestPixels))
+      const double pixels = pixelsTo(common->nearest(m_wanted));
+      if (!(pixels <= m_request.catchPixels) || (dimension == bestDimension && pixels >= bestPixels))
         continue;
-      best = {candidate->at, target.name};
-      bestDimension = dimension;
-      bestPixels = candidate->pixels;
+      if (const auto rest = restOn(*common, target)) {
+        best = {*rest, target.name};
+        bestDimension = dimension;
+        bestPixels = pixels;
+      }
     }
     return best;
   }
@@ -125,36 +123,40 @@ private:
     return place + direction * Rational((onGrid(place, axis) - place[axis]) / direction[axis]);
   }
 
-  /// The shortest of the places that satisfy the target within reach; among equally short ones the nearest.
-  std::optional<Candidate> bestFor(const SnapTarget &target) const {
-    const auto common = Flat::intersection(m_request.freedom, target.places);
-    if (!common)
-      return {};
-    // Nothing of the target is within reach when its nearest place is far beyond: the rest is slow exact
-    // work.
-    const ExactVec3 foot = common->nearest(m_wanted);
+  double pixelsTo(const ExactVec3 &at) const { return m_request.pixelsApart(place(at), m_request.raw); }
+
+  /// Of the places that satisfy the target the one with the shortest numbers; among equally short ones the
+  /// nearest.
+  std::optional<ExactVec3> restOn(const Flat &common, const SnapTarget &target) const {
+    // Sliding on the target may move as far as the grid alone would.
+    const double reach = m_request.catchPixels + pixelsTo(m_grid);
     std::optional<Candidate> best;
-    for (const ExactVec3 &place : placesToTry(*common, foot))
-      if (const auto candidate = judge(place, target))
-        if (!best || candidate->denominatorDigits < best->denominatorDigits ||
-            (candidate->denominatorDigits == best->denominatorDigits && candidate->pixels < best->pixels))
-          best = candidate;
-    return best;
+    for (const ExactVec3 &at : placesToTry(common)) {
+      const Candidate candidate{at, offGrid(at), pixelsTo(at)};
+      const bool better = !best || candidate.offGrid < best->offGrid ||
+                          (candidate.offGrid == best->offGrid && candidate.pixels < best->pixels);
+      if (better && candidate.pixels <= reach && isOffered(at) && (!target.counts || target.counts(at)))
+        best = candidate;
+    }
+    return best ? std::optional(best->at) : std::nullopt;
   }
 
-  std::vector<ExactVec3> placesToTry(const Flat &common, const ExactVec3 &foot) const {
-    std::vector<ExactVec3> places{foot};
+  /// A single place as it is; on a line where its coordinates are on the grid; and grid places that happen to
+  /// fit.
+  std::vector<ExactVec3> placesToTry(const Flat &common) const {
+    const ExactVec3 foot = common.nearest(m_wanted);
     if (common.dimension() == 0)
-      return places;
+      return {foot};
+    std::vector<ExactVec3> places;
     if (common.dimension() == 1) {
       const ExactVec3 direction = common.direction();
       for (int axis = 0; axis < 3; ++axis)
         if (direction[axis] != 0)
           places.push_back(withAxisOnGrid(foot, direction, axis));
     }
-    for (const ExactVec3 &place : gridAround())
-      if (common.contains(place))
-        places.push_back(place);
+    for (const ExactVec3 &at : gridAround())
+      if (common.contains(at))
+        places.push_back(at);
     return places;
   }
 
@@ -172,21 +174,24 @@ private:
     return places;
   }
 
-  /// A place with its merits; nothing when it does not count, is too far away or has too long fractions.
-  std::optional<Candidate> judge(const ExactVec3 &at, const SnapTarget &target) const {
-    if (target.counts && !target.counts(at))
-      return {};
-    const ExactVec3 value = at - m_request.handle.base;
-    const std::size_t digits = denominatorDigits(value);
-    if (digits > longestSnapDenominator)
-      return {};
-    for (int i = 0; i < 3; ++i)
-      if (refuseCoordinate(value[i]))
-        return {};
-    const double pixels = m_request.pixelsApart(place(at), m_request.raw);
-    if (!(pixels <= m_request.catchPixels))
-      return {};
-    return Candidate{at, digits, pixels};
+  /// The longest denominator of the coordinates that move, counted in steps.
+  Integer offGrid(const ExactVec3 &at) const {
+    Integer longest = 1;
+    for (int axis = 0; axis < 3; ++axis)
+      if (m_request.freedom.moves(axis))
+        longest = std::max(longest, denominatorOf((at[axis] - m_request.handle.base[axis]) / m_request.step));
+    return longest;
+  }
+
+  /// Whether the coordinates that move stay short and within bounds.
+  bool isOffered(const ExactVec3 &at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Rational value = at[axis] - m_request.handle.base[axis];
+      const bool tooLong = denominatorOf(value).str().size() > longestSnapDenominator;
+      if (m_request.freedom.moves(axis) && (tooLong || refuseCoordinate(value)))
+        return false;
+    }
+    return true;
   }
 
   const SnapRequest &m_request;

@@ -28,12 +28,14 @@ struct SnappedPlace {
 };
 
 /// The exact place for a dragged handle.
+///
 /// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
-/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction. A special
-/// place of another object (a vertex, an edge, a plane; for a direction: parallel, through a vertex or an
-/// edge, along an axis) catches within `catchPixels`: points before lines before planes, then the nearest. Of
-/// all places that satisfy it, one with short fractions is taken, on the grid if there is one; fractions of
-/// more than `longestSnapDenominator` digits are never taken.
+/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction.
+///
+/// A special place of another object (a vertex, an edge, a plane; for a direction: parallel, through a vertex
+/// or an edge, along an axis) catches within `catchPixels`: points before lines before planes, then the
+/// nearest. The handle slides on it from grid place to grid place, and where there is none nearby to a place
+/// with short fractions; those of more than `longestSnapDenominator` digits are never taken.
 [[nodiscard]] SnappedPlace snap(const SnapRequest &request);
 
 inline constexpr std::size_t longestSnapDenominator = 6;
