@@ -1,5 +1,5 @@
-// A figure: a list of marks of a small closed set. It says what is drawn, never how: colours, widths and pixels belong to
-// the visitors (the 3D scene, exports, the description in words).
+// A figure: a list of marks of a small closed set. It says what is drawn, never how: colours, widths and
+// pixels belong to the visitors (the 3D scene, exports, the description in words).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -82,9 +82,7 @@ struct Figure {
 };
 
 /// For std::visit with one lambda a kind: a kind without one does not compile.
-template <class... Visitors> struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
+template <class... Visitors> struct Overloaded : Visitors... { using Visitors::operator()...; };
 template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 /// What all marks have, of any mark.
@@ -110,8 +108,9 @@ inline constexpr double patchMargin = 1;
 /// … and ends this far from its centre, so that a far point does not make it fill the picture.
 inline constexpr double maximumPatchReach = 24;
 
-/// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal, reaching
-/// beyond the covered points (their feet on the plane) as far as the bounds above let it. Empty for a zero normal.
+/// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal,
+/// reaching beyond the covered points (their feet on the plane) as far as the bounds above let it. Empty for
+/// a zero normal.
 [[nodiscard]] std::vector<Place> cornersOf(const PlanePatchMark &patch);
 
 } // namespace halfspace

@@ -100,11 +100,13 @@ std::string Formula::operator()(const Surd &value) {
   return shown.latex;
 }
 
-std::string Formula::operator()(const ExactVec3 &value) {
-  std::string coordinates;
-  for (const Rational *coordinate : {&value.x, &value.y, &value.z})
-    coordinates += (coordinates.empty() ? "" : ",\\,") + small((*this)(*coordinate));
-  return "\\left(" + coordinates + "\\right)";
+std::string Formula::operator()(const ExactVec3 &value) { return list(listOf(value)); }
+
+std::string Formula::list(const std::vector<Surd> &values) {
+  std::string entries;
+  for (const Surd &value : values)
+    entries += (entries.empty() ? "" : ",\\,") + small((*this)(value));
+  return "\\left(" + entries + "\\right)";
 }
 
 std::string Formula::factor(const Rational &value) {

@@ -35,6 +35,8 @@ public:
   [[nodiscard]] std::string operator()(const Surd &value);
   /// (x, y, z)
   [[nodiscard]] std::string operator()(const ExactVec3 &value);
+  /// (a, b, c, d)
+  [[nodiscard]] std::string list(const std::vector<Surd> &values);
   /// In parentheses when it is negative: what may stand after an operator.
   [[nodiscard]] std::string factor(const Rational &value);
   /// ` + 5`, ` - 5`; nothing for 0.

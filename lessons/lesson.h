@@ -1,5 +1,5 @@
-// A lesson: a Markdown file with YAML front matter (id, title, sources, scene, camera), its steps as second-level
-// headings.
+// A lesson: a Markdown file with YAML front matter (id, title, sources, scene, camera), its steps as
+// second-level headings.
 //
 //   ---
 //   id: signed-distance
@@ -71,8 +71,8 @@ struct LessonStep {
   std::optional<Prediction> prediction;
 };
 
-/// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units fill the
-/// view from bottom to top there.
+/// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units
+/// fill the view from bottom to top there.
 struct CameraView {
   glm::dvec3 from{1.25, -0.10, 0.60};
   glm::dvec3 at{6.0, 8.0, 4.0};
@@ -111,10 +111,11 @@ struct LessonLibrary {
 
 /// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers.
 /// `{Q}` and `{E.n}` name the scene's coordinates.
-[[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene, const Outcome &outcome);
+[[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
+                                         const Outcome &outcome);
 
-/// The outcome as a step shows it: only the step's lines, and of the figure only the given marks and those that
-/// these lines name.
+/// The outcome as a step shows it: only the step's lines, and of the figure only the given marks and those
+/// that these lines name.
 [[nodiscard]] Outcome shownIn(const LessonStep &step, Outcome outcome);
 
 } // namespace halfspace

@@ -66,18 +66,22 @@ std::optional<Object> makeObject(std::string_view kind) {
 }
 
 const std::vector<CoordinateSpec> &coordinatesOf(const Object &object) {
-  return std::visit([]<class Kind>(const Kind &) -> const auto & { return Description<Kind>::specs; }, object);
+  return std::visit(
+      []<class Kind>(const Kind &) -> const auto & { return Description<Kind>::specs; }, object);
 }
 
 const ExactVec3 &coordinate(const Object &object, std::size_t index) {
   return std::visit(
-      [index]<class Kind>(const Kind &kind) -> const auto & { return kind.*Description<Kind>::members.at(index); },
+      [index]<class Kind>(const Kind &kind) -> const auto & {
+        return kind.*Description<Kind>::members.at(index);
+      },
       object);
 }
 
 ExactVec3 &coordinate(Object &object, std::size_t index) {
-  return std::visit([index]<class Kind>(Kind &kind) -> auto & { return kind.*Description<Kind>::members.at(index); },
-                    object);
+  return std::visit(
+      [index]<class Kind>(Kind & kind) -> auto & { return kind.*Description<Kind>::members.at(index); },
+      object);
 }
 
 } // namespace halfspace

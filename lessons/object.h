@@ -41,15 +41,16 @@ struct TriangleObject {
   bool operator==(const TriangleObject &) const = default;
 };
 
-/// The closed set of objects. A new kind needs its word and its coordinates below; what follows from them (handles,
-/// inspector rows, the file format, the names for --set) needs nothing more.
+/// The closed set of objects. A new kind needs its word and its coordinates below; what follows from them
+/// (handles, inspector rows, the file format, the names for --set) needs nothing more.
 using Object = std::variant<PointObject, PlaneObject, RayObject, TriangleObject>;
 
-/// How a coordinate moves: a position is a place in space, a direction an arrow drawn from the object's position.
+/// How a coordinate moves: a position is a place in space, a direction an arrow drawn from the object's
+/// position.
 enum class CoordinateRole { Position, Direction };
 
-/// One of an object's coordinates, by the name that the notes give it. A point's only coordinate has no name of its
-/// own: it goes by the point's.
+/// One of an object's coordinates, by the name that the notes give it. A point's only coordinate has no name
+/// of its own: it goes by the point's.
 struct CoordinateSpec {
   std::string_view name;
   CoordinateRole role;

@@ -13,12 +13,14 @@ namespace halfspace {
 
 struct NamedValue;
 
-/// A value by its shape: a number, a list of numbers (a vector too), a word, an index, or a group of named values.
+/// A value by its shape: a number, a list of numbers (a vector too), a word, an index, or a group of named
+/// values.
 using Value = std::variant<Surd, std::vector<Surd>, std::string, int, std::vector<NamedValue>>;
 
 struct NamedValue {
-  std::string name;  ///< as in the eval format: signed_distance, foot, t, perp …
-  std::string latex; ///< how a learner reads the name, `\mark{…}{…}` included; empty: not shown in the inspector
+  std::string name; ///< as in the eval format: signed_distance, foot, t, perp …
+  std::string
+      latex; ///< how a learner reads the name, `\mark{…}{…}` included; empty: not shown in the inspector
   Value value;
 };
 

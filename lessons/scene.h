@@ -7,8 +7,8 @@
 
 namespace halfspace {
 
-/// The use of a construction: its id in the table of constructions, and for each of its roles the name of an entry
-/// above this one.
+/// The use of a construction: its id in the table of constructions, and for each of its roles the name of an
+/// entry above this one.
 struct ConstructionUse {
   std::string id;
   std::map<std::string, std::string> roles;

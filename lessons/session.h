@@ -30,9 +30,9 @@ inline constexpr std::size_t coordinateDigits = 40;
 /// The session after an edit: unchanged when there is no such object or it is of another kind.
 [[nodiscard]] Session apply(Session session, const Edit &edit);
 
-/// Evaluates the scene from top to bottom. The last construction's values, working and case are the outcome; the figure
-/// holds the marks of all, and marks for objects that no construction draws.
-/// Requires what the readers check: every construction exists, and its roles name objects above it of the right kinds.
+/// Evaluates the scene from top to bottom. The last construction's values, working and case are the outcome;
+/// the figure holds the marks of all, and marks for objects that no construction draws. Requires what the
+/// readers check: every construction exists, and its roles name objects above it of the right kinds.
 [[nodiscard]] Outcome evaluate(const Scene &scene);
 
 } // namespace halfspace

@@ -6,8 +6,9 @@
 
 namespace halfspace {
 
-/// One line of a working. The three pieces are LaTeX and read on from one another. A term that belongs to a mark of the
-/// figure is written `\mark{id}{…}`: it takes the mark's colour, and hovering one lights up the other.
+/// One line of a working. The three pieces are LaTeX and read on from one another. A term that belongs to a
+/// mark of the figure is written `\mark{id}{…}`: it takes the mark's colour, and hovering one lights up the
+/// other.
 struct WorkingLine {
   std::string id;       ///< unique in the working; lessons' steps name lines by it
   std::string symbols;  ///< t = \frac{…}{…}

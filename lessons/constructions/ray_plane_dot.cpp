@@ -142,13 +142,10 @@ WorkingLine hitLine(const In &in, const Out &out) {
 
 WorkingLine facingLine(const Out &out) {
   Formula f;
-  const auto &facingNormal = out.meet.facingNormal;
-  std::string coordinates;
-  for (const Surd &coordinate : facingNormal)
-    coordinates += (coordinates.empty() ? "" : ",\\,") + f(coordinate);
+  const std::string unit = f.list({out.meet.facingNormal.begin(), out.meet.facingNormal.end()});
   const bool flipped = out.meet.denominator > 0;
   return {"facing", facing + " = " + (flipped ? "-" : "") + "\\frac{" + n + "}{\\lvert" + n + "\\rvert}",
-          f.equals("\\left(" + coordinates + "\\right)"), "",
+          f.equals(unit), "",
           flipped ? words("r·n is positive, so n points away from where the ray comes from: the facing "
                           "normal is −n, made one unit long.")
                   : words("r·n is negative, so n already points to where the ray comes from: the facing "

@@ -1,0 +1,136 @@
+#include "app/command_line.h"
+
+#include "widgets/scene/offscreen.h"
+#include "widgets/scene/theme.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace halfspace {
+namespace {
+
+constexpr int badArguments = 2;
+
+PrintCommand complaint(const std::string &sentence) {
+  return {"halfspace: " + sentence + "\n", badArguments};
+}
+
+/// 1600x1000
+std::optional<PixelSize> parseSize(const std::string &text) {
+  const auto x = text.find_first_of("xX");
+  if (x == std::string::npos)
+    return {};
+  const auto parse = [](std::string_view part) -> std::optional<int> {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > maxPictureSide)
+      return {};
+    return value;
+  };
+  const auto width = parse(std::string_view(text).substr(0, x));
+  const auto height = parse(std::string_view(text).substr(x + 1));
+  if (!width || !height)
+    return {};
+  return PixelSize{*width, *height};
+}
+
+std::string themeNames() {
+  std::string names;
+  for (const Theme &theme : themes())
+    names += (names.empty() ? "" : ", ") + theme.name;
+  return names;
+}
+
+/// What CLI11 writes into while it parses.
+struct Arguments {
+  WindowCommand window;
+  LessonsCommand lessons;
+  ExplainCommand explain;
+  RenderCommand render;
+  std::string size = "1600x1000";
+  int step = 0;
+};
+
+void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
+  app.add_option("subject", subject, "A lesson's id or a .halfspace file")->required();
+  app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
+  auto *explain = app.add_subcommand("explain", "Print values, worked lines and the case in plain words");
+  addSubject(*explain, command.subject, command.assignments);
+  explain->add_option("--format", command.format, "text, latex or json")
+      ->check(CLI::IsMember({"text", "latex", "json"}))
+      ->capture_default_str();
+  return explain;
+}
+
+CLI::App *addRender(CLI::App &app, Arguments &arguments) {
+  auto *render = app.add_subcommand("render", "Draw the figure as a PNG picture; needs no display");
+  RenderCommand &command = arguments.render;
+  addSubject(*render, command.subject, command.assignments);
+  render->add_option("-o,--output", command.output, "The PNG file to write")->required();
+  render->add_option("--size", arguments.size, "Width x height in pixels")->capture_default_str();
+  render->add_flag("--transparent", command.transparent, "No background");
+  render->add_option("--theme", command.theme, themeNames())->capture_default_str();
+  render->add_option("--step", arguments.step, "The lesson's step to show, counted from 1");
+  return render;
+}
+
+Command finishRender(const Arguments &arguments, bool stepGiven) {
+  RenderCommand command = arguments.render;
+  const auto size = parseSize(arguments.size);
+  if (!size)
+    return complaint("--size takes WIDTHxHEIGHT with sides from 1 to " + std::to_string(maxPictureSide) +
+                     ", not “" + arguments.size + "”.");
+  if (!findTheme(command.theme))
+    return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames() + ".");
+  if (stepGiven && arguments.step < 1)
+    return complaint("--step counts from 1.");
+  command.size = *size;
+  if (stepGiven)
+    command.step = arguments.step;
+  return command;
+}
+
+} // namespace
+
+Command parseCommandLine(int argc, const char *const *argv) {
+  Arguments arguments;
+  CLI::App app("Halfspace: drag planes, points, rays and triangles, and read the exact working live.",
+               "halfspace");
+  app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
+  app.footer("Without a command, `halfspace [LESSON|FILE]` opens the window.");
+  app.add_option("subject", arguments.window.subject,
+                 "A lesson's id or a .halfspace file to open in the window")
+      ->type_name("LESSON|FILE");
+  auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
+  lessons->add_flag("--json", arguments.lessons.json, "As JSON");
+  auto *explain = addExplain(app, arguments.explain);
+  auto *render = addRender(app, arguments);
+  app.require_subcommand(0, 1);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    if (error.get_exit_code() != 0)
+      return complaint(std::string(error.what()) + ". Try halfspace --help.");
+    std::ostringstream out;
+    std::ostringstream unused;
+    app.exit(error, out, unused);
+    return PrintCommand{out.str(), 0};
+  }
+  if (lessons->parsed())
+    return arguments.lessons;
+  if (explain->parsed())
+    return arguments.explain;
+  if (render->parsed())
+    return finishRender(arguments, render->count("--step") > 0);
+  return arguments.window;
+}
+
+} // namespace halfspace

@@ -1,0 +1,49 @@
+// The command line: what was asked for, before anything is done about it.
+#pragma once
+
+#include "widgets/scene/camera.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace halfspace {
+
+struct WindowCommand {
+  std::string subject; ///< a lesson's id or a .halfspace file; empty: the first lesson
+};
+
+struct LessonsCommand {
+  bool json = false;
+};
+
+struct ExplainCommand {
+  std::string subject;
+  std::vector<std::string> assignments; ///< name=value
+  std::string format = "text";          ///< text, latex or json
+};
+
+struct RenderCommand {
+  std::string subject;
+  std::vector<std::string> assignments;
+  std::string output;
+  PixelSize size{1600, 1000};
+  bool transparent = false;
+  std::string theme = "light";
+  std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure
+};
+
+/// Nothing is left to do but to print a text (--help, --version) or a complaint.
+struct PrintCommand {
+  std::string text;
+  int exitStatus = 0; ///< 0: to standard output; 2: to standard error
+};
+
+using Command = std::variant<WindowCommand, LessonsCommand, ExplainCommand, RenderCommand, PrintCommand>;
+
+/// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence and exit
+/// status 2.
+[[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);
+
+} // namespace halfspace

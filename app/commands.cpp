@@ -1,0 +1,103 @@
+#include "app/commands.h"
+
+#include "app/lesson_files.h"
+#include "app/subject.h"
+#include "lessons/explanation.h"
+#include "widgets/scene/offscreen.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QGuiApplication>
+
+#include <iostream>
+
+namespace halfspace {
+namespace {
+
+/// A library with problems still serves the lessons that could be read; the others are told about.
+LessonLibrary openLibrary() {
+  LessonLibrary library = readLessons(lessonsFolder());
+  for (const Problem &problem : library.problems)
+    std::cerr << "halfspace: " << problem.text() << "\n";
+  return library;
+}
+
+} // namespace
+
+int fail(const Problem &problem) {
+  std::cerr << "halfspace: " << problem.text() << "\n";
+  return 2;
+}
+
+int runLessons(const LessonsCommand &command) {
+  const LessonLibrary library = openLibrary();
+  auto list = nlohmann::ordered_json::array();
+  for (const Lesson &lesson : library.lessons) {
+    if (command.json)
+      list.push_back({{"id", lesson.id},
+                      {"title", lesson.title},
+                      {"steps", lesson.steps.size()},
+                      {"sources", lesson.sources}});
+    else
+      std::cout << lesson.id << "  " << lesson.title << "\n";
+  }
+  if (command.json)
+    std::cout << list.dump(2) << "\n";
+  return 0;
+}
+
+int runExplain(const ExplainCommand &command) {
+  const LessonLibrary library = openLibrary();
+  const auto subject = openSubject(library, command.subject, command.assignments);
+  if (!subject)
+    return fail(subject.problem());
+  const Outcome outcome = evaluate(subject->session.scene);
+  const std::string title = subject->lesson ? subject->lesson->title : subject->session.lesson;
+  if (command.format == "json")
+    std::cout << explanationJson(subject->session.lesson, outcome);
+  else if (command.format == "latex")
+    std::cout << explanationLatex(title, outcome);
+  else
+    std::cout << explanationText(title, outcome);
+  return 0;
+}
+
+int runRender(const RenderCommand &command) {
+  const LessonLibrary library = openLibrary();
+  const auto subject = openSubject(library, command.subject, command.assignments);
+  if (!subject)
+    return fail(subject.problem());
+  Outcome outcome = evaluate(subject->session.scene);
+  Camera camera = subject->lesson ? Camera(subject->lesson->camera) : Camera(CameraView{});
+  if (command.step) {
+    const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
+    if (static_cast<std::size_t>(*command.step) > steps)
+      return fail({"The lesson has " + std::to_string(steps) + " steps.", "", 0, "--step"});
+    outcome =
+        shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], std::move(outcome));
+  }
+
+  // Fonts and images need an application object of Qt's, but no display.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  int argc = 1;
+  char name[] = "halfspace";
+  char *argv[] = {name, nullptr};
+  const QGuiApplication application(argc, argv);
+  Typesetter typesetter;
+  PictureRequest request;
+  request.content.figure = std::move(outcome.figure);
+  request.camera = camera;
+  request.theme = *findTheme(command.theme);
+  request.size = command.size;
+  request.transparent = command.transparent;
+  const auto picture = drawOffscreen(request, blockingLabelPainter(typesetter));
+  if (!picture)
+    return fail(picture.problem());
+  if (const auto problem = writePng(*picture, command.output))
+    return fail(*problem);
+  return 0;
+}
+
+} // namespace halfspace

@@ -1,0 +1,11 @@
+#include "app/lesson_files.h"
+
+namespace halfspace {
+
+std::filesystem::path lessonsFolder() {
+  std::error_code error;
+  const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
+  return executable.parent_path().parent_path() / "share" / "halfspace" / "lessons";
+}
+
+} // namespace halfspace

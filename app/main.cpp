@@ -1,0 +1,24 @@
+#include "app/commands.h"
+#include "app/window_command.h"
+
+#include <iostream>
+
+namespace {
+
+using namespace halfspace;
+
+int run(const Command &command, int argc, char **argv) {
+  return std::visit(Overloaded{[&](const WindowCommand &window) { return runWindow(window, argc, argv); },
+                               [](const LessonsCommand &lessons) { return runLessons(lessons); },
+                               [](const ExplainCommand &explain) { return runExplain(explain); },
+                               [](const RenderCommand &render) { return runRender(render); },
+                               [](const PrintCommand &print) {
+                                 (print.exitStatus == 0 ? std::cout : std::cerr) << print.text;
+                                 return print.exitStatus;
+                               }},
+                    command);
+}
+
+} // namespace
+
+int main(int argc, char **argv) { return run(halfspace::parseCommandLine(argc, argv), argc, argv); }

@@ -1,0 +1,26 @@
+// What the command line names: a lesson, or a file with a session.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "lessons/session.h"
+
+namespace halfspace {
+
+/// A session with the lesson that it belongs to; a file may name a lesson that is not among ours, then there
+/// is none.
+struct OpenedSubject {
+  Session session;
+  const Lesson *lesson = nullptr; ///< in the library that was given
+};
+
+/// Whether the name is a file's rather than a lesson's: it ends in .halfspace, has a slash, or is there.
+[[nodiscard]] bool namesFile(const LessonLibrary &library, const std::string &name);
+
+/// Opens a lesson by its id (empty: the first) or a .halfspace file, and gives coordinates their values.
+[[nodiscard]] Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::string &name,
+                                                const std::vector<std::string> &assignments = {});
+
+/// Reads a .halfspace file.
+[[nodiscard]] Result<Session> readSessionFile(const std::filesystem::path &file);
+
+} // namespace halfspace

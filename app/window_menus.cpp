@@ -1,0 +1,154 @@
+// The menus of the window: every action, its key, and what it calls.
+#include "app/main_window.h"
+#include "widgets/lesson_panel.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+
+namespace halfspace {
+namespace {
+
+template <class Slot>
+QAction *addItem(QMenu &menu, const QString &text, const QKeySequence &key, QObject *on, Slot slot) {
+  QAction *action = menu.addAction(text);
+  action->setShortcut(key);
+  QObject::connect(action, &QAction::triggered, on, slot);
+  return action;
+}
+
+} // namespace
+
+void MainWindow::createMenus() {
+  createFileMenu();
+  createEditMenu();
+  createViewMenu();
+  createLessonMenu();
+  createHelpMenu();
+}
+
+void MainWindow::createFileMenu() {
+  QMenu &menu = *menuBar()->addMenu(tr("&File"));
+  addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
+  addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); });
+  addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+  menu.addSeparator();
+  addItem(menu, tr("Save &Picture…"), QKeySequence("Ctrl+E"), this, [this] { exportPicture(); });
+  addItem(menu, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), this, [this] { copyPicture(); });
+  menu.addSeparator();
+  addItem(menu, tr("&Quit"), QKeySequence::Quit, this, [this] { close(); });
+}
+
+void MainWindow::createEditMenu() {
+  QMenu &menu = *menuBar()->addMenu(tr("&Edit"));
+  QAction *undo = m_model.history().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction *redo = m_model.history().createRedoAction(this, tr("&Redo"));
+  redo->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
+  menu.addAction(undo);
+  menu.addAction(redo);
+  menu.addSeparator();
+  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { m_model.resetScene(); });
+  createSnapMenu(*menu.addMenu(tr("S&nap To")));
+}
+
+void MainWindow::createSnapMenu(QMenu &menu) {
+  auto *group = new QActionGroup(this);
+  const std::pair<QString, Rational> steps[] = {{tr("Whole numbers"), 1},
+                                                {tr("Halves"), Rational(1, 2)},
+                                                {tr("Quarters"), Rational(1, 4)},
+                                                {tr("Tenths"), Rational(1, 10)}};
+  for (const auto &[text, step] : steps) {
+    QAction *action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setChecked(step == m_model.snapStep());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, step = step] { m_model.setSnapStep(step); });
+  }
+  menu.addSeparator();
+  menu.addAction(tr("Hold Alt while dragging for thousandths"))->setEnabled(false);
+}
+
+void MainWindow::createViewMenu() {
+  QMenu &menu = *menuBar()->addMenu(tr("&View"));
+  addItem(menu, tr("&Fit"), QKeySequence("F"), this, [this] { m_scene->fit(); });
+  addItem(menu, tr("&Home"), QKeySequence("H"), this, [this] { m_scene->goHome(); });
+  addItem(menu, tr("From the &Front (x)"), QKeySequence("1"), this,
+          [this] { m_scene->setAxisView(AxisView::Front); });
+  addItem(menu, tr("From the &Right (y)"), QKeySequence("2"), this,
+          [this] { m_scene->setAxisView(AxisView::Right); });
+  addItem(menu, tr("From the &Top (z)"), QKeySequence("3"), this,
+          [this] { m_scene->setAxisView(AxisView::Top); });
+  addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
+  addItem(menu, tr("Down the R&ay"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
+  QAction *orthographic = menu.addAction(tr("&Orthographic"));
+  orthographic->setCheckable(true);
+  orthographic->setShortcut(QKeySequence("O"));
+  connect(orthographic, &QAction::toggled, this, [this](bool on) { m_scene->setOrthographic(on); });
+  QAction *motion = menu.addAction(tr("&Gliding Camera"));
+  motion->setCheckable(true);
+  motion->setChecked(true);
+  connect(motion, &QAction::toggled, this, [this](bool on) { m_scene->setMotion(on); });
+  menu.addSeparator();
+  createThemeMenu(*menu.addMenu(tr("Th&eme")));
+  QMenu &panels = *menu.addMenu(tr("P&anels"));
+  for (QDockWidget *dock : findChildren<QDockWidget *>())
+    panels.addAction(dock->toggleViewAction());
+}
+
+void MainWindow::createThemeMenu(QMenu &menu) {
+  m_themeActions = new QActionGroup(this);
+  for (const Theme &theme : themes()) {
+    QString name = QString::fromStdString(theme.name);
+    QAction *action = menu.addAction(name.left(1).toUpper() + name.mid(1));
+    action->setCheckable(true);
+    action->setData(name);
+    m_themeActions->addAction(action);
+    connect(action, &QAction::triggered, this, [this, name] { setThemeNamed(name); });
+  }
+}
+
+void MainWindow::createLessonMenu() {
+  QMenu &menu = *menuBar()->addMenu(tr("&Lesson"));
+  addItem(menu, tr("&Next Step"), QKeySequence("Ctrl+Right"), this,
+          [this] { m_model.setStep(m_model.session().step + 1); });
+  addItem(menu, tr("&Previous Step"), QKeySequence("Ctrl+Left"), this,
+          [this] { m_model.setStep(m_model.session().step - 1); });
+  menu.addSeparator();
+  for (const Lesson &lesson : m_model.library().lessons)
+    connect(menu.addAction(QString::fromStdString(lesson.title)), &QAction::triggered, this,
+            [this, id = lesson.id] { m_model.openLesson(id); });
+}
+
+void MainWindow::createHelpMenu() {
+  QMenu &menu = *menuBar()->addMenu(tr("&Help"));
+  addItem(menu, tr("&Mouse and Keys"), QKeySequence::HelpContents, this, [this] {
+    QMessageBox::information(
+        this, tr("Mouse and keys"),
+        tr("<p><b>Drag a handle</b> to move it in x and y. <b>Click it once more</b> or hold <b>Shift</b> to "
+           "move it up and "
+           "down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Alt</b> suspends snapping, "
+           "<b>Escape</b> "
+           "takes the drag back.</p>"
+           "<p><b>Arrow keys</b> and <b>Page Up/Down</b> step the selected handle, with Shift a tenth, with "
+           "Ctrl ten "
+           "steps. <b>Tab</b> goes from handle to handle.</p>"
+           "<p><b>Drag beside the handles</b> to turn the view, with the right button to move it; the "
+           "<b>wheel</b> zooms. "
+           "<b>F</b> fits, <b>H</b> goes home, <b>O</b> is orthographic, <b>1</b>–<b>5</b> are views.</p>"
+           "<p><b>Point at a term</b> of the working and its mark lights up in the scene, and the other way "
+           "round.</p>"));
+  });
+  addItem(menu, tr("&About Halfspace"), {}, this, [this] {
+    QMessageBox::about(
+        this, tr("About Halfspace"),
+        tr("<h3>Halfspace %1</h3><p>Drag planes, points, rays and triangles, and read the exact working "
+           "live.</p>")
+            .arg(QApplication::applicationVersion()));
+  });
+}
+
+} // namespace halfspace

@@ -1,0 +1,189 @@
+// Every handle of every lesson, dragged with the mouse in a real window.
+#include "tests/app/window_fixture.h"
+
+#include <glm/geometric.hpp>
+
+using namespace halfspace;
+
+namespace {
+
+/// Where a handle is dragged to: two to the right and one back in its horizontal plane, or one step along its
+/// own axis.
+ExactVec3 wayOf(const Handle &handle) {
+  return handle.motion == Handle::Motion::AlongNormal ? ExactVec3(handle.axis) : ExactVec3(2, -1, 0);
+}
+
+/// The positions of the marks that show an object's coordinates must be where the coordinates are.
+bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
+  const Mark *mark = findMark(figure, id);
+  const auto *point = mark ? std::get_if<PointMark>(mark) : nullptr;
+  const auto *arrow = mark ? std::get_if<ArrowMark>(mark) : nullptr;
+  return (point && point->at == place) || (arrow && arrow->vector == place);
+}
+
+} // namespace
+
+class DragTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+  void handle_draggedToAGridPlace_hasExactlyItsNumbersInOneUndoStep_data() {
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("handleId");
+    for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons)
+      for (const Handle &handle : handlesOf(lesson.scene))
+        QTest::newRow((lesson.id + " " + handle.id).c_str())
+            << QString::fromStdString(lesson.id) << QString::fromStdString(handle.id);
+  }
+
+  void handle_draggedToAGridPlace_hasExactlyItsNumbersInOneUndoStep() {
+    QFETCH(QString, lesson);
+    QFETCH(QString, handleId);
+    WindowFixture fixture(lesson.toStdString());
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const auto handles = handlesOf(before.scene);
+    const auto handle = std::find_if(handles.begin(), handles.end(),
+                                     [&](const Handle &h) { return h.id == handleId.toStdString(); });
+    const auto from = fixture.scene().handlePosition(handle->id);
+    QVERIFY(from);
+    const ExactVec3 target = handle->at + wayOf(*handle);
+    const Object expected = movedTo(*findObject(before.scene, handle->object), *handle, target);
+
+    fixture.drag(*from, *from + fixture.pixelOf(shownPlace(*handle) + toDouble(wayOf(*handle))) -
+                            fixture.pixelOf(shownPlace(*handle)));
+
+    QCOMPARE(fixture.scene().selectedHandle(), handle->id);
+    const Scene &after = fixture.model().session().scene;
+    QVERIFY(*findObject(after, handle->object) == expected);
+    QCOMPARE(fixture.model().history().count(), 1);
+    const auto &specs = coordinatesOf(expected);
+    for (std::size_t i = 0; i < specs.size(); ++i)
+      QVERIFY2(markIsAt(fixture.model().outcome().figure, shortName(after, {handle->object, i}),
+                        toDouble(coordinate(expected, i))),
+               std::string(specs[i].name).c_str());
+
+    fixture.model().history().undo();
+    QVERIFY(fixture.model().session().scene == before.scene);
+    fixture.model().history().redo();
+    QVERIFY(*findObject(fixture.model().session().scene, handle->object) == expected);
+  }
+
+  void escape_duringADrag_restoresWhatWasThere() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(60, 30));
+    QVERIFY(!(fixture.model().session() == before));
+    QTest::keyClick(&fixture.scene(), Qt::Key_Escape);
+    QVERIFY(fixture.model().session() == before);
+    fixture.release();
+    QVERIFY(fixture.model().session() == before);
+    QCOMPARE(fixture.model().history().count(), 0);
+  }
+
+  void shift_heldDuringADrag_movesUpAndDownOnly() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from, Qt::ShiftModifier);
+    fixture.moveTo(fixture.pixelOf({11, 15, 10}), Qt::ShiftModifier);
+    fixture.release(Qt::ShiftModifier);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 10));
+  }
+
+  void selectedHandle_clickedAgain_movesUpAndDown() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const QPoint at = *fixture.scene().handlePosition("Q");
+    for (int click = 0; click < 2; ++click) {
+      fixture.press(at);
+      fixture.release();
+    }
+    fixture.drag(at, fixture.pixelOf({11, 15, 6}));
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 6));
+    QCOMPARE(fixture.model().history().count(), 1);
+  }
+
+  void axisKey_pressedDuringADrag_locksTheAxisAtOnce() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(5, 0));
+    QTest::keyClick(&fixture.scene(), Qt::Key_Y);
+    fixture.moveTo(from + QPoint(-90, 40));
+    fixture.release();
+    QVERIFY(fixture.value("Q").x == 11);
+    QVERIFY(fixture.value("Q").z == 8);
+    QVERIFY(fixture.value("Q").y < 15);
+  }
+
+  void gizmoArrow_dragged_movesAlongItsAxisOnly() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.scene().selectHandle("Q");
+    const Place q(11, 15, 8);
+    // Half-way along the arrow of z, which has the same length on every screen.
+    const double unitsPerPixel = fixture.scene().camera().unitsPerPixel(q, fixture.scene().pixelSize());
+    const QPoint grip = fixture.pixelOf(q + Place(0, 0, 50 * unitsPerPixel));
+    const QPoint way = fixture.pixelOf(q + Place(0, 0, 3)) - fixture.pixelOf(q);
+    fixture.drag(grip, grip + way);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 11));
+  }
+
+  void arrowKeys_stepTheSelectedHandle_oneUndoStepEach() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.scene().selectHandle("Q");
+    QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 9));
+    QTest::keyClick(&fixture.scene(), Qt::Key_Right);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 16, 9));
+    QTest::keyClick(&fixture.scene(), Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY(fixture.value("Q") == ExactVec3(Rational(111, 10), 16, 9));
+    QCOMPARE(fixture.model().history().count(), 3);
+    fixture.model().history().undo();
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 16, 9));
+  }
+
+  void tab_fromHandleToHandle_selectsEachInOrder() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    std::vector<std::string> seen;
+    for (int i = 0; i < 4; ++i) {
+      QTest::keyClick(&fixture.scene(), Qt::Key_Tab);
+      seen.push_back(fixture.scene().selectedHandle());
+    }
+    QVERIFY((seen == std::vector<std::string>{"E.P0", "E.n", "E.offset", "Q"}));
+  }
+
+  void dragBesideTheHandles_turnsTheCamera_andLeavesTheScene() {
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const double azimuth = fixture.scene().camera().azimuth;
+    fixture.drag({8, 8}, {90, 40});
+    QVERIFY(fixture.scene().camera().azimuth != azimuth);
+    QVERIFY(fixture.model().session() == before);
+  }
+
+  void degenerateTriangle_draggedBack_isATriangleAgain() {
+    WindowFixture fixture("ray-triangle-perp");
+    QVERIFY(fixture.ready);
+    const Outcome start = fixture.model().outcome();
+    Object triangle = *findObject(fixture.model().session().scene, "T");
+    coordinate(triangle, 1) = coordinate(triangle, 0);
+    fixture.model().edit({"T", triangle}, "coincide");
+    QCOMPARE(fixture.model().outcome().caseName, std::string("coincident"));
+    fixture.model().history().undo();
+    QCOMPARE(fixture.model().outcome().caseName, start.caseName);
+  }
+};
+
+QTEST_MAIN(DragTest)
+#include "drag_test.moc"

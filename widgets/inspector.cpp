@@ -1,0 +1,247 @@
+#include "widgets/inspector.h"
+
+#include "lessons/formula.h"
+#include "widgets/colors.h"
+#include "widgets/math_label.h"
+#include "widgets/number_field.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace halfspace {
+namespace {
+
+/// A name with digits as a learner reads it: P0 is P₀.
+QString nameLatex(const std::string &name) {
+  const auto dot = name.find('.');
+  const std::string own = dot == std::string::npos ? name : name.substr(dot + 1);
+  const std::string prefix = dot == std::string::npos ? "" : name.substr(0, dot) + "\\colon ";
+  const auto digit = own.find_first_of("0123456789");
+  const std::string latex =
+      digit == std::string::npos ? own : own.substr(0, digit) + "_{" + own.substr(digit) + "}";
+  return QString::fromStdString(prefix + latex);
+}
+
+/// The values a learner sees, groups opened.
+std::vector<const NamedValue *> shownValues(const std::vector<NamedValue> &values) {
+  std::vector<const NamedValue *> shown;
+  for (const NamedValue &value : values) {
+    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value)) {
+      const auto inner = shownValues(*group);
+      shown.insert(shown.end(), inner.begin(), inner.end());
+    } else if (!value.latex.empty()) {
+      shown.push_back(&value);
+    }
+  }
+  return shown;
+}
+
+/// `= 10`, `\approx 3.16228`; a word as it is.
+std::string valueLatex(const Value &value) {
+  Formula f;
+  if (const auto *number = std::get_if<Surd>(&value)) {
+    const std::string latex = f(*number);
+    return f.equals(latex);
+  }
+  if (const auto *list = std::get_if<std::vector<Surd>>(&value)) {
+    const std::string latex = f.list(*list);
+    return f.equals(latex);
+  }
+  if (const auto *word = std::get_if<std::string>(&value))
+    return "\\text{" + *word + "}";
+  return {};
+}
+
+/// A single number's decimal, where its exact form is no decimal already.
+QString decimalOf(const Value &value) {
+  const auto *number = std::get_if<Surd>(&value);
+  if (!number || !show(*number).exact ||
+      (number->isRational() && mp::denominator(number->rationalPart()) == 1))
+    return {};
+  return "≈ " + QString::fromStdString(roundedText(toDouble(*number)));
+}
+
+QLabel *heading(const QString &text) {
+  auto *label = new QLabel(text);
+  label->setObjectName("heading");
+  return label;
+}
+
+} // namespace
+
+Inspector::Inspector(SessionModel &model, Typesetter &typesetter, QWidget *parent)
+    : QScrollArea(parent), m_model(model), m_typesetter(typesetter), m_theme(themes().front()) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
+  for (const GivenRow &row : m_given)
+    if (row.name == coordinateName)
+      return row.fields[axis];
+  return nullptr;
+}
+
+void Inspector::buildRows() {
+  m_given.clear();
+  m_results.clear();
+  m_labels.clear();
+  auto *content = new QWidget;
+  auto *layout = new QVBoxLayout(content);
+  layout->setContentsMargins(14, 4, 14, 10);
+  layout->setSpacing(4);
+
+  auto *given = new QGridLayout;
+  given->setHorizontalSpacing(6);
+  given->setVerticalSpacing(4);
+  given->setColumnMinimumWidth(0, 34);
+  for (int column = 1; column <= 3; ++column)
+    given->setColumnStretch(column, 1);
+  for (const CoordinateId &id : coordinatesOf(m_model.session().scene))
+    addGivenRow(*given, id);
+  m_complaint = new QLabel;
+  m_complaint->setObjectName("complaint");
+  m_complaint->setWordWrap(true);
+  m_complaint->hide();
+
+  m_resultsBox = new QWidget;
+  auto *results = new QGridLayout(m_resultsBox);
+  results->setContentsMargins(0, 0, 0, 0);
+  results->setHorizontalSpacing(8);
+  results->setVerticalSpacing(1);
+  results->setColumnStretch(1, 1);
+  for (const NamedValue *value : shownValues(m_model.outcome().values))
+    addResultRow(*results, *value);
+
+  layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
+  layout->addLayout(given);
+  layout->addWidget(m_complaint);
+  layout->addSpacing(6);
+  layout->addWidget(heading(tr("Results")));
+  layout->addWidget(m_resultsBox);
+  layout->addStretch(1);
+  setWidget(content);
+  applyInk();
+}
+
+void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
+  static const char *const axes[3] = {"x", "y", "z"};
+  const int row = grid.rowCount();
+  GivenRow given;
+  given.id = id;
+  given.name = fullName(m_model.session().scene, id);
+  auto *label = new MathLabel(m_typesetter);
+  label->setLatex(nameLatex(shortName(m_model.session().scene, id)));
+  m_labels.push_back(label);
+  grid.addWidget(label, row, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    auto *field = new NumberField;
+    field->setAccessibleName(QString::fromStdString(given.name) + " " + axes[axis]);
+    connectField(*field, id, axis);
+    grid.addWidget(field, row, axis + 1);
+    given.fields[axis] = field;
+  }
+  m_given.push_back(given);
+}
+
+void Inspector::addResultRow(QGridLayout &grid, const NamedValue &value) {
+  const int row = grid.rowCount();
+  auto *name = new MathLabel(m_typesetter);
+  name->setLatex(QString::fromStdString(value.latex));
+  m_labels.push_back(name);
+  auto *exact = new MathLabel(m_typesetter);
+  auto *decimal = new QLabel;
+  decimal->setObjectName("decimal");
+  grid.addWidget(name, row, 0);
+  grid.addWidget(exact, row, 1);
+  grid.addWidget(decimal, row, 2, Qt::AlignRight);
+  m_results.push_back({value.name, exact, decimal});
+}
+
+void Inspector::connectField(NumberField &field, const CoordinateId &id, int axis) {
+  connect(&field, &NumberField::valueTyped, this,
+          [=, this](const Rational &value) { change(id, axis, value); });
+  connect(&field, &NumberField::stepped, this, [=, this, &field](int steps) {
+    change(id, axis, Rational(field.value() + m_model.snapStep() * steps));
+  });
+  connect(&field, &NumberField::refused, this, [this](const QString &sentence) {
+    m_complaint->setText(sentence);
+    m_complaint->setVisible(!sentence.isEmpty());
+  });
+  connect(&field, &NumberField::scrubStarted, this, [this, &field] {
+    m_scrubStart = field.value();
+    m_model.beginGesture();
+  });
+  connect(&field, &NumberField::scrubbed, this, [=, this](int steps) { scrub(id, axis, steps); });
+  connect(&field, &NumberField::scrubEnded, this,
+          [this, name = fullName(m_model.session().scene, id)](bool keep) {
+            if (keep)
+              m_model.endGesture(tr("change %1").arg(QString::fromStdString(name)));
+            else
+              m_model.cancelGesture();
+          });
+}
+
+void Inspector::change(const CoordinateId &id, int axis, const Rational &value) {
+  const Object *object = findObject(m_model.session().scene, id.object);
+  if (!object || refuseCoordinate(value))
+    return;
+  Object changed = *object;
+  coordinate(changed, id.index)[axis] = value;
+  const std::string name = fullName(m_model.session().scene, id);
+  m_model.edit({id.object, changed}, tr("change %1").arg(QString::fromStdString(name)));
+}
+
+void Inspector::scrub(const CoordinateId &id, int axis, int steps) {
+  const Object *object = findObject(m_model.session().scene, id.object);
+  const Rational value = m_scrubStart + m_model.snapStep() * steps;
+  if (!object || refuseCoordinate(value))
+    return;
+  Object changed = *object;
+  coordinate(changed, id.index)[axis] = value;
+  m_model.moveGesture({id.object, changed});
+}
+
+void Inspector::showSession() {
+  const Scene &scene = m_model.session().scene;
+  const auto ids = coordinatesOf(scene);
+  const auto values = shownValues(m_model.outcome().values);
+  const bool sameRows =
+      widget() &&
+      std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
+                 [](const CoordinateId &id, const GivenRow &row) { return id == row.id; }) &&
+      std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
+                 [](const NamedValue *value, const ResultRow &row) { return value->name == row.name; });
+  if (!sameRows)
+    buildRows();
+  for (const GivenRow &row : m_given) {
+    const Object *object = findObject(scene, row.id.object);
+    const ExactVec3 &value = coordinate(*object, row.id.index);
+    for (int axis = 0; axis < 3; ++axis)
+      row.fields[axis]->setValue(value[axis]);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    m_results[i].value->setLatex(QString::fromStdString(valueLatex(values[i]->value)));
+    m_results[i].decimal->setText(decimalOf(values[i]->value));
+  }
+  m_resultsBox->setVisible(!m_resultsHidden);
+}
+
+void Inspector::setResultsHidden(bool hidden) { m_resultsHidden = hidden; }
+
+void Inspector::setTheme(const Theme &theme) {
+  m_theme = theme;
+  applyInk();
+}
+
+void Inspector::applyInk() {
+  for (MathLabel *label : m_labels)
+    label->setInkOf([this](const QString &markId) {
+      const Mark *mark = findMark(m_model.outcome().figure, markId.toStdString());
+      return toQColor(mark ? m_theme.inkOf(baseOf(*mark).subject) : m_theme.ink);
+    });
+}
+
+} // namespace halfspace

@@ -1,0 +1,65 @@
+// Every number of the session: what is given, to be changed, and what comes out of it.
+#pragma once
+
+#include "widgets/scene/theme.h"
+#include "widgets/session_model.h"
+
+#include <QScrollArea>
+
+class QGridLayout;
+class QLabel;
+
+namespace halfspace {
+
+class MathLabel;
+class NumberField;
+class Typesetter;
+
+class Inspector : public QScrollArea {
+  Q_OBJECT
+
+public:
+  Inspector(SessionModel &model, Typesetter &typesetter, QWidget *parent = nullptr);
+
+  /// Writes the rows from the session and its outcome.
+  void showSession();
+  void setTheme(const Theme &theme);
+  /// Hides what comes out, while a question asks for it.
+  void setResultsHidden(bool hidden);
+
+  /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when there is none.
+  [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
+
+private:
+  struct GivenRow {
+    CoordinateId id;
+    std::string name;
+    NumberField *fields[3];
+  };
+  struct ResultRow {
+    std::string name;
+    MathLabel *value;
+    QLabel *decimal;
+  };
+
+  void buildRows();
+  void addGivenRow(QGridLayout &grid, const CoordinateId &id);
+  void addResultRow(QGridLayout &grid, const NamedValue &value);
+  void connectField(NumberField &field, const CoordinateId &id, int axis);
+  void change(const CoordinateId &id, int axis, const Rational &value);
+  void scrub(const CoordinateId &id, int axis, int steps);
+  void applyInk();
+
+  SessionModel &m_model;
+  Typesetter &m_typesetter;
+  Theme m_theme;
+  bool m_resultsHidden = false;
+  std::vector<GivenRow> m_given;
+  std::vector<ResultRow> m_results;
+  std::vector<MathLabel *> m_labels;
+  QWidget *m_resultsBox = nullptr;
+  QLabel *m_complaint = nullptr;
+  Rational m_scrubStart; ///< the number where a scrub began
+};
+
+} // namespace halfspace

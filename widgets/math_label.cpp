@@ -1,0 +1,78 @@
+#include "widgets/math_label.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr int margin = 2;
+/// A formula that is too wide is drawn smaller, but not below this part of its size.
+constexpr double smallestScale = 0.5;
+
+} // namespace
+
+MathLabel::MathLabel(Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter), m_request(typesetter) {
+  connect(&m_typesetter, &Typesetter::ready, this, &MathLabel::takePicture);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void MathLabel::setLatex(const QString &latex) {
+  if (latex == m_latex)
+    return;
+  m_latex = latex;
+  m_request.setWanted({latex});
+  takePicture();
+}
+
+void MathLabel::setInkOf(MathPicture::InkOf inkOf) {
+  m_inkOf = std::move(inkOf);
+  update();
+}
+
+void MathLabel::takePicture() {
+  const auto picture = m_typesetter.known(m_latex);
+  if (!picture || picture == m_picture)
+    return;
+  const bool otherSize = !m_picture || picture->box() != m_picture->box();
+  m_picture = picture;
+  if (otherSize)
+    updateGeometry();
+  update();
+}
+
+double MathLabel::exPixels() const { return QFontMetricsF(font()).height() * 0.82 * exPerEm; }
+
+QSize MathLabel::sizeHint() const {
+  if (!m_picture)
+    return {0, fontMetrics().height() + 2 * margin};
+  const double ex = exPixels();
+  return {static_cast<int>(std::ceil(m_picture->width() * ex)) + 2 * margin,
+          std::max(fontMetrics().height(), static_cast<int>(std::ceil(m_picture->height() * ex))) +
+              2 * margin};
+}
+
+QSize MathLabel::minimumSizeHint() const {
+  const QSize size = sizeHint();
+  return {static_cast<int>(size.width() * smallestScale), size.height()};
+}
+
+void MathLabel::paintEvent(QPaintEvent *) {
+  if (!m_picture)
+    return;
+  QPainter painter(this);
+  const double wanted = m_picture->width() * exPixels();
+  const double room = width() - 2 * margin;
+  const double ex = exPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
+  const double spare = std::max(0.0, room - m_picture->width() * ex);
+  const double left = margin + (m_alignment & Qt::AlignRight ? spare : 0);
+  const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * ex / 2;
+  const QColor ink = palette().color(QPalette::WindowText);
+  m_picture->paint(
+      painter, {left, baseline}, ex, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
+}
+
+} // namespace halfspace

@@ -1,0 +1,167 @@
+#include "widgets/number_field.h"
+
+#include "lessons/session.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QStyle>
+
+namespace halfspace {
+namespace {
+
+/// One step of a scrub for so many pixels.
+constexpr int pixelsPerStep = 8;
+constexpr int scrubSlop = 4;
+constexpr int manySteps = 10;
+
+/// Decimals that end within so many places are shown as decimals.
+constexpr int shownPlaces = 4;
+
+QChar decimalPoint(const QLocale &locale) { return QString(locale.decimalPoint()).at(0); }
+
+} // namespace
+
+std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
+  QString plain = text.trimmed();
+  plain.replace(QChar(0x2212), '-'); // the typographic minus
+  if (plain.startsWith('+'))
+    plain.remove(0, 1);
+  if (decimalPoint(locale) == ',')
+    plain.replace(',', '.');
+  if (plain.startsWith('.') || plain.startsWith("-."))
+    plain.insert(plain.indexOf('.'), '0');
+  plain.remove(' ');
+  return parseRational(plain.toStdString());
+}
+
+QString typedText(const Rational &value, const QLocale &locale) {
+  const Integer scale = mp::pow(Integer(10), shownPlaces);
+  const Rational scaled = value * Rational(scale);
+  if (mp::denominator(value) == 1 || mp::denominator(scaled) != 1)
+    return QString::fromStdString(toText(value));
+  QString digits = QString::fromStdString(Integer(mp::abs(Integer(mp::numerator(scaled)))).str());
+  digits = digits.rightJustified(shownPlaces + 1, '0');
+  digits.insert(digits.size() - shownPlaces, decimalPoint(locale));
+  while (digits.endsWith('0'))
+    digits.chop(1);
+  return (value < 0 ? "-" : "") + digits;
+}
+
+NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
+  setAlignment(Qt::AlignRight);
+  setCursor(Qt::SizeHorCursor);
+  // A press may be the start of a scrub: the field takes the focus only when it was a click.
+  setFocusPolicy(Qt::TabFocus);
+  setMinimumWidth(fontMetrics().horizontalAdvance("-00.000") + 12);
+  connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
+  showValue();
+}
+
+void NumberField::setValue(const Rational &value) {
+  const bool same = value == m_value;
+  m_value = value;
+  // What is being typed is left alone.
+  if (!same || !hasFocus())
+    showValue();
+}
+
+void NumberField::showValue() {
+  mark(false);
+  const QString text = typedText(m_value, locale());
+  if (text == this->text())
+    return;
+  setText(text);
+  setCursorPosition(0);
+  setToolTip(text);
+}
+
+void NumberField::mark(bool wrong) {
+  if (property("wrong").toBool() == wrong)
+    return;
+  setProperty("wrong", wrong);
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void NumberField::commit() {
+  if (text() == typedText(m_value, locale()))
+    return showValue();
+  const auto value = parseTyped(text(), locale());
+  if (!value) {
+    mark(true);
+    emit refused(tr("“%1” is no number. Write it like 3, -1.5 or 10/3.").arg(text().left(40)));
+    return;
+  }
+  if (const auto why = refuseCoordinate(*value)) {
+    mark(true);
+    emit refused(QString::fromStdString(*why));
+    return;
+  }
+  emit refused({});
+  m_value = *value;
+  showValue();
+  emit valueTyped(*value);
+}
+
+void NumberField::focusOutEvent(QFocusEvent *event) {
+  commit();
+  setCursor(Qt::SizeHorCursor);
+  QLineEdit::focusOutEvent(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent *event) {
+  const int times = event->modifiers() & Qt::ControlModifier ? manySteps : 1;
+  switch (event->key()) {
+  case Qt::Key_Up:
+    emit stepped(times);
+    return;
+  case Qt::Key_Down:
+    emit stepped(-times);
+    return;
+  case Qt::Key_Escape:
+    if (m_scrubbing) {
+      m_scrubbing = false;
+      emit scrubEnded(false);
+    }
+    emit refused({});
+    showValue();
+    return;
+  default:
+    QLineEdit::keyPressEvent(event);
+  }
+}
+
+void NumberField::mousePressEvent(QMouseEvent *event) {
+  m_pressedUnfocused = event->button() == Qt::LeftButton && !hasFocus();
+  m_pressedAt = event->pos();
+  if (!m_pressedUnfocused)
+    QLineEdit::mousePressEvent(event);
+}
+
+void NumberField::mouseMoveEvent(QMouseEvent *event) {
+  if (!m_pressedUnfocused)
+    return QLineEdit::mouseMoveEvent(event);
+  const int moved = event->pos().x() - m_pressedAt.x();
+  if (!m_scrubbing && std::abs(moved) > scrubSlop) {
+    m_scrubbing = true;
+    emit scrubStarted();
+  }
+  if (m_scrubbing)
+    emit scrubbed(moved / pixelsPerStep);
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent *event) {
+  if (m_scrubbing) {
+    m_scrubbing = false;
+    emit scrubEnded(true);
+  } else if (m_pressedUnfocused) {
+    setFocus(Qt::MouseFocusReason);
+    selectAll();
+  } else {
+    QLineEdit::mouseReleaseEvent(event);
+  }
+  m_pressedUnfocused = false;
+}
+
+} // namespace halfspace

@@ -1,0 +1,55 @@
+// A field for one exact number: typed, stepped with the keys, or scrubbed with the mouse.
+#pragma once
+
+#include "geometry/rational.h"
+
+#include <QLineEdit>
+
+namespace halfspace {
+
+/// Shows a fraction exactly. Typing takes `-10/3`, `1.5`, and `1,5` where the language writes it so. Up and
+/// Down step it; pressing on a field without the focus and dragging sideways scrubs it. A text that is no
+/// number stays, marked, until it is mended or Escape takes it back.
+class NumberField : public QLineEdit {
+  Q_OBJECT
+
+public:
+  explicit NumberField(QWidget *parent = nullptr);
+
+  void setValue(const Rational &value);
+  [[nodiscard]] const Rational &value() const { return m_value; }
+
+signals:
+  void valueTyped(const halfspace::Rational &value);
+  void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
+  void stepped(int steps);               ///< by keys: so many snapping steps up or down
+  void scrubStarted();
+  void scrubbed(int steps);   ///< from where the scrub started
+  void scrubEnded(bool keep); ///< false: Escape
+
+protected:
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void focusOutEvent(QFocusEvent *event) override;
+
+private:
+  void commit();
+  void showValue();
+  void mark(bool wrong);
+
+  Rational m_value = 0;
+  bool m_scrubbing = false;
+  bool m_pressedUnfocused = false;
+  QPoint m_pressedAt;
+};
+
+/// A number as a user types it: as parseRational, with a sign and spaces around it allowed, and the decimal
+/// comma where the language has it.
+[[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
+
+/// The exact text of a number for typing: a decimal where it ends soon, else p/q.
+[[nodiscard]] QString typedText(const Rational &value, const QLocale &locale);
+
+} // namespace halfspace

@@ -1,0 +1,109 @@
+#include "widgets/prediction_box.h"
+
+#include "widgets/colors.h"
+
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace halfspace {
+
+namespace {
+
+constexpr QMargins choiceMargins(34, 7, 12, 7);
+constexpr double markRadius = 7;
+constexpr double cornerRadius = 6;
+
+} // namespace
+
+ChoiceButton::ChoiceButton(Typesetter &typesetter, const QString &words, QWidget *parent)
+    : QAbstractButton(parent), m_label(new RichLabel(typesetter)), m_theme(themes().front()) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(choiceMargins);
+  layout->addWidget(m_label);
+  m_label->setMarkdown(words);
+  m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAccessibleName(plainRichText(words));
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_Hover);
+  setCursor(Qt::PointingHandCursor);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void ChoiceButton::setVerdict(Verdict verdict) {
+  m_verdict = verdict;
+  setAccessibleDescription(verdict == Verdict::Right   ? tr("Right")
+                           : verdict == Verdict::Wrong ? tr("Wrong")
+                                                       : QString());
+  update();
+}
+
+void ChoiceButton::setTheme(const Theme &theme) {
+  m_theme = theme;
+  m_label->setInk(toQColor(theme.ink));
+  update();
+}
+
+void ChoiceButton::paintEvent(QPaintEvent *) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Color edge = m_verdict == Verdict::Right   ? m_theme.inkOf(Subject::Triangle)
+                     : m_verdict == Verdict::Wrong ? m_theme.warning
+                     : hasFocus() || isDown() || (isEnabled() && underMouse()) ? m_theme.accent
+                                                                               : m_theme.border;
+  const double tint = m_verdict != Verdict::Open    ? 0.10
+                      : isDown()                    ? 0.14
+                      : isEnabled() && underMouse() ? 0.07
+                                                    : 0;
+  painter.setPen(QPen(toQColor(edge), hasFocus() ? 2 : 1.2));
+  painter.setBrush(toQColor(mix(m_theme.panel, edge, tint)));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), cornerRadius, cornerRadius);
+  paintVerdict(painter, {choiceMargins.left() / 2.0, height() / 2.0}, markRadius, m_verdict, m_theme);
+}
+
+PredictionBox::PredictionBox(Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
+    : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
+      m_reason(new RichLabel(typesetter)) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(7);
+  m_question->setMarkdown(QString::fromStdString(prediction.question));
+  layout->addWidget(m_question);
+  for (const Prediction::Choice &choice : prediction.choices) {
+    auto *button = new ChoiceButton(typesetter, QString::fromStdString(choice.text));
+    connect(button, &QAbstractButton::clicked, this,
+            [this, word = QString::fromStdString(choice.word)] { emit chosen(word); });
+    m_buttons << button;
+    layout->addWidget(button);
+  }
+  layout->addWidget(m_reason);
+  m_reason->hide();
+}
+
+void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const std::string &right) {
+  for (int i = 0; i < m_buttons.size(); ++i) {
+    const std::string &word = m_prediction.choices[static_cast<std::size_t>(i)].word;
+    m_buttons[i]->setEnabled(!chosen);
+    m_buttons[i]->setVerdict(!chosen || right.empty() ? Verdict::Open
+                             : word == right          ? Verdict::Right
+                             : word == *chosen        ? Verdict::Wrong
+                                                      : Verdict::Open);
+  }
+  m_reason->setVisible(chosen.has_value());
+  if (!chosen)
+    return;
+  const QString verdict = right.empty()      ? QString()
+                          : *chosen == right ? tr("**Right.** ")
+                                             : tr("**Not quite.** ");
+  m_reason->setMarkdown(verdict + QString::fromStdString(m_prediction.reason));
+}
+
+void PredictionBox::setTheme(const Theme &theme) {
+  m_question->setInk(toQColor(theme.ink));
+  m_reason->setInk(toQColor(theme.ink));
+  for (ChoiceButton *button : m_buttons)
+    button->setTheme(theme);
+}
+
+} // namespace halfspace

@@ -1,0 +1,106 @@
+#include "widgets/rich_label.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace halfspace {
+
+namespace {
+
+/// The width that a text gets where nothing tells, in letters.
+constexpr int usualLetters = 46;
+constexpr int fewestLetters = 16;
+
+} // namespace
+
+RichLabel::RichLabel(Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter), m_request(typesetter),
+      m_ink(palette().color(QPalette::WindowText)) {
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  connect(&typesetter, &Typesetter::ready, this, &RichLabel::showRequested);
+  build();
+}
+
+RichLabel::~RichLabel() = default;
+
+void RichLabel::setMarkdown(const QString &markdown) {
+  if (markdown == m_markdown)
+    return;
+  const bool waiting = m_requested != m_shown;
+  m_markdown = markdown;
+  setAccessibleName(plainRichText(markdown));
+  // A text that is half typeset is finished first: else nothing would ever be shown while values change all
+  // the time.
+  if (!waiting)
+    request();
+}
+
+void RichLabel::setInk(const QColor &ink) {
+  if (ink == m_ink)
+    return;
+  m_ink = ink;
+  build();
+}
+
+void RichLabel::request() {
+  m_requested = m_markdown;
+  m_request.setWanted(separateMath(m_requested).formulas);
+  showRequested();
+}
+
+void RichLabel::showRequested() {
+  if (m_requested == m_shown || !m_request.isComplete())
+    return;
+  m_shown = m_requested;
+  m_pictures.clear();
+  for (const QString &latex : separateMath(m_shown).formulas)
+    m_pictures.push_back(m_typesetter.known(latex));
+  build();
+  if (m_markdown != m_shown)
+    request();
+}
+
+void RichLabel::build() {
+  const int before = heightForWidth(width());
+  m_document = makeRichText(separateMath(m_shown), m_pictures, {font(), m_ink});
+  if (heightForWidth(width()) != before)
+    updateGeometry();
+  update();
+}
+
+int RichLabel::heightForWidth(int width) const {
+  if (!m_document)
+    return 0;
+  m_document->setTextWidth(width);
+  return static_cast<int>(std::ceil(m_document->size().height()));
+}
+
+QSize RichLabel::sizeHint() const {
+  m_document->setTextWidth(-1);
+  const int usual = fontMetrics().averageCharWidth() * usualLetters;
+  const int width = std::min(usual, static_cast<int>(std::ceil(m_document->idealWidth())) + 1);
+  return {width, heightForWidth(width)};
+}
+
+QSize RichLabel::minimumSizeHint() const {
+  return {std::min(sizeHint().width(), fontMetrics().averageCharWidth() * fewestLetters), 0};
+}
+
+void RichLabel::paintEvent(QPaintEvent *) {
+  QPainter painter(this);
+  m_document->setTextWidth(width());
+  m_document->drawContents(&painter);
+}
+
+void RichLabel::changeEvent(QEvent *event) {
+  if (event->type() == QEvent::FontChange)
+    build();
+  QWidget::changeEvent(event);
+}
+
+} // namespace halfspace

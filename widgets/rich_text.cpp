@@ -1,0 +1,244 @@
+#include "widgets/rich_text.h"
+
+#include "lessons/working.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextCursor>
+#include <QTextObjectInterface>
+
+#include <algorithm>
+
+Q_DECLARE_METATYPE(halfspace::Typesetter::Picture)
+
+namespace halfspace {
+
+namespace {
+
+// Placeholders are a number between two characters that no text has.
+constexpr QChar placeholderBegin(0xE000);
+constexpr QChar placeholderEnd(0xE001);
+
+constexpr int mathObject = QTextFormat::UserObject + 1;
+constexpr int pictureProperty = QTextFormat::UserProperty + 1;
+
+/// Formulas that reach deeper below the baseline (in ex) make room for themselves; others hang into the
+/// line's own.
+constexpr double hangingDepth = 0.55;
+
+/// Space between lines and between paragraphs, as part of the type's size.
+constexpr double lineHeightPercent = 128;
+constexpr double paragraphGap = 0.55;
+
+/// Finds the formulas of a Markdown text.
+class MathScanner {
+public:
+  explicit MathScanner(QString markdown) : m_text(std::move(markdown)) {
+    m_text.remove(placeholderBegin).remove(placeholderEnd);
+  }
+
+  [[nodiscard]] MarkdownWithMath scan() {
+    while (m_next < m_text.size()) {
+      const QChar character = m_text[m_next];
+      if (character == u'\\')
+        copy(2);
+      else if (character == u'`')
+        passCode();
+      else if (character != u'$' || !takeFormula())
+        copy(1);
+    }
+    return std::move(m_found);
+  }
+
+private:
+  void copy(int count) {
+    m_found.markdown += m_text.mid(m_next, count);
+    m_next += count;
+  }
+
+  [[nodiscard]] int runLength(int at) const {
+    int end = at;
+    while (end < m_text.size() && m_text[end] == m_text[at])
+      ++end;
+    return end - at;
+  }
+
+  void passCode() {
+    const int fence = runLength(m_next);
+    const int close = m_text.indexOf(QString(fence, u'`'), m_next + fence);
+    copy(close < 0 ? fence : close + fence - m_next);
+  }
+
+  /// Replaces a formula that begins here by a placeholder; false if none does.
+  bool takeFormula() {
+    const int dollars = std::min(runLength(m_next), 2);
+    const int begin = m_next + dollars;
+    const int end = closingDollar(begin, dollars);
+    if (end <= begin)
+      return false;
+    const bool large = dollars == 2 || isAlone(m_next, end + dollars);
+    const QString latex = m_text.mid(begin, end - begin).trimmed();
+    m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
+    m_found.formulas << (large ? latex : QStringLiteral("\\textstyle ") + latex);
+    m_next = end + dollars;
+    return true;
+  }
+
+  /// Where the partner of the dollars before `begin` stands; −1 if they have none in their paragraph.
+  [[nodiscard]] int closingDollar(int begin, int dollars) const {
+    for (int at = begin; at < m_text.size(); ++at) {
+      if (m_text[at] == u'\\')
+        ++at;
+      else if (m_text[at] == u'\n' && at + 1 < m_text.size() && m_text[at + 1] == u'\n')
+        return -1;
+      else if (m_text[at] == u'$' && runLength(at) >= dollars)
+        return dollars == 1 && m_text[at - 1].isSpace() ? -1 : at;
+    }
+    return -1;
+  }
+
+  /// Whether nothing else stands in the paragraph.
+  [[nodiscard]] bool isAlone(int begin, int end) const {
+    const int before = m_text.lastIndexOf(QLatin1String("\n\n"), begin);
+    const int after = m_text.indexOf(QLatin1String("\n\n"), end);
+    const QString around =
+        m_text.mid(before + 1, begin - before - 1) + m_text.mid(end, after < 0 ? -1 : after - end);
+    return around.trimmed().isEmpty();
+  }
+
+  QString m_text;
+  MarkdownWithMath m_found;
+  int m_next = 0;
+};
+
+/// Draws the formulas of a document.
+class MathObject : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+public:
+  using QObject::QObject;
+
+  /// The room that the formula takes. Qt sets the bottom of a normal object on the baseline, and the middle
+  /// of a middle one half an x-height above it.
+  QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &format) override {
+    const Typesetter::Picture picture = pictureOf(format);
+    const double x = xHeight(format);
+    const double ascent = picture->ascent() * x;
+    const double depth = picture->depth() * x;
+    const double width = picture->width() * x;
+    return hangs(*picture) ? QSizeF(width, ascent) : QSizeF(width, std::max(2 * ascent - x, 2 * depth + x));
+  }
+
+  void drawObject(QPainter *painter, const QRectF &rect, QTextDocument *, int,
+                  const QTextFormat &format) override {
+    const Typesetter::Picture picture = pictureOf(format);
+    const double x = xHeight(format);
+    const double baseline = hangs(*picture) ? rect.bottom() : rect.center().y() + x / 2;
+    const QColor ink = format.foreground().color();
+    picture->paint(*painter, {rect.left(), baseline}, x, [&](const QString &) { return ink; });
+  }
+
+  [[nodiscard]] static bool hangs(const MathPicture &picture) { return picture.depth() <= hangingDepth; }
+
+private:
+  [[nodiscard]] static Typesetter::Picture pictureOf(const QTextFormat &format) {
+    return format.property(pictureProperty).value<Typesetter::Picture>();
+  }
+  [[nodiscard]] static double xHeight(const QTextFormat &format) {
+    return QFontMetricsF(format.toCharFormat().font()).xHeight();
+  }
+};
+
+/// Opens nothing, whatever the text names.
+class ClosedDocument : public QTextDocument {
+protected:
+  QVariant loadResource(int, const QUrl &) override { return {}; }
+};
+
+void setInk(QTextDocument &document, const RichTextStyle &style) {
+  QTextCursor all(&document);
+  all.select(QTextCursor::Document);
+  QTextCharFormat ink;
+  ink.setForeground(style.ink);
+  ink.setAnchor(false);
+  ink.setAnchorHref({});
+  ink.setFontUnderline(false);
+  all.mergeCharFormat(ink);
+}
+
+void setSpacing(QTextDocument &document, const RichTextStyle &style) {
+  const double gap = paragraphGap * QFontInfo(style.font).pixelSize();
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    QTextBlockFormat format = block.blockFormat();
+    format.setTopMargin(0);
+    format.setBottomMargin(block.next().isValid() ? gap : 0);
+    format.setLineHeight(lineHeightPercent, QTextBlockFormat::ProportionalHeight);
+    QTextCursor(block).setBlockFormat(format);
+  }
+}
+
+void replaceImages(QTextDocument &document) {
+  for (QTextCursor image = document.find(QString(QChar::ObjectReplacementCharacter)); !image.isNull();
+       image = document.find(QString(QChar::ObjectReplacementCharacter), image)) {
+    const QString description = image.charFormat().stringProperty(QTextFormat::ImageAltText);
+    image.insertText(description, QTextCharFormat());
+  }
+}
+
+void placeMath(QTextDocument &document, const std::vector<Typesetter::Picture> &pictures, const QFont &font) {
+  const QRegularExpression placeholder(placeholderBegin + QStringLiteral("(\\d+)") + placeholderEnd);
+  for (QTextCursor place = document.find(placeholder); !place.isNull();
+       place = document.find(placeholder, place)) {
+    const QString number = place.selectedText();
+    const std::size_t index = number.mid(1, number.size() - 2).toUInt();
+    if (index >= pictures.size() || !pictures[index])
+      continue;
+    QTextCharFormat format = place.charFormat();
+    format.setFont(font, QTextCharFormat::FontPropertiesSpecifiedOnly);
+    format.setObjectType(mathObject);
+    format.setProperty(pictureProperty, QVariant::fromValue(pictures[index]));
+    if (!MathObject::hangs(*pictures[index]))
+      format.setVerticalAlignment(QTextCharFormat::AlignMiddle);
+    place.insertText(QString(QChar::ObjectReplacementCharacter), format);
+  }
+}
+
+} // namespace
+
+MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
+
+std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
+                                            const std::vector<Typesetter::Picture> &pictures,
+                                            const RichTextStyle &style) {
+  auto document = std::make_unique<ClosedDocument>();
+  document->setUndoRedoEnabled(false);
+  document->setDefaultFont(style.font);
+  document->setDocumentMargin(0);
+  document->setIndentWidth(QFontInfo(style.font).pixelSize() * 1.4);
+  document->documentLayout()->registerHandler(mathObject, new MathObject(document.get()));
+  document->setMarkdown(text.markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
+                                           QTextDocument::MarkdownDialectGitHub);
+  replaceImages(*document);
+  setInk(*document, style);
+  setSpacing(*document, style);
+  placeMath(*document, pictures, style.font);
+  return document;
+}
+
+QString plainRichText(const QString &markdown) {
+  const MarkdownWithMath text = separateMath(markdown);
+  const std::unique_ptr<QTextDocument> document = makeRichText(text, {}, {});
+  QString plain = document->toPlainText();
+  for (int i = 0; i < text.formulas.size(); ++i) {
+    const std::string latex = QString(text.formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();
+    plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
+                  QString::fromStdString(plainText(latex)));
+  }
+  return plain;
+}
+
+} // namespace halfspace
+
+#include "rich_text.moc"

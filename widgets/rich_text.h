@@ -1,0 +1,39 @@
+// Lesson words: Markdown with `$…$` formulas as a document that can be laid out and painted.
+#pragma once
+
+#include "widgets/typeset/typesetter.h"
+
+#include <QFont>
+#include <QTextDocument>
+
+#include <vector>
+
+namespace halfspace {
+
+/// Markdown in which every formula stands as a placeholder.
+struct MarkdownWithMath {
+  QString markdown;
+  QStringList formulas; ///< LaTeX, in order: set as in a line of text, or large when alone in a paragraph or
+                        ///< in `$$…$$`
+};
+
+/// Takes the formulas out. A `$` in code or after a backslash is no formula, nor is one without a partner in
+/// its paragraph.
+[[nodiscard]] MarkdownWithMath separateMath(const QString &markdown);
+
+/// What rich text looks like.
+struct RichTextStyle {
+  QFont font;
+  QColor ink;
+};
+
+/// The document, on one page without margins. `pictures` are those of the formulas. HTML stands as it is
+/// written, links lead nowhere, and nothing is loaded: an image is its description.
+[[nodiscard]] std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
+                                                          const std::vector<Typesetter::Picture> &pictures,
+                                                          const RichTextStyle &style);
+
+/// The same as plain text, formulas included: for screen readers.
+[[nodiscard]] QString plainRichText(const QString &markdown);
+
+} // namespace halfspace

@@ -1,0 +1,136 @@
+// The 3D view: a figure, its handles, and the mouse and keys that move them.
+#pragma once
+
+#include "widgets/handle_drag.h"
+#include "widgets/session_model.h"
+#include "widgets/views.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QVTKOpenGLNativeWidget.h>
+#include <QVariantAnimation>
+
+#include <chrono>
+
+namespace halfspace {
+
+/// How long the parts of one frame took on the user-interface thread.
+struct FrameTimes {
+  std::chrono::nanoseconds evaluate{}; ///< pointer to new outcome; zero where the scene did not change
+  std::chrono::nanoseconds update{};   ///< outcome to meshes and labels
+  std::chrono::nanoseconds render{};   ///< VTK
+};
+
+class SceneView : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+public:
+  SceneView(SessionModel &model, LabelPainter labels, QWidget *parent = nullptr);
+  ~SceneView() override;
+
+  void setTheme(const Theme &theme);
+  /// Marks that stand out beside the hovered one, as when their terms are hovered.
+  void setHighlighted(std::set<std::string> markIds);
+  /// Draws again with the labels that have become ready.
+  void refreshLabels() { update(); }
+  /// Whether the camera glides from view to view.
+  void setMotion(bool on) { m_motion = on; }
+
+  /// As the lesson begins.
+  void goHome();
+  void setAxisView(AxisView view);
+  void fit();
+  /// Looks along the first plane or triangle of the scene, so that it is seen as a line.
+  void lookAlongPlane();
+  /// Looks from the start of the first ray in its direction.
+  void lookDownRay();
+  void setOrthographic(bool on);
+  [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
+
+  [[nodiscard]] const Camera &camera() const { return m_camera; }
+  [[nodiscard]] PixelSize pixelSize() const;
+  /// What is drawn now, without handles: for pictures.
+  [[nodiscard]] SceneContent pictureContent() const;
+
+  /// The pixel of the widget (not of the device) at which a handle is drawn, if it is in view.
+  [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
+  [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
+  void selectHandle(const std::string &handleId);
+
+signals:
+  void markHovered(const QString &markId); ///< empty: none
+  void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
+  void frameDrawn(const halfspace::FrameTimes &times);
+
+protected:
+  void paintGL() override;
+  bool event(QEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void mouseDoubleClickEvent(QMouseEvent *event) override;
+  void wheelEvent(QWheelEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void keyReleaseEvent(QKeyEvent *event) override;
+  void leaveEvent(QEvent *event) override;
+  bool focusNextPrevChild(bool next) override;
+
+private:
+  enum class Gesture { None, Turn, Pan, Handle };
+
+  [[nodiscard]] glm::dvec2 devicePixel(const QPointF &position) const;
+  [[nodiscard]] DragScreen screen() const;
+  [[nodiscard]] const Handle *findHandle(const std::string &id) const;
+  [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
+  [[nodiscard]] std::optional<Gizmo> gizmo() const;
+  [[nodiscard]] std::string markOf(const Handle &handle) const;
+
+  void takeOutcome();
+  void updateContent();
+  void hover(glm::dvec2 pixel);
+  void pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel);
+  void requestFrame();
+  void frame();
+  void followPointer();
+  void finishDrag();
+  void cancelDrag();
+  void setDragMode(DragMode mode);
+  void moveCamera(const QPointF &position);
+  void glideTo(const Camera &camera);
+  bool stepSelected(const QKeyEvent &event);
+  bool lockAxis(int key);
+  void selectNext(bool forward);
+  void showHint();
+  void startMoving();
+
+  SessionModel &m_model;
+  FigureScene m_scene;
+  Theme m_theme;
+  Camera m_camera;
+  bool m_motion = true;
+
+  std::vector<Handle> m_handles;
+  std::string m_selected; ///< a handle's id
+  std::string m_hovered;  ///< a handle's id
+  std::optional<Gizmo::Part> m_hotPart;
+  std::string m_hoveredMark;
+  std::set<std::string> m_highlighted;
+  bool m_vertical = false; ///< whether the selected handle moves up and down when it is grabbed
+
+  Gesture m_gesture = Gesture::None;
+  std::optional<HandleDrag> m_drag;
+  std::string m_caught;        ///< the special case that the drag has snapped to
+  bool m_clickToggles = false; ///< whether the press was on the handle that was selected already
+  bool m_moved = false;        ///< whether the pointer has left the place of the press
+  QPointF m_pressed;
+  QPointF m_lastPointer;
+  std::optional<QPointF> m_pendingPointer; ///< the newest pointer position that no frame has taken up
+  bool m_contentStale = true;
+  bool m_awaitingPaint = false;
+  QTimer m_frameTimer;
+  QTimer m_restTimer; ///< ends the quick drawing of what moves
+  QVariantAnimation m_glide;
+  std::chrono::nanoseconds m_evaluateTime{};
+};
+
+} // namespace halfspace

@@ -1,0 +1,138 @@
+#include "widgets/session_model.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+
+namespace halfspace {
+
+/// Two sessions, before and after. Going from one to the other keeps the step that is shown, unless the
+/// lesson changes.
+class SessionCommand : public QUndoCommand {
+public:
+  SessionCommand(SessionModel &model, Session before, Session after, const QString &description)
+      : QUndoCommand(description), m_model(model), m_before(std::move(before)), m_after(std::move(after)) {}
+
+  void undo() override { go(m_before); }
+  void redo() override { go(m_after); }
+
+private:
+  void go(Session session) {
+    if (session.lesson == m_model.session().lesson)
+      session.step = m_model.session().step;
+    m_model.show(session);
+  }
+
+  SessionModel &m_model;
+  Session m_before;
+  Session m_after;
+};
+
+namespace {
+
+Session startOf(const Lesson &lesson) { return {lesson.id, 0, lesson.scene}; }
+
+} // namespace
+
+SessionModel::SessionModel(LessonLibrary library, QObject *parent)
+    : QObject(parent), m_library(std::move(library)) {
+  startWith(startOf(m_library.lessons.front()));
+}
+
+void SessionModel::startWith(Session session) {
+  m_beforeGesture.reset();
+  m_history.clear();
+  show(session);
+}
+
+void SessionModel::openLesson(const std::string &id) {
+  const Lesson *lesson = m_library.find(id);
+  if (!lesson || (id == m_session.lesson && m_session == startOf(*lesson)))
+    return;
+  const Session before = m_session;
+  show(startOf(*lesson));
+  record(before, tr("open “%1”").arg(QString::fromStdString(lesson->title)));
+}
+
+void SessionModel::resetScene() {
+  if (m_session.scene == m_lesson->scene)
+    return;
+  const Session before = m_session;
+  Session after = m_session;
+  after.scene = m_lesson->scene;
+  show(after);
+  record(before, tr("start over"));
+}
+
+void SessionModel::setStep(int step) {
+  const int last = std::max(0, static_cast<int>(m_lesson->steps.size()) - 1);
+  Session session = m_session;
+  session.step = std::clamp(step, 0, last);
+  if (session.step != m_session.step)
+    show(session);
+}
+
+void SessionModel::edit(const Edit &edit, const QString &description) {
+  const Session before = m_session;
+  show(apply(m_session, edit));
+  if (!(m_session == before))
+    record(before, description);
+}
+
+void SessionModel::beginGesture() { m_beforeGesture = m_session; }
+
+void SessionModel::moveGesture(const Edit &edit) {
+  Session moved = apply(m_session, edit);
+  if (!(moved == m_session))
+    show(moved);
+}
+
+void SessionModel::endGesture(const QString &description) {
+  if (!m_beforeGesture)
+    return;
+  const Session before = *m_beforeGesture;
+  m_beforeGesture.reset();
+  if (!(m_session == before))
+    record(before, description);
+}
+
+void SessionModel::cancelGesture() {
+  if (!m_beforeGesture)
+    return;
+  const Session before = *m_beforeGesture;
+  m_beforeGesture.reset();
+  show(before);
+}
+
+void SessionModel::record(const Session &before, const QString &description) {
+  // Pushing runs redo, which shows the session that is shown already.
+  m_history.push(new SessionCommand(*this, before, m_session, description));
+}
+
+void SessionModel::show(const Session &session) {
+  const bool otherLesson = !m_lesson || session.lesson != m_session.lesson;
+  const bool otherStep = otherLesson || session.step != m_session.step;
+  const bool otherScene = !m_lesson || !(session.scene == m_session.scene);
+  if (!otherLesson && !otherStep && !otherScene)
+    return;
+  m_session = session;
+  if (otherLesson) {
+    m_unknownLesson = Lesson{};
+    m_unknownLesson.id = session.lesson;
+    m_unknownLesson.title = session.lesson;
+    m_unknownLesson.scene = session.scene;
+    const Lesson *known = m_library.find(session.lesson);
+    m_lesson = known ? known : &m_unknownLesson;
+  }
+  if (otherScene || otherLesson)
+    m_outcome = evaluate(m_session.scene);
+  const auto step = static_cast<std::size_t>(std::max(0, m_session.step));
+  m_shown = step < m_lesson->steps.size() ? shownIn(m_lesson->steps[step], m_outcome) : m_outcome;
+  if (otherLesson)
+    emit lessonChanged();
+  if (otherStep)
+    emit stepChanged();
+  emit outcomeChanged();
+}
+
+} // namespace halfspace

@@ -1,0 +1,75 @@
+// The session that the window works on, its outcome, and its history.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "lessons/session.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <optional>
+
+namespace halfspace {
+
+/// Owns the window's one session. Views are written from `outcome()` and send edits back; they hold no truth.
+class SessionModel : public QObject {
+  Q_OBJECT
+
+public:
+  /// Requires at least one lesson.
+  explicit SessionModel(LessonLibrary library, QObject *parent = nullptr);
+
+  [[nodiscard]] const LessonLibrary &library() const { return m_library; }
+  [[nodiscard]] const Session &session() const { return m_session; }
+  [[nodiscard]] const Lesson &lesson() const { return *m_lesson; }
+  /// The whole outcome of the scene.
+  [[nodiscard]] const Outcome &outcome() const { return m_outcome; }
+  /// What the current step shows of it.
+  [[nodiscard]] const Outcome &shownOutcome() const { return m_shown; }
+  [[nodiscard]] QUndoStack &history() { return m_history; }
+  /// The steps in which numbers move when dragged, typed or stepped by keys.
+  [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
+  void setSnapStep(const Rational &step) { m_snapStep = step; }
+
+  /// Opens a lesson from its start. Undo goes back to where the session was.
+  void openLesson(const std::string &id);
+  /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
+  /// shows the scene without words.
+  void startWith(Session session);
+  /// Puts the current lesson's scene back to its start, as one undo step.
+  void resetScene();
+  void setStep(int step);
+
+  /// An edit that stands on its own: one undo step.
+  void edit(const Edit &edit, const QString &description);
+
+  /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
+  /// before.
+  void beginGesture();
+  void moveGesture(const Edit &edit);
+  void endGesture(const QString &description);
+  void cancelGesture();
+  [[nodiscard]] bool inGesture() const { return m_beforeGesture.has_value(); }
+
+signals:
+  void outcomeChanged(); ///< after every change of scene or step
+  void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
+  void stepChanged();    ///< before outcomeChanged, when another step or lesson is shown
+
+private:
+  friend class SessionCommand;
+  void show(const Session &session);
+  void record(const Session &before, const QString &description);
+
+  LessonLibrary m_library;
+  Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
+  const Lesson *m_lesson = nullptr;
+  Session m_session;
+  Outcome m_outcome;
+  Outcome m_shown;
+  QUndoStack m_history;
+  std::optional<Session> m_beforeGesture;
+  Rational m_snapStep = 1;
+};
+
+} // namespace halfspace

@@ -1,0 +1,60 @@
+#include "widgets/views.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace halfspace {
+namespace {
+
+/// The normal of a mark that is drawn as part of a plane.
+std::optional<Place> normalOf(const Mark &mark) {
+  if (const auto *patch = std::get_if<PlanePatchMark>(&mark))
+    return patch->normal;
+  if (const auto *polygon = std::get_if<PolygonMark>(&mark))
+    return glm::cross(polygon->corners[1] - polygon->corners[0], polygon->corners[2] - polygon->corners[0]);
+  return {};
+}
+
+} // namespace
+
+Camera seenAlong(AxisView view, Camera camera) {
+  camera.azimuth = view == AxisView::Right ? std::numbers::pi / 2 : 0;
+  camera.elevation = view == AxisView::Top ? Camera::maxElevation : 0;
+  return camera;
+}
+
+Camera seenAlongPlane(const Figure &figure, Camera camera) {
+  for (const Mark &mark : figure.marks)
+    if (const auto normal = normalOf(mark)) {
+      camera.azimuth = std::atan2(normal->y, normal->x) + std::numbers::pi / 2;
+      camera.elevation = 0;
+      return camera;
+    }
+  return camera;
+}
+
+Camera seenDownRay(const Scene &scene, Camera camera) {
+  for (const Entry &entry : scene.entries) {
+    const auto *object = std::get_if<Object>(&entry.content);
+    const auto *ray = object ? std::get_if<RayObject>(object) : nullptr;
+    if (!ray || isZero(ray->direction))
+      continue;
+    Camera down(CameraView{-toDouble(ray->direction), toDouble(ray->origin), camera.height});
+    down.orthographic = camera.orthographic;
+    return down;
+  }
+  return camera;
+}
+
+Camera between(const Camera &from, const Camera &to, double t) {
+  Camera camera = to;
+  camera.target = from.target + (to.target - from.target) * t;
+  camera.azimuth = from.azimuth + std::remainder(to.azimuth - from.azimuth, 2 * std::numbers::pi) * t;
+  camera.elevation = from.elevation + (to.elevation - from.elevation) * t;
+  camera.height = from.height + (to.height - from.height) * t;
+  return camera;
+}
+
+} // namespace halfspace

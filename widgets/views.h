@@ -1,0 +1,25 @@
+// Where the camera goes on request.
+#pragma once
+
+#include "lessons/outcome.h"
+#include "lessons/scene.h"
+#include "widgets/scene/camera.h"
+
+namespace halfspace {
+
+/// Views along an axis: from the front (against x), from the right (against y), from the top (against z).
+enum class AxisView { Front, Right, Top };
+
+[[nodiscard]] Camera seenAlong(AxisView view, Camera camera);
+
+/// From the side of the first plane or triangle of a figure, so that it is seen as a line; unchanged without
+/// one.
+[[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
+
+/// From the start of a scene's first ray in its direction; unchanged without one.
+[[nodiscard]] Camera seenDownRay(const Scene &scene, Camera camera);
+
+/// A camera between two: t = 0 is the first, t = 1 the second. It turns the short way round.
+[[nodiscard]] Camera between(const Camera &from, const Camera &to, double t);
+
+} // namespace halfspace

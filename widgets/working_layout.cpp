@@ -1,0 +1,158 @@
+#include "widgets/working_layout.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+
+#include <algorithm>
+
+namespace halfspace {
+
+namespace {
+
+/// The formulas' type is so much larger than the sentences': it has finer strokes.
+constexpr double formulaScale = 1.28;
+/// A formula that is too wide is not drawn smaller than this.
+constexpr double smallestScale = 0.6;
+
+// Space, in em of the formulas' type.
+constexpr double sideMargin = 1.0;
+constexpr double lineMargin = 0.8;   // above and below a line
+constexpr double rowGap = 0.5;       // between the rows of a line
+constexpr double sentenceGap = 0.5;  // between formulas and sentence
+constexpr double relationGap = 0.28; // before `=`: TeX's thick space
+constexpr double indent = 1.6;       // of further rows
+constexpr QSizeF blankSize(4.0, 1.5);
+// Every row has at least the room of ordinary letters.
+constexpr double leastAscent = 0.72;
+constexpr double leastDepth = 0.22;
+
+/// Lays out one line at a time below the last.
+class LinePlacer {
+public:
+  LinePlacer(const QFont &font, double width)
+      : m_metrics(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_ex(exPerEm * m_em),
+        m_left(sideMargin * m_em), m_right(width - sideMargin * m_em), m_width(width) {}
+
+  PlacedLine place(const TypesetLine &line, bool blanked) {
+    m_placed = {};
+    m_y += lineMargin * m_em;
+    const double top = m_y - lineMargin * m_em;
+    m_x = m_left;
+    m_rowIsEmpty = true;
+    startRow();
+    placePiece(line.pieces[0]);
+    if (blanked)
+      placeBlank();
+    else
+      for (std::size_t piece = 1; piece < line.pieces.size(); ++piece)
+        placePiece(line.pieces[piece]);
+    endRow();
+    placeSentence(QString::fromStdString(line.source.sentence));
+    m_y += lineMargin * m_em;
+    m_placed.box = QRectF(0, top, m_width, m_y - top);
+    return std::move(m_placed);
+  }
+
+  [[nodiscard]] QSizeF size() const { return {std::max(m_width, m_widest + m_left), m_y}; }
+
+private:
+  void startRow() {
+    m_rowBegin = m_placed.formulas.size();
+    m_ascent = leastAscent * m_em;
+    m_depth = leastDepth * m_em;
+    m_blankInRow = false;
+  }
+
+  /// Now that the row's height is known, everything in it comes down to its baseline.
+  void endRow() {
+    const double baseline = m_y + m_ascent;
+    for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i)
+      m_placed.formulas[i].baseline.setY(baseline);
+    if (m_blankInRow)
+      m_placed.blank.moveTop(baseline - m_placed.blank.height() + 0.4 * m_em);
+    m_y = baseline + m_depth;
+  }
+
+  void breakRow() {
+    endRow();
+    m_y += rowGap * m_em;
+    m_x = m_left + indent * m_em;
+    m_rowIsEmpty = true;
+    startRow();
+  }
+
+  /// Makes room for something of this width, in a new row if it must be.
+  void makeRoom(double width) {
+    if (m_rowIsEmpty)
+      return;
+    if (m_x + relationGap * m_em + width > m_right)
+      breakRow();
+    else
+      m_x += relationGap * m_em;
+  }
+
+  void advance(double width) {
+    m_x += width;
+    m_widest = std::max(m_widest, m_x);
+    m_rowIsEmpty = false;
+  }
+
+  void placePiece(const Typesetter::Picture &picture) {
+    if (!picture)
+      return;
+    makeRoom(picture->width() * m_ex);
+    const double room = std::max(m_right - m_x, 1.0);
+    const double ex = m_ex * std::clamp(room / std::max(picture->width() * m_ex, 1.0), smallestScale, 1.0);
+    m_placed.formulas.push_back({picture, {m_x, 0}, ex});
+    m_ascent = std::max(m_ascent, picture->ascent() * ex);
+    m_depth = std::max(m_depth, picture->depth() * ex);
+    advance(picture->width() * ex);
+  }
+
+  void placeBlank() {
+    const QSizeF size = blankSize * m_em;
+    makeRoom(size.width());
+    m_placed.blank = QRectF(QPointF(m_x, m_y), size);
+    m_blankInRow = true;
+    m_ascent = std::max(m_ascent, size.height() - 0.4 * m_em);
+    m_depth = std::max(m_depth, 0.4 * m_em);
+    advance(size.width());
+  }
+
+  void placeSentence(const QString &sentence) {
+    if (sentence.isEmpty())
+      return;
+    m_y += sentenceGap * m_em;
+    const QRectF room(m_left, m_y, std::max(m_right - m_left, 1.0), 1e6);
+    m_placed.sentence = m_metrics.boundingRect(room, Qt::TextWordWrap, sentence);
+    m_placed.sentence.setWidth(room.width());
+    m_y = m_placed.sentence.bottom();
+  }
+
+  QFontMetricsF m_metrics;
+  double m_em, m_ex, m_left, m_right, m_width;
+  double m_x = 0, m_y = 0, m_widest = 0;
+  PlacedLine m_placed;
+  // The row in work.
+  std::size_t m_rowBegin = 0;
+  double m_ascent = 0, m_depth = 0;
+  bool m_rowIsEmpty = true, m_blankInRow = false;
+};
+
+} // namespace
+
+QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
+  return {baseline + inPicture.topLeft() * exPixels, inPicture.size() * exPixels};
+}
+
+PlacedWorking placeWorking(const std::vector<TypesetLine> &lines, const std::set<std::string> &blanked,
+                           const QFont &font, double width) {
+  LinePlacer placer(font, width);
+  PlacedWorking placed;
+  for (const TypesetLine &line : lines)
+    placed.lines.push_back(placer.place(line, blanked.count(line.source.id) > 0));
+  placed.size = placer.size();
+  return placed;
+}
+
+} // namespace halfspace
