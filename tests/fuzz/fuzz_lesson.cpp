@@ -1,0 +1,27 @@
+// Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
+#include "lessons/lesson.h"
+#include "lessons/session_file.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+  using namespace halfspace;
+  const std::string_view text(reinterpret_cast<const char *>(data), size);
+  const auto lesson = parseLesson(text, "fuzz");
+  if (!lesson) {
+    if (lesson.problem().sentence.empty() || lesson.problem().file != "fuzz")
+      std::abort();
+    return 0;
+  }
+  if (lesson->steps.empty() || checkScene(lesson->scene))
+    std::abort();
+  const Outcome outcome = evaluate(lesson->scene);
+  for (const LessonStep &step : lesson->steps) {
+    (void)withLiveValues(step.markdown, lesson->scene, outcome);
+    (void)shownIn(step, outcome);
+    for (const Task &task : step.tasks)
+      (void)isDone(task, outcome);
+  }
+  return 0;
+}
