@@ -18,7 +18,7 @@ namespace {
 constexpr int margin = 16;
 constexpr int columnGap = 28;
 /// A panel at least so wide, in letters, has two columns.
-constexpr int twoColumnLetters = 95;
+constexpr int twoColumnLetters = 66;
 constexpr QSize usualSize(420, 360);
 
 void setInk(QWidget &widget, Color color) {
@@ -145,6 +145,7 @@ void LessonPanel::makeExercises() {
     layout->addWidget(m_tasks.back());
   }
   if (current->prediction) {
+    layout->addSpacing(current->tasks.empty() ? 0 : 10);
     m_prediction = new PredictionBox(m_typesetter, *current->prediction);
     m_prediction->setTheme(m_theme);
     connect(m_prediction, &PredictionBox::chosen, this, &LessonPanel::predictionChosen);

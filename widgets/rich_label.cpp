@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halfspace {
@@ -77,7 +78,8 @@ int RichLabel::heightForWidth(int width) const {
   if (!m_document)
     return 0;
   m_document->setTextWidth(width);
-  return static_cast<int>(std::ceil(m_document->size().height()));
+  const double belowLastLine = (richLineSpacing - 1) * fontMetrics().height();
+  return static_cast<int>(std::ceil(std::max(0.0, m_document->size().height() - belowLastLine)));
 }
 
 QSize RichLabel::sizeHint() const {

@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextCursor>
+#include <QTextList>
 #include <QTextObjectInterface>
 
 #include <algorithm>
@@ -26,11 +27,14 @@ constexpr int pictureProperty = QTextFormat::UserProperty + 1;
 
 /// Formulas that reach deeper below the baseline (in ex) make room for themselves; others hang into the
 /// line's own.
-constexpr double hangingDepth = 0.55;
+constexpr double hangingDepth = 0.75;
 
-/// Space between lines and between paragraphs, as part of the type's size.
-constexpr double lineHeightPercent = 128;
+/// Formulas whose x is as high as the text's look too large beside it.
+constexpr double inlineScale = 0.93;
+
+/// Space between paragraphs and between the items of a list, as part of the type's size.
 constexpr double paragraphGap = 0.55;
+constexpr double itemGap = 0.12;
 
 /// Finds the formulas of a Markdown text.
 class MathScanner {
@@ -121,23 +125,24 @@ public:
   using QObject::QObject;
 
   /// The room that the formula takes. Qt sets the bottom of a normal object on the baseline, and the middle
-  /// of a middle one half an x-height above it.
+  /// of a middle one a quarter of the x-height above it.
   QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &format) override {
     const Typesetter::Picture picture = pictureOf(format);
     const double x = xHeight(format);
-    const double ascent = picture->ascent() * x;
-    const double depth = picture->depth() * x;
-    const double width = picture->width() * x;
-    return hangs(*picture) ? QSizeF(width, ascent) : QSizeF(width, std::max(2 * ascent - x, 2 * depth + x));
+    const double ascent = picture->ascent() * x * inlineScale;
+    const double depth = picture->depth() * x * inlineScale;
+    const double width = picture->width() * x * inlineScale;
+    return hangs(*picture) ? QSizeF(width, ascent)
+                           : QSizeF(width, std::max(2 * ascent - x / 2, 2 * depth + x / 2));
   }
 
   void drawObject(QPainter *painter, const QRectF &rect, QTextDocument *, int,
                   const QTextFormat &format) override {
     const Typesetter::Picture picture = pictureOf(format);
     const double x = xHeight(format);
-    const double baseline = hangs(*picture) ? rect.bottom() : rect.center().y() + x / 2;
+    const double baseline = hangs(*picture) ? rect.bottom() : rect.center().y() + x / 4;
     const QColor ink = format.foreground().color();
-    picture->paint(*painter, {rect.left(), baseline}, x, [&](const QString &) { return ink; });
+    picture->paint(*painter, {rect.left(), baseline}, x * inlineScale, [&](const QString &) { return ink; });
   }
 
   [[nodiscard]] static bool hangs(const MathPicture &picture) { return picture.depth() <= hangingDepth; }
@@ -169,12 +174,14 @@ void setInk(QTextDocument &document, const RichTextStyle &style) {
 }
 
 void setSpacing(QTextDocument &document, const RichTextStyle &style) {
-  const double gap = paragraphGap * QFontInfo(style.font).pixelSize();
+  const double size = QFontInfo(style.font).pixelSize();
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
     QTextBlockFormat format = block.blockFormat();
     format.setTopMargin(0);
-    format.setBottomMargin(block.next().isValid() ? gap : 0);
-    format.setLineHeight(lineHeightPercent, QTextBlockFormat::ProportionalHeight);
+    const QTextBlock next = block.next();
+    const bool betweenItems = block.textList() && next.isValid() && next.textList();
+    format.setBottomMargin(next.isValid() ? size * (betweenItems ? itemGap : paragraphGap) : 0);
+    format.setLineHeight(100 * richLineSpacing, QTextBlockFormat::ProportionalHeight);
     QTextCursor(block).setBlockFormat(format);
   }
 }

@@ -21,6 +21,9 @@ struct MarkdownWithMath {
 /// its paragraph.
 [[nodiscard]] MarkdownWithMath separateMath(const QString &markdown);
 
+/// The distance of lines, as part of their height. Qt puts the extra space below each line.
+inline constexpr double richLineSpacing = 1.28;
+
 /// What rich text looks like.
 struct RichTextStyle {
   QFont font;

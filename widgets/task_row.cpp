@@ -69,7 +69,7 @@ void TaskRow::tellAccessibly() {
 
 void TaskRow::paintEvent(QPaintEvent *) {
   QPainter painter(this);
-  const double firstLine = m_words->y() + 0.55 * fontMetrics().lineSpacing() * 1.1;
+  const double firstLine = m_words->y() + fontMetrics().ascent() - fontMetrics().capHeight() / 2.0;
   paintVerdict(painter, {markRadius + 2, firstLine}, markRadius, m_done ? Verdict::Right : Verdict::Open,
                m_theme);
 }

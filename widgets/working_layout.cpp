@@ -2,6 +2,7 @@
 
 #include <QFontInfo>
 #include <QFontMetricsF>
+#include <QTextLayout>
 
 #include <algorithm>
 
@@ -22,6 +23,7 @@ constexpr double sentenceGap = 0.5;  // between formulas and sentence
 constexpr double relationGap = 0.28; // before `=`: TeX's thick space
 constexpr double indent = 1.6;       // of further rows
 constexpr QSizeF blankSize(4.0, 1.5);
+constexpr double sentenceLineHeight = 1.2; // as part of the font's
 // Every row has at least the room of ordinary letters.
 constexpr double leastAscent = 0.72;
 constexpr double leastDepth = 0.22;
@@ -30,7 +32,7 @@ constexpr double leastDepth = 0.22;
 class LinePlacer {
 public:
   LinePlacer(const QFont &font, double width)
-      : m_metrics(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_ex(exPerEm * m_em),
+      : m_font(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_ex(exPerEm * m_em),
         m_left(sideMargin * m_em), m_right(width - sideMargin * m_em), m_width(width) {}
 
   PlacedLine place(const TypesetLine &line, bool blanked) {
@@ -123,13 +125,19 @@ private:
     if (sentence.isEmpty())
       return;
     m_y += sentenceGap * m_em;
-    const QRectF room(m_left, m_y, std::max(m_right - m_left, 1.0), 1e6);
-    m_placed.sentence = m_metrics.boundingRect(room, Qt::TextWordWrap, sentence);
-    m_placed.sentence.setWidth(room.width());
-    m_y = m_placed.sentence.bottom();
+    QTextLayout layout(sentence, m_font);
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+      line.setLineWidth(std::max(m_right - m_left, 1.0));
+      m_placed.sentence.push_back(
+          {sentence.mid(line.textStart(), line.textLength()), {m_left, m_y + line.ascent()}});
+      m_y += sentenceLineHeight * line.height();
+    }
+    layout.endLayout();
+    m_y -= (sentenceLineHeight - 1) * QFontMetricsF(m_font).height(); // nothing below the last
   }
 
-  QFontMetricsF m_metrics;
+  QFont m_font;
   double m_em, m_ex, m_left, m_right, m_width;
   double m_x = 0, m_y = 0, m_widest = 0;
   PlacedLine m_placed;

@@ -31,11 +31,17 @@ struct PlacedFormula {
   [[nodiscard]] QRectF box() const { return toWorking(picture->box()); }
 };
 
+/// A line of plain text in its place.
+struct PlacedText {
+  QString text;
+  QPointF baseline;
+};
+
 struct PlacedLine {
   QRectF box; ///< with the space around it, across the whole width
   std::vector<PlacedFormula> formulas;
   QRectF blank; ///< stands for the numbers that are hidden; null when none are
-  QRectF sentence;
+  std::vector<PlacedText> sentence;
 };
 
 struct PlacedWorking {

@@ -138,7 +138,8 @@ PlacedWorking WorkingPanel::placed() const {
   PlacedWorking placed = m_placed;
   for (PlacedLine &line : placed.lines) {
     line.box.translate(-scrolled());
-    line.sentence.translate(-scrolled());
+    for (PlacedText &text : line.sentence)
+      text.baseline -= scrolled();
     if (!line.blank.isNull())
       line.blank.translate(-scrolled());
     for (PlacedFormula &formula : line.formulas)
@@ -229,7 +230,8 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
   if (!line.blank.isNull())
     paintBlank(painter, line.blank);
   painter.setPen(toQColor(m_theme.mutedInk));
-  painter.drawText(line.sentence, Qt::TextWordWrap, QString::fromStdString(m_lines[index].source.sentence));
+  for (const PlacedText &text : line.sentence)
+    painter.drawText(text.baseline, text.text);
 }
 
 void WorkingPanel::paintHighlights(QPainter &painter, const PlacedFormula &formula) const {

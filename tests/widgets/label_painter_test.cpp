@@ -1,0 +1,75 @@
+// Labels as images with a halo.
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+const LabelStyle style{{200, 0, 0}, {255, 255, 255}, 22};
+
+struct Texel {
+  int red, green, blue, alpha;
+};
+
+Texel at(const LabelPicture &label, int x, int y) {
+  const std::size_t i = 4 * static_cast<std::size_t>(y * label.width + x);
+  return {label.rgba[i], label.rgba[i + 1], label.rgba[i + 2], label.rgba[i + 3]};
+}
+
+} // namespace
+
+class LabelPainterTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void labelHasInkHaloAndAClearRim() {
+    Typesetter typesetter;
+    const auto label = blockingLabelPainter(typesetter)("\\mark{n}{\\rule{2em}{1em}}", style);
+    QVERIFY(label);
+    QCOMPARE(label->rgba.size(), static_cast<std::size_t>(4 * label->width * label->height));
+    const Texel center = at(*label, label->width / 2, label->height / 2);
+    QCOMPARE(center.red, 200); // the style's ink, for marks too
+    QCOMPARE(center.green, 0);
+    QCOMPARE(center.alpha, 255);
+    QCOMPARE(at(*label, 0, 0).alpha, 0);
+    const Texel halo = at(*label, 2, label->height / 2);
+    QVERIFY(halo.alpha > 200);
+    QVERIFY(halo.green > 200);
+  }
+
+  void twiceTheTypeGivesTwiceThePicture() {
+    Typesetter typesetter;
+    const LabelPainter painter = blockingLabelPainter(typesetter);
+    LabelStyle large = style;
+    large.pixelSize *= 2;
+    const auto one = painter("P_0", style);
+    const auto two = painter("P_0", large);
+    QVERIFY(std::abs(two->width - 2 * one->width) <= 6);
+    QVERIFY(std::abs(two->height - 2 * one->height) <= 6);
+  }
+
+  void sameRequestGivesTheSamePicture() {
+    Typesetter typesetter;
+    const LabelPainter painter = blockingLabelPainter(typesetter);
+    QCOMPARE(painter("P_1", style), painter("P_1", style));
+    LabelStyle other = style;
+    other.ink = {0, 0, 1};
+    QVERIFY(painter("P_1", style) != painter("P_1", other));
+  }
+
+  void painterOfTheWindowNeverWaits() {
+    Typesetter typesetter;
+    QSignalSpy ready(&typesetter, &Typesetter::ready);
+    const LabelPainter painter = labelPainter(typesetter);
+    QVERIFY(!painter("Q = (11, 15, 8)", style));
+    QVERIFY(ready.wait());
+    QVERIFY(painter("Q = (11, 15, 8)", style));
+  }
+};
+
+QTEST_MAIN(LabelPainterTest)
+#include "label_painter_test.moc"

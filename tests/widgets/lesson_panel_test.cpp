@@ -1,0 +1,132 @@
+// The words of a lesson: steps, tasks and questions.
+#include "widgets/lesson_panel.h"
+
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+Lesson someLesson() {
+  Lesson lesson;
+  lesson.title = "How far is a point from a plane?";
+  LessonStep words{"The side", "", {}, {}, {}};
+  LessonStep tasks{
+      "The distance", "", {}, {{"Drag $Q$ to the other side.", {}}, {"Make $f(Q) = 0$.", {}}}, {}};
+  LessonStep question{
+      "Predict",
+      "",
+      {},
+      {},
+      Prediction{"On which side is $Q$?",
+                 "side",
+                 {{"positive", "The side that $\\vec n$ points to"}, {"negative", "The other side"}},
+                 "The sign of $f(Q)$ tells."}};
+  lesson.steps = {words, tasks, question};
+  return lesson;
+}
+
+QPushButton *button(const LessonPanel &panel, const QString &text) {
+  for (QPushButton *found : panel.findChildren<QPushButton *>())
+    if (found->text() == text)
+      return found;
+  return nullptr;
+}
+
+template <class Widget> QList<Widget *> shown(const LessonPanel &panel) {
+  QList<Widget *> found;
+  for (Widget *widget : panel.findChildren<Widget *>())
+    if (widget->isVisibleTo(&panel))
+      found << widget;
+  return found;
+}
+
+} // namespace
+
+class LessonPanelTest : public QObject {
+  Q_OBJECT
+
+private:
+  Typesetter m_typesetter;
+
+private slots:
+  void stepsAreWalkedByTheButtonsAndEndAtBothEnds() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    QSignalSpy requested(&panel, &LessonPanel::stepRequested);
+    QVERIFY(!button(panel, "Back")->isEnabled());
+    button(panel, "Next")->click();
+    QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
+    panel.setStep(2);
+    QVERIFY(!button(panel, "Next")->isEnabled());
+    button(panel, "Back")->click();
+    QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
+    panel.setStep(99);
+    QVERIFY(!button(panel, "Next")->isEnabled());
+  }
+
+  void doneTasksAreTold() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    panel.setStep(1);
+    panel.setTasksDone({false, true});
+    const auto rows = shown<TaskRow>(panel);
+    QCOMPARE(rows.size(), 2);
+    QVERIFY(!rows[0]->isDone());
+    QVERIFY(rows[1]->isDone());
+    QVERIFY(rows[0]->accessibleName().contains("To do"));
+    QVERIFY(rows[1]->accessibleName().contains("Done"));
+  }
+
+  void chosenAnswerIsToldByItsWordAndThenJudged() {
+    LessonPanel panel(m_typesetter);
+    panel.resize(420, 500);
+    panel.show();
+    panel.setLesson(someLesson());
+    panel.setStep(2);
+    QSignalSpy chosen(&panel, &LessonPanel::predictionChosen);
+    QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2); // layouts show their widgets later
+    const auto choices = shown<ChoiceButton>(panel);
+    QTest::mouseClick(choices[1], Qt::LeftButton);
+    QCOMPARE(chosen.takeFirst().at(0).toString(), QString("negative"));
+    panel.setPredictionAnswer("negative", "positive");
+    QCOMPARE(choices[0]->verdict(), Verdict::Right);
+    QCOMPARE(choices[1]->verdict(), Verdict::Wrong);
+    QTest::mouseClick(choices[0], Qt::LeftButton); // answered once
+    QVERIFY(chosen.isEmpty());
+    panel.setPredictionAnswer({}, "positive"); // asked again: nothing is given away
+    QCOMPARE(choices[0]->verdict(), Verdict::Open);
+    QVERIFY(choices[0]->isEnabled());
+  }
+
+  void exercisesOfTheLastStepAreGone() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    panel.setStep(2);
+    panel.setStep(0);
+    QVERIFY(shown<ChoiceButton>(panel).isEmpty());
+    QVERIFY(shown<TaskRow>(panel).isEmpty());
+  }
+
+  void newValuesKeepThePlaceThatWasScrolledTo() {
+    LessonPanel panel(m_typesetter);
+    panel.resize(300, 200);
+    panel.show();
+    panel.setLesson(someLesson());
+    const QString words = QString("Some words with $Q = %1$ in them, and again. ").repeated(30);
+    panel.setMarkdown(QString(words).replace("%1", "1"));
+    QScrollBar *bar = panel.findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 100);
+    bar->setValue(90);
+    panel.setMarkdown(QString(words).replace("%1", "2"));
+    QTest::qWait(200);
+    QCOMPARE(bar->value(), 90);
+  }
+};
+
+QTEST_MAIN(LessonPanelTest)
+#include "lesson_panel_test.moc"

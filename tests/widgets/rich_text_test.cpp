@@ -1,0 +1,142 @@
+// Markdown with formulas as documents.
+#include "widgets/rich_label.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QTextBlock>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+std::vector<Typesetter::Picture> picturesOf(Typesetter &typesetter, const MarkdownWithMath &text) {
+  std::vector<Typesetter::Picture> pictures;
+  for (const QString &latex : text.formulas)
+    pictures.push_back(typesetter.pictureNow(latex));
+  return pictures;
+}
+
+} // namespace
+
+class RichTextTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void formulasAreTakenOutAndMarkdownKeptFromThem() {
+    const MarkdownWithMath text = separateMath("Let $P_0$ and $Q_0$ be *points*.");
+    QCOMPARE(text.formulas, (QStringList{"\\textstyle P_0", "\\textstyle Q_0"}));
+    QVERIFY(!text.markdown.contains('_'));
+    QVERIFY(text.markdown.contains("*points*"));
+  }
+
+  void formulaAloneInItsParagraphIsLarge() {
+    QCOMPARE(separateMath("Words\n\n$\\frac{1}{2}$\n\nmore").formulas, QStringList{"\\frac{1}{2}"});
+    QCOMPARE(separateMath("so $$\\frac{1}{2}$$ it is").formulas, QStringList{"\\frac{1}{2}"});
+  }
+
+  void dollarsThatAreNoFormulaStay_data() {
+    QTest::addColumn<QString>("markdown");
+    QTest::newRow("escaped") << "It costs 5\\$ or 6\\$.";
+    QTest::newRow("code") << "Write `$x$` here.";
+    QTest::newRow("alone") << "It costs 5$ only.";
+    QTest::newRow("other paragraph") << "5$ one\n\nand two 6$";
+    QTest::newRow("empty") << "a $$ b";
+  }
+  void dollarsThatAreNoFormulaStay() {
+    QFETCH(QString, markdown);
+    const MarkdownWithMath text = separateMath(markdown);
+    QVERIFY(text.formulas.isEmpty());
+    QCOMPARE(text.markdown, markdown);
+  }
+
+  void everyFormulaStandsInTheDocument() {
+    Typesetter typesetter;
+    const MarkdownWithMath text =
+        separateMath("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list");
+    const auto document = makeRichText(text, picturesOf(typesetter, text), {QFont(), Qt::black});
+    QCOMPARE(document->toPlainText().count(QChar::ObjectReplacementCharacter), 3);
+    QVERIFY(document->toPlainText().contains("in a list"));
+  }
+
+  void lineGrowsForATallFormula() {
+    Typesetter typesetter;
+    const auto heightOf = [&](const QString &markdown) {
+      const MarkdownWithMath text = separateMath(markdown);
+      return makeRichText(text, picturesOf(typesetter, text), {QFont(), Qt::black})->size().height();
+    };
+    QVERIFY(heightOf("a $\\displaystyle\\frac{\\frac12}{\\frac12}$ b") > 1.3 * heightOf("a $x$ b"));
+  }
+
+  void formulaStandsOnTheTextsBaseline_data() {
+    QTest::addColumn<QString>("latex");
+    QTest::newRow("flat") << "\\rule{1em}{1em}";
+    QTest::newRow("deep") << "\\rule{1em}{1em}\\rule[-2em]{1em}{1em}";
+    QTest::newRow("high and deep") << "\\rule{1em}{1em}\\rule[-2em]{1em}{1em}\\rule[2em]{1em}{2em}";
+  }
+  void formulaStandsOnTheTextsBaseline() {
+    QFETCH(QString, latex);
+    Typesetter typesetter;
+    QFont font;
+    font.setPixelSize(40);
+    const MarkdownWithMath text = separateMath("H $" + latex + "$");
+    const auto document = makeRichText(text, picturesOf(typesetter, text), {font, Qt::black});
+    QImage image(400, 400, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    document->drawContents(&painter);
+    painter.end();
+    const auto lowestInk = [&](int column) {
+      int row = image.height() - 1;
+      while (row > 0 && qGray(image.pixel(column, row)) > 127)
+        --row;
+      return row;
+    };
+    int stem = 0;
+    while (lowestInk(stem) == 0)
+      ++stem;
+    const int rule = QFontMetrics(font).horizontalAdvance("H ") + 10;
+    QVERIFY2(std::abs(lowestInk(stem + 1) - lowestInk(rule)) <= 1,
+             qPrintable(QString("%1 %2").arg(lowestInk(stem + 1)).arg(lowestInk(rule))));
+  }
+
+  void htmlStandsAsWrittenAndImagesAreNotLoaded() {
+    const MarkdownWithMath text =
+        separateMath("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)");
+    const auto document = makeRichText(text, {}, {QFont(), Qt::black});
+    const QString plain = document->toPlainText();
+    QVERIFY(plain.contains("<b>no</b>"));
+    QVERIFY(plain.contains("a link"));
+    QVERIFY(!plain.contains(QChar::ObjectReplacementCharacter));
+    for (QTextBlock block = document->begin(); block.isValid(); block = block.next())
+      for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
+        QVERIFY(!fragment.fragment().charFormat().isImageFormat());
+        QVERIFY(!fragment.fragment().charFormat().isAnchor());
+      }
+  }
+
+  void plainTextReadsTheFormulas() { QCOMPARE(plainRichText("Is $P_0$ **here**?"), QString("Is P₀ here?")); }
+
+  void labelIsTallerInANarrowerPlace() {
+    Typesetter typesetter;
+    RichLabel label(typesetter);
+    label.setMarkdown("Some words with $\\vec n$ that need more than one line in a narrow place.");
+    QTRY_VERIFY(label.isSettled());
+    QVERIFY(label.heightForWidth(120) > label.heightForWidth(600));
+    QVERIFY(label.accessibleName().startsWith("Some words"));
+  }
+
+  void labelShowsTheLastTextWhileFormulasComeEvenIfTextsComeFaster() {
+    Typesetter typesetter;
+    RichLabel label(typesetter);
+    for (int i = 0; i < 200; ++i) {
+      label.setMarkdown(QString("$\\sqrt{%1}$").arg(i));
+      QTest::qWait(1);
+    }
+    QTRY_VERIFY(label.isSettled());
+    QVERIFY(label.accessibleName().contains("199"));
+  }
+};
+
+QTEST_MAIN(RichTextTest)
+#include "rich_text_test.moc"

@@ -1,0 +1,177 @@
+// The worked lines: where their formulas stand, and what the pointer finds there.
+#include "widgets/working_panel.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+Working someWorking() {
+  return {
+      {{"t",
+        "t = \\frac{(\\mark{P0}{P_0}-\\mark{Q}{Q})\\cdot\\mark{n}{\\vec n}}{\\mark{r}{\\vec "
+        "r}\\cdot\\mark{n}{\\vec n}}",
+        "= \\frac{-30}{9}", "= -\\frac{10}{3}", "So many steps r lead from Q to the plane."},
+       {"H", "H = \\mark{Q}{Q} + t\\,\\mark{r}{\\vec r}", "= (11,\\,15,\\,8) - \\frac{10}{3}(1,\\,2,\\,2)",
+        "= \\left(\\tfrac{23}{3},\\,\\tfrac{25}{3},\\,\\tfrac{4}{3}\\right)",
+        "The point where the ray meets the plane."}}};
+}
+
+/// QTest::mouseMove delivers nothing on the offscreen platform.
+void movePointer(WorkingPanel &panel, QPointF position) {
+  QMouseEvent move(QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(panel.viewport(), &move);
+}
+
+/// The middle of a mark's term in a line's first formula.
+QPointF middleOf(const WorkingPanel &panel, std::size_t line, const QString &mark) {
+  const PlacedFormula formula = panel.placed().lines[line].formulas.front();
+  for (const auto &[id, box] : formula.picture->markBoxes())
+    if (id == mark)
+      return formula.toWorking(box).center();
+  return {};
+}
+
+} // namespace
+
+class WorkingPanelTest : public QObject {
+  Q_OBJECT
+
+private:
+  Typesetter m_typesetter;
+
+  void show(WorkingPanel &panel, int width, const Working &working = someWorking()) {
+    panel.resize(width, 500);
+    panel.show();
+    panel.setWorking(working);
+    QTRY_VERIFY(panel.isSettled());
+  }
+
+private slots:
+  void wideLineKeepsItsPiecesInOneRow() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900);
+    const auto placed = panel.placed();
+    QCOMPARE(placed.lines.size(), std::size_t(2));
+    QCOMPARE(placed.lines[0].formulas.size(), std::size_t(3));
+    for (const PlacedFormula &formula : placed.lines[0].formulas)
+      QCOMPARE(formula.baseline.y(), placed.lines[0].formulas[0].baseline.y());
+    QVERIFY(placed.lines[0].formulas[0].box().right() < placed.lines[0].formulas[1].box().left());
+    QVERIFY(placed.lines[0].sentence.front().baseline.y() > placed.lines[0].formulas[0].box().bottom());
+  }
+
+  void narrowLineBreaksBeforeAPieceAndStaysInside() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 270);
+    for (const PlacedLine &line : panel.placed().lines)
+      for (const PlacedFormula &formula : line.formulas)
+        QVERIFY(formula.box().right() <= 270);
+    const auto formulas = panel.placed().lines[1].formulas;
+    QVERIFY(formulas[1].box().top() >= formulas[0].box().bottom());
+    QVERIFY(formulas[1].box().left() > formulas[0].box().left());
+  }
+
+  void formulaThatFitsNowhereIsSmallerButReadableAndCanBeScrolledTo() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 300,
+         {{{"a", QString("x+").repeated(60).toStdString() + "x", "", "", ""}, {"b", "x", "", "", ""}}});
+    const auto placed = panel.placed();
+    QCOMPARE(placed.lines[0].formulas[0].exPixels, 0.6 * placed.lines[1].formulas[0].exPixels);
+    QVERIFY(placed.size.width() > 300);
+  }
+
+  void pointerOnATermTellsItsMarkAndLeavingTellsNone() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900);
+    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
+    movePointer(panel, middleOf(panel, 0, "P0"));
+    QCOMPARE(hovered.takeLast().at(0).toString(), QString("P0"));
+    movePointer(panel, middleOf(panel, 1, "r"));
+    QCOMPARE(hovered.takeLast().at(0).toString(), QString("r"));
+    movePointer(panel, middleOf(panel, 1, "r") + QPointF(1, 1));
+    QVERIFY(hovered.isEmpty()); // still the same
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(panel.viewport(), &leave);
+    QCOMPARE(hovered.takeLast().at(0).toString(), QString());
+  }
+
+  void pointerFindsTermsInAScrolledPanel() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 270);
+    panel.resize(270, 120);
+    panel.verticalScrollBar()->setValue(panel.verticalScrollBar()->maximum());
+    QVERIFY(panel.verticalScrollBar()->value() > 0);
+    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
+    movePointer(panel, middleOf(panel, 1, "Q"));
+    QCOMPARE(hovered.takeLast().at(0).toString(), QString("Q"));
+  }
+
+  void highlightedTermHasABackground() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900);
+    const QPoint beside = middleOf(panel, 0, "P0").toPoint() + QPoint(0, -9);
+    const QColor before = panel.viewport()->grab().toImage().pixelColor(beside);
+    panel.setHighlighted({"P0"});
+    QVERIFY(panel.viewport()->grab().toImage().pixelColor(beside) != before);
+  }
+
+  void blankedLineShowsNoNumbersAnywhere() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900);
+    panel.setBlanked({"t"});
+    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(1));
+    QVERIFY(!panel.placed().lines[0].blank.isNull());
+    QCOMPARE(panel.placed().lines[1].formulas.size(), std::size_t(3));
+    const QString firstLine = panel.accessibleDescription().split('\n').front();
+    QVERIFY(!firstLine.contains("30"));
+    QVERIFY(firstLine.contains("So many steps"));
+    QVERIFY(!panel.latexOfAll().split('\n').front().contains("30"));
+    panel.setBlanked({});
+    QVERIFY(panel.accessibleDescription().split('\n').front().contains("30"));
+  }
+
+  void copyingGivesPlainLatexOfTheClickedLine() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900);
+    QTest::mouseClick(panel.viewport(), Qt::LeftButton, Qt::NoModifier,
+                      panel.placed().lines[0].box.center().toPoint());
+    QTest::keyClick(&panel, Qt::Key_C, Qt::ControlModifier);
+    const QString copied = QApplication::clipboard()->text();
+    QVERIFY(copied.startsWith("t = \\frac{(P_0-Q)"));
+    QVERIFY(copied.endsWith("= -\\frac{10}{3}"));
+    QVERIFY(!copied.contains("\\mark"));
+  }
+
+  void linesOfDifferentMomentsNeverStandTogether() {
+    WorkingPanel panel(m_typesetter);
+    panel.resize(900, 500);
+    panel.show();
+    int shownChanges = 0;
+    std::string last;
+    for (int i = 0; i < 150; ++i) {
+      const std::string number = std::to_string(i);
+      panel.setWorking({{{"a", "a", "= \\sqrt{" + number + "}", "= \\frac{" + number + "}{7}", ""},
+                         {"b", "b", "= \\sqrt{" + number + "}", "= \\frac{7}{" + number + "}", ""}}});
+      QTest::qWait(2);
+      const QStringList lines = panel.latexOfAll().split('\n');
+      if (lines.size() < 2)
+        continue;
+      const QRegularExpression sqrtOf("sqrt\\{(\\d+)\\}");
+      QCOMPARE(sqrtOf.match(lines[0]).captured(1), sqrtOf.match(lines[1]).captured(1));
+      shownChanges += last != lines[0].toStdString() ? 1 : 0;
+      last = lines[0].toStdString();
+    }
+    QVERIFY2(shownChanges > 5, "a working must keep up during a drag");
+    QTRY_VERIFY(panel.isSettled());
+    QVERIFY(panel.latexOfAll().contains("149"));
+  }
+};
+
+QTEST_MAIN(WorkingPanelTest)
+#include "working_panel_test.moc"

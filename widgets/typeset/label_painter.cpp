@@ -1,0 +1,89 @@
+#include "widgets/typeset/label_painter.h"
+
+#include "widgets/colors.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QCache>
+#include <QImage>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace halfspace {
+
+namespace {
+
+/// The halo reaches this far around the strokes, in em.
+constexpr double haloWidth = 0.11;
+/// Nothing that is to be read is drawn larger.
+constexpr int largestLabelSide = 4096;
+/// How many labels are kept.
+constexpr int cachedLabels = 400;
+
+QString keyOf(const std::string &latex, const LabelStyle &style) {
+  const auto hex = [](Color color) { return toQColor(color).name(); };
+  return QStringLiteral("%1 %2 %3 %4")
+      .arg(hex(style.ink), hex(style.halo), QString::number(style.pixelSize), QString::fromStdString(latex));
+}
+
+LabelPicture fromImage(const QImage &image) {
+  const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
+  LabelPicture picture{straight.width(), straight.height(), {}};
+  const auto rowBytes = static_cast<std::size_t>(picture.width) * 4;
+  picture.rgba.resize(rowBytes * static_cast<std::size_t>(picture.height));
+  for (int row = 0; row < picture.height; ++row)
+    std::memcpy(picture.rgba.data() + rowBytes * static_cast<std::size_t>(row), straight.constScanLine(row),
+                rowBytes);
+  return picture;
+}
+
+using PictureSource = std::function<Typesetter::Picture(const QString &latex)>;
+
+LabelPainter makePainter(PictureSource pictureOf) {
+  using Cache = QCache<QString, std::shared_ptr<const LabelPicture>>;
+  return [pictureOf = std::move(pictureOf), cache = std::make_shared<Cache>(cachedLabels)](
+             const std::string &latex, const LabelStyle &style) -> std::shared_ptr<const LabelPicture> {
+    const QString key = keyOf(latex, style);
+    if (const auto *kept = cache->object(key))
+      return *kept;
+    const Typesetter::Picture formula = pictureOf(QString::fromStdString(latex));
+    if (!formula)
+      return nullptr;
+    auto label = std::make_shared<const LabelPicture>(paintLabel(*formula, style));
+    cache->insert(key, new std::shared_ptr<const LabelPicture>(label));
+    return label;
+  };
+}
+
+} // namespace
+
+LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
+  const double ex = exPerEm * style.pixelSize;
+  const double halo = haloWidth * style.pixelSize;
+  const int margin = static_cast<int>(std::ceil(halo)) + 1;
+  const auto side = [&](double length) {
+    return std::clamp(static_cast<int>(std::ceil(length * ex)) + 1 + 2 * margin, 1, largestLabelSide);
+  };
+  QImage image(side(formula.width()), side(formula.height()), QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  // The baseline stands on a whole pixel, so that labels in a row are equally crisp.
+  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * ex));
+  formula.paintHalo(painter, baseline, ex, halo, toQColor(style.halo));
+  const QColor ink = toQColor(style.ink);
+  formula.paint(painter, baseline, ex, [&](const QString &) { return ink; });
+  painter.end();
+  return fromImage(image);
+}
+
+LabelPainter labelPainter(Typesetter &typesetter) {
+  return makePainter([&typesetter](const QString &latex) { return typesetter.picture(latex); });
+}
+
+LabelPainter blockingLabelPainter(Typesetter &typesetter) {
+  return makePainter([&typesetter](const QString &latex) { return typesetter.pictureNow(latex); });
+}
+
+} // namespace halfspace
