@@ -6,6 +6,7 @@
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
+#include "widgets/views.h"
 
 #include <nlohmann/json.hpp>
 
@@ -70,7 +71,8 @@ int runRender(const RenderCommand &command) {
   if (!subject)
     return fail(subject.problem());
   Outcome outcome = evaluate(subject->session.scene);
-  Camera camera = subject->lesson ? Camera(subject->lesson->camera) : Camera(CameraView{});
+  const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
+  const Camera camera = homeView(view, outcome.figure, command.size);
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)

@@ -134,8 +134,8 @@ void MainWindow::createPanels() {
   splitDockWidget(lessons, words, Qt::Horizontal);
   resizeDocks({working, inspector}, {400, 300}, Qt::Vertical);
   resizeDocks({working}, {400}, Qt::Horizontal);
-  resizeDocks({lessons, words}, {230, 640}, Qt::Horizontal);
-  resizeDocks({lessons}, {220}, Qt::Vertical);
+  resizeDocks({lessons, words}, {200, 680}, Qt::Horizontal);
+  resizeDocks({lessons}, {235}, Qt::Vertical);
 }
 
 // --- what is shown

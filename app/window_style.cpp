@@ -12,7 +12,7 @@ namespace halfspace {
 namespace {
 
 /// The size of the panels' text at a text scale of 1, in points.
-constexpr double usualPointSize = 10.5;
+constexpr double usualPointSize = 9.75;
 
 QPalette paletteOf(const Theme &theme) {
   QPalette palette;
@@ -42,7 +42,6 @@ QString styleSheetOf(const Theme &theme) {
   const auto name = [](Color color) { return toQColor(color).name(); };
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
-    QDockWidget { titlebar-close-button: none; titlebar-normal-button: none; }
     QDockWidget::title { padding: 7px 12px 3px 12px; color: %2; background: %3; }
     QMenuBar { background: %3; padding: 1px 4px; }
     QStatusBar { background: %3; color: %2; }

@@ -81,10 +81,10 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   m_restTimer.setSingleShot(true);
   m_restTimer.setInterval(restDelay);
   connect(&m_frameTimer, &QTimer::timeout, this, &SceneView::frame);
-  connect(&m_restTimer, &QTimer::timeout, this, [this] { update(); });
+  connect(&m_restTimer, &QTimer::timeout, this, &SceneView::requestFrame);
   connect(&m_model, &SessionModel::lessonChanged, this, [this] {
     selectHandle({});
-    glideTo(Camera(m_model.lesson().camera));
+    goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
   takeOutcome();
@@ -99,7 +99,7 @@ SceneView::~SceneView() {
 void SceneView::setTheme(const Theme &theme) {
   m_theme = theme;
   m_scene.setTheme(theme);
-  update();
+  requestFrame();
 }
 
 void SceneView::setHighlighted(std::set<std::string> markIds) {
@@ -208,7 +208,7 @@ void SceneView::takeOutcome() {
 
 void SceneView::updateContent() {
   m_contentStale = true;
-  update();
+  requestFrame();
 }
 
 std::optional<Gizmo> SceneView::gizmo() const {
@@ -246,34 +246,59 @@ SceneContent SceneView::pictureContent() const {
   return content;
 }
 
-void SceneView::paintGL() {
-  const auto start = Clock::now();
-  if (m_contentStale) {
-    SceneContent content = pictureContent();
-    content.highlighted = m_highlighted;
-    if (!m_hoveredMark.empty())
-      content.highlighted.insert(m_hoveredMark);
-    content.gizmo = gizmo();
-    for (const Handle &handle : m_handles)
-      if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
-        content.knobs.push_back(std::move(*knob));
-    const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
-    if (dropped && dropped->motion == Handle::Motion::Coordinate)
-      content.dropLine = DropLine{toDouble(dropped->at)};
-    m_scene.setContent(std::move(content));
-    m_contentStale = false;
-  }
-  m_scene.setView(m_camera, pixelSize(), devicePixelRatioF());
-  m_scene.prepare();
-  const auto prepared = Clock::now();
+void SceneView::requestFrame() {
+  if (m_awaitingPaint)
+    m_frameWanted = true;
+  else if (!m_frameTimer.isActive())
+    m_frameTimer.start(0);
+}
 
+void SceneView::frame() {
+  followPointer();
+  if (!isValid() || !isVisible())
+    return;
+  const auto start = Clock::now();
+  prepare();
+  const auto prepared = Clock::now();
+  // Outside of paintGL: VTK then asks for a paint, which only shows what is drawn here.
+  m_awaitingPaint = true;
   renderWindow()->SetMultiSamples(m_restTimer.isActive() ? 0 : restSamples);
-  QVTKOpenGLNativeWidget::paintGL();
-  m_awaitingPaint = false;
+  renderWindow()->Render();
   emit frameDrawn({m_evaluateTime, prepared - start, Clock::now() - prepared});
   m_evaluateTime = {};
-  if (m_pendingPointer)
-    m_frameTimer.start(0);
+}
+
+void SceneView::paintGL() {
+  prepare(); // VTK draws by itself after a change of size
+  QVTKOpenGLNativeWidget::paintGL();
+  m_awaitingPaint = false;
+  if (m_frameWanted) {
+    m_frameWanted = false;
+    requestFrame();
+  }
+}
+
+void SceneView::prepare() {
+  if (m_contentStale)
+    m_scene.setContent(interactiveContent());
+  m_contentStale = false;
+  m_scene.setView(m_camera, pixelSize(), devicePixelRatioF());
+  m_scene.prepare();
+}
+
+SceneContent SceneView::interactiveContent() const {
+  SceneContent content = pictureContent();
+  content.highlighted = m_highlighted;
+  if (!m_hoveredMark.empty())
+    content.highlighted.insert(m_hoveredMark);
+  content.gizmo = gizmo();
+  for (const Handle &handle : m_handles)
+    if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
+      content.knobs.push_back(std::move(*knob));
+  const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
+  if (dropped && dropped->motion == Handle::Motion::Coordinate)
+    content.dropLine = DropLine{toDouble(dropped->at)};
+  return content;
 }
 
 void SceneView::startMoving() { m_restTimer.start(); }
@@ -351,6 +376,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
     return;
   if (m_gesture == Gesture::Handle) {
     m_pendingPointer = event->localPos();
+    startMoving();
     requestFrame();
   } else {
     moveCamera(event->localPos());
@@ -360,18 +386,6 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
 void SceneView::mouseReleaseEvent(QMouseEvent *) {
   if (m_gesture != Gesture::None)
     finishDrag();
-}
-
-void SceneView::requestFrame() {
-  startMoving();
-  if (!m_awaitingPaint && !m_frameTimer.isActive())
-    m_frameTimer.start(0);
-}
-
-void SceneView::frame() {
-  if (m_awaitingPaint || !m_pendingPointer)
-    return;
-  followPointer();
 }
 
 void SceneView::followPointer() {
@@ -391,8 +405,7 @@ void SceneView::followPointer() {
     m_caught = move->caught;
     showHint();
   }
-  m_awaitingPaint = isVisible();
-  updateContent();
+  m_contentStale = true;
 }
 
 void SceneView::finishDrag() {
@@ -460,6 +473,7 @@ void SceneView::leaveEvent(QEvent *event) {
 void SceneView::moveCamera(const QPointF &position) {
   const QPointF moved = position - m_lastPointer;
   m_lastPointer = position;
+  m_atHome = false;
   if (m_gesture == Gesture::Turn)
     m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
   else
@@ -470,6 +484,7 @@ void SceneView::moveCamera(const QPointF &position) {
 
 void SceneView::wheelEvent(QWheelEvent *event) {
   m_glide.stop();
+  m_atHome = false;
   const double steps = event->angleDelta().y() / 120.0;
   m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
   startMoving();
@@ -479,6 +494,7 @@ void SceneView::wheelEvent(QWheelEvent *event) {
 
 void SceneView::glideTo(const Camera &camera) {
   m_glide.stop();
+  m_atHome = false;
   if (!m_motion || !isVisible()) {
     m_camera = camera;
     return updateContent();
@@ -498,9 +514,18 @@ void SceneView::glideTo(const Camera &camera) {
 }
 
 void SceneView::goHome() {
-  Camera camera(m_model.lesson().camera);
+  Camera camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
   camera.orthographic = m_camera.orthographic;
   glideTo(camera);
+  m_atHome = true;
+}
+
+void SceneView::resizeEvent(QResizeEvent *event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  // As long as nobody has moved the camera, the figure stays in view at every size.
+  if (m_atHome)
+    m_camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
+  requestFrame();
 }
 
 void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
@@ -514,15 +539,7 @@ void SceneView::setOrthographic(bool on) {
   updateContent();
 }
 
-void SceneView::fit() {
-  std::vector<Place> places;
-  for (const Handle &handle : m_handles)
-    places.push_back(toDouble(handle.at));
-  for (const Mark &mark : m_model.shownOutcome().figure.marks)
-    if (const auto *point = std::get_if<PointMark>(&mark))
-      places.push_back(point->at);
-  glideTo(fitted(m_camera, places, pixelSize()));
-}
+void SceneView::fit() { glideTo(fitted(m_camera, placesOf(m_model.shownOutcome().figure), pixelSize())); }
 
 // --- keys
 // ----------------------------------------------------------------------------------------------------------

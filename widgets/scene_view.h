@@ -32,7 +32,7 @@ public:
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
   /// Draws again with the labels that have become ready.
-  void refreshLabels() { update(); }
+  void refreshLabels() { requestFrame(); }
   /// Whether the camera glides from view to view.
   void setMotion(bool on) { m_motion = on; }
 
@@ -73,6 +73,7 @@ protected:
   void keyPressEvent(QKeyEvent *event) override;
   void keyReleaseEvent(QKeyEvent *event) override;
   void leaveEvent(QEvent *event) override;
+  void resizeEvent(QResizeEvent *event) override;
   bool focusNextPrevChild(bool next) override;
 
 private:
@@ -85,7 +86,9 @@ private:
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
   [[nodiscard]] std::string markOf(const Handle &handle) const;
 
+  [[nodiscard]] SceneContent interactiveContent() const;
   void takeOutcome();
+  void prepare();
   void updateContent();
   void hover(glm::dvec2 pixel);
   void pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel);
@@ -108,6 +111,7 @@ private:
   Theme m_theme;
   Camera m_camera;
   bool m_motion = true;
+  bool m_atHome = true; ///< nobody has moved the camera since the lesson began
 
   std::vector<Handle> m_handles;
   std::string m_selected; ///< a handle's id
@@ -126,7 +130,8 @@ private:
   QPointF m_lastPointer;
   std::optional<QPointF> m_pendingPointer; ///< the newest pointer position that no frame has taken up
   bool m_contentStale = true;
-  bool m_awaitingPaint = false;
+  bool m_awaitingPaint = false; ///< a frame is drawn but not shown yet
+  bool m_frameWanted = false;   ///< another one is wanted after that
   QTimer m_frameTimer;
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;

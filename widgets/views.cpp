@@ -19,6 +19,26 @@ std::optional<Place> normalOf(const Mark &mark) {
 
 } // namespace
 
+std::vector<Place> placesOf(const Figure &figure) {
+  std::vector<Place> places;
+  const auto add = [&](const std::vector<Place> &more) { places.insert(places.end(), more.begin(), more.end()); };
+  for (const Mark &mark : figure.marks)
+    std::visit(Overloaded{[&](const PointMark &point) { add({point.at}); },
+                          [&](const SegmentMark &segment) { add({segment.from, segment.to}); },
+                          [&](const RayMark &ray) { add({ray.origin}); },
+                          [&](const ArrowMark &arrow) { add({arrow.from, arrow.from + arrow.vector}); },
+                          [&](const PlanePatchMark &patch) { add(cornersOf(patch)); },
+                          [&](const PolygonMark &polygon) { add(polygon.corners); },
+                          [&](const ArcMark &arc) { add({arc.center}); },
+                          [&](const RightAngleMark &corner) { add({corner.at}); }},
+               mark);
+  return places;
+}
+
+Camera homeView(const CameraView &view, const Figure &figure, PixelSize size) {
+  return fitted(Camera(view), placesOf(figure), size);
+}
+
 Camera seenAlong(AxisView view, Camera camera) {
   camera.azimuth = view == AxisView::Right ? std::numbers::pi / 2 : 0;
   camera.elevation = view == AxisView::Top ? Camera::maxElevation : 0;

@@ -7,6 +7,12 @@
 
 namespace halfspace {
 
+/// How a lesson begins: from its direction, with all of the figure in view.
+[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size);
+
+/// The places that a picture of the figure should have in view; what runs on without end does not count.
+[[nodiscard]] std::vector<Place> placesOf(const Figure &figure);
+
 /// Views along an axis: from the front (against x), from the right (against y), from the top (against z).
 enum class AxisView { Front, Right, Top };
 
