@@ -54,6 +54,7 @@ public:
   explicit Impl(LabelPainter painter) : labels(actors.renderer(), std::move(painter)) {}
 
   void prepare();
+  void showStrip(int top, int height);
 
   SceneActors actors;
   LabelOverlay labels;
@@ -92,7 +93,7 @@ private:
 void FigureScene::Impl::prepare() {
   const bool sizesChanged = m_solidScale != scale();
   if (themeChanged)
-    actors.applyTheme(theme, backgroundVisible);
+    actors.applyTheme(theme);
   if (contentChanged)
     m_axes = axesFor(placesForAxes(content.figure));
   if (themeChanged || contentChanged || sizesChanged)
@@ -108,6 +109,20 @@ void FigureScene::Impl::prepare() {
     labels.show(labelTexts(content, axisLabels(m_axes, gridStep(view.camera.height), scale()), theme, view),
                 obstaclesOf(content, theme, view), theme, view);
   themeChanged = contentChanged = viewChanged = false;
+  showStrip(0, view.size.height);
+}
+
+void FigureScene::Impl::showStrip(int top, int height) {
+  const double part = static_cast<double>(height) / view.size.height;
+  const double middle = top + height / 2.0;
+  const int below = view.size.height - top - height;
+  vtkCamera *vtk = actors.renderer()->GetActiveCamera();
+  vtk->SetViewAngle(glm::degrees(2 * std::atan(std::tan(Camera::viewAngle / 2) * part)));
+  vtk->SetParallelScale(view.camera.height / 2 * part);
+  vtk->SetWindowCenter(0, (view.size.height / 2.0 - middle) / (height / 2.0));
+  labels.lowerBy(below);
+  actors.showBackground(theme, backgroundVisible, static_cast<double>(below) / view.size.height,
+                        1 - static_cast<double>(top) / view.size.height);
 }
 
 void FigureScene::Impl::prepareFigure() {
@@ -146,9 +161,7 @@ void FigureScene::Impl::prepareCamera() {
   vtk->SetPosition(eye.x, eye.y, eye.z);
   vtk->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
   vtk->SetViewUp(up.x, up.y, up.z);
-  vtk->SetViewAngle(glm::degrees(Camera::viewAngle));
   vtk->SetParallelProjection(camera.orthographic);
-  vtk->SetParallelScale(camera.height / 2);
 
   // Everything from the nearest to the farthest place, with room for thicknesses, the grid and what a hand
   // holds.
@@ -203,6 +216,8 @@ void FigureScene::setView(const Camera &camera, PixelSize size, double pixelRati
 }
 
 void FigureScene::prepare() { m_impl->prepare(); }
+
+void FigureScene::showStrip(int top, int height) { m_impl->showStrip(top, height); }
 
 bool FigureScene::labelsPending() const { return m_impl->labels.isPending(); }
 

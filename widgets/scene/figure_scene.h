@@ -71,6 +71,10 @@ public:
   /// Brings meshes, order of translucent faces and labels up to date; to be called right before rendering.
   void prepare();
 
+  /// Narrows what the renderer shows to a strip of the view, as wide as the view and so many pixels high from
+  /// the pixel row `top` on: for pictures too large to be drawn at once. Holds until the next prepare().
+  void showStrip(int top, int height);
+
   /// Whether labels are missing because their pictures are not ready yet.
   [[nodiscard]] bool labelsPending() const;
 

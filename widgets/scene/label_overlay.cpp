@@ -159,6 +159,12 @@ void LabelOverlay::showLeaders(const std::vector<PlacedLabel> &placed, const The
   m_leaders->SetVisibility(points->GetNumberOfPoints() > 0);
 }
 
+void LabelOverlay::lowerBy(int pixels) {
+  for (const std::unique_ptr<Sprite> &sprite : m_sprites)
+    sprite->actor->SetPosition(0, -pixels);
+  m_leaders->SetPosition(0, -pixels);
+}
+
 std::string LabelOverlay::markAt(glm::dvec2 pixel) const {
   for (const PlacedLabel &label : m_markLabels) {
     const glm::dvec2 inside = pixel - label.topLeft;

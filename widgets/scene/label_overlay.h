@@ -26,6 +26,9 @@ public:
   void show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles, const Theme &theme,
             const View &view);
 
+  /// Moves all labels down by so many pixels, off their places in the view.
+  void lowerBy(int pixels);
+
   /// Whether the last `show` missed pictures.
   [[nodiscard]] bool isPending() const { return m_pending; }
 

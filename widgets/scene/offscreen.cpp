@@ -18,6 +18,10 @@ namespace {
 
 constexpr int samplesPerPixel = 4;
 
+/// Larger pictures are drawn in strips: a driver answers buffers beyond its limits with an empty picture, not
+/// an error.
+constexpr int mostPixelsAtOnce = 4096 * 4096;
+
 Problem problem(std::string sentence) { return {std::move(sentence), {}, 0, {}}; }
 
 std::string inWords(PixelSize size) {
@@ -35,26 +39,25 @@ void divideByAlpha(std::vector<std::uint8_t> &rgba) {
   }
 }
 
-LabelPicture readPicture(vtkRenderWindow *window, const PictureRequest &request) {
-  const auto [width, height] = request.size;
+/// Copies what the window shows into the rows of a picture from `top` on.
+void readStrip(vtkRenderWindow *window, LabelPicture &picture, int top, int height) {
   vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);
-  LabelPicture picture{width, height, {}};
-  const auto rowBytes = static_cast<std::ptrdiff_t>(width) * 4;
-  picture.rgba.resize(static_cast<std::size_t>(rowBytes) * static_cast<std::size_t>(height));
+  window->GetRGBACharPixelData(0, 0, picture.width - 1, height - 1, 0, pixels);
+  const auto rowBytes = static_cast<std::ptrdiff_t>(picture.width) * 4;
   for (int row = 0; row < height; ++row) // OpenGL's rows go from bottom to top
     std::copy_n(pixels->GetPointer(0) + (height - 1 - row) * rowBytes, rowBytes,
-                picture.rgba.data() + row * rowBytes);
-  if (request.transparent)
-    divideByAlpha(picture.rgba);
-  else
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
-      picture.rgba[i] = 255;
-  return picture;
+                picture.rgba.data() + (top + row) * rowBytes);
 }
 
-/// Draws what a renderer shows, in a context of its own that is current in this thread.
-Result<LabelPicture> render(vtkRenderer *renderer, const PictureRequest &request) {
+void finishAlpha(std::vector<std::uint8_t> &rgba, bool transparent) {
+  if (transparent)
+    return divideByAlpha(rgba);
+  for (std::size_t i = 3; i < rgba.size(); i += 4)
+    rgba[i] = 255;
+}
+
+/// Draws a scene strip by strip, in a context of its own that is current in this thread.
+Result<LabelPicture> render(FigureScene &scene, const PictureRequest &request) {
   EglContext context;
   if (!context.failure().empty())
     return problem(context.failure());
@@ -65,12 +68,22 @@ Result<LabelPicture> render(vtkRenderer *renderer, const PictureRequest &request
   window->GetState()->Reset();
   window->SetAlphaBitPlanes(1);
   window->SetMultiSamples(samplesPerPixel);
-  window->SetSize(request.size.width, request.size.height);
-  window->AddRenderer(renderer);
-  window->Render();
-  LabelPicture picture = readPicture(window, request);
-  window->RemoveRenderer(renderer);
+  window->AddRenderer(scene.renderer());
+
+  const auto [width, height] = request.size;
+  LabelPicture picture{width, height, {}};
+  picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  const int highestStrip = std::max(1, mostPixelsAtOnce / width);
+  for (int top = 0; top < height; top += highestStrip) {
+    const int stripHeight = std::min(highestStrip, height - top);
+    scene.showStrip(top, stripHeight);
+    window->SetSize(width, stripHeight);
+    window->Render();
+    readStrip(window, picture, top, stripHeight);
+  }
+  window->RemoveRenderer(scene.renderer());
   window->Finalize();
+  finishAlpha(picture.rgba, request.transparent);
   return picture;
 }
 
@@ -93,7 +106,7 @@ Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPai
   Result<LabelPicture> result = problem("");
   std::thread([&] {
     try {
-      result = render(scene.renderer(), request);
+      result = render(scene, request);
     } catch (const std::bad_alloc &) {
       result = problem("There is not enough memory for a picture of " + inWords(request.size) + " pixels.");
     }

@@ -17,7 +17,8 @@
 #include <vtkSequencePass.h>
 #include <vtkTranslucentPass.h>
 
-#include <glm/geometric.hpp>
+#include <array>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -116,15 +117,25 @@ SceneActors::SceneActors() : m_solidShadow(m_solids), m_faceShadow(m_faces) {
 
 SceneActors::~SceneActors() = default;
 
-void SceneActors::applyTheme(const Theme &theme, bool backgroundVisible) {
-  const Color bottom = backgroundVisible ? theme.backgroundBottom : Color{};
-  const Color top = theme.backgroundTop;
-  m_renderer->SetBackground(bottom.red / 255.0, bottom.green / 255.0, bottom.blue / 255.0);
-  m_renderer->SetBackground2(top.red / 255.0, top.green / 255.0, top.blue / 255.0);
-  m_renderer->SetGradientBackground(backgroundVisible);
-  m_renderer->SetBackgroundAlpha(backgroundVisible ? 1 : 0);
+void SceneActors::applyTheme(const Theme &theme) {
   setColor(m_solidShadow.actor, theme.shadow);
   setColor(m_faceShadow.actor, mix(theme.shadow, theme.backgroundBottom, faceShadowPaleness));
+}
+
+void SceneActors::showBackground(const Theme &theme, bool visible, double from, double to) {
+  const auto colorAt = [&](double height) {
+    const auto channel = [&](std::uint8_t bottom, std::uint8_t top) {
+      return visible ? std::lerp(bottom, top, height) / 255 : 0;
+    };
+    const Color bottom = theme.backgroundBottom;
+    const Color top = theme.backgroundTop;
+    return std::array{channel(bottom.red, top.red), channel(bottom.green, top.green),
+                      channel(bottom.blue, top.blue)};
+  };
+  m_renderer->SetBackground(colorAt(from).data());
+  m_renderer->SetBackground2(colorAt(to).data());
+  m_renderer->SetGradientBackground(visible);
+  m_renderer->SetBackgroundAlpha(visible ? 1 : 0);
 }
 
 void SceneActors::setGridLineWidth(double pixels) {

@@ -30,7 +30,10 @@ public:
   [[nodiscard]] vtkPolyData *grid() const { return m_grid.data; }
   [[nodiscard]] vtkPolyData *tools() const { return m_tools.data; }
 
-  void applyTheme(const Theme &theme, bool backgroundVisible);
+  void applyTheme(const Theme &theme);
+  /// Shows the part of the background gradient from one height (0 the bottom of the view, 1 its top) to
+  /// another; or, not visible, black with alpha 0.
+  void showBackground(const Theme &theme, bool visible, double from, double to);
   void setGridLineWidth(double pixels);
   void setShadowsVisible(bool visible);
 
