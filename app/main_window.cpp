@@ -74,7 +74,13 @@ MainWindow::MainWindow(LessonLibrary library)
   showOutcome();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // The panels look at members: they go first, and hear nothing of the end of the history.
+  m_model.disconnect();
+  m_model.history().disconnect();
+  delete takeCentralWidget();
+  qDeleteAll(findChildren<QDockWidget *>());
+}
 
 // --- panels
 // --------------------------------------------------------------------------------------------------------

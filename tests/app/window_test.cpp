@@ -1,0 +1,232 @@
+// The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
+#include "tests/app/window_fixture.h"
+#include "widgets/inspector.h"
+#include "widgets/number_field.h"
+#include "widgets/working_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QImage>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTimer>
+
+using namespace halfspace;
+
+namespace {
+
+void typeInto(NumberField &field, const QString &text) {
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, text);
+  QTest::keyClick(&field, Qt::Key_Return);
+}
+
+/// Presses OK on the next message box and gives back what it said.
+class MessageBoxReader {
+public:
+  MessageBoxReader() {
+    QTimer::singleShot(100, [this] {
+      for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *box = qobject_cast<QMessageBox *>(widget)) {
+          text = box->text();
+          box->accept();
+        }
+    });
+  }
+  QString text;
+};
+
+} // namespace
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+  void number_typed_isTakenExactlyAsOneUndoStep_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("exact");
+    QTest::newRow("fraction") << "-10/3"
+                              << "-10/3";
+    QTest::newRow("decimal") << "1.5"
+                             << "3/2";
+    QTest::newRow("thousandths") << "0.125"
+                                 << "1/8";
+  }
+
+  void number_typed_isTakenExactlyAsOneUndoStep() {
+    QFETCH(QString, text);
+    QFETCH(QString, exact);
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QVERIFY(field);
+    typeInto(*field, text);
+    QCOMPARE(QString::fromStdString(toText(fixture.value("Q").x)), exact);
+    QCOMPARE(fixture.model().history().count(), 1);
+    fixture.model().history().undo();
+    QVERIFY(fixture.value("Q").x == 11);
+    QTRY_COMPARE(field->text(), QString("11"));
+  }
+
+  void number_thatIsNone_isRefusedWithASentence_andTheSessionStays_data() {
+    QTest::addColumn<QString>("text");
+    for (const char *text : {"nan", "inf", "", "1/0", "abc", "1e999", "99999999999999999999"})
+      QTest::newRow(*text ? text : "empty") << text;
+  }
+
+  void number_thatIsNone_isRefusedWithASentence_andTheSessionStays() {
+    QFETCH(QString, text);
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QSignalSpy refused(field, &NumberField::refused);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(refused.count() > 0);
+    QVERIFY(!refused.last().first().toString().isEmpty());
+    QVERIFY(fixture.model().session() == before);
+  }
+
+  void number_scrubbed_movesBySteps_asOneUndoStep() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
+    for (int x = 20; x <= 60; x += 8) {
+      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton, Qt::LeftButton, {});
+      QCoreApplication::sendEvent(field, &move);
+    }
+    QTest::mouseRelease(field, Qt::LeftButton, {}, {60, 8});
+    QVERIFY(fixture.value("Q").x == 16);
+    QCOMPARE(fixture.model().history().count(), 1);
+  }
+
+  void zeroNormal_typed_isExplained_andEndsWithTheNextNumber() {
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    Inspector *inspector = fixture.window.findChild<Inspector *>();
+    for (int axis = 0; axis < 3; ++axis)
+      typeInto(*inspector->field("E.n", axis), "0");
+    QCOMPARE(fixture.model().outcome().caseName, std::string("zero-normal"));
+    QVERIFY(fixture.model().outcome().degenerate);
+    QTRY_VERIFY(inspector->field("E.n", 2));
+    typeInto(*inspector->field("E.n", 2), "1");
+    QCOMPARE(fixture.model().outcome().caseName, std::string("plane"));
+  }
+
+  void pointer_overAMark_lightsUpItsTerms() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(1);
+    QSignalSpy hovered(&fixture.scene(), &SceneView::markHovered);
+    QTest::mouseMove(&fixture.scene(), *fixture.scene().handlePosition("Q"));
+    QTRY_VERIFY(hovered.count() > 0);
+    QCOMPARE(hovered.last().first().toString(), QString("Q"));
+  }
+
+  void session_savedAndOpened_isTheSame() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.scene().selectHandle("Q");
+    QTest::keyClick(&fixture.scene(), Qt::Key_PageUp, Qt::ShiftModifier);
+    const Session mine = fixture.model().session();
+    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(!fixture.window.isWindowModified());
+    fixture.model().openLesson("plane-implicit");
+    fixture.window.openFile(file);
+    QVERIFY(fixture.model().session() == mine);
+  }
+
+  void damagedFile_opened_isRefusedWithASentence_andTheSessionStays() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("damaged.halfspace");
+    QFile out(file);
+    QVERIFY(out.open(QIODevice::WriteOnly));
+    out.write("{\"format\":\"halfspace\",\"version\":1,\"lesson\":");
+    out.close();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const MessageBoxReader reader;
+    fixture.window.openFile(file);
+    QVERIFY(reader.text.contains("damaged.halfspace"));
+    QVERIFY(fixture.model().session() == before);
+  }
+
+  void unwritablePlace_savedTo_isRefusedWithASentence() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const MessageBoxReader reader;
+    QVERIFY(!fixture.window.saveTo("/nowhere/at/all.halfspace"));
+    QVERIFY(reader.text.contains("could not be saved"));
+  }
+
+  void picture_savedAndCopied_isTwiceAsFineAsTheScreen() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("scene.png");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.savePicture(file));
+    const QImage picture(file);
+    QCOMPARE(picture.width(), fixture.scene().pixelSize().width * 2);
+    fixture.window.copyPicture();
+    QCOMPARE(QApplication::clipboard()->image().size(), picture.size());
+    // The live view still draws after the other context was current.
+    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    fixture.scene().selectHandle("Q");
+    QTRY_VERIFY(drawn.count() > 0);
+  }
+
+  void everyTheme_chosen_drawsTheSceneInItsColours() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    for (const Theme &theme : themes()) {
+      fixture.window.setThemeNamed(QString::fromStdString(theme.name));
+      const auto cornerIs = [&] {
+        const QColor corner = fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().pixelSize().height - 3);
+        return std::abs(corner.red() - theme.backgroundBottom.red) < 8 &&
+               std::abs(corner.blue() - theme.backgroundBottom.blue) < 8;
+      };
+      QTRY_VERIFY2(cornerIs(), theme.name.c_str());
+    }
+  }
+
+  void drag_withManyMoves_drawsAtMostOneFrameAnEvaluation() {
+    WindowFixture fixture("ray-triangle-perp");
+    QVERIFY(fixture.ready);
+    QTest::qWait(400); // until labels have come and the view is at rest
+    QSignalSpy evaluated(&fixture.model(), &SessionModel::outcomeChanged);
+    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    const QPoint from = *fixture.scene().handlePosition("T.P1");
+    fixture.press(from);
+    for (int i = 1; i <= 200; ++i) {
+      const QPoint at = from + QPoint(i / 2, i / 4);
+      QMouseEvent move(QEvent::MouseMove, at, fixture.scene().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QCoreApplication::sendEvent(&fixture.scene(), &move);
+    }
+    // None of the moves has waited for a frame; the next frame takes up the last of them.
+    QVERIFY(evaluated.count() <= 1);
+    QTRY_VERIFY(drawn.count() > 0);
+    QVERIFY(evaluated.count() <= drawn.count());
+    const auto reached = fixture.scene().handlePosition("T.P1");
+    QVERIFY(reached);
+    fixture.release();
+    QVERIFY((*fixture.scene().handlePosition("T.P1") - (from + QPoint(100, 50))).manhattanLength() < 60);
+    QCOMPARE(fixture.model().history().count(), 1);
+  }
+};
+
+QTEST_MAIN(WindowTest)
+#include "window_test.moc"
