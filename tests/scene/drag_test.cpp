@@ -67,9 +67,9 @@ TEST(Drag, GrabbedOffItsMiddleDoesNotJump) {
 }
 
 TEST(Drag, InAPlaneSeenEdgeOnIsRefused) {
-  EXPECT_FALSE(isGrabbable(inHorizontalPlane(), lookingDown(leastGrabAngle - 0.01), start));
+  EXPECT_FALSE(isGrabbable(inHorizontalPlane(), lookingDown(leastPlaneGrabAngle - 0.01), start));
   EXPECT_FALSE(dragTo(inHorizontalPlane(), lookingDown(0.1), start + Place(0, 1, 0)));
-  EXPECT_TRUE(isGrabbable(inHorizontalPlane(), lookingDown(leastGrabAngle + 0.01), start));
+  EXPECT_TRUE(isGrabbable(inHorizontalPlane(), lookingDown(leastPlaneGrabAngle + 0.01), start));
 }
 
 TEST(Drag, AlongALineThatPointsAtTheEyeIsRefused) {
