@@ -31,7 +31,10 @@ struct ValueMarkdown {
   std::string operator()(const std::vector<NamedValue> &) const { return std::string(noValue); }
 
 private:
-  static std::string inLatex(const std::string &latex, bool exact) {
+  /// Among words fractions stay small.
+  static std::string inLatex(std::string latex, bool exact) {
+    for (auto at = latex.find("\\frac"); at != std::string::npos; at = latex.find("\\frac", at))
+      latex.insert(at + 1, "t");
     return "$" + (exact ? latex : "\\approx " + latex) + "$";
   }
 };

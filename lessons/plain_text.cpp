@@ -85,14 +85,25 @@ std::string inSmall(const std::array<Replacement, size> &table, std::string_view
   return small;
 }
 
-/// Whether a text may stand beside a slash or under a root without parentheses.
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// Whether the text is one pair of parentheses with nothing behind it, as the arguments in `f(Q)`.
+bool isOneGroup(std::string_view text) {
+  return text.size() > 2 && text.front() == '(' && text.find(')') == text.size() - 1;
+}
+
+/// Whether a text may stand beside a slash or under a root without parentheses: a number, a name, f(Q), |n|.
 bool standsAlone(std::string_view text) {
+  if (text.size() > 2 && text.front() == '|' && text.find('|', 1) == text.size() - 1)
+    return true;
+  const auto open = text.find('(');
+  if (open != std::string_view::npos && isOneGroup(text.substr(open)))
+    text = text.substr(0, open);
   constexpr std::array<std::string_view, 6> breaks{" ", "·", "×", "/", "(", "√"};
-  const bool lengthOfOne = text.size() > 2 && text.front() == '|' && text.back() == '|' &&
-                           text.substr(1, text.size() - 2).find('|') == std::string_view::npos;
-  return lengthOfOne || std::none_of(breaks.begin(), breaks.end(), [text](std::string_view each) {
-           return text.find(each) != std::string_view::npos;
-         });
+  return std::none_of(breaks.begin(), breaks.end(),
+                      [text](std::string_view each) { return contains(text, each); });
 }
 
 std::string parenthesized(const std::string &text) { return standsAlone(text) ? text : "(" + text + ")"; }
@@ -193,10 +204,31 @@ private:
     }
   }
 
+  /// a/b; in parentheses where a factor follows, because 1/3x would be read as 1/(3x).
   void fraction() {
-    std::string top = converted(argument());
-    const std::string bottom = converted(argument());
-    m_text += parenthesized(top) + "/" + parenthesized(bottom);
+    const std::string top = parenthesized(converted(argument()));
+    std::string bottom = parenthesized(converted(argument()));
+    if (bottom.starts_with("−"))
+      bottom = "(" + bottom + ")";
+    const std::string quotient = top + "/" + bottom;
+    m_text += factorFollows() ? "(" + quotient + ")" : quotient;
+  }
+
+  /// Whether what comes next is multiplied with what stands here, without a sign between them.
+  [[nodiscard]] bool factorFollows() const {
+    std::string_view rest = m_rest;
+    while (rest.starts_with(' ') || rest.starts_with("\\,"))
+      rest.remove_prefix(rest.front() == ' ' ? 1 : 2);
+    if (rest.empty())
+      return false;
+    if (rest.front() != '\\')
+      return isLetter(rest.front()) || (rest.front() >= '0' && rest.front() <= '9') || rest.front() == '(' ||
+             rest.front() == '{';
+    constexpr std::array<std::string_view, 8> factors{"\\vec",  "\\sqrt",  "\\left", "\\bigl",
+                                                      "\\mark", "\\lvert", "\\frac", "\\tfrac"};
+    // `\left` also begins `\leftarrow`, which this program does not write.
+    return std::any_of(factors.begin(), factors.end(),
+                       [rest](std::string_view each) { return rest.starts_with(each); });
   }
 
   std::string_view takeCommandName() {

@@ -15,7 +15,7 @@ std::string filled(const std::string &markdown) {
 TEST(LiveValues, OfNumbersVectorsAndWords_StandInThePlaceOfTheirNames) {
   EXPECT_EQ(filled("f is {f}."), "f is $30$.");
   EXPECT_EQ(filled("{side}: {case}"), "positive: positive");
-  EXPECT_EQ(filled("{foot.z}"), "$\\frac{4}{3}$");
+  EXPECT_EQ(filled("{foot.z}"), "$\\tfrac{4}{3}$");
 }
 
 TEST(LiveValues, OfCoordinates_GoByShortAndFullNames) {

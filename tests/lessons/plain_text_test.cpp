@@ -18,9 +18,17 @@ TEST(PlainText, OfSigns_TellsMinusFromNegative) {
 TEST(PlainText, OfRootsAndLengths_KeepsTheirParentheses) {
   EXPECT_EQ(plainText("\\sqrt{3}"), "√3");
   EXPECT_EQ(plainText("\\sqrt{n\\cdot n}"), "√(n·n)");
-  EXPECT_EQ(plainText("\\frac{f(Q)}{\\lvert\\vec n\\rvert}"), "(f(Q))/|n|");
-  EXPECT_EQ(plainText("\\frac{1}{3}\\sqrt{3}"), "1/3√3");
+  EXPECT_EQ(plainText("\\frac{f(Q)}{\\lvert\\vec n\\rvert}"), "f(Q)/|n|");
+  EXPECT_EQ(plainText("\\frac{1}{3}\\sqrt{3}"), "(1/3)√3");
   EXPECT_EQ(plainText("\\lVert w \\rVert"), "‖w‖");
+}
+
+TEST(PlainText, OfAFractionThatIsAFactor_CannotBeReadOtherwise) {
+  EXPECT_EQ(plainText("\\frac{1}{3}x + \\tfrac{2}{3}y - \\frac{30}{9}\\left(1,\\,2,\\,2\\right)"),
+            "(1/3)x + (2/3)y − (30/9)(1, 2, 2)");
+  EXPECT_EQ(plainText("\\frac{f(Q)}{\\vec n\\cdot\\vec n}\\,\\vec n"), "(f(Q)/(n·n)) n");
+  EXPECT_EQ(plainText("\\frac{-840}{-560} = \\frac{3}{2}"), "−840/(−560) = 3/2");
+  EXPECT_EQ(plainText("\\frac{(a)(b) - (c)(d)}{D}"), "((a)(b) − (c)(d))/D");
 }
 
 TEST(PlainText, OfScripts_RaisesAndLowers) {
