@@ -22,6 +22,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QSaveFile>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -46,7 +47,7 @@ MainWindow::MainWindow(LessonLibrary library)
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
   createMenus();
-  resize(usualWidth, usualHeight);
+  resize(QSize(usualWidth, usualHeight).boundedTo(screen()->availableSize()));
 
   m_panelTimer.setSingleShot(true);
   connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
@@ -127,7 +128,9 @@ void MainWindow::createPanels() {
   });
   connect(m_lessonPanel, &LessonPanel::stepRequested, this, [this](int step) { m_model.setStep(step); });
   connect(m_lessonPanel, &LessonPanel::predictionChosen, this, [this](const QString &word) {
+    // Judged now: the learner may drag on afterwards.
     progress().chosen = word.toStdString();
+    progress().right = rightAnswer(*currentStep()->prediction);
     showOutcome();
   });
 
@@ -156,26 +159,30 @@ MainWindow::StepProgress &MainWindow::progress() {
   return m_progress[{m_model.session().lesson, m_model.session().step}];
 }
 
+bool MainWindow::isPredicting() {
+  const LessonStep *step = currentStep();
+  return step && step->prediction && !progress().chosen;
+}
+
 void MainWindow::showLesson() {
   for (int row = 0; row < m_lessonList->count(); ++row)
     if (m_lessonList->item(row)->data(Qt::UserRole).toString().toStdString() == m_model.session().lesson)
       m_lessonList->setCurrentRow(row);
   m_lessonPanel->setLesson(m_model.lesson());
   m_lessonPanel->setStep(m_model.session().step);
+  m_lessonPanel->parentWidget()->setWindowTitle(QString::fromStdString(m_model.lesson().title));
   updateTitle();
 }
 
 void MainWindow::showOutcome() {
   const Outcome &shown = m_model.shownOutcome();
-  const LessonStep *step = currentStep();
-  const bool predicting = step && step->prediction && !progress().chosen;
   m_working->setWorking(shown.working);
   std::set<std::string> blanked;
-  if (predicting)
+  if (isPredicting())
     for (const WorkingLine &line : shown.working.lines)
       blanked.insert(line.id);
   m_working->setBlanked(std::move(blanked));
-  m_inspector->setResultsHidden(predicting);
+  m_inspector->setResultsHidden(isPredicting());
   m_inspector->showSession();
   showStepWords();
   showCase();
@@ -194,7 +201,7 @@ void MainWindow::showStepWords() {
       QString::fromStdString(withLiveValues(step->markdown, m_model.session().scene, outcome)));
   m_lessonPanel->setTasksDone(done.tasksDone);
   if (step->prediction)
-    m_lessonPanel->setPredictionAnswer(done.chosen, rightAnswer(*step->prediction));
+    m_lessonPanel->setPredictionAnswer(done.chosen, done.right);
 }
 
 std::string MainWindow::rightAnswer(const Prediction &prediction) const {
@@ -205,14 +212,14 @@ std::string MainWindow::rightAnswer(const Prediction &prediction) const {
 }
 
 void MainWindow::showCase() {
-  const LessonStep *step = currentStep();
-  const bool predicting = step && step->prediction && !progress().chosen;
   const Outcome &outcome = m_model.outcome();
-  m_caseLabel->setText(predicting
+  m_caseLabel->setText(isPredicting()
                            ? tr("Answer the question below first: the numbers are hidden until you do.")
                            : QString::fromStdString(outcome.description));
-  m_caseLabel->setProperty("degenerate", outcome.degenerate);
-  repolish(*m_caseLabel);
+  if (m_caseLabel->property("degenerate") != outcome.degenerate) {
+    m_caseLabel->setProperty("degenerate", outcome.degenerate);
+    repolish(*m_caseLabel);
+  }
   m_scene->setAccessibleDescription(m_caseLabel->text());
 }
 

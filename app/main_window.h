@@ -52,6 +52,7 @@ private:
   /// What a learner has done in one step of a lesson.
   struct StepProgress {
     std::optional<std::string> chosen; ///< the answer to the step's question
+    std::string right;                 ///< what was right when it was given
     std::vector<bool> tasksDone;
   };
 
@@ -75,6 +76,8 @@ private:
   void complain(const QString &sentence);
   [[nodiscard]] StepProgress &progress();
   [[nodiscard]] const LessonStep *currentStep() const;
+  /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
+  [[nodiscard]] bool isPredicting();
   [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
   bool askToKeepChanges();
   bool save();

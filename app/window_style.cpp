@@ -42,17 +42,23 @@ QString styleSheetOf(const Theme &theme) {
   const auto name = [](Color color) { return toQColor(color).name(); };
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
-    QDockWidget::title { padding: 7px 12px 3px 12px; color: %2; background: %3; }
+    QDockWidget::title { padding: 4px 12px 2px 12px; color: %2; background: %3; }
     QMenuBar { background: %3; padding: 1px 4px; }
     QStatusBar { background: %3; color: %2; }
     QLabel#case { background: %3; padding: 8px 14px; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
     QListWidget#lessonList { border: none; background: %3; padding: 2px 6px; outline: none; }
-    QListWidget#lessonList::item { padding: 6px 8px; border-radius: 5px; }
+    QListWidget#lessonList::item { padding: 5px 6px; border-radius: 5px; }
+    QLabel#heading { color: %2; }
+    QLabel#decimal { color: %2; }
+    QLabel#complaint { color: %4; }
+    QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 2px 5px; }
+    QLineEdit:focus { border-color: %7; }
+    QLineEdit[wrong="true"] { border-color: %4; color: %4; }
     QListWidget#lessonList::item:selected { background: %5; color: %6; }
   )")
       .arg(name(theme.border), name(theme.mutedInk), name(theme.panel), name(theme.warning),
-           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink));
+           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink), name(theme.accent));
 }
 
 } // namespace

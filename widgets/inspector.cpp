@@ -53,13 +53,16 @@ std::string valueLatex(const Value &value) {
   return {};
 }
 
-/// A single number's decimal, where its exact form is no decimal already.
+/// A single number's decimal beside its exact form: after = only where the decimal is exact too.
 QString decimalOf(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
   if (!number || !show(*number).exact ||
       (number->isRational() && mp::denominator(number->rationalPart()) == 1))
     return {};
-  return "≈ " + QString::fromStdString(roundedText(toDouble(*number)));
+  const std::string decimal = roundedText(toDouble(*number));
+  const auto same = parseRational(decimal);
+  const bool exact = same && Surd(*same) == *number;
+  return (exact ? "= " : "≈ ") + QString::fromStdString(decimal);
 }
 
 QLabel *heading(const QString &text) {

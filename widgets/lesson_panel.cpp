@@ -74,9 +74,7 @@ LessonPanel::LessonPanel(Typesetter &typesetter, QWidget *parent)
 LessonPanel::~LessonPanel() = default;
 
 void LessonPanel::makeHead(QBoxLayout &layout) {
-  m_lessonTitle = makeTitle(0.95, false);
   m_stepTitle = makeTitle(1.3, true);
-  layout.addWidget(m_lessonTitle);
   layout.addWidget(m_stepTitle);
   layout.addSpacing(4);
 }
@@ -108,7 +106,6 @@ void LessonPanel::setLesson(const Lesson &lesson) {
   for (const LessonStep &step : lesson.steps)
     titles << QString::fromStdString(step.title);
   m_dots->setSteps(titles);
-  m_lessonTitle->setText(QString::fromStdString(lesson.title));
   setStep(0);
 }
 
@@ -171,7 +168,6 @@ void LessonPanel::setTheme(const Theme &theme) {
   QPalette background = palette();
   background.setColor(QPalette::Window, toQColor(theme.panel));
   setPalette(background);
-  setInk(*m_lessonTitle, theme.mutedInk);
   setInk(*m_stepTitle, theme.ink);
   m_words->setInk(toQColor(theme.ink));
   m_dots->setTheme(theme);

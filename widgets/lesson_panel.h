@@ -54,7 +54,6 @@ private:
   Theme m_theme;
   Lesson m_lesson;
   int m_step = 0;
-  QLabel *m_lessonTitle = nullptr;
   QLabel *m_stepTitle = nullptr;
   RichLabel *m_words = nullptr;
   QScrollArea *m_scroll = nullptr;

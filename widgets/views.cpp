@@ -21,12 +21,18 @@ std::optional<Place> normalOf(const Mark &mark) {
 
 std::vector<Place> placesOf(const Figure &figure) {
   std::vector<Place> places;
-  const auto add = [&](const std::vector<Place> &more) { places.insert(places.end(), more.begin(), more.end()); };
+  const auto add = [&](const std::vector<Place> &more) {
+    places.insert(places.end(), more.begin(), more.end());
+  };
   for (const Mark &mark : figure.marks)
     std::visit(Overloaded{[&](const PointMark &point) { add({point.at}); },
-                          [&](const SegmentMark &segment) { add({segment.from, segment.to}); },
+                          [&](const SegmentMark &segment) {
+                            add({segment.from, segment.to});
+                          },
                           [&](const RayMark &ray) { add({ray.origin}); },
-                          [&](const ArrowMark &arrow) { add({arrow.from, arrow.from + arrow.vector}); },
+                          [&](const ArrowMark &arrow) {
+                            add({arrow.from, arrow.from + arrow.vector});
+                          },
                           [&](const PlanePatchMark &patch) { add(cornersOf(patch)); },
                           [&](const PolygonMark &polygon) { add(polygon.corners); },
                           [&](const ArcMark &arc) { add({arc.center}); },

@@ -49,7 +49,9 @@ public:
       for (std::size_t piece = 1; piece < line.pieces.size(); ++piece)
         placePiece(line.pieces[piece]);
     endRow();
-    placeSentence(QString::fromStdString(line.source.sentence));
+    // The sentence may tell what the blank hides.
+    if (!blanked)
+      placeSentence(QString::fromStdString(line.source.sentence));
     m_y += lineMargin * m_em;
     m_placed.box = QRectF(0, top, m_width, m_y - top);
     return std::move(m_placed);

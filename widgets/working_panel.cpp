@@ -37,7 +37,7 @@ QString plainTextOf(const WorkingLine &line, bool blanked) {
   if (!blanked)
     formula += " " + line.numbers + " " + line.result;
   QString text = QString::fromStdString(plainText(formula)).trimmed();
-  if (!line.sentence.empty())
+  if (!blanked && !line.sentence.empty())
     text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
   return text;
 }

@@ -13,6 +13,10 @@ ExactVec3 wayOf(const Handle &handle) {
   return handle.motion == Handle::Motion::AlongNormal ? ExactVec3(handle.axis) : ExactVec3(2, -1, 0);
 }
 
+std::string coordinatesText(const ExactVec3 &v) {
+  return toText(v.x) + "," + toText(v.y) + "," + toText(v.z);
+}
+
 /// The positions of the marks that show an object's coordinates must be where the coordinates are.
 bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
   const Mark *mark = findMark(figure, id);
@@ -57,7 +61,12 @@ private slots:
 
     QCOMPARE(fixture.scene().selectedHandle(), handle->id);
     const Scene &after = fixture.model().session().scene;
-    QVERIFY(*findObject(after, handle->object) == expected);
+    for (std::size_t i = 0; i < coordinatesOf(expected).size(); ++i) {
+      const ExactVec3 &reached = coordinate(*findObject(after, handle->object), i);
+      const ExactVec3 &wanted = coordinate(expected, i);
+      QVERIFY2(reached == wanted,
+               (coordinatesText(reached) + " instead of " + coordinatesText(wanted)).c_str());
+    }
     QCOMPARE(fixture.model().history().count(), 1);
     const auto &specs = coordinatesOf(expected);
     for (std::size_t i = 0; i < specs.size(); ++i)

@@ -103,7 +103,8 @@ private slots:
     NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
     QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
     for (int x = 20; x <= 60; x += 8) {
-      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton, Qt::LeftButton, {});
+      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
+                       Qt::LeftButton, {});
       QCoreApplication::sendEvent(field, &move);
     }
     QTest::mouseRelease(field, Qt::LeftButton, {}, {60, 8});
@@ -195,7 +196,8 @@ private slots:
     for (const Theme &theme : themes()) {
       fixture.window.setThemeNamed(QString::fromStdString(theme.name));
       const auto cornerIs = [&] {
-        const QColor corner = fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().pixelSize().height - 3);
+        const QColor corner =
+            fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().pixelSize().height - 3);
         return std::abs(corner.red() - theme.backgroundBottom.red) < 8 &&
                std::abs(corner.blue() - theme.backgroundBottom.blue) < 8;
       };
@@ -213,7 +215,8 @@ private slots:
     fixture.press(from);
     for (int i = 1; i <= 200; ++i) {
       const QPoint at = from + QPoint(i / 2, i / 4);
-      QMouseEvent move(QEvent::MouseMove, at, fixture.scene().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QMouseEvent move(QEvent::MouseMove, at, fixture.scene().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       {});
       QCoreApplication::sendEvent(&fixture.scene(), &move);
     }
     // None of the moves has waited for a frame; the next frame takes up the last of them.

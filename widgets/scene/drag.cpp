@@ -53,7 +53,8 @@ bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place a
   if (constraint.direction == Place(0))
     return false;
   const Place sight = camera.orthographic ? camera.viewDirection() : glm::normalize(at - camera.eye());
-  return sineOfAngle(constraint, sight) >= std::sin(leastGrabAngle);
+  const bool onLine = constraint.kind == DragConstraint::Kind::Line;
+  return sineOfAngle(constraint, sight) >= std::sin(onLine ? leastGrabAngle : leastPlaneGrabAngle);
 }
 
 std::optional<Place> dragged(const DragConstraint &constraint, const Camera &camera, PixelSize size,

@@ -21,9 +21,12 @@ struct DragConstraint {
 [[nodiscard]] inline DragConstraint alongVertical() { return alongLine({0, 0, 1}); }
 [[nodiscard]] inline DragConstraint inScreenPlane() { return {}; }
 
-/// Nearer than this (15°) to the eye's direction a line cannot be grabbed, and a plane when it is seen this
-/// edge-on: there a pixel would throw an object across the room.
+/// Nearer than this (15°) to the eye's direction a line cannot be grabbed: there a pixel would throw an
+/// object across the room.
 inline constexpr double leastGrabAngle = 0.2617993877991494;
+/// A plane cannot be grabbed when it is seen this edge-on (9°). Less than for lines: high points of a scene
+/// are always seen flat, and shall still move in x and y.
+inline constexpr double leastPlaneGrabAngle = 0.15707963267948966;
 /// While a drag goes on the sight may come this near (4°) to the line's direction or the plane: a place just
 /// short of the horizon can still be reached, the horizon cannot.
 inline constexpr double leastSightAngle = 0.0698131700797732;

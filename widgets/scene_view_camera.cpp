@@ -1,0 +1,89 @@
+// The scene view's camera.
+#include "widgets/scene_view.h"
+#include "widgets/views.h"
+
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr int glideTime = 350; // milliseconds
+constexpr double radiansPerPixel = 0.008;
+constexpr double zoomPerWheelStep = 0.88;
+
+} // namespace
+
+void SceneView::moveCamera(const QPointF &position) {
+  const QPointF moved = position - m_lastPointer;
+  m_lastPointer = position;
+  m_atHome = false;
+  if (m_gesture == Gesture::Turn)
+    m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
+  else
+    m_camera.pan(glm::dvec2(moved.x(), moved.y()) * devicePixelRatioF(), pixelSize());
+  startMoving();
+  updateContent();
+}
+
+void SceneView::wheelEvent(QWheelEvent *event) {
+  m_glide.stop();
+  m_atHome = false;
+  const double steps = event->angleDelta().y() / 120.0;
+  m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
+  startMoving();
+  updateContent();
+  event->accept();
+}
+
+void SceneView::glideTo(const Camera &camera) {
+  m_glide.stop();
+  m_atHome = false;
+  if (!m_motion || !isVisible()) {
+    m_camera = camera;
+    return updateContent();
+  }
+  const Camera from = m_camera;
+  m_glide.disconnect(this);
+  m_glide.setStartValue(0.0);
+  m_glide.setEndValue(1.0);
+  m_glide.setDuration(glideTime);
+  m_glide.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&m_glide, &QVariantAnimation::valueChanged, this, [this, from, camera](const QVariant &value) {
+    m_camera = between(from, camera, value.toDouble());
+    startMoving();
+    updateContent();
+  });
+  m_glide.start();
+}
+
+void SceneView::goHome() {
+  Camera camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
+  camera.orthographic = m_camera.orthographic;
+  glideTo(camera);
+  m_atHome = true;
+}
+
+void SceneView::resizeEvent(QResizeEvent *event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  // As long as nobody has moved the camera, the figure stays in view at every size.
+  if (m_atHome)
+    m_camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
+  requestFrame();
+}
+
+void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
+
+void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(m_model.outcome().figure, m_camera)); }
+
+void SceneView::lookDownRay() { glideTo(seenDownRay(m_model.session().scene, m_camera)); }
+
+void SceneView::setOrthographic(bool on) {
+  m_camera.orthographic = on;
+  updateContent();
+}
+
+void SceneView::fit() { glideTo(fitted(m_camera, placesOf(m_model.shownOutcome().figure), pixelSize())); }
+
+} // namespace halfspace
