@@ -25,6 +25,12 @@ LessonLibrary openLibrary() {
   return library;
 }
 
+/// What Qt remarks about the surroundings (no XDG_RUNTIME_DIR …) is nothing to somebody who draws a picture.
+void passOverQtRemarks(QtMsgType type, const QMessageLogContext &, const QString &message) {
+  if (type == QtFatalMsg)
+    std::cerr << "halfspace: " << message.toStdString() << "\n";
+}
+
 } // namespace
 
 int fail(const Problem &problem) {
@@ -83,6 +89,7 @@ int runRender(const RenderCommand &command) {
 
   // Fonts and images need an application object of Qt's, but no display.
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler(passOverQtRemarks);
   int argc = 1;
   char name[] = "halfspace";
   char *argv[] = {name, nullptr};

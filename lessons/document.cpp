@@ -32,7 +32,7 @@ const DocumentNode *FieldReader::required(std::string_view key) {
   return node;
 }
 
-std::string FieldReader::text(std::string_view key, std::optional<std::string> fallback) {
+std::string FieldReader::text(std::string_view key, const std::optional<std::string> &fallback) {
   const DocumentNode *node = fallback ? optional(key) : required(key);
   if (!node)
     return fallback.value_or("");

@@ -43,7 +43,8 @@ public:
   [[nodiscard]] const DocumentNode *required(std::string_view key);
   /// A text of at most maxFieldText bytes; `fallback` when it is missing, a problem when there is no
   /// fallback.
-  [[nodiscard]] std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
+  [[nodiscard]] std::string text(std::string_view key,
+                                 const std::optional<std::string> &fallback = std::nullopt);
   /// A whole number between the bounds.
   [[nodiscard]] int integer(std::string_view key, int lowest, int highest,
                             std::optional<int> fallback = std::nullopt);

@@ -342,7 +342,7 @@ std::string withoutMarks(const std::string &latex) {
     const auto close = closingBrace(plain, open + 1);
     std::string content = plain.substr(open + 1, close - open - 1);
     if (wouldSwallow(std::string_view(plain).substr(0, at)))
-      content = "{" + content + "}";
+      content.insert(0, "{").append("}");
     plain.replace(at, std::min(close + 1, plain.size()) - at, content);
   }
   return plain;

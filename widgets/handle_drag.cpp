@@ -17,7 +17,7 @@ constexpr double offsetKnobDistance = 3;
 
 /// A horizontal unit direction in the plane with this normal.
 Place horizontalIn(Place normal) {
-  const Place across = glm::cross(Place(0, 0, 1), normal);
+  const Place across = glm::cross(normal, Place(0, 0, 1));
   const double length = glm::length(across);
   return length == 0 ? Place(1, 0, 0) : across / length;
 }

@@ -62,7 +62,7 @@ QString decimalOf(const Value &value) {
   const std::string decimal = roundedText(toDouble(*number));
   const auto same = parseRational(decimal);
   const bool exact = same && Surd(*same) == *number;
-  return (exact ? "= " : "≈ ") + QString::fromStdString(decimal);
+  return (exact ? "= " : "≈ ") + QString::fromStdString(plainText(decimal));
 }
 
 QLabel *heading(const QString &text) {
