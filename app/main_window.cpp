@@ -27,6 +27,8 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -195,8 +197,10 @@ void MainWindow::showStepWords() {
   const Outcome &outcome = m_model.outcome();
   StepProgress &done = progress();
   done.tasksDone.resize(step->tasks.size(), false);
-  for (std::size_t i = 0; i < step->tasks.size(); ++i)
-    done.tasksDone[i] = done.tasksDone[i] || isDone(step->tasks[i], outcome);
+  // In their order: “bring it back” is done only after it was away.
+  const auto next = std::find(done.tasksDone.begin(), done.tasksDone.end(), false);
+  if (next != done.tasksDone.end())
+    *next = isDone(step->tasks[static_cast<std::size_t>(next - done.tasksDone.begin())], outcome);
   m_lessonPanel->setMarkdown(
       QString::fromStdString(withLiveValues(step->markdown, m_model.session().scene, outcome)));
   m_lessonPanel->setTasksDone(done.tasksDone);

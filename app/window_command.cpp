@@ -30,9 +30,8 @@ constexpr double largestScale = 2.5;
 void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &message) {
   if (type != QtFatalMsg)
     return;
-  std::cerr
-      << "halfspace: The window needs a display, and none could be opened (DISPLAY or WAYLAND_DISPLAY). The "
-         "commands lessons, explain and render work without one.\n";
+  std::cerr << "halfspace: The window needs a display, and none could be opened (DISPLAY or "
+               "WAYLAND_DISPLAY). The commands lessons, explain and render work without one.\n";
   static_cast<void>(message);
   std::_Exit(exitNoDisplay);
 }
@@ -85,10 +84,9 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   if (!subject)
     return fail(subject.problem());
   if (!displayNamed())
-    return fail(
-        {"The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands lessons, "
-         "explain and render work without one.",
-         "", 0, ""});
+    return fail({"The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands "
+                 "lessons, explain and render work without one.",
+                 "", 0, ""});
 
   const bool isFile = namesFile(library, command.subject);
   const Session session = subject->session;

@@ -129,25 +129,19 @@ void MainWindow::createHelpMenu() {
     QMessageBox::information(
         this, tr("Mouse and keys"),
         tr("<p><b>Drag a handle</b> to move it in x and y. <b>Click it once more</b> or hold <b>Shift</b> to "
-           "move it up and "
-           "down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Alt</b> suspends snapping, "
-           "<b>Escape</b> "
-           "takes the drag back.</p>"
-           "<p><b>Arrow keys</b> and <b>Page Up/Down</b> step the selected handle, with Shift a tenth, with "
-           "Ctrl ten "
-           "steps. <b>Tab</b> goes from handle to handle.</p>"
-           "<p><b>Drag beside the handles</b> to turn the view, with the right button to move it; the "
-           "<b>wheel</b> zooms. "
-           "<b>F</b> fits, <b>H</b> goes home, <b>O</b> is orthographic, <b>1</b>–<b>5</b> are views.</p>"
-           "<p><b>Point at a term</b> of the working and its mark lights up in the scene, and the other way "
-           "round.</p>"));
+           "move it up and down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Alt</b> "
+           "suspends snapping, <b>Escape</b> takes the drag back.</p><p><b>Arrow keys</b> and <b>Page "
+           "Up/Down</b> step the selected handle, with Shift a tenth, with Ctrl ten steps. <b>Tab</b> goes "
+           "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
+           "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
+           "orthographic, <b>1</b>–<b>5</b> are views.</p><p><b>Point at a term</b> of the working and its "
+           "mark lights up in the scene, and the other way round.</p>"));
   });
   addItem(menu, tr("&About Halfspace"), {}, this, [this] {
-    QMessageBox::about(
-        this, tr("About Halfspace"),
-        tr("<h3>Halfspace %1</h3><p>Drag planes, points, rays and triangles, and read the exact working "
-           "live.</p>")
-            .arg(QApplication::applicationVersion()));
+    QMessageBox::about(this, tr("About Halfspace"),
+                       tr("<h3>Halfspace %1</h3><p>Drag planes, points, rays and triangles, and read the "
+                          "exact working live.</p>")
+                           .arg(QApplication::applicationVersion()));
   });
 }
 

@@ -20,7 +20,9 @@ enum class Subject { Neutral, Plane, Point, Ray, Triangle, EdgeU, EdgeV, Measure
 
 /// What all marks have.
 struct MarkBase {
-  std::string id; ///< unique in the figure and stable from one evaluation to the next
+  /// Unique in the figure and stable from one evaluation to the next. A mark `a-foot` accompanies the mark `a`: a step
+  /// that shows one shows the other.
+  std::string id;
   Role role = Role::Given;
   Subject subject = Subject::Neutral;
   std::string label; ///< LaTeX written beside the mark; empty for none
@@ -92,6 +94,9 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
 [[nodiscard]] inline MarkBase &baseOf(Mark &mark) {
   return std::visit([](MarkBase &base) -> MarkBase & { return base; }, mark);
 }
+
+/// The id of the mark that a mark accompanies: `a` for `a-foot`; its own for all others.
+[[nodiscard]] inline std::string leadingId(const MarkBase &mark) { return mark.id.substr(0, mark.id.find('-')); }
 
 /// The mark with this id, or null.
 [[nodiscard]] inline const Mark *findMark(const Figure &figure, std::string_view id) {

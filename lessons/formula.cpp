@@ -114,6 +114,12 @@ std::string Formula::factor(const Rational &value) {
   return startsWithMinus(latex) ? "(" + latex + ")" : latex;
 }
 
+std::string Formula::squared(const Rational &value) {
+  const std::string latex = (*this)(value);
+  const bool isPlain = latex.find_first_not_of("0123456789.") == std::string::npos;
+  return (isPlain ? latex : "\\left(" + latex + "\\right)") + "^2";
+}
+
 std::string Formula::addend(const Rational &value) {
   if (value == 0)
     return "";

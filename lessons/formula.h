@@ -39,6 +39,8 @@ public:
   [[nodiscard]] std::string list(const std::vector<Surd> &values);
   /// In parentheses when it is negative: what may stand after an operator.
   [[nodiscard]] std::string factor(const Rational &value);
+  /// 5^2, (-5)^2: in parentheses wherever the exponent would stick to a part of the number only.
+  [[nodiscard]] std::string squared(const Rational &value);
   /// ` + 5`, ` - 5`; nothing for 0.
   [[nodiscard]] std::string addend(const Rational &value);
   /// 3·4 + (−1)·2 + 0·5: a dot product with its numbers put in.

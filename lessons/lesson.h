@@ -114,8 +114,8 @@ struct LessonLibrary {
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
                                          const Outcome &outcome);
 
-/// The outcome as a step shows it: only the step's lines, and of the figure only the given marks and those
-/// that these lines name.
+/// The outcome as a step shows it: only the step's lines, and of the figure only the given marks, those that
+/// these lines name, and what accompanies them.
 [[nodiscard]] Outcome shownIn(const LessonStep &step, Outcome outcome);
 
 } // namespace halfspace

@@ -88,7 +88,7 @@ Outcome shownIn(const LessonStep &step, Outcome outcome) {
     for (const std::string &id : marksNamedIn(line.symbols + line.numbers + line.result))
       named.insert(id);
   std::erase_if(outcome.figure.marks, [&](const Mark &mark) {
-    return baseOf(mark).role != Role::Given && !named.contains(baseOf(mark).id);
+    return baseOf(mark).role != Role::Given && !named.contains(leadingId(baseOf(mark)));
   });
   return outcome;
 }

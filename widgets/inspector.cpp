@@ -68,6 +68,7 @@ QString decimalOf(const Value &value) {
 QLabel *heading(const QString &text) {
   auto *label = new QLabel(text);
   label->setObjectName("heading");
+  label->setWordWrap(true);
   return label;
 }
 

@@ -53,7 +53,7 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
   setCursor(Qt::SizeHorCursor);
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
-  setMinimumWidth(fontMetrics().horizontalAdvance("-00.000") + 12);
+  setMinimumWidth(fontMetrics().horizontalAdvance("-00.00") + 12);
   connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
   showValue();
 }

@@ -97,8 +97,7 @@ std::string expanded(Formula &f, const PlaneObject &plane) {
 WorkingLine implicitLine() {
   return {"implicit", "0 = " + n + "\\cdot(P - " + P0 + ")", "", "",
           words("A vector from P₀ to another point of the plane is perpendicular to n. So P lies in the "
-                "plane exactly "
-                "when this dot product is zero.")};
+                "plane exactly when this dot product is zero.")};
 }
 
 WorkingLine insertLine(const In &in) {
@@ -138,8 +137,7 @@ WorkingLine constantLine(const In &in, const Out &out) {
   Formula g;
   return {"constant", n + "\\cdot " + P1, f.equals(products), g.equals(g(out.otherConstant)),
           words("P₁ = {point} is another point of the plane. It gives the same number as P₀, so the constant "
-                "does not "
-                "depend on the point you start from.",
+                "does not depend on the point you start from.",
                 {{"point", plainText(Formula()(out.otherPoint))}})};
 }
 
@@ -153,8 +151,7 @@ WorkingLine normalizedLine(const Out &out) {
   return {"normalized", "0", f.equals(divided), g.equals(normalized),
           unit ? words("|n| is 1: the equation is normalized already, so its left side gives distances.")
                : words("Divided by the length of the normal, {length}: the normalized form. The plane is the "
-                       "same, and "
-                       "the left side now gives distances.",
+                       "same, and the left side now gives distances.",
                        {{"length", equation("|n|", out.length)}})};
 }
 
@@ -183,10 +180,10 @@ Figure draw(const In &in, const Out &out) {
             out.zeroNormal ? std::vector<Place>{} : std::vector<Place>{other});
   if (out.zeroNormal)
     return figure;
-  figure.marks.push_back(SegmentMark{{"P0P1", Role::Helper, Subject::Neutral, ""}, point, other});
+  figure.marks.push_back(SegmentMark{{"P1-way", Role::Helper, Subject::Neutral, ""}, point, other});
   figure.marks.push_back(PointMark{{"P1", Role::Derived, Subject::Plane, "P_1"}, other});
   figure.marks.push_back(
-      RightAngleMark{{"perpendicular", Role::Helper, Subject::Neutral, ""}, point, normal, other - point});
+      RightAngleMark{{"P1-angle", Role::Helper, Subject::Neutral, ""}, point, normal, other - point});
   figure.marks.push_back(ArrowMark{{"kn", Role::Ghost, Subject::Plane, "2\\vec n"}, point + normal, normal});
   return figure;
 }

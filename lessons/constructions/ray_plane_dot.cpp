@@ -172,7 +172,7 @@ Figure draw(const In &in, const Out &out) {
   if (!crosses)
     return figure;
   if (!hit)
-    figure.marks.push_back(SegmentMark{{"backward", Role::Ghost, Subject::Ray, ""}, q, meeting});
+    figure.marks.push_back(SegmentMark{{"H-backward", Role::Ghost, Subject::Ray, ""}, q, meeting});
   figure.marks.push_back(PointMark{{"H", hit ? Role::Result : Role::Ghost, Subject::Ray, "H"}, meeting});
   const auto &unit = out.meet.facingNormal;
   figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_{f}"},

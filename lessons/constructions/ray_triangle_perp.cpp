@@ -99,12 +99,10 @@ CaseWords tell(const In &in, const Out &out) {
   case RayTriangleCase::Collinear:
     break;
   }
-  return {
-      "collinear",
-      words(
-          "P₀, P₁ and P₂ lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and there is no "
-          "triangle to hit."),
-      true};
+  return {"collinear",
+          words("P₀, P₁ and P₂ lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and there "
+                "is no triangle to hit."),
+          true};
 }
 
 const std::string Q = marked("Q", "Q");
@@ -220,7 +218,7 @@ WorkingLine denominatorLine(const Out &out) {
   const auto &perps = out.meet.perps;
   Formula f;
   const std::string inserted =
-      f.equals(f.factor(perps.uv) + "^2 - " + f.factor(perps.uu) + "\\cdot " + f.factor(perps.vv));
+      f.equals(f.squared(perps.uv) + " - " + f.factor(perps.uu) + "\\cdot " + f.factor(perps.vv));
   Formula g;
   const bool degenerate = perps.denominator == 0;
   return {"denominator",
@@ -267,26 +265,28 @@ WorkingLine placeLine(const Out &out) {
       f(out.meet.s) + ",\\quad t " + f.equals(f(out.meet.tTriangle)) + ",\\quad s + t " + f.equals(sum);
   return {"place", "s", f.equals(values), "",
           words("Inside means s ≥ 0, t ≥ 0 and s + t ≤ 1. Equality in one of them is an edge only while the "
-                "other two "
-                "hold. Here the point is {place}.",
+                "other two hold. Here the point is {place}.",
                 {{"place", placeWords(out.meet.place)}})};
 }
 
 std::vector<WorkingLine> similarLines(const Out &out) {
   Formula fa;
   Formula fb;
-  Formula ft;
+  Formula f;
+  Formula g;
+  const std::string ratio = f.quotient(out.wOnUPerp, out.vOnUPerp);
+  const std::string part = f.equals(ratio + "\\," + v);
+  const std::string reduced = g(out.meet.tTriangle);
+  const std::string whole = g.equals(reduced + "\\," + v);
   const std::string a = marked("a", "a");
   const std::string b = marked("b", "b");
   return {
       {"a", a + " = " + w + "\\cdot " + uPerp, fa.equals(fa(out.wOnUPerp)), "",
        words("What w has of the direction of u⊥.")},
       {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("What v has of it.")},
-      {"similar", "t = \\frac{" + a + "}{" + b + "}", ft.equals(ft.quotient(out.wOnUPerp, out.vOnUPerp)),
-       ft.equals(ft(out.meet.tTriangle)),
+      {"similar", marked("tv", "t\\,\\vec v") + " = \\frac{" + a + "}{" + b + "}\\," + v, part, whole,
        words("Two right triangles at P₀ have the same shape, so t·v is to v as a is to b. The length of u⊥ "
-             "stands "
-             "in both and cancels.")}};
+             "stands in both and cancels.")}};
 }
 
 std::vector<WorkingLine> crossingLines(const In &in, const Out &out) {
@@ -313,8 +313,7 @@ std::vector<WorkingLine> crossingLines(const In &in, const Out &out) {
                     "\\cdot " + v + ")}{D}",
                 perps.uv, meet.wu, perps.uu, meet.wv, perps.denominator, meet.tTriangle,
                 words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
-                      "triangle; the "
-                      "ray's own parameter is λ.")),
+                      "triangle; the ray's own parameter is λ.")),
       placeLine(out)};
   for (WorkingLine &line : similarLines(out))
     lines.push_back(std::move(line));
@@ -384,7 +383,7 @@ void drawSimilarTriangles(Figure &figure, const In &in, const Out &out) {
   const Place b = place(out.footB);
   const Place point = place(out.meet.plane.point);
   figure.marks.push_back(SegmentMark{{"tv", Role::Derived, Subject::EdgeV, "t\\vec v"}, p0, tv});
-  figure.marks.push_back(SegmentMark{{"su", Role::Helper, Subject::EdgeU, ""}, tv, point});
+  figure.marks.push_back(SegmentMark{{"tv-su", Role::Helper, Subject::EdgeU, ""}, tv, point});
   figure.marks.push_back(SegmentMark{{"a-foot", Role::Helper, Subject::Measure, ""}, point, a});
   figure.marks.push_back(SegmentMark{{"b-foot", Role::Helper, Subject::Measure, ""}, p2, b});
   figure.marks.push_back(PointMark{{"a", Role::Derived, Subject::Measure, "a"}, a});
@@ -408,7 +407,7 @@ Figure draw(const In &in, const Out &out) {
     return figure;
   if (!ahead)
     figure.marks.push_back(
-        SegmentMark{{"backward", Role::Ghost, Subject::Ray, ""}, place(in.L.origin), point});
+        SegmentMark{{"I-backward", Role::Ghost, Subject::Ray, ""}, place(in.L.origin), point});
   figure.marks.push_back(
       ArrowMark{{"w", Role::Derived, Subject::Neutral, "\\vec w"}, place(in.T.p0), place(out.meet.w)});
   drawSimilarTriangles(figure, in, out);

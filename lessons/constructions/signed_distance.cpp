@@ -190,7 +190,7 @@ Figure draw(const In &in, const Out &out) {
   figure.marks.push_back(
       SegmentMark{{"distance", Role::Result, Subject::Measure, "d " + f.equals(distance)}, foot, q});
   figure.marks.push_back(
-      RightAngleMark{{"perpendicular", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
+      RightAngleMark{{"F-angle", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
   return figure;
 }
 
