@@ -1,0 +1,378 @@
+// From a move of the mouse to the drawn frame, in the real window, for every lesson: each move is also drawn
+// by bare VTK, one after the other, so that what else the machine does slows both alike. Takes the number of
+// moves and, if only one is wanted, a lesson.
+#include "tests/app/window_fixture.h"
+#include "tests/bench/durations.h"
+#include "tests/bench/figure_to_bare.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QApplication>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace halfspace;
+using namespace halfspace::bench;
+
+namespace {
+
+constexpr int usualMoves = 300;
+constexpr int burstMoves = 100;
+constexpr int movesPerBurst = 10;
+constexpr int patience = 10000; // milliseconds
+constexpr double offPath = 60;  ///< how far the drag wanders off its straight way, in pixels
+constexpr int panelInterval = 30;
+
+constexpr double shareGoal = 1;    ///< milliseconds
+constexpr double frameGoal = 1.10; ///< times bare VTK
+
+/// Tells how long the panels and the putting together of the window take, apart from the frames.
+class TimedApplication : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  bool notify(QObject *receiver, QEvent *event) override {
+    Durations *durations = durationsFor(receiver, *event);
+    if (!durations || m_isInside)
+      return QApplication::notify(receiver, event);
+    m_isInside = true;
+    const auto start = Clock::now();
+    const bool accepted = QApplication::notify(receiver, event);
+    durations->add(millisecondsSince(start));
+    m_isInside = false;
+    return accepted;
+  }
+
+  QWidget *window = nullptr; ///< whose painting is measured
+  Durations panels;
+  Durations paint;
+
+private:
+  Durations *durationsFor(QObject *receiver, const QEvent &event) {
+    if (event.type() == QEvent::UpdateRequest && receiver == window)
+      return &paint;
+    // Of the window's timers only the panels' has this interval.
+    const auto *timer = event.type() == QEvent::Timer ? qobject_cast<QTimer *>(receiver) : nullptr;
+    return timer && timer->isSingleShot() && timer->interval() == panelInterval ? &panels : nullptr;
+  }
+
+  bool m_isInside = false;
+};
+
+/// Waits until the drawing is done: VTK only orders it.
+void finishDrawing() { QOpenGLContext::currentContext()->functions()->glFinish(); }
+
+/// A window of bare VTK, as large as the view that it is compared with.
+class BareWindow {
+public:
+  explicit BareWindow(const SceneView &view) {
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    m_widget.setRenderWindow(window);
+    window->AddRenderer(m_scene.renderer());
+    window->SetMultiSamples(0); // as the program has it while something moves
+    m_widget.resize(view.size());
+    m_widget.move(view.window()->width(), 0);
+    const Camera &camera = view.camera();
+    m_scene.setCamera({camera.eye(), camera.target, Camera::viewAngle});
+    m_widget.show();
+    static_cast<void>(QTest::qWaitForWindowExposed(&m_widget));
+  }
+  ~BareWindow() {
+    m_widget.makeCurrent();
+    m_widget.renderWindow()->RemoveRenderer(m_scene.renderer());
+  }
+  BareWindow(const BareWindow &) = delete;
+  BareWindow &operator=(const BareWindow &) = delete;
+
+  /// How long it takes to change the picture and to draw it.
+  double draw(const BarePicture &picture) {
+    m_widget.makeCurrent();
+    finishDrawing();
+    const auto start = Clock::now();
+    m_scene.show(picture);
+    if (!m_isFitted)
+      m_scene.fitClippingRange();
+    m_isFitted = true;
+    m_widget.renderWindow()->Render();
+    finishDrawing();
+    const double duration = millisecondsSince(start);
+    QCoreApplication::processEvents();
+    return duration;
+  }
+
+private:
+  BareScene m_scene;
+  QVTKOpenGLNativeWidget m_widget;
+  bool m_isFitted = false;
+};
+
+/// Everything measured of one lesson.
+struct Measured {
+  Durations evaluate, update, render, share, frame, fromMove, bare, ratio, panels, paint, typesetAll,
+      typesetNext;
+  int moves = 0;
+  int frames = 0;
+  int renders = 0;
+  bool isKept = false; ///< whether the handle ended where the pointer did
+};
+
+/// One drag of the first handle of a lesson that can be grabbed.
+class Drag {
+public:
+  Drag(const std::string &lesson, TimedApplication &application)
+      : m_application(application), m_fixture(lesson), m_painter(blockingLabelPainter(m_typesetter)) {
+    showMost();
+    waitForQuiet();
+    m_bare = std::make_unique<BareWindow>(view());
+    m_handle = firstHandle();
+    QObject::connect(&view(), &SceneView::frameDrawn, &view(),
+                     [this](const FrameTimes &times) { take(times); });
+    countRenders();
+    m_application.window = &m_fixture.window;
+  }
+
+  Measured run(int moves) {
+    const QPointF from = m_fixture.pixelOf(shownPlace(m_handle));
+    const ExactVec3 wanted = m_handle.at + wayOf();
+    const QPointF to = from + m_fixture.pixelOf(shownPlace(m_handle) + toDouble(wayOf())) - from;
+    m_fixture.press(from.toPoint());
+    waitForQuiet();
+    // Warm up, then count.
+    m_fixture.model().setSnapStep(Rational(1, 100));
+    for (int i = 0; i < moves / 10; ++i)
+      moveAndDraw(pathAt(from, to, i / (moves / 10.0)));
+    m_measured = {};
+    m_application.panels = m_application.paint = {};
+    for (int i = 0; i < moves; ++i)
+      moveAndDraw(pathAt(from, to, double(i) / moves));
+    m_measured.panels = m_application.panels;
+    m_measured.paint = m_application.paint;
+    burst(from, to);
+    m_fixture.model().setSnapStep(1);
+    move(to);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to.toPoint());
+    waitForQuiet();
+    const Scene &scene = m_fixture.model().session().scene;
+    for (const Handle &handle : handlesOf(scene))
+      if (handle.id == m_handle.id)
+        m_measured.isKept = handle.at == wanted;
+    measureTypesetting();
+    return std::move(m_measured);
+  }
+
+  SceneView &view() { return m_fixture.scene(); }
+  [[nodiscard]] const std::string &handleId() const { return m_handle.id; }
+
+private:
+  /// Goes to the step that shows most.
+  void showMost() {
+    SessionModel &model = m_fixture.model();
+    std::pair<std::size_t, int> most;
+    for (int step = 0; step < static_cast<int>(model.lesson().steps.size()); ++step) {
+      model.setStep(step);
+      most = std::max(most, {model.shownOutcome().figure.marks.size(), step});
+    }
+    model.setStep(most.second);
+  }
+
+  Handle firstHandle() {
+    for (const Handle &handle : handlesOf(m_fixture.model().session().scene))
+      if (handle.motion == Handle::Motion::Coordinate && view().handlePosition(handle.id))
+        return handle;
+    return {};
+  }
+
+  static ExactVec3 wayOf() { return {2, -1, 0}; }
+
+  static QPointF pathAt(QPointF from, QPointF to, double part) {
+    const double angle = 2 * std::acos(-1.0) * part;
+    return from + (to - from) * part + QPointF(offPath * std::sin(3 * angle), offPath * std::sin(2 * angle));
+  }
+
+  void countRenders() {
+    vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(this);
+    count->SetCallback([](vtkObject *, unsigned long, void *drag, void *) {
+      ++static_cast<Drag *>(drag)->m_measured.renders;
+    });
+    view().renderWindow()->GetRenderers()->GetFirstRenderer()->AddObserver(vtkCommand::EndEvent, count);
+  }
+
+  static void waitForQuiet() { QTest::qWait(300); }
+
+  void take(const FrameTimes &times) {
+    const auto drawn = Clock::now();
+    finishDrawing();
+    ++m_measured.frames;
+    if (!m_isTimed)
+      return;
+    m_isTimed = false;
+    const double evaluate = milliseconds(times.evaluate);
+    const double update = milliseconds(times.update);
+    const double render = milliseconds(times.render) + millisecondsSince(drawn);
+    m_measured.evaluate.add(evaluate);
+    m_measured.update.add(update);
+    m_measured.render.add(render);
+    m_measured.share.add(evaluate + update);
+    m_measured.frame.add(evaluate + update + render);
+    m_measured.fromMove.add(millisecondsSince(m_moved));
+  }
+
+  void move(QPointF to) {
+    ++m_measured.moves;
+    QMouseEvent event(QEvent::MouseMove, to, view().mapTo(&m_fixture.window, to.toPoint()),
+                      view().mapToGlobal(to.toPoint()), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&view(), &event);
+  }
+
+  void moveAndDraw(QPointF to) {
+    view().makeCurrent();
+    const std::size_t shownBefore = m_application.paint.all.size();
+    m_isTimed = true;
+    m_moved = Clock::now();
+    move(to);
+    while (m_isTimed && millisecondsSince(m_moved) < patience)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+    while (m_application.paint.all.size() == shownBefore && millisecondsSince(m_moved) < patience)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+    const BarePicture picture =
+        bareOf(content(), themes().front(), {view().camera(), view().pixelSize(), 1}, m_painter);
+    m_measured.bare.add(m_bare->draw(picture));
+    if (!m_measured.frame.all.empty())
+      m_measured.ratio.add(m_measured.frame.all.back() / m_measured.bare.all.back());
+  }
+
+  /// What the view shows of the scene now, with the tools of the handle that is dragged.
+  SceneContent content() {
+    SceneContent content = view().pictureContent();
+    for (const Handle &handle : handlesOf(m_fixture.model().session().scene)) {
+      if (handle.id == m_handle.id) {
+        content.gizmo = Gizmo{shownPlace(handle), Gizmo::Mode::Horizontal, true, {}, {}, {}};
+        content.dropLine = DropLine{toDouble(handle.at)};
+      }
+      if (const auto knob = knobOf(handle, false))
+        content.knobs.push_back(*knob);
+    }
+    return content;
+  }
+
+  /// More moves than frames.
+  void burst(QPointF from, QPointF to) {
+    for (int i = 0; i < burstMoves; ++i) {
+      move(pathAt(from, to, double(i) / burstMoves));
+      if (i % movesPerBurst == 0)
+        QCoreApplication::processEvents();
+    }
+  }
+
+  /// A working with nothing typeset before, and then, as in a drag, with other numbers.
+  void measureTypesetting() {
+    for (int round = 0; round < 3; ++round) {
+      Typesetter typesetter;
+      static_cast<void>(typesetter.pictureNow("x")); // loads what it needs
+      Typesetter::Request request(typesetter);
+      for (const int step : {0, 1, 2}) {
+        const Scene moved = sceneMoved(Rational(step + 3 * round + 1, 100));
+        const double duration = timeTypesetting(request, evaluate(moved).working);
+        (step == 0 ? m_measured.typesetAll : m_measured.typesetNext).add(duration);
+      }
+    }
+  }
+
+  /// The scene with the handle a little off.
+  Scene sceneMoved(const Rational &shift) {
+    const Session &session = m_fixture.model().session();
+    const Object &object = *findObject(session.scene, m_handle.object);
+    return apply(session, {m_handle.object, movedTo(object, m_handle, m_handle.at + ExactVec3(shift, 0, 0))})
+        .scene;
+  }
+
+  static double timeTypesetting(Typesetter::Request &request, const Working &working) {
+    QStringList formulas;
+    for (const WorkingLine &line : working.lines)
+      for (const std::string *piece : {&line.symbols, &line.numbers, &line.result})
+        if (!piece->empty())
+          formulas << QString::fromStdString(*piece);
+    const auto start = Clock::now();
+    request.setWanted(formulas);
+    while (!request.isComplete() && millisecondsSince(start) < patience)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+    return millisecondsSince(start);
+  }
+
+  TimedApplication &m_application;
+  WindowFixture m_fixture;
+  Typesetter m_typesetter;
+  LabelPainter m_painter;
+  std::unique_ptr<BareWindow> m_bare;
+  Handle m_handle;
+  Measured m_measured;
+  bool m_isTimed = false; ///< whether the next frame is measured
+  Clock::time_point m_moved;
+};
+
+void print(const char *what, const Durations &durations) {
+  std::printf("  %-52s %8.2f %8.2f\n", what, durations.median(), durations.quantile(0.95));
+}
+
+void print(const Measured &measured) {
+  std::printf("  %-52s %8s %8s\n", "milliseconds", "median", "95 %");
+  print("evaluate", measured.evaluate);
+  print("update of the scene", measured.update);
+  print("our share: evaluate and update", measured.share);
+  print("render", measured.render);
+  print("whole frame", measured.frame);
+  print("bare VTK, whole frame", measured.bare);
+  print("whole frame / bare VTK, move by move", measured.ratio);
+  print("from the mouse's move to the drawn frame", measured.fromMove);
+  print("panels, when they are brought up to date", measured.panels);
+  print("painting and putting together of the window", measured.paint);
+  print("typesetting a working, all of it (own thread)", measured.typesetAll);
+  print("typesetting a working, new numbers (own thread)", measured.typesetNext);
+  std::printf("  %d moves, %d frames, %d renders\n", measured.moves, measured.frames, measured.renders);
+}
+
+void printGoal(const std::string &goal, double figure, bool isMet) {
+  std::printf("  %-60s %8.2f  %s\n", goal.c_str(), figure, isMet ? "met" : "missed");
+}
+
+void printGoals(const Measured &measured) {
+  const double ratio = measured.frame.median() / measured.bare.median();
+  printGoal("our share at most 1 ms (median)", measured.share.median(), measured.share.median() <= shareGoal);
+  printGoal("whole frame at most 1.10 x bare VTK (medians)", ratio, ratio <= frameGoal);
+  printGoal("drags whose end was lost: 0", measured.isKept ? 0 : 1, measured.isKept);
+  printGoal("renders a frame: 1", double(measured.renders) / measured.frames,
+            measured.renders == measured.frames);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  QStandardPaths::setTestModeEnabled(true);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  TimedApplication application(argc, argv);
+  const int moves = argc > 1 ? std::max(10, std::atoi(argv[1])) : usualMoves;
+  for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons) {
+    if (argc > 2 && lesson.id != argv[2])
+      continue;
+    Drag drag(lesson.id, application);
+    const Measured measured = drag.run(moves);
+    std::printf("\n%s, dragging %s, view of %d x %d pixels\n", lesson.id.c_str(), drag.handleId().c_str(),
+                drag.view().pixelSize().width, drag.view().pixelSize().height);
+    print(measured);
+    printGoals(measured);
+    std::fflush(stdout);
+    application.window = nullptr;
+  }
+}

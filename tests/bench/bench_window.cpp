@@ -1,0 +1,36 @@
+// The program's window, started as the program starts it, until its first frame is drawn: ./bench_start runs
+// it.
+#include "app/main_window.h"
+#include "app/subject.h"
+#include "tests/bench/first_frame.h"
+
+#include <QApplication>
+#include <QStandardPaths>
+
+using namespace halfspace;
+
+int main(int argc, char **argv) {
+  if (argc < 2)
+    return 1;
+  LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
+  const auto subject = openSubject(library, "");
+  if (!subject)
+    return 1;
+  const Session session = subject->session;
+  QStandardPaths::setTestModeEnabled(true);
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  const QApplication application(argc, argv);
+  MainWindow window(std::move(library));
+  window.startWith(session);
+  bool isFirst = true;
+  QObject::connect(&window.sceneView(), &SceneView::frameDrawn, &window, [&] {
+    if (std::exchange(isFirst, false))
+      bench::reportFirstFrame(argv[1]);
+  });
+  window.show();
+  return QApplication::exec();
+}

@@ -1,0 +1,15 @@
+// A lesson's picture for the yardstick.
+#pragma once
+
+#include "tests/bench/bare_scene.h"
+#include "widgets/scene/figure_scene.h"
+#include "widgets/scene/tools_mesh.h"
+
+namespace halfspace::bench {
+
+/// What the content shows, with the same sizes, colours and label pictures, but labels stand right at their
+/// anchors and the tools are simpler.
+[[nodiscard]] BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &view,
+                                 const LabelPainter &painter);
+
+} // namespace halfspace::bench
