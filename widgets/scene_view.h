@@ -31,8 +31,11 @@ public:
   void setTheme(const Theme &theme);
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
-  /// Draws again with the labels that have become ready.
-  void refreshLabels() { requestFrame(); }
+  /// Draws again when labels that were missing have become ready.
+  void refreshLabels() {
+    if (m_scene.labelsPending())
+      requestFrame();
+  }
   /// Whether the camera glides from view to view.
   void setMotion(bool on) { m_motion = on; }
 

@@ -10,8 +10,8 @@
 namespace halfspace {
 namespace {
 
-constexpr std::size_t tubeSides = 20;
-constexpr std::size_t coneSides = 36;
+constexpr std::size_t tubeSides = 12;
+constexpr std::size_t coneSides = 24;
 constexpr std::size_t ballMeridians = 32;
 constexpr std::size_t ballParallels = 18;
 
