@@ -304,15 +304,16 @@ std::size_t closingBrace(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// Whether a piece put behind this LaTeX needs braces of its own: after ^ or _, and after a command that
-/// letters would run into.
-bool wouldSwallow(std::string_view latex) {
-  if (latex.empty())
+/// Whether a piece put behind this LaTeX needs braces of its own: after ^ or _, and letters after a command,
+/// which they would run into.
+bool needsBraces(std::string_view before, std::string_view piece) {
+  if (before.empty() || piece.empty())
     return false;
-  if (latex.back() == '^' || latex.back() == '_')
+  if (before.back() == '^' || before.back() == '_')
     return true;
-  const auto letters = latex.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-  return letters != std::string_view::npos && letters + 1 < latex.size() && latex[letters] == '\\';
+  const auto letters = before.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  return isLetter(piece.front()) && letters != std::string_view::npos && letters + 1 < before.size() &&
+         before[letters] == '\\';
 }
 
 } // namespace
@@ -341,7 +342,7 @@ std::string withoutMarks(const std::string &latex) {
     }
     const auto close = closingBrace(plain, open + 1);
     std::string content = plain.substr(open + 1, close - open - 1);
-    if (wouldSwallow(std::string_view(plain).substr(0, at)))
+    if (needsBraces(std::string_view(plain).substr(0, at), content))
       content.insert(0, "{").append("}");
     plain.replace(at, std::min(close + 1, plain.size()) - at, content);
   }

@@ -60,6 +60,7 @@ TEST(WithoutMarks, LeavesPlainLatex) {
 
 TEST(WithoutMarks, WhereAPieceWouldRunIntoACommand_KeepsItApart) {
   EXPECT_EQ(withoutMarks("\\cdot\\mark{n}{n}^\\mark{k}{2k}"), "\\cdot{n}^{2k}");
+  EXPECT_EQ(withoutMarks("\\cos\\mark{theta}{\\theta}"), "\\cos\\theta");
 }
 
 } // namespace
