@@ -209,9 +209,11 @@ void MainWindow::showStepWords() {
 }
 
 std::string MainWindow::rightAnswer(const Prediction &prediction) const {
-  for (const Prediction::Choice &choice : prediction.choices)
-    if (holds({prediction.value, Condition::Relation::Equal, choice.word}, m_model.outcome()))
-      return choice.word;
+  // Where the learner has changed so much that no choice fits, the question is about the start.
+  for (const Outcome &outcome : {m_model.outcome(), evaluate(m_model.lesson().scene)})
+    for (const Prediction::Choice &choice : prediction.choices)
+      if (holds({prediction.value, Condition::Relation::Equal, choice.word}, outcome))
+        return choice.word;
   return {};
 }
 
