@@ -335,9 +335,17 @@ constexpr double drawnNormalLength = 3;
 /// The perps are drawn a little longer than the farther of the feet on them.
 constexpr double perpBeyondFoot = 1.12;
 
+/// The unit vector of a direction ≠ 0. Its largest coordinate is made 1 first: the squares of a very short
+/// one's doubles would vanish.
+Place unitOf(const ExactVec3 &direction) {
+  const auto size = [](const Rational &x) { return Rational(mp::abs(x)); };
+  const Rational largest = std::max({size(direction.x), size(direction.y), size(direction.z)});
+  return glm::normalize(place(direction * Rational(1 / largest)));
+}
+
 /// The arrow of a direction drawn at another length.
 ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
-  return {std::move(base), from, glm::normalize(place(direction)) * length};
+  return {std::move(base), from, unitOf(direction) * length};
 }
 
 void drawSpan(Figure &figure, const In &in, const Out &out) {
@@ -349,8 +357,8 @@ void drawSpan(Figure &figure, const In &in, const Out &out) {
       PolygonMark{{"T", Role::Given, Subject::Triangle, ""}, {p0, place(in.T.p1), place(in.T.p2)}});
   figure.marks.push_back(
       drawnArrow({"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, perps.normal, drawnNormalLength));
-  const double heightOfV = std::abs(glm::dot(pv, glm::normalize(place(perps.uPerp))));
-  const double heightOfU = std::abs(glm::dot(pu, glm::normalize(place(perps.vPerp))));
+  const double heightOfV = std::abs(glm::dot(pv, unitOf(perps.uPerp)));
+  const double heightOfU = std::abs(glm::dot(pu, unitOf(perps.vPerp)));
   const double reachOfFeet =
       out.meet.crosses() ? std::max(heightOfV, glm::length(place(out.footA) - p0)) : heightOfV;
   figure.marks.push_back(drawnArrow({"uperp", Role::Derived, Subject::EdgeU, "\\vec u^{\\perp}"}, p0,

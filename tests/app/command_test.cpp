@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QImage>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -41,6 +43,10 @@ protected:
 
   fs::path inFolder(const std::string &name) const { return m_folder / name; }
 
+  QImage picture(const std::string &name) const {
+    return QImage(QString::fromStdString(inFolder(name).string()));
+  }
+
   /// `arguments` as a shell reads them; `environment`: NAME=value in front. No display, no home, and no core
   /// file should the program crash.
   Ran run(const std::string &arguments, const std::string &environment = "") const {
@@ -78,28 +84,6 @@ protected:
 private:
   fs::path m_folder;
 };
-
-/// The first facts of a PNG file.
-struct PngHead {
-  unsigned width = 0;
-  unsigned height = 0;
-  bool hasAlpha = false;
-};
-
-PngHead headOf(const fs::path &file) {
-  const std::string bytes = contentOf(file);
-  EXPECT_TRUE(bytes.starts_with("\x89PNG\r\n\x1a\n")) << file;
-  if (bytes.size() < 26)
-    return {};
-  const auto number = [&](std::size_t at) {
-    unsigned value = 0;
-    for (std::size_t i = at; i < at + 4; ++i)
-      value = value << 8U | static_cast<unsigned char>(bytes[i]);
-    return value;
-  };
-  constexpr char trueColourWithAlpha = 6;
-  return {number(16), number(20), bytes[25] == trueColourWithAlpha};
-}
 
 TEST_F(Program, Lessons_ListsIdsAndTitles) {
   const Ran ran = run("lessons");
@@ -287,27 +271,32 @@ TEST_F(Program, ADamagedSessionFile_IsRefusedWithItsPlace) {
   EXPECT_FALSE(fs::exists(inFolder("a.png")));
 }
 
-TEST_F(Program, Render_WritesAPictureOfTheSizeAskedFor) {
+TEST_F(Program, Render_WritesAnOpaquePictureOfTheSizeAskedFor) {
   const Ran ran = run("render signed-distance -o plain.png --size 320x200");
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.out + ran.err, "");
-  const PngHead plain = headOf(inFolder("plain.png"));
-  EXPECT_EQ(plain.width, 320U);
-  EXPECT_EQ(plain.height, 200U);
-  EXPECT_FALSE(plain.hasAlpha);
+  const QImage plain = picture("plain.png");
+  EXPECT_EQ(plain.size(), QSize(320, 200));
+  EXPECT_EQ(plain.pixelColor(0, 0).alpha(), 255);
 }
 
-TEST_F(Program, RenderTransparent_WritesAPictureWithAlpha) {
+TEST_F(Program, RenderTransparent_LeavesTheBackgroundClearAndTheFigureSolid) {
   const Ran ran = run("render ray-triangle-perp -o clear.png --size 160x100 --transparent");
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.out + ran.err, "");
-  EXPECT_TRUE(headOf(inFolder("clear.png")).hasAlpha);
+  const QImage clear = picture("clear.png");
+  EXPECT_EQ(clear.pixelColor(0, 0).alpha(), 0);
+  int most = 0;
+  for (int y = 0; y < clear.height(); ++y)
+    for (int x = 0; x < clear.width(); ++x)
+      most = std::max(most, clear.pixelColor(x, y).alpha());
+  EXPECT_EQ(most, 255);
 }
 
 TEST_F(Program, RenderStep_DrawsLessThanTheWholeFigure) {
   EXPECT_EQ(run("render ray-triangle-perp -o whole.png --size 160x100").status, 0);
   EXPECT_EQ(run("render ray-triangle-perp -o step.png --size 160x100 --step 1").status, 0);
-  EXPECT_EQ(headOf(inFolder("step.png")).width, 160U);
+  EXPECT_EQ(picture("step.png").width(), 160);
   EXPECT_NE(contentOf(inFolder("whole.png")), contentOf(inFolder("step.png")));
 }
 
