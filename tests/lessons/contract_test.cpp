@@ -4,8 +4,6 @@
 #include "recomputed.h"
 
 #include "geometry/surd.h"
-#include "lessons/condition.h"
-#include "lessons/formula.h"
 #include "lessons/lesson.h"
 #include "lessons/session.h"
 
