@@ -185,6 +185,7 @@ void MainWindow::showOutcome() {
       blanked.insert(line.id);
   m_working->setBlanked(std::move(blanked));
   m_inspector->setResultsHidden(isPredicting());
+  m_scene->setNumbersHidden(isPredicting());
   m_inspector->showSession();
   showStepWords();
   showCase();
@@ -193,7 +194,7 @@ void MainWindow::showOutcome() {
 void MainWindow::showStepWords() {
   const LessonStep *step = currentStep();
   if (!step)
-    return;
+    return m_lessonPanel->setMarkdown({});
   const Outcome &outcome = m_model.outcome();
   StepProgress &done = progress();
   done.tasksDone.resize(step->tasks.size(), false);
@@ -267,6 +268,8 @@ void MainWindow::complain(const QString &sentence) { QMessageBox::warning(this, 
 
 void MainWindow::startWith(const Session &session, const QString &file) {
   m_file = file;
+  m_fileLesson = session.lesson;
+  m_restored = false;
   m_model.startWith(session);
   updateTitle();
 }
@@ -277,6 +280,7 @@ void MainWindow::restoreUnsaved() {
     return;
   m_model.startWith(*session);
   m_model.history().resetClean();
+  m_restored = true;
   updateTitle();
   statusBar()->showMessage(tr("Your unsaved work from last time is back."), messageTime);
 }
@@ -294,6 +298,8 @@ bool MainWindow::saveTo(const QString &file) {
     return false;
   }
   m_file = file;
+  m_fileLesson = m_model.session().lesson;
+  m_restored = false;
   m_model.history().setClean();
   m_recovery.forget();
   updateTitle();
@@ -301,17 +307,23 @@ bool MainWindow::saveTo(const QString &file) {
   return true;
 }
 
-bool MainWindow::save() { return m_file.isEmpty() ? saveAs() : saveTo(m_file); }
+bool MainWindow::save() {
+  // A file keeps its lesson: another one that was opened meanwhile asks for a file of its own.
+  const bool belongs = !m_file.isEmpty() && m_model.session().lesson == m_fileLesson;
+  return belongs ? saveTo(m_file) : saveAs();
+}
+
+QString MainWindow::askForFile(const QString &title, const QString &filter, const QString &suffix) {
+  QFileDialog dialog(this, title, {}, filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(QString::fromStdString(m_model.session().lesson) + "." + suffix);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
 
 bool MainWindow::saveAs() {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save session"),
-                                              QString::fromStdString(m_model.session().lesson) + ".halfspace",
-                                              tr("Halfspace sessions (*.halfspace)"));
-  if (file.isEmpty())
-    return false;
-  if (!file.endsWith(".halfspace"))
-    file += ".halfspace";
-  return saveTo(file);
+  const QString file = askForFile(tr("Save session"), tr("Halfspace sessions (*.halfspace)"), "halfspace");
+  return !file.isEmpty() && saveTo(file);
 }
 
 void MainWindow::open() {
@@ -324,7 +336,9 @@ void MainWindow::open() {
 }
 
 bool MainWindow::askToKeepChanges() {
-  if (m_file.isEmpty() || m_model.history().isClean())
+  // A lesson that was only tried out is not worth a question.
+  const bool worthKeeping = !m_file.isEmpty() || m_restored;
+  if (!worthKeeping || m_model.history().isClean())
     return true;
   const auto answer =
       QMessageBox::question(this, tr("Halfspace"), tr("Save your changes to this session first?"),
@@ -366,14 +380,9 @@ bool MainWindow::savePicture(const QString &file) {
 }
 
 void MainWindow::exportPicture() {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save picture"),
-                                              QString::fromStdString(m_model.session().lesson) + ".png",
-                                              tr("PNG pictures (*.png)"));
-  if (file.isEmpty())
-    return;
-  if (!file.endsWith(".png"))
-    file += ".png";
-  savePicture(file);
+  const QString file = askForFile(tr("Save picture"), tr("PNG pictures (*.png)"), "png");
+  if (!file.isEmpty())
+    savePicture(file);
 }
 
 void MainWindow::copyPicture() {

@@ -80,6 +80,7 @@ private:
   [[nodiscard]] bool isPredicting();
   [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
   bool askToKeepChanges();
+  [[nodiscard]] QString askForFile(const QString &title, const QString &filter, const QString &suffix);
   bool save();
   bool saveAs();
   void open();
@@ -97,7 +98,9 @@ private:
   QListWidget *m_lessonList = nullptr;
   QLabel *m_caseLabel = nullptr;
   QActionGroup *m_themeActions = nullptr;
-  QString m_file;
+  QString m_file;           ///< where Save writes; empty: it asks
+  std::string m_fileLesson; ///< the lesson of that file
+  bool m_restored = false;  ///< the session was left behind by an earlier run
   Theme m_theme;
   Recovery m_recovery;
   QTimer

@@ -80,6 +80,8 @@ std::optional<Problem> checkOpenGL() {
 
 int runWindow(const WindowCommand &command, int argc, char **argv) {
   LessonLibrary library = readLessons(lessonsFolder());
+  for (const Problem &problem : library.problems)
+    std::cerr << "halfspace: " << problem.text() << "\n";
   const auto subject = openSubject(library, command.subject);
   if (!subject)
     return fail(subject.problem());

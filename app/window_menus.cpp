@@ -33,7 +33,7 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&File"));
   addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
-  addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); });
+  addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); })->setObjectName("save");
   addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
   menu.addSeparator();
   addItem(menu, tr("Save &Picture…"), QKeySequence("Ctrl+E"), this, [this] { exportPicture(); });

@@ -56,8 +56,9 @@ makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*te
     ((in.*roles.member = std::get<Kinds>(*objects[next++])), ...);
     const Out out = compute(in);
     CaseWords words = tell(in, out);
-    return Outcome{std::move(words.name),        list(in, out),   explain(in, out), draw(in, out),
-                   std::move(words.description), words.degenerate};
+    return Outcome{
+        std::move(words.name),        list(in, out),   withTrueRelations(explain(in, out)), draw(in, out),
+        std::move(words.description), words.degenerate};
   };
   return construction;
 }

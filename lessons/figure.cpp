@@ -23,6 +23,15 @@ struct Reach {
 
 } // namespace
 
+Figure withoutNumbers(Figure figure) {
+  for (Mark &mark : figure.marks) {
+    std::string &label = baseOf(mark).label;
+    for (const char *relation : {"\\colon", " =", " \\approx"})
+      label = label.substr(0, label.find(relation));
+  }
+  return figure;
+}
+
 std::vector<Place> cornersOf(const PlanePatchMark &patch) {
   if (patch.normal == Place(0) || !isFinite(patch.normal) || !isFinite(patch.center))
     return {};

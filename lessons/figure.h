@@ -20,22 +20,25 @@ enum class Subject { Neutral, Plane, Point, Ray, Triangle, EdgeU, EdgeV, Measure
 
 /// What all marks have.
 struct MarkBase {
-  /// Unique in the figure and stable from one evaluation to the next. A mark `a-foot` accompanies the mark `a`: a step
-  /// that shows one shows the other.
+  /// Unique in the figure and stable from one evaluation to the next. A mark `a-foot` accompanies the mark
+  /// `a`: a step that shows one shows the other.
   std::string id;
   Role role = Role::Given;
   Subject subject = Subject::Neutral;
   std::string label; ///< LaTeX written beside the mark; empty for none
+  bool operator==(const MarkBase &) const = default;
 };
 
 struct PointMark : MarkBase {
   Place at{};
+  bool operator==(const PointMark &) const = default;
 };
 
 /// A straight piece between two points. Helpers and ghosts are dashed.
 struct SegmentMark : MarkBase {
   Place from{};
   Place to{};
+  bool operator==(const SegmentMark &) const = default;
 };
 
 /// The thin line of a ray from its start; its direction is an arrow of its own. It is drawn up to t = reach.
@@ -43,11 +46,13 @@ struct RayMark : MarkBase {
   Place origin{};
   Place direction{};
   double reach = 0;
+  bool operator==(const RayMark &) const = default;
 };
 
 struct ArrowMark : MarkBase {
   Place from{};
   Place vector{};
+  bool operator==(const ArrowMark &) const = default;
 };
 
 /// A rectangle of a plane around `center`, large enough to hold the points of the plane that matter.
@@ -55,11 +60,16 @@ struct PlanePatchMark : MarkBase {
   Place center{};
   Place normal{};
   std::vector<Place> covers;
+  /// The same patch of the same plane, however far it must reach.
+  bool operator==(const PlanePatchMark &other) const {
+    return MarkBase::operator==(other) && center == other.center && normal == other.normal;
+  }
 };
 
 /// A filled polygon, planar and convex, with its outline.
 struct PolygonMark : MarkBase {
   std::vector<Place> corners;
+  bool operator==(const PolygonMark &) const = default;
 };
 
 /// The arc of an angle at `center` from the direction `from` to the direction `to` (neither need be unit).
@@ -67,6 +77,7 @@ struct ArcMark : MarkBase {
   Place center{};
   Place from{};
   Place to{};
+  bool operator==(const ArcMark &) const = default;
 };
 
 /// The corner mark of a right angle at `at`, between two directions (neither need be unit).
@@ -74,6 +85,7 @@ struct RightAngleMark : MarkBase {
   Place at{};
   Place first{};
   Place second{};
+  bool operator==(const RightAngleMark &) const = default;
 };
 
 using Mark = std::variant<PointMark, SegmentMark, RayMark, ArrowMark, PlanePatchMark, PolygonMark, ArcMark,
@@ -96,7 +108,9 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
 }
 
 /// The id of the mark that a mark accompanies: `a` for `a-foot`; its own for all others.
-[[nodiscard]] inline std::string leadingId(const MarkBase &mark) { return mark.id.substr(0, mark.id.find('-')); }
+[[nodiscard]] inline std::string leadingId(const MarkBase &mark) {
+  return mark.id.substr(0, mark.id.find('-'));
+}
 
 /// The mark with this id, or null.
 [[nodiscard]] inline const Mark *findMark(const Figure &figure, std::string_view id) {
@@ -112,6 +126,9 @@ inline constexpr double minimumPatchSide = 14;
 inline constexpr double patchMargin = 1;
 /// … and ends this far from its centre, so that a far point does not make it fill the picture.
 inline constexpr double maximumPatchReach = 24;
+
+/// The figure without the numbers in its labels: `d` for `d = 10`, `E` for `E: x + 2y + 2z − 27 = 0`.
+[[nodiscard]] Figure withoutNumbers(Figure figure);
 
 /// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal,
 /// reaching beyond the covered points (their feet on the plane) as far as the bounds above let it. Empty for

@@ -170,6 +170,12 @@ std::string equation(std::string_view name, const Surd &value) {
   return std::string(name) + (shown.exact ? " = " : " ≈ ") + plainText(shown.latex);
 }
 
+std::string equation(std::string_view name, const ExactVec3 &value) {
+  Formula f;
+  const std::string coordinates = f(value);
+  return std::string(name) + " " + plainText(f.equals(coordinates));
+}
+
 std::vector<Surd> listOf(const ExactVec3 &value) { return {value.x, value.y, value.z}; }
 
 } // namespace halfspace

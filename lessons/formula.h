@@ -65,6 +65,8 @@ private:
 /// The value in plain text for a sentence: `t = −10/3`, or `t ≈ 0.271828` when it is rounded.
 [[nodiscard]] std::string equation(std::string_view name, const Surd &value);
 
+[[nodiscard]] std::string equation(std::string_view name, const ExactVec3 &value);
+
 /// The coordinates as a list of values.
 [[nodiscard]] std::vector<Surd> listOf(const ExactVec3 &value);
 

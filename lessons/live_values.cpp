@@ -67,7 +67,11 @@ std::string withLiveValues(const std::string &markdown, const Scene &scene, cons
     const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
     std::size_t taken = std::max<std::size_t>(verbatim, 1);
     if (close != std::string_view::npos && isValueName(rest.substr(1, close - 1))) {
-      filled += markdownOf(rest.substr(1, close - 1), scene, outcome);
+      const std::string value = markdownOf(rest.substr(1, close - 1), scene, outcome);
+      // “t = ≈ 3.14” says it twice, and once wrongly.
+      if (filled.ends_with("= ") && value.starts_with("$\\approx"))
+        filled.erase(filled.size() - 2);
+      filled += value;
       taken = close + 1;
     } else {
       filled += rest.substr(0, taken);

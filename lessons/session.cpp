@@ -45,22 +45,12 @@ std::vector<Evaluated> evaluateConstructions(const Scene &scene) {
   return evaluated;
 }
 
-/// Whether roles of the same name look at the same objects, so that given marks of the same id are the same
-/// marks.
-bool lookAtTheSame(const ConstructionUse &a, const ConstructionUse &b) {
-  return std::all_of(a.roles.begin(), a.roles.end(), [&b](const auto &role) {
-    const auto other = b.roles.find(role.first);
-    return other == b.roles.end() || other->second == role.second;
-  });
-}
-
 /// Adds an earlier construction's marks; their ids get the entry's name in front, what is drawn already is
 /// left out.
-void addMarksOf(Evaluated &&earlier, const ConstructionUse &last, Figure &figure) {
-  const bool sameGivens = lookAtTheSame(earlier.use(), last);
+void addMarksOf(Evaluated &&earlier, Figure &figure) {
   for (Mark &mark : earlier.outcome.figure.marks) {
     MarkBase &base = baseOf(mark);
-    if (sameGivens && base.role == Role::Given && findMark(figure, base.id))
+    if (std::find(figure.marks.begin(), figure.marks.end(), mark) != figure.marks.end())
       continue;
     base.id = earlier.entry->name + "." + base.id;
     figure.marks.push_back(std::move(mark));
@@ -82,6 +72,14 @@ bool hasTooManyDigits(const Integer &value) {
   return Integer(mp::abs(value)).str().size() > coordinateDigits;
 }
 
+bool isWithinBounds(const Object &object) {
+  for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
+    for (int axis = 0; axis < 3; ++axis)
+      if (refuseCoordinate(coordinate(object, index)[axis]))
+        return false;
+  return true;
+}
+
 } // namespace
 
 std::optional<std::string> refuseCoordinate(const Rational &value) {
@@ -97,7 +95,7 @@ std::optional<std::string> refuseCoordinate(const Rational &value) {
 
 Session apply(Session session, const Edit &edit) {
   Object *object = findObject(session.scene, edit.object);
-  if (object && object->index() == edit.value.index())
+  if (object && object->index() == edit.value.index() && isWithinBounds(edit.value))
     *object = edit.value;
   return session;
 }
@@ -110,7 +108,7 @@ Outcome evaluate(const Scene &scene) {
   if (!evaluated.empty()) {
     outcome = std::move(evaluated.back().outcome);
     for (std::size_t i = 0; i + 1 < evaluated.size(); ++i)
-      addMarksOf(std::move(evaluated[i]), evaluated.back().use(), outcome.figure);
+      addMarksOf(std::move(evaluated[i]), outcome.figure);
   }
   std::move(others.marks.begin(), others.marks.end(), std::back_inserter(outcome.figure.marks));
   return outcome;

@@ -27,7 +27,8 @@ inline constexpr std::size_t coordinateDigits = 40;
 /// Whether a typed number may become a coordinate; if not, the sentence that says why.
 [[nodiscard]] std::optional<std::string> refuseCoordinate(const Rational &value);
 
-/// The session after an edit: unchanged when there is no such object or it is of another kind.
+/// The session after an edit: unchanged when there is no such object, it is of another kind, or a coordinate
+/// is one that `refuseCoordinate` refuses.
 [[nodiscard]] Session apply(Session session, const Edit &edit);
 
 /// Evaluates the scene from top to bottom. The last construction's values, working and case are the outcome;

@@ -21,6 +21,10 @@ struct Working {
   std::vector<WorkingLine> lines;
 };
 
+/// The working with `≈` before a result that follows rounded numbers: after one `≈` an `=` would claim too
+/// much.
+[[nodiscard]] Working withTrueRelations(Working working);
+
 /// The ids of the marks that a piece of LaTeX names with `\mark{id}{…}`, in order, each once.
 [[nodiscard]] std::vector<std::string> marksNamedIn(const std::string &latex);
 

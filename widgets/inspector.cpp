@@ -1,6 +1,7 @@
 #include "widgets/inspector.h"
 
 #include "lessons/formula.h"
+#include "lessons/object_marks.h"
 #include "widgets/colors.h"
 #include "widgets/math_label.h"
 #include "widgets/number_field.h"
@@ -12,15 +13,13 @@
 namespace halfspace {
 namespace {
 
-/// A name with digits as a learner reads it: P0 is P₀.
-QString nameLatex(const std::string &name) {
+/// `E.P0` as a learner reads it.
+QString coordinateLatex(const std::string &name) {
   const auto dot = name.find('.');
-  const std::string own = dot == std::string::npos ? name : name.substr(dot + 1);
-  const std::string prefix = dot == std::string::npos ? "" : name.substr(0, dot) + "\\colon ";
-  const auto digit = own.find_first_of("0123456789");
-  const std::string latex =
-      digit == std::string::npos ? own : own.substr(0, digit) + "_{" + own.substr(digit) + "}";
-  return QString::fromStdString(prefix + latex);
+  const std::string latex = dot == std::string::npos ? nameLatex(name)
+                                                     : nameLatex(name.substr(0, dot)) + "\\colon " +
+                                                           nameLatex(name.substr(dot + 1));
+  return QString::fromStdString(latex);
 }
 
 /// The values a learner sees, groups opened.
@@ -88,15 +87,14 @@ NumberField *Inspector::field(const std::string &coordinateName, int axis) const
   return nullptr;
 }
 
-void Inspector::buildRows() {
+void Inspector::buildGivenRows() {
   m_given.clear();
+  m_givenLabels.clear();
   m_results.clear();
-  m_labels.clear();
   auto *content = new QWidget;
-  auto *layout = new QVBoxLayout(content);
-  layout->setContentsMargins(14, 4, 14, 10);
-  layout->setSpacing(4);
-
+  m_layout = new QVBoxLayout(content);
+  m_layout->setContentsMargins(14, 4, 14, 10);
+  m_layout->setSpacing(4);
   auto *given = new QGridLayout;
   given->setHorizontalSpacing(6);
   given->setVerticalSpacing(4);
@@ -109,25 +107,32 @@ void Inspector::buildRows() {
   m_complaint->setObjectName("complaint");
   m_complaint->setWordWrap(true);
   m_complaint->hide();
-
   m_resultsBox = new QWidget;
-  auto *results = new QGridLayout(m_resultsBox);
-  results->setContentsMargins(0, 0, 0, 0);
-  results->setHorizontalSpacing(8);
-  results->setVerticalSpacing(1);
-  results->setColumnStretch(1, 1);
-  for (const NamedValue *value : shownValues(m_model.outcome().values))
-    addResultRow(*results, *value);
 
-  layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
-  layout->addLayout(given);
-  layout->addWidget(m_complaint);
-  layout->addSpacing(6);
-  layout->addWidget(heading(tr("Results")));
-  layout->addWidget(m_resultsBox);
-  layout->addStretch(1);
+  m_layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
+  m_layout->addLayout(given);
+  m_layout->addWidget(m_complaint);
+  m_layout->addSpacing(6);
+  m_layout->addWidget(heading(tr("Results")));
+  m_layout->addWidget(m_resultsBox);
+  m_layout->addStretch(1);
   setWidget(content);
-  applyInk();
+}
+
+void Inspector::buildResultRows() {
+  m_results.clear();
+  m_resultLabels.clear();
+  auto *box = new QWidget;
+  auto *grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(1);
+  grid->setColumnStretch(1, 1);
+  for (const NamedValue *value : shownValues(m_model.outcome().values))
+    addResultRow(*grid, *value);
+  delete m_layout->replaceWidget(m_resultsBox, box);
+  m_resultsBox->deleteLater();
+  m_resultsBox = box;
 }
 
 void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
@@ -137,8 +142,8 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   given.id = id;
   given.name = fullName(m_model.session().scene, id);
   auto *label = new MathLabel(m_typesetter);
-  label->setLatex(nameLatex(shortName(m_model.session().scene, id)));
-  m_labels.push_back(label);
+  label->setLatex(coordinateLatex(shortName(m_model.session().scene, id)));
+  m_givenLabels.push_back(label);
   grid.addWidget(label, row, 0);
   for (int axis = 0; axis < 3; ++axis) {
     auto *field = new NumberField;
@@ -154,7 +159,7 @@ void Inspector::addResultRow(QGridLayout &grid, const NamedValue &value) {
   const int row = grid.rowCount();
   auto *name = new MathLabel(m_typesetter);
   name->setLatex(QString::fromStdString(value.latex));
-  m_labels.push_back(name);
+  m_resultLabels.push_back(name);
   auto *exact = new MathLabel(m_typesetter);
   auto *decimal = new QLabel;
   decimal->setObjectName("decimal");
@@ -212,14 +217,20 @@ void Inspector::showSession() {
   const Scene &scene = m_model.session().scene;
   const auto ids = coordinatesOf(scene);
   const auto values = shownValues(m_model.outcome().values);
-  const bool sameRows =
-      widget() &&
-      std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
-                 [](const CoordinateId &id, const GivenRow &row) { return id == row.id; }) &&
+  // The given rows stay while results come and go: a field may be in use.
+  const bool sameGiven =
+      widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
+                             [](const CoordinateId &id, const GivenRow &row) { return id == row.id; });
+  if (!sameGiven)
+    buildGivenRows();
+  const bool sameResults =
+      sameGiven &&
       std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
                  [](const NamedValue *value, const ResultRow &row) { return value->name == row.name; });
-  if (!sameRows)
-    buildRows();
+  if (!sameResults) {
+    buildResultRows();
+    applyInk();
+  }
   for (const GivenRow &row : m_given) {
     const Object *object = findObject(scene, row.id.object);
     const ExactVec3 &value = coordinate(*object, row.id.index);
@@ -241,11 +252,13 @@ void Inspector::setTheme(const Theme &theme) {
 }
 
 void Inspector::applyInk() {
-  for (MathLabel *label : m_labels)
-    label->setInkOf([this](const QString &markId) {
-      const Mark *mark = findMark(m_model.outcome().figure, markId.toStdString());
-      return toQColor(mark ? m_theme.inkOf(baseOf(*mark).subject) : m_theme.ink);
-    });
+  const auto inkOf = [this](const QString &markId) {
+    const Mark *mark = findMark(m_model.outcome().figure, markId.toStdString());
+    return toQColor(mark ? m_theme.inkOf(baseOf(*mark).subject) : m_theme.ink);
+  };
+  for (const auto *labels : {&m_givenLabels, &m_resultLabels})
+    for (MathLabel *label : *labels)
+      label->setInkOf(inkOf);
 }
 
 } // namespace halfspace

@@ -8,6 +8,7 @@
 
 class QGridLayout;
 class QLabel;
+class QVBoxLayout;
 
 namespace halfspace {
 
@@ -42,7 +43,8 @@ private:
     QLabel *decimal;
   };
 
-  void buildRows();
+  void buildGivenRows();
+  void buildResultRows();
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
   void addResultRow(QGridLayout &grid, const NamedValue &value);
   void connectField(NumberField &field, const CoordinateId &id, int axis);
@@ -56,7 +58,9 @@ private:
   bool m_resultsHidden = false;
   std::vector<GivenRow> m_given;
   std::vector<ResultRow> m_results;
-  std::vector<MathLabel *> m_labels;
+  std::vector<MathLabel *> m_givenLabels;
+  std::vector<MathLabel *> m_resultLabels;
+  QVBoxLayout *m_layout = nullptr;
   QWidget *m_resultsBox = nullptr;
   QLabel *m_complaint = nullptr;
   Rational m_scrubStart; ///< the number where a scrub began

@@ -61,8 +61,8 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
 void NumberField::setValue(const Rational &value) {
   const bool same = value == m_value;
   m_value = value;
-  // What is being typed is left alone.
-  if (!same || !hasFocus())
+  // What is being typed, or waits to be mended, is left alone.
+  if (!same || (!hasFocus() && !property("wrong").toBool()))
     showValue();
 }
 
@@ -80,6 +80,8 @@ void NumberField::mark(bool wrong) {
   if (property("wrong").toBool() == wrong)
     return;
   setProperty("wrong", wrong);
+  if (!wrong)
+    emit refused({});
   style()->unpolish(this);
   style()->polish(this);
 }
@@ -98,7 +100,6 @@ void NumberField::commit() {
     emit refused(QString::fromStdString(*why));
     return;
   }
-  emit refused({});
   m_value = *value;
   showValue();
   emit valueTyped(*value);
@@ -106,7 +107,6 @@ void NumberField::commit() {
 
 void NumberField::focusOutEvent(QFocusEvent *event) {
   commit();
-  setCursor(Qt::SizeHorCursor);
   QLineEdit::focusOutEvent(event);
 }
 
@@ -120,16 +120,21 @@ void NumberField::keyPressEvent(QKeyEvent *event) {
     emit stepped(-times);
     return;
   case Qt::Key_Escape:
-    if (m_scrubbing) {
-      m_scrubbing = false;
-      emit scrubEnded(false);
-    }
-    emit refused({});
-    showValue();
+    if (m_scrubbing)
+      endScrub(false);
+    else
+      showValue();
     return;
   default:
     QLineEdit::keyPressEvent(event);
   }
+}
+
+void NumberField::endScrub(bool keep) {
+  m_scrubbing = false;
+  m_pressedUnfocused = false;
+  releaseKeyboard();
+  emit scrubEnded(keep);
 }
 
 void NumberField::mousePressEvent(QMouseEvent *event) {
@@ -145,6 +150,7 @@ void NumberField::mouseMoveEvent(QMouseEvent *event) {
   const int moved = event->pos().x() - m_pressedAt.x();
   if (!m_scrubbing && std::abs(moved) > scrubSlop) {
     m_scrubbing = true;
+    grabKeyboard(); // the field has no focus, but Escape is meant for it
     emit scrubStarted();
   }
   if (m_scrubbing)
@@ -153,8 +159,7 @@ void NumberField::mouseMoveEvent(QMouseEvent *event) {
 
 void NumberField::mouseReleaseEvent(QMouseEvent *event) {
   if (m_scrubbing) {
-    m_scrubbing = false;
-    emit scrubEnded(true);
+    endScrub(true);
   } else if (m_pressedUnfocused) {
     setFocus(Qt::MouseFocusReason);
     selectAll();

@@ -36,6 +36,7 @@ protected:
 
 private:
   void commit();
+  void endScrub(bool keep);
   void showValue();
   void mark(bool wrong);
 

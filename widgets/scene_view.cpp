@@ -68,6 +68,13 @@ void SceneView::setHighlighted(std::set<std::string> markIds) {
   updateContent();
 }
 
+void SceneView::setNumbersHidden(bool hidden) {
+  if (hidden == m_numbersHidden)
+    return;
+  m_numbersHidden = hidden;
+  updateContent();
+}
+
 PixelSize SceneView::pixelSize() const {
   const double ratio = devicePixelRatioF();
   return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
@@ -198,6 +205,8 @@ std::optional<Gizmo> SceneView::gizmo() const {
 SceneContent SceneView::pictureContent() const {
   SceneContent content;
   content.figure = m_model.shownOutcome().figure;
+  if (m_numbersHidden)
+    content.figure = withoutNumbers(std::move(content.figure));
   return content;
 }
 

@@ -36,6 +36,8 @@ public:
     if (m_scene.labelsPending())
       requestFrame();
   }
+  /// Hides the numbers in labels, while a question asks for them.
+  void setNumbersHidden(bool hidden);
   /// Whether the camera glides from view to view.
   void setMotion(bool on) { m_motion = on; }
 
@@ -102,6 +104,7 @@ private:
   void cancelDrag();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
+  [[nodiscard]] Camera homeCamera() const;
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
   bool lockAxis(int key);
@@ -114,6 +117,7 @@ private:
   Theme m_theme;
   Camera m_camera;
   bool m_motion = true;
+  bool m_numbersHidden = false;
   bool m_atHome = true; ///< nobody has moved the camera since the lesson began
 
   std::vector<Handle> m_handles;

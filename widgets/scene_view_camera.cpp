@@ -58,10 +58,12 @@ void SceneView::glideTo(const Camera &camera) {
   m_glide.start();
 }
 
+Camera SceneView::homeCamera() const {
+  return homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize(), m_camera.orthographic);
+}
+
 void SceneView::goHome() {
-  Camera camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
-  camera.orthographic = m_camera.orthographic;
-  glideTo(camera);
+  glideTo(homeCamera());
   m_atHome = true;
 }
 
@@ -69,7 +71,7 @@ void SceneView::resizeEvent(QResizeEvent *event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   // As long as nobody has moved the camera, the figure stays in view at every size.
   if (m_atHome)
-    m_camera = homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize());
+    m_camera = homeCamera();
   requestFrame();
 }
 
@@ -80,6 +82,7 @@ void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(m_model.outcome().figu
 void SceneView::lookDownRay() { glideTo(seenDownRay(m_model.session().scene, m_camera)); }
 
 void SceneView::setOrthographic(bool on) {
+  m_glide.stop();
   m_camera.orthographic = on;
   updateContent();
 }

@@ -234,7 +234,7 @@ void SceneView::keyPressEvent(QKeyEvent *event) {
   }
   if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Horizontal)
     return setDragMode(DragMode::Vertical);
-  if (lockAxis(event->key()) || stepSelected(*event))
+  if ((event->modifiers() == Qt::NoModifier && lockAxis(event->key())) || stepSelected(*event))
     return;
   QVTKOpenGLNativeWidget::keyPressEvent(event);
 }

@@ -42,6 +42,11 @@ SessionModel::SessionModel(LessonLibrary library, QObject *parent)
 void SessionModel::startWith(Session session) {
   m_beforeGesture.reset();
   m_history.clear();
+  m_history.setClean(); // clear alone leaves a history without a clean state as it was
+  m_unknownLesson = Lesson{};
+  m_unknownLesson.id = m_unknownLesson.title = session.lesson;
+  m_unknownLesson.scene = session.scene;
+  m_lesson = nullptr; // the same unknown lesson may begin with another scene
   show(session);
 }
 
@@ -64,10 +69,11 @@ void SessionModel::resetScene() {
   record(before, tr("start over"));
 }
 
+int SessionModel::lastStep() const { return std::max(0, static_cast<int>(m_lesson->steps.size()) - 1); }
+
 void SessionModel::setStep(int step) {
-  const int last = std::max(0, static_cast<int>(m_lesson->steps.size()) - 1);
   Session session = m_session;
-  session.step = std::clamp(step, 0, last);
+  session.step = std::clamp(step, 0, lastStep());
   if (session.step != m_session.step)
     show(session);
 }
@@ -117,16 +123,13 @@ void SessionModel::show(const Session &session) {
     return;
   m_session = session;
   if (otherLesson) {
-    m_unknownLesson = Lesson{};
-    m_unknownLesson.id = session.lesson;
-    m_unknownLesson.title = session.lesson;
-    m_unknownLesson.scene = session.scene;
     const Lesson *known = m_library.find(session.lesson);
     m_lesson = known ? known : &m_unknownLesson;
+    m_session.step = std::clamp(m_session.step, 0, lastStep());
   }
   if (otherScene || otherLesson)
     m_outcome = evaluate(m_session.scene);
-  const auto step = static_cast<std::size_t>(std::max(0, m_session.step));
+  const auto step = static_cast<std::size_t>(m_session.step);
   m_shown = step < m_lesson->steps.size() ? shownIn(m_lesson->steps[step], m_outcome) : m_outcome;
   if (otherLesson)
     emit lessonChanged();

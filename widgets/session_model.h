@@ -59,6 +59,7 @@ signals:
 private:
   friend class SessionCommand;
   void show(const Session &session);
+  [[nodiscard]] int lastStep() const;
   void record(const Session &before, const QString &description);
 
   LessonLibrary m_library;

@@ -41,8 +41,10 @@ std::vector<Place> placesOf(const Figure &figure) {
   return places;
 }
 
-Camera homeView(const CameraView &view, const Figure &figure, PixelSize size) {
-  return fitted(Camera(view), placesOf(figure), size);
+Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, bool orthographic) {
+  Camera camera(view);
+  camera.orthographic = orthographic;
+  return fitted(camera, placesOf(figure), size);
 }
 
 Camera seenAlong(AxisView view, Camera camera) {

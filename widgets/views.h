@@ -8,7 +8,8 @@
 namespace halfspace {
 
 /// How a lesson begins: from its direction, with all of the figure in view.
-[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size);
+[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size,
+                              bool orthographic = false);
 
 /// The places that a picture of the figure should have in view; what runs on without end does not count.
 [[nodiscard]] std::vector<Place> placesOf(const Figure &figure);

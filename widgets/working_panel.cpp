@@ -313,9 +313,10 @@ void WorkingPanel::contextMenuEvent(QContextMenuEvent *event) {
     return;
   const auto line = lineAt(viewport()->mapFromGlobal(event->globalPos()) + scrolled());
   QMenu menu(this);
+  // The lines may change while the menu is open.
   if (line)
     menu.addAction(tr("Copy this line as LaTeX"), this,
-                   [this, line] { copy(latexOf(m_lines[*line].source)); });
+                   [this, latex = latexOf(m_lines[*line].source)] { copy(latex); });
   menu.addAction(tr("Copy all lines as LaTeX"), this, [this] { copy(latexOfAll()); });
   menu.exec(event->globalPos());
 }

@@ -136,9 +136,9 @@ WorkingLine constantLine(const In &in, const Out &out) {
   const std::string products = f.products(in.E.normal, out.otherPoint);
   Formula g;
   return {"constant", n + "\\cdot " + P1, f.equals(products), g.equals(g(out.otherConstant)),
-          words("P₁ = {point} is another point of the plane. It gives the same number as P₀, so the constant "
+          words("{point} is another point of the plane. It gives the same number as P₀, so the constant "
                 "does not depend on the point you start from.",
-                {{"point", plainText(Formula()(out.otherPoint))}})};
+                {{"point", equation("P₁", out.otherPoint)}})};
 }
 
 WorkingLine normalizedLine(const Out &out) {

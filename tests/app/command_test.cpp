@@ -89,7 +89,7 @@ TEST_F(Program, Lessons_ListsIdsAndTitles) {
   const Ran ran = run("lessons");
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 4);
+  EXPECT_GE(std::count(ran.out.begin(), ran.out.end(), '\n'), 4);
   EXPECT_TRUE(ran.out.starts_with("plane-implicit  What equation does a plane have?\n")) << ran.out;
 }
 

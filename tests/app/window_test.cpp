@@ -1,4 +1,5 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
+#include "app/subject.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/inspector.h"
 #include "widgets/number_field.h"
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QImage>
 #include <QMessageBox>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -110,6 +112,62 @@ private slots:
     QTest::mouseRelease(field, Qt::LeftButton, {}, {60, 8});
     QVERIFY(fixture.value("Q").x == 16);
     QCOMPARE(fixture.model().history().count(), 1);
+  }
+
+  void number_scrubbedThroughACaseWithOtherResults_staysOneGesture() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    Object ray = *findObject(fixture.model().session().scene, "L");
+    coordinate(ray, 1) = ExactVec3(-2, 1, 1);
+    fixture.model().edit({"L", ray}, "nearly parallel");
+    QPointer<NumberField> field = fixture.window.findChild<Inspector *>()->field("L.r", 0);
+    QTRY_COMPARE(field->text(), QString("-2"));
+    const auto moveTo = [&](int x) {
+      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
+                       Qt::LeftButton, {});
+      QCoreApplication::sendEvent(field, &move);
+      QTest::qWait(60);
+    };
+    QTest::mousePress(field, Qt::LeftButton, {}, {40, 8});
+    moveTo(24); // two steps down: r = (−4, 1, 1) is parallel
+    QCOMPARE(fixture.model().outcome().caseName, std::string("parallel"));
+    QVERIFY(field);
+    moveTo(16);
+    QTest::mouseRelease(field, Qt::LeftButton, {}, {16, 8});
+    QVERIFY(fixture.value("L.r") == ExactVec3(-5, 1, 1));
+    QCOMPARE(fixture.model().history().count(), 2);
+    QVERIFY(!fixture.model().inGesture());
+  }
+
+  void scrub_escaped_restoresTheNumber() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
+    QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal({60, 8}), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QCoreApplication::sendEvent(field, &move);
+    QVERIFY(fixture.value("Q").x != 11);
+    QTest::keyClick(field, Qt::Key_Escape);
+    QVERIFY(fixture.value("Q").x == 11);
+    QCOMPARE(fixture.model().history().count(), 0);
+  }
+
+  void saving_afterAnotherLessonWasOpened_leavesTheFileAsItWas() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.saveTo(file));
+    fixture.model().openLesson("plane-implicit");
+    QTimer::singleShot(300, [] {
+      if (QWidget *dialog = QApplication::activeModalWidget())
+        dialog->close();
+    });
+    fixture.window.findChild<QAction *>("save")->trigger();
+    const auto kept = readSessionFile(file.toStdString());
+    QVERIFY(kept);
+    QCOMPARE(kept->lesson, std::string("signed-distance"));
   }
 
   void zeroNormal_typed_isExplained_andEndsWithTheNextNumber() {

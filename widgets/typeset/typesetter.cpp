@@ -108,7 +108,8 @@ void Typesetter::updateQueue() {
   };
   queue.erase(std::remove_if(queue.begin(), queue.end(), refusedOrKnown), queue.end());
   m_worker->setQueue(queue);
-  if (!queue.isEmpty())
+  // Not anew for each request, or it would never end a formula while requests keep coming.
+  if (!queue.isEmpty() && !m_watch.isActive())
     m_watch.start();
 }
 
