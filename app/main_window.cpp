@@ -40,6 +40,7 @@ constexpr double pictureScale = 2;
 
 constexpr int usualWidth = 1280;
 constexpr int usualHeight = 800;
+constexpr int usualFrameHeight = 40;
 
 } // namespace
 
@@ -116,6 +117,7 @@ void MainWindow::createPanels() {
   m_lessonList = new QListWidget;
   m_lessonList->setObjectName("lessonList");
   m_lessonList->setWordWrap(true);
+  m_lessonList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_lessonList->setAccessibleName(tr("Lessons"));
   for (const Lesson &lesson : m_model.library().lessons) {
     auto *item = new QListWidgetItem(QString::fromStdString(lesson.title), m_lessonList);
@@ -146,7 +148,7 @@ void MainWindow::createPanels() {
   resizeDocks({working, inspector}, {400, 300}, Qt::Vertical);
   resizeDocks({working}, {400}, Qt::Horizontal);
   resizeDocks({lessons, words}, {200, 680}, Qt::Horizontal);
-  resizeDocks({lessons}, {235}, Qt::Vertical);
+  resizeDocks({lessons}, {260}, Qt::Vertical);
 }
 
 // --- what is shown
@@ -269,9 +271,16 @@ void MainWindow::complain(const QString &sentence) { QMessageBox::warning(this, 
 void MainWindow::startWith(const Session &session, const QString &file) {
   m_file = file;
   m_fileLesson = session.lesson;
-  m_restored = false;
   m_model.startWith(session);
   updateTitle();
+}
+
+void MainWindow::showFitting() {
+  const QSize room = screen()->availableSize() - QSize(0, usualFrameHeight);
+  if (width() > room.width() || height() > room.height())
+    showMaximized();
+  else
+    show();
 }
 
 void MainWindow::restoreUnsaved() {
@@ -280,9 +289,9 @@ void MainWindow::restoreUnsaved() {
     return;
   m_model.startWith(*session);
   m_model.history().resetClean();
-  m_restored = true;
   updateTitle();
-  statusBar()->showMessage(tr("Your unsaved work from last time is back."), messageTime);
+  statusBar()->showMessage(tr("Your work from last time is back. Edit > Start Over begins the lesson anew."),
+                           messageTime);
 }
 
 void MainWindow::openFile(const QString &file) {
@@ -299,7 +308,6 @@ bool MainWindow::saveTo(const QString &file) {
   }
   m_file = file;
   m_fileLesson = m_model.session().lesson;
-  m_restored = false;
   m_model.history().setClean();
   m_recovery.forget();
   updateTitle();
@@ -336,9 +344,8 @@ void MainWindow::open() {
 }
 
 bool MainWindow::askToKeepChanges() {
-  // A lesson that was only tried out is not worth a question.
-  const bool worthKeeping = !m_file.isEmpty() || m_restored;
-  if (!worthKeeping || m_model.history().isClean())
+  // What has no file comes back with the next start, without a question.
+  if (m_file.isEmpty() || m_model.history().isClean())
     return true;
   const auto answer =
       QMessageBox::question(this, tr("Halfspace"), tr("Save your changes to this session first?"),
@@ -415,7 +422,11 @@ void MainWindow::closeEvent(QCloseEvent *event) {
     return;
   }
   storeSettings();
-  m_recovery.forget();
+  // What has no file comes back with the next start.
+  if (m_file.isEmpty() && !m_model.history().isClean())
+    m_recovery.keepNow(m_model.session());
+  else
+    m_recovery.forget();
   event->accept();
 }
 

@@ -31,6 +31,8 @@ public:
 
   /// Starts with a session; `file` is where Save writes it (empty: Save asks).
   void startWith(const Session &session, const QString &file = {});
+  /// Shows the window, maximized where it would not fit the screen with its frame.
+  void showFitting();
   /// Takes up what an earlier run left behind when it was cut off, if there is anything.
   void restoreUnsaved();
   /// Opens a .halfspace file; on failure says why and leaves the session as it is.
@@ -100,7 +102,6 @@ private:
   QActionGroup *m_themeActions = nullptr;
   QString m_file;           ///< where Save writes; empty: it asks
   std::string m_fileLesson; ///< the lesson of that file
-  bool m_restored = false;  ///< the session was left behind by an earlier run
   Theme m_theme;
   Recovery m_recovery;
   QTimer

@@ -41,6 +41,12 @@ void Recovery::keep(const Session &session) {
     m_timer.start();
 }
 
+void Recovery::keepNow(const Session &session) {
+  m_timer.stop();
+  m_session = session;
+  write();
+}
+
 void Recovery::forget() {
   m_timer.stop();
   if (!m_file.isEmpty())

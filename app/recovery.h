@@ -22,6 +22,8 @@ public:
   [[nodiscard]] std::optional<Session> leftBehind() const;
   /// Keeps this session soon.
   void keep(const Session &session);
+  /// Keeps this session before the program ends.
+  void keepNow(const Session &session);
   /// There is nothing unsaved any more.
   void forget();
 

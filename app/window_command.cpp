@@ -112,7 +112,7 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   window.startWith(session, isFile ? QString::fromStdString(command.subject) : QString());
   if (command.subject.empty())
     window.restoreUnsaved();
-  window.show();
+  window.showFitting();
   return QApplication::exec();
 }
 

@@ -50,7 +50,6 @@ QString styleSheetOf(const Theme &theme) {
     QListWidget#lessonList { border: none; background: %3; padding: 2px 6px; outline: none; }
     QListWidget#lessonList::item { padding: 5px 6px; border-radius: 5px; }
     QLabel#heading { color: %2; }
-    QLabel#decimal { color: %2; }
     QLabel#complaint { color: %4; }
     QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 2px 5px; }
     QLineEdit:focus { border-color: %7; }

@@ -52,8 +52,8 @@ std::string valueLatex(const Value &value) {
   return {};
 }
 
-/// A single number's decimal beside its exact form: after = only where the decimal is exact too.
-QString decimalOf(const Value &value) {
+/// A single number's decimal behind its exact form: after = only where the decimal is exact too.
+std::string decimalLatex(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
   if (!number || !show(*number).exact ||
       (number->isRational() && mp::denominator(number->rationalPart()) == 1))
@@ -61,7 +61,9 @@ QString decimalOf(const Value &value) {
   const std::string decimal = roundedText(toDouble(*number));
   const auto same = parseRational(decimal);
   const bool exact = same && Surd(*same) == *number;
-  return (exact ? "= " : "≈ ") + QString::fromStdString(plainText(decimal));
+  if (exact && show(*same).latex == decimal)
+    return {}; // written as a decimal already
+  return (exact ? "\\;=\\;" : "\\;\\approx\\;") + decimal;
 }
 
 QLabel *heading(const QString &text) {
@@ -78,6 +80,13 @@ Inspector::Inspector(SessionModel &model, Typesetter &typesetter, QWidget *paren
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+Inspector::~Inspector() {
+  // A field with a text that is no number complains when it loses the focus, as it does while it is deleted.
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      field->disconnect(this);
 }
 
 NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
@@ -161,12 +170,9 @@ void Inspector::addResultRow(QGridLayout &grid, const NamedValue &value) {
   name->setLatex(QString::fromStdString(value.latex));
   m_resultLabels.push_back(name);
   auto *exact = new MathLabel(m_typesetter);
-  auto *decimal = new QLabel;
-  decimal->setObjectName("decimal");
   grid.addWidget(name, row, 0);
   grid.addWidget(exact, row, 1);
-  grid.addWidget(decimal, row, 2, Qt::AlignRight);
-  m_results.push_back({value.name, exact, decimal});
+  m_results.push_back({value.name, exact});
 }
 
 void Inspector::connectField(NumberField &field, const CoordinateId &id, int axis) {
@@ -238,8 +244,9 @@ void Inspector::showSession() {
       row.fields[axis]->setValue(value[axis]);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    m_results[i].value->setLatex(QString::fromStdString(valueLatex(values[i]->value)));
-    m_results[i].decimal->setText(decimalOf(values[i]->value));
+    // In one formula, so that the exact form and its decimal are always of the same number.
+    m_results[i].value->setLatex(
+        QString::fromStdString(valueLatex(values[i]->value) + decimalLatex(values[i]->value)));
   }
   m_resultsBox->setVisible(!m_resultsHidden);
 }

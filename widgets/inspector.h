@@ -21,6 +21,7 @@ class Inspector : public QScrollArea {
 
 public:
   Inspector(SessionModel &model, Typesetter &typesetter, QWidget *parent = nullptr);
+  ~Inspector() override;
 
   /// Writes the rows from the session and its outcome.
   void showSession();
@@ -40,7 +41,6 @@ private:
   struct ResultRow {
     std::string name;
     MathLabel *value;
-    QLabel *decimal;
   };
 
   void buildGivenRows();

@@ -114,6 +114,10 @@ void LessonPanel::setStep(int step) {
   const LessonStep *current = this->step();
   m_stepTitle->setText(current ? QString::fromStdString(current->title) : QString());
   m_dots->setCurrent(m_step);
+  // A button that is disabled would hand its focus to a number field, and the next key would change the
+  // scene.
+  if (m_next->hasFocus() || m_back->hasFocus())
+    setFocus();
   m_back->setEnabled(m_step > 0);
   m_next->setEnabled(m_step + 1 < stepCount());
   makeExercises();
@@ -145,7 +149,10 @@ void LessonPanel::makeExercises() {
     layout->addSpacing(current->tasks.empty() ? 0 : 10);
     m_prediction = new PredictionBox(m_typesetter, *current->prediction);
     m_prediction->setTheme(m_theme);
-    connect(m_prediction, &PredictionBox::chosen, this, &LessonPanel::predictionChosen);
+    connect(m_prediction, &PredictionBox::chosen, this, [this](const QString &word) {
+      m_next->setFocus(); // the choices are disabled now
+      emit predictionChosen(word);
+    });
     layout->addWidget(m_prediction);
   }
   m_columns->addWidget(m_exercises, 2, Qt::AlignTop);

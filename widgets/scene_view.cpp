@@ -20,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 /// A handle is grabbed within this many design pixels.
 constexpr double grabDistance = 11;
+/// An arrow is grabbed anywhere on its head, which is so long in design pixels.
+constexpr double arrowHead = 24;
 /// What moves is drawn without smoothing until it has rested for so long, in milliseconds.
 constexpr int restDelay = 160;
 /// Samples a pixel at rest; while something moves there is one.
@@ -93,6 +95,16 @@ const Handle *SceneView::findHandle(const std::string &id) const {
   return found == m_handles.end() ? nullptr : &*found;
 }
 
+glm::dvec2 SceneView::alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const {
+  const auto start = m_camera.project(toDouble(handle.base), pixelSize());
+  if (handle.motion != Handle::Motion::Coordinate || isZero(handle.base) || !start)
+    return glm::dvec2(0);
+  const glm::dvec2 back = glm::dvec2(*start) - tip;
+  const double length = glm::length(back);
+  const double head = std::min(arrowHead * devicePixelRatioF(), length / 2);
+  return length == 0 ? back : back / length * std::clamp(glm::dot(pixel - tip, back / length), 0.0, head);
+}
+
 const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
   const Handle *nearest = nullptr;
   double least = grabDistance * devicePixelRatioF();
@@ -100,7 +112,8 @@ const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
     const auto projected = m_camera.project(shownPlace(handle), pixelSize());
     if (!projected || !grabMode(handle, m_vertical, m_camera))
       continue;
-    const double distance = glm::length(glm::dvec2(*projected) - pixel);
+    const double distance =
+        glm::length(glm::dvec2(*projected) - pixel - alongHead(handle, *projected, pixel));
     // Of two at the same pixel the later one wins: a tip lies over the point that it starts from.
     if (distance <= least) {
       least = distance;

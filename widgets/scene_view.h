@@ -88,6 +88,9 @@ private:
   [[nodiscard]] DragScreen screen() const;
   [[nodiscard]] const Handle *findHandle(const std::string &id) const;
   [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
+  /// From an arrow's tip to the place of its head that is nearest to a pixel; zero for handles that are no
+  /// tips.
+  [[nodiscard]] glm::dvec2 alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const;
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
   [[nodiscard]] std::string markOf(const Handle &handle) const;
 

@@ -19,6 +19,11 @@ constexpr int clickSlop = 3;
 /// The finest step of all, to which Alt suspends snapping.
 const Rational finestStep(1, 1000);
 
+/// A handle that moves up and down does so with the arrow keys too.
+int verticalKey(int key) {
+  return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
+}
+
 /// What can be done with a handle that moves like this.
 QString hintFor(DragMode mode) {
   switch (mode) {
@@ -250,7 +255,8 @@ bool SceneView::stepSelected(const QKeyEvent &event) {
   const Object *object = handle ? findObject(m_model.session().scene, handle->object) : nullptr;
   if (!object || m_gesture != Gesture::None)
     return false;
-  const auto place = steppedPlace(*handle, event.key(), event.modifiers(), m_model.snapStep(), m_camera);
+  const auto place = steppedPlace(*handle, m_vertical ? verticalKey(event.key()) : event.key(),
+                                  event.modifiers(), m_model.snapStep(), m_camera);
   if (!place)
     return false;
   m_model.edit({handle->object, movedTo(*object, *handle, *place)},

@@ -52,7 +52,7 @@ void SessionModel::startWith(Session session) {
 
 void SessionModel::openLesson(const std::string &id) {
   const Lesson *lesson = m_library.find(id);
-  if (!lesson || (id == m_session.lesson && m_session == startOf(*lesson)))
+  if (!lesson || id == m_session.lesson)
     return;
   const Session before = m_session;
   show(startOf(*lesson));

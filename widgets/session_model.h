@@ -31,7 +31,8 @@ public:
   [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
   void setSnapStep(const Rational &step) { m_snapStep = step; }
 
-  /// Opens a lesson from its start. Undo goes back to where the session was.
+  /// Opens another lesson from its start; the one that is open stays as it is. Undo goes back to where the
+  /// session was.
   void openLesson(const std::string &id);
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.

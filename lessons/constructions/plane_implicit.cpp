@@ -72,7 +72,7 @@ std::vector<NamedValue> list(const In &, const Out &out) {
     return values;
   values.push_back({"primitive", "\\text{in lowest integers}", out.primitive});
   values.push_back({"normalized", "\\text{normalized}", out.normalized});
-  values.push_back({"origin_distance", "\\text{distance of the origin}", out.originDistance});
+  values.push_back({"origin_distance", "\\text{signed distance of the origin}", out.originDistance});
   return values;
 }
 

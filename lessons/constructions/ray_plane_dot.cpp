@@ -115,10 +115,9 @@ WorkingLine denominatorLine(const In &in, const Out &out) {
   Formula f;
   const std::string inserted = f.equals(f(in.L.direction) + "\\cdot " + f(in.E.normal));
   Formula g;
-  return {
-      "denominator", r + "\\cdot " + n, inserted, g.equals(g(out.meet.denominator)),
-      words(
-          "The denominator: how far one step r goes along n. Zero would mean that r runs along the plane.")};
+  return {"denominator", r + "\\cdot " + n, inserted, g.equals(g(out.meet.denominator)),
+          words("The denominator: how far one step r goes along n. Zero means that no step along r comes "
+                "nearer to the plane.")};
 }
 
 WorkingLine tLine(const Out &out) {

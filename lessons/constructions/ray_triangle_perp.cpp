@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -246,14 +247,16 @@ WorkingLine hitLine(const In &in, const Out &out) {
           words("The point of the plane that the ray's line goes through. Is it in the triangle?")};
 }
 
-/// x = w·x⊥ / y·x⊥ as a fraction of the five dot products.
-WorkingLine shareLine(std::string id, std::string symbols, const Rational &first, const Rational &second,
-                      const Rational &third, const Rational &fourth, const Rational &denominator,
-                      const Rational &share, std::string sentence) {
+/// s or t as a fraction of the five dot products: (k·l − m·n)/D, with k, l, m, n the factors.
+WorkingLine shareLine(std::string id, std::string symbols, const std::array<Rational, 4> &factors,
+                      const Rational &denominator, const Rational &share, std::string sentence) {
   Formula f;
-  const std::string inserted =
-      f.equals("\\frac{" + f.factor(first) + "\\cdot " + f.factor(second) + " - " + f.factor(third) +
-               "\\cdot " + f.factor(fourth) + "}{" + f(denominator) + "}");
+  const auto product = [&](std::size_t i) {
+    return f.factor(factors[i]) + "\\cdot " + f.factor(factors[i + 1]);
+  };
+  const std::string first = product(0);
+  const std::string second = product(2);
+  const std::string inserted = f.equals("\\frac{" + first + " - " + second + "}{" + f(denominator) + "}");
   Formula g;
   return {std::move(id), std::move(symbols), inserted, g.equals(g(share)), std::move(sentence)};
 }
@@ -282,8 +285,8 @@ std::vector<WorkingLine> similarLines(const Out &out) {
   const std::string b = marked("b", "b");
   return {
       {"a", a + " = " + w + "\\cdot " + uPerp, fa.equals(fa(out.wOnUPerp)), "",
-       words("What w has of the direction of u⊥.")},
-      {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("What v has of it.")},
+       words("The dot product of w with u⊥: it grows with how far w reaches along u⊥.")},
+      {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("The same for v.")},
       {"similar", marked("tv", "t\\,\\vec v") + " = \\frac{" + a + "}{" + b + "}\\," + v, part, whole,
        words("Two right triangles at P₀ have the same shape, so t·v is to v as a is to b. The length of u⊥ "
              "stands in both and cancels.")}};
@@ -305,13 +308,13 @@ std::vector<WorkingLine> crossingLines(const In &in, const Out &out) {
                 "s = \\frac{" + w + "\\cdot " + vPerp + "}{" + u + "\\cdot " + vPerp + "} = \\frac{(" + u +
                     "\\cdot " + v + ")(" + w + "\\cdot " + v + ") - (" + v + "\\cdot " + v + ")(" + w +
                     "\\cdot " + u + ")}{D}",
-                perps.uv, meet.wv, perps.vv, meet.wu, perps.denominator, meet.s,
+                {perps.uv, meet.wv, perps.vv, meet.wu}, perps.denominator, meet.s,
                 words("Dotted with v⊥, the part t·v drops out and only s is left.")),
       shareLine("t",
                 "t = \\frac{" + w + "\\cdot " + uPerp + "}{" + v + "\\cdot " + uPerp + "} = \\frac{(" + u +
                     "\\cdot " + v + ")(" + w + "\\cdot " + u + ") - (" + u + "\\cdot " + u + ")(" + w +
                     "\\cdot " + v + ")}{D}",
-                perps.uv, meet.wu, perps.uu, meet.wv, perps.denominator, meet.tTriangle,
+                {perps.uv, meet.wu, perps.uu, meet.wv}, perps.denominator, meet.tTriangle,
                 words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
                       "triangle; the ray's own parameter is λ.")),
       placeLine(out)};

@@ -127,7 +127,7 @@ WorkingLine distanceLine(const Out &out) {
       "distance", d + " = \\frac{f(" + Q + ")}{\\lvert" + n + "\\rvert}", inserted,
       g.equals(g(out.measured.signedDistance)),
       unit ? words("Because |n| = 1, f(Q) is the signed distance already.")
-           : words("{f} is not the distance: n is {length} long, so f counts every unit that often.",
+           : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
                    {{"f", equation("f(Q)", out.measured.f)}, {"length", plainText(show(out.length).latex)}})};
 }
 
