@@ -38,11 +38,11 @@ TypesetWorker::TypesetWorker(std::function<void()> arrived)
     : m_arrived(std::move(arrived)), m_thread([this] { run(); }) {}
 
 TypesetWorker::~TypesetWorker() {
+  // The formula in work is waited for: interrupting a running script, and at once ending its engine, crashes
+  // in Qt 5.15.
   {
     const std::lock_guard lock(m_mutex);
     m_ending = true;
-    if (m_engine)
-      m_engine->setInterrupted(true);
   }
   m_work.notify_all();
   m_thread.join();
@@ -53,7 +53,6 @@ void TypesetWorker::run() {
   {
     const std::lock_guard lock(m_mutex);
     m_engine = &engine;
-    engine.setInterrupted(m_ending);
   }
   const QJSValue typeset = loadMathJax(engine);
   while (takeNext()) {
