@@ -118,6 +118,8 @@ void MainWindow::createPanels() {
   m_lessonList->setObjectName("lessonList");
   m_lessonList->setWordWrap(true);
   m_lessonList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_lessonList->setTextElideMode(Qt::ElideNone);
+  m_lessonList->setResizeMode(QListView::Adjust); // wrap anew at every width
   m_lessonList->setAccessibleName(tr("Lessons"));
   for (const Lesson &lesson : m_model.library().lessons) {
     auto *item = new QListWidgetItem(QString::fromStdString(lesson.title), m_lessonList);
