@@ -149,7 +149,7 @@ void MainWindow::createPanels() {
   splitDockWidget(lessons, words, Qt::Horizontal);
   resizeDocks({working, inspector}, {400, 300}, Qt::Vertical);
   resizeDocks({working}, {400}, Qt::Horizontal);
-  resizeDocks({lessons, words}, {200, 680}, Qt::Horizontal);
+  resizeDocks({lessons, words}, {225, 655}, Qt::Horizontal);
   resizeDocks({lessons}, {260}, Qt::Vertical);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// The offset knob stands so far from the plane's point, in scene units: beside the point's own handle, not
 /// on it.
-constexpr double offsetKnobDistance = 3;
+constexpr double offsetKnobDistance = 4.5;
 
 /// A horizontal unit direction in the plane with this normal.
 Place horizontalIn(Place normal) {
