@@ -6,12 +6,12 @@ std::array<Integer, 4> primitiveCoefficients(const Plane<Rational> &plane) {
   const std::array<Rational, 4> given{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
   Integer commonDenominator = 1;
   for (const Rational &coefficient : given)
-    commonDenominator = mp::lcm(commonDenominator, Integer(mp::denominator(coefficient)));
+    commonDenominator = mp::lcm(commonDenominator, coefficient.denominator());
 
   std::array<Integer, 4> integers;
   Integer commonFactor = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    integers[i] = mp::numerator(Rational(given[i] * Rational(commonDenominator)));
+    integers[i] = (given[i] * Rational(commonDenominator)).numerator();
     commonFactor = mp::gcd(commonFactor, integers[i]);
   }
   for (Integer &integer : integers)

@@ -1,9 +1,141 @@
 #include "geometry/rational.h"
 
+#include <boost/multiprecision/rational_adaptor.hpp>
+
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <ostream>
 
 namespace halfspace {
+
+// --- The number itself
+// ---------------------------------------------------------------------------------------
+
+struct Rational::Big {
+  mp::number<mp::rational_adaptor<mp::cpp_int_backend<>>, mp::et_off> value;
+};
+
+namespace {
+
+__extension__ using TwoWords = __int128;
+
+bool fitsWord(TwoWords value) {
+  constexpr TwoWords largest = std::numeric_limits<std::int64_t>::max();
+  return -largest <= value && value <= largest;
+}
+
+bool fitsWord(const Integer &value) { return mp::abs(value) <= std::numeric_limits<std::int64_t>::max(); }
+
+/// Of two words; the result is positive where one of them is not 0.
+std::int64_t greatestCommonDivisor(std::int64_t a, std::int64_t b) { return std::gcd(a, b); }
+
+} // namespace
+
+Rational::Rational(const Integer &value) {
+  if (fitsWord(value))
+    m_numerator = static_cast<std::int64_t>(value);
+  else
+    m_big = std::make_shared<const Big>(Big{value});
+}
+
+Rational::Rational(const Integer &p, const Integer &q) { *this = Rational(p) / Rational(q); }
+
+Rational Rational::fromParts(TwoWords numerator, TwoWords denominator) {
+  Rational result;
+  result.m_numerator = static_cast<std::int64_t>(numerator);
+  result.m_denominator = static_cast<std::int64_t>(denominator);
+  return result;
+}
+
+Rational Rational::fromBig(Big big) {
+  const Integer p = mp::numerator(big.value);
+  const Integer q = mp::denominator(big.value);
+  if (fitsWord(p) && fitsWord(q))
+    return fromParts(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
+  Rational result;
+  result.m_big = std::make_shared<const Big>(std::move(big));
+  return result;
+}
+
+Rational::Big Rational::big() const {
+  return m_big ? *m_big : Big{{Integer(m_numerator), Integer(m_denominator)}};
+}
+
+Integer Rational::numerator() const {
+  return m_big ? Integer(mp::numerator(m_big->value)) : Integer(m_numerator);
+}
+
+Integer Rational::denominator() const {
+  return m_big ? Integer(mp::denominator(m_big->value)) : Integer(m_denominator);
+}
+
+bool Rational::isInteger() const { return m_big ? mp::denominator(m_big->value) == 1 : m_denominator == 1; }
+
+int Rational::sign() const {
+  if (m_big)
+    return m_big->value.sign();
+  return m_numerator < 0 ? -1 : m_numerator > 0 ? 1 : 0;
+}
+
+Rational Rational::operator-() const {
+  return m_big ? fromBig({-m_big->value}) : fromParts(-m_numerator, m_denominator);
+}
+
+// The greatest common divisors are taken before the products, of single words (Knuth, The Art of Computer
+// Programming 2, 4.5.1): then no result needs more than two words, and all are in lowest terms.
+
+Rational Rational::plus(const Rational &other) const {
+  if (isSmall() && other.isSmall()) {
+    const std::int64_t common = greatestCommonDivisor(m_denominator, other.m_denominator);
+    const std::int64_t rest = m_denominator / common;
+    const TwoWords sum = static_cast<TwoWords>(m_numerator) * (other.m_denominator / common) +
+                         static_cast<TwoWords>(other.m_numerator) * rest;
+    const std::int64_t divisor =
+        common == 1 ? 1 : greatestCommonDivisor(static_cast<std::int64_t>(sum % common), common);
+    const TwoWords numerator = sum / divisor;
+    const TwoWords denominator = static_cast<TwoWords>(rest) * (other.m_denominator / divisor);
+    if (fitsWord(numerator) && fitsWord(denominator))
+      return fromParts(numerator, denominator);
+  }
+  return fromBig({big().value + other.big().value});
+}
+
+Rational Rational::times(const Rational &other) const {
+  if (isSmall() && other.isSmall()) {
+    const std::int64_t left = greatestCommonDivisor(m_numerator, other.m_denominator);
+    const std::int64_t right = greatestCommonDivisor(other.m_numerator, m_denominator);
+    const TwoWords numerator = static_cast<TwoWords>(m_numerator / left) * (other.m_numerator / right);
+    const TwoWords denominator = static_cast<TwoWords>(m_denominator / right) * (other.m_denominator / left);
+    if (fitsWord(numerator) && fitsWord(denominator))
+      return fromParts(numerator, denominator);
+  }
+  return fromBig({big().value * other.big().value});
+}
+
+Rational Rational::over(const Rational &divisor) const {
+  if (!divisor.isSmall())
+    return fromBig({big().value / divisor.big().value});
+  const bool negative = divisor.m_numerator < 0;
+  return times(negative ? fromParts(-divisor.m_denominator, -divisor.m_numerator)
+                        : fromParts(divisor.m_denominator, divisor.m_numerator));
+}
+
+std::strong_ordering Rational::compare(const Rational &other) const {
+  if (isSmall() && other.isSmall()) {
+    const TwoWords left = static_cast<TwoWords>(m_numerator) * other.m_denominator;
+    const TwoWords right = static_cast<TwoWords>(other.m_numerator) * m_denominator;
+    return left <=> right;
+  }
+  return big().value.compare(other.big().value) <=> 0;
+}
+
+std::ostream &operator<<(std::ostream &out, const Rational &value) { return out << toText(value); }
+
+// --- Reading and writing
+// -------------------------------------------------------------------------------------
+
 namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -25,15 +157,37 @@ bool takeChar(std::string_view &text, char c) {
   return true;
 }
 
+/// As many digits as a word holds for sure.
+constexpr std::size_t wordDigits = std::numeric_limits<std::int64_t>::digits10;
+
 /// Decimal digits, leading zeros allowed (Boost would read `010` as octal).
-Integer integerOf(std::string_view digits) {
-  Integer value = 0;
-  for (const char digit : digits)
-    value = value * 10 + (digit - '0');
+Rational integerOf(std::string_view digits) {
+  Rational value = 0;
+  while (!digits.empty()) {
+    const std::string_view part = digits.substr(0, wordDigits);
+    digits.remove_prefix(part.size());
+    std::int64_t word = 0;
+    std::int64_t weight = 1;
+    for (const char digit : part) {
+      word = word * 10 + (digit - '0');
+      weight *= 10;
+    }
+    value = value * weight + word;
+  }
   return value;
 }
 
-Integer powerOfTen(int exponent) { return mp::pow(Integer(10), static_cast<unsigned>(exponent)); }
+Rational powerOfTen(int exponent) {
+  static const auto words = [] {
+    std::array<std::int64_t, wordDigits + 1> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i)
+      powers[i] = powers[i - 1] * 10;
+    return powers;
+  }();
+  const auto power = static_cast<std::size_t>(exponent);
+  return power < words.size() ? Rational(words[power])
+                              : Rational(mp::pow(Integer(10), static_cast<unsigned>(exponent)));
+}
 
 /// The signed exponent after `e`, or nothing when it is malformed or too large.
 std::optional<int> takeExponent(std::string_view &text) {
@@ -53,23 +207,43 @@ std::optional<int> takeExponent(std::string_view &text) {
   return negative ? -magnitude : magnitude;
 }
 
-std::optional<Rational> parseFraction(std::string_view numerator, std::string_view text) {
+std::optional<Rational> takeInteger(std::string_view &text) {
   const bool negative = takeChar(text, '-');
-  const auto denominator = takeDigits(text);
-  if (denominator.empty() || !text.empty() || denominator.size() > maxDigits)
+  const auto digits = takeDigits(text);
+  if (digits.empty() || digits.size() > maxDigits)
     return {};
-  const Integer q = integerOf(denominator);
-  if (q == 0)
-    return {};
-  const Rational value(integerOf(numerator), q);
-  return negative ? Rational(-value) : value;
+  const Rational value = integerOf(digits);
+  return negative ? -value : value;
 }
 
-std::optional<Rational> parseUnsigned(std::string_view text) {
-  const auto whole = takeDigits(text);
-  if (!whole.empty() && whole.size() <= maxDigits && takeChar(text, '/'))
-    return parseFraction(whole, text);
+std::string wordText(std::int64_t value) {
+  std::array<char, wordDigits + 2> text; // a sign, and one digit more than every word has
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
 
+int bitLength(const Integer &positive) { return static_cast<int>(mp::msb(positive)) + 1; }
+
+} // namespace
+
+std::optional<Rational> parseRational(std::string_view text) {
+  return text.find('/') == std::string_view::npos ? parseDecimal(text) : parseFraction(text);
+}
+
+std::optional<Rational> parseFraction(std::string_view text) {
+  const auto numerator = takeInteger(text);
+  if (!numerator || text.empty())
+    return numerator;
+  if (!takeChar(text, '/'))
+    return {};
+  const auto denominator = takeInteger(text);
+  if (!denominator || *denominator == 0 || !text.empty())
+    return {};
+  return *numerator / *denominator;
+}
+
+std::optional<Rational> parseDecimal(std::string_view text) {
+  const bool negative = takeChar(text, '-');
+  const auto whole = takeDigits(text);
   std::string_view decimals;
   if (takeChar(text, '.')) {
     decimals = takeDigits(text);
@@ -89,29 +263,22 @@ std::optional<Rational> parseUnsigned(std::string_view text) {
     return {};
 
   exponent -= static_cast<int>(decimals.size());
-  const Integer digits = integerOf(std::string(whole).append(decimals));
-  if (exponent >= 0)
-    return Rational(digits * powerOfTen(exponent));
-  return Rational(digits, powerOfTen(-exponent));
-}
-
-int bitLength(const Integer &positive) { return static_cast<int>(mp::msb(positive)) + 1; }
-
-} // namespace
-
-std::optional<Rational> parseRational(std::string_view text) {
-  const bool negative = takeChar(text, '-');
-  const auto value = parseUnsigned(text);
-  if (!value)
-    return {};
-  return negative ? Rational(-*value) : *value;
+  const Rational digits =
+      integerOf(whole) * powerOfTen(static_cast<int>(decimals.size())) + integerOf(decimals);
+  const Rational value = exponent >= 0 ? digits * powerOfTen(exponent) : digits / powerOfTen(-exponent);
+  return negative ? -value : value;
 }
 
 std::string toText(const Rational &value) {
-  const Integer q = mp::denominator(value);
-  std::string text = Integer(mp::numerator(value)).str();
-  if (q != 1)
-    text += "/" + q.str();
+  if (const auto words = value.words()) {
+    std::string text = wordText(words->numerator);
+    if (words->denominator != 1)
+      text += "/" + wordText(words->denominator);
+    return text;
+  }
+  std::string text = value.numerator().str();
+  if (!value.isInteger())
+    text += "/" + value.denominator().str();
   return text;
 }
 
@@ -148,26 +315,35 @@ double nearestDouble(const Integer &p, const Integer &q, int exponent) {
   return p < 0 ? -value : value;
 }
 
-double toDouble(const Rational &value) { return nearestDouble(mp::numerator(value), mp::denominator(value)); }
+double toDouble(const Rational &value) {
+  // Where both parts are doubles the one division below rounds once.
+  constexpr std::int64_t largestWhole = std::int64_t{1} << std::numeric_limits<double>::digits;
+  const auto words = value.words();
+  if (words && std::abs(words->numerator) <= largestWhole && words->denominator <= largestWhole)
+    return static_cast<double>(words->numerator) / static_cast<double>(words->denominator);
+  return nearestDouble(value.numerator(), value.denominator());
+}
+
+Rational exactly(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  constexpr int digits = std::numeric_limits<double>::digits;
+  const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, digits)));
+  exponent -= digits;
+  return exponent >= 0 ? Rational(Integer(whole << exponent))
+                       : Rational(whole, Integer(Integer(1) << -exponent));
+}
 
 Rational roundToMultiple(const Rational &value, const Rational &step) {
   const Rational count = value / step + Rational(1, 2);
-  const Integer p = mp::numerator(count);
-  const Integer q = mp::denominator(count);
+  const Integer p = count.numerator();
+  const Integer q = count.denominator();
   Integer floor = p / q;
   if (p < 0 && floor * q != p)
     --floor;
   return Rational(floor) * step;
 }
 
-Rational roundToMultiple(double value, const Rational &step) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  const Integer digits(static_cast<long long>(std::ldexp(mantissa, 53)));
-  exponent -= 53;
-  const Rational exact = exponent >= 0 ? Rational(Integer(digits << exponent))
-                                       : Rational(digits, Integer(Integer(1) << -exponent));
-  return roundToMultiple(exact, step);
-}
+Rational roundToMultiple(double value, const Rational &step) { return roundToMultiple(exactly(value), step); }
 
 } // namespace halfspace

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/multiprecision/rational_adaptor.hpp>
 
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <iosfwd>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace halfspace {
 
@@ -15,18 +21,124 @@ namespace mp = boost::multiprecision;
 /// An integer of any size. Expression templates are off: GLM and `auto` need plain values.
 using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 
-/// A fraction in lowest terms with a positive denominator.
-using Rational = mp::number<mp::rational_adaptor<mp::cpp_int_backend<>>, mp::et_off>;
+/// A fraction in lowest terms with a positive denominator, of any size.
+///
+/// Nearly all that a lesson or a question computes with fits two machine words and is kept in them; only what
+/// does not is handed to Boost. A small sum or product costs some nanoseconds and no memory.
+class Rational {
+public:
+  Rational() = default;
+  template <std::integral Int>
+  Rational(Int value) { // NOLINT(google-explicit-constructor): every integer is a fraction
+    if (std::in_range<std::int64_t>(value) &&
+        std::cmp_not_equal(value, std::numeric_limits<std::int64_t>::min()))
+      m_numerator = static_cast<std::int64_t>(value);
+    else
+      *this = Rational(Integer(value));
+  }
+  explicit Rational(const Integer &value);
+  /// p/q for q ≠ 0.
+  template <std::integral P, std::integral Q> Rational(P p, Q q) { *this = Rational(p) / Rational(q); }
+  Rational(const Integer &p, const Integer &q);
 
-/// The most digits that `parseRational` takes: in a decimal before its exponent, in a numerator, in a
+  [[nodiscard]] Integer numerator() const;
+  [[nodiscard]] Integer denominator() const;
+  [[nodiscard]] bool isInteger() const;
+  /// −1, 0 or 1.
+  [[nodiscard]] int sign() const;
+
+  [[nodiscard]] Rational operator-() const;
+  Rational &operator+=(const Rational &other) { return *this = *this + other; }
+  Rational &operator-=(const Rational &other) { return *this = *this - other; }
+  Rational &operator*=(const Rational &other) { return *this = *this * other; }
+  Rational &operator/=(const Rational &other) { return *this = *this / other; }
+
+  [[nodiscard]] friend Rational operator+(const Rational &a, const Rational &b) {
+    std::int64_t sum = 0;
+    if (a.isSmallInteger() && b.isSmallInteger() &&
+        !__builtin_add_overflow(a.m_numerator, b.m_numerator, &sum))
+      return sum;
+    return a.plus(b);
+  }
+  [[nodiscard]] friend Rational operator-(const Rational &a, const Rational &b) {
+    std::int64_t difference = 0;
+    if (a.isSmallInteger() && b.isSmallInteger() &&
+        !__builtin_sub_overflow(a.m_numerator, b.m_numerator, &difference))
+      return difference;
+    return a.plus(-b);
+  }
+  [[nodiscard]] friend Rational operator*(const Rational &a, const Rational &b) {
+    std::int64_t product = 0;
+    if (a.isSmallInteger() && b.isSmallInteger() &&
+        !__builtin_mul_overflow(a.m_numerator, b.m_numerator, &product))
+      return product;
+    return a.times(b);
+  }
+  /// For b ≠ 0.
+  [[nodiscard]] friend Rational operator/(const Rational &a, const Rational &b) { return a.over(b); }
+
+  [[nodiscard]] friend bool operator==(const Rational &a, const Rational &b) {
+    return a.isSmall() && b.isSmall() ? a.m_numerator == b.m_numerator && a.m_denominator == b.m_denominator
+                                      : (a <=> b) == 0;
+  }
+  [[nodiscard]] friend std::strong_ordering operator<=>(const Rational &a, const Rational &b) {
+    return a.isSmallInteger() && b.isSmallInteger() ? a.m_numerator <=> b.m_numerator : a.compare(b);
+  }
+
+  /// Numerator and denominator where both fit a machine word.
+  struct Words {
+    std::int64_t numerator;
+    std::int64_t denominator;
+  };
+  [[nodiscard]] std::optional<Words> words() const {
+    return isSmall() ? std::optional<Words>({m_numerator, m_denominator}) : std::nullopt;
+  }
+
+private:
+  __extension__ using TwoWords = __int128;
+
+  /// What does not fit into the words: Boost's fraction.
+  struct Big;
+
+  [[nodiscard]] bool isSmall() const { return m_big == nullptr; }
+  [[nodiscard]] bool isSmallInteger() const { return m_big == nullptr && m_denominator == 1; }
+  [[nodiscard]] Big big() const;
+  [[nodiscard]] static Rational fromBig(Big big);
+  [[nodiscard]] static Rational fromParts(TwoWords numerator, TwoWords denominator);
+
+  [[nodiscard]] Rational plus(const Rational &other) const;
+  [[nodiscard]] Rational times(const Rational &other) const;
+  [[nodiscard]] Rational over(const Rational &divisor) const;
+  [[nodiscard]] std::strong_ordering compare(const Rational &other) const;
+
+  // A word never holds the least of its values, so that each can be negated. Where m_big is set, the words
+  // are 0 and 1. It is never changed, so copies share it.
+  std::int64_t m_numerator = 0;
+  std::int64_t m_denominator = 1;
+  std::shared_ptr<const Big> m_big;
+};
+
+[[nodiscard]] inline Rational abs(const Rational &value) { return value.sign() < 0 ? -value : value; }
+
+/// As `toText`.
+std::ostream &operator<<(std::ostream &out, const Rational &value);
+
+/// The most digits that the readers below take: in a decimal before its exponent, in a numerator, in a
 /// denominator.
 inline constexpr std::size_t maxDigits = 200;
-/// The largest magnitude of a decimal exponent that `parseRational` takes.
+/// The largest magnitude of a decimal exponent that they take.
 inline constexpr int maxExponent = 400;
 
-/// The fraction that a text spells: a decimal (`-1.5`, `2e-3`: taken as exactly that decimal) or `p/q`,
-/// without spaces. Nothing for any other text, a zero denominator, or a number beyond the limits above.
+/// The fraction that a text spells: a decimal or `p/q` (below), nothing for any other text.
 [[nodiscard]] std::optional<Rational> parseRational(std::string_view text);
+
+/// The fraction that a decimal is, exactly: `-1.5`, `2e-3`. Without spaces; nothing for any other text or
+/// beyond the limits above.
+[[nodiscard]] std::optional<Rational> parseDecimal(std::string_view text);
+
+/// `p` or `p/q` of integers, each an optional `-` and digits. Without spaces; nothing for any other text, a
+/// zero denominator, or beyond the limits above.
+[[nodiscard]] std::optional<Rational> parseFraction(std::string_view text);
 
 /// `p` or `p/q` in lowest terms.
 [[nodiscard]] std::string toText(const Rational &value);
@@ -35,6 +147,9 @@ inline constexpr int maxExponent = 400;
 [[nodiscard]] double toDouble(const Rational &value);
 /// So that an algorithm written for both scalars can say `toDouble` of either.
 [[nodiscard]] inline double toDouble(double value) { return value; }
+
+/// The exact value of a finite double.
+[[nodiscard]] Rational exactly(double value);
 
 /// The double nearest to p/q (q > 0) scaled by 2^exponent; ±infinity beyond the range of doubles.
 [[nodiscard]] double nearestDouble(const Integer &p, const Integer &q, int exponent = 0);

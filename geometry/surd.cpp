@@ -1,5 +1,8 @@
 #include "geometry/surd.h"
 
+#include <limits>
+#include <vector>
+
 namespace halfspace {
 namespace {
 
@@ -9,6 +12,40 @@ struct SquareParts {
   Integer rest = 1;
   bool complete = true;
 };
+
+/// An odd prime, prepared so that one product tells whether it divides a word: exactly the multiples of an
+/// odd number, times its inverse modulo 2^64, are at most the largest word divided by it (Granlund and
+/// Montgomery, Division by invariant integers, 1994, section 9).
+struct Divisor {
+  explicit Divisor(std::uint64_t oddPrime)
+      : prime(oddPrime), inverse(oddPrime),
+        largestQuotient(std::numeric_limits<std::uint64_t>::max() / oddPrime) {
+    // Newton's iteration: each step doubles the number of true bits, and an odd number is its own inverse
+    // modulo 8.
+    for (int bits = 3; bits < std::numeric_limits<std::uint64_t>::digits; bits *= 2)
+      inverse *= 2 - prime * inverse;
+  }
+  [[nodiscard]] bool divides(std::uint64_t value) const { return value * inverse <= largestQuotient; }
+
+  std::uint64_t prime;
+  std::uint64_t inverse;
+  std::uint64_t largestQuotient;
+};
+
+/// All odd primes up to the cube root of `factorLimit`.
+std::vector<Divisor> sieveDivisors() {
+  constexpr std::size_t largest = 1'000'000;
+  std::vector<bool> composite(largest + 1);
+  std::vector<Divisor> divisors;
+  for (std::size_t n = 3; n <= largest; n += 2) {
+    if (composite[n])
+      continue;
+    divisors.emplace_back(n);
+    for (std::size_t multiple = n * n; multiple <= largest; multiple += 2 * n)
+      composite[multiple] = true;
+  }
+  return divisors;
+}
 
 /// Moves a prime's even powers from `value` to `parts.root` and an odd one left to `parts.rest`.
 void takePrime(std::uint64_t &value, std::uint64_t prime, SquareParts &parts) {
@@ -23,29 +60,50 @@ void takePrime(std::uint64_t &value, std::uint64_t prime, SquareParts &parts) {
   }
 }
 
-SquareParts splitSquares(const Integer &value) {
+std::uint64_t rootOf(std::uint64_t value) {
+  auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(value)));
+  while (root * root > value)
+    --root;
+  while ((root + 1) * (root + 1) <= value)
+    ++root;
+  return root;
+}
+
+/// For a value of at most `factorLimit`.
+SquareParts splitSmall(std::uint64_t value) {
   SquareParts parts;
-  const Integer root = mp::sqrt(value);
-  if (root * root == value) {
+  if (const std::uint64_t root = rootOf(value); root * root == value) {
     parts.root = root;
-    return parts;
-  }
-  if (value > factorLimit) {
-    parts.rest = value;
-    parts.complete = false;
     return parts;
   }
   // Below the cube root of what is left every prime is tried. What remains has at most two prime factors: it
   // is square-free unless it is a square itself.
-  auto left = value.convert_to<std::uint64_t>();
-  for (std::uint64_t prime = 2; prime * prime * prime <= left; prime += prime == 2 ? 1 : 2)
-    if (left % prime == 0)
-      takePrime(left, prime, parts);
-  const Integer last = mp::sqrt(Integer(left));
-  if (last * last == left)
+  static const std::vector<Divisor> oddPrimes = sieveDivisors();
+  takePrime(value, 2, parts);
+  for (const Divisor &divisor : oddPrimes) {
+    if (divisor.prime * divisor.prime * divisor.prime > value)
+      break;
+    if (divisor.divides(value))
+      takePrime(value, divisor.prime, parts);
+  }
+  if (const std::uint64_t last = rootOf(value); last * last == value)
     parts.root *= last;
   else
-    parts.rest *= left;
+    parts.rest *= value;
+  return parts;
+}
+
+SquareParts splitSquares(const Integer &value) {
+  if (value <= factorLimit)
+    return splitSmall(static_cast<std::uint64_t>(value));
+  SquareParts parts;
+  const Integer root = mp::sqrt(value);
+  if (root * root == value) {
+    parts.root = root;
+  } else {
+    parts.rest = value;
+    parts.complete = false;
+  }
   return parts;
 }
 
@@ -58,8 +116,8 @@ Surd Surd::root(const Rational &square, const Rational &factor) {
   // B·√n = ±√(B²n), so the form depends on the value alone and not on how it was come by.
   // √(p/q) = root(p)/(root(q)·rest(q)) · √(rest(p)·rest(q)), square-free because p and q share no factor.
   const Rational whole = square * factor * factor;
-  const SquareParts p = splitSquares(mp::numerator(whole));
-  const SquareParts q = splitSquares(mp::denominator(whole));
+  const SquareParts p = splitSquares(whole.numerator());
+  const SquareParts q = splitSquares(whole.denominator());
   const Rational magnitude(p.root, Integer(q.root * q.rest));
   const Rational outside = factor < 0 ? Rational(-magnitude) : magnitude;
   const Integer inside = p.rest * q.rest;
@@ -94,8 +152,27 @@ Surd Surd::operator+(const Rational &shift) const {
   return result;
 }
 
+bool Surd::isWithinFactorLimit() const {
+  // B²n = p/q in lowest terms, found without factors as n is square-free: p and q are squares but for the
+  // parts of n that they keep.
+  const Integer denominator = m_factor.denominator();
+  const Integer shared = mp::gcd(m_radicand, denominator);
+  const Integer rest = m_radicand / shared;
+  const Integer numerator = m_factor.numerator();
+  return (rest == 1 || numerator * numerator * rest <= factorLimit) &&
+         (shared == 1 || denominator * denominator / shared <= factorLimit);
+}
+
 Surd Surd::operator*(const Rational &scale) const {
-  return root(Rational(m_radicand), m_factor * scale) + m_rational * scale;
+  if (isRational() || scale == 0)
+    return m_rational * scale;
+  if (!m_canonical)
+    return root(Rational(m_radicand), m_factor * scale) + m_rational * scale;
+  Surd result = *this;
+  result.m_rational = m_rational * scale;
+  result.m_factor = m_factor * scale;
+  result.m_canonical = result.isWithinFactorLimit();
+  return result;
 }
 
 bool Surd::operator==(const Surd &other) const {
@@ -107,21 +184,49 @@ bool Surd::operator==(const Surd &other) const {
          rootSquare(*this) == rootSquare(other);
 }
 
+namespace {
+
+/// The sum A + B·√n in long doubles, where these hold a whole word and the sum does not cancel so much that
+/// its last bits would be lost.
+std::optional<double> quickDouble(const Surd &value) {
+  if constexpr (std::numeric_limits<long double>::digits < std::numeric_limits<std::int64_t>::digits)
+    return {};
+  const auto rational = value.rationalPart().words();
+  const auto factor = value.rootFactor().words();
+  if (!rational || !factor || value.radicand() > factorLimit)
+    return {};
+  const auto quotient = [](const Rational::Words &words) {
+    return static_cast<long double>(words.numerator) / static_cast<long double>(words.denominator);
+  };
+  const long double whole = quotient(*rational);
+  const long double root = quotient(*factor) * std::sqrt(static_cast<long double>(value.radicand()));
+  const long double sum = whole + root;
+  // Each part is at most 2 units in its 64th bit off. Of 11 bits more than a double has 8 may cancel.
+  constexpr long double cancellation = 256;
+  if (std::abs(sum) * cancellation < std::abs(whole) + std::abs(root))
+    return {};
+  return static_cast<double>(sum);
+}
+
+} // namespace
+
 double toDouble(const Surd &value) {
   if (value.isRational())
     return toDouble(value.rationalPart());
+  if (const auto quick = quickDouble(value))
+    return *quick;
   // The root is taken in fixed point, B·√n = ±√(B²n); more bits are added until 64 of the sum are true,
   // however much of A and B·√n cancels.
   const Rational square = value.rootFactor() * value.rootFactor() * Rational(value.radicand());
-  const Integer p = mp::numerator(square);
-  const Integer q = mp::denominator(square);
+  const Integer p = square.numerator();
+  const Integer q = square.denominator();
   for (int bits = 128 + static_cast<int>(mp::msb(q));; bits *= 2) {
     Integer root = mp::sqrt(Integer((p << (2 * bits)) / q));
     if (value.rootFactor() < 0)
       root = -root;
     const Rational sum = value.rationalPart() * Rational(Integer(Integer(1) << bits)) + Rational(root);
-    if (sum != 0 && mp::msb(Integer(mp::abs(Integer(mp::numerator(sum) / mp::denominator(sum))) + 1)) >= 64)
-      return nearestDouble(mp::numerator(sum), mp::denominator(sum), -bits);
+    if (sum != 0 && mp::msb(Integer(mp::abs(Integer(sum.numerator() / sum.denominator())) + 1)) >= 64)
+      return nearestDouble(sum.numerator(), sum.denominator(), -bits);
   }
 }
 
@@ -132,7 +237,7 @@ std::optional<std::string> toText(const Surd &value) {
     return toText(value.rationalPart());
   const Rational &factor = value.rootFactor();
   const bool mixed = value.rationalPart() != 0;
-  const Rational magnitude = mixed ? Rational(mp::abs(factor)) : factor;
+  const Rational magnitude = mixed ? abs(factor) : factor;
   std::string text;
   if (mixed)
     text = toText(value.rationalPart()) + (factor < 0 ? " - " : " + ");

@@ -35,6 +35,9 @@ public:
   [[nodiscard]] bool operator==(const Surd &other) const;
 
 private:
+  /// Whether this form tells the value's square-free radicand without factoring beyond the limit.
+  [[nodiscard]] bool isWithinFactorLimit() const;
+
   Rational m_rational = 0;
   Rational m_factor = 0;
   Integer m_radicand = 1;
@@ -57,10 +60,16 @@ template <> struct RootOf<double> { using Type = double; };
 template <> struct RootOf<Rational> { using Type = Surd; };
 template <class Scalar> using Root = typename RootOf<Scalar>::Type;
 
+/// factor·√square for square ≥ 0.
+[[nodiscard]] inline double timesRoot(double factor, double square) { return factor * std::sqrt(square); }
+[[nodiscard]] inline Surd timesRoot(const Rational &factor, const Rational &square) {
+  return Surd::root(square, factor);
+}
+
 /// value/√square for square > 0: what normalizing does to a number.
 [[nodiscard]] inline double overRoot(double value, double square) { return value / std::sqrt(square); }
 [[nodiscard]] inline Surd overRoot(const Rational &value, const Rational &square) {
-  return Surd::root(square, Rational(value / square));
+  return Surd::root(square, value / square);
 }
 
 } // namespace halfspace

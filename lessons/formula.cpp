@@ -25,8 +25,8 @@ int decimalPlaces(Integer q) {
 
 std::string decimalText(const Rational &value, int places) {
   const Rational scaled =
-      Rational(mp::abs(value)) * Rational(mp::pow(Integer(10), static_cast<unsigned>(places)));
-  std::string digits = Integer(mp::numerator(scaled)).str();
+      abs(value) * Rational(mp::pow(Integer(10), static_cast<unsigned>(places)));
+  std::string digits = scaled.numerator().str();
   const auto fraction = static_cast<std::size_t>(places);
   if (digits.size() <= fraction)
     digits.insert(0, fraction + 1 - digits.size(), '0');
@@ -38,8 +38,8 @@ ShownNumber rounded(double value) { return {roundedText(value), false}; }
 
 /// p/q with the sign in front of the fraction; `root` is written behind the numerator.
 std::string fractionLatex(const Rational &value, const std::string &root) {
-  const Integer p = mp::abs(Integer(mp::numerator(value)));
-  const Integer q = mp::denominator(value);
+  const Integer p = mp::abs(value.numerator());
+  const Integer q = value.denominator();
   std::string top = p == 1 && !root.empty() ? root : p.str() + root;
   if (q != 1)
     top = "\\frac{" + top + "}{" + q.str() + "}";
@@ -73,7 +73,7 @@ std::string roundedText(double value) {
 }
 
 ShownNumber show(const Rational &value) {
-  const Integer q = mp::denominator(value);
+  const Integer q = value.denominator();
   if (toText(value).size() > longestExactForm)
     return rounded(toDouble(value));
   const int places = q > largestFractionDenominator ? decimalPlaces(q) : -1;

@@ -83,10 +83,10 @@ bool isWithinBounds(const Object &object) {
 } // namespace
 
 std::optional<std::string> refuseCoordinate(const Rational &value) {
-  if (Rational(mp::abs(value)) > coordinateLimit)
+  if (abs(value) > coordinateLimit)
     return words("This number is too large: coordinates go from −{limit} to {limit}.",
                  {{"limit", toText(coordinateLimit)}});
-  if (hasTooManyDigits(mp::numerator(value)) || hasTooManyDigits(mp::denominator(value)))
+  if (hasTooManyDigits(value.numerator()) || hasTooManyDigits(value.denominator()))
     return words(
         "This number is too long: as a fraction it may have {digits} digits above and below the line.",
         {{"digits", std::to_string(coordinateDigits)}});

@@ -24,28 +24,28 @@ struct Candidate {
   double pixels = 0;   ///< from where the pointer wants it
 };
 
-Integer denominatorOf(const Rational &value) { return mp::denominator(value); }
+Integer denominatorOf(const Rational &value) { return value.denominator(); }
 
 /// The whole-numbered vector without a common factor in the direction of one that is not zero.
 ExactVec3 primitive(const ExactVec3 &direction) {
   Integer denominators = 1;
   for (int i = 0; i < 3; ++i)
-    denominators = mp::lcm(denominators, Integer(mp::denominator(direction[i])));
+    denominators = mp::lcm(denominators, direction[i].denominator());
   const ExactVec3 whole = direction * Rational(denominators);
   Integer factor = 0;
   for (int i = 0; i < 3; ++i)
-    factor = mp::gcd(factor, Integer(mp::numerator(whole[i])));
+    factor = mp::gcd(factor, whole[i].numerator());
   return whole / Rational(factor);
 }
 
 Rational largestMagnitude(const ExactVec3 &vector) {
-  return std::max({Rational(mp::abs(vector.x)), Rational(mp::abs(vector.y)), Rational(mp::abs(vector.z))});
+  return std::max({abs(vector.x), abs(vector.y), abs(vector.z)});
 }
 
 int dominantAxis(const ExactVec3 &vector) {
   int dominant = 0;
   for (int i = 1; i < 3; ++i)
-    if (mp::abs(vector[i]) > mp::abs(vector[dominant]))
+    if (abs(vector[i]) > abs(vector[dominant]))
       dominant = i;
   return dominant;
 }

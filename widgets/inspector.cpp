@@ -56,7 +56,7 @@ std::string valueLatex(const Value &value) {
 std::string decimalLatex(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
   if (!number || !show(*number).exact ||
-      (number->isRational() && mp::denominator(number->rationalPart()) == 1))
+      (number->isRational() && number->rationalPart().denominator() == 1))
     return {};
   const std::string decimal = roundedText(toDouble(*number));
   const auto same = parseRational(decimal);

@@ -38,9 +38,9 @@ std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
 QString typedText(const Rational &value, const QLocale &locale) {
   const Integer scale = mp::pow(Integer(10), shownPlaces);
   const Rational scaled = value * Rational(scale);
-  if (mp::denominator(value) == 1 || mp::denominator(scaled) != 1)
+  if (value.denominator() == 1 || scaled.denominator() != 1)
     return QString::fromStdString(toText(value));
-  QString digits = QString::fromStdString(Integer(mp::abs(Integer(mp::numerator(scaled)))).str());
+  QString digits = QString::fromStdString(Integer(mp::abs(scaled.numerator())).str());
   digits = digits.rightJustified(shownPlaces + 1, '0');
   digits.insert(digits.size() - shownPlaces, decimalPoint(locale));
   while (digits.endsWith('0'))

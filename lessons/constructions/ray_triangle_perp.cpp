@@ -341,7 +341,7 @@ constexpr double perpBeyondFoot = 1.12;
 /// The unit vector of a direction ≠ 0. Its largest coordinate is made 1 first: the squares of a very short
 /// one's doubles would vanish.
 Place unitOf(const ExactVec3 &direction) {
-  const auto size = [](const Rational &x) { return Rational(mp::abs(x)); };
+  const auto size = [](const Rational &x) { return abs(x); };
   const Rational largest = std::max({size(direction.x), size(direction.y), size(direction.z)});
   return glm::normalize(place(direction * Rational(1 / largest)));
 }

@@ -58,7 +58,7 @@ TEST(NormalizedCoefficients, PositiveMultiples_GiveTheSame) {
   RandomNumbers random(22);
   for (int i = 0; i < 500; ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
-    const Rational k = mp::abs(random.nonZeroRational());
+    const Rational k = abs(random.nonZeroRational());
     const Plane<Rational> scaled{plane.normal * k, Rational(plane.offset * k)};
     EXPECT_EQ(normalizedCoefficients(scaled), normalizedCoefficients(plane));
   }

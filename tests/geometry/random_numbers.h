@@ -58,16 +58,6 @@ private:
   std::mt19937_64 m_engine;
 };
 
-/// The exact value of a finite double.
-inline Rational exactly(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  const Rational digits(static_cast<long long>(std::ldexp(mantissa, 53)));
-  const int shift = exponent - 53;
-  const Rational power(Integer(Integer(1) << std::abs(shift)));
-  return shift < 0 ? Rational(digits / power) : Rational(digits * power);
-}
-
 inline Rational tenToThe(int exponent) {
   const Rational power(Integer(mp::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)))));
   return exponent < 0 ? Rational(1 / power) : power;

@@ -119,7 +119,7 @@ TEST(ToDouble, HalfwayBetweenTwoDoubles_TakesTheEvenOne) {
     const Rational hair = (exactly(above) - exactly(below)) * tenToThe(-30);
     // Of two neighbours the even one is a whole number of twice their distance.
     const Rational steps = exactly(below) / (2 * (exactly(above) - exactly(below)));
-    const double even = mp::denominator(steps) == 1 ? below : above;
+    const double even = steps.denominator() == 1 ? below : above;
     EXPECT_EQ(toDouble(middle), even);
     EXPECT_EQ(toDouble(Rational(-middle)), -even);
     EXPECT_EQ(toDouble(Rational(middle - hair)), below);
@@ -137,7 +137,7 @@ TEST(ToDouble, AtTheSmallestDouble_HalfIsZeroAndAnythingMoreIsNot) {
 }
 
 TEST(ToDouble, BeyondTheLargestDouble_IsInfinite) {
-  const Rational halfStep = exactly(largest) / ((Integer(1) << 54) - 2);
+  const Rational halfStep = exactly(largest) / Rational((Integer(1) << 54) - 2);
   const Rational edge = exactly(largest) + halfStep;
   EXPECT_EQ(toDouble(edge), infinity);
   EXPECT_EQ(toDouble(Rational(-edge)), -infinity);
@@ -164,10 +164,10 @@ TEST(RoundToMultiple, AnyValueAndStep_GivesTheNearestMultiple) {
   RandomNumbers random(5);
   for (int i = 0; i < 3000; ++i) {
     const Rational value = random.rational(1000);
-    const Rational step = mp::abs(random.nonZeroRational());
+    const Rational step = abs(random.nonZeroRational());
     const Rational rounded = roundToMultiple(value, step);
-    EXPECT_EQ(mp::denominator(Rational(rounded / step)), 1);
-    EXPECT_LE(Rational(mp::abs(Rational(rounded - value))), Rational(step / 2));
+    EXPECT_EQ((rounded / step).denominator(), 1);
+    EXPECT_LE(abs(rounded - value), step / 2);
     EXPECT_EQ(roundToMultiple(rounded, step), rounded);
   }
 }

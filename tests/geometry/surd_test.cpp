@@ -66,7 +66,7 @@ TEST(SurdRoot, SquaresInTheRadicand_AreTakenOut) {
 TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
   RandomNumbers random(11);
   for (int i = 0; i < 3000; ++i) {
-    const Rational square = mp::abs(random.nonZeroRational(200));
+    const Rational square = abs(random.nonZeroRational(200));
     const Rational factor = random.nonZeroRational();
     const Surd value = surd(square, factor);
     ASSERT_TRUE(value.canonical());
@@ -137,7 +137,7 @@ TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
 TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) {
   RandomNumbers random(12);
   for (int i = 0; i < 3000; ++i) {
-    const Rational square = mp::abs(random.nonZeroRational(50));
+    const Rational square = abs(random.nonZeroRational(50));
     const Rational factor = random.rational();
     const Rational shift = random.rational();
     const Rational norm = shift * shift - factor * factor * square;
@@ -151,7 +151,7 @@ TEST(SurdToDouble, AnyValue_IsTheNearestDouble) {
   for (int i = 0; i < 3000; ++i) {
     const Rational scale = tenToThe(random.integer(-60, 60));
     const Surd value =
-        surd(mp::abs(random.nonZeroRational(1000)), Rational(random.rational() * scale), random.rational());
+        surd(abs(random.nonZeroRational(1000)), Rational(random.rational() * scale), random.rational());
     EXPECT_TRUE(isNearestDoubleOf(toDouble(value), value));
   }
 }

@@ -185,7 +185,7 @@ private:
 };
 
 Precise precise(const Rational &number) {
-  return Precise(Integer(mp::numerator(number))) / Precise(Integer(mp::denominator(number)));
+  return Precise(number.numerator()) / Precise(number.denominator());
 }
 
 } // namespace

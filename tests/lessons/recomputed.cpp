@@ -44,7 +44,7 @@ SignedSquares normalizedNumbers(const ExactVec3 &v, const Rational &normalSquare
 SignedSquares primitiveOf(const std::array<Rational, 4> &coefficients) {
   Integer multiple = 1;
   for (const Rational &each : coefficients)
-    multiple *= mp::denominator(each);
+    multiple *= each.denominator();
   Integer factor = 0;
   for (const Rational &each : coefficients)
     factor = mp::gcd(factor, Integer(mp::numerator(Rational(each * Rational(multiple)))));
@@ -290,7 +290,7 @@ Recomputed rayTriangle(Objects objects) {
 
 } // namespace
 
-Rational signedSquare(const Rational &p, const Rational &square) { return p * Rational(mp::abs(p)) / square; }
+Rational signedSquare(const Rational &p, const Rational &square) { return p * abs(p) / square; }
 
 Recomputed recompute(std::string_view construction, Objects objects) {
   static const std::map<std::string_view, Recomputed (*)(Objects)> all{{"plane-implicit", planeImplicit},

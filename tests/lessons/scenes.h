@@ -6,12 +6,7 @@
 
 #include <ostream>
 
-// GoogleTest finds these by the types' own namespaces.
-namespace boost::multiprecision {
-inline void PrintTo(const halfspace::Rational &value, std::ostream *stream) {
-  *stream << halfspace::toText(value);
-}
-} // namespace boost::multiprecision
+// GoogleTest finds it by the type's own namespace.
 namespace glm {
 inline void PrintTo(const halfspace::ExactVec3 &v, std::ostream *stream) {
   *stream << "(" << halfspace::toText(v.x) << ", " << halfspace::toText(v.y) << ", " << halfspace::toText(v.z)
