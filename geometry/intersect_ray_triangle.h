@@ -8,6 +8,25 @@ namespace halfspace {
 
 enum class RayTriangleCase { Hit, Miss, Behind, Parallel, InPlane, Coincident, Collinear, ZeroDirection };
 
+/// The case of a ray that does not cross the triangle's plane in one point, by the first of these that holds.
+[[nodiscard]] inline RayTriangleCase caseWithoutCrossing(TriangleShape shape, bool zeroDirection,
+                                                         bool inPlane) {
+  if (shape == TriangleShape::Coincident)
+    return RayTriangleCase::Coincident;
+  if (shape == TriangleShape::Collinear)
+    return RayTriangleCase::Collinear;
+  if (zeroDirection)
+    return RayTriangleCase::ZeroDirection;
+  return inPlane ? RayTriangleCase::InPlane : RayTriangleCase::Parallel;
+}
+
+/// The case of a ray whose line crosses the triangle's plane in one point.
+[[nodiscard]] inline RayTriangleCase caseOfCrossing(const TrianglePlace &place, bool behind) {
+  if (place.location == TriangleLocation::Outside)
+    return RayTriangleCase::Miss;
+  return behind ? RayTriangleCase::Behind : RayTriangleCase::Hit;
+}
+
 /// The numbers of the method of perps that belong to the triangle alone (note PG 6.2).
 template <class Scalar> struct TrianglePerps {
   Vec3<Scalar> u{};      ///< P1 − P0
@@ -63,15 +82,13 @@ template <class Scalar>
   const auto &perps = result.perps;
   const TriangleShape shape = shapeOf(triangle);
   if (shape != TriangleShape::Proper) {
-    result.which =
-        shape == TriangleShape::Coincident ? RayTriangleCase::Coincident : RayTriangleCase::Collinear;
+    result.which = caseWithoutCrossing(shape, isZero(ray.direction), false);
     return result;
   }
   result.plane = intersectRayPlane(ray, planeThrough(triangle.p0, perps.normal));
   if (!result.plane.crosses()) {
-    result.which = result.plane.which == RayPlaneCase::ZeroDirection ? RayTriangleCase::ZeroDirection
-                   : result.plane.which == RayPlaneCase::InPlane     ? RayTriangleCase::InPlane
-                                                                     : RayTriangleCase::Parallel;
+    result.which =
+        caseWithoutCrossing(shape, isZero(ray.direction), result.plane.which == RayPlaneCase::InPlane);
     return result;
   }
   result.w = result.plane.point - triangle.p0;
@@ -80,10 +97,7 @@ template <class Scalar>
   result.s = (perps.uv * result.wv - perps.vv * result.wu) / perps.denominator;
   result.tTriangle = (perps.uv * result.wu - perps.uu * result.wv) / perps.denominator;
   result.place = placeInTriangle(result.s, result.tTriangle);
-  if (result.place.location == TriangleLocation::Outside)
-    result.which = RayTriangleCase::Miss;
-  else
-    result.which = result.plane.which == RayPlaneCase::Hit ? RayTriangleCase::Hit : RayTriangleCase::Behind;
+  result.which = caseOfCrossing(result.place, result.plane.which == RayPlaneCase::Behind);
   return result;
 }
 

@@ -21,6 +21,14 @@ template <class Scalar>
   return {normal, Scalar(-dot(normal, point))};
 }
 
+/// The plane through three points with the normal (p1 − p0)×(p2 − p0), which is zero when they lie on one
+/// line.
+template <class Scalar>
+[[nodiscard]] Plane<Scalar> planeThrough(const Vec3<Scalar> &p0, const Vec3<Scalar> &p1,
+                                         const Vec3<Scalar> &p2) {
+  return planeThrough(p0, cross(Vec3<Scalar>(p1 - p0), Vec3<Scalar>(p2 - p0)));
+}
+
 /// f(x) = n·x + d: zero on the plane, its sign is the side of x (note PG 3.4). A distance only when |n| = 1.
 template <class Scalar> [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane, const Vec3<Scalar> &x) {
   return dot(plane.normal, x) + plane.offset;

@@ -23,6 +23,19 @@ template <class Scalar> [[nodiscard]] TriangleShape shapeOf(const Triangle<Scala
   return isZero(cross(u, v)) ? TriangleShape::Collinear : TriangleShape::Proper;
 }
 
+/// The point P0 + s·u + t·v of a triangle's plane (note PG 2).
+template <class Scalar>
+[[nodiscard]] Vec3<Scalar> pointOf(const Triangle<Scalar> &triangle, const Scalar &s, const Scalar &t) {
+  return triangle.p0 + (triangle.p1 - triangle.p0) * s + (triangle.p2 - triangle.p0) * t;
+}
+
+/// Whether P0 + s·u + t·v lies in the parallelogram of u and v, its boundary included (note PG 2).
+template <class Scalar> [[nodiscard]] bool isInParallelogram(const Scalar &s, const Scalar &t) {
+  const Scalar zero(0);
+  const Scalar one(1);
+  return zero <= s && s <= one && zero <= t && t <= one;
+}
+
 /// Where a point of a triangle's plane lies. On an edge or at a corner the feature tells which one:
 /// the corner's index, or the index of the corner opposite the edge.
 enum class TriangleLocation { Interior, Edge, Vertex, Outside };

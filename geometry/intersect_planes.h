@@ -1,0 +1,40 @@
+// Two planes, by Plücker coordinates.
+#pragma once
+
+#include "geometry/line.h"
+#include "geometry/plane.h"
+
+namespace halfspace {
+
+enum class PlanePlaneCase { Line, Parallel, Coincident, ZeroNormal };
+
+/// What two planes have in common.
+template <class Scalar> struct PlanePlane {
+  PlanePlaneCase which = PlanePlaneCase::ZeroNormal;
+  Root<Scalar> cosine{};  ///< of the angle between the normals
+  Line<Scalar> line{};    ///< {n1×n2 : d1·n2 − d2·n1}; set only for Line
+  Vec3<Scalar> nearest{}; ///< the line's point nearest to the origin; set only for Line
+};
+
+/// Intersects two planes (note PL). The line's direction is n1×n2. Coincident planes may have normals of
+/// different lengths and directions. With a zero normal the case says so, and nothing else is set.
+template <class Scalar>
+[[nodiscard]] PlanePlane<Scalar> intersectPlanes(const Plane<Scalar> &a, const Plane<Scalar> &b) {
+  PlanePlane<Scalar> result;
+  if (isZero(a.normal) || isZero(b.normal))
+    return result;
+  result.cosine =
+      overRoot(dot(a.normal, b.normal), Scalar(dot(a.normal, a.normal) * dot(b.normal, b.normal)));
+  const Vec3<Scalar> direction = cross(a.normal, b.normal);
+  const Vec3<Scalar> moment = b.normal * a.offset - a.normal * b.offset;
+  if (isZero(direction)) {
+    result.which = isZero(moment) ? PlanePlaneCase::Coincident : PlanePlaneCase::Parallel;
+    return result;
+  }
+  result.which = PlanePlaneCase::Line;
+  result.line = {direction, moment};
+  result.nearest = nearestToOrigin(result.line);
+  return result;
+}
+
+} // namespace halfspace

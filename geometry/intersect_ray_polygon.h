@@ -1,0 +1,85 @@
+// A ray and a convex polygon, by Plücker products.
+#pragma once
+
+#include "geometry/intersect_ray_plane.h"
+#include "geometry/line.h"
+#include "geometry/polygon.h"
+
+namespace halfspace {
+
+enum class RayPolygonCase { Hit, Miss, Behind, Parallel, InPlane, ZeroDirection };
+enum class PolygonLocation { Interior, Edge, Vertex, Outside };
+
+/// Where a point of a polygon's plane lies. Edge i runs from corner i to corner i + 1.
+struct PolygonPlace {
+  PolygonLocation location = PolygonLocation::Outside;
+  int feature = -1; ///< the edge's or the corner's index; set only for Edge and Vertex
+};
+
+/// Where a ray meets a convex polygon, with every number on the way.
+template <class Scalar> struct RayPolygon {
+  RayPolygonCase which = RayPolygonCase::ZeroDirection;
+  std::vector<Scalar> products; ///< with each edge i → i + 1
+  PolygonPlace place;
+  Scalar t{};
+  Vec3<Scalar> point{};
+
+  /// Whether the ray's line crosses the polygon's plane in one point; place, t and point are set only then.
+  [[nodiscard]] bool crosses() const {
+    return which == RayPolygonCase::Hit || which == RayPolygonCase::Miss || which == RayPolygonCase::Behind;
+  }
+};
+
+/// The place where a line crosses the plane of a convex polygon, by its products with the edges (note PL) and
+/// the sign of direction·normal, where the edges go counterclockwise around the normal: inside all products
+/// have that sign, on an edge its own is 0.
+template <class Scalar>
+[[nodiscard]] PolygonPlace placeByProducts(std::span<const Scalar> products, bool withNormal) {
+  const Scalar zero(0);
+  std::vector<int> zeros;
+  for (std::size_t i = 0; i < products.size(); ++i) {
+    if (products[i] == zero)
+      zeros.push_back(static_cast<int>(i));
+    else if ((products[i] > zero) != withNormal)
+      return {};
+  }
+  if (zeros.empty())
+    return {PolygonLocation::Interior, -1};
+  if (zeros.size() == 1)
+    return {PolygonLocation::Edge, zeros.front()};
+  // Two neighbours meet in the corner where the second one starts; the last edge and the first one in corner
+  // 0.
+  const bool aroundTheEnd = zeros[1] != zeros[0] + 1;
+  return {PolygonLocation::Vertex, aroundTheEnd ? 0 : zeros[1]};
+}
+
+/// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
+/// crosses the plane outside. Behind: it crosses the polygon at t < 0. With a zero direction the case says
+/// so. The polygon's shape must be Convex.
+template <class Scalar>
+[[nodiscard]] RayPolygon<Scalar> intersectRayPolygon(const Ray<Scalar> &ray,
+                                                     std::span<const Vec3<Scalar>> corners) {
+  const Scalar zero(0);
+  RayPolygon<Scalar> result;
+  const Line<Scalar> line = lineOf(ray);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    result.products.push_back(
+        permutedInnerProduct(line, lineThrough(corners[i], corners[(i + 1) % corners.size()])));
+
+  const RayPlane<Scalar> plane = intersectRayPlane(ray, planeThrough(corners[0], corners[1], corners[2]));
+  if (!plane.crosses()) {
+    result.which = isZero(ray.direction)                  ? RayPolygonCase::ZeroDirection
+                   : plane.which == RayPlaneCase::InPlane ? RayPolygonCase::InPlane
+                                                          : RayPolygonCase::Parallel;
+    return result;
+  }
+  result.t = plane.t;
+  result.point = plane.point;
+  result.place = placeByProducts(std::span<const Scalar>(result.products), plane.denominator > zero);
+  result.which = result.place.location == PolygonLocation::Outside ? RayPolygonCase::Miss
+                 : plane.which == RayPlaneCase::Behind             ? RayPolygonCase::Behind
+                                                                   : RayPolygonCase::Hit;
+  return result;
+}
+
+} // namespace halfspace

@@ -1,0 +1,80 @@
+// A ray and a sphere.
+#pragma once
+
+#include "geometry/place.h"
+#include "geometry/ray.h"
+#include "geometry/sphere.h"
+#include "geometry/surd.h"
+
+#include <vector>
+
+namespace halfspace {
+
+enum class RaySphereCase { Hit, Behind, Miss, ZeroDirection };
+/// In how many points the whole line meets the sphere.
+enum class SphereContacts { None, Tangent, Two };
+
+/// One point that a ray's line and a sphere have in common.
+template <class Scalar> struct SphereContact {
+  Root<Scalar> t{};
+  std::array<Root<Scalar>, 3> point{};
+  std::array<Root<Scalar>, 3> normal{}; ///< unit, outward
+};
+
+/// Where a ray meets a sphere, with every number on the way.
+template <class Scalar> struct RaySphere {
+  RaySphereCase which = RaySphereCase::ZeroDirection;
+  SphereContacts contacts = SphereContacts::None;
+  SolidPlace origin = SolidPlace::Outside; ///< where the ray starts
+  Scalar discriminant{};                   ///< (d·m)² − (d·d)(m·m − r²) with m = origin − center
+  std::vector<SphereContact<Scalar>> along{}; ///< by ascending t
+};
+
+/// Intersects a ray with a sphere (note CG). Hit: some t ≥ 0, which is so when the ray starts inside or on
+/// it. Behind: all t < 0. Miss: the discriminant is negative. With a zero direction the case says so and only
+/// the origin's place is set.
+template <class Scalar>
+[[nodiscard]] RaySphere<Scalar> intersectRaySphere(const Ray<Scalar> &ray, const Sphere<Scalar> &sphere) {
+  const Scalar zero(0);
+  RaySphere<Scalar> result;
+  const Vec3<Scalar> &d = ray.direction;
+  const Vec3<Scalar> m = ray.origin - sphere.center;
+  const Scalar outside = dot(m, m) - sphere.radius * sphere.radius;
+  result.origin = outside > zero ? SolidPlace::Outside : outside < zero ? SolidPlace::Inside : SolidPlace::On;
+  if (isZero(d))
+    return result;
+  const Scalar square = dot(d, d);
+  const Scalar leaving = dot(d, m);
+  result.discriminant = leaving * leaving - square * outside;
+  if (result.discriminant < zero) {
+    result.which = RaySphereCase::Miss;
+    return result;
+  }
+  // The two t have the product outside/square: from outside both have the sign of −leaving.
+  result.which = outside > zero && leaving > zero ? RaySphereCase::Behind : RaySphereCase::Hit;
+  result.contacts = result.discriminant == zero ? SphereContacts::Tangent : SphereContacts::Two;
+
+  const Scalar middle = -leaving / square;
+  const Scalar share = Scalar(1) / square;
+  const auto addContact = [&](const Root<Scalar> &t) {
+    SphereContact<Scalar> contact;
+    contact.t = t;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<glm::length_t>(i);
+      const Root<Scalar> fromCenter = t * d[axis] + m[axis];
+      contact.point[i] = fromCenter + sphere.center[axis];
+      contact.normal[i] = fromCenter * Scalar(Scalar(1) / sphere.radius);
+    }
+    result.along.push_back(std::move(contact));
+  };
+  if (result.contacts == SphereContacts::Tangent) {
+    addContact(Root<Scalar>(middle));
+  } else {
+    const Root<Scalar> root = timesRoot(share, result.discriminant);
+    addContact(-root + middle);
+    addContact(root + middle);
+  }
+  return result;
+}
+
+} // namespace halfspace

@@ -1,0 +1,59 @@
+// Two lines.
+#pragma once
+
+#include "geometry/line.h"
+#include "geometry/surd.h"
+
+namespace halfspace {
+
+/// Same and Opposite: the same points, with directions that agree or oppose each other.
+enum class LineLineCase { Same, Opposite, Parallel, Intersecting, Skew, NotALine };
+
+/// How two lines lie to each other, with every number on the way.
+template <class Scalar> struct LineLine {
+  LineLineCase which = LineLineCase::NotALine;
+  Scalar product{};           ///< the permuted inner product d1·m2 + d2·m1
+  bool perpendicular = false; ///< d1·d2 = 0; skew lines can be, too
+  Root<Scalar> distance{};    ///< 0 where they meet
+  Vec3<Scalar> point{};       ///< set only for Intersecting
+};
+
+/// How two real lines lie to each other (note PL). If one of them is not real, the case says so and only the
+/// product is set.
+template <class Scalar>
+[[nodiscard]] LineLine<Scalar> relateLines(const Line<Scalar> &a, const Line<Scalar> &b) {
+  const Scalar zero(0);
+  LineLine<Scalar> result;
+  result.product = permutedInnerProduct(a, b);
+  if (!isReal(a) || !isReal(b))
+    return result;
+
+  const Scalar cosine = dot(a.direction, b.direction);
+  const Vec3<Scalar> common = cross(a.direction, b.direction);
+  const Vec3<Scalar> between = nearestToOrigin(b) - nearestToOrigin(a);
+  result.perpendicular = cosine == zero;
+  result.distance = Root<Scalar>(0);
+  if (isZero(common)) {
+    if (isZero(between)) {
+      result.which = cosine > zero ? LineLineCase::Same : LineLineCase::Opposite;
+    } else {
+      // Both nearest points lie in the plane through the origin across the lines: the way between is the
+      // distance.
+      result.which = LineLineCase::Parallel;
+      result.distance = timesRoot(Scalar(1), dot(between, between));
+    }
+    return result;
+  }
+  const Scalar square = dot(common, common);
+  if (result.product != zero) {
+    result.which = LineLineCase::Skew;
+    result.distance = overRoot(result.product < zero ? Scalar(-result.product) : result.product, square);
+    return result;
+  }
+  result.which = LineLineCase::Intersecting;
+  const Scalar along = dot(cross(between, b.direction), common) / square;
+  result.point = nearestToOrigin(a) + a.direction * along;
+  return result;
+}
+
+} // namespace halfspace
