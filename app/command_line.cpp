@@ -48,6 +48,7 @@ struct Arguments {
   LessonsCommand lessons;
   ExplainCommand explain;
   RenderCommand render;
+  EvalCommand eval;
   std::string size = "1600x1000";
   int step = 0;
 };
@@ -112,6 +113,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
+  auto *eval = app.add_subcommand("eval", "Answer geometry questions, one JSON object a line");
+  eval->add_option("file", arguments.eval.file, "The file with the questions; standard input without one");
   app.require_subcommand(0, 1);
 
   try {
@@ -128,6 +131,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
     return arguments.lessons;
   if (explain->parsed())
     return arguments.explain;
+  if (eval->parsed())
+    return arguments.eval;
   if (render->parsed())
     return finishRender(arguments, render->count("--step") > 0);
   return arguments.window;

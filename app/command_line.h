@@ -34,13 +34,18 @@ struct RenderCommand {
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure
 };
 
+struct EvalCommand {
+  std::string file; ///< empty or -: standard input
+};
+
 /// Nothing is left to do but to print a text (--help, --version) or a complaint.
 struct PrintCommand {
   std::string text;
   int exitStatus = 0; ///< 0: to standard output; 2: to standard error
 };
 
-using Command = std::variant<WindowCommand, LessonsCommand, ExplainCommand, RenderCommand, PrintCommand>;
+using Command =
+    std::variant<WindowCommand, LessonsCommand, ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence and exit
 /// status 2.

@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/eval_command.h"
 #include "app/window_command.h"
 
 #include <iostream>
@@ -12,6 +13,7 @@ int run(const Command &command, int argc, char **argv) {
                                [](const LessonsCommand &lessons) { return runLessons(lessons); },
                                [](const ExplainCommand &explain) { return runExplain(explain); },
                                [](const RenderCommand &render) { return runRender(render); },
+                               [](const EvalCommand &eval) { return runEval(eval); },
                                [](const PrintCommand &print) {
                                  (print.exitStatus == 0 ? std::cout : std::cerr) << print.text;
                                  return print.exitStatus;

@@ -5,4 +5,4 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 how=(--dry-run --Werror)
 [[ ${1-} == --fix ]] && how=(-i)
-find app geometry lessons tests widgets \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format "${how[@]}"
+find app eval geometry lessons tests widgets \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format "${how[@]}"
