@@ -292,7 +292,7 @@ private:
   }
 
   bool object(int depth) {
-    const std::size_t node = open(JsonKind::Object);
+    const std::size_t node = open(JsonKind::Map);
     ++m_at;
     skipSpace();
     if (!take('}')) {
@@ -373,7 +373,7 @@ std::string JsonValue::text() const { return m_line->textOf(m_line->m_nodes[m_no
 
 template <class Visit> void JsonValue::visitChildren(Visit visit) const {
   const auto &nodes = m_line->m_nodes;
-  const bool keyed = nodes[m_node].kind == JsonKind::Object;
+  const bool keyed = nodes[m_node].kind == JsonKind::Map;
   for (std::uint32_t node = m_node + 1; node < nodes[m_node].next;) {
     const std::uint32_t value = keyed ? node + 1 : node;
     visit(nodes[node], JsonValue(*m_line, value));
@@ -389,7 +389,7 @@ std::vector<JsonValue> JsonValue::elements() const {
 
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   std::optional<JsonValue> found;
-  if (kind() == JsonKind::Object)
+  if (kind() == JsonKind::Map)
     visitChildren([&](const auto &node, JsonValue value) {
       if (m_line->isText(node, key))
         found = value;
@@ -398,7 +398,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view key) const {
 }
 
 bool JsonValue::hasExactly(std::initializer_list<std::string_view> keys) const {
-  if (kind() != JsonKind::Object)
+  if (kind() != JsonKind::Map)
     return false;
   std::size_t count = 0;
   bool known = true;

@@ -15,7 +15,7 @@ inline constexpr int maxJsonDepth = 64;
 /// The longest line that is read, in bytes.
 inline constexpr std::size_t maxLineLength = std::size_t{64} << 20U;
 
-enum class JsonKind : std::uint8_t { Null, False, True, Number, String, List, Object };
+enum class JsonKind : std::uint8_t { Null, False, True, Number, String, List, Map };
 
 /// Why a text is not JSON: a few words for a person, and the place, counted in bytes from 1.
 struct JsonFault {
