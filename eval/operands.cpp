@@ -9,7 +9,6 @@ struct Malformed {
 };
 
 // --- The parts of operands: each throws Malformed
-// --------------------------------------------------------------
 
 Rational numberFrom(const JsonValue &value) {
   std::optional<Rational> number;
@@ -130,7 +129,6 @@ std::string degenerateWords(TriangleShape shape) {
 } // namespace
 
 // --- The operands
-// ----------------------------------------------------------------------------------------------
 
 void Operands::refuse(FaultCode code, const std::string &message) {
   if (!m_fault || code < m_fault->code)

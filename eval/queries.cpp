@@ -161,7 +161,6 @@ std::string_view wordOf(LinePlaneCase which) {
 }
 
 // --- The queries
-// -----------------------------------------------------------------------------------------------
 
 void plane(Operands &operands, Answer &answer) {
   const auto plane = operands.plane("plane");

@@ -1,7 +1,5 @@
 #include "geometry/rational.h"
 
-#include <boost/multiprecision/rational_adaptor.hpp>
-
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,10 +9,9 @@
 namespace halfspace {
 
 // --- The number itself
-// ---------------------------------------------------------------------------------------
 
 struct Rational::Big {
-  mp::number<mp::rational_adaptor<mp::cpp_int_backend<>>, mp::et_off> value;
+  mp::number<mp::gmp_rational, mp::et_off> value;
 };
 
 namespace {
@@ -134,7 +131,6 @@ std::strong_ordering Rational::compare(const Rational &other) const {
 std::ostream &operator<<(std::ostream &out, const Rational &value) { return out << toText(value); }
 
 // --- Reading and writing
-// -------------------------------------------------------------------------------------
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Exact numbers: integers and fractions of any size.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
 
 #include <compare>
 #include <concepts>
@@ -19,12 +19,12 @@ namespace halfspace {
 namespace mp = boost::multiprecision;
 
 /// An integer of any size. Expression templates are off: GLM and `auto` need plain values.
-using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
+using Integer = mp::number<mp::gmp_int, mp::et_off>;
 
 /// A fraction in lowest terms with a positive denominator, of any size.
 ///
 /// Nearly all that a lesson or a question computes with fits two machine words and is kept in them; only what
-/// does not is handed to Boost. A small sum or product costs some nanoseconds and no memory.
+/// does not is handed to GMP. A small sum or product costs some nanoseconds and no memory.
 class Rational {
 public:
   Rational() = default;
@@ -97,7 +97,7 @@ public:
 private:
   __extension__ using TwoWords = __int128;
 
-  /// What does not fit into the words: Boost's fraction.
+  /// What does not fit into the words: GMP's fraction.
   struct Big;
 
   [[nodiscard]] bool isSmall() const { return m_big == nullptr; }

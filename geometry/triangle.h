@@ -3,6 +3,8 @@
 
 #include "geometry/vector.h"
 
+#include <array>
+
 namespace halfspace {
 
 /// Three corners; u = p1 − p0 and v = p2 − p0 span it.
@@ -44,18 +46,23 @@ struct TrianglePlace {
   int feature = -1; ///< set for Edge and Vertex
 };
 
-/// The place of the point with barycentric coordinates [1 − s − t, s, t] (note PG 2; note CG).
-/// A coordinate 0 is an edge only where the other two are positive, a corner where one more is 0.
-template <class Scalar> [[nodiscard]] TrianglePlace placeInTriangle(const Scalar &s, const Scalar &t) {
+/// −1, 0 or 1.
+template <class Scalar> [[nodiscard]] int signOf(const Scalar &value) {
   const Scalar zero(0);
-  const Scalar barycentric[3] = {Scalar(1) - s - t, s, t};
+  return value < zero ? -1 : value > zero ? 1 : 0;
+}
+
+/// The place of a point by the signs of its barycentric coordinates (note PG 2; note CG). A coordinate 0 is
+/// an edge only where the other two are positive, a corner where one more is 0.
+[[nodiscard]] inline TrianglePlace placeBySigns(const std::array<int, 3> &signs) {
   int zeros = 0;
   int lastZero = -1;
   int lastPositive = -1;
   for (int i = 0; i < 3; ++i) {
-    if (barycentric[i] < zero)
+    const int sign = signs[static_cast<std::size_t>(i)];
+    if (sign < 0)
       return {TriangleLocation::Outside, -1};
-    if (barycentric[i] == zero) {
+    if (sign == 0) {
       ++zeros;
       lastZero = i;
     } else {
@@ -66,6 +73,11 @@ template <class Scalar> [[nodiscard]] TrianglePlace placeInTriangle(const Scalar
     return {TriangleLocation::Interior, -1};
   return zeros == 1 ? TrianglePlace{TriangleLocation::Edge, lastZero}
                     : TrianglePlace{TriangleLocation::Vertex, lastPositive};
+}
+
+/// The place of the point with barycentric coordinates [1 − s − t, s, t].
+template <class Scalar> [[nodiscard]] TrianglePlace placeInTriangle(const Scalar &s, const Scalar &t) {
+  return placeBySigns({signOf(Scalar(Scalar(1) - s - t)), signOf(s), signOf(t)});
 }
 
 } // namespace halfspace

@@ -1,0 +1,47 @@
+// Verdicts on doubles that are always right.
+#pragma once
+
+#include "geometry/intersect_ray_plane.h"
+#include "geometry/intersect_ray_sphere.h"
+#include "geometry/intersect_ray_triangle.h"
+#include "geometry/point_plane.h"
+
+namespace halfspace {
+
+// Each of these takes finite doubles for exactly the numbers that they are, and gives the verdict that the
+// query of the same name gives over fractions. A filter decides nearly all inputs in plain arithmetic, with a
+// bound on its error; where the bound leaves a sign open, exact arithmetic decides.
+
+/// The side of a point, as of `measurePointPlane`.
+[[nodiscard]] PointPlaneCase decidePointPlane(const Vec3<double> &point, const Plane<double> &plane);
+
+/// The case of `intersectRayPlane`.
+[[nodiscard]] RayPlaneCase decideRayPlane(const Ray<double> &ray, const Plane<double> &plane);
+
+struct RayTriangleVerdict {
+  RayTriangleCase which = RayTriangleCase::Coincident;
+  TrianglePlace place; ///< Outside, too, where the line does not cross the plane in one point
+};
+
+/// The case and the place of `intersectRayTriangle`.
+[[nodiscard]] RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle);
+
+/// The t of `intersectRayTriangle`, for a ray whose line crosses the triangle's plane in one point.
+[[nodiscard]] Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle);
+
+struct RaySphereVerdict {
+  RaySphereCase which = RaySphereCase::ZeroDirection;
+  SphereContacts contacts = SphereContacts::None;
+};
+
+/// The case and the contacts of `intersectRaySphere`.
+[[nodiscard]] RaySphereVerdict decideRaySphere(const Ray<double> &ray, const Sphere<double> &sphere);
+
+/// The fractions that finite doubles are.
+[[nodiscard]] Vec3<Rational> exactly(const Vec3<double> &vector);
+[[nodiscard]] Ray<Rational> exactly(const Ray<double> &ray);
+[[nodiscard]] Plane<Rational> exactly(const Plane<double> &plane);
+[[nodiscard]] Triangle<Rational> exactly(const Triangle<double> &triangle);
+[[nodiscard]] Sphere<Rational> exactly(const Sphere<double> &sphere);
+
+} // namespace halfspace

@@ -1,0 +1,44 @@
+// The first of very many triangles that a ray hits.
+#pragma once
+
+#include "geometry/ray.h"
+#include "geometry/triangle.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace halfspace {
+
+/// The most that the t of a hit is off, as a share of it.
+inline constexpr double hitPrecision = 0x1p-40;
+
+/// The triangle with the smallest t ≥ 0, of several the one with the lowest index.
+struct NearestHit {
+  std::size_t index = 0;
+  double t = 0; ///< within hitPrecision
+};
+
+/// Many triangles, made ready once and then asked often.
+///
+/// The answer is that of `hitAll` over fractions, for the doubles taken as exactly the numbers that they are:
+/// no ray slips through an edge or a corner, ties go to the lowest index, degenerate triangles and those
+/// whose plane the ray lies in are passed over. Embree proposes candidates by boxes that are larger than its
+/// floats are wrong; each is decided by a filter with a bound on its error, or else over fractions.
+class HitFinder {
+public:
+  /// Copies the triangles; their coordinates must be finite.
+  explicit HitFinder(std::span<const Triangle<double>> triangles);
+  HitFinder(HitFinder &&) noexcept;
+  HitFinder &operator=(HitFinder &&) noexcept;
+  ~HitFinder();
+
+  /// For a direction ≠ 0 and finite numbers. May be called from several threads at once.
+  [[nodiscard]] std::optional<NearestHit> find(const Ray<double> &ray) const;
+
+private:
+  struct Tree;
+  std::unique_ptr<const Tree> m_tree;
+};
+
+} // namespace halfspace

@@ -1,0 +1,54 @@
+// A triangle with the values kept that do not depend on the ray.
+#pragma once
+
+#include "geometry/intersect_ray_triangle.h"
+
+namespace halfspace {
+
+/// The method of the perps (note PG 6.2) with all that belongs to the triangle put into three linear forms:
+/// its plane, and the two that give s and t of a point of that plane. For testing one triangle against many
+/// rays.
+template <class Scalar> struct PreparedTriangle {
+  Plane<Scalar> plane;
+  Plane<Scalar> s; ///< s(x) = vPerp·(x − P0)/(u·vPerp)
+  Plane<Scalar> t; ///< t(x) = uPerp·(x − P0)/(v·uPerp)
+};
+
+/// For a triangle that is not degenerate.
+template <class Scalar> [[nodiscard]] PreparedTriangle<Scalar> prepare(const Triangle<Scalar> &triangle) {
+  const TrianglePerps<Scalar> perps = perpsOf(triangle);
+  const auto form = [&](const Vec3<Scalar> &perp, const Vec3<Scalar> &along) {
+    const Scalar scale = Scalar(1) / dot(along, perp);
+    return planeThrough(triangle.p0, Vec3<Scalar>(perp * scale));
+  };
+  return {planeThrough(triangle.p0, perps.normal), form(perps.vPerp, perps.u), form(perps.uPerp, perps.v)};
+}
+
+/// A hit by its parameters alone.
+template <class Scalar> struct QuickHit {
+  bool hit = false; ///< t ≥ 0, and inside or on the boundary; the rest is set only then
+  Scalar t{};       ///< of the ray
+  Scalar s{};       ///< the point is P0 + s·u + tTriangle·v
+  Scalar tTriangle{};
+};
+
+/// The hits of `intersectRayTriangle`, and nothing else: exact over fractions, subject to rounding over
+/// doubles.
+template <class Scalar>
+[[nodiscard]] QuickHit<Scalar> quickHit(const Ray<Scalar> &ray, const PreparedTriangle<Scalar> &triangle) {
+  const Scalar zero(0);
+  const Scalar approach = dot(ray.direction, triangle.plane.normal);
+  if (approach == zero)
+    return {};
+  const Scalar t = -evaluate(triangle.plane, ray.origin) / approach;
+  if (t < zero)
+    return {};
+  const Vec3<Scalar> point = pointAt(ray, t);
+  const Scalar s = evaluate(triangle.s, point);
+  const Scalar tTriangle = evaluate(triangle.t, point);
+  if (s < zero || tTriangle < zero || s + tTriangle > Scalar(1))
+    return {};
+  return {true, t, s, tTriangle};
+}
+
+} // namespace halfspace

@@ -1,0 +1,158 @@
+// Millions of doubles, random and adversarial: no verdict may differ from the exact one.
+#include "geometry/decide.h"
+
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace halfspace {
+namespace {
+
+/// The sweeps are this many times as long when the environment says so: HALFSPACE_SWEEP=100 makes millions.
+int times(int count) {
+  const char *factor = std::getenv("HALFSPACE_SWEEP");
+  return factor == nullptr ? count : count * std::max(1, std::atoi(factor));
+}
+
+/// Doubles that filters like least.
+class NastyDoubles {
+public:
+  explicit NastyDoubles(std::uint64_t seed) : m_random(seed), m_engine(seed + 1) {}
+
+  int integer(int low, int high) { return m_random.integer(low, high); }
+
+  /// Whole, short, long, huge, tiny or subnormal.
+  double number() {
+    switch (integer(0, 9)) {
+    case 0:
+      return 0;
+    case 1:
+      return integer(-3, 3);
+    case 2:
+      return integer(-1000, 1000) / 16.0;
+    case 3:
+      return m_random.anyDouble();
+    case 4:
+      return std::ldexp(integer(-9, 9), integer(-1074, 1000));
+    case 5:
+      return 1e6 + uniform();
+    default:
+      return uniform() * 20;
+    }
+  }
+
+  /// Between −1 and 1.
+  double uniform() { return std::uniform_real_distribution<double>(-1, 1)(m_engine); }
+
+  Vec3<double> vector() { return {number(), number(), number()}; }
+  Vec3<double> ordinaryVector() { return {uniform() * 20, uniform() * 20, uniform() * 20}; }
+
+  /// Some units in the last place off, or none.
+  double nudged(double value) {
+    for (int steps = integer(0, 2); steps > 0; --steps)
+      value = std::nextafter(value, integer(0, 1) == 0 ? -1e300 : 1e300);
+    return value;
+  }
+  Vec3<double> nudged(const Vec3<double> &v) { return {nudged(v.x), nudged(v.y), nudged(v.z)}; }
+
+private:
+  RandomNumbers m_random;
+  std::mt19937_64 m_engine;
+};
+
+TEST(DecidePointPlane, PointsOnOrBesideThePlane_AreOnTheirExactSide) {
+  NastyDoubles nasty(1);
+  int on = 0;
+  for (int i = 0; i < times(4000); ++i) {
+    const Vec3<double> point = nasty.vector();
+    Plane<double> plane{nasty.vector(), nasty.number()};
+    if (i % 2 == 0)
+      plane.offset = nasty.nudged(-dot(plane.normal, point));
+    if (!std::isfinite(plane.offset))
+      continue;
+    const auto exact = measurePointPlane(exactly(point), exactly(plane)).which;
+    on += exact == PointPlaneCase::On ? 1 : 0;
+    ASSERT_EQ(decidePointPlane(point, plane), exact) << i;
+  }
+  EXPECT_GT(on, 20); // the sweep reaches the plane itself
+}
+
+TEST(DecideRayPlane, NearlyParallelAndNearlyInThePlane_IsTheExactCase) {
+  NastyDoubles nasty(2);
+  for (int i = 0; i < times(3000); ++i) {
+    Ray<double> ray{nasty.vector(), nasty.vector()};
+    Plane<double> plane{nasty.vector(), nasty.number()};
+    if (i % 2 == 0) {
+      // Two edges of a plane and its normal: what is left of their product is rounding.
+      const Vec3<double> u = nasty.ordinaryVector();
+      plane.normal = cross(u, nasty.ordinaryVector());
+      ray.direction = nasty.nudged(u);
+      plane.offset = nasty.nudged(-dot(plane.normal, ray.origin));
+    }
+    if (!std::isfinite(plane.offset))
+      continue;
+    ASSERT_EQ(decideRayPlane(ray, plane), intersectRayPlane(exactly(ray), exactly(plane)).which) << i;
+  }
+}
+
+/// Rays aimed at, or within a few units in the last place of, corners and points of edges.
+Ray<double> aimedRay(NastyDoubles &nasty, const Triangle<double> &triangle) {
+  const double share = nasty.integer(0, 4) / 4.0;
+  const Vec3<double> target = triangle.p0 + (triangle.p1 - triangle.p0) * share;
+  const Vec3<double> origin = nasty.ordinaryVector();
+  return {origin, nasty.nudged(target - origin)};
+}
+
+void expectExactVerdict(const Ray<double> &ray, const Triangle<double> &triangle) {
+  const auto verdict = decideRayTriangle(ray, triangle);
+  const auto exact = intersectRayTriangle(exactly(ray), exactly(triangle));
+  ASSERT_EQ(verdict.which, exact.which);
+  ASSERT_EQ(verdict.place.location, exact.place.location);
+  ASSERT_EQ(verdict.place.feature, exact.place.feature);
+}
+
+TEST(DecideRayTriangle, AimedAtEdgesAndCorners_IsTheExactVerdict) {
+  NastyDoubles nasty(3);
+  for (int i = 0; i < times(4000); ++i) {
+    Triangle<double> triangle{nasty.ordinaryVector(), nasty.ordinaryVector(), nasty.ordinaryVector()};
+    if (i % 5 == 0)
+      triangle.p2 = nasty.nudged(triangle.p0 + (triangle.p1 - triangle.p0) * nasty.uniform());
+    ASSERT_NO_FATAL_FAILURE(expectExactVerdict(aimedRay(nasty, triangle), triangle)) << i;
+  }
+}
+
+TEST(DecideRayTriangle, AnyNumbers_IsTheExactVerdict) {
+  NastyDoubles nasty(4);
+  for (int i = 0; i < times(2000); ++i)
+    ASSERT_NO_FATAL_FAILURE(expectExactVerdict({nasty.vector(), nasty.vector()},
+                                               {nasty.vector(), nasty.vector(), nasty.vector()}))
+        << i;
+}
+
+TEST(DecideRaySphere, NearlyTangent_IsTheExactVerdict) {
+  NastyDoubles nasty(5);
+  int tangents = 0;
+  for (int i = 0; i < times(3000); ++i) {
+    Ray<double> ray{nasty.vector(), nasty.vector()};
+    Sphere<double> sphere{nasty.vector(), std::abs(nasty.number())};
+    if (i % 2 == 0) {
+      sphere.radius = nasty.integer(1, 9);
+      sphere.center = {double(nasty.integer(-9, 9)), double(nasty.integer(-9, 9)), 0};
+      ray.origin = {double(nasty.integer(-9, 9)), nasty.nudged(sphere.center.y + sphere.radius), 0};
+      ray.direction = {1, 0, 0};
+    }
+    if (sphere.radius == 0)
+      continue;
+    const auto verdict = decideRaySphere(ray, sphere);
+    const auto exact = intersectRaySphere(exactly(ray), exactly(sphere));
+    ASSERT_EQ(verdict.which, exact.which) << i;
+    ASSERT_EQ(verdict.contacts, exact.contacts) << i;
+    tangents += exact.contacts == SphereContacts::Tangent ? 1 : 0;
+  }
+  EXPECT_GT(tangents, 100);
+}
+
+} // namespace
+} // namespace halfspace

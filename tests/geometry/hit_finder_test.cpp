@@ -1,0 +1,172 @@
+#include "geometry/hit_finder.h"
+
+#include "geometry/decide.h"
+#include "geometry/nearest_hit.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace halfspace {
+namespace {
+
+using Triangles = std::vector<Triangle<double>>;
+
+class Scenes {
+public:
+  explicit Scenes(std::uint64_t seed) : m_engine(seed) {}
+
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(m_engine);
+  }
+  std::size_t index(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(m_engine);
+  }
+  Vec3<double> vector(double size) {
+    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
+  }
+
+  Triangles soup(std::size_t count, const Vec3<double> &middle) {
+    Triangles triangles;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3<double> corner = middle + vector(10);
+      triangles.push_back({corner, corner + vector(3), corner + vector(3)});
+    }
+    return triangles;
+  }
+
+private:
+  std::mt19937_64 m_engine;
+};
+
+/// A bumpy square of n × n cells over [0, n]², two triangles each: every edge inside belongs to two.
+Triangles terrain(Scenes &scenes, int n, const Vec3<double> &corner) {
+  const auto side = static_cast<std::size_t>(n) + 1;
+  std::vector<Vec3<double>> points;
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x)
+      points.push_back(corner + Vec3<double>(x, y, scenes.uniform(0, 0.5)));
+  Triangles triangles;
+  for (std::size_t y = 0; y + 1 < side; ++y)
+    for (std::size_t x = 0; x + 1 < side; ++x) {
+      const std::size_t i = y * side + x;
+      triangles.push_back({points[i], points[i + 1], points[i + side]});
+      triangles.push_back({points[i + side + 1], points[i + side], points[i + 1]});
+    }
+  return triangles;
+}
+
+void expectAsTheExactLoop(const HitFinder &finder, const Triangles &triangles, const Ray<double> &ray) {
+  std::vector<Triangle<Rational>> exact;
+  for (const Triangle<double> &triangle : triangles)
+    exact.push_back(exactly(triangle));
+  const auto all = hitAll(exactly(ray), std::span<const Triangle<Rational>>(exact));
+  const auto found = finder.find(ray);
+  ASSERT_EQ(found.has_value(), !all.hits.empty());
+  if (!found)
+    return;
+  EXPECT_EQ(found->index, all.hits.front().index);
+  const double t = toDouble(all.hits.front().t);
+  EXPECT_NEAR(found->t, t,
+              std::abs(t) * 1e-12); // far coarser than promised, far finer than any wrong triangle
+}
+
+TEST(HitFinder, RandomTriangles_AgreesWithTheExactLoop) {
+  Scenes scenes(1);
+  for (const Vec3<double> middle : {Vec3<double>(0), Vec3<double>(1e6, -1e6, 3e5)}) {
+    const Triangles triangles = scenes.soup(60, middle);
+    const HitFinder finder(triangles);
+    for (int i = 0; i < 60; ++i)
+      ASSERT_NO_FATAL_FAILURE(
+          expectAsTheExactLoop(finder, triangles, {middle + scenes.vector(15), scenes.vector(1)}));
+  }
+}
+
+TEST(HitFinder, AimedAtSharedEdgesAndCorners_NoRaySlipsThrough) {
+  Scenes scenes(2);
+  for (const Vec3<double> corner : {Vec3<double>(0), Vec3<double>(1e6, 1e6, 0)}) {
+    const Triangles triangles = terrain(scenes, 12, corner);
+    const HitFinder finder(triangles);
+    for (int i = 0; i < 20000; ++i) {
+      // Straight down on a whole x, or a whole y: on an edge exactly, whatever the height.
+      const double along = scenes.uniform(0, 12);
+      const auto whole = static_cast<double>(scenes.index(13));
+      const Vec3<double> above = i % 2 == 0 ? Vec3<double>(whole, along, 5) : Vec3<double>(along, whole, 5);
+      ASSERT_TRUE(finder.find({corner + above, {0, 0, -1}})) << i;
+    }
+  }
+}
+
+TEST(HitFinder, AimedAtCornersFromAnywhere_AgreesWithTheExactLoop) {
+  Scenes scenes(3);
+  const Triangles triangles = terrain(scenes, 5, {0, 0, 0});
+  const HitFinder finder(triangles);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3<double> target = triangles[scenes.index(triangles.size())].p1;
+    const Vec3<double> origin = scenes.vector(20);
+    ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(finder, triangles, {origin, target - origin}));
+  }
+}
+
+TEST(HitFinder, TrianglesAtTheSamePlace_GiveTheLowestIndex) {
+  const Triangle<double> low{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
+  const Triangle<double> high{{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
+  const HitFinder finder(Triangles{high, low, low, high, low});
+  const auto hit = finder.find({{1, 1, 0}, {0, 0, 0.5}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->index, 1u);
+  EXPECT_EQ(hit->t, 2);
+}
+
+TEST(HitFinder, HitsThatDoublesCannotTellApart_AreOrderedExactly) {
+  // The planes x + y + k·z = 3·k cut the axis at z = 3; the second one a hair lower.
+  const double hair = std::nextafter(3.0, 0.0);
+  const Triangle<double> at{{3, 0, 3}, {-3, 3, 3}, {-3, -3, 3}};
+  const Triangle<double> lower{{3, 0, hair}, {-3, 3, hair}, {-3, -3, hair}};
+  const HitFinder finder(Triangles{at, lower});
+  const auto hit = finder.find({{0, 0, -1e3}, {0, 0, 1e-3}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->index, 1u);
+}
+
+TEST(HitFinder, DegenerateAndInPlaneTriangles_ArePassedOver) {
+  const Triangle<double> point{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+  const Triangle<double> line{{0, 0, 2}, {1, 1, 2}, {2, 2, 2}};
+  const Triangle<double> inPlane{{1, 1, 0}, {1, 1, 5}, {3, 1, 0}};
+  const Triangle<double> far{{0, 0, 9}, {4, 0, 9}, {0, 4, 9}};
+  const HitFinder finder(Triangles{point, line, inPlane, far});
+  const auto hit = finder.find({{1, 1, 0}, {0, 0, 1}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->index, 3u);
+}
+
+TEST(HitFinder, BehindOrBeside_FindsNothing) {
+  const HitFinder finder(Triangles{{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}});
+  EXPECT_FALSE(finder.find({{1, 1, 2}, {0, 0, 1}}));
+  EXPECT_FALSE(finder.find({{5, 5, 0}, {0, 0, 1}}));
+  EXPECT_TRUE(finder.find({{1, 1, 1}, {0, 0, 1}})); // t = 0
+}
+
+TEST(HitFinder, NoTriangles_FindsNothing) {
+  EXPECT_FALSE(HitFinder(Triangles{}).find({{0, 0, 0}, {0, 0, 1}}));
+}
+
+TEST(HitFinder, FarAwayHugeAndTiny_AgreesWithTheExactLoop) {
+  Scenes scenes(4);
+  for (const double size : {1e-30, 1e-9, 1.0, 1e9, 1e30, 1e250}) {
+    Triangles triangles = scenes.soup(30, Vec3<double>(0));
+    for (Triangle<double> &triangle : triangles)
+      triangle = {triangle.p0 * size, triangle.p1 * size, triangle.p2 * size};
+    const HitFinder finder(triangles);
+    for (const double away : {1.0, 1e4, 1e9})
+      for (int i = 0; i < 10; ++i) {
+        const Triangle<double> &aim = triangles[scenes.index(triangles.size())];
+        const Vec3<double> origin = scenes.vector(20) * (size * away);
+        const Vec3<double> target = (aim.p0 + aim.p1 + aim.p2) / 3.0;
+        ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(finder, triangles, {origin, target - origin})) << size;
+      }
+  }
+}
+
+} // namespace
+} // namespace halfspace
