@@ -47,7 +47,7 @@ SignedSquares primitiveOf(const std::array<Rational, 4> &coefficients) {
     multiple *= each.denominator();
   Integer factor = 0;
   for (const Rational &each : coefficients)
-    factor = mp::gcd(factor, Integer(mp::numerator(Rational(each * Rational(multiple)))));
+    factor = mp::gcd(factor, (each * Rational(multiple)).numerator());
   SignedSquares result;
   for (const Rational &each : coefficients)
     result.push_back(signedSquare(Rational(each * Rational(multiple, factor))));

@@ -1,4 +1,4 @@
-// A triangle with the values kept that do not depend on the ray.
+// Whether and where a ray hits a triangle, and nothing else: for testing millions.
 #pragma once
 
 #include "geometry/intersect_ray_triangle.h"
@@ -47,6 +47,32 @@ template <class Scalar>
   const Scalar s = evaluate(triangle.s, point);
   const Scalar tTriangle = evaluate(triangle.t, point);
   if (s < zero || tTriangle < zero || s + tTriangle > Scalar(1))
+    return {};
+  return {true, t, s, tTriangle};
+}
+
+/// The same with a triangle of which nothing is kept, by Cramer's rule (note CG; see `intersectRayTriangleCramer`).
+template <class Scalar>
+[[nodiscard]] QuickHit<Scalar> quickHit(const Ray<Scalar> &ray, const Triangle<Scalar> &triangle) {
+  const Scalar zero(0);
+  const Scalar one(1);
+  const Vec3<Scalar> toS = triangle.p0 - triangle.p1;
+  const Vec3<Scalar> toT = triangle.p0 - triangle.p2;
+  const Vec3<Scalar> throughT = cross(toT, ray.direction);
+  const Scalar det = dot(toS, throughT);
+  if (det == zero)
+    return {};
+  const Scalar share = one / det;
+  const Vec3<Scalar> toO = triangle.p0 - ray.origin;
+  const Scalar s = dot(toO, throughT) * share;
+  if (s < zero || s > one)
+    return {};
+  const Vec3<Scalar> throughS = cross(toS, toO);
+  const Scalar tTriangle = dot(ray.direction, throughS) * share;
+  if (tTriangle < zero || s + tTriangle > one)
+    return {};
+  const Scalar t = -dot(toT, throughS) * share;
+  if (t < zero)
     return {};
   return {true, t, s, tTriangle};
 }

@@ -1,0 +1,133 @@
+// `halfspace eval` without the program around it: lines a second on a mix of all queries, and memory.
+#include "eval/evaluate.h"
+#include "tests/bench/stopwatch.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <random>
+
+namespace halfspace::bench {
+namespace {
+
+constexpr double goal = 100'000; // lines a second on one core
+
+/// Writes seeded questions: whole numbers, decimals and fractions in turns.
+class Questions {
+public:
+  std::string next() {
+    const std::size_t which = m_count++ % forms.size();
+    std::string line;
+    for (const char c : std::string_view(forms[which]))
+      line += c == 'V' ? vector() : c == 'N' ? number() : std::string(1, c);
+    return line;
+  }
+
+private:
+  /// V stands for a vector, N for a number that is not zero.
+  static constexpr std::array forms{
+      R"({"query":"plane","plane":{"point":V,"normal":V}})",
+      R"({"query":"point-plane","point":V,"plane":{"point":V,"normal":V}})",
+      R"({"query":"project-vector","vector":V,"onto":V})",
+      R"({"query":"ray-plane","ray":{"origin":V,"direction":V},"plane":{"points":[V,V,V]}})",
+      R"({"query":"ray-triangle","ray":{"origin":V,"direction":V},"triangle":[V,V,V]})",
+      R"({"query":"ray-sphere","ray":{"origin":V,"direction":V},"sphere":{"center":V,"radius":20}})",
+      R"({"query":"ray-polygon","ray":{"origin":V,"direction":V},"polygon":[[0,0,0],[4,0,0],[5,3,0],[2,6,0],[-1,3,0]]})",
+      R"({"query":"ray-solid","ray":{"origin":V,"direction":V},"solid":{"vertices":[[0,0,0],[3,0,0],[0,3,0],[0,0,3]],"faces":[[1,2,3],[0,3,2],[0,1,3],[0,2,1]]}})",
+      R"({"query":"plane-plane","plane":{"point":V,"normal":V},"plane2":{"coefficients":[N,N,N,N]}})",
+      R"({"query":"line","line":{"point":V,"direction":V}})",
+      R"({"query":"line-line","line":{"point":V,"direction":V},"line2":{"through":[V,V]}})",
+      R"({"query":"line-plane","line":{"point":V,"direction":V},"plane":{"point":V,"normal":V}})",
+      R"({"query":"parametric","triangle":[V,V,V],"s":N,"t":N})",
+      R"({"query":"nearest-hit","ray":{"origin":V,"direction":V},"triangles":[[V,V,V],[V,V,V],[V,V,V]]})"};
+
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
+
+  std::string number() {
+    const std::string sign = integer(0, 1) == 0 ? "-" : "";
+    const std::string whole = std::to_string(integer(1, 20));
+    switch (integer(0, 3)) {
+    case 0:
+      return sign + whole + "." + std::to_string(integer(1, 99));
+    case 1:
+      return "\"" + sign + whole + "/" + std::to_string(integer(1, 12)) + "\"";
+    default:
+      return sign + whole;
+    }
+  }
+  std::string vector() { return "[" + number() + "," + number() + "," + number() + "]"; }
+
+  std::mt19937_64 m_engine{5};
+  std::size_t m_count = 0;
+};
+
+/// The most memory that this process ever had, in MiB.
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// Hands out questions without end to hold: `count` lines, made as they are read.
+class QuestionBuffer : public std::streambuf {
+public:
+  explicit QuestionBuffer(std::size_t count) : m_left(count) {}
+
+protected:
+  int_type underflow() override {
+    if (m_left == 0)
+      return traits_type::eof();
+    m_text.clear();
+    for (int i = 0; i < 100 && m_left > 0; ++i, --m_left)
+      m_text += m_questions.next() + "\n";
+    setg(m_text.data(), m_text.data(), m_text.data() + m_text.size());
+    return traits_type::to_int_type(*gptr());
+  }
+
+private:
+  Questions m_questions;
+  std::size_t m_left;
+  std::string m_text;
+};
+
+class NullBuffer : public std::streambuf {
+protected:
+  int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+  std::streamsize xsputn(const char *, std::streamsize count) override { return count; }
+};
+
+void run() {
+  std::vector<std::string> lines;
+  Questions questions;
+  for (int i = 0; i < 14'000; ++i)
+    lines.push_back(questions.next());
+  Evaluator evaluator;
+  std::size_t refused = 0;
+  std::vector<Contender> contenders{{"a line of the mix", lines.size(), [&] {
+                                       std::string answers;
+                                       for (const std::string &line : lines)
+                                         refused += evaluator.answer(line, answers) ? 0U : 1U;
+                                       return double(answers.size());
+                                     }}};
+  race(contenders, 9);
+  print("halfspace eval", contenders);
+  const double perSecond = 1e9 / contenders[0].nanoseconds;
+  std::printf("  %zu of the lines were refused\n", refused);
+  printGoal("wanted / reached lines a second (" + std::to_string(static_cast<long>(perSecond)) + ")",
+            goal / perSecond, 1.0);
+
+  for (const std::size_t count : {1'000UL, 10'000UL, 100'000UL, 1'000'000UL}) {
+    QuestionBuffer buffer(count);
+    NullBuffer nothing;
+    std::istream in(&buffer);
+    std::ostream out(&nothing);
+    const auto outcome = evaluateLines(in, out);
+    std::printf("  %8zu lines: %6.1f MiB at most%s\n", count, peakMemory(),
+                outcome == StreamOutcome::CannotRead ? ", not read" : "");
+  }
+}
+
+} // namespace
+} // namespace halfspace::bench
+
+int main() { halfspace::bench::run(); }
