@@ -66,8 +66,9 @@ public:
 
   [[nodiscard]] TriangleProducts<Integer> products() const {
     const Vec3<Integer> bc = cross(m_b, m_c);
-    return {{dot(m_direction, bc), dot(m_direction, cross(m_c, m_a)), dot(m_direction, cross(m_a, m_b))},
-            dot(m_a, bc)};
+    const std::array<Integer, 3> products{dot(m_direction, bc), dot(m_direction, cross(m_c, m_a)),
+                                          dot(m_direction, cross(m_a, m_b))};
+    return {products, products[0] + products[1] + products[2], dot(m_a, bc)};
   }
 
   [[nodiscard]] TriangleShape shape() const { return shapeOf(Triangle<Integer>{m_a, m_b, m_c}); }
@@ -112,7 +113,7 @@ private:
 /// zero.
 RayTriangleVerdict verdictOf(const TriangleProducts<Integer> &exact) {
   const auto &[first, second, third] = exact.products;
-  const int sum = signOf(Integer(first + second + third));
+  const int sum = signOf(exact.sum);
   const std::array<int, 3> signs{signOf(first) * sum, signOf(second) * sum, signOf(third) * sum};
   if (sum == 0) {
     const bool inPlane = first == 0 && second == 0 && third == 0;
@@ -131,7 +132,7 @@ std::optional<RayTriangleVerdict> verdictOf(const TriangleProducts<Bounded> &bou
     return RayTriangleVerdict{signs[0] == volume ? RayTriangleCase::Hit : RayTriangleCase::Behind,
                               {TriangleLocation::Interior, -1}};
   const auto [low, high] = std::minmax_element(signs.begin(), signs.end());
-  if (*low < 0 && *high > 0 && (first + second + third).sign() != 0)
+  if (*low < 0 && *high > 0 && bounded.sum.sign() != 0)
     return RayTriangleVerdict{RayTriangleCase::Miss, {}};
   return {};
 }
@@ -152,7 +153,7 @@ RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<doub
 Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle) {
   const WholeNumbers whole(ray, triangle);
   const auto exact = whole.products();
-  const Rational t(exact.volume, Integer(exact.products[0] + exact.products[1] + exact.products[2]));
+  const Rational t(exact.volume, exact.sum);
   const Rational power(Integer(Integer(1) << std::abs(whole.tExponent())));
   return whole.tExponent() < 0 ? t / power : t * power;
 }

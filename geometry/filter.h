@@ -23,9 +23,9 @@ struct Bounded {
   /// −1 or 1 where the true value surely has this sign; 0 where that is open.
   [[nodiscard]] int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 
-  [[nodiscard]] Bounded operator+(const Bounded &other) const {
-    const double sum = value + other.value;
-    return {sum, error + other.error + filterError * std::abs(sum)};
+  [[nodiscard]] Bounded operator-(const Bounded &other) const {
+    const double difference = value - other.value;
+    return {difference, error + other.error + filterError * std::abs(difference)};
   }
   /// For a divisor whose sign is certain.
   [[nodiscard]] Bounded operator/(const Bounded &divisor) const {
@@ -54,31 +54,31 @@ struct Bounded {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// What a ray and a triangle tell without a division: the products of note PL with the edges opposite the
-/// corners, and six times the signed volume of the ray's origin and the triangle. The sum of the products is
-/// r·n, and the ray's t is volume/sum.
+/// What a ray and a triangle tell without a division.
 template <class Value> struct TriangleProducts {
-  std::array<Value, 3> products;
-  Value volume;
+  std::array<Value, 3> products; ///< of note PL, with the edges opposite the corners
+  Value sum;                     ///< of the products: r·n
+  Value volume;                  ///< six times that of the ray's origin and the triangle; t = volume/sum
 };
 
-/// For a tame ray and a tame triangle.
+/// For a tame ray and a tame triangle. Computed from the triangle's first corner, like Cramer's determinants:
+/// seen from the ray's origin a small triangle far away would be lost in the rounding.
 [[nodiscard]] inline TriangleProducts<Bounded> boundedProducts(const Ray<double> &ray,
                                                                const Triangle<double> &triangle) {
-  const Vec3<double> a = triangle.p0 - ray.origin;
-  const Vec3<double> b = triangle.p1 - ray.origin;
-  const Vec3<double> c = triangle.p2 - ray.origin;
-  const Vec3<double> bc = cross(b, c);
-  const double sizeA = largestCoordinate(a);
-  const double sizeB = largestCoordinate(b);
-  const double sizeC = largestCoordinate(c);
+  const Vec3<double> u = triangle.p1 - triangle.p0;
+  const Vec3<double> v = triangle.p2 - triangle.p0;
+  const Vec3<double> w = ray.origin - triangle.p0;
+  const Vec3<double> normal = cross(u, v);
+  const double sizeU = largestCoordinate(u);
+  const double sizeV = largestCoordinate(v);
+  const double sizeW = largestCoordinate(w);
+  const double sizeR = largestCoordinate(ray.direction);
   // A volume of three edges is a sum of six products.
-  const double unit = 6 * filterError;
-  const double alongRay = unit * largestCoordinate(ray.direction);
-  return {{Bounded{dot(ray.direction, bc), alongRay * sizeB * sizeC},
-           Bounded{dot(ray.direction, cross(c, a)), alongRay * sizeC * sizeA},
-           Bounded{dot(ray.direction, cross(a, b)), alongRay * sizeA * sizeB}},
-          {dot(a, bc), unit * sizeA * sizeB * sizeC}};
+  constexpr double unit = 6 * filterError;
+  const Bounded sum{dot(ray.direction, normal), unit * sizeR * sizeU * sizeV};
+  const Bounded second{dot(w, cross(v, ray.direction)), unit * sizeW * sizeV * sizeR};
+  const Bounded third{dot(ray.direction, cross(u, w)), unit * sizeR * sizeU * sizeW};
+  return {{sum - second - third, second, third}, sum, {-dot(w, normal), unit * sizeW * sizeU * sizeV}};
 }
 
 } // namespace halfspace

@@ -59,7 +59,7 @@ public:
         return;
       if (sign != 0 && second.sign() == sign && third.sign() == sign && bounded.volume.sign() != 0) {
         if (bounded.volume.sign() == sign)
-          take(index, bounded.volume / (first + second + third));
+          take(index, bounded.volume / bounded.sum);
         return;
       }
     }

@@ -11,7 +11,7 @@
 namespace halfspace {
 
 /// The most that the t of a hit is off, as a share of it.
-inline constexpr double hitPrecision = 0x1p-40;
+inline constexpr double hitPrecision = 0x1p-36;
 
 /// The triangle with the smallest t ≥ 0, of several the one with the lowest index.
 struct NearestHit {

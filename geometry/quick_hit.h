@@ -51,7 +51,8 @@ template <class Scalar>
   return {true, t, s, tTriangle};
 }
 
-/// The same with a triangle of which nothing is kept, by Cramer's rule (note CG; see `intersectRayTriangleCramer`).
+/// The same with a triangle of which nothing is kept, by Cramer's rule (note CG; see
+/// `intersectRayTriangleCramer`).
 template <class Scalar>
 [[nodiscard]] QuickHit<Scalar> quickHit(const Ray<Scalar> &ray, const Triangle<Scalar> &triangle) {
   const Scalar zero(0);

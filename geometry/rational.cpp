@@ -25,8 +25,16 @@ bool fitsWord(TwoWords value) {
 
 bool fitsWord(const Integer &value) { return mp::abs(value) <= std::numeric_limits<std::int64_t>::max(); }
 
-/// Of two words; the result is positive where one of them is not 0.
-std::int64_t greatestCommonDivisor(std::int64_t a, std::int64_t b) { return std::gcd(a, b); }
+/// Of two words; the result is positive where one of them is not 0. A 1 is common, and would take long.
+std::int64_t greatestCommonDivisor(std::int64_t a, std::int64_t b) {
+  return a == 1 || b == 1 ? 1 : std::gcd(a, b);
+}
+
+/// value mod divisor; the machine divides single words many times faster than double ones.
+std::int64_t remainder(TwoWords value, std::int64_t divisor) {
+  return fitsWord(value) ? static_cast<std::int64_t>(value) % divisor
+                         : static_cast<std::int64_t>(value % divisor);
+}
 
 } // namespace
 
@@ -89,9 +97,8 @@ Rational Rational::plus(const Rational &other) const {
     const std::int64_t rest = m_denominator / common;
     const TwoWords sum = static_cast<TwoWords>(m_numerator) * (other.m_denominator / common) +
                          static_cast<TwoWords>(other.m_numerator) * rest;
-    const std::int64_t divisor =
-        common == 1 ? 1 : greatestCommonDivisor(static_cast<std::int64_t>(sum % common), common);
-    const TwoWords numerator = sum / divisor;
+    const std::int64_t divisor = common == 1 ? 1 : greatestCommonDivisor(remainder(sum, common), common);
+    const TwoWords numerator = divisor == 1 ? sum : sum / divisor;
     const TwoWords denominator = static_cast<TwoWords>(rest) * (other.m_denominator / divisor);
     if (fitsWord(numerator) && fitsWord(denominator))
       return fromParts(numerator, denominator);
