@@ -1,8 +1,8 @@
 #include "app/main_window.h"
 
 #include "app/session_files.h"
-#include "app/subject.h"
 #include "app/window_style.h"
+#include "lessons/session_file.h"
 #include "widgets/colors.h"
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"

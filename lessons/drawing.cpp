@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -9,6 +11,17 @@ namespace {
 constexpr double beyondHit = 2.5;
 
 } // namespace
+
+Place unitOf(const ExactVec3 &direction) {
+  // The largest coordinate is made 1 first: the squares of a very short direction's doubles would vanish.
+  const auto size = [](const Rational &x) { return Rational(mp::abs(x)); };
+  const Rational largest = std::max({size(direction.x), size(direction.y), size(direction.z)});
+  return glm::normalize(place(direction * Rational(1 / largest)));
+}
+
+ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
+  return {std::move(base), from, unitOf(direction) * length};
+}
 
 std::string planeEquation(const std::vector<Surd> &coefficients) {
   Formula f;

@@ -9,6 +9,13 @@ namespace halfspace {
 /// Where exact coordinates are drawn.
 [[nodiscard]] inline Place place(const ExactVec3 &exact) { return toDouble(exact); }
 
+/// The unit vector of a direction ≠ 0, however short it is.
+[[nodiscard]] Place unitOf(const ExactVec3 &direction);
+
+/// The arrow of a direction ≠ 0 drawn at another length.
+[[nodiscard]] ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction,
+                                   double length);
+
 /// The LaTeX of a plane's equation, with the relation that its numbers allow: `x + 2y + 2z - 27 = 0`.
 [[nodiscard]] std::string planeEquation(const std::vector<Surd> &coefficients);
 

@@ -8,8 +8,6 @@
 namespace halfspace {
 namespace {
 
-bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 /// How far a patch reaches from its centre, both ways along one of its sides' directions.
 struct Reach {
   double low = -minimumPatchSide / 2;

@@ -16,7 +16,7 @@ struct ShownNumber {
       true; ///< false: rounded to `shownDigits` significant digits, because the exact form is too long
 };
 
-/// Exact forms of more characters than this are shown rounded.
+/// Exact forms of more characters than this, not counting those of `*sqrt()`, are shown rounded.
 inline constexpr std::size_t longestExactForm = 14;
 inline constexpr int shownDigits = 6;
 
@@ -66,6 +66,9 @@ private:
 [[nodiscard]] std::string equation(std::string_view name, const Surd &value);
 
 [[nodiscard]] std::string equation(std::string_view name, const ExactVec3 &value);
+
+/// The a, b, c, d of the plane's equation ax + by + cz + d = 0.
+[[nodiscard]] std::vector<Surd> coefficientsOf(const Plane<Rational> &plane);
 
 /// The coordinates as a list of values.
 [[nodiscard]] std::vector<Surd> listOf(const ExactVec3 &value);

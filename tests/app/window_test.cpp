@@ -1,5 +1,5 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
-#include "app/subject.h"
+#include "lessons/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/inspector.h"
 #include "widgets/number_field.h"
