@@ -9,6 +9,7 @@
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
+#include "widgets/unbroken.h"
 #include "widgets/working_practice.h"
 
 #include <QApplication>
@@ -229,7 +230,7 @@ void MainWindow::showCase() {
     m_caseLabel->setText(
         tr("Fill in the blank lines of the working: other numbers are hidden until you do."));
   else
-    m_caseLabel->setText(QString::fromStdString(outcome.description));
+    m_caseLabel->setText(unbroken(QString::fromStdString(outcome.description)));
   if (m_caseLabel->property("degenerate") != outcome.degenerate) {
     m_caseLabel->setProperty("degenerate", outcome.degenerate);
     repolish(*m_caseLabel);

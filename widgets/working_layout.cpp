@@ -1,5 +1,7 @@
 #include "widgets/working_layout.h"
 
+#include "widgets/unbroken.h"
+
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QTextLayout>
@@ -130,7 +132,8 @@ private:
     advance(size.width());
   }
 
-  std::vector<PlacedText> placeText(const QString &text, double left) {
+  std::vector<PlacedText> placeText(const QString &words, double left) {
+    const QString text = unbroken(words);
     std::vector<PlacedText> placed;
     if (text.isEmpty())
       return placed;

@@ -65,6 +65,8 @@ WorkingPanel::WorkingPanel(Typesetter &typesetter, QWidget *parent)
   viewport()->setMouseTracking(true);
   viewport()->setAutoFillBackground(false);
   connect(&typesetter, &Typesetter::ready, this, &WorkingPanel::showTypeset);
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](QWidget *, QWidget *focused) { followFocus(focused); });
 }
 
 WorkingPanel::~WorkingPanel() = default;
@@ -156,7 +158,7 @@ std::map<std::string, LineState> WorkingPanel::lineStates() const {
 }
 
 void WorkingPanel::placeLines() {
-  matchFields();
+  const bool lostFocus = matchFields();
   const QSize room = viewport()->size();
   m_placed = placeWorking(m_lines, lineStates(), font(), room.width());
   const QSize content(static_cast<int>(std::ceil(m_placed.size.width())),
@@ -168,9 +170,11 @@ void WorkingPanel::placeLines() {
   horizontalScrollBar()->setPageStep(room.width());
   moveFields();
   viewport()->update();
+  if (lostFocus)
+    focusField();
 }
 
-void WorkingPanel::matchFields() {
+bool WorkingPanel::matchFields() {
   std::set<std::string> wanted;
   for (const TypesetLine &line : m_lines)
     if (m_blanks.contains(line.source.id)) {
@@ -189,8 +193,7 @@ void WorkingPanel::matchFields() {
   });
   for (const auto &[line, field] : m_fields)
     field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
-  if (lostFocus)
-    focusField();
+  return lostFocus;
 }
 
 void WorkingPanel::focusField() {
@@ -198,6 +201,13 @@ void WorkingPanel::focusField() {
     if (const auto field = m_fields.find(line.source.id); field != m_fields.end())
       return field->second->setFocus();
   setFocus();
+}
+
+void WorkingPanel::followFocus(QWidget *focused) {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id);
+        field != m_fields.end() && field->second->isAncestorOf(focused))
+      setCurrentLine(i);
 }
 
 void WorkingPanel::addField(const WorkingLine &line) {

@@ -74,7 +74,9 @@ private:
   void placeLines();
   [[nodiscard]] bool isBlank(const std::string &lineId) const;
   [[nodiscard]] std::map<std::string, LineState> lineStates() const;
-  void matchFields();
+  /// Makes and removes fields; whether the one that had the focus is gone.
+  bool matchFields();
+  void followFocus(QWidget *focused);
   void moveFields();
   void addField(const WorkingLine &line);
   void updateAccessibleText();
