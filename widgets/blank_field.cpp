@@ -11,6 +11,7 @@ namespace {
 
 /// The field's width, in letters.
 constexpr int fieldLetters = 12;
+constexpr int blankLetters = 5;
 
 } // namespace
 
@@ -18,18 +19,13 @@ BlankField::BlankField(const QString &question, bool asksForNumber, QWidget *par
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  if (asksForNumber) {
-    m_edit = new QLineEdit;
-    m_edit->setPlaceholderText(QStringLiteral("?"));
-    m_edit->setFixedWidth(fieldLetters * fontMetrics().averageCharWidth());
-    m_edit->setAccessibleName(tr("Fill in: %1").arg(question));
-    m_edit->setToolTip(
-        tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3). Enter checks it."));
-    connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
-    connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
-    layout->addWidget(m_edit);
-    setFocusProxy(m_edit);
-  }
+  auto *edit = new QLineEdit;
+  edit->setPlaceholderText(QStringLiteral("?"));
+  edit->setFixedWidth((asksForNumber ? fieldLetters : blankLetters) * fontMetrics().averageCharWidth());
+  edit->setEnabled(asksForNumber);
+  layout->addWidget(edit);
+  if (asksForNumber)
+    ask(*edit, question);
   auto *show = new QToolButton;
   show->setText(tr("Show"));
   show->setAutoRaise(true);
@@ -37,8 +33,15 @@ BlankField::BlankField(const QString &question, bool asksForNumber, QWidget *par
   show->setAccessibleName(tr("Show: %1").arg(question));
   connect(show, &QToolButton::clicked, this, &BlankField::showRequested);
   layout->addWidget(show);
-  if (!m_edit)
-    setFocusProxy(show);
+  setFocusProxy(m_edit ? static_cast<QWidget *>(m_edit) : show);
+}
+
+void BlankField::ask(QLineEdit &edit, const QString &question) {
+  m_edit = &edit;
+  edit.setAccessibleName(tr("Fill in: %1").arg(question));
+  edit.setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3). Enter checks it."));
+  connect(&edit, &QLineEdit::returnPressed, this, &BlankField::answer);
+  connect(&edit, &QLineEdit::textEdited, this, [this] { mark(false); });
 }
 
 void BlankField::setRemark(const QString &remark) {

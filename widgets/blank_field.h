@@ -7,8 +7,8 @@ class QLineEdit;
 
 namespace halfspace {
 
-/// A field for the learner's answer, and the button that shows the line instead. Lines whose numbers are no
-/// single number have the button alone.
+/// A field for the learner's answer, and the button that shows the line instead. Where one number would be no
+/// answer, nothing can be typed.
 class BlankField : public QWidget {
   Q_OBJECT
 public:
@@ -22,10 +22,11 @@ signals:
   void showRequested();
 
 private:
+  void ask(QLineEdit &edit, const QString &question);
   void answer();
   void mark(bool wrong);
 
-  QLineEdit *m_edit = nullptr; ///< null where there is only the button
+  QLineEdit *m_edit = nullptr; ///< null where nothing can be typed
 };
 
 } // namespace halfspace

@@ -101,6 +101,13 @@ private:
       m_x += relationGap * m_em;
   }
 
+  /// Begins a new row for what fits into one, but not into the rest of this one.
+  void keepTogether(double width) {
+    const double room = m_right - m_left - indent * m_em;
+    if (!m_rowIsEmpty && width <= room && m_x + relationGap * m_em + width > m_right)
+      breakRow();
+  }
+
   void advance(double width) {
     m_x += width;
     m_widest = std::max(m_widest, m_x);
@@ -121,9 +128,11 @@ private:
 
   void placeBlank(const TypesetLine &line, const LineState &state) {
     const bool hasField = !state.field.isEmpty();
-    if (hasField)
-      placePiece(line.prompt);
     const QSizeF size = hasField ? state.field : blankSize * m_em;
+    if (hasField && line.prompt) {
+      keepTogether(line.prompt->width() * m_ex + relationGap * m_em + size.width());
+      placePiece(line.prompt);
+    }
     makeRoom(size.width());
     m_placed.blank = QRectF(QPointF(m_x, m_y), size);
     m_blankInRow = true;

@@ -140,6 +140,7 @@ void WorkingPanel::setBlanks(std::set<std::string> lineIds, std::map<std::string
   m_remarks = std::move(remarks);
   placeLines();
   updateAccessibleText();
+  followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
 }
 
 bool WorkingPanel::isBlank(const std::string &lineId) const {

@@ -29,7 +29,7 @@ QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
 QList<QLineEdit *> fields(const QWidget &widget) {
   QList<QLineEdit *> shown;
   for (QLineEdit *field : widget.findChildren<QLineEdit *>())
-    if (field->isVisibleTo(&widget))
+    if (field->isVisibleTo(&widget) && field->isEnabled())
       shown << field;
   return shown;
 }
