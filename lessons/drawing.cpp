@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -52,6 +53,15 @@ void drawRay(Figure &figure, const RayObject &ray, double reach) {
     figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction});
   }
   figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, origin});
+}
+
+void drawCorners(Figure &figure, const TriangleObject &triangle) {
+  const std::array<const ExactVec3 *, 3> corners{&triangle.p0, &triangle.p1, &triangle.p2};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::string index = std::to_string(i);
+    figure.marks.push_back(
+        PointMark{{"P" + index, Role::Given, Subject::Triangle, "P_" + index}, place(*corners[i])});
+  }
 }
 
 double rayReach(const RayObject &ray, const std::optional<Place> &hit) {

@@ -28,6 +28,9 @@ void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd>
 /// A zero direction leaves Q.
 void drawRay(Figure &figure, const RayObject &ray, double reach);
 
+/// The corners of a triangle, P0, P1 and P2.
+void drawCorners(Figure &figure, const TriangleObject &triangle);
+
 /// How far to draw a ray that meets nothing ahead: this many scene units.
 inline constexpr double openRayLength = 16;
 

@@ -59,6 +59,13 @@ private:
   bool m_exact = true;
 };
 
+/// A number or vector after `=`, or after `\approx` when it was rounded: a line's result.
+template <class Value> [[nodiscard]] std::string equalTo(const Value &value) {
+  Formula f;
+  std::string body = f(value);
+  return f.equals(body);
+}
+
 /// `\mark{id}{latex}`
 [[nodiscard]] std::string marked(std::string_view id, std::string_view latex);
 

@@ -16,15 +16,13 @@ WorkingLine differenceLine(LineWords line, const ExactVec3 &to, const ExactVec3 
                            const ExactVec3 &difference) {
   Formula f;
   std::string inserted = f.equals(f(to) + " - " + f(from));
-  Formula g;
-  return lineOf(std::move(line), std::move(inserted), g.equals(g(difference)));
+  return lineOf(std::move(line), std::move(inserted), equalTo(difference));
 }
 
 WorkingLine dotLine(LineWords line, const ExactVec3 &a, const ExactVec3 &b, const Rational &product) {
   Formula f;
   std::string inserted = f.equals(f.products(a, b));
-  Formula g;
-  WorkingLine worked = lineOf(std::move(line), std::move(inserted), g.equals(g(product)));
+  WorkingLine worked = lineOf(std::move(line), std::move(inserted), equalTo(product));
   worked.blank = Blank{product};
   return worked;
 }
@@ -32,8 +30,7 @@ WorkingLine dotLine(LineWords line, const ExactVec3 &a, const ExactVec3 &b, cons
 WorkingLine shortDotLine(LineWords line, const ExactVec3 &a, const ExactVec3 &b, const Rational &product) {
   Formula f;
   std::string inserted = f.equals(f(a) + "\\cdot " + f(b));
-  Formula g;
-  WorkingLine worked = lineOf(std::move(line), std::move(inserted), g.equals(g(product)));
+  WorkingLine worked = lineOf(std::move(line), std::move(inserted), equalTo(product));
   worked.blank = Blank{product};
   return worked;
 }
@@ -42,8 +39,7 @@ WorkingLine parameterLine(LineWords line, const Rational &numerator, const Ratio
                           const Rational &parameter) {
   Formula f;
   std::string inserted = f.equals(f.quotient(numerator, denominator));
-  Formula g;
-  WorkingLine worked = lineOf(std::move(line), std::move(inserted), g.equals(g(parameter)));
+  WorkingLine worked = lineOf(std::move(line), std::move(inserted), equalTo(parameter));
   worked.blank = fractionBlank(numerator, denominator);
   worked.blank->mistakes.push_back(
       {Rational(-parameter),
@@ -57,8 +53,7 @@ WorkingLine pointLine(LineWords line, const ExactVec3 &start, const Rational &pa
                       const ExactVec3 &direction, const ExactVec3 &point) {
   Formula f;
   std::string inserted = f.equals(f(start) + " + " + f.factor(parameter) + f(direction));
-  Formula g;
-  return lineOf(std::move(line), std::move(inserted), g.equals(g(point)));
+  return lineOf(std::move(line), std::move(inserted), equalTo(point));
 }
 
 } // namespace halfspace

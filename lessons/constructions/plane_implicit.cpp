@@ -162,11 +162,10 @@ WorkingLine collectLine(const In &in, const Out &out) {
 WorkingLine constantLine(const In &in, const Out &out) {
   Formula f;
   const std::string products = f.products(in.E.normal, out.otherPoint);
-  Formula g;
   return {"constant",
           n + "\\cdot " + P1,
           f.equals(products),
-          g.equals(g(out.otherConstant)),
+          equalTo(out.otherConstant),
           words("{point} is another point of the plane. It gives the same number as P₀, so the constant "
                 "does not depend on the point you start from.",
                 {{"point", equation("P₁", out.otherPoint)}}),

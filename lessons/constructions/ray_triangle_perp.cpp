@@ -3,6 +3,7 @@
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
+#include "lessons/triangle_words.h"
 #include "lessons/words.h"
 #include "lessons/worked_lines.h"
 
@@ -67,24 +68,6 @@ Out compute(const In &in) {
   return out;
 }
 
-const char *const cornerNames[3] = {"P₀", "P₁", "P₂"};
-const char *const edgeNames[3] = {"P₁P₂", "P₀P₂", "P₀P₁"}; // by the opposite corner
-
-/// Where in the triangle, in words; for a point of it.
-std::string placeWords(const TrianglePlace &place) {
-  switch (place.location) {
-  case TriangleLocation::Interior:
-    return words("inside the triangle");
-  case TriangleLocation::Edge:
-    return words("on the edge {edge}", {{"edge", edgeNames[place.feature]}});
-  case TriangleLocation::Vertex:
-    return words("at the corner {corner}", {{"corner", cornerNames[place.feature]}});
-  case TriangleLocation::Outside:
-    break;
-  }
-  return words("outside the triangle");
-}
-
 CaseWords tell(const In &in, const Out &out) {
   const std::string lambda = equation("λ", out.meet.plane.t);
   switch (out.meet.which) {
@@ -111,7 +94,7 @@ CaseWords tell(const In &in, const Out &out) {
     const int pair = in.T.p0 == in.T.p1 ? 2 : in.T.p0 == in.T.p2 ? 1 : 0;
     return {"coincident",
             words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
-                  {{"first", cornerNames[pair == 0 ? 1 : 0]}, {"second", cornerNames[pair == 2 ? 1 : 2]}}),
+                  {{"first", cornerName(pair == 0 ? 1 : 0)}, {"second", cornerName(pair == 2 ? 1 : 2)}}),
             true};
   }
   case RayTriangleCase::Collinear:
@@ -135,20 +118,6 @@ const std::string w = marked("w", "\\vec w");
 const std::string uPerp = marked("uperp", "\\vec u^{\\perp}");
 const std::string vPerp = marked("vperp", "\\vec v^{\\perp}");
 const std::string I = marked("I", "I");
-
-std::string locationName(TriangleLocation location) {
-  switch (location) {
-  case TriangleLocation::Interior:
-    return "interior";
-  case TriangleLocation::Edge:
-    return "edge";
-  case TriangleLocation::Vertex:
-    return "vertex";
-  case TriangleLocation::Outside:
-    break;
-  }
-  return "outside";
-}
 
 std::vector<NamedValue> perpValues(const Out &out) {
   const auto &perps = out.meet.perps;
@@ -186,8 +155,7 @@ WorkingLine perpLine(std::string id, std::string symbols, const Rational &k, con
                      const TrianglePerps<Rational> &perps, const ExactVec3 &result, std::string sentence) {
   Formula f;
   const std::string inserted = f.equals(f.factor(k) + f(perps.v) + " - " + f.factor(l) + f(perps.u));
-  Formula g;
-  return {std::move(id), std::move(symbols), inserted, g.equals(g(result)), std::move(sentence)};
+  return {std::move(id), std::move(symbols), inserted, equalTo(result), std::move(sentence)};
 }
 
 std::vector<WorkingLine> triangleLines(const In &in, const TrianglePerps<Rational> &perps) {
@@ -220,13 +188,12 @@ WorkingLine denominatorLine(const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals(f.squared(perps.uv) + " - " + f.factor(perps.uu) + "\\cdot " + f.factor(perps.vv));
-  Formula g;
   const bool degenerate = perps.denominator == 0;
   return {
       "denominator",
       "D = (" + u + "\\cdot " + v + ")^2 - (" + u + "\\cdot " + u + ")(" + v + "\\cdot " + v + ")",
       inserted,
-      g.equals(g(perps.denominator)),
+      equalTo(perps.denominator),
       degenerate ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
                  : words("The denominator of s and t. It is zero only for a degenerate triangle."),
       Blank{perps.denominator,
@@ -278,11 +245,10 @@ Blank shareBlank(const Share &share, const Rational &denominator, Mistake other)
 
 WorkingLine sLine(const Out &out) {
   const auto &perps = out.meet.perps;
-  Formula g;
   return {"s",
           shareSymbols("s", u, vPerp, dotted(u, v) + dotted(w, v) + " - " + dotted(v, v) + dotted(w, u)),
           shareNumbers({perps.uv, out.meet.wv, perps.vv, out.meet.wu}, perps.denominator),
-          g.equals(g(out.meet.s)),
+          equalTo(out.meet.s),
           words("Dotted with v⊥, the part t·v drops out and only s is left."),
           shareBlank(out.s, perps.denominator,
                      {out.meet.tTriangle, words("{answer} is t: for s, w is dotted with v⊥.")})};
@@ -290,11 +256,10 @@ WorkingLine sLine(const Out &out) {
 
 WorkingLine tLine(const Out &out) {
   const auto &perps = out.meet.perps;
-  Formula g;
   return {"t",
           shareSymbols("t", v, uPerp, dotted(u, v) + dotted(w, u) + " - " + dotted(u, u) + dotted(w, v)),
           shareNumbers({perps.uv, out.meet.wu, perps.uu, out.meet.wv}, perps.denominator),
-          g.equals(g(out.meet.tTriangle)),
+          equalTo(out.meet.tTriangle),
           words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
                 "triangle; the ray's own parameter is λ."),
           shareBlank(out.t, perps.denominator,
@@ -394,12 +359,7 @@ void drawEdges(Figure &figure, const In &in, const Out &out) {
   const Role role = proper ? Role::Given : Role::Warning;
   figure.marks.push_back(ArrowMark{{"u", role, Subject::EdgeU, "\\vec u"}, p0, place(out.meet.perps.u)});
   figure.marks.push_back(ArrowMark{{"v", role, Subject::EdgeV, "\\vec v"}, p0, place(out.meet.perps.v)});
-  const std::pair<const char *, const ExactVec3 *> corners[] = {
-      {"0", &in.T.p0}, {"1", &in.T.p1}, {"2", &in.T.p2}};
-  for (const auto &[index, corner] : corners)
-    figure.marks.push_back(
-        PointMark{{std::string("P") + index, Role::Given, Subject::Triangle, std::string("P_") + index},
-                  place(*corner)});
+  drawCorners(figure, in.T);
 }
 
 /// Figure 4 of the note: the feet of w and v on u⊥, and the two similar right triangles that they make with

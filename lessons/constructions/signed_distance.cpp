@@ -120,11 +120,10 @@ WorkingLine sideLine(const Out &out) {
 WorkingLine lengthLine(const In &in, const Out &out) {
   Formula f;
   const std::string inserted = f.equals("\\sqrt{" + f.products(in.E.normal, in.E.normal) + "}");
-  Formula g;
   return {"length",
           "\\lvert" + n + "\\rvert = \\sqrt{" + n + "\\cdot " + n + "}",
           inserted,
-          g.equals(g(out.length)),
+          equalTo(out.length),
           words("The length of the normal."),
           Blank{out.length,
                 {{out.measured.normalSquared, words("{answer} is n·n: its root is still to be taken.")}}}};
@@ -141,13 +140,12 @@ Blank distanceBlank(const Out &out) {
 WorkingLine distanceLine(const Out &out) {
   Formula f;
   const std::string inserted = f.equals(f.quotient(out.measured.f, out.length));
-  Formula g;
   const bool unit = out.measured.normalSquared == 1;
   return {
       "distance",
       dist + " = \\frac{f(" + Q + ")}{\\lvert" + n + "\\rvert}",
       inserted,
-      g.equals(g(out.measured.signedDistance)),
+      equalTo(out.measured.signedDistance),
       unit ? words("Because |n| = 1, f(Q) is the signed distance already.")
            : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
                    {{"f", equation("f(Q)", out.measured.f)}, {"length", plainText(show(out.length).latex)}}),
@@ -158,13 +156,12 @@ WorkingLine cosineLine(const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals("\\frac{" + f(out.measured.f) + "}{" + f(out.length) + "\\cdot " + f(out.wLength) + "}");
-  Formula g;
   const double degrees = std::acos(std::clamp(toDouble(out.cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
   return {"cosine",
           "\\cos" + theta + " = \\frac{" + n + "\\cdot " + w + "}{\\lvert" + n + "\\rvert\\,\\lvert" + w +
               "\\rvert}",
           inserted,
-          g.equals(g(out.cosine)),
+          equalTo(out.cosine),
           words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of w "
                 "that runs along n.",
                 {{"degrees", roundedText(degrees)}}),
@@ -177,9 +174,8 @@ WorkingLine footLine(const In &in, const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals(f(in.Q.at) + " - " + f.quotient(out.measured.f, out.measured.normalSquared) + f(in.E.normal));
-  Formula g;
   return {"foot", F + " = " + Q + " - \\frac{f(" + Q + ")}{" + n + "\\cdot " + n + "}\\," + n, inserted,
-          g.equals(g(out.measured.foot)),
+          equalTo(out.measured.foot),
           words("The foot: from Q straight along n to the plane, its nearest point.")};
 }
 
