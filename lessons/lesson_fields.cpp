@@ -5,8 +5,6 @@
 #include "lessons/text.h"
 #include "lessons/words.h"
 
-#include <cmath>
-
 namespace halfspace {
 namespace {
 

@@ -130,7 +130,7 @@ std::vector<NamedValue> perpValues(const Out &out) {
     values.push_back({"wu", w + "\\cdot " + u, Surd(out.meet.wu)});
     values.push_back({"wv", w + "\\cdot " + v, Surd(out.meet.wv)});
   }
-  values.push_back({"denominator", "\\text{denominator}", Surd(perps.denominator)});
+  values.push_back({"denominator", "D", Surd(perps.denominator)});
   return values;
 }
 

@@ -225,10 +225,6 @@ private:
           << "no mark " << id << " for " << latex;
   }
 
-  static bool isFinite(const Place &p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  }
-
   static std::vector<Place> placesOf(const Mark &mark) {
     return std::visit(Overloaded{[](const PointMark &m) { return std::vector{m.at}; },
                                  [](const SegmentMark &m) {

@@ -159,6 +159,18 @@ private slots:
     QVERIFY(!practice.hasBlanks());
   }
 
+  void whatWasTypedInOneStepDoesNotStandInTheNext() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "30");
+    practice.setStep("lesson", 1, {});
+    practice.setWorking(someWorking(), false);
+    QCOMPARE(fields(practice).size(), 1);
+    QVERIFY(fields(practice).first()->text().isEmpty());
+    QVERIFY(text(line(practice, 1).remark).isEmpty());
+  }
+
   void openQuestionHidesTheNumbersAndAsksForNone() {
     WorkingPractice practice(m_typesetter);
     show(practice);
