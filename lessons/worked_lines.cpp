@@ -43,7 +43,7 @@ WorkingLine parameterLine(LineWords line, const Rational &numerator, const Ratio
   worked.blank = fractionBlank(numerator, denominator);
   worked.blank->mistakes.push_back(
       {Rational(-parameter),
-       parameter < 0 ? words("{answer} has lost its sign: numerator and denominator differ in theirs.")
+       parameter < 0 ? words("{answer} has lost its sign: numerator and denominator have different signs.")
                      : words("{answer} has the wrong sign: the numerator goes from the start to the plane, "
                              "P₀ minus the start.")});
   return worked;
