@@ -5,7 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <filesystem>
 
 namespace halfspace {
 namespace {
@@ -33,6 +36,14 @@ std::optional<PixelSize> parseSize(const std::string &text) {
   if (!width || !height)
     return {};
   return PixelSize{*width, *height};
+}
+
+/// Whether a file's name promises a PNG picture, or nothing.
+bool namesPng(const std::string &file) {
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return suffix.empty() || suffix == ".png";
 }
 
 std::string themeNames() {
@@ -88,6 +99,9 @@ Command finishRender(const Arguments &arguments, bool stepGiven) {
   if (!size)
     return complaint("--size takes WIDTHxHEIGHT with sides from 1 to " + std::to_string(maxPictureSide) +
                      ", not “" + arguments.size + "”.");
+  if (!namesPng(command.output))
+    return complaint("Pictures are written as PNG: let the name end in .png, not as “" + command.output +
+                     "” does.");
   if (!findTheme(command.theme))
     return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames() + ".");
   if (stepGiven && arguments.step < 1)

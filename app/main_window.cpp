@@ -1,15 +1,16 @@
 #include "app/main_window.h"
 
 #include "app/session_files.h"
-#include "app/subject.h"
 #include "app/window_style.h"
+#include "lessons/session_file.h"
 #include "widgets/colors.h"
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
-#include "widgets/working_panel.h"
+#include "widgets/unbroken.h"
+#include "widgets/working_practice.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -55,8 +56,10 @@ MainWindow::MainWindow(LessonLibrary library)
   m_panelTimer.setSingleShot(true);
   connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
-  connect(&m_model, &SessionModel::stepChanged, this,
-          [this] { m_lessonPanel->setStep(m_model.session().step); });
+  connect(&m_model, &SessionModel::stepChanged, this, [this] {
+    m_lessonPanel->setStep(m_model.session().step);
+    progress().tasks.arrive();
+  });
   connect(&m_model, &SessionModel::outcomeChanged, this, [this] {
     if (!m_panelTimer.isActive())
       m_panelTimer.start(m_model.inGesture() ? panelInterval : 0);
@@ -71,6 +74,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_typesetter.get(), &Typesetter::ready, m_scene, &SceneView::refreshLabels);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
+  connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_scene, &SceneView::hint, this, [this](const QString &words) { statusBar()->showMessage(words); });
 
   restoreSettings();
@@ -111,7 +115,8 @@ void MainWindow::createPanels() {
   layout->addWidget(m_caseLabel);
   setCentralWidget(center);
 
-  m_working = new WorkingPanel(*m_typesetter);
+  m_practice = new WorkingPractice(*m_typesetter);
+  m_working = &m_practice->panel();
   m_inspector = new Inspector(m_model, *m_typesetter);
   m_lessonPanel = new LessonPanel(*m_typesetter);
   m_lessonList = new QListWidget;
@@ -141,7 +146,7 @@ void MainWindow::createPanels() {
   });
 
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  auto *working = addPanel(tr("Working"), "workingDock", m_working, Qt::RightDockWidgetArea);
+  auto *working = addPanel(tr("Working"), "workingDock", m_practice, Qt::RightDockWidgetArea);
   auto *inspector = addPanel(tr("Numbers"), "numbersDock", m_inspector, Qt::RightDockWidgetArea);
   auto *lessons = addPanel(tr("Lessons"), "lessonsDock", m_lessonList, Qt::BottomDockWidgetArea);
   auto *words = addPanel(tr("Lesson"), "lessonDock", m_lessonPanel, Qt::BottomDockWidgetArea);
@@ -170,6 +175,8 @@ bool MainWindow::isPredicting() {
   return step && step->prediction && !progress().chosen;
 }
 
+bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks(); }
+
 void MainWindow::showLesson() {
   for (int row = 0; row < m_lessonList->count(); ++row)
     if (m_lessonList->item(row)->data(Qt::UserRole).toString().toStdString() == m_model.session().lesson)
@@ -182,14 +189,11 @@ void MainWindow::showLesson() {
 
 void MainWindow::showOutcome() {
   const Outcome &shown = m_model.shownOutcome();
-  m_working->setWorking(shown.working);
-  std::set<std::string> blanked;
-  if (isPredicting())
-    for (const WorkingLine &line : shown.working.lines)
-      blanked.insert(line.id);
-  m_working->setBlanked(std::move(blanked));
-  m_inspector->setResultsHidden(isPredicting());
-  m_scene->setNumbersHidden(isPredicting());
+  const LessonStep *step = currentStep();
+  m_practice->setStep(m_model.session().lesson, m_model.session().step, step ? step->blank : std::nullopt);
+  m_practice->setWorking(shown.working, isPredicting());
+  m_inspector->setResultsHidden(hidesNumbers());
+  m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
   showStepWords();
   showCase();
@@ -201,14 +205,10 @@ void MainWindow::showStepWords() {
     return m_lessonPanel->setMarkdown({});
   const Outcome &outcome = m_model.outcome();
   StepProgress &done = progress();
-  done.tasksDone.resize(step->tasks.size(), false);
-  // In their order: “bring it back” is done only after it was away.
-  const auto next = std::find(done.tasksDone.begin(), done.tasksDone.end(), false);
-  if (next != done.tasksDone.end())
-    *next = isDone(step->tasks[static_cast<std::size_t>(next - done.tasksDone.begin())], outcome);
-  m_lessonPanel->setMarkdown(
-      QString::fromStdString(withLiveValues(step->markdown, m_model.session().scene, outcome)));
-  m_lessonPanel->setTasksDone(done.tasksDone);
+  done.tasks.observe(step->tasks, outcome);
+  m_lessonPanel->setMarkdown(QString::fromStdString(
+      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? Outcome() : outcome)));
+  m_lessonPanel->setTasksDone(done.tasks.done());
   if (step->prediction)
     m_lessonPanel->setPredictionAnswer(done.chosen, done.right);
 }
@@ -224,9 +224,13 @@ std::string MainWindow::rightAnswer(const Prediction &prediction) const {
 
 void MainWindow::showCase() {
   const Outcome &outcome = m_model.outcome();
-  m_caseLabel->setText(isPredicting()
-                           ? tr("Answer the question below first: the numbers are hidden until you do.")
-                           : QString::fromStdString(outcome.description));
+  if (isPredicting())
+    m_caseLabel->setText(tr("Answer the question below first: the numbers are hidden until you do."));
+  else if (m_practice->hasBlanks() && !outcome.degenerate)
+    m_caseLabel->setText(
+        tr("Fill in the blank lines of the working: other numbers are hidden until you do."));
+  else
+    m_caseLabel->setText(unbroken(QString::fromStdString(outcome.description)));
   if (m_caseLabel->property("degenerate") != outcome.degenerate) {
     m_caseLabel->setProperty("degenerate", outcome.degenerate);
     repolish(*m_caseLabel);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/recovery.h"
+#include "lessons/task_progress.h"
 #include "widgets/scene_view.h"
 #include "widgets/session_model.h"
 
@@ -21,6 +22,7 @@ class Inspector;
 class LessonPanel;
 class Typesetter;
 class WorkingPanel;
+class WorkingPractice;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -55,7 +57,7 @@ private:
   struct StepProgress {
     std::optional<std::string> chosen; ///< the answer to the step's question
     std::string right;                 ///< what was right when it was given
-    std::vector<bool> tasksDone;
+    TaskProgress tasks;
   };
 
   void createPanels();
@@ -80,6 +82,8 @@ private:
   [[nodiscard]] const LessonStep *currentStep() const;
   /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
   [[nodiscard]] bool isPredicting();
+  /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
+  [[nodiscard]] bool hidesNumbers();
   [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
   bool askToKeepChanges();
   [[nodiscard]] QString askForFile(const QString &title, const QString &filter, const QString &suffix);
@@ -94,7 +98,8 @@ private:
   SessionModel m_model;
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
-  WorkingPanel *m_working = nullptr;
+  WorkingPractice *m_practice = nullptr;
+  WorkingPanel *m_working = nullptr; ///< in m_practice
   Inspector *m_inspector = nullptr;
   LessonPanel *m_lessonPanel = nullptr;
   QListWidget *m_lessonList = nullptr;

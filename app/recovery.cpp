@@ -1,7 +1,7 @@
 #include "app/recovery.h"
 
 #include "app/session_files.h"
-#include "app/subject.h"
+#include "lessons/session_file.h"
 
 #include <QDir>
 #include <QFile>

@@ -20,7 +20,4 @@ struct OpenedSubject {
 [[nodiscard]] Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::string &name,
                                                 const std::vector<std::string> &assignments = {});
 
-/// Reads a .halfspace file.
-[[nodiscard]] Result<Session> readSessionFile(const std::filesystem::path &file);
-
 } // namespace halfspace

@@ -200,10 +200,12 @@ RTCBounds HitFinder::Tree::boundsOf(std::size_t index) const {
   return bounds;
 }
 
-/// Nothing where the ray is so far off that each triangle must be asked.
+/// Nothing where the ray is so far off, or so short, that each triangle must be asked.
 std::optional<MovedRay> HitFinder::Tree::move(const Ray<double> &ray) const {
   const Vec3<double> origin = ray.origin - middle;
-  if (largestCoordinate(origin) > farthestOrigin * halfWidth)
+  // A direction of subnormal length has no reciprocal.
+  if (largestCoordinate(origin) > farthestOrigin * halfWidth ||
+      largestCoordinate(ray.direction) < std::numeric_limits<double>::min())
     return {};
   // To where the ray comes into a ball around the scene, or a little before.
   constexpr double ballRadius = 2; // half widths; the corners of the scene's box are √3 away

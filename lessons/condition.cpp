@@ -1,6 +1,7 @@
 #include "lessons/condition.h"
 
 #include "lessons/document.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -23,13 +24,6 @@ constexpr std::array relationSigns{RelationSign{"!=", Relation::NotEqual},
                                    RelationSign{"=", Relation::Equal},
                                    RelationSign{"<", Relation::Less},
                                    RelationSign{">", Relation::Greater}};
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos)
-    return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
 
 bool isOrder(Relation relation) { return relation != Relation::Equal && relation != Relation::NotEqual; }
 

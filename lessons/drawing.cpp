@@ -2,6 +2,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace halfspace {
 namespace {
 
@@ -9,6 +12,17 @@ namespace {
 constexpr double beyondHit = 2.5;
 
 } // namespace
+
+Place unitOf(const ExactVec3 &direction) {
+  // The largest coordinate is made 1 first: the squares of a very short direction's doubles would vanish.
+  const auto size = [](const Rational &x) { return abs(x); };
+  const Rational largest = std::max({size(direction.x), size(direction.y), size(direction.z)});
+  return glm::normalize(place(direction * Rational(1 / largest)));
+}
+
+ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
+  return {std::move(base), from, unitOf(direction) * length};
+}
 
 std::string planeEquation(const std::vector<Surd> &coefficients) {
   Formula f;
@@ -39,6 +53,15 @@ void drawRay(Figure &figure, const RayObject &ray, double reach) {
     figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction});
   }
   figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, origin});
+}
+
+void drawCorners(Figure &figure, const TriangleObject &triangle) {
+  const std::array<const ExactVec3 *, 3> corners{&triangle.p0, &triangle.p1, &triangle.p2};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::string index = std::to_string(i);
+    figure.marks.push_back(
+        PointMark{{"P" + index, Role::Given, Subject::Triangle, "P_" + index}, place(*corners[i])});
+  }
 }
 
 double rayReach(const RayObject &ray, const std::optional<Place> &hit) {

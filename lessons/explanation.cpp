@@ -1,6 +1,6 @@
 #include "lessons/explanation.h"
 
-#include "lessons/words.h"
+#include "lessons/formula.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,27 +38,36 @@ struct ValueJson {
   }
 };
 
-/// A value as plain text: exact where it has a form, else rounded.
+/// `= 10`, `≈ 3.16228`, `: positive`: what follows a value's name.
 struct ValueText {
   std::string operator()(const Surd &number) const {
-    const auto text = toText(number);
-    return text ? *text : "≈ " + Json(toDouble(number)).dump();
+    return related([&](Formula &f) { return f(number); });
   }
   std::string operator()(const std::vector<Surd> &list) const {
-    std::string text;
-    for (const Surd &number : list)
-      text += (text.empty() ? "" : ", ") + (*this)(number);
-    return "(" + text + ")";
+    return related([&](Formula &f) { return f.list(list); });
   }
-  std::string operator()(const std::string &word) const { return word; }
-  std::string operator()(int number) const { return std::to_string(number); }
-  std::string operator()(const std::vector<NamedValue> &group) const {
-    std::string text;
-    for (const NamedValue &each : group)
-      text += (text.empty() ? "" : ", ") + each.name + " = " + std::visit(*this, each.value);
-    return text;
+  std::string operator()(const std::string &word) const { return ": " + word; }
+  std::string operator()(int number) const { return (*this)(Surd(number)); }
+  std::string operator()(const std::vector<NamedValue> &) const { return {}; }
+
+private:
+  template <class Write> static std::string related(Write write) {
+    Formula f;
+    const std::string body = write(f);
+    return " " + plainText(f.equals(body));
   }
 };
+
+/// The values that a learner reads, one to a line, by the names that the worked lines give them.
+std::string valueLines(const std::vector<NamedValue> &values) {
+  std::string text;
+  for (const NamedValue &value : values)
+    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value))
+      text += valueLines(*group);
+    else if (!value.latex.empty())
+      text += plainText(value.latex) + std::visit(ValueText(), value.value) + "\n";
+  return text;
+}
 
 /// The three pieces read on from one another.
 std::string latexOf(const WorkingLine &line) {
@@ -124,10 +133,7 @@ std::string explanationText(const std::string &title, const Outcome &outcome) {
     if (!line.sentence.empty())
       text += "    " + line.sentence + "\n";
   }
-  text += "\n";
-  for (const NamedValue &value : outcome.values)
-    text += value.name + " = " + std::visit(ValueText(), value.value) + "\n";
-  return text + "\n" + outcome.description + "\n";
+  return text + "\n" + valueLines(outcome.values) + "\n" + outcome.description + "\n";
 }
 
 std::string explanationLatex(const std::string &title, const Outcome &outcome) {

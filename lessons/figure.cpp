@@ -3,12 +3,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace halfspace {
 namespace {
-
-bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 /// How far a patch reaches from its centre, both ways along one of its sides' directions.
 struct Reach {

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,6 +12,10 @@
 namespace halfspace {
 
 using Place = glm::dvec3; ///< a place or a vector of the drawing, in scene units
+
+[[nodiscard]] inline bool isFinite(const Place &p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 /// The part a mark plays. It decides width, dash and paleness.
 enum class Role { Given, Derived, Helper, Result, Warning, Ghost };

@@ -176,6 +176,10 @@ std::string equation(std::string_view name, const ExactVec3 &value) {
   return std::string(name) + " " + plainText(f.equals(coordinates));
 }
 
+std::vector<Surd> coefficientsOf(const Plane<Rational> &plane) {
+  return {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+}
+
 std::vector<Surd> listOf(const ExactVec3 &value) { return {value.x, value.y, value.z}; }
 
 } // namespace halfspace

@@ -16,7 +16,7 @@ struct ShownNumber {
       true; ///< false: rounded to `shownDigits` significant digits, because the exact form is too long
 };
 
-/// Exact forms of more characters than this are shown rounded.
+/// Exact forms of more characters than this, not counting those of `*sqrt()`, are shown rounded.
 inline constexpr std::size_t longestExactForm = 14;
 inline constexpr int shownDigits = 6;
 
@@ -59,6 +59,13 @@ private:
   bool m_exact = true;
 };
 
+/// A number or vector after `=`, or after `\approx` when it was rounded: a line's result.
+template <class Value> [[nodiscard]] std::string equalTo(const Value &value) {
+  Formula f;
+  std::string body = f(value);
+  return f.equals(body);
+}
+
 /// `\mark{id}{latex}`
 [[nodiscard]] std::string marked(std::string_view id, std::string_view latex);
 
@@ -66,6 +73,9 @@ private:
 [[nodiscard]] std::string equation(std::string_view name, const Surd &value);
 
 [[nodiscard]] std::string equation(std::string_view name, const ExactVec3 &value);
+
+/// The a, b, c, d of the plane's equation ax + by + cz + d = 0.
+[[nodiscard]] std::vector<Surd> coefficientsOf(const Plane<Rational> &plane);
 
 /// The coordinates as a list of values.
 [[nodiscard]] std::vector<Surd> listOf(const ExactVec3 &value);

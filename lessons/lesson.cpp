@@ -2,6 +2,7 @@
 
 #include "lessons/document.h"
 #include "lessons/lesson_reader.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -38,13 +39,6 @@ private:
   std::string_view m_line;
   int m_number;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos)
-    return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
 
 /// The run of ``` or ~~~ that opens or closes a block of code here; empty when there is none.
 std::string_view fenceOf(std::string_view line) {
@@ -93,6 +87,11 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
     if (!ids)
       return ids.problem();
     step.lines.insert(step.lines.end(), ids->begin(), ids->end());
+  } else if (fence.word == "blank") {
+    const auto fading = readFading(fence.content, file);
+    if (!fading)
+      return fading.problem();
+    step.blank = *fading;
   } else if (fence.word == "task") {
     auto task = readTask(fence.content, file);
     if (!task)

@@ -17,6 +17,9 @@
 //   ```lines
 //   f, side
 //   ```
+//   ```blank
+//   last
+//   ```
 //   ```task
 //   do: Drag Q to the other side.
 //   when: side = negative
@@ -30,6 +33,7 @@
 #pragma once
 
 #include "lessons/outcome.h"
+#include "lessons/practice.h"
 #include "lessons/problem.h"
 #include "lessons/scene.h"
 
@@ -69,6 +73,7 @@ struct LessonStep {
   std::vector<std::string> lines; ///< ids of the worked lines shown; empty: all
   std::vector<Task> tasks;
   std::optional<Prediction> prediction;
+  std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
 };
 
 /// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units

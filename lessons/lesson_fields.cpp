@@ -2,9 +2,8 @@
 #include "lessons/condition.h"
 #include "lessons/lesson_reader.h"
 #include "lessons/scene_reader.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
-
-#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -162,6 +161,15 @@ Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::
     return Problem{words("No line is named here. Name some, or leave the block out to show all."), file,
                    block.firstLine, "lines"};
   return ids;
+}
+
+Result<Fading> readFading(const TextBlock &block, const std::string &file) {
+  const std::string_view word = trimmed(block.text);
+  if (const auto fading = fadingNamed(word))
+    return *fading;
+  return Problem{words("“{text}” does not say which lines are blank: write none, last or all.",
+                       {{"text", shortened(word)}}),
+                 file, block.firstLine, "blank"};
 }
 
 } // namespace halfspace

@@ -23,6 +23,9 @@ struct TextBlock {
 /// Reads a ```lines block: ids between commas or spaces.
 [[nodiscard]] Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file);
 
+/// Reads a ```blank block: none, last or all.
+[[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);
+
 /// Reads all that follows the front matter.
 [[nodiscard]] Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file);
 

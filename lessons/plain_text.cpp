@@ -318,13 +318,6 @@ bool needsBraces(std::string_view before, std::string_view piece) {
 
 } // namespace
 
-Working withTrueRelations(Working working) {
-  for (WorkingLine &line : working.lines)
-    if (line.numbers.starts_with("\\approx") && line.result.starts_with("="))
-      line.result.replace(0, 1, "\\approx");
-  return working;
-}
-
 std::vector<std::string> marksNamedIn(const std::string &latex) {
   std::vector<std::string> ids;
   std::set<std::string> seen;

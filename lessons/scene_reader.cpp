@@ -192,17 +192,6 @@ Result<Rational> readCoordinate(std::string_view text) {
   return *value;
 }
 
-std::optional<Problem> checkScene(const Scene &scene) {
-  if (auto problem = checkCount(scene.entries.size()))
-    return problem;
-  for (std::size_t index = 0; index < scene.entries.size(); ++index)
-    if (auto problem = checkEntry(scene, index)) {
-      problem->field = indexed("scene", index) + (problem->field.empty() ? "" : "." + problem->field);
-      return problem;
-    }
-  return {};
-}
-
 Result<Scene> readScene(const DocumentNode &list, const std::string &file, const std::string &path) {
   if (list.kind != DocumentNode::Kind::List)
     return Problem{words("Here a list of objects and constructions is expected."), file, list.line, path};

@@ -1,9 +1,12 @@
 #include "lessons/session_file.h"
 
 #include "lessons/scene_reader.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace halfspace {
 namespace {
@@ -52,13 +55,6 @@ void checkFormat(const DocumentNode &root, FieldReader &fields) {
         words("This session was saved by a newer version of Halfspace (format {version}, this program reads "
               "up to {known}). Update the program to open it.",
               {{"version", std::to_string(version)}, {"known", std::to_string(sessionFileVersion)}}));
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos)
-    return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 /// The parts of a text between commas.
@@ -118,6 +114,20 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
     return scene.problem();
   session.scene = std::move(*scene);
   return session;
+}
+
+Result<Session> readSessionFile(const std::filesystem::path &file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    return Problem{words("There is no such file."), file.string(), 0, ""};
+  std::ifstream stream(file, std::ios::binary);
+  // One byte more than allowed shows that there are too many.
+  std::string text(maxSessionBytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad() || (!stream && !stream.eof()))
+    return Problem{words("The file cannot be read."), file.string(), 0, ""};
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return readSession(text, file.string());
 }
 
 Result<Session> withValue(Session session, std::string_view assignment) {

@@ -4,6 +4,8 @@
 #include "lessons/problem.h"
 #include "lessons/session.h"
 
+#include <filesystem>
+
 namespace halfspace {
 
 inline constexpr int sessionFileVersion = 1;
@@ -21,8 +23,7 @@ inline constexpr std::size_t maxSceneEntries = 1000;
 /// A session after `name=value`, as --set takes it: Q=11,15,8, E.n=0,0,1.
 [[nodiscard]] Result<Session> withValue(Session session, std::string_view assignment);
 
-/// Whether a scene can be evaluated: unique names, known constructions, roles that name entries above of the
-/// right kind. If not, what is wrong.
-[[nodiscard]] std::optional<Problem> checkScene(const Scene &scene);
+/// Reads a .halfspace file.
+[[nodiscard]] Result<Session> readSessionFile(const std::filesystem::path &file);
 
 } // namespace halfspace

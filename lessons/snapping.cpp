@@ -1,5 +1,6 @@
 #include "lessons/snapping.h"
 
+#include "geometry/primitive.h"
 #include "lessons/drawing.h"
 #include "lessons/session.h"
 #include "lessons/snap_targets.h"
@@ -28,14 +29,8 @@ Integer denominatorOf(const Rational &value) { return value.denominator(); }
 
 /// The whole-numbered vector without a common factor in the direction of one that is not zero.
 ExactVec3 primitive(const ExactVec3 &direction) {
-  Integer denominators = 1;
-  for (int i = 0; i < 3; ++i)
-    denominators = mp::lcm(denominators, direction[i].denominator());
-  const ExactVec3 whole = direction * Rational(denominators);
-  Integer factor = 0;
-  for (int i = 0; i < 3; ++i)
-    factor = mp::gcd(factor, whole[i].numerator());
-  return whole / Rational(factor);
+  const auto integers = primitiveIntegers<3>({direction.x, direction.y, direction.z});
+  return {Rational(integers[0]), Rational(integers[1]), Rational(integers[2])};
 }
 
 Rational largestMagnitude(const ExactVec3 &vector) {

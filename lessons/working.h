@@ -1,10 +1,32 @@
 // Worked lines: a formula in symbols, with the numbers put in, its result, and a sentence in plain words.
 #pragma once
 
+#include "geometry/surd.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace halfspace {
+
+/// A usual mistake: the number that it leads to, and a sentence that says what went wrong, with `{answer}`
+/// for that number as the learner wrote it.
+struct Mistake {
+  Surd value;
+  std::string sentence;
+};
+
+/// What a learner fills in where a line's numbers are blank.
+struct Blank {
+  Surd answer;
+  /// Looked through in their order. One that comes to the answer itself, or to what an earlier one comes to,
+  /// is left out by itself; that only the sign is wrong is noticed without being named here.
+  std::vector<Mistake> mistakes{};
+  std::string prompt = "="; ///< LaTeX between the line's symbols and what is filled in
+};
+
+/// A blank for p/q with the mistakes that a fraction invites: upside down, and not divided at all. For q ≠ 0.
+[[nodiscard]] Blank fractionBlank(const Rational &p, const Rational &q);
 
 /// One line of a working. The three pieces are LaTeX and read on from one another. A term that belongs to a
 /// mark of the figure is written `\mark{id}{…}`: it takes the mark's colour, and hovering one lights up the
@@ -15,6 +37,7 @@ struct WorkingLine {
   std::string numbers;  ///< the numbers put in, after `=` (exact) or `\approx` (rounded); may be empty
   std::string result;   ///< likewise; may be empty
   std::string sentence; ///< plain words, no LaTeX; may be empty
+  std::optional<Blank> blank{}; ///< nothing where one number would not do as an answer
 };
 
 struct Working {
@@ -24,6 +47,9 @@ struct Working {
 /// The working with `≈` before a result that follows rounded numbers: after one `≈` an `=` would claim too
 /// much.
 [[nodiscard]] Working withTrueRelations(Working working);
+
+/// The working without mistakes that come to the answer, or to what an earlier one of the line comes to.
+[[nodiscard]] Working withTellingMistakes(Working working);
 
 /// The ids of the marks that a piece of LaTeX names with `\mark{id}{…}`, in order, each once.
 [[nodiscard]] std::vector<std::string> marksNamedIn(const std::string &latex);

@@ -1,6 +1,7 @@
 #include "widgets/rich_text.h"
 
 #include "lessons/working.h"
+#include "widgets/unbroken.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -84,10 +85,28 @@ private:
       return false;
     const bool large = dollars == 2 || isAlone(m_next, end + dollars);
     const QString latex = m_text.mid(begin, end - begin).trimmed();
-    m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
-    m_found.formulas << (large ? latex : QStringLiteral("\\textstyle ") + latex);
     m_next = end + dollars;
+    m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
+    m_found.formulas << (large ? latex : QStringLiteral("\\textstyle ") + latex + takeAttached());
     return true;
+  }
+
+  /// What the end of a line would tear off a formula, as lines may break behind every object: the rest of
+  /// `$a$ = $b$`, and punctuation.
+  QString takeAttached() {
+    static const QRegularExpression related(QStringLiteral(" (?:([=<>]) \\$|\\$(?=\\\\approx))(?!\\$)"));
+    QString attached;
+    const auto match = related.match(m_text, m_next, QRegularExpression::NormalMatch,
+                                     QRegularExpression::AnchoredMatchOption);
+    const int begin = match.capturedEnd();
+    const int end = match.hasMatch() ? closingDollar(begin, 1) : -1;
+    if (end > begin) {
+      attached = " " + match.captured(1) + " " + m_text.mid(begin, end - begin).trimmed();
+      m_next = end + 1;
+    }
+    if (m_next < m_text.size() && QStringLiteral(",.;:!?").contains(m_text[m_next]))
+      attached += "\\text{" + QString(m_text[m_next++]) + "}";
+    return attached;
   }
 
   /// Where the partner of the dollars before `begin` stands; −1 if they have none in their paragraph.
@@ -225,8 +244,9 @@ std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
   document->setDocumentMargin(0);
   document->setIndentWidth(QFontInfo(style.font).pixelSize() * 1.4);
   document->documentLayout()->registerHandler(mathObject, new MathObject(document.get()));
-  document->setMarkdown(text.markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
-                                           QTextDocument::MarkdownDialectGitHub);
+  document->setMarkdown(unbroken(text.markdown),
+                        QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
+                            QTextDocument::MarkdownDialectGitHub);
   replaceImages(*document);
   setInk(*document, style);
   setSpacing(*document, style);

@@ -1,5 +1,7 @@
 #include "widgets/working_layout.h"
 
+#include "widgets/unbroken.h"
+
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QTextLayout>
@@ -23,7 +25,9 @@ constexpr double sentenceGap = 0.5;  // between formulas and sentence
 constexpr double relationGap = 0.28; // before `=`: TeX's thick space
 constexpr double indent = 1.6;       // of further rows
 constexpr QSizeF blankSize(4.0, 1.5);
+constexpr double blankDepth = 0.4;         // below the baseline
 constexpr double sentenceLineHeight = 1.2; // as part of the font's
+constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
 // Every row has at least the room of ordinary letters.
 constexpr double leastAscent = 0.72;
 constexpr double leastDepth = 0.22;
@@ -35,7 +39,7 @@ public:
       : m_font(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_ex(exPerEm * m_em),
         m_left(sideMargin * m_em), m_right(width - sideMargin * m_em), m_width(width) {}
 
-  PlacedLine place(const TypesetLine &line, bool blanked) {
+  PlacedLine place(const TypesetLine &line, const LineState &state) {
     m_placed = {};
     m_y += lineMargin * m_em;
     const double top = m_y - lineMargin * m_em;
@@ -43,15 +47,17 @@ public:
     m_rowIsEmpty = true;
     startRow();
     placePiece(line.pieces[0]);
-    if (blanked)
-      placeBlank();
+    if (state.blank)
+      placeBlank(line, state);
     else
       for (std::size_t piece = 1; piece < line.pieces.size(); ++piece)
         placePiece(line.pieces[piece]);
     endRow();
+    const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
+    m_placed.remark = placeText(state.remark, m_left + markRoom);
     // The sentence may tell what the blank hides.
-    if (!blanked)
-      placeSentence(QString::fromStdString(line.source.sentence));
+    if (!state.blank)
+      m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
     m_placed.box = QRectF(0, top, m_width, m_y - top);
     return std::move(m_placed);
@@ -73,7 +79,7 @@ private:
     for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i)
       m_placed.formulas[i].baseline.setY(baseline);
     if (m_blankInRow)
-      m_placed.blank.moveTop(baseline - m_placed.blank.height() + 0.4 * m_em);
+      m_placed.blank.moveTop(baseline - m_placed.blank.height() + blankDepth * m_em);
     m_y = baseline + m_depth;
   }
 
@@ -95,6 +101,13 @@ private:
       m_x += relationGap * m_em;
   }
 
+  /// Begins a new row for what fits into one, but not into the rest of this one.
+  void keepTogether(double width) {
+    const double room = m_right - m_left - indent * m_em;
+    if (!m_rowIsEmpty && width <= room && m_x + relationGap * m_em + width > m_right)
+      breakRow();
+  }
+
   void advance(double width) {
     m_x += width;
     m_widest = std::max(m_widest, m_x);
@@ -113,30 +126,37 @@ private:
     advance(picture->width() * ex);
   }
 
-  void placeBlank() {
-    const QSizeF size = blankSize * m_em;
+  void placeBlank(const TypesetLine &line, const LineState &state) {
+    const bool hasField = !state.field.isEmpty();
+    const QSizeF size = hasField ? state.field : blankSize * m_em;
+    if (hasField && line.prompt) {
+      keepTogether(line.prompt->width() * m_ex + relationGap * m_em + size.width());
+      placePiece(line.prompt);
+    }
     makeRoom(size.width());
     m_placed.blank = QRectF(QPointF(m_x, m_y), size);
     m_blankInRow = true;
-    m_ascent = std::max(m_ascent, size.height() - 0.4 * m_em);
-    m_depth = std::max(m_depth, 0.4 * m_em);
+    m_ascent = std::max(m_ascent, size.height() - blankDepth * m_em);
+    m_depth = std::max(m_depth, blankDepth * m_em);
     advance(size.width());
   }
 
-  void placeSentence(const QString &sentence) {
-    if (sentence.isEmpty())
-      return;
+  std::vector<PlacedText> placeText(const QString &words, double left) {
+    const QString text = unbroken(words);
+    std::vector<PlacedText> placed;
+    if (text.isEmpty())
+      return placed;
     m_y += sentenceGap * m_em;
-    QTextLayout layout(sentence, m_font);
+    QTextLayout layout(text, m_font);
     layout.beginLayout();
     for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-      line.setLineWidth(std::max(m_right - m_left, 1.0));
-      m_placed.sentence.push_back(
-          {sentence.mid(line.textStart(), line.textLength()), {m_left, m_y + line.ascent()}});
+      line.setLineWidth(std::max(m_right - left, 1.0));
+      placed.push_back({text.mid(line.textStart(), line.textLength()), {left, m_y + line.ascent()}});
       m_y += sentenceLineHeight * line.height();
     }
     layout.endLayout();
     m_y -= (sentenceLineHeight - 1) * QFontMetricsF(m_font).height(); // nothing below the last
+    return placed;
   }
 
   QFont m_font;
@@ -155,12 +175,14 @@ QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
   return {baseline + inPicture.topLeft() * exPixels, inPicture.size() * exPixels};
 }
 
-PlacedWorking placeWorking(const std::vector<TypesetLine> &lines, const std::set<std::string> &blanked,
-                           const QFont &font, double width) {
+PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
+                           const std::map<std::string, LineState> &states, const QFont &font, double width) {
   LinePlacer placer(font, width);
   PlacedWorking placed;
-  for (const TypesetLine &line : lines)
-    placed.lines.push_back(placer.place(line, blanked.count(line.source.id) > 0));
+  for (const TypesetLine &line : lines) {
+    const auto state = states.find(line.source.id);
+    placed.lines.push_back(placer.place(line, state == states.end() ? LineState() : state->second));
+  }
   placed.size = placer.size();
   return placed;
 }

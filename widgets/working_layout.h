@@ -8,7 +8,7 @@
 #include <QRectF>
 
 #include <array>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +18,21 @@ namespace halfspace {
 struct TypesetLine {
   WorkingLine source;
   std::array<Typesetter::Picture, 3> pieces; ///< symbols, numbers, result; null where the source is empty
+  Typesetter::Picture prompt;                ///< of its blank; null where it has none
+};
+
+/// What is said about a line to the learner who filled it in.
+struct LineRemark {
+  QString text;
+  bool right = false;
+  bool operator==(const LineRemark &) const = default;
+};
+
+/// What is not as usual in a line.
+struct LineState {
+  bool blank = false; ///< its numbers are hidden
+  QSizeF field;       ///< the room for a field in their place; empty: there is none
+  QString remark;
 };
 
 /// A formula in its place.
@@ -41,6 +56,7 @@ struct PlacedLine {
   QRectF box; ///< with the space around it, across the whole width
   std::vector<PlacedFormula> formulas;
   QRectF blank; ///< stands for the numbers that are hidden; null when none are
+  std::vector<PlacedText> remark;
   std::vector<PlacedText> sentence;
 };
 
@@ -51,9 +67,9 @@ struct PlacedWorking {
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is drawn smaller, but not
-/// beyond reading. Lines whose ids are in `blanked` show a blank for their numbers.
+/// beyond reading. `states` are by the lines' ids.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
-                                         const std::set<std::string> &blanked, const QFont &font,
+                                         const std::map<std::string, LineState> &states, const QFont &font,
                                          double width);
 
 } // namespace halfspace

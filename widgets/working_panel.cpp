@@ -1,6 +1,8 @@
 #include "widgets/working_panel.h"
 
+#include "widgets/blank_field.h"
 #include "widgets/colors.h"
+#include "widgets/task_row.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -21,15 +23,25 @@ constexpr double termMargin = 3;
 constexpr double highlightRadius = 4;
 constexpr double highlightOpacity = 0.20;
 constexpr double currentBarWidth = 3;
+constexpr double remarkMarkRadius = 6.5;
 constexpr QSize usualSize(400, 480);
 
 QStringList formulasOf(const Working &working) {
   QStringList formulas;
-  for (const WorkingLine &line : working.lines)
+  for (const WorkingLine &line : working.lines) {
     for (const std::string *piece : {&line.symbols, &line.numbers, &line.result})
       if (!piece->empty())
         formulas << QString::fromStdString(*piece);
+    if (line.blank)
+      formulas << QString::fromStdString(line.blank->prompt);
+  }
   return formulas;
+}
+
+/// A line as it is asked for: its symbols, and the prompt where that says more than `=`.
+QString questionOf(const WorkingLine &line) {
+  const bool hasOwnPrompt = line.blank && line.blank->prompt != Blank().prompt;
+  return QString::fromStdString(plainText(line.symbols + (hasOwnPrompt ? " " + line.blank->prompt : "")));
 }
 
 QString plainTextOf(const WorkingLine &line, bool blanked) {
@@ -52,7 +64,9 @@ WorkingPanel::WorkingPanel(Typesetter &typesetter, QWidget *parent)
   setAccessibleName(tr("Working"));
   viewport()->setMouseTracking(true);
   viewport()->setAutoFillBackground(false);
-  connect(&typesetter, &Typesetter::ready, this, &WorkingPanel::showRequested);
+  connect(&typesetter, &Typesetter::ready, this, &WorkingPanel::showTypeset);
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](QWidget *, QWidget *focused) { followFocus(focused); });
 }
 
 WorkingPanel::~WorkingPanel() = default;
@@ -68,10 +82,10 @@ void WorkingPanel::setWorking(const Working &working) {
 void WorkingPanel::request(const Working &working) {
   m_requested = working;
   m_request.setWanted(formulasOf(working));
-  showRequested();
+  showTypeset();
 }
 
-void WorkingPanel::showRequested() {
+void WorkingPanel::showTypeset() {
   if (!m_requested || !m_request.isComplete())
     return;
   const auto pictureOf = [this](const std::string &latex) {
@@ -79,7 +93,9 @@ void WorkingPanel::showRequested() {
   };
   m_lines.clear();
   for (const WorkingLine &line : m_requested->lines)
-    m_lines.push_back({line, {pictureOf(line.symbols), pictureOf(line.numbers), pictureOf(line.result)}});
+    m_lines.push_back({line,
+                       {pictureOf(line.symbols), pictureOf(line.numbers), pictureOf(line.result)},
+                       line.blank ? pictureOf(line.blank->prompt) : nullptr});
   m_requested.reset();
   if (m_current && *m_current >= m_lines.size())
     m_current.reset();
@@ -106,17 +122,46 @@ void WorkingPanel::setHighlighted(std::set<std::string> markIds) {
   viewport()->update();
 }
 
-void WorkingPanel::setBlanked(std::set<std::string> lineIds) {
-  if (lineIds == m_blanked)
+void WorkingPanel::hideNumbers() {
+  if (m_numbersHidden)
     return;
-  m_blanked = std::move(lineIds);
+  m_numbersHidden = true;
+  m_blanks.clear();
+  m_remarks.clear();
   placeLines();
   updateAccessibleText();
 }
 
+void WorkingPanel::setBlanks(std::set<std::string> lineIds, std::map<std::string, LineRemark> remarks) {
+  if (!m_numbersHidden && lineIds == m_blanks && remarks == m_remarks)
+    return;
+  m_numbersHidden = false;
+  m_blanks = std::move(lineIds);
+  m_remarks = std::move(remarks);
+  placeLines();
+  updateAccessibleText();
+  followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
+}
+
+bool WorkingPanel::isBlank(const std::string &lineId) const {
+  return m_numbersHidden || m_blanks.contains(lineId);
+}
+
+std::map<std::string, LineState> WorkingPanel::lineStates() const {
+  std::map<std::string, LineState> states;
+  for (const auto &[line, remark] : m_remarks)
+    states[line].remark = remark.text;
+  for (const TypesetLine &line : m_lines)
+    states[line.source.id].blank = isBlank(line.source.id);
+  for (const auto &[line, field] : m_fields)
+    states[line].field = field->sizeHint();
+  return states;
+}
+
 void WorkingPanel::placeLines() {
+  const bool lostFocus = matchFields();
   const QSize room = viewport()->size();
-  m_placed = placeWorking(m_lines, m_blanked, font(), room.width());
+  m_placed = placeWorking(m_lines, lineStates(), font(), room.width());
   const QSize content(static_cast<int>(std::ceil(m_placed.size.width())),
                       static_cast<int>(std::ceil(m_placed.size.height())));
   verticalScrollBar()->setRange(0, std::max(0, content.height() - room.height()));
@@ -124,13 +169,73 @@ void WorkingPanel::placeLines() {
   verticalScrollBar()->setSingleStep(fontMetrics().height() * 2);
   horizontalScrollBar()->setRange(0, std::max(0, content.width() - room.width()));
   horizontalScrollBar()->setPageStep(room.width());
+  moveFields();
+  viewport()->update();
+  if (lostFocus)
+    focusField();
+}
+
+bool WorkingPanel::matchFields() {
+  std::set<std::string> wanted;
+  for (const TypesetLine &line : m_lines)
+    if (m_blanks.contains(line.source.id)) {
+      wanted.insert(line.source.id);
+      if (!m_fields.contains(line.source.id))
+        addField(line.source);
+    }
+  bool lostFocus = false;
+  std::erase_if(m_fields, [&](const auto &each) {
+    if (wanted.contains(each.first))
+      return false;
+    lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
+    each.second->hide();
+    each.second->deleteLater(); // its own signal may have led here
+    return true;
+  });
+  for (const auto &[line, field] : m_fields)
+    field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
+  return lostFocus;
+}
+
+void WorkingPanel::focusField() {
+  for (const TypesetLine &line : m_lines)
+    if (const auto field = m_fields.find(line.source.id); field != m_fields.end())
+      return field->second->setFocus();
+  setFocus();
+}
+
+void WorkingPanel::followFocus(QWidget *focused) {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id);
+        field != m_fields.end() && field->second->isAncestorOf(focused))
+      setCurrentLine(i);
+}
+
+void WorkingPanel::addField(const WorkingLine &line) {
+  auto *field = new BlankField(questionOf(line), line.blank.has_value(), viewport());
+  const QString id = QString::fromStdString(line.id);
+  connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
+  connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
+  m_fields[line.id] = field;
+}
+
+void WorkingPanel::moveFields() {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id); field != m_fields.end()) {
+      field->second->setGeometry(m_placed.lines[i].blank.translated(-scrolled()).toRect());
+      field->second->show();
+    }
+}
+
+void WorkingPanel::scrollContentsBy(int, int) {
+  moveFields();
   viewport()->update();
 }
 
 void WorkingPanel::updateAccessibleText() {
   QStringList texts;
   for (const TypesetLine &line : m_lines)
-    texts << plainTextOf(line.source, m_blanked.count(line.source.id) > 0);
+    texts << plainTextOf(line.source, isBlank(line.source.id));
   setAccessibleDescription(texts.join(u'\n'));
 }
 
@@ -138,8 +243,9 @@ PlacedWorking WorkingPanel::placed() const {
   PlacedWorking placed = m_placed;
   for (PlacedLine &line : placed.lines) {
     line.box.translate(-scrolled());
-    for (PlacedText &text : line.sentence)
-      text.baseline -= scrolled();
+    for (std::vector<PlacedText> *texts : {&line.remark, &line.sentence})
+      for (PlacedText &text : *texts)
+        text.baseline -= scrolled();
     if (!line.blank.isNull())
       line.blank.translate(-scrolled());
     for (PlacedFormula &formula : line.formulas)
@@ -150,7 +256,7 @@ PlacedWorking WorkingPanel::placed() const {
 
 QString WorkingPanel::latexOf(const WorkingLine &line) const {
   std::string latex = line.symbols;
-  if (!m_blanked.count(line.id))
+  if (!isBlank(line.id))
     for (const std::string *piece : {&line.numbers, &line.result})
       latex += (piece->empty() ? "" : " ") + *piece;
   return QString::fromStdString(withoutMarks(latex));
@@ -227,8 +333,10 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
       return failed ? toQColor(m_theme.warning) : inkOf(mark);
     });
   }
-  if (!line.blank.isNull())
+  if (!line.blank.isNull() && !m_fields.contains(m_lines[index].source.id))
     paintBlank(painter, line.blank);
+  if (const auto remark = m_remarks.find(m_lines[index].source.id); remark != m_remarks.end())
+    paintRemark(painter, line, remark->second);
   painter.setPen(toQColor(m_theme.mutedInk));
   for (const PlacedText &text : line.sentence)
     painter.drawText(text.baseline, text.text);
@@ -254,6 +362,18 @@ void WorkingPanel::paintBlank(QPainter &painter, const QRectF &blank) const {
   painter.drawText(blank, Qt::AlignCenter, QStringLiteral("?"));
 }
 
+void WorkingPanel::paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const {
+  if (line.remark.empty())
+    return;
+  const double middle = fontMetrics().capHeight() / 2.0;
+  const QPointF first = line.remark.front().baseline;
+  paintVerdict(painter, first - QPointF(1.5 * remarkMarkRadius, middle), remarkMarkRadius,
+               remark.right ? Verdict::Right : Verdict::Wrong, m_theme);
+  painter.setPen(toQColor(remark.right ? m_theme.inkOf(Subject::Triangle) : m_theme.warning));
+  for (const PlacedText &text : line.remark)
+    painter.drawText(text.baseline, text.text);
+}
+
 // --- pointer and keys
 // ----------------------------------------------------------------------------------------------
 
@@ -269,6 +389,9 @@ void WorkingPanel::mouseMoveEvent(QMouseEvent *event) { hover(markAt(QPointF(eve
 
 void WorkingPanel::mousePressEvent(QMouseEvent *event) {
   setCurrentLine(lineAt(QPointF(event->pos()) + scrolled()));
+  if (const auto field = m_current ? m_fields.find(m_lines[*m_current].source.id) : m_fields.end();
+      field != m_fields.end())
+    field->second->setFocus();
 }
 
 bool WorkingPanel::viewportEvent(QEvent *event) {

@@ -7,9 +7,13 @@
 #include <QAbstractScrollArea>
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace halfspace {
+
+class BlankField;
 
 /// Shows a working as a textbook would: formulas, their numbers, a sentence. A working appears only when all
 /// of its formulas are typeset, so lines of different moments never stand together; until then the last one
@@ -27,8 +31,13 @@ public:
   void setInkOf(std::function<QColor(const QString &markId)> inkOf);
   /// The terms of these marks stand out.
   void setHighlighted(std::set<std::string> markIds);
-  /// These lines show a blank instead of numbers and result, to the eye, in copies and to screen readers.
-  void setBlanked(std::set<std::string> lineIds);
+  /// All lines show a blank instead of numbers and result, to the eye, in copies and to screen readers.
+  void hideNumbers();
+  /// These lines, and no others, do so, and have a field to be filled in; and what is said about some lines.
+  void setBlanks(std::set<std::string> lineIds, std::map<std::string, LineRemark> remarks = {});
+
+  /// Gives the focus to the first field, or to the panel where there is none.
+  void focusField();
 
   /// Whether the newest working is shown.
   [[nodiscard]] bool isSettled() const { return !m_requested && !m_waiting; }
@@ -43,6 +52,10 @@ public:
 signals:
   /// The pointer is on a term of this mark, or (empty) on none.
   void markHovered(const QString &markId);
+  /// The learner has filled in a line, as 10, 10/3, 2*sqrt(43)/3 …
+  void answered(const QString &lineId, const QString &text);
+  /// … or wants to see it.
+  void showRequested(const QString &lineId);
 
 protected:
   void paintEvent(QPaintEvent *event) override;
@@ -53,11 +66,19 @@ protected:
   bool viewportEvent(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
   void contextMenuEvent(QContextMenuEvent *event) override;
+  void scrollContentsBy(int dx, int dy) override;
 
 private:
   void request(const Working &working);
-  void showRequested();
+  void showTypeset();
   void placeLines();
+  [[nodiscard]] bool isBlank(const std::string &lineId) const;
+  [[nodiscard]] std::map<std::string, LineState> lineStates() const;
+  /// Makes and removes fields; whether the one that had the focus is gone.
+  bool matchFields();
+  void followFocus(QWidget *focused);
+  void moveFields();
+  void addField(const WorkingLine &line);
   void updateAccessibleText();
   void hover(const QString &markId);
   void setCurrentLine(std::optional<std::size_t> line);
@@ -69,16 +90,20 @@ private:
   void paintLine(QPainter &painter, std::size_t index) const;
   void paintHighlights(QPainter &painter, const PlacedFormula &formula) const;
   void paintBlank(QPainter &painter, const QRectF &blank) const;
+  void paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const;
 
   Typesetter &m_typesetter;
   Typesetter::Request m_request;
   Theme m_theme;
   std::function<QColor(const QString &)> m_inkOf;
   std::set<std::string> m_highlighted;
-  std::set<std::string> m_blanked;
-  std::optional<Working> m_requested; ///< whose formulas are being made
-  std::optional<Working> m_waiting;   ///< the newest, if newer than that
-  std::vector<TypesetLine> m_lines;   ///< what is shown
+  bool m_numbersHidden = false;
+  std::set<std::string> m_blanks; ///< that have fields
+  std::map<std::string, LineRemark> m_remarks;
+  std::map<std::string, BlankField *> m_fields; ///< by the lines' ids
+  std::optional<Working> m_requested;           ///< whose formulas are being made
+  std::optional<Working> m_waiting;             ///< the newest, if newer than that
+  std::vector<TypesetLine> m_lines;             ///< what is shown
   PlacedWorking m_placed;
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys

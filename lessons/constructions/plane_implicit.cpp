@@ -5,6 +5,8 @@
 #include "lessons/drawing.h"
 #include "lessons/words.h"
 
+#include <array>
+
 namespace halfspace {
 namespace {
 
@@ -16,11 +18,13 @@ struct Out {
   Plane<Rational> plane;
   bool zeroNormal = false;
   Rational constant;              // n·P0
+  Rational coordinateSum;         // of P0: what is left when n is forgotten
   Rational normalSquared;         // n·n
   Surd length;                    // |n|
   std::vector<Surd> coefficients; // a, b, c, d
   std::vector<Surd> primitive;    // the same in integers without a common factor
   std::vector<Surd> normalized;   // divided by |n|
+  Rational dividedBySquare;       // d/(n·n)
   Surd originDistance;            // of the origin, signed
   ExactVec3 otherPoint;           // a second point P1 of the plane
   Rational otherConstant;         // n·P1
@@ -42,8 +46,9 @@ Out compute(const In &in) {
   out.plane = planeThrough(in.E.point, in.E.normal);
   out.zeroNormal = isZero(in.E.normal);
   out.constant = dot(in.E.normal, in.E.point);
+  out.coordinateSum = in.E.point.x + in.E.point.y + in.E.point.z;
   out.normalSquared = dot(in.E.normal, in.E.normal);
-  out.coefficients = {out.plane.normal.x, out.plane.normal.y, out.plane.normal.z, out.plane.offset};
+  out.coefficients = coefficientsOf(out.plane);
   if (out.zeroNormal)
     return out;
   out.length = Surd::root(out.normalSquared);
@@ -51,6 +56,7 @@ Out compute(const In &in) {
     out.primitive.emplace_back(Rational(integer));
   for (const Surd &coefficient : normalizedCoefficients(out.plane))
     out.normalized.push_back(coefficient);
+  out.dividedBySquare = out.plane.offset / out.normalSquared;
   out.originDistance = measurePointPlane(ExactVec3(0), out.plane).signedDistance;
   out.otherPoint = in.E.point + vectorInPlane(in.E.normal);
   out.otherConstant = dot(in.E.normal, out.otherPoint);
@@ -66,7 +72,7 @@ CaseWords tell(const In &, const Out &out) {
                          {{"equation", plainText(planeEquation(out.coefficients))}})};
 }
 
-std::vector<NamedValue> list(const In &, const Out &out) {
+std::vector<NamedValue> list(const Out &out) {
   std::vector<NamedValue> values{{"coefficients", "(a,b,c,d)", out.coefficients}};
   if (out.zeroNormal)
     return values;
@@ -119,6 +125,24 @@ WorkingLine expandLine(const In &in) {
           words("The dot product multiplied out, coordinate by coordinate.")};
 }
 
+Blank constantBlank(const Out &out) {
+  return {out.coefficients[3],
+          {{out.constant, words("{answer} is n·P₀: the minus sign of P − P₀ is lost.")},
+           {out.coordinateSum,
+            words("{answer} only adds up the coordinates of P₀: each is multiplied by that of n first.")},
+           {out.normalized[3],
+            words("{answer} belongs to the normalized equation: here nothing is divided by |n|.")}},
+          "= ax + by + cz + d,\\quad d ="};
+}
+
+Blank normalizedBlank(const Out &out) {
+  return {out.normalized[3],
+          {{out.coefficients[3], words("{answer} is not normalized: d is divided by |n| as well.")},
+           {out.dividedBySquare, words("{answer} is divided by n·n: divide by its root, |n|.")}},
+          "= \\frac{ax + by + cz + d}{\\lvert " + n + "\\rvert},\\quad \\frac{d}{\\lvert " + n +
+              "\\rvert} ="};
+}
+
 WorkingLine collectLine(const In &in, const Out &out) {
   Formula f;
   const std::vector<Surd> variablesOnly(out.coefficients.begin(), out.coefficients.begin() + 3);
@@ -127,18 +151,25 @@ WorkingLine collectLine(const In &in, const Out &out) {
   Formula g;
   const std::string equation = g.linear(out.coefficients, {"x", "y", "z"});
   return {
-      "collect", "0", sum, g.equals(marked("E", equation)),
-      words("Collected: the numbers before x, y and z are the coordinates of n, and the constant is −n·P₀.")};
+      "collect",
+      "0",
+      sum,
+      g.equals(marked("E", equation)),
+      words("Collected: the numbers before x, y and z are the coordinates of n, and the constant is −n·P₀."),
+      constantBlank(out)};
 }
 
 WorkingLine constantLine(const In &in, const Out &out) {
   Formula f;
   const std::string products = f.products(in.E.normal, out.otherPoint);
-  Formula g;
-  return {"constant", n + "\\cdot " + P1, f.equals(products), g.equals(g(out.otherConstant)),
+  return {"constant",
+          n + "\\cdot " + P1,
+          f.equals(products),
+          equalTo(out.otherConstant),
           words("{point} is another point of the plane. It gives the same number as P₀, so the constant "
                 "does not depend on the point you start from.",
-                {{"point", equation("P₁", out.otherPoint)}})};
+                {{"point", equation("P₁", out.otherPoint)}}),
+          Blank{out.otherConstant}};
 }
 
 WorkingLine normalizedLine(const Out &out) {
@@ -148,18 +179,20 @@ WorkingLine normalizedLine(const Out &out) {
   Formula g;
   const std::string normalized = g.linear(out.normalized, {"x", "y", "z"});
   const bool unit = out.normalSquared == 1;
-  return {"normalized", "0", f.equals(divided), g.equals(normalized),
+  return {"normalized",
+          "0",
+          f.equals(divided),
+          g.equals(normalized),
           unit ? words("|n| is 1: the equation is normalized already, so its left side gives distances.")
                : words("Divided by the length of the normal, {length}: the normalized form. The plane is the "
                        "same, and the left side now gives distances.",
-                       {{"length", equation("|n|", out.length)}})};
+                       {{"length", equation("|n|", out.length)}}),
+          normalizedBlank(out)};
 }
 
 WorkingLine scaledLine(const Out &out) {
   Formula f;
-  const std::vector<Surd> coefficients{out.scaled.normal.x, out.scaled.normal.y, out.scaled.normal.z,
-                                       out.scaled.offset};
-  const std::string equation = f.linear(coefficients, {"x", "y", "z"});
+  const std::string equation = f.linear(coefficientsOf(out.scaled), {"x", "y", "z"});
   return {"scaled", "0 = " + marked("kn", "2\\vec n") + "\\cdot(P - " + P0 + ")", f.equals(equation), "",
           words("Twice the normal doubles every number and changes nothing: the same points make it zero.")};
 }

@@ -4,6 +4,7 @@
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
 #include "lessons/words.h"
+#include "lessons/worked_lines.h"
 
 namespace halfspace {
 namespace {
@@ -24,7 +25,7 @@ struct Out {
 Out compute(const In &in) {
   Out out;
   out.plane = planeThrough(in.E.point, in.E.normal);
-  out.coefficients = {out.plane.normal.x, out.plane.normal.y, out.plane.normal.z, out.plane.offset};
+  out.coefficients = coefficientsOf(out.plane);
   out.toPlane = in.E.point - in.L.origin;
   out.f = evaluate(out.plane, in.L.origin);
   out.meet = intersectRayPlane(Ray<Rational>{in.L.origin, in.L.direction}, out.plane);
@@ -66,7 +67,7 @@ const std::string H = marked("H", "H");
 /// Facing normal's mark, only in the figure when the line crosses the plane.
 const std::string facing = marked("facing", "\\vec n_{f}");
 
-std::vector<NamedValue> list(const In &, const Out &out) {
+std::vector<NamedValue> list(const Out &out) {
   std::vector<NamedValue> values{{"numerator", "(" + P0 + "-" + Q + ")\\cdot " + n, Surd(out.meet.numerator)},
                                  {"denominator", r + "\\cdot " + n, Surd(out.meet.denominator)}};
   if (!out.meet.crosses())
@@ -102,41 +103,37 @@ WorkingLine collectLine(const Out &out) {
 }
 
 WorkingLine numeratorLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f(out.toPlane) + "\\cdot " + f(in.E.normal));
-  Formula g;
-  return {"numerator", "(" + marked("P0", "P_0") + " - " + Q + ")\\cdot " + n, inserted,
-          g.equals(g(out.meet.numerator)),
-          words("The same by dot products. The numerator is −f(Q): how far the plane is from Q, measured "
-                "along n.")};
+  WorkingLine line =
+      shortDotLine({"numerator", "(" + P0 + " - " + Q + ")\\cdot " + n,
+                    words("The same by dot products. The numerator is −f(Q): how far the plane is from Q, "
+                          "measured along n.")},
+                   out.toPlane, in.E.normal, out.meet.numerator);
+  line.blank->mistakes = {
+      {out.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}};
+  return line;
 }
 
 WorkingLine denominatorLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f(in.L.direction) + "\\cdot " + f(in.E.normal));
-  Formula g;
-  return {"denominator", r + "\\cdot " + n, inserted, g.equals(g(out.meet.denominator)),
-          words("The denominator: how far one step r goes along n. Zero means that no step along r comes "
-                "nearer to the plane.")};
+  return shortDotLine({"denominator", r + "\\cdot " + n,
+                       words("The denominator: how far one step r goes along n. Zero means that no step "
+                             "along r comes nearer to the plane.")},
+                      in.L.direction, in.E.normal, out.meet.denominator);
 }
 
 WorkingLine tLine(const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f.quotient(out.meet.numerator, out.meet.denominator));
-  Formula g;
-  return {"t", "t = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}", inserted,
-          g.equals(g(out.meet.t)),
-          words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1.")};
+  return parameterLine(
+      {"t", "t = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}",
+       words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1.")},
+      out.meet.numerator, out.meet.denominator, out.meet.t);
 }
 
 WorkingLine hitLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f(in.L.origin) + " + " + f.factor(out.meet.t) + f(in.L.direction));
-  Formula g;
-  return {"hit", H + " = " + Q + " + t\\," + r, inserted, g.equals(g(out.meet.point)),
-          out.meet.which == RayPlaneCase::Hit ? words("The point where the ray meets the plane.")
-                                              : words("Here the line through the ray meets the plane, behind "
-                                                      "the start: the ray itself never gets there.")};
+  return pointLine({"hit", H + " = " + Q + " + t\\," + r,
+                    out.meet.which == RayPlaneCase::Hit
+                        ? words("The point where the ray meets the plane.")
+                        : words("Here the line through the ray meets the plane, behind the start: the ray "
+                                "itself never gets there.")},
+                   in.L.origin, out.meet.t, in.L.direction, out.meet.point);
 }
 
 WorkingLine facingLine(const Out &out) {

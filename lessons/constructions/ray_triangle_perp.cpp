@@ -3,7 +3,9 @@
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
+#include "lessons/triangle_words.h"
 #include "lessons/words.h"
+#include "lessons/worked_lines.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,29 +20,45 @@ struct In {
   RayObject L;
 };
 
+/// s or t on the way to its value and past it.
+struct Share {
+  Rational numerator; // over the denominator D
+  Rational opposite;
+};
+
 struct Out {
   RayTriangle<Rational> meet; // u, v, n, perps, the five dot products, s, t, place
   Rational wOnUPerp;          // a = w·u⊥
   Rational vOnUPerp;          // b = v·u⊥
   Rational wOnVPerp;          // w·v⊥
   Rational uOnVPerp;          // u·v⊥
+  Rational normalSquared;     // (u×v)·(u×v): the denominator's opposite
+  Share s;
+  Share t;
   std::vector<Surd> barycentric;
   ExactVec3 tv;    // P0 + t·v
   ExactVec3 footA; // of w on the line P0 + u⊥, a along u⊥
   ExactVec3 footB; // of v on it, b along u⊥
 };
 
+Share shareOf(const Rational &value, const Rational &denominator) {
+  return {Rational(value * denominator), Rational(-value)};
+}
+
 Out compute(const In &in) {
   Out out;
   out.meet = intersectRayTriangle(Ray<Rational>{in.L.origin, in.L.direction},
                                   Triangle<Rational>{in.T.p0, in.T.p1, in.T.p2});
   const auto &perps = out.meet.perps;
+  out.normalSquared = dot(perps.normal, perps.normal);
   if (!out.meet.crosses())
     return out;
   out.wOnUPerp = dot(out.meet.w, perps.uPerp);
   out.vOnUPerp = dot(perps.v, perps.uPerp);
   out.wOnVPerp = dot(out.meet.w, perps.vPerp);
   out.uOnVPerp = dot(perps.u, perps.vPerp);
+  out.s = shareOf(out.meet.s, perps.denominator);
+  out.t = shareOf(out.meet.tTriangle, perps.denominator);
   const Rational rest = 1 - out.meet.s - out.meet.tTriangle;
   out.barycentric = {rest, out.meet.s, out.meet.tTriangle};
   out.tv = in.T.p0 + perps.v * out.meet.tTriangle;
@@ -48,24 +66,6 @@ Out compute(const In &in) {
   out.footA = in.T.p0 + perps.uPerp * Rational(out.wOnUPerp / perpSquared);
   out.footB = in.T.p0 + perps.uPerp * Rational(out.vOnUPerp / perpSquared);
   return out;
-}
-
-const char *const cornerNames[3] = {"P₀", "P₁", "P₂"};
-const char *const edgeNames[3] = {"P₁P₂", "P₀P₂", "P₀P₁"}; // by the opposite corner
-
-/// Where in the triangle, in words; for a point of it.
-std::string placeWords(const TrianglePlace &place) {
-  switch (place.location) {
-  case TriangleLocation::Interior:
-    return words("inside the triangle");
-  case TriangleLocation::Edge:
-    return words("on the edge {edge}", {{"edge", edgeNames[place.feature]}});
-  case TriangleLocation::Vertex:
-    return words("at the corner {corner}", {{"corner", cornerNames[place.feature]}});
-  case TriangleLocation::Outside:
-    break;
-  }
-  return words("outside the triangle");
 }
 
 CaseWords tell(const In &in, const Out &out) {
@@ -94,7 +94,7 @@ CaseWords tell(const In &in, const Out &out) {
     const int pair = in.T.p0 == in.T.p1 ? 2 : in.T.p0 == in.T.p2 ? 1 : 0;
     return {"coincident",
             words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
-                  {{"first", cornerNames[pair == 0 ? 1 : 0]}, {"second", cornerNames[pair == 2 ? 1 : 2]}}),
+                  {{"first", cornerName(pair == 0 ? 1 : 0)}, {"second", cornerName(pair == 2 ? 1 : 2)}}),
             true};
   }
   case RayTriangleCase::Collinear:
@@ -119,20 +119,6 @@ const std::string uPerp = marked("uperp", "\\vec u^{\\perp}");
 const std::string vPerp = marked("vperp", "\\vec v^{\\perp}");
 const std::string I = marked("I", "I");
 
-std::string locationName(TriangleLocation location) {
-  switch (location) {
-  case TriangleLocation::Interior:
-    return "interior";
-  case TriangleLocation::Edge:
-    return "edge";
-  case TriangleLocation::Vertex:
-    return "vertex";
-  case TriangleLocation::Outside:
-    break;
-  }
-  return "outside";
-}
-
 std::vector<NamedValue> perpValues(const Out &out) {
   const auto &perps = out.meet.perps;
   std::vector<NamedValue> values{{"u_perp", uPerp, listOf(perps.uPerp)},
@@ -144,11 +130,11 @@ std::vector<NamedValue> perpValues(const Out &out) {
     values.push_back({"wu", w + "\\cdot " + u, Surd(out.meet.wu)});
     values.push_back({"wv", w + "\\cdot " + v, Surd(out.meet.wv)});
   }
-  values.push_back({"denominator", "\\text{denominator}", Surd(perps.denominator)});
+  values.push_back({"denominator", "D", Surd(perps.denominator)});
   return values;
 }
 
-std::vector<NamedValue> list(const In &, const Out &out) {
+std::vector<NamedValue> list(const Out &out) {
   std::vector<NamedValue> values;
   if (out.meet.crosses()) {
     values.push_back({"location", "\\text{place}", locationName(out.meet.place.location)});
@@ -164,45 +150,27 @@ std::vector<NamedValue> list(const In &, const Out &out) {
   return values;
 }
 
-/// A line that subtracts two points: \vec u = P_1 − P_0 with numbers and result.
-WorkingLine differenceLine(std::string id, std::string symbols, const ExactVec3 &to, const ExactVec3 &from,
-                           const ExactVec3 &difference, std::string sentence) {
-  Formula f;
-  const std::string inserted = f.equals(f(to) + " - " + f(from));
-  Formula g;
-  return {std::move(id), std::move(symbols), inserted, g.equals(g(difference)), std::move(sentence)};
-}
-
-/// A line for a dot product of two vectors.
-WorkingLine dotLine(std::string id, std::string symbols, const ExactVec3 &a, const ExactVec3 &b,
-                    const Rational &product, std::string sentence = "") {
-  Formula f;
-  const std::string inserted = f.equals(f.products(a, b));
-  Formula g;
-  return {std::move(id), std::move(symbols), inserted, g.equals(g(product)), std::move(sentence)};
-}
-
 /// n×u = (u·u)v − (u·v)u and n×v = (u·v)v − (v·v)u: both are k·v − l·u.
 WorkingLine perpLine(std::string id, std::string symbols, const Rational &k, const Rational &l,
                      const TrianglePerps<Rational> &perps, const ExactVec3 &result, std::string sentence) {
   Formula f;
   const std::string inserted = f.equals(f.factor(k) + f(perps.v) + " - " + f.factor(l) + f(perps.u));
-  Formula g;
-  return {std::move(id), std::move(symbols), inserted, g.equals(g(result)), std::move(sentence)};
+  return {std::move(id), std::move(symbols), inserted, equalTo(result), std::move(sentence)};
 }
 
 std::vector<WorkingLine> triangleLines(const In &in, const TrianglePerps<Rational> &perps) {
   Formula f;
   const std::string normal = f.equals(f(perps.normal));
   return {
-      differenceLine("u", u + " = " + P1 + " - " + P0, in.T.p1, in.T.p0, perps.u, ""),
-      differenceLine("v", v + " = " + P2 + " - " + P0, in.T.p2, in.T.p0, perps.v,
-                     words("Two sides of the triangle, both from P₀.")),
+      differenceLine({"u", u + " = " + P1 + " - " + P0, ""}, in.T.p1, in.T.p0, perps.u),
+      differenceLine({"v", v + " = " + P2 + " - " + P0, words("Two sides of the triangle, both from P₀.")},
+                     in.T.p2, in.T.p0, perps.v),
       {"normal", n + " = " + u + "\\times " + v, "", normal, words("Perpendicular to both sides.")},
-      dotLine("uu", u + "\\cdot " + u, perps.u, perps.u, perps.uu),
-      dotLine("uv", u + "\\cdot " + v, perps.u, perps.v, perps.uv),
-      dotLine("vv", v + "\\cdot " + v, perps.v, perps.v, perps.vv,
-              words("Three of the five dot products: they belong to the triangle alone.")),
+      dotLine({"uu", u + "\\cdot " + u, ""}, perps.u, perps.u, perps.uu),
+      dotLine({"uv", u + "\\cdot " + v, ""}, perps.u, perps.v, perps.uv),
+      dotLine({"vv", v + "\\cdot " + v,
+               words("Three of the five dot products: they belong to the triangle alone.")},
+              perps.v, perps.v, perps.vv),
       perpLine("uperp",
                uPerp + " = " + n + "\\times " + u + " = (" + u + "\\cdot " + u + ")" + v + " - (" + u +
                    "\\cdot " + v + ")" + u,
@@ -220,45 +188,82 @@ WorkingLine denominatorLine(const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals(f.squared(perps.uv) + " - " + f.factor(perps.uu) + "\\cdot " + f.factor(perps.vv));
-  Formula g;
   const bool degenerate = perps.denominator == 0;
-  return {"denominator",
-          "D = (" + u + "\\cdot " + v + ")^2 - (" + u + "\\cdot " + u + ")(" + v + "\\cdot " + v + ")",
-          inserted, g.equals(g(perps.denominator)),
-          degenerate ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
-                     : words("The denominator of s and t. It is zero only for a degenerate triangle.")};
+  return {
+      "denominator",
+      "D = (" + u + "\\cdot " + v + ")^2 - (" + u + "\\cdot " + u + ")(" + v + "\\cdot " + v + ")",
+      inserted,
+      equalTo(perps.denominator),
+      degenerate ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
+                 : words("The denominator of s and t. It is zero only for a degenerate triangle."),
+      Blank{perps.denominator,
+            {{out.normalSquared, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}}}};
 }
 
 WorkingLine lambdaLine(const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f.quotient(out.meet.plane.numerator, out.meet.plane.denominator));
-  Formula g;
-  return {"plane-t", "\\lambda = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}",
-          inserted, g.equals(g(out.meet.plane.t)),
-          words("First the triangle's plane: so many steps r lead from Q to it.")};
+  return parameterLine(
+      {"plane-t", "\\lambda = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}",
+       words("First the triangle's plane: so many steps r lead from Q to it.")},
+      out.meet.plane.numerator, out.meet.plane.denominator, out.meet.plane.t);
 }
 
 WorkingLine hitLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted =
-      f.equals(f(in.L.origin) + " + " + f.factor(out.meet.plane.t) + f(in.L.direction));
-  Formula g;
-  return {"hit", I + " = " + Q + " + \\lambda\\," + r, inserted, g.equals(g(out.meet.plane.point)),
-          words("The point of the plane that the ray's line goes through. Is it in the triangle?")};
+  return pointLine({"hit", I + " = " + Q + " + \\lambda\\," + r,
+                    words("The point of the plane that the ray's line goes through. Is it in the triangle?")},
+                   in.L.origin, out.meet.plane.t, in.L.direction, out.meet.plane.point);
 }
 
 /// s or t as a fraction of the five dot products: (k·l − m·n)/D, with k, l, m, n the factors.
-WorkingLine shareLine(std::string id, std::string symbols, const std::array<Rational, 4> &factors,
-                      const Rational &denominator, const Rational &share, std::string sentence) {
+std::string shareNumbers(const std::array<Rational, 4> &factors, const Rational &denominator) {
   Formula f;
   const auto product = [&](std::size_t i) {
     return f.factor(factors[i]) + "\\cdot " + f.factor(factors[i + 1]);
   };
   const std::string first = product(0);
   const std::string second = product(2);
-  const std::string inserted = f.equals("\\frac{" + first + " - " + second + "}{" + f(denominator) + "}");
-  Formula g;
-  return {std::move(id), std::move(symbols), inserted, g.equals(g(share)), std::move(sentence)};
+  return f.equals("\\frac{" + first + " - " + second + "}{" + f(denominator) + "}");
+}
+
+/// The symbols of s or t: dotted with a perp that takes the other one away, then with the numbers' names.
+std::string shareSymbols(const char *share, const std::string &side, const std::string &perp,
+                         const std::string &numerator) {
+  return std::string(share) + " = \\frac{" + w + "\\cdot " + perp + "}{" + side + "\\cdot " + perp +
+         "} = \\frac{" + numerator + "}{D}";
+}
+
+std::string dotted(const std::string &a, const std::string &b) { return "(" + a + "\\cdot " + b + ")"; }
+
+/// What is asked for a share, when the other one is `other`.
+Blank shareBlank(const Share &share, const Rational &denominator, Mistake other) {
+  Blank blank = fractionBlank(share.numerator, denominator);
+  blank.mistakes.insert(blank.mistakes.begin(), std::move(other));
+  blank.mistakes.push_back(
+      {share.opposite, words("{answer} has the wrong sign: the denominator D = (u·v)² − (u·u)(v·v) is "
+                             "negative.")});
+  return blank;
+}
+
+WorkingLine sLine(const Out &out) {
+  const auto &perps = out.meet.perps;
+  return {"s",
+          shareSymbols("s", u, vPerp, dotted(u, v) + dotted(w, v) + " - " + dotted(v, v) + dotted(w, u)),
+          shareNumbers({perps.uv, out.meet.wv, perps.vv, out.meet.wu}, perps.denominator),
+          equalTo(out.meet.s),
+          words("Dotted with v⊥, the part t·v drops out and only s is left."),
+          shareBlank(out.s, perps.denominator,
+                     {out.meet.tTriangle, words("{answer} is t: for s, w is dotted with v⊥.")})};
+}
+
+WorkingLine tLine(const Out &out) {
+  const auto &perps = out.meet.perps;
+  return {"t",
+          shareSymbols("t", v, uPerp, dotted(u, v) + dotted(w, u) + " - " + dotted(u, u) + dotted(w, v)),
+          shareNumbers({perps.uv, out.meet.wu, perps.uu, out.meet.wv}, perps.denominator),
+          equalTo(out.meet.tTriangle),
+          words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
+                "triangle; the ray's own parameter is λ."),
+          shareBlank(out.t, perps.denominator,
+                     {out.meet.s, words("{answer} is s: for t, w is dotted with u⊥.")})};
 }
 
 WorkingLine placeLine(const Out &out) {
@@ -285,8 +290,9 @@ std::vector<WorkingLine> similarLines(const Out &out) {
   const std::string b = marked("b", "b");
   return {
       {"a", a + " = " + w + "\\cdot " + uPerp, fa.equals(fa(out.wOnUPerp)), "",
-       words("The dot product of w with u⊥: it grows with how far w reaches along u⊥.")},
-      {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("The same for v.")},
+       words("The dot product of w with u⊥: it grows with how far w reaches along u⊥."), Blank{out.wOnUPerp}},
+      {"b", b + " = " + v + "\\cdot " + uPerp, fb.equals(fb(out.vOnUPerp)), "", words("The same for v."),
+       Blank{out.vOnUPerp}},
       {"similar", marked("tv", "t\\,\\vec v") + " = \\frac{" + a + "}{" + b + "}\\," + v, part, whole,
        words("Two right triangles at P₀ have the same shape, so t·v is to v as a is to b. The length of u⊥ "
              "stands in both and cancels.")}};
@@ -298,25 +304,15 @@ std::vector<WorkingLine> crossingLines(const In &in, const Out &out) {
   std::vector<WorkingLine> lines{
       lambdaLine(out),
       hitLine(in, out),
-      differenceLine("w", w + " = " + I + " - " + P0, meet.plane.point, in.T.p0, meet.w,
-                     words("From P₀ to that point. We look for w = s·u + t·v.")),
-      dotLine("wu", w + "\\cdot " + u, meet.w, perps.u, meet.wu),
-      dotLine("wv", w + "\\cdot " + v, meet.w, perps.v, meet.wv,
-              words("The last two of the five dot products.")),
+      differenceLine(
+          {"w", w + " = " + I + " - " + P0, words("From P₀ to that point. We look for w = s·u + t·v.")},
+          meet.plane.point, in.T.p0, meet.w),
+      dotLine({"wu", w + "\\cdot " + u, ""}, meet.w, perps.u, meet.wu),
+      dotLine({"wv", w + "\\cdot " + v, words("The last two of the five dot products.")}, meet.w, perps.v,
+              meet.wv),
       denominatorLine(out),
-      shareLine("s",
-                "s = \\frac{" + w + "\\cdot " + vPerp + "}{" + u + "\\cdot " + vPerp + "} = \\frac{(" + u +
-                    "\\cdot " + v + ")(" + w + "\\cdot " + v + ") - (" + v + "\\cdot " + v + ")(" + w +
-                    "\\cdot " + u + ")}{D}",
-                {perps.uv, meet.wv, perps.vv, meet.wu}, perps.denominator, meet.s,
-                words("Dotted with v⊥, the part t·v drops out and only s is left.")),
-      shareLine("t",
-                "t = \\frac{" + w + "\\cdot " + uPerp + "}{" + v + "\\cdot " + uPerp + "} = \\frac{(" + u +
-                    "\\cdot " + v + ")(" + w + "\\cdot " + u + ") - (" + u + "\\cdot " + u + ")(" + w +
-                    "\\cdot " + v + ")}{D}",
-                {perps.uv, meet.wu, perps.uu, meet.wv}, perps.denominator, meet.tTriangle,
-                words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
-                      "triangle; the ray's own parameter is λ.")),
+      sLine(out),
+      tLine(out),
       placeLine(out)};
   for (WorkingLine &line : similarLines(out))
     lines.push_back(std::move(line));
@@ -337,19 +333,6 @@ Working explain(const In &in, const Out &out) {
 constexpr double drawnNormalLength = 3;
 /// The perps are drawn a little longer than the farther of the feet on them.
 constexpr double perpBeyondFoot = 1.12;
-
-/// The unit vector of a direction ≠ 0. Its largest coordinate is made 1 first: the squares of a very short
-/// one's doubles would vanish.
-Place unitOf(const ExactVec3 &direction) {
-  const auto size = [](const Rational &x) { return abs(x); };
-  const Rational largest = std::max({size(direction.x), size(direction.y), size(direction.z)});
-  return glm::normalize(place(direction * Rational(1 / largest)));
-}
-
-/// The arrow of a direction drawn at another length.
-ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
-  return {std::move(base), from, unitOf(direction) * length};
-}
 
 void drawSpan(Figure &figure, const In &in, const Out &out) {
   const auto &perps = out.meet.perps;
@@ -376,12 +359,7 @@ void drawEdges(Figure &figure, const In &in, const Out &out) {
   const Role role = proper ? Role::Given : Role::Warning;
   figure.marks.push_back(ArrowMark{{"u", role, Subject::EdgeU, "\\vec u"}, p0, place(out.meet.perps.u)});
   figure.marks.push_back(ArrowMark{{"v", role, Subject::EdgeV, "\\vec v"}, p0, place(out.meet.perps.v)});
-  const std::pair<const char *, const ExactVec3 *> corners[] = {
-      {"0", &in.T.p0}, {"1", &in.T.p1}, {"2", &in.T.p2}};
-  for (const auto &[index, corner] : corners)
-    figure.marks.push_back(
-        PointMark{{std::string("P") + index, Role::Given, Subject::Triangle, std::string("P_") + index},
-                  place(*corner)});
+  drawCorners(figure, in.T);
 }
 
 /// Figure 4 of the note: the feet of w and v on u⊥, and the two similar right triangles that they make with

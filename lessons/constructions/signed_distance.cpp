@@ -3,6 +3,7 @@
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
 #include "lessons/words.h"
+#include "lessons/worked_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,18 +26,24 @@ struct Out {
   bool atP0 = false;             // w is zero: there is no angle
   Surd wLength;                  // |w|
   Surd cosine;                   // of the angle θ between n and w
+  Rational nQ;                   // n·Q: what is left when P0 is forgotten
+  Rational fWithoutSign;         // |f|
+  Surd oppositeDistance;         // −(signed distance)
 };
 
 Out compute(const In &in) {
   Out out;
   out.plane = planeThrough(in.E.point, in.E.normal);
-  out.coefficients = {out.plane.normal.x, out.plane.normal.y, out.plane.normal.z, out.plane.offset};
+  out.coefficients = coefficientsOf(out.plane);
   out.measured = measurePointPlane(in.Q.at, out.plane);
   out.w = in.Q.at - in.E.point;
+  out.nQ = dot(in.E.normal, in.Q.at);
+  out.fWithoutSign = abs(out.measured.f);
   out.atP0 = isZero(out.w);
   if (out.measured.which == PointPlaneCase::ZeroNormal)
     return out;
   out.length = Surd::root(out.measured.normalSquared);
+  out.oppositeDistance = -out.measured.signedDistance;
   const Rational wSquared = dot(out.w, out.w);
   out.wLength = Surd::root(wSquared);
   if (!out.atP0)
@@ -74,14 +81,14 @@ const std::string P0 = marked("P0", "P_0");
 const std::string Q = marked("Q", "Q");
 const std::string F = marked("F", "F");
 const std::string w = marked("w", "\\vec w");
-const std::string d = marked("distance", "d");
+const std::string dist = marked("distance", "\\operatorname{dist}");
 const std::string theta = marked("theta", "\\theta");
 
-std::vector<NamedValue> list(const In &, const Out &out) {
+std::vector<NamedValue> list(const Out &out) {
   std::vector<NamedValue> values{{"f", "f(" + Q + ")", Surd(out.measured.f)}};
   if (out.measured.which == PointPlaneCase::ZeroNormal)
     return values;
-  values.push_back({"signed_distance", d, out.measured.signedDistance});
+  values.push_back({"signed_distance", dist, out.measured.signedDistance});
   values.push_back({"side", "\\text{side}", sideName(out.measured.which)});
   values.push_back({"foot", F, listOf(out.measured.foot)});
   if (!out.atP0)
@@ -90,11 +97,11 @@ std::vector<NamedValue> list(const In &, const Out &out) {
 }
 
 WorkingLine fLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f(in.E.normal) + "\\cdot " + f(out.w));
-  Formula g;
-  return {"f", "f(" + Q + ") = " + n + "\\cdot(" + Q + " - " + P0 + ")", inserted,
-          g.equals(g(out.measured.f)), words("Q put into the left side of the plane's equation.")};
+  WorkingLine line = shortDotLine({"f", "f(" + Q + ") = " + n + "\\cdot(" + Q + " - " + P0 + ")",
+                                   words("Q put into the left side of the plane's equation.")},
+                                  in.E.normal, out.w, out.measured.f);
+  line.blank->mistakes = {{out.nQ, words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}};
+  return line;
 }
 
 WorkingLine sideLine(const Out &out) {
@@ -113,46 +120,62 @@ WorkingLine sideLine(const Out &out) {
 WorkingLine lengthLine(const In &in, const Out &out) {
   Formula f;
   const std::string inserted = f.equals("\\sqrt{" + f.products(in.E.normal, in.E.normal) + "}");
-  Formula g;
-  return {"length", "\\lvert" + n + "\\rvert = \\sqrt{" + n + "\\cdot " + n + "}", inserted,
-          g.equals(g(out.length)), words("The length of the normal.")};
+  return {"length",
+          "\\lvert" + n + "\\rvert = \\sqrt{" + n + "\\cdot " + n + "}",
+          inserted,
+          equalTo(out.length),
+          words("The length of the normal."),
+          Blank{out.length,
+                {{out.measured.normalSquared, words("{answer} is n·n: its root is still to be taken.")}}}};
+}
+
+Blank distanceBlank(const Out &out) {
+  return {out.measured.signedDistance,
+          {{out.measured.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
+           {out.fWithoutSign, words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
+           {out.measured.footParameter, words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")},
+           {out.oppositeDistance, words("{answer} has the wrong sign: the distance has the sign of f(Q).")}}};
 }
 
 WorkingLine distanceLine(const Out &out) {
   Formula f;
   const std::string inserted = f.equals(f.quotient(out.measured.f, out.length));
-  Formula g;
   const bool unit = out.measured.normalSquared == 1;
   return {
-      "distance", d + " = \\frac{f(" + Q + ")}{\\lvert" + n + "\\rvert}", inserted,
-      g.equals(g(out.measured.signedDistance)),
+      "distance",
+      dist + " = \\frac{f(" + Q + ")}{\\lvert" + n + "\\rvert}",
+      inserted,
+      equalTo(out.measured.signedDistance),
       unit ? words("Because |n| = 1, f(Q) is the signed distance already.")
            : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
-                   {{"f", equation("f(Q)", out.measured.f)}, {"length", plainText(show(out.length).latex)}})};
+                   {{"f", equation("f(Q)", out.measured.f)}, {"length", plainText(show(out.length).latex)}}),
+      distanceBlank(out)};
 }
 
 WorkingLine cosineLine(const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals("\\frac{" + f(out.measured.f) + "}{" + f(out.length) + "\\cdot " + f(out.wLength) + "}");
-  Formula g;
   const double degrees = std::acos(std::clamp(toDouble(out.cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
   return {"cosine",
           "\\cos" + theta + " = \\frac{" + n + "\\cdot " + w + "}{\\lvert" + n + "\\rvert\\,\\lvert" + w +
               "\\rvert}",
-          inserted, g.equals(g(out.cosine)),
-          words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So d = |w| cos θ is the part of w "
+          inserted,
+          equalTo(out.cosine),
+          words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of w "
                 "that runs along n.",
-                {{"degrees", roundedText(degrees)}})};
+                {{"degrees", roundedText(degrees)}}),
+          Blank{out.cosine,
+                {{out.measured.signedDistance, words("{answer} is the distance: divide by |w| as well.")},
+                 {out.measured.f, words("{answer} is n·w: divide by both lengths.")}}}};
 }
 
 WorkingLine footLine(const In &in, const Out &out) {
   Formula f;
   const std::string inserted =
       f.equals(f(in.Q.at) + " - " + f.quotient(out.measured.f, out.measured.normalSquared) + f(in.E.normal));
-  Formula g;
   return {"foot", F + " = " + Q + " - \\frac{f(" + Q + ")}{" + n + "\\cdot " + n + "}\\," + n, inserted,
-          g.equals(g(out.measured.foot)),
+          equalTo(out.measured.foot),
           words("The foot: from Q straight along n to the plane, its nearest point.")};
 }
 
@@ -187,8 +210,8 @@ Figure draw(const In &in, const Out &out) {
     return figure;
   Formula f;
   const std::string distance = f(out.measured.signedDistance);
-  figure.marks.push_back(
-      SegmentMark{{"distance", Role::Result, Subject::Measure, "d " + f.equals(distance)}, foot, q});
+  figure.marks.push_back(SegmentMark{
+      {"distance", Role::Result, Subject::Measure, "\\operatorname{dist} " + f.equals(distance)}, foot, q});
   figure.marks.push_back(
       RightAngleMark{{"F-angle", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
   return figure;

@@ -155,17 +155,25 @@ TEST_F(Program, ExplainAsJson_GivesEveryLineInLatexAndInPlainText) {
   for (const Json &line : json.at("working"))
     for (const char *piece : {"symbols", "numbers", "result", "text"})
       EXPECT_EQ(line.at(piece).get<std::string>().find("\\mark"), std::string::npos) << line;
-  EXPECT_EQ(json.at("working").at(3).at("text"), "d = f(Q)/|n| = 30/3 = 10");
+  EXPECT_EQ(json.at("working").at(3).at("text"), "dist = f(Q)/|n| = 30/3 = 10");
 }
 
 TEST_F(Program, ExplainAsText_IsTheDefaultAndEndsWithTheCase) {
   const Ran ran = run("explain signed-distance");
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.err, "");
-  EXPECT_NE(ran.out.find("foot = (23/3, 25/3, 4/3)\n"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("d = f(Q)/|n| = 30/3 = 10\n"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("\nF = (23/3, 25/3, 4/3)\n"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("dist = f(Q)/|n| = 30/3 = 10\n"), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out.find('\\'), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out, run("explain signed-distance --format text").out);
+}
+
+TEST_F(Program, ExplainAsText_CallsTheRaysParameterAsTheLinesDo) {
+  const Ran ran = run("explain ray-triangle-perp");
+  for (const char *part : {"\nλ = 3/2\n", "\nt = 1/2\n", "\nu·u = 80\n"})
+    EXPECT_NE(ran.out.find(part), std::string::npos) << part << ran.out;
+  EXPECT_EQ(ran.out.find("perp ="), std::string::npos) << ran.out;
+  EXPECT_EQ(explained("ray-triangle-perp").at("values").at("t").at("exact"), "3/2");
 }
 
 TEST_F(Program, ExplainAsLatex_IsOneAlignedBlock) {
@@ -224,6 +232,8 @@ TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
   expectRefused("render signed-distance -o a.png --size 0x10", "--size");
   expectRefused("render signed-distance -o a.png --size wide", "--size");
   expectRefused("render signed-distance -o a.png --size 99999x99999", "--size");
+  expectRefused("render signed-distance -o a.pdf", ".png");
+  EXPECT_FALSE(fs::exists(inFolder("a.pdf")));
   expectRefused("render signed-distance -o a.png --theme neon", "neon");
   expectRefused("render signed-distance -o a.png --step 0", "--step");
   expectRefused("render signed-distance -o a.png --step 99", "--step");

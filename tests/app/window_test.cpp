@@ -1,20 +1,24 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
-#include "app/subject.h"
+#include "lessons/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/inspector.h"
+#include "widgets/math_label.h"
 #include "widgets/number_field.h"
-#include "widgets/working_panel.h"
+#include "widgets/task_row.h"
+#include "widgets/working_practice.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolButton>
 
 using namespace halfspace;
 
@@ -181,6 +185,51 @@ private slots:
     QTRY_VERIFY(inspector->field("E.n", 2));
     typeInto(*inspector->field("E.n", 2), "1");
     QCOMPARE(fixture.model().outcome().caseName, std::string("plane"));
+  }
+
+  void blankLine_filledIn_hidesTheNumbersUntilItIsRight() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(2);
+    QLabel *words = fixture.window.findChild<QLabel *>("case");
+    QTRY_VERIFY(words->text().contains("10"));
+    auto *practice = fixture.window.findChild<WorkingPractice *>();
+    for (QToolButton *choice : practice->findChildren<QToolButton *>())
+      if (choice->text() == "Last blank")
+        QTest::mouseClick(choice, Qt::LeftButton);
+    QTRY_COMPARE(practice->findChildren<QLineEdit *>().size(), 1);
+    QVERIFY(!words->text().contains("10"));
+    const auto isShown = [&] {
+      for (const MathLabel *label : fixture.window.findChild<Inspector *>()->findChildren<MathLabel *>())
+        if (label->latex() == "= 10" && label->isVisible())
+          return true;
+      return false;
+    };
+    QVERIFY(!isShown());
+    QLineEdit *field = practice->findChild<QLineEdit *>();
+    QTest::keyClicks(field, "10");
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_VERIFY(words->text().contains("10"));
+    QTRY_VERIFY(isShown());
+  }
+
+  void task_trueOnArrival_isDoneOnlyAfterItWasBroughtAbout() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(3); // t is negative at the start
+    const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->isDone(); };
+    const auto turn = [&](const ExactVec3 &direction) {
+      Object ray = *findObject(fixture.model().session().scene, "L");
+      coordinate(ray, 1) = direction;
+      fixture.model().edit({"L", ray}, "turn");
+      QTest::qWait(100);
+    };
+    QTest::qWait(100);
+    QVERIFY(!isDone());
+    turn({1, -3, -2});
+    QVERIFY(!isDone());
+    turn({-1, 3, 2});
+    QVERIFY(isDone());
   }
 
   void pointer_overAMark_lightsUpItsTerms() {

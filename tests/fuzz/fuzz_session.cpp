@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     return 0;
   }
   const auto again = readSession(writeSession(*session), "fuzz");
-  if (!again || !(*again == *session) || checkScene(session->scene))
+  if (!again || !(*again == *session))
     std::abort();
   (void)evaluate(session->scene);
   return 0;

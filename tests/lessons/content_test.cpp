@@ -32,7 +32,7 @@ const std::vector<Solution> &solutions() {
       {"signed-distance", "Move Q so", {"Q", PointObject{{12, 10, 2}}}},
       {"ray-plane-dot", "Make t positive", {"L", RayObject{{11, 15, 8}, {1, -3, -2}}}},
       {"ray-plane-dot", "Make t exactly", {"L", RayObject{{11, 15, 8}, {-10, -10, 0}}}},
-      {"ray-plane-dot", "Make t negative", {"L", RayObject{{11, 15, 8}, {-1, 3, 2}}}},
+      {"ray-plane-dot", "Make t change", {"L", RayObject{{11, 15, 8}, {-1, 3, 2}}}},
       {"ray-plane-dot", "Make the ray parallel", {"L", RayObject{{11, 15, 8}, {-2, -1, 2}}}},
       {"ray-plane-dot", "Now put the whole", {"L", RayObject{{5, 4, 7}, {-2, -1, 2}}}},
       {"ray-triangle-perp", "Drag the start", {"L", RayObject{{11, 13, 10}, {-4, -5, 3}}}},

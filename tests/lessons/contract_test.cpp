@@ -136,7 +136,47 @@ private:
       EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
       for (const auto &chain : chainsOf(line.symbols + " " + line.numbers + " " + line.result))
         checkChain(chain);
+      if (line.blank)
+        checkBlank(line);
     }
+  }
+
+  /// What is asked is the line's last number, and no mistake comes to it.
+  void checkBlank(const WorkingLine &line) const {
+    const Blank &blank = *line.blank;
+    EXPECT_FALSE(line.numbers.empty() && line.result.empty()) << "there is nothing to leave blank";
+    checkMarksNamedIn(blank.prompt);
+    EXPECT_TRUE(std::isfinite(toDouble(blank.answer)));
+    if (blank.prompt == "=")
+      checkAnswer(line);
+    EXPECT_TRUE(!toText(blank.answer) || judge(blank, *toText(blank.answer)).right ||
+                toText(blank.answer)->size() > longestAnswer)
+        << *toText(blank.answer);
+    for (const Mistake &mistake : blank.mistakes) {
+      EXPECT_TRUE(std::isfinite(toDouble(mistake.value))) << mistake.sentence;
+      EXPECT_FALSE(mistake.value == blank.answer) << mistake.sentence;
+      EXPECT_NE(mistake.sentence.find("{answer}"), std::string::npos) << mistake.sentence;
+      checkMistake(blank, mistake);
+    }
+  }
+
+  void checkAnswer(const WorkingLine &line) const {
+    const Side last = chainsOf(line.symbols + " " + line.numbers + " " + line.result).back().back();
+    const Quantity answer = calculate(last.latex, m_expected.names);
+    const Precise asked =
+        mp::sqrt(quantity(abs(signedSquares({line.blank->answer})[0]))[0]) * Precise(line.blank->answer.sign());
+    EXPECT_TRUE(agree(answer, {asked}, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
+  }
+
+  /// A mistake that can be typed is told by its own sentence.
+  static void checkMistake(const Blank &blank, const Mistake &mistake) {
+    const auto typed = toText(mistake.value);
+    if (!typed || typed->size() > longestAnswer)
+      return;
+    const Judgement judgement = judge(blank, *typed);
+    EXPECT_FALSE(judgement.right) << *typed;
+    const std::string behindAnswer = mistake.sentence.substr(mistake.sentence.rfind("{answer}") + 8);
+    EXPECT_TRUE(judgement.sentence.ends_with(behindAnswer)) << *typed << ": " << judgement.sentence;
   }
 
   /// Calculates every side of `a = b = c`. An equation `0 = …` holds at its solution, and its sides say the
@@ -183,10 +223,6 @@ private:
     for (const std::string &id : marksNamedIn(latex))
       EXPECT_TRUE(findMark(m_outcome.figure, id) || m_expected.vanished.contains(id))
           << "no mark " << id << " for " << latex;
-  }
-
-  static bool isFinite(const Place &p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
   }
 
   static std::vector<Place> placesOf(const Mark &mark) {

@@ -14,10 +14,11 @@ Outcome sample() {
   outcome.values = {{"tenth", "", Surd(Rational(1, 10))},
                     {"root", "", Surd::root(3, Rational(1, 3))},
                     {"huge", "", Surd(Rational(mp::pow(Integer(10), 400)))},
-                    {"foot", "", std::vector<Surd>{1, Rational(1, 2), -3}},
-                    {"side", "", std::string("on")},
+                    {"foot", "\\mark{F}{F}", std::vector<Surd>{1, Rational(1, 2), -3}},
+                    {"t", "\\lambda", Surd::root(3, Rational(-1, 3))},
+                    {"side", "\\text{side}", std::string("on")},
                     {"feature", "", 2},
-                    {"perp", "", std::vector<NamedValue>{{"uu", "", Surd(80)}}}};
+                    {"perp", "", std::vector<NamedValue>{{"uu", "\\vec u\\cdot\\vec u", Surd(80)}}}};
   outcome.working.lines = {
       {"t", "\\mark{t}{t} = \\frac{a}{b}", "= \\frac{1}{3}", "\\approx 0.33", "It is < 1 & so on."}};
   outcome.description = "100% done_ok {now}";
@@ -42,11 +43,14 @@ TEST(ExplanationJson, OfValues_FollowsTheEvalFormatInOrder) {
   EXPECT_EQ(json["working"][0]["text"], "t = a/b = 1/3 ≈ 0.33");
 }
 
-TEST(ExplanationText, HasLinesValuesAndDescription) {
+TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
   const std::string text = explanationText("A title", sample());
-  for (const char *part : {"A title\n", "t = a/b = 1/3 ≈ 0.33\n", "It is < 1 & so on.",
-                           "foot = (1, 1/2, -3)\n", "perp = uu = 80", "100% done_ok {now}"})
-    EXPECT_NE(text.find(part), std::string::npos) << part;
+  for (const char *part :
+       {"A title\n", "t = a/b = 1/3 ≈ 0.33\n", "It is < 1 & so on.", "\nF = (1, 1/2, −3)\n",
+        "\nλ = −(√3)/3\n", "\nside: on\n", "\nu·u = 80\n", "100% done_ok {now}"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  for (const char *part : {"tenth", "feature", "perp"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
 }
 
 TEST(ExplanationLatex, AlignsAtTheFirstRelationAndEscapesWords) {

@@ -82,6 +82,18 @@ why: So.
   EXPECT_EQ(lesson->steps[1].prediction->choices.at(1).word, "negative");
 }
 
+TEST(Lesson, ABlankBlock_SaysWhichLinesAreLeftToTheLearner) {
+  const auto lesson = parseLesson(
+      frontMatter + "## One\n```blank\nlast\n```\n## Two\n```blank\n all \n```\n## Three\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps[0].blank, Fading::Last);
+  EXPECT_EQ(lesson->steps[1].blank, Fading::All);
+  EXPECT_EQ(lesson->steps[2].blank, std::nullopt);
+  const Problem problem = problemOf(frontMatter + "## One\n```blank\nsome\n```\n");
+  EXPECT_EQ(problem.line, 14);
+  EXPECT_NE(problem.sentence.find("none, last or all"), std::string::npos);
+}
+
 TEST(Lesson, AHeadingInABlockOfCode_IsNoStep) {
   const auto lesson = parseLesson(frontMatter + "## One\n````\n```task\n## not a step\n````\n", "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();

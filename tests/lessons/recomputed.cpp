@@ -131,7 +131,7 @@ Recomputed signedDistance(Objects objects) {
   expected.values["signed_distance"] = SignedSquares{signedSquare(f, square)};
   expected.values["foot"] = numbers(foot);
   expected.names["F"] = quantity(foot);
-  expected.names["d"] = quantityOverRoot(f, square);
+  expected.names["\\operatorname{dist}"] = quantityOverRoot(f, square);
   if (vanishes(w))
     return expected;
   const Rational both = square * product(w, w);

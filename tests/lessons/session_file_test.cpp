@@ -180,14 +180,5 @@ TEST(WithValue, OfAnythingElse_SaysWhatToWrite) {
   EXPECT_TRUE(mentions(withValue(startSession(), "Q=1,2,1e20").problem(), "too large"));
 }
 
-TEST(CheckScene, OfASoundScene_FindsNothing) { EXPECT_FALSE(checkScene(distanceScene())); }
-
-TEST(CheckScene, OfABrokenScene_NamesTheEntry) {
-  Scene scene = distanceScene();
-  scene.entries.erase(scene.entries.begin());
-  ASSERT_TRUE(checkScene(scene));
-  EXPECT_EQ(checkScene(scene)->field, "scene[1].of.E");
-}
-
 } // namespace
 } // namespace halfspace

@@ -93,6 +93,20 @@ TEST(OffscreenPicture, TransparentHasStraightAlpha) {
   EXPECT_NEAR(face.blue, request.theme.planeFace.blue, 5);
 }
 
+TEST(OffscreenPicture, TransparentHasNoShadowOnTheGround) {
+  // The light falls so that the shadow lies in the middle of a field of the grid.
+  PictureRequest request = requestFor({{named(pointAt({6.5, 7.7, 8}), "Q", Subject::Point)}});
+  const auto shadow = request.camera.project({4.5, 10.5, 0}, request.size);
+  const auto beside = request.camera.project({4.5, 12.5, 0}, request.size);
+  ASSERT_TRUE(shadow && beside);
+  const auto opaque = drawOffscreen(request, noLabels);
+  request.transparent = true;
+  const auto clear = drawOffscreen(request, noLabels);
+  ASSERT_TRUE(opaque && clear);
+  EXPECT_LT(pixelAt(*opaque, *shadow).red, pixelAt(*opaque, *beside).red - 4);
+  EXPECT_LT(pixelAt(*clear, *shadow).alpha, 20);
+}
+
 TEST(OffscreenPicture, OpaqueIsOpaqueEverywhere) {
   const auto picture = drawOffscreen(requestFor({{named(patchAt({6, 8, 4}, {1, 2, 2}), "E")}}), noLabels);
   ASSERT_TRUE(picture);

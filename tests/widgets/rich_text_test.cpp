@@ -35,6 +35,18 @@ private slots:
     QCOMPARE(separateMath("so $$\\frac{1}{2}$$ it is").formulas, QStringList{"\\frac{1}{2}"});
   }
 
+  void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
+    QCOMPARE(separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
+             (QStringList{"\\textstyle t = 3\\text{,}", "\\textstyle u  \\approx 2\\text{;}", "\\textstyle v",
+                          "\\textstyle w"}));
+    QCOMPARE(plainRichText("now $t$ = $3$, so"), QString("now t = 3, so"));
+    const auto document = makeRichText(separateMath("word |n| = (2√43)/3 word"), {}, {QFont(), Qt::black});
+    document->setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
+    document->size(); // lays it out
+    const QTextLine first = document->begin().layout()->lineAt(0);
+    QCOMPARE(document->begin().text().left(first.textLength()), QString("word "));
+  }
+
   void dollarsThatAreNoFormulaStay_data() {
     QTest::addColumn<QString>("markdown");
     QTest::newRow("escaped") << "It costs 5\\$ or 6\\$.";

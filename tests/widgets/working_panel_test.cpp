@@ -124,7 +124,7 @@ private slots:
   void blankedLineShowsNoNumbersAnywhere() {
     WorkingPanel panel(m_typesetter);
     show(panel, 900);
-    panel.setBlanked({"t"});
+    panel.setBlanks({"t"});
     QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(1));
     QVERIFY(!panel.placed().lines[0].blank.isNull());
     QCOMPARE(panel.placed().lines[1].formulas.size(), std::size_t(3));
@@ -132,7 +132,7 @@ private slots:
     QVERIFY(!firstLine.contains("30"));
     QVERIFY(!firstLine.contains("So many steps"));
     QVERIFY(!panel.latexOfAll().split('\n').front().contains("30"));
-    panel.setBlanked({});
+    panel.setBlanks({});
     QVERIFY(panel.accessibleDescription().split('\n').front().contains("30"));
   }
 

@@ -19,8 +19,6 @@ constexpr double fittedPart = 0.86;
 /// The least height of a fitted view, so that a single point does not fill it.
 constexpr double leastFittedHeight = 4;
 
-bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 double unitsPerPixelAtTarget(const Camera &camera, PixelSize size) { return camera.height / size.height; }
 
 /// The place under a pixel at the target's depth, from the target.

@@ -147,8 +147,9 @@ void FigureScene::Impl::prepareGround() {
     write(axesMesh(m_axes, gridStep(view.camera.height), theme, scale()), actors.axes());
     actors.setGridLineWidth(theme.lineScale * view.pixelRatio);
   }
-  // Seen from below, shadows on the ground would only cover what casts them.
-  actors.setShadowsVisible(view.camera.eye().z > 0);
+  // Seen from below, shadows on the ground would only cover what casts them. Their colour is that of a
+  // darkened background: where there is none they would be patches on whatever lies behind the picture.
+  actors.setShadowsVisible(backgroundVisible && view.camera.eye().z > 0);
 }
 
 void FigureScene::Impl::prepareTools() { write(toolsMesh(content, theme, view), actors.tools()); }

@@ -41,8 +41,6 @@ std::vector<Place> cornerPath(const RightAngleMark &corner, double size) {
   return {corner.at + a, corner.at + a + b, corner.at + b};
 }
 
-bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 } // namespace
 
 MarkOutline outlineOf(const Mark &mark, double size) {

@@ -1,0 +1,28 @@
+// Fractions as the shortest integers in the same proportion.
+#pragma once
+
+#include "geometry/rational.h"
+
+#include <array>
+
+namespace halfspace {
+
+/// The positive multiple of the fractions, not all 0, in integers without a common factor.
+template <std::size_t size>
+[[nodiscard]] std::array<Integer, size> primitiveIntegers(const std::array<Rational, size> &given) {
+  Integer commonDenominator = 1;
+  for (const Rational &each : given)
+    commonDenominator = mp::lcm(commonDenominator, each.denominator());
+
+  std::array<Integer, size> integers;
+  Integer commonFactor = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    integers[i] = (given[i] * Rational(commonDenominator)).numerator();
+    commonFactor = mp::gcd(commonFactor, integers[i]);
+  }
+  for (Integer &integer : integers)
+    integer /= commonFactor;
+  return integers;
+}
+
+} // namespace halfspace

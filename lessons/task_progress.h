@@ -1,0 +1,25 @@
+// How far a learner has come with the tasks of a step.
+#pragma once
+
+#include "lessons/lesson.h"
+
+namespace halfspace {
+
+/// Tasks count in their order, and only when the learner brings them about: what is true on arrival is done
+/// once it has been untrue and is true again.
+class TaskProgress {
+public:
+  /// The learner comes to the step, for the first time or again.
+  void arrive();
+  /// Takes note of what the scene has come to.
+  void observe(const std::vector<Task> &tasks, const Outcome &outcome);
+
+  /// Which tasks are done, in their order.
+  [[nodiscard]] const std::vector<bool> &done() const { return m_done; }
+
+private:
+  std::vector<bool> m_done;
+  std::vector<bool> m_wasOpen; ///< seen untrue since the arrival
+};
+
+} // namespace halfspace

@@ -1,0 +1,200 @@
+// Worked lines that the learner fills in, with real keys and clicks.
+#include "widgets/working_practice.h"
+
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+Working someWorking(int f = 30) {
+  return {{{"f", "f(Q)", "= 2\\cdot 15", "= " + std::to_string(f), "", Blank{f}},
+           {"distance", "h = \\frac{f(Q)}{3}", "= \\frac{" + std::to_string(f) + "}{3}",
+            "= " + std::to_string(f / 3), "Divided by the length.",
+            Blank{Rational(f, 3), {{f, "{answer} is f(Q)."}}}},
+           {"foot", "F", "= (1,\\,2,\\,3)", "", ""}}};
+}
+
+QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
+  for (QToolButton *found : widget.findChildren<QToolButton *>())
+    if (found->text() == text && found->isVisibleTo(&widget) && which-- == 0)
+      return found;
+  return nullptr;
+}
+
+QList<QLineEdit *> fields(const QWidget &widget) {
+  QList<QLineEdit *> shown;
+  for (QLineEdit *field : widget.findChildren<QLineEdit *>())
+    if (field->isVisibleTo(&widget) && field->isEnabled())
+      shown << field;
+  return shown;
+}
+
+QString text(const std::vector<PlacedText> &pieces) {
+  QString all;
+  for (const PlacedText &piece : pieces)
+    all += piece.text;
+  return all;
+}
+
+void answer(QLineEdit *field, const QString &text) {
+  QTest::mouseClick(field, Qt::LeftButton);
+  field->selectAll();
+  QTest::keyClicks(field, text);
+  QTest::keyClick(field, Qt::Key_Return);
+}
+
+} // namespace
+
+class WorkingPracticeTest : public QObject {
+  Q_OBJECT
+
+private:
+  Typesetter m_typesetter;
+
+  void show(WorkingPractice &practice) {
+    practice.resize(500, 500);
+    practice.show();
+    practice.setStep("lesson", 0, {});
+    practice.setWorking(someWorking(), false);
+    QTRY_VERIFY(practice.panel().isSettled());
+  }
+
+  static PlacedLine line(WorkingPractice &practice, std::size_t index) {
+    return practice.panel().placed().lines.at(index);
+  }
+
+private slots:
+  void allLinesAreShownUntilTheLearnerChooses() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QVERIFY(!practice.hasBlanks());
+    QVERIFY(fields(practice).isEmpty());
+    QVERIFY(button(practice, "All lines")->isChecked());
+    QSignalSpy changed(&practice, &WorkingPractice::blanksChanged);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(practice.hasBlanks());
+    QCOMPARE(fields(practice).size(), 1);
+    QVERIFY(line(practice, 0).blank.isNull());
+    QVERIFY(!line(practice, 1).blank.isNull());
+    QVERIFY(!line(practice, 2).blank.isNull()); // it comes after
+    QVERIFY(!practice.panel().latexOfAll().contains("10"));
+    QVERIFY(text(line(practice, 1).sentence).isEmpty());
+  }
+
+  void wrongAnswerIsToldByItsMistakeAndTheRightOneOpensTheLine() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "30");
+    QCOMPARE(text(line(practice, 1).remark), QString("30 is f(Q)."));
+    QVERIFY(practice.hasBlanks());
+    answer(fields(practice).first(), "10");
+    QVERIFY(!practice.hasBlanks());
+    QVERIFY(fields(practice).isEmpty());
+    QCOMPARE(text(line(practice, 1).remark), QString("Right."));
+    QCOMPARE(text(line(practice, 1).sentence), QString("Divided by the length."));
+    QVERIFY(practice.panel().latexOfAll().contains("= 10"));
+  }
+
+  void rightAnswerHandsTheKeysToTheNextField() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    practice.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&practice));
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    QCOMPARE(fields(practice).size(), 2);
+    QTRY_VERIFY(fields(practice).first()->hasFocus());
+    answer(fields(practice).first(), "30");
+    QCOMPARE(fields(practice).size(), 1);
+    QTRY_VERIFY(fields(practice).first()->hasFocus());
+  }
+
+  void showButtonRevealsALineWithoutAnAnswer() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    QTest::mouseClick(button(practice, "Show", 2), Qt::LeftButton); // the vector has nothing but this
+    QVERIFY(line(practice, 2).blank.isNull());
+    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
+    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
+    QVERIFY(!practice.hasBlanks());
+  }
+
+  void changedSceneKeepsTheBlankAndAsksForTheNewNumber() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "30");
+    practice.setWorking(someWorking(60), false);
+    QTRY_VERIFY(practice.panel().isSettled());
+    QVERIFY(text(line(practice, 1).remark).isEmpty()); // it was about another number
+    QVERIFY(practice.hasBlanks());
+    answer(fields(practice).first(), "10");
+    QVERIFY(practice.hasBlanks());
+    answer(fields(practice).first(), "20");
+    QVERIFY(!practice.hasBlanks());
+    practice.setWorking(someWorking(90), false);
+    QVERIFY(!practice.hasBlanks()); // once completed a line follows the scene …
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    QVERIFY(practice.hasBlanks()); // … until the learner wants to practise again
+  }
+
+  void stepMayAskForBlanksAndTheLearnersChoiceGoesBefore() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    practice.setStep("lesson", 1, Fading::All);
+    practice.setWorking(someWorking(), false);
+    QVERIFY(button(practice, "All blank")->isChecked());
+    QVERIFY(practice.hasBlanks());
+    QTest::mouseClick(button(practice, "All lines"), Qt::LeftButton);
+    QVERIFY(!practice.hasBlanks());
+    practice.setStep("lesson", 2, {});
+    practice.setWorking(someWorking(), false);
+    QVERIFY(!practice.hasBlanks());
+  }
+
+  void whatWasTypedInOneStepDoesNotStandInTheNext() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "30");
+    practice.setStep("lesson", 1, {});
+    practice.setWorking(someWorking(), false);
+    QCOMPARE(fields(practice).size(), 1);
+    QVERIFY(fields(practice).first()->text().isEmpty());
+    QVERIFY(text(line(practice, 1).remark).isEmpty());
+  }
+
+  void openQuestionHidesTheNumbersAndAsksForNone() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    practice.setWorking(someWorking(), true);
+    QVERIFY(fields(practice).isEmpty());
+    QVERIFY(!practice.hasBlanks());
+    QVERIFY(!practice.panel().latexOfAll().contains("30"));
+    QVERIFY(!button(practice, "All blank")->isEnabled());
+  }
+
+  void fieldThatGetsTheFocusComesIntoView() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    practice.resize(300, 150);
+    practice.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&practice));
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    QTRY_VERIFY(practice.panel().verticalScrollBar()->value() > 0);
+    const QLineEdit *field = fields(practice).first();
+    const QRect inView(field->mapTo(practice.panel().viewport(), QPoint()), field->size());
+    QVERIFY(practice.panel().viewport()->rect().contains(inView));
+  }
+};
+
+QTEST_MAIN(WorkingPracticeTest)
+#include "working_practice_test.moc"

@@ -1,0 +1,11 @@
+// Where lines of running text may not break.
+#pragma once
+
+#include <QString>
+
+namespace halfspace {
+
+/// The text with `t = −10/3` and `|n|` kept in one line each: no break beside a relation or inside the bars.
+[[nodiscard]] QString unbroken(QString text);
+
+} // namespace halfspace

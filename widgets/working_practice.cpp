@@ -1,0 +1,127 @@
+#include "widgets/working_practice.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+constexpr QMargins barMargins(12, 0, 12, 4);
+
+} // namespace
+
+WorkingPractice::WorkingPractice(Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)) {
+  auto *bar = new QHBoxLayout;
+  bar->setContentsMargins(barMargins);
+  bar->setSpacing(2);
+  addChoice(*bar, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
+  addChoice(*bar, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
+  addChoice(*bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
+  bar->addStretch(1);
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(m_panel, 1);
+  connect(m_choices, &QButtonGroup::idClicked, this, [this](int id) { choose(static_cast<Fading>(id)); });
+  connect(m_panel, &WorkingPanel::answered, this, &WorkingPractice::answer);
+  connect(m_panel, &WorkingPanel::showRequested, this, &WorkingPractice::open);
+}
+
+void WorkingPractice::addChoice(QBoxLayout &layout, Fading fading, const QString &text,
+                                const QString &explanation) {
+  auto *button = new QToolButton;
+  button->setText(text);
+  button->setToolTip(explanation);
+  button->setCheckable(true);
+  button->setChecked(fading == m_usual);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  m_choices->addButton(button, static_cast<int>(fading));
+  layout.addWidget(button);
+}
+
+void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
+  if (m_step != std::pair(lesson, step))
+    m_panel->setBlanks({}); // what was typed elsewhere does not come along
+  m_step = {lesson, step};
+  m_asked = asked;
+}
+
+void WorkingPractice::setWorking(const Working &working, bool hidden) {
+  m_working = working;
+  m_hidden = hidden;
+  refresh();
+}
+
+Fading WorkingPractice::fading() const {
+  const auto here = m_practice.find(m_step);
+  if (here != m_practice.end() && here->second.fading)
+    return *here->second.fading;
+  return m_asked.value_or(m_usual);
+}
+
+void WorkingPractice::refresh() {
+  // What was said about a number that has changed since is not true any more.
+  std::erase_if(practice().told, [this](const auto &told) {
+    const Blank *blank = blankOf(told.first);
+    return !blank || !(blank->answer == told.second.answer);
+  });
+  for (QAbstractButton *button : m_choices->buttons())
+    button->setEnabled(!m_hidden);
+  m_choices->button(static_cast<int>(fading()))->setChecked(true);
+  m_blank = m_hidden ? std::set<std::string>() : blankLines(m_working, fading(), practice().opened);
+  if (m_hidden)
+    m_panel->hideNumbers();
+  else
+    m_panel->setBlanks(m_blank, remarks());
+  m_panel->setWorking(m_working);
+}
+
+std::map<std::string, LineRemark> WorkingPractice::remarks() const {
+  std::map<std::string, LineRemark> remarks;
+  if (const auto here = m_practice.find(m_step); here != m_practice.end())
+    for (const auto &[line, told] : here->second.told)
+      remarks[line] = told.remark;
+  return remarks;
+}
+
+const Blank *WorkingPractice::blankOf(const std::string &lineId) const {
+  const auto line = std::find_if(m_working.lines.begin(), m_working.lines.end(),
+                                 [&](const WorkingLine &each) { return each.id == lineId; });
+  return line != m_working.lines.end() && line->blank ? &*line->blank : nullptr;
+}
+
+void WorkingPractice::choose(Fading fading) {
+  m_usual = fading;
+  practice() = {fading, {}, {}};
+  refresh();
+  m_panel->focusField();
+  emit blanksChanged();
+}
+
+void WorkingPractice::answer(const QString &lineId, const QString &text) {
+  const std::string line = lineId.toStdString();
+  const Blank *blank = blankOf(line);
+  if (!blank)
+    return;
+  const Judgement judgement = judge(*blank, text.toStdString());
+  practice().told[line] = {blank->answer, {QString::fromStdString(judgement.sentence), judgement.right}};
+  if (judgement.right)
+    practice().opened.insert(line);
+  refresh();
+  emit blanksChanged();
+}
+
+void WorkingPractice::open(const QString &lineId) {
+  practice().opened.insert(lineId.toStdString());
+  refresh();
+  emit blanksChanged();
+}
+
+} // namespace halfspace

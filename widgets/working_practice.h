@@ -1,0 +1,70 @@
+// The worked lines with the choice of how much of them the learner completes.
+#pragma once
+
+#include "lessons/practice.h"
+#include "widgets/working_panel.h"
+
+#include <map>
+
+class QButtonGroup;
+class QBoxLayout;
+
+namespace halfspace {
+
+/// Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
+/// when the scene changes, and choosing how much is blank makes them blank anew. Lines that are blank stay so
+/// and ask for the new number.
+class WorkingPractice : public QWidget {
+  Q_OBJECT
+public:
+  /// The typesetter must outlive the panel.
+  explicit WorkingPractice(Typesetter &typesetter, QWidget *parent = nullptr);
+
+  [[nodiscard]] WorkingPanel &panel() { return *m_panel; }
+
+  /// The lesson and step whose lines come next; `asked` is what the step leaves to the learner if it says so.
+  void setStep(const std::string &lesson, int step, std::optional<Fading> asked);
+  /// Shows a working. `hidden`: no line shows numbers or asks for them, because a question goes before.
+  void setWorking(const Working &working, bool hidden);
+
+  /// Whether some lines ask to be filled in.
+  [[nodiscard]] bool hasBlanks() const { return !m_blank.empty(); }
+
+signals:
+  /// The learner has chosen, completed a line, or had one shown.
+  void blanksChanged();
+
+private:
+  /// What was said about a line, and the number that it was about.
+  struct Told {
+    Surd answer;
+    LineRemark remark;
+  };
+  struct StepPractice {
+    std::optional<Fading> fading; ///< the learner's choice here
+    std::set<std::string> opened;
+    std::map<std::string, Told> told;
+  };
+
+  void addChoice(QBoxLayout &layout, Fading fading, const QString &text, const QString &explanation);
+  void choose(Fading fading);
+  void answer(const QString &lineId, const QString &text);
+  void open(const QString &lineId);
+  void refresh();
+  [[nodiscard]] Fading fading() const;
+  [[nodiscard]] const Blank *blankOf(const std::string &lineId) const;
+  [[nodiscard]] std::map<std::string, LineRemark> remarks() const;
+  [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }
+
+  WorkingPanel *m_panel;
+  QButtonGroup *m_choices;
+  Fading m_usual = Fading::None; ///< the learner's last choice
+  std::optional<Fading> m_asked; ///< by the step
+  std::pair<std::string, int> m_step;
+  std::map<std::pair<std::string, int>, StepPractice> m_practice;
+  Working m_working;
+  bool m_hidden = false;
+  std::set<std::string> m_blank;
+};
+
+} // namespace halfspace
