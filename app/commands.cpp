@@ -3,6 +3,7 @@
 #include "app/lesson_files.h"
 #include "app/subject.h"
 #include "lessons/explanation.h"
+#include "widgets/scene/design_scale.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
@@ -78,7 +79,7 @@ int runRender(const RenderCommand &command) {
     return fail(subject.problem());
   Outcome outcome = evaluate(subject->session.scene);
   const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
-  const Camera camera = homeView(view, outcome.figure, command.size);
+  const Camera camera = homeView(view, outcome.figure, command.size, command.size.height / designHeight);
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)

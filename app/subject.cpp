@@ -1,6 +1,7 @@
 #include "app/subject.h"
 
 #include "lessons/session_file.h"
+#include "lessons/words.h"
 
 #include <fstream>
 
@@ -11,7 +12,9 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
   std::string known;
   for (const Lesson &lesson : library.lessons)
     known += (known.empty() ? "" : ", ") + lesson.id;
-  return {"There is no lesson “" + name + "”, and no such file. The lessons are " + known + ".", "", 0, ""};
+  return {words("There is no lesson “{name}”, and no such file. The lessons are {known}.",
+                {{"name", name}, {"known", known}}),
+          "", 0, ""};
 }
 
 } // namespace
@@ -19,15 +22,17 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
 Result<Session> readSessionFile(const std::filesystem::path &file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    return Problem{"There is no such file.", file.string(), 0, ""};
+    return Problem{words("There is no such file."), file.string(), 0, ""};
   if (std::filesystem::file_size(file, error) > maxSessionBytes)
-    return Problem{"The file is larger than 16 MiB: it is no session of this program.", file.string(), 0, ""};
+    return Problem{words("The file is larger than {limit} MiB: it is no session of this program.",
+                         {{"limit", std::to_string(maxSessionBytes >> 20)}}),
+                   file.string(), 0, ""};
   std::ifstream stream(file, std::ios::binary);
   // One byte more than allowed, in case the file grows while it is read.
   std::string text(maxSessionBytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad() || !stream.eof())
-    return Problem{"The file cannot be read.", file.string(), 0, ""};
+    return Problem{words("The file cannot be read."), file.string(), 0, ""};
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return readSession(text, file.string());
 }
@@ -42,7 +47,7 @@ Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::strin
                                   const std::vector<std::string> &assignments) {
   if (library.lessons.empty())
     return library.problems.empty()
-               ? Problem{"No lessons were found: the program is not installed completely.", "", 0, ""}
+               ? Problem{words("No lessons were found: the program is not installed completely."), "", 0, ""}
                : library.problems.front();
   OpenedSubject subject;
   if (namesFile(library, name)) {

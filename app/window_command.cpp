@@ -8,12 +8,7 @@
 #include <QApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QScreen>
-#include <QSettings>
-#include <QVTKOpenGLNativeWidget.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -21,10 +16,6 @@ namespace halfspace {
 namespace {
 
 constexpr int exitNoDisplay = 2;
-
-/// Screens higher than this at the usual dot density are made for larger type and lines.
-constexpr double usualScreenHeight = 1080;
-constexpr double largestScale = 2.5;
 
 /// Qt ends the program by itself when the display cannot be reached; this says why, and ends it in order.
 void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &message) {
@@ -39,24 +30,6 @@ void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &
 bool displayNamed() {
   return qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
          !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-}
-
-/// Large screens that do not say so themselves (many dots, usual density) get a scale, found once and
-/// remembered.
-void chooseScale(int argc, char **argv) {
-  if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
-    return;
-  QSettings settings;
-  if (!settings.contains("scale")) {
-    const QGuiApplication probe(argc, argv);
-    const QScreen *screen = QGuiApplication::primaryScreen();
-    const bool plain = screen->devicePixelRatio() == 1 && screen->logicalDotsPerInch() < 120;
-    const double scale = plain ? screen->size().height() / usualScreenHeight : 1;
-    settings.setValue("scale", std::clamp(std::floor(scale * 4) / 4, 1.0, largestScale));
-  }
-  const double scale = settings.value("scale").toDouble();
-  if (scale > 1)
-    qputenv("QT_SCALE_FACTOR", QByteArray::number(std::clamp(scale, 1.0, largestScale)));
 }
 
 std::optional<Problem> checkOpenGL() {
@@ -97,12 +70,9 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   QCoreApplication::setOrganizationName("halfspace");
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0); // VTK smooths by itself
-  QSurfaceFormat::setDefaultFormat(format);
+  QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
 
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
-  chooseScale(argc, argv);
   const QApplication application(argc, argv);
   qInstallMessageHandler(usualHandler);
   if (const auto problem = checkOpenGL())
@@ -112,6 +82,8 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   window.startWith(session, isFile ? QString::fromStdString(command.subject) : QString());
   if (command.subject.empty())
     window.restoreUnsaved();
+  else
+    window.offerUnsaved();
   window.showFitting();
   return QApplication::exec();
 }

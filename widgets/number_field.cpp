@@ -14,6 +14,8 @@ namespace {
 constexpr int pixelsPerStep = 8;
 constexpr int scrubSlop = 4;
 constexpr int manySteps = 10;
+/// Between the text and the field's edges, in pixels.
+constexpr int textMargin = 6;
 
 /// Decimals that end within so many places are shown as decimals.
 constexpr int shownPlaces = 4;
@@ -53,9 +55,13 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
   setCursor(Qt::SizeHorCursor);
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
-  setMinimumWidth(fontMetrics().horizontalAdvance("-00.00") + 12);
   connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
   showValue();
+}
+
+QSize NumberField::minimumSizeHint() const {
+  const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + 2 * textMargin;
+  return {width, QLineEdit::minimumSizeHint().height()};
 }
 
 void NumberField::setValue(const Rational &value) {

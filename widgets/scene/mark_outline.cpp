@@ -1,5 +1,7 @@
 #include "widgets/scene/mark_outline.h"
 
+#include "widgets/scene/places.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -40,8 +42,6 @@ std::vector<Place> cornerPath(const RightAngleMark &corner, double size) {
   const Place b = glm::normalize(corner.second) * size;
   return {corner.at + a, corner.at + a + b, corner.at + b};
 }
-
-bool isFinite(Place p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 } // namespace
 
