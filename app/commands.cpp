@@ -3,6 +3,7 @@
 #include "app/lesson_files.h"
 #include "app/subject.h"
 #include "lessons/explanation.h"
+#include "lessons/words.h"
 #include "widgets/scene/design_scale.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
@@ -83,7 +84,8 @@ int runRender(const RenderCommand &command) {
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
-      return fail({"The lesson has " + std::to_string(steps) + " steps.", "", 0, "--step"});
+      return fail(
+          {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
     outcome =
         shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], std::move(outcome));
   }

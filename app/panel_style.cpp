@@ -8,6 +8,8 @@ namespace halfspace {
 namespace {
 
 constexpr double cornerRadius = 2;
+/// Before the title of a panel, in pixels at a scale of 1.
+constexpr double titleIndent = 12;
 /// The tick's pen, in heights of the box.
 constexpr double tickWidth = 0.14;
 
@@ -45,6 +47,27 @@ int PanelStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWid
                           QStyleHintReturn *returned) const {
   // A bright shadow under disabled text makes it hard to read on dark panels.
   return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
+void PanelStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                             const QWidget *widget) const {
+  const auto *dock = qstyleoption_cast<const QStyleOptionDockWidget *>(option);
+  if (element == CE_DockWidgetTitle && dock && widget)
+    paintDockTitle(*painter, *dock, *widget);
+  else
+    QProxyStyle::drawControl(element, option, painter, widget);
+}
+
+void PanelStyle::paintDockTitle(QPainter &painter, const QStyleOptionDockWidget &dock,
+                                const QWidget &widget) const {
+  const QRect room = subElementRect(SE_DockWidgetTitleBarText, &dock, &widget)
+                         .adjusted(qRound(titleIndent * m_scale), 0, 0, 0);
+  painter.save();
+  painter.setFont(widget.font()); // Qt leaves the painter with the font that the program began with
+  painter.setPen(dock.palette.color(QPalette::PlaceholderText));
+  painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                   widget.fontMetrics().elidedText(dock.title, Qt::ElideRight, room.width()));
+  painter.restore();
 }
 
 void PanelStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,

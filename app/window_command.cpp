@@ -4,6 +4,7 @@
 #include "app/lesson_files.h"
 #include "app/main_window.h"
 #include "app/subject.h"
+#include "lessons/words.h"
 
 #include <QApplication>
 #include <QOffscreenSurface>
@@ -18,12 +19,13 @@ namespace {
 constexpr int exitNoDisplay = 2;
 
 /// Qt ends the program by itself when the display cannot be reached; this says why, and ends it in order.
-void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &message) {
+void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &) {
   if (type != QtFatalMsg)
     return;
-  std::cerr << "halfspace: The window needs a display, and none could be opened (DISPLAY or "
-               "WAYLAND_DISPLAY). The commands lessons, explain and render work without one.\n";
-  static_cast<void>(message);
+  std::cerr << "halfspace: "
+            << words("The window needs a display, and none could be opened (DISPLAY or WAYLAND_DISPLAY). The "
+                     "commands lessons, explain and render work without one.")
+            << "\n";
   std::_Exit(exitNoDisplay);
 }
 
@@ -40,11 +42,11 @@ std::optional<Problem> checkOpenGL() {
   const bool created = context.create();
   surface.create();
   if (!created || !context.makeCurrent(&surface))
-    return Problem{"The window needs OpenGL 3.2, and this display offers none.", "", 0, ""};
+    return Problem{words("The window needs OpenGL 3.2, and this display offers none."), "", 0, ""};
   const auto version = context.format().version();
   if (version < qMakePair(3, 2))
-    return Problem{"The window needs OpenGL 3.2; this display offers " + std::to_string(version.first) + "." +
-                       std::to_string(version.second) + ".",
+    return Problem{words("The window needs OpenGL 3.2; this display offers {version}.",
+                         {{"version", std::to_string(version.first) + "." + std::to_string(version.second)}}),
                    "", 0, ""};
   return {};
 }
@@ -59,9 +61,10 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   if (!subject)
     return fail(subject.problem());
   if (!displayNamed())
-    return fail({"The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands "
-                 "lessons, explain and render work without one.",
-                 "", 0, ""});
+    return fail(
+        {words("The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands "
+               "lessons, explain and render work without one."),
+         "", 0, ""});
 
   const bool isFile = namesFile(library, command.subject);
   const Session session = subject->session;

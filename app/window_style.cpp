@@ -42,7 +42,6 @@ QString styleSheetOf(const Theme &theme) {
   const auto name = [](Color color) { return toQColor(color).name(); };
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
-    QDockWidget::title { font-size: %8pt; padding: 4px 12px 2px 12px; color: %2; background: %3; }
     QMenuBar { background: %3; padding: 1px 4px; }
     QStatusBar { background: %3; color: %2; }
     QLabel#case { background: %3; padding: 8px 14px; border-top: 1px solid %1; font-weight: 500; }
@@ -57,8 +56,7 @@ QString styleSheetOf(const Theme &theme) {
     QListWidget#lessonList::item:selected { background: %5; color: %6; }
   )")
       .arg(name(theme.border), name(theme.mutedInk), name(theme.panel), name(theme.warning),
-           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink), name(theme.accent),
-           QString::number(usualPointSize * theme.textScale));
+           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink), name(theme.accent));
 }
 
 } // namespace

@@ -20,6 +20,7 @@ constexpr double pointClearance = 9;
 constexpr double lineClearance = 5;
 constexpr double tipClearance = 4;
 constexpr double gizmoClearance = 16;
+constexpr double knobClearance = 16;
 
 /// Numbers at an axis are at least this far apart, in scene units at scale 1.
 constexpr double numberSpacing = 0.8;
@@ -228,6 +229,9 @@ LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes, c
   };
   for (const Mark &mark : content.figure.marks)
     addPath(outlineOf(mark, rightAngleSize * scale).path);
+  for (const Knob &knob : content.knobs)
+    if (const auto pixel = view.camera.project(knob.at, view.size))
+      obstacles.discs.push_back({glm::dvec2(*pixel), knobClearance * view.pixelRatio});
   for (const AxisEnds &axis : axisEnds(axes))
     addPath({axis.low, axis.high});
   if (content.gizmo)
