@@ -198,8 +198,6 @@ void MainWindow::applyLook() {
   m_inspector->setTheme(panels);
   m_lessonPanel->setTheme(panels);
   m_working->setInkOf(markInk(m_model, panels));
-  // Its titles wrap anew, once it is known whether it has a scroll bar.
-  QTimer::singleShot(0, m_lessonList, &QListWidget::doItemsLayout);
   m_larger->setEnabled(panels.textScale < largestSizeScale);
   m_smaller->setEnabled(m_sizeScale > smallestSizeScale);
 }

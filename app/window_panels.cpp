@@ -7,9 +7,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -23,6 +25,22 @@ constexpr double lessonWidth = 0.51;
 constexpr double lessonHeight = 0.325;
 /// In pixels: a title and a few lines of words, and the way on.
 constexpr int leastLessonHeight = 225;
+
+/// Both sides of a title in the list of lessons, as in the style sheet, in em.
+constexpr double titlePadding = 2 * 0.45;
+
+/// Wraps titles within the style sheet's padding, which Qt leaves out of account.
+class TitleDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+    QStyleOptionViewItem narrower = option;
+    const double em = QFontInfo(option.font).pixelSize();
+    narrower.rect.setWidth(option.rect.width() - static_cast<int>(std::ceil(titlePadding * em)));
+    return QStyledItemDelegate::sizeHint(narrower, index);
+  }
+};
 
 } // namespace
 
@@ -65,6 +83,7 @@ void MainWindow::createPanels() {
 void MainWindow::createLessonList() {
   m_lessonList = new QListWidget;
   m_lessonList->setObjectName("lessonList");
+  m_lessonList->setItemDelegate(new TitleDelegate(m_lessonList));
   m_lessonList->setWordWrap(true);
   m_lessonList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_lessonList->setTextElideMode(Qt::ElideNone);

@@ -14,8 +14,6 @@ namespace {
 constexpr int pixelsPerStep = 8;
 constexpr int scrubSlop = 4;
 constexpr int manySteps = 10;
-/// Between the text and the field's edges, in pixels.
-constexpr int textMargin = 6;
 
 /// Decimals that end within so many places are shown as decimals.
 constexpr int shownPlaces = 4;
@@ -60,7 +58,7 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
 }
 
 QSize NumberField::minimumSizeHint() const {
-  const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + 2 * textMargin;
+  const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + fontMetrics().height();
   return {width, QLineEdit::minimumSizeHint().height()};
 }
 
