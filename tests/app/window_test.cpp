@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -51,6 +52,8 @@ class WindowTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  /// What other tests left unsaved is none of this one's business.
+  void init() { QDir(Recovery::standardFolder()).removeRecursively(); }
 
   void number_typed_isTakenExactlyAsOneUndoStep_data() {
     QTest::addColumn<QString>("text");
