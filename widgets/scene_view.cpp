@@ -78,15 +78,17 @@ void SceneView::setTheme(const Theme &theme) {
 
 void SceneView::setMotion(bool on) {
   m_motion = on;
-  if (!on)
+  if (!on) {
     m_fade.finish();
+    if (m_glide.state() == QAbstractAnimation::Running)
+      m_glide.setCurrentTime(m_glide.duration()); // it arrives
+  }
   updateContent();
 }
 
 void SceneView::setSizeScale(double scale) {
   m_sizeScale = scale;
-  if (m_atHome)
-    m_camera = homeCamera();
+  stayHome();
   requestFrame();
 }
 

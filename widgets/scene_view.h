@@ -120,6 +120,8 @@ private:
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
   [[nodiscard]] Camera homeCamera() const;
+  /// As long as nobody has moved the camera, the figure stays in view at every size.
+  void stayHome();
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
   bool lockAxis(int key);

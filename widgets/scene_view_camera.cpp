@@ -65,11 +65,16 @@ void SceneView::goHome() {
   m_atHome = true;
 }
 
+void SceneView::stayHome() {
+  if (!m_atHome)
+    return;
+  m_glide.stop();
+  m_camera = homeCamera();
+}
+
 void SceneView::resizeEvent(QResizeEvent *event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  // As long as nobody has moved the camera, the figure stays in view at every size.
-  if (m_atHome)
-    m_camera = homeCamera();
+  stayHome();
   requestFrame();
 }
 
