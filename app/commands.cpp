@@ -3,6 +3,8 @@
 #include "app/lesson_files.h"
 #include "app/subject.h"
 #include "lessons/explanation.h"
+#include "lessons/words.h"
+#include "widgets/scene/design_scale.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
@@ -78,11 +80,12 @@ int runRender(const RenderCommand &command) {
     return fail(subject.problem());
   Outcome outcome = evaluate(subject->session.scene);
   const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
-  const Camera camera = homeView(view, outcome.figure, command.size);
+  const Camera camera = homeView(view, outcome.figure, command.size, command.size.height / designHeight);
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
-      return fail({"The lesson has " + std::to_string(steps) + " steps.", "", 0, "--step"});
+      return fail(
+          {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
     outcome =
         shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], std::move(outcome));
   }

@@ -1,32 +1,25 @@
 #include "app/main_window.h"
 
-#include "app/session_files.h"
 #include "app/window_style.h"
-#include "lessons/session_file.h"
-#include "widgets/colors.h"
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
-#include "widgets/scene/offscreen.h"
+#include "widgets/mark_ink.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/unbroken.h"
 #include "widgets/working_practice.h"
 
+#include <QAction>
 #include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QImage>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
-#include <QSaveFile>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -35,12 +28,8 @@ namespace {
 
 /// The panels are brought up to date at most this often while something is dragged, in milliseconds.
 constexpr int panelInterval = 30;
-constexpr int messageTime = 8000;
-/// Pictures are made this much finer than the screen shows them.
-constexpr double pictureScale = 2;
 
-constexpr int usualWidth = 1280;
-constexpr int usualHeight = 800;
+constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
 
 } // namespace
@@ -51,7 +40,6 @@ MainWindow::MainWindow(LessonLibrary library)
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
   createMenus();
-  resize(QSize(usualWidth, usualHeight).boundedTo(screen()->availableSize()));
 
   m_panelTimer.setSingleShot(true);
   connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
@@ -65,12 +53,8 @@ MainWindow::MainWindow(LessonLibrary library)
       m_panelTimer.start(m_model.inGesture() ? panelInterval : 0);
   });
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-  connect(&m_model.history(), &QUndoStack::indexChanged, this, [this] {
-    if (m_model.history().isClean())
-      m_recovery.forget();
-    else
-      m_recovery.keep(m_model.session());
-  });
+  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsaved);
+  connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsaved);
   connect(m_typesetter.get(), &Typesetter::ready, m_scene, &SceneView::refreshLabels);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
@@ -90,83 +74,12 @@ MainWindow::~MainWindow() {
   qDeleteAll(findChildren<QDockWidget *>());
 }
 
-// --- panels
-// --------------------------------------------------------------------------------------------------------
-
-QDockWidget *MainWindow::addPanel(const QString &title, const char *name, QWidget *content,
-                                  Qt::DockWidgetArea area) {
-  auto *dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  return dock;
-}
-
-void MainWindow::createPanels() {
-  m_caseLabel = new QLabel;
-  m_caseLabel->setObjectName("case");
-  m_caseLabel->setWordWrap(true);
-  m_caseLabel->setTextFormat(Qt::PlainText);
-  auto *center = new QWidget;
-  auto *layout = new QVBoxLayout(center);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_scene, 1);
-  layout->addWidget(m_caseLabel);
-  setCentralWidget(center);
-
-  m_practice = new WorkingPractice(*m_typesetter);
-  m_working = &m_practice->panel();
-  m_inspector = new Inspector(m_model, *m_typesetter);
-  m_lessonPanel = new LessonPanel(*m_typesetter);
-  m_lessonList = new QListWidget;
-  m_lessonList->setObjectName("lessonList");
-  m_lessonList->setWordWrap(true);
-  m_lessonList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_lessonList->setTextElideMode(Qt::ElideNone);
-  m_lessonList->setResizeMode(QListView::Adjust); // wrap anew at every width
-  m_lessonList->setAccessibleName(tr("Lessons"));
-  for (const Lesson &lesson : m_model.library().lessons) {
-    auto *item = new QListWidgetItem(QString::fromStdString(lesson.title), m_lessonList);
-    item->setData(Qt::UserRole, QString::fromStdString(lesson.id));
-    item->setToolTip(QString::fromStdString(lesson.id));
-  }
-  connect(m_lessonList, &QListWidget::itemClicked, this, [this](QListWidgetItem *item) {
-    m_model.openLesson(item->data(Qt::UserRole).toString().toStdString());
-  });
-  connect(m_lessonList, &QListWidget::itemActivated, this, [this](QListWidgetItem *item) {
-    m_model.openLesson(item->data(Qt::UserRole).toString().toStdString());
-  });
-  connect(m_lessonPanel, &LessonPanel::stepRequested, this, [this](int step) { m_model.setStep(step); });
-  connect(m_lessonPanel, &LessonPanel::predictionChosen, this, [this](const QString &word) {
-    // Judged now: the learner may drag on afterwards.
-    progress().chosen = word.toStdString();
-    progress().right = rightAnswer(*currentStep()->prediction);
-    showOutcome();
-  });
-
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  auto *working = addPanel(tr("Working"), "workingDock", m_practice, Qt::RightDockWidgetArea);
-  auto *inspector = addPanel(tr("Numbers"), "numbersDock", m_inspector, Qt::RightDockWidgetArea);
-  auto *lessons = addPanel(tr("Lessons"), "lessonsDock", m_lessonList, Qt::BottomDockWidgetArea);
-  auto *words = addPanel(tr("Lesson"), "lessonDock", m_lessonPanel, Qt::BottomDockWidgetArea);
-  splitDockWidget(working, inspector, Qt::Vertical);
-  splitDockWidget(lessons, words, Qt::Horizontal);
-  resizeDocks({working, inspector}, {400, 300}, Qt::Vertical);
-  resizeDocks({working}, {400}, Qt::Horizontal);
-  resizeDocks({lessons, words}, {225, 655}, Qt::Horizontal);
-  resizeDocks({lessons}, {260}, Qt::Vertical);
-}
-
-// --- what is shown
-// -------------------------------------------------------------------------------------------------
-
 const LessonStep *MainWindow::currentStep() const {
   const auto step = static_cast<std::size_t>(m_model.session().step);
   return step < m_model.lesson().steps.size() ? &m_model.lesson().steps[step] : nullptr;
 }
 
-MainWindow::StepProgress &MainWindow::progress() {
+StepProgress &MainWindow::progress() {
   return m_progress[{m_model.session().lesson, m_model.session().step}];
 }
 
@@ -195,6 +108,7 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
+  m_downRay->setEnabled(firstRay(m_model.session().scene) != nullptr);
   showStepWords();
   showCase();
 }
@@ -238,6 +152,15 @@ void MainWindow::showCase() {
   m_scene->setAccessibleDescription(m_caseLabel->text());
 }
 
+void MainWindow::choose(const QString &answer) {
+  // Judged now: the learner may drag on afterwards.
+  progress().chosen = answer.toStdString();
+  progress().right = rightAnswer(*currentStep()->prediction);
+  if (!m_model.history().isClean())
+    keepUnsaved();
+  showOutcome();
+}
+
 void MainWindow::highlight(const QString &markId) {
   std::set<std::string> marks;
   if (!markId.isEmpty())
@@ -258,27 +181,28 @@ void MainWindow::setThemeNamed(const QString &name) {
   if (!theme)
     return;
   m_theme = *theme;
-  applyStyle(*qApp, m_theme);
-  m_scene->setTheme(m_theme);
-  m_working->setTheme(m_theme);
-  m_inspector->setTheme(m_theme);
-  m_lessonPanel->setTheme(m_theme);
-  m_working->setInkOf([this](const QString &markId) {
-    const Mark *mark = findMark(m_model.outcome().figure, markId.toStdString());
-    return toQColor(mark ? m_theme.inkOf(baseOf(*mark).subject) : m_theme.ink);
-  });
+  applyLook();
 }
 
-void MainWindow::complain(const QString &sentence) { QMessageBox::warning(this, tr("Halfspace"), sentence); }
+double MainWindow::sizeScale() const { return std::min(m_sizeScale, largestSizeScale / m_theme.textScale); }
 
-// --- files
-// ---------------------------------------------------------------------------------------------------------
+void MainWindow::setSizeScale(double scale) {
+  m_sizeScale = std::clamp(scale, smallestSizeScale, largestSizeScale);
+  applyLook();
+}
 
-void MainWindow::startWith(const Session &session, const QString &file) {
-  m_file = file;
-  m_fileLesson = session.lesson;
-  m_model.startWith(session);
-  updateTitle();
+void MainWindow::applyLook() {
+  Theme panels = m_theme;
+  panels.textScale *= sizeScale();
+  applyStyle(*qApp, panels);
+  m_scene->setTheme(m_theme);
+  m_scene->setSizeScale(sizeScale());
+  m_working->setTheme(panels);
+  m_inspector->setTheme(panels);
+  m_lessonPanel->setTheme(panels);
+  m_working->setInkOf(markInk(m_model, panels));
+  m_larger->setEnabled(panels.textScale < largestSizeScale);
+  m_smaller->setEnabled(m_sizeScale > smallestSizeScale);
 }
 
 void MainWindow::showFitting() {
@@ -289,148 +213,41 @@ void MainWindow::showFitting() {
     show();
 }
 
-void MainWindow::restoreUnsaved() {
-  const auto session = m_recovery.leftBehind();
-  if (!session)
-    return;
-  m_model.startWith(*session);
-  m_model.history().resetClean();
-  updateTitle();
-  statusBar()->showMessage(tr("Your work from last time is back. Edit > Start Over begins the lesson anew."),
-                           messageTime);
-}
-
-void MainWindow::openFile(const QString &file) {
-  const auto session = readSessionFile(file.toStdString());
-  if (!session)
-    return complain(QString::fromStdString(session.problem().text()));
-  startWith(*session, file);
-}
-
-bool MainWindow::saveTo(const QString &file) {
-  if (const auto problem = writeSessionFile(m_model.session(), file)) {
-    complain(QString::fromStdString(problem->text()));
-    return false;
-  }
-  m_file = file;
-  m_fileLesson = m_model.session().lesson;
-  m_model.history().setClean();
-  m_recovery.forget();
-  updateTitle();
-  statusBar()->showMessage(tr("Saved."), messageTime);
-  return true;
-}
-
-bool MainWindow::save() {
-  // A file keeps its lesson: another one that was opened meanwhile asks for a file of its own.
-  const bool belongs = !m_file.isEmpty() && m_model.session().lesson == m_fileLesson;
-  return belongs ? saveTo(m_file) : saveAs();
-}
-
-QString MainWindow::askForFile(const QString &title, const QString &filter, const QString &suffix) {
-  QFileDialog dialog(this, title, {}, filter);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(suffix);
-  dialog.selectFile(QString::fromStdString(m_model.session().lesson) + "." + suffix);
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
-}
-
-bool MainWindow::saveAs() {
-  const QString file = askForFile(tr("Save session"), tr("Halfspace sessions (*.halfspace)"), "halfspace");
-  return !file.isEmpty() && saveTo(file);
-}
-
-void MainWindow::open() {
-  if (!askToKeepChanges())
-    return;
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open session"), {}, tr("Halfspace sessions (*.halfspace)"));
-  if (!file.isEmpty())
-    openFile(file);
-}
-
-bool MainWindow::askToKeepChanges() {
-  // What has no file comes back with the next start, without a question.
-  if (m_file.isEmpty() || m_model.history().isClean())
-    return true;
-  const auto answer =
-      QMessageBox::question(this, tr("Halfspace"), tr("Save your changes to this session first?"),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
-}
-
-std::optional<QImage> MainWindow::pictureOfScene(double scale) {
-  PictureRequest request;
-  request.content = m_scene->pictureContent();
-  request.camera = m_scene->camera();
-  request.theme = m_theme;
-  const PixelSize size = m_scene->pixelSize();
-  const double fitting = std::min(scale, double(maxPictureSide) / std::max(size.width, size.height));
-  request.size = {static_cast<int>(size.width * fitting), static_cast<int>(size.height * fitting)};
-  // The picture is drawn in a context of its own; two current ones in a thread clash.
-  m_scene->doneCurrent();
-  const auto picture = drawOffscreen(request, blockingLabelPainter(*m_typesetter));
-  if (!picture) {
-    complain(QString::fromStdString(picture.problem().text()));
-    return {};
-  }
-  return QImage(picture->rgba.data(), picture->width, picture->height, picture->width * 4,
-                QImage::Format_RGBA8888)
-      .copy();
-}
-
-bool MainWindow::savePicture(const QString &file) {
-  const auto image = pictureOfScene(pictureScale);
-  if (!image)
-    return false;
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly) || !image->save(&out, "PNG") || !out.commit()) {
-    complain(tr("The picture could not be saved: %1.").arg(out.errorString()));
-    return false;
-  }
-  statusBar()->showMessage(tr("Picture saved."), messageTime);
-  return true;
-}
-
-void MainWindow::exportPicture() {
-  const QString file = askForFile(tr("Save picture"), tr("PNG pictures (*.png)"), "png");
-  if (!file.isEmpty())
-    savePicture(file);
-}
-
-void MainWindow::copyPicture() {
-  if (const auto image = pictureOfScene(pictureScale)) {
-    QApplication::clipboard()->setImage(*image);
-    statusBar()->showMessage(tr("Picture copied."), messageTime);
-  }
-}
-
-// --- start and end
-// -------------------------------------------------------------------------------------------------
+void MainWindow::complain(const QString &sentence) { QMessageBox::warning(this, tr("Halfspace"), sentence); }
 
 void MainWindow::restoreSettings() {
   const QSettings settings;
+  setSizeScale(settings.value("scale", usualSizeScale(*screen())).toDouble());
   setThemeNamed(settings.value("theme", "light").toString());
-  restoreGeometry(settings.value("geometry").toByteArray());
-  restoreState(settings.value("docks").toByteArray());
+  m_motion->setChecked(settings.value("motion", true).toBool());
+  if (!restoreGeometry(settings.value("geometry").toByteArray()))
+    resize((usualSize * sizeScale()).boundedTo(screen()->availableSize()));
+  if (!restoreState(settings.value("docks").toByteArray()))
+    arrangePanels();
 }
 
 void MainWindow::storeSettings() {
   QSettings settings;
   settings.setValue("theme", QString::fromStdString(m_theme.name));
+  settings.setValue("motion", m_motion->isChecked());
+  if (m_sizeScale == usualSizeScale(*screen()))
+    settings.remove("scale"); // another screen may have another usual one
+  else
+    settings.setValue("scale", m_sizeScale);
   settings.setValue("geometry", saveGeometry());
   settings.setValue("docks", saveState());
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {
-  if (!askToKeepChanges()) {
+  const bool unsaved = !m_model.history().isClean();
+  if (unsaved && belongsToFile() && !askToKeepChanges()) {
     event->ignore();
     return;
   }
   storeSettings();
-  // What has no file comes back with the next start.
-  if (m_file.isEmpty() && !m_model.history().isClean())
-    m_recovery.keepNow(m_model.session());
+  // What has no file comes back with the next start, without a question.
+  if (unsaved && !belongsToFile())
+    m_recovery.keepNow(unsavedWork());
   else
     m_recovery.forget();
   event->accept();

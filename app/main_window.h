@@ -1,16 +1,16 @@
 // The window: scene, working, inspector, lesson words and list of lessons, put together.
 #pragma once
 
+#include "app/lesson_progress.h"
 #include "app/recovery.h"
-#include "lessons/task_progress.h"
+#include "app/size_scale.h"
 #include "widgets/scene_view.h"
 #include "widgets/session_model.h"
 
 #include <QMainWindow>
 #include <QTimer>
 
-#include <map>
-
+class QAction;
 class QActionGroup;
 class QDockWidget;
 class QLabel;
@@ -35,8 +35,10 @@ public:
   void startWith(const Session &session, const QString &file = {});
   /// Shows the window, maximized where it would not fit the screen with its frame.
   void showFitting();
-  /// Takes up what an earlier run left behind when it was cut off, if there is anything.
+  /// Goes on with the newest work that an earlier run left unsaved, if there is any.
   void restoreUnsaved();
+  /// Offers unsaved changes to the file that the window began with, and tells where other work waits.
+  void offerUnsaved();
   /// Opens a .halfspace file; on failure says why and leaves the session as it is.
   void openFile(const QString &file);
   /// Writes the session; on failure says why and returns false.
@@ -45,6 +47,10 @@ public:
   bool savePicture(const QString &file);
   void copyPicture();
   void setThemeNamed(const QString &name);
+  /// How large type, lines and handles are; within the bounds of size_scale.h.
+  void setSizeScale(double scale);
+  /// The scale in force: together with a theme of large type it stays within the same bounds.
+  [[nodiscard]] double sizeScale() const;
 
   [[nodiscard]] SessionModel &model() { return m_model; }
   [[nodiscard]] SceneView &sceneView() { return *m_scene; }
@@ -53,19 +59,16 @@ protected:
   void closeEvent(QCloseEvent *event) override;
 
 private:
-  /// What a learner has done in one step of a lesson.
-  struct StepProgress {
-    std::optional<std::string> chosen; ///< the answer to the step's question
-    std::string right;                 ///< what was right when it was given
-    TaskProgress tasks;
-  };
-
   void createPanels();
+  void createLessonList();
+  void arrangePanels();
   void createMenus();
   void createFileMenu();
   void createEditMenu();
   void createViewMenu();
   void createSnapMenu(QMenu &menu);
+  void createCameraItems(QMenu &menu);
+  void createSizeMenu(QMenu &menu);
   void createThemeMenu(QMenu &menu);
   void createLessonMenu();
   void createHelpMenu();
@@ -77,6 +80,8 @@ private:
   void highlight(const QString &markId);
   void showCase();
   void updateTitle();
+  void applyLook();
+  void changeSizeBy(int steps);
   void complain(const QString &sentence);
   [[nodiscard]] StepProgress &progress();
   [[nodiscard]] const LessonStep *currentStep() const;
@@ -85,13 +90,20 @@ private:
   /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
   [[nodiscard]] bool hidesNumbers();
   [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
+  void choose(const QString &answer);
+  /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
+  [[nodiscard]] bool belongsToFile() const;
   bool askToKeepChanges();
+  [[nodiscard]] UnsavedWork unsavedWork() const;
+  void keepUnsaved();
+  void takeUp(const Recovery::Leftover &leftover);
+  void fillUnsavedMenu(QMenu &menu);
   [[nodiscard]] QString askForFile(const QString &title, const QString &filter, const QString &suffix);
   bool save();
   bool saveAs();
   void open();
   void exportPicture();
-  [[nodiscard]] std::optional<QImage> pictureOfScene(double scale);
+  [[nodiscard]] std::optional<LabelPicture> pictureOfScene();
   void restoreSettings();
   void storeSettings();
 
@@ -104,14 +116,17 @@ private:
   LessonPanel *m_lessonPanel = nullptr;
   QListWidget *m_lessonList = nullptr;
   QLabel *m_caseLabel = nullptr;
-  QActionGroup *m_themeActions = nullptr;
+  QAction *m_larger = nullptr;
+  QAction *m_smaller = nullptr;
+  QAction *m_motion = nullptr;
+  QAction *m_downRay = nullptr;
   QString m_file;           ///< where Save writes; empty: it asks
   std::string m_fileLesson; ///< the lesson of that file
   Theme m_theme;
+  double m_sizeScale = smallestSizeScale; ///< as it was chosen
   Recovery m_recovery;
-  QTimer
-      m_panelTimer; ///< the panels follow a drag at most this often, so that the picture never waits for them
-  std::map<std::pair<std::string, int>, StepProgress> m_progress;
+  QTimer m_panelTimer; ///< the panels follow a drag at its pace, so that the picture never waits for them
+  LessonProgress m_progress;
 };
 
 } // namespace halfspace

@@ -1,6 +1,7 @@
 #include "app/session_files.h"
 
 #include "lessons/session_file.h"
+#include "lessons/words.h"
 
 #include <QSaveFile>
 
@@ -15,8 +16,9 @@ std::optional<Problem> writeSessionFile(const Session &session, const QString &f
       out.commit();
   if (written)
     return {};
-  return Problem{"The session could not be saved: " + out.errorString().toStdString() + ".",
-                 file.toStdString(), 0, ""};
+  return Problem{
+      words("The session could not be saved: {reason}.", {{"reason", out.errorString().toStdString()}}),
+      file.toStdString(), 0, ""};
 }
 
 } // namespace halfspace

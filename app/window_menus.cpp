@@ -8,6 +8,10 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
+#include <QStatusBar>
+
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -35,6 +39,9 @@ void MainWindow::createFileMenu() {
   addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
   addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); })->setObjectName("save");
   addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+  QMenu &unsaved = *menu.addMenu(tr("&Unsaved Work"));
+  unsaved.setObjectName("unsavedWork");
+  connect(&unsaved, &QMenu::aboutToShow, this, [this, &unsaved] { fillUnsavedMenu(unsaved); });
   menu.addSeparator();
   addItem(menu, tr("Save &Picture…"), QKeySequence("Ctrl+E"), this, [this] { exportPicture(); });
   addItem(menu, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), this, [this] { copyPicture(); });
@@ -74,6 +81,22 @@ void MainWindow::createSnapMenu(QMenu &menu) {
 
 void MainWindow::createViewMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&View"));
+  createCameraItems(menu);
+  menu.addSeparator();
+  createSizeMenu(*menu.addMenu(tr("&Size of Text and Lines")));
+  createThemeMenu(*menu.addMenu(tr("Th&eme")));
+  m_motion = menu.addAction(tr("&Motion"));
+  m_motion->setObjectName("motion");
+  m_motion->setCheckable(true);
+  m_motion->setChecked(true);
+  connect(m_motion, &QAction::toggled, this, [this](bool on) { m_scene->setMotion(on); });
+  menu.addSeparator();
+  QMenu &panels = *menu.addMenu(tr("P&anels"));
+  for (QDockWidget *dock : findChildren<QDockWidget *>())
+    panels.addAction(dock->toggleViewAction());
+}
+
+void MainWindow::createCameraItems(QMenu &menu) {
   addItem(menu, tr("&Fit"), QKeySequence("F"), this, [this] { m_scene->fit(); });
   addItem(menu, tr("&Home"), QKeySequence("H"), this, [this] { m_scene->goHome(); });
   addItem(menu, tr("From the &Front (x)"), QKeySequence("1"), this,
@@ -83,32 +106,44 @@ void MainWindow::createViewMenu() {
   addItem(menu, tr("From the &Top (z)"), QKeySequence("3"), this,
           [this] { m_scene->setAxisView(AxisView::Top); });
   addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
-  addItem(menu, tr("Down the R&ay"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
+  m_downRay = addItem(menu, tr("Down the Ra&y"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
+  m_downRay->setObjectName("downRay");
   QAction *orthographic = menu.addAction(tr("&Orthographic"));
   orthographic->setCheckable(true);
   orthographic->setShortcut(QKeySequence("O"));
   connect(orthographic, &QAction::toggled, this, [this](bool on) { m_scene->setOrthographic(on); });
-  QAction *motion = menu.addAction(tr("&Gliding Camera"));
-  motion->setCheckable(true);
-  motion->setChecked(true);
-  connect(motion, &QAction::toggled, this, [this](bool on) { m_scene->setMotion(on); });
-  menu.addSeparator();
-  createThemeMenu(*menu.addMenu(tr("Th&eme")));
-  QMenu &panels = *menu.addMenu(tr("P&anels"));
-  for (QDockWidget *dock : findChildren<QDockWidget *>())
-    panels.addAction(dock->toggleViewAction());
+}
+
+void MainWindow::createSizeMenu(QMenu &menu) {
+  m_larger = addItem(menu, tr("&Larger"), {}, this, [this] { changeSizeBy(1); });
+  m_larger->setObjectName("larger");
+  m_larger->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}); // with and without Shift
+  m_smaller = addItem(menu, tr("&Smaller"), QKeySequence("Ctrl+-"), this, [this] { changeSizeBy(-1); });
+  m_smaller->setObjectName("smaller");
+  addItem(menu, tr("&Usual Size"), QKeySequence("Ctrl+0"), this, [this] {
+    setSizeScale(usualSizeScale(*screen()));
+  })->setObjectName("usualSize");
+}
+
+void MainWindow::changeSizeBy(int steps) {
+  setSizeScale((std::round(sizeScale() / sizeScaleStep) + steps) * sizeScaleStep);
+  statusBar()->showMessage(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
 }
 
 void MainWindow::createThemeMenu(QMenu &menu) {
-  m_themeActions = new QActionGroup(this);
+  auto *group = new QActionGroup(this);
   for (const Theme &theme : themes()) {
     QString name = QString::fromStdString(theme.name);
     QAction *action = menu.addAction(name.left(1).toUpper() + name.mid(1));
     action->setCheckable(true);
     action->setData(name);
-    m_themeActions->addAction(action);
+    group->addAction(action);
     connect(action, &QAction::triggered, this, [this, name] { setThemeNamed(name); });
   }
+  connect(&menu, &QMenu::aboutToShow, this, [this, group] {
+    for (QAction *action : group->actions())
+      action->setChecked(action->data().toString().toStdString() == m_theme.name);
+  });
 }
 
 void MainWindow::createLessonMenu() {
@@ -134,7 +169,8 @@ void MainWindow::createHelpMenu() {
            "Up/Down</b> step the selected handle, with Shift a tenth, with Ctrl ten steps. <b>Tab</b> goes "
            "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
-           "orthographic, <b>1</b>–<b>5</b> are views.</p><p><b>Point at a term</b> of the working and its "
+           "orthographic, <b>1</b>–<b>5</b> are views. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
+           "larger and smaller.</p><p><b>Point at a term</b> of the working and its "
            "mark lights up in the scene, and the other way round.</p>"));
   });
   addItem(menu, tr("&About Halfspace"), {}, this, [this] {

@@ -1,11 +1,11 @@
 #include "app/window_style.h"
 
+#include "app/panel_style.h"
 #include "widgets/colors.h"
 
 #include <QApplication>
 #include <QPalette>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QWidget>
 
 namespace halfspace {
@@ -42,16 +42,15 @@ QString styleSheetOf(const Theme &theme) {
   const auto name = [](Color color) { return toQColor(color).name(); };
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
-    QDockWidget::title { padding: 4px 12px 2px 12px; color: %2; background: %3; }
-    QMenuBar { background: %3; padding: 1px 4px; }
+    QMenuBar { background: %3; padding: 0.1em 0.3em; }
     QStatusBar { background: %3; color: %2; }
-    QLabel#case { background: %3; padding: 8px 14px; border-top: 1px solid %1; font-weight: 500; }
+    QLabel#case { background: %3; padding: 0.6em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
-    QListWidget#lessonList { border: none; background: %3; padding: 2px 6px; outline: none; }
-    QListWidget#lessonList::item { padding: 5px 6px; border-radius: 5px; }
+    QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
+    QListWidget#lessonList::item { padding: 0.4em 0.45em; border-radius: 5px; }
     QLabel#heading { color: %2; }
     QLabel#complaint { color: %4; }
-    QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 2px 5px; }
+    QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 0.15em 0.4em; }
     QLineEdit:focus { border-color: %7; }
     QLineEdit[wrong="true"] { border-color: %4; color: %4; }
     QListWidget#lessonList::item:selected { background: %5; color: %6; }
@@ -64,7 +63,7 @@ QString styleSheetOf(const Theme &theme) {
 
 void applyStyle(QApplication &application, const Theme &theme) {
   // The same style everywhere: the platform's own would not take the theme's colours.
-  application.setStyle(QStyleFactory::create("Fusion"));
+  application.setStyle(new PanelStyle(theme.textScale));
   application.setPalette(paletteOf(theme));
   QFont font = application.font();
   font.setPointSizeF(usualPointSize * theme.textScale);

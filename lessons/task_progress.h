@@ -9,6 +9,10 @@ namespace halfspace {
 /// once it has been untrue and is true again.
 class TaskProgress {
 public:
+  TaskProgress() = default;
+  /// Goes on where so much was done already.
+  explicit TaskProgress(std::vector<bool> done) : m_done(std::move(done)) {}
+
   /// The learner comes to the step, for the first time or again.
   void arrive();
   /// Takes note of what the scene has come to.
@@ -16,6 +20,7 @@ public:
 
   /// Which tasks are done, in their order.
   [[nodiscard]] const std::vector<bool> &done() const { return m_done; }
+  bool operator==(const TaskProgress &) const = default;
 
 private:
   std::vector<bool> m_done;

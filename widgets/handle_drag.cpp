@@ -134,9 +134,7 @@ std::optional<DragMove> HandleDrag::moveTo(glm::dvec2 pixel, const Rational &ste
   const SnappedPlace snapped = snap({m_scene, m_anchor, inBox(*place - beside), freedomOf(m_mode, m_anchor),
                                      step, pixelsApart, catchDistance * screen.pixelRatio});
   m_at = snapped.at;
-  Handle shown = m_anchor;
-  shown.at = m_at;
-  return DragMove{movedTo(*object, m_handle, m_at), shownPlace(shown), snapped.caughtBy};
+  return DragMove{movedTo(*object, m_handle, m_at), snapped.caughtBy};
 }
 
 } // namespace halfspace

@@ -39,7 +39,6 @@ inline constexpr double catchDistance = 9;
 /// What a move of the pointer came to.
 struct DragMove {
   Object object;      ///< with its new coordinates
-  Place at{};         ///< where the handle is shown now
   std::string caught; ///< the special case that it snapped to, in plain words; empty for the grid
 };
 

@@ -2,8 +2,8 @@
 
 #include "lessons/formula.h"
 #include "lessons/object_marks.h"
-#include "widgets/colors.h"
-#include "widgets/math_label.h"
+#include "widgets/mark_ink.h"
+#include "widgets/named_value_row.h"
 #include "widgets/number_field.h"
 
 #include <QGridLayout>
@@ -79,7 +79,6 @@ Inspector::Inspector(SessionModel &model, Typesetter &typesetter, QWidget *paren
     : QScrollArea(parent), m_model(model), m_typesetter(typesetter), m_theme(themes().front()) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 Inspector::~Inspector() {
@@ -132,13 +131,11 @@ void Inspector::buildResultRows() {
   m_results.clear();
   m_resultLabels.clear();
   auto *box = new QWidget;
-  auto *grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(1);
-  grid->setColumnStretch(1, 1);
+  auto *column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
   for (const NamedValue *value : shownValues(m_model.outcome().values))
-    addResultRow(*grid, *value);
+    addResultRow(*column, *value);
   delete m_layout->replaceWidget(m_resultsBox, box);
   m_resultsBox->deleteLater();
   m_resultsBox = box;
@@ -164,15 +161,12 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   m_given.push_back(given);
 }
 
-void Inspector::addResultRow(QGridLayout &grid, const NamedValue &value) {
-  const int row = grid.rowCount();
-  auto *name = new MathLabel(m_typesetter);
-  name->setLatex(QString::fromStdString(value.latex));
-  m_resultLabels.push_back(name);
-  auto *exact = new MathLabel(m_typesetter);
-  grid.addWidget(name, row, 0);
-  grid.addWidget(exact, row, 1);
-  m_results.push_back({value.name, exact});
+void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
+  auto *row = new NamedValueRow(m_typesetter);
+  row->name().setLatex(QString::fromStdString(value.latex));
+  column.addWidget(row);
+  m_resultLabels.push_back(&row->name());
+  m_results.push_back({value.name, &row->value()});
 }
 
 void Inspector::connectField(NumberField &field, const CoordinateId &id, int axis) {
@@ -259,10 +253,7 @@ void Inspector::setTheme(const Theme &theme) {
 }
 
 void Inspector::applyInk() {
-  const auto inkOf = [this](const QString &markId) {
-    const Mark *mark = findMark(m_model.outcome().figure, markId.toStdString());
-    return toQColor(mark ? m_theme.inkOf(baseOf(*mark).subject) : m_theme.ink);
-  };
+  const auto inkOf = markInk(m_model, m_theme);
   for (const auto *labels : {&m_givenLabels, &m_resultLabels})
     for (MathLabel *label : *labels)
       label->setInkOf(inkOf);

@@ -46,7 +46,7 @@ private:
   void buildGivenRows();
   void buildResultRows();
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
-  void addResultRow(QGridLayout &grid, const NamedValue &value);
+  void addResultRow(QVBoxLayout &column, const NamedValue &value);
   void connectField(NumberField &field, const CoordinateId &id, int axis);
   void change(const CoordinateId &id, int axis, const Rational &value);
   void scrub(const CoordinateId &id, int axis, int steps);

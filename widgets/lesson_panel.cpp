@@ -17,6 +17,8 @@ namespace {
 
 constexpr int margin = 16;
 constexpr int columnGap = 28;
+/// The title's size, in sizes of the words.
+constexpr double titleSize = 1.3;
 /// A panel at least so wide, in letters, has two columns.
 constexpr int twoColumnLetters = 66;
 constexpr QSize usualSize(420, 360);
@@ -27,14 +29,10 @@ void setInk(QWidget &widget, Color color) {
   widget.setPalette(palette);
 }
 
-QLabel *makeTitle(double scale, bool bold) {
+QLabel *makeTitle() {
   auto *label = new QLabel;
   label->setTextFormat(Qt::PlainText); // lesson files come from strangers
   label->setWordWrap(true);
-  QFont font = label->font();
-  font.setPointSizeF(font.pointSizeF() * scale);
-  font.setBold(bold);
-  label->setFont(font);
   return label;
 }
 
@@ -74,7 +72,7 @@ LessonPanel::LessonPanel(Typesetter &typesetter, QWidget *parent)
 LessonPanel::~LessonPanel() = default;
 
 void LessonPanel::makeHead(QBoxLayout &layout) {
-  m_stepTitle = makeTitle(1.3, true);
+  m_stepTitle = makeTitle();
   layout.addWidget(m_stepTitle);
   layout.addSpacing(4);
 }
@@ -176,6 +174,10 @@ void LessonPanel::setTheme(const Theme &theme) {
   background.setColor(QPalette::Window, toQColor(theme.panel));
   setPalette(background);
   setInk(*m_stepTitle, theme.ink);
+  QFont titleFont = font();
+  titleFont.setPointSizeF(titleFont.pointSizeF() * titleSize);
+  titleFont.setBold(true);
+  m_stepTitle->setFont(titleFont);
   m_words->setInk(toQColor(theme.ink));
   m_dots->setTheme(theme);
   for (TaskRow *task : m_tasks)

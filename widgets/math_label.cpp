@@ -67,12 +67,10 @@ void MathLabel::paintEvent(QPaintEvent *) {
   const double wanted = m_picture->width() * exPixels();
   const double room = width() - 2 * margin;
   const double ex = exPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
-  const double spare = std::max(0.0, room - m_picture->width() * ex);
-  const double left = margin + (m_alignment & Qt::AlignRight ? spare : 0);
   const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * ex / 2;
   const QColor ink = palette().color(QPalette::WindowText);
   m_picture->paint(
-      painter, {left, baseline}, ex, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
+      painter, {double(margin), baseline}, ex, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
 }
 
 } // namespace halfspace

@@ -18,7 +18,6 @@ public:
   void setLatex(const QString &latex);
   [[nodiscard]] const QString &latex() const { return m_latex; }
   void setInkOf(MathPicture::InkOf inkOf);
-  void setAlignment(Qt::Alignment alignment) { m_alignment = alignment; }
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -35,7 +34,6 @@ private:
   QString m_latex;
   Typesetter::Picture m_picture; ///< the last good one
   MathPicture::InkOf m_inkOf;
-  Qt::Alignment m_alignment = Qt::AlignLeft;
 };
 
 } // namespace halfspace

@@ -53,9 +53,13 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
   setCursor(Qt::SizeHorCursor);
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
-  setMinimumWidth(fontMetrics().horizontalAdvance("-00.00") + 12);
   connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
   showValue();
+}
+
+QSize NumberField::minimumSizeHint() const {
+  const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + fontMetrics().height();
+  return {width, QLineEdit::minimumSizeHint().height()};
 }
 
 void NumberField::setValue(const Rational &value) {

@@ -19,6 +19,8 @@ public:
   void setValue(const Rational &value);
   [[nodiscard]] const Rational &value() const { return m_value; }
 
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
 signals:
   void valueTyped(const halfspace::Rational &value);
   void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
@@ -46,8 +48,8 @@ private:
   QPoint m_pressedAt;
 };
 
-/// A number as a user types it: as parseRational, with a sign and spaces around it allowed, and the decimal
-/// comma where the language has it.
+/// A number as a user types it: as parseRational, and besides with a plus sign, a typographic minus, spaces
+/// anywhere, no digit before the decimal point, and the decimal comma where the language has it.
 [[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
 
 /// The exact text of a number for typing: a decimal where it ends soon, else p/q.

@@ -9,6 +9,7 @@ namespace halfspace {
 
 namespace {
 
+/// Around the words at a text scale of 1, with room for the verdict.
 constexpr QMargins choiceMargins(34, 7, 12, 7);
 constexpr double markRadius = 7;
 constexpr double cornerRadius = 6;
@@ -41,6 +42,7 @@ void ChoiceButton::setVerdict(Verdict verdict) {
 
 void ChoiceButton::setTheme(const Theme &theme) {
   m_theme = theme;
+  layout()->setContentsMargins(choiceMargins * theme.textScale);
   m_label->setInk(toQColor(theme.ink));
   update();
 }
@@ -59,7 +61,8 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
   painter.setPen(QPen(toQColor(edge), hasFocus() ? 2 : 1.2));
   painter.setBrush(toQColor(mix(m_theme.panel, edge, tint)));
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), cornerRadius, cornerRadius);
-  paintVerdict(painter, {choiceMargins.left() / 2.0, height() / 2.0}, markRadius, m_verdict, m_theme);
+  paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, height() / 2.0},
+               markRadius * m_theme.textScale, m_verdict, m_theme);
 }
 
 PredictionBox::PredictionBox(Typesetter &typesetter, const Prediction &prediction, QWidget *parent)

@@ -26,6 +26,7 @@ constexpr double arrowHead = 24;
 constexpr int restDelay = 160;
 /// Samples a pixel at rest; while something moves there is one.
 constexpr int restSamples = 4;
+
 } // namespace
 
 SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
@@ -45,12 +46,22 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   m_restTimer.setInterval(restDelay);
   connect(&m_frameTimer, &QTimer::timeout, this, &SceneView::frame);
   connect(&m_restTimer, &QTimer::timeout, this, &SceneView::requestFrame);
+  connect(&m_fade, &MarkFade::changed, this, [this] {
+    m_contentStale = true;
+    showMoved();
+  });
   connect(&m_model, &SessionModel::lessonChanged, this, [this] {
     selectHandle({});
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
   takeOutcome();
+}
+
+QSurfaceFormat SceneView::surfaceFormat() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0); // VTK smooths by itself
+  return format;
 }
 
 SceneView::~SceneView() {
@@ -62,6 +73,22 @@ SceneView::~SceneView() {
 void SceneView::setTheme(const Theme &theme) {
   m_theme = theme;
   m_scene.setTheme(theme);
+  requestFrame();
+}
+
+void SceneView::setMotion(bool on) {
+  m_motion = on;
+  if (!on) {
+    m_fade.finish();
+    if (m_glide.state() == QAbstractAnimation::Running)
+      m_glide.setCurrentTime(m_glide.duration()); // it arrives
+  }
+  updateContent();
+}
+
+void SceneView::setSizeScale(double scale) {
+  m_sizeScale = scale;
+  stayHome();
   requestFrame();
 }
 
@@ -87,7 +114,7 @@ glm::dvec2 SceneView::devicePixel(const QPointF &position) const {
   return glm::dvec2(position.x(), position.y()) * devicePixelRatioF();
 }
 
-DragScreen SceneView::screen() const { return {m_camera, pixelSize(), devicePixelRatioF()}; }
+DragScreen SceneView::screen() const { return {m_camera, pixelSize(), designRatio()}; }
 
 const Handle *SceneView::findHandle(const std::string &id) const {
   const auto found =
@@ -101,13 +128,13 @@ glm::dvec2 SceneView::alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2
     return glm::dvec2(0);
   const glm::dvec2 back = glm::dvec2(*start) - tip;
   const double length = glm::length(back);
-  const double head = std::min(arrowHead * devicePixelRatioF(), length / 2);
+  const double head = std::min(arrowHead * designRatio(), length / 2);
   return length == 0 ? back : back / length * std::clamp(glm::dot(pixel - tip, back / length), 0.0, head);
 }
 
 const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
   const Handle *nearest = nullptr;
-  double least = grabDistance * devicePixelRatioF();
+  double least = grabDistance * designRatio();
   for (const Handle &handle : m_handles) {
     const auto projected = m_camera.project(shownPlace(handle), pixelSize());
     if (!projected || !grabMode(handle, m_vertical, m_camera))
@@ -178,11 +205,17 @@ void SceneView::takeOutcome() {
     m_selected.clear();
   if (!findHandle(m_hovered))
     m_hovered.clear();
+  m_fade.show(m_model.session(), m_model.shownOutcome().figure, m_motion && isVisible());
   updateContent();
 }
 
 void SceneView::updateContent() {
   m_contentStale = true;
+  requestFrame();
+}
+
+void SceneView::showMoved() {
+  m_restTimer.start();
   requestFrame();
 }
 
@@ -258,14 +291,17 @@ void SceneView::paintGL() {
 void SceneView::prepare() {
   if (m_contentStale)
     m_scene.setContent(interactiveContent());
+  else
+    m_scene.setGizmo(gizmo()); // how a handle can be moved depends on the camera
   m_contentStale = false;
-  m_scene.setView(m_camera, pixelSize(), devicePixelRatioF());
+  m_scene.setView(m_camera, pixelSize(), designRatio());
   m_scene.prepare();
 }
 
 SceneContent SceneView::interactiveContent() const {
   SceneContent content = pictureContent();
   content.highlighted = m_highlighted;
+  content.arrival = m_fade.arrival();
   if (!m_hoveredMark.empty())
     content.highlighted.insert(m_hoveredMark);
   content.gizmo = gizmo();
@@ -277,7 +313,5 @@ SceneContent SceneView::interactiveContent() const {
     content.dropLine = DropLine{toDouble(dropped->at)};
   return content;
 }
-
-void SceneView::startMoving() { m_restTimer.start(); }
 
 } // namespace halfspace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/handle_drag.h"
+#include "widgets/mark_fade.h"
 #include "widgets/session_model.h"
 #include "widgets/views.h"
 
@@ -28,6 +29,9 @@ public:
   SceneView(SessionModel &model, LabelPainter labels, QWidget *parent = nullptr);
   ~SceneView() override;
 
+  /// What the surfaces of a program with such a view must be like: the default format, before the first.
+  [[nodiscard]] static QSurfaceFormat surfaceFormat();
+
   void setTheme(const Theme &theme);
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
@@ -38,8 +42,10 @@ public:
   }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
-  /// Whether the camera glides from view to view.
-  void setMotion(bool on) { m_motion = on; }
+  /// Whether the camera glides from view to view and new marks of a step fade in.
+  void setMotion(bool on);
+  /// Makes type, lines and handles larger; 1 is their usual size.
+  void setSizeScale(double scale);
 
   /// As the lesson begins.
   void goHome();
@@ -54,6 +60,8 @@ public:
 
   [[nodiscard]] const Camera &camera() const { return m_camera; }
   [[nodiscard]] PixelSize pixelSize() const;
+  /// How many of those pixels a design pixel has, in which labels, thicknesses and handles are measured.
+  [[nodiscard]] double designRatio() const { return devicePixelRatioF() * m_sizeScale; }
   /// What is drawn now, without handles: for pictures.
   [[nodiscard]] SceneContent pictureContent() const;
 
@@ -97,7 +105,11 @@ private:
   [[nodiscard]] SceneContent interactiveContent() const;
   void takeOutcome();
   void prepare();
+  /// Takes the content anew, and draws it.
   void updateContent();
+  /// Draws what is there from where the camera is now.
+  void showMoved();
+  [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
   void pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel);
   void requestFrame();
@@ -108,17 +120,19 @@ private:
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
   [[nodiscard]] Camera homeCamera() const;
+  /// As long as nobody has moved the camera, the figure stays in view at every size.
+  void stayHome();
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
   bool lockAxis(int key);
   void selectNext(bool forward);
   void showHint();
-  void startMoving();
 
   SessionModel &m_model;
   FigureScene m_scene;
   Theme m_theme;
   Camera m_camera;
+  double m_sizeScale = 1;
   bool m_motion = true;
   bool m_numbersHidden = false;
   bool m_atHome = true; ///< nobody has moved the camera since the lesson began
@@ -145,6 +159,7 @@ private:
   QTimer m_frameTimer;
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;
+  MarkFade m_fade;
   std::chrono::nanoseconds m_evaluateTime{};
 };
 

@@ -23,8 +23,7 @@ void SceneView::moveCamera(const QPointF &position) {
     m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
   else
     m_camera.pan(glm::dvec2(moved.x(), moved.y()) * devicePixelRatioF(), pixelSize());
-  startMoving();
-  updateContent();
+  showMoved();
 }
 
 void SceneView::wheelEvent(QWheelEvent *event) {
@@ -32,8 +31,7 @@ void SceneView::wheelEvent(QWheelEvent *event) {
   m_atHome = false;
   const double steps = event->angleDelta().y() / 120.0;
   m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
-  startMoving();
-  updateContent();
+  showMoved();
   event->accept();
 }
 
@@ -42,7 +40,7 @@ void SceneView::glideTo(const Camera &camera) {
   m_atHome = false;
   if (!m_motion || !isVisible()) {
     m_camera = camera;
-    return updateContent();
+    return requestFrame();
   }
   const Camera from = m_camera;
   m_glide.disconnect(this);
@@ -52,14 +50,14 @@ void SceneView::glideTo(const Camera &camera) {
   m_glide.setEasingCurve(QEasingCurve::InOutCubic);
   connect(&m_glide, &QVariantAnimation::valueChanged, this, [this, from, camera](const QVariant &value) {
     m_camera = between(from, camera, value.toDouble());
-    startMoving();
-    updateContent();
+    showMoved();
   });
   m_glide.start();
 }
 
 Camera SceneView::homeCamera() const {
-  return homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize(), m_camera.orthographic);
+  return homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize(), designRatio(),
+                  m_camera.orthographic);
 }
 
 void SceneView::goHome() {
@@ -67,11 +65,16 @@ void SceneView::goHome() {
   m_atHome = true;
 }
 
+void SceneView::stayHome() {
+  if (!m_atHome)
+    return;
+  m_glide.stop();
+  m_camera = homeCamera();
+}
+
 void SceneView::resizeEvent(QResizeEvent *event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  // As long as nobody has moved the camera, the figure stays in view at every size.
-  if (m_atHome)
-    m_camera = homeCamera();
+  stayHome();
   requestFrame();
 }
 
@@ -84,7 +87,7 @@ void SceneView::lookDownRay() { glideTo(seenDownRay(m_model.session().scene, m_c
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();
   m_camera.orthographic = on;
-  updateContent();
+  requestFrame();
 }
 
 void SceneView::fit() { glideTo(fitted(m_camera, placesOf(m_model.shownOutcome().figure), pixelSize())); }

@@ -51,8 +51,7 @@ QString hintFor(DragMode mode) {
 } // namespace
 
 bool SceneView::event(QEvent *event) {
-  // Axis keys, Escape and arrows belong to the view while it has the focus, before any shortcut of the
-  // window.
+  // While a handle is held all keys belong to the drag, before any shortcut of the window.
   if (event->type() == QEvent::ShortcutOverride && m_gesture == Gesture::Handle) {
     event->accept();
     return true;
@@ -68,9 +67,7 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   m_moved = false;
   const glm::dvec2 pixel = devicePixel(m_pressed);
   if (event->button() == Qt::LeftButton) {
-    const auto tool = gizmo();
-    const auto part =
-        tool ? gizmoPartAt(*tool, m_camera, pixelSize(), devicePixelRatioF(), pixel) : std::nullopt;
+    const auto part = gizmoPartUnder(pixel);
     const Handle *selected = findHandle(m_selected);
     if (part && selected)
       return pressHandle(*selected, modeOf(*part), pixel);
@@ -94,6 +91,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
 
 void SceneView::pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
   m_gesture = Gesture::Handle;
+  m_fade.finish();
   m_drag.emplace(m_model.session().scene, handle, mode, pixel);
   m_model.beginGesture();
   if (m_selected != handle.id)
@@ -120,8 +118,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
     return;
   if (m_gesture == Gesture::Handle) {
     m_pendingPointer = event->localPos();
-    startMoving();
-    requestFrame();
+    showMoved();
   } else {
     moveCamera(event->localPos());
   }
@@ -184,10 +181,13 @@ void SceneView::cancelDrag() {
   showHint();
 }
 
-void SceneView::hover(glm::dvec2 pixel) {
+std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
   const auto tool = gizmo();
-  const auto part =
-      tool ? gizmoPartAt(*tool, m_camera, pixelSize(), devicePixelRatioF(), pixel) : std::nullopt;
+  return tool ? gizmoPartAt(*tool, m_camera, pixelSize(), designRatio(), pixel) : std::nullopt;
+}
+
+void SceneView::hover(glm::dvec2 pixel) {
+  const auto part = gizmoPartUnder(pixel);
   const Handle *handle = part ? nullptr : handleAt(pixel);
   const std::string handleId = handle ? handle->id : std::string();
   const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);

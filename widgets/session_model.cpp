@@ -6,8 +6,7 @@
 
 namespace halfspace {
 
-/// Two sessions, before and after. Going from one to the other keeps the step that is shown, unless the
-/// lesson changes.
+/// Two sessions of a lesson, before and after. Going from one to the other keeps the step that is shown.
 class SessionCommand : public QUndoCommand {
 public:
   SessionCommand(SessionModel &model, Session before, Session after, const QString &description)
@@ -18,8 +17,7 @@ public:
 
 private:
   void go(Session session) {
-    if (session.lesson == m_model.session().lesson)
-      session.step = m_model.session().step;
+    session.step = m_model.session().step;
     m_model.show(session);
   }
 
@@ -54,13 +52,19 @@ void SessionModel::openLesson(const std::string &id) {
   const Lesson *lesson = m_library.find(id);
   if (!lesson || id == m_session.lesson)
     return;
-  const Session before = m_session;
-  show(startOf(*lesson));
-  record(before, tr("open “%1”").arg(QString::fromStdString(lesson->title)));
+  m_beforeGesture.reset();
+  if (isChanged())
+    m_left[m_session.lesson] = m_session;
+  else
+    m_left.erase(m_session.lesson);
+  const auto left = m_left.find(id);
+  show(left == m_left.end() ? startOf(*lesson) : left->second);
+  m_history.clear();
+  m_history.resetClean();
 }
 
 void SessionModel::resetScene() {
-  if (m_session.scene == m_lesson->scene)
+  if (!isChanged())
     return;
   const Session before = m_session;
   Session after = m_session;

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <map>
 #include <optional>
 
 namespace halfspace {
@@ -31,9 +32,14 @@ public:
   [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
   void setSnapStep(const Rational &step) { m_snapStep = step; }
 
-  /// Opens another lesson from its start; the one that is open stays as it is. Undo goes back to where the
-  /// session was.
+  /// Opens another lesson where it was left, or from its start; the one that is open stays as it is. The
+  /// history begins anew, and not clean: what was changed is still not saved.
   void openLesson(const std::string &id);
+  /// The sessions of other lessons that were left with changes.
+  [[nodiscard]] const std::map<std::string, Session> &leftSessions() const { return m_left; }
+  void setLeftSessions(std::map<std::string, Session> sessions) { m_left = std::move(sessions); }
+  /// Whether the scene is another one than the lesson begins with.
+  [[nodiscard]] bool isChanged() const { return !(m_session.scene == m_lesson->scene); }
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.
   void startWith(Session session);
@@ -69,6 +75,7 @@ private:
   Session m_session;
   Outcome m_outcome;
   Outcome m_shown;
+  std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;
   std::optional<Session> m_beforeGesture;
   Rational m_snapStep = 1;

@@ -13,10 +13,11 @@ namespace halfspace {
 
 namespace {
 
-constexpr int spacing = 16;
-constexpr double radius = 3.5;
-constexpr double currentRadius = 5;
-constexpr int usualHeight = 22;
+// At a text scale of 1.
+constexpr double usualSpacing = 16;
+constexpr double usualRadius = 3.5;
+constexpr double usualCurrentRadius = 5;
+constexpr double usualHeight = 22;
 
 } // namespace
 
@@ -39,6 +40,7 @@ void StepDots::setCurrent(int step) {
 
 void StepDots::setTheme(const Theme &theme) {
   m_theme = theme;
+  updateGeometry();
   update();
 }
 
@@ -46,12 +48,17 @@ void StepDots::tellAccessibly() {
   setAccessibleName(tr("Step %1 of %2").arg(m_current + 1).arg(m_titles.size()));
 }
 
-QSize StepDots::sizeHint() const { return {spacing * static_cast<int>(m_titles.size()), usualHeight}; }
+double StepDots::spacing() const { return usualSpacing * m_theme.textScale; }
 
-QPointF StepDots::center(int step) const { return {spacing * (step + 0.5), height() / 2.0}; }
+QSize StepDots::sizeHint() const {
+  return {static_cast<int>(std::ceil(spacing() * m_titles.size())),
+          static_cast<int>(std::ceil(usualHeight * m_theme.textScale))};
+}
+
+QPointF StepDots::center(int step) const { return {spacing() * (step + 0.5), height() / 2.0}; }
 
 int StepDots::stepAt(QPoint position) const {
-  return std::clamp(position.x() / spacing, 0, static_cast<int>(m_titles.size()) - 1);
+  return std::clamp(static_cast<int>(position.x() / spacing()), 0, static_cast<int>(m_titles.size()) - 1);
 }
 
 void StepDots::paintEvent(QPaintEvent *) {
@@ -64,7 +71,8 @@ void StepDots::paintEvent(QPaintEvent *) {
     painter.setBrush(toQColor(current            ? m_theme.accent
                               : step < m_current ? mix(m_theme.panel, m_theme.accent, 0.5)
                                                  : mix(m_theme.panel, m_theme.mutedInk, 0.4)));
-    painter.drawEllipse(center(step), current ? currentRadius : radius, current ? currentRadius : radius);
+    const double radius = (current ? usualCurrentRadius : usualRadius) * m_theme.textScale;
+    painter.drawEllipse(center(step), radius, radius);
   }
 }
 

@@ -31,6 +31,7 @@ protected:
   bool event(QEvent *event) override;
 
 private:
+  [[nodiscard]] double spacing() const;
   [[nodiscard]] QPointF center(int step) const;
   /// The step whose dot is nearest to a place; −1 without steps.
   [[nodiscard]] int stepAt(QPoint position) const;

@@ -9,8 +9,11 @@ namespace halfspace {
 
 namespace {
 
-constexpr int markRoom = 28;
+// At a text scale of 1.
+constexpr double markRoom = 28;
 constexpr double markRadius = 7.5;
+
+int roomForMark(const Theme &theme) { return static_cast<int>(markRoom * theme.textScale); }
 
 } // namespace
 
@@ -42,7 +45,7 @@ TaskRow::TaskRow(Typesetter &typesetter, const QString &instruction, QWidget *pa
     : QWidget(parent), m_instruction(instruction), m_words(new RichLabel(typesetter)),
       m_theme(themes().front()) {
   auto *layout = new QHBoxLayout(this);
-  layout->setContentsMargins(markRoom, 3, 0, 3);
+  layout->setContentsMargins(roomForMark(m_theme), 3, 0, 3);
   layout->addWidget(m_words);
   m_words->setMarkdown(instruction);
   tellAccessibly();
@@ -59,6 +62,7 @@ void TaskRow::setDone(bool done) {
 
 void TaskRow::setTheme(const Theme &theme) {
   m_theme = theme;
+  layout()->setContentsMargins(roomForMark(theme), 3, 0, 3);
   m_words->setInk(toQColor(m_done ? m_theme.mutedInk : m_theme.ink));
   update();
 }
@@ -70,8 +74,8 @@ void TaskRow::tellAccessibly() {
 void TaskRow::paintEvent(QPaintEvent *) {
   QPainter painter(this);
   const double firstLine = m_words->y() + fontMetrics().ascent() - fontMetrics().capHeight() / 2.0;
-  paintVerdict(painter, {markRadius + 2, firstLine}, markRadius, m_done ? Verdict::Right : Verdict::Open,
-               m_theme);
+  const double radius = markRadius * m_theme.textScale;
+  paintVerdict(painter, {radius + 2, firstLine}, radius, m_done ? Verdict::Right : Verdict::Open, m_theme);
 }
 
 } // namespace halfspace

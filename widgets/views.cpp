@@ -1,12 +1,20 @@
 #include "widgets/views.h"
 
+#include "widgets/scene/ground.h"
+
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace halfspace {
 namespace {
+
+/// What is in view at home keeps this far from the edges, in design pixels: room for a label.
+constexpr double homeMargin = 32;
+/// … but no more than this part of the view.
+constexpr double largestHomeMargin = 0.13;
 
 /// The normal of a mark that is drawn as part of a plane.
 std::optional<Place> normalOf(const Mark &mark) {
@@ -41,10 +49,14 @@ std::vector<Place> placesOf(const Figure &figure) {
   return places;
 }
 
-Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, bool orthographic) {
+Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, double pixelRatio,
+                bool orthographic) {
   Camera camera(view);
   camera.orthographic = orthographic;
-  return fitted(camera, placesOf(figure), size);
+  std::vector<Place> places = placesOf(figure);
+  for (const AxisEnds &axis : axisEnds(axesAround(figure)))
+    places.push_back(axis.high);
+  return fitted(camera, places, size, std::min(homeMargin * pixelRatio, largestHomeMargin * size.height));
 }
 
 Camera seenAlong(AxisView view, Camera camera) {
@@ -63,17 +75,23 @@ Camera seenAlongPlane(const Figure &figure, Camera camera) {
   return camera;
 }
 
-Camera seenDownRay(const Scene &scene, Camera camera) {
+const RayObject *firstRay(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
     const auto *object = std::get_if<Object>(&entry.content);
     const auto *ray = object ? std::get_if<RayObject>(object) : nullptr;
-    if (!ray || isZero(ray->direction))
-      continue;
-    Camera down(CameraView{-toDouble(ray->direction), toDouble(ray->origin), camera.height});
-    down.orthographic = camera.orthographic;
-    return down;
+    if (ray && !isZero(ray->direction))
+      return ray;
   }
-  return camera;
+  return nullptr;
+}
+
+Camera seenDownRay(const Scene &scene, Camera camera) {
+  const RayObject *ray = firstRay(scene);
+  if (!ray)
+    return camera;
+  Camera down(CameraView{-toDouble(ray->direction), toDouble(ray->origin), camera.height});
+  down.orthographic = camera.orthographic;
+  return down;
 }
 
 Camera between(const Camera &from, const Camera &to, double t) {

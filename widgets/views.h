@@ -7,8 +7,9 @@
 
 namespace halfspace {
 
-/// How a lesson begins: from its direction, with all of the figure in view.
-[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size,
+/// How a lesson begins: from its direction, with all of the figure and the tips of the axes in view, and room
+/// for their labels. A design pixel has `pixelRatio` pixels.
+[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, double pixelRatio,
                               bool orthographic = false);
 
 /// The places that a picture of the figure should have in view; what runs on without end does not count.
@@ -22,6 +23,9 @@ enum class AxisView { Front, Right, Top };
 /// From the side of the first plane or triangle of a figure, so that it is seen as a line; unchanged without
 /// one.
 [[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
+
+/// The first ray of a scene that has a direction, or null.
+[[nodiscard]] const RayObject *firstRay(const Scene &scene);
 
 /// From the start of a scene's first ray in its direction; unchanged without one.
 [[nodiscard]] Camera seenDownRay(const Scene &scene, Camera camera);

@@ -10,11 +10,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -53,6 +55,8 @@ class WindowTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  /// What other tests left unsaved is none of this one's business.
+  void init() { QDir(Recovery::standardFolder()).removeRecursively(); }
 
   void number_typed_isTakenExactlyAsOneUndoStep_data() {
     QTest::addColumn<QString>("text");
@@ -172,6 +176,72 @@ private slots:
     const auto kept = readSessionFile(file.toStdString());
     QVERIFY(kept);
     QCOMPARE(kept->lesson, std::string("signed-distance"));
+  }
+
+  void undo_afterAnotherLessonWasOpened_staysInIt_andTheChangesAreFoundAgain() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.scene().selectHandle("Q");
+    QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
+    fixture.model().setStep(2);
+    const Session changed = fixture.model().session();
+    fixture.model().openLesson("plane-implicit");
+    QVERIFY(!fixture.model().history().canUndo());
+    fixture.model().history().undo();
+    QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
+    QVERIFY(fixture.window.isWindowModified());
+    fixture.model().openLesson("signed-distance");
+    QVERIFY(fixture.model().session() == changed);
+    QVERIFY(!fixture.model().history().canUndo());
+  }
+
+  void unsavedWork_ofAProgramThatWasCutOff_comesBackWithFileAndAnswers() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    UnsavedWork work;
+    {
+      WindowFixture fixture("signed-distance");
+      work.session = fixture.model().session();
+    }
+    coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, Rational(-10, 3));
+    work.file = file;
+    work.progress[{"signed-distance", 0}].chosen = "negative";
+    { Recovery(Recovery::standardFolder()).keepNow(work); } // ends without forgetting it
+    WindowFixture fixture("plane-implicit");
+    fixture.window.restoreUnsaved();
+    QVERIFY(fixture.model().session() == work.session);
+    QVERIFY(fixture.window.windowTitle().startsWith("mine.halfspace"));
+    QVERIFY(fixture.window.isWindowModified());
+    QTRY_VERIFY(!fixture.window.findChild<QLabel *>("case")->text().contains("Answer the question"));
+    fixture.window.findChild<QAction *>("save")->trigger();
+    QVERIFY(Recovery(Recovery::standardFolder()).leftovers().empty());
+    const auto saved = readSessionFile(file.toStdString());
+    QVERIFY(saved && *saved == work.session);
+  }
+
+  void file_withUnsavedChangesOfAProgramThatWasCutOff_offersThem() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    UnsavedWork work;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.window.saveTo(file));
+      work.session = fixture.model().session();
+    }
+    coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, 3);
+    work.file = file;
+    { Recovery(Recovery::standardFolder()).keepNow(work); }
+    WindowFixture fixture("plane-implicit");
+    fixture.window.openFile(file);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 8));
+    QTimer::singleShot(100, [] {
+      for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *box = qobject_cast<QMessageBox *>(widget))
+          box->button(QMessageBox::Yes)->click();
+    });
+    fixture.window.offerUnsaved();
+    QVERIFY(fixture.value("Q") == ExactVec3(1, 2, 3));
+    QVERIFY(fixture.window.saveTo(file));
   }
 
   void zeroNormal_typed_isExplained_andEndsWithTheNextNumber() {

@@ -5,6 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
+#include <vtkRenderer.h>
+
+#include <numeric>
+
 namespace halfspace {
 namespace {
 
@@ -83,6 +91,58 @@ TEST(FigureScene, AsksForTypeInProportionToPixelRatioAndTheme) {
   scene.setView(request.camera, request.size, 2);
   scene.prepare();
   EXPECT_DOUBLE_EQ(asked, 22 * 2 * 1.5);
+}
+
+/// When the meshes that a scene draws were last made.
+std::vector<vtkMTimeType> meshTimes(const FigureScene &scene) {
+  std::vector<vtkMTimeType> times;
+  vtkActorCollection *actors = scene.renderer()->GetActors();
+  actors->InitTraversal();
+  while (vtkActor *actor = actors->GetNextActor())
+    times.push_back(actor->GetMapper()->GetInput()->GetMTime());
+  return times;
+}
+
+int differences(const std::vector<vtkMTimeType> &a, const std::vector<vtkMTimeType> &b) {
+  return static_cast<int>(a.size()) -
+         std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::equal_to<>());
+}
+
+TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
+  PictureRequest request = requestFor(labelledPoint());
+  FigureScene scene(noLabels);
+  scene.setContent(request.content);
+  scene.setView(request.camera, request.size, 1);
+  scene.prepare();
+  const auto start = meshTimes(scene);
+  scene.setGizmo(Gizmo{});
+  scene.prepare();
+  const auto withGizmo = meshTimes(scene);
+  EXPECT_EQ(differences(start, withGizmo), 1); // the tools
+  scene.setGizmo(Gizmo{});
+  scene.prepare();
+  EXPECT_EQ(meshTimes(scene), withGizmo);
+  request.camera.turn(0.3, 0.1);
+  scene.setView(request.camera, request.size, 1);
+  scene.prepare();
+  EXPECT_LE(differences(withGizmo, meshTimes(scene)), 3); // the tools, and the faces and their shadow
+}
+
+TEST(FigureScene, WritesALabelThatArrivesPaler) {
+  PictureRequest request = requestFor(labelledPoint());
+  request.content.arrival = {{"point.Q"}, 0.5};
+  const auto picture = drawOffscreen(request, magentaForQ);
+  ASSERT_TRUE(picture);
+  int full = 0;
+  int paler = 0;
+  for (int y = 0; y < picture->height; ++y)
+    for (int x = 0; x < picture->width; ++x) {
+      const Rgba pixel = pixelAt(*picture, x, y);
+      full += pixel == magenta;
+      paler += pixel.red > 240 && pixel.blue > 240 && pixel.green > 90 && pixel.green < 150;
+    }
+  EXPECT_EQ(full, 0);
+  EXPECT_EQ(paler, labelWidth * labelHeight);
 }
 
 } // namespace

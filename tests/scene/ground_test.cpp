@@ -42,7 +42,7 @@ TEST(Ground, AxesAreNumberedAtEveryFifthStepAndNamed) {
   std::vector<std::string> texts;
   for (const AxisLabel &label : axisLabels({}, 1, 1))
     texts.push_back(label.latex);
-  EXPECT_EQ(texts, (std::vector<std::string>{"5", "10", "15", "x", "5", "10", "15", "y", "5", "10", "z"}));
+  EXPECT_EQ(texts, (std::vector<std::string>{"5", "10", "x", "5", "10", "15", "y", "5", "10", "z"}));
 }
 
 TEST(NumberText, LeavesOutDigitsThatSayNothing) {

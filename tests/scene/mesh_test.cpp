@@ -122,5 +122,19 @@ TEST(Solids, WarningsHaveTheWarningColour) {
   EXPECT_EQ(solidsOf({{point}}, {}, themes().front(), 1).colors.front(), themes().front().warning);
 }
 
+TEST(Solids, ArrivingGrowOutOfThinPaleLines) {
+  const Figure figure{
+      {named(pointAt({1, 2, 3}), "p", Subject::Point), named(pointAt({9, 9, 9}), "q", Subject::Point)}};
+  const Theme &theme = themes().front();
+  const auto at = [&](double presence) { return solidsOf(figure, {}, theme, 1, {{"p"}, presence}); };
+  const Mesh all = solidsOf(figure, {}, theme, 1);
+  EXPECT_EQ(at(0).positions.size(), all.positions.size() / 2);
+  EXPECT_NE(at(0.5).colors.front(), all.colors.front());
+  EXPECT_LT(at(0.5).positions.front().z, 3);
+  EXPECT_GT(at(0.5).positions.front().z, all.positions.front().z);
+  EXPECT_EQ(at(1).positions, all.positions);
+  EXPECT_EQ(at(0.5).colors.back(), all.colors.back());
+}
+
 } // namespace
 } // namespace halfspace

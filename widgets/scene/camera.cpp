@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -14,8 +15,10 @@ const double slopeOfView = std::tan(Camera::viewAngle / 2);
 /// Where the eye of an orthographic camera stands: so far that whatever a scene holds lies before it.
 constexpr double orthographicDistance = 1000;
 
-/// The part of the view that `fitted` fills.
+/// The part of the view that `fitted` fills at most.
 constexpr double fittedPart = 0.86;
+/// A margin never takes more of the view than leaves this part.
+constexpr double leastFittedPart = 0.4;
 /// The least height of a fitted view, so that a single point does not fill it.
 constexpr double leastFittedHeight = 4;
 
@@ -65,7 +68,7 @@ Place Camera::right() const { return {-std::sin(azimuth), std::cos(azimuth), 0};
 Place Camera::up() const { return glm::cross(right(), viewDirection()); }
 
 void Camera::turn(double azimuthChange, double elevationChange) {
-  azimuth = std::remainder(azimuth + azimuthChange, 2 * std::acos(-1.0));
+  azimuth = std::remainder(azimuth + azimuthChange, 2 * std::numbers::pi);
   elevation = std::clamp(elevation + elevationChange, -maxElevation, maxElevation);
 }
 
@@ -104,7 +107,7 @@ double Camera::unitsPerPixel(Place at, PixelSize size) const {
   return unitsPerPixelAtTarget(*this, size) * (orthographic ? 1 : depth / distance());
 }
 
-Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size) {
+Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, double margin) {
   std::vector<Place> finite;
   std::copy_if(places.begin(), places.end(), std::back_inserter(finite), isFinite);
   if (finite.empty())
@@ -122,8 +125,12 @@ Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size) {
   // A place at (x, y, z), z towards the eye, is inside the view when |x| ≤ (distance − z)·slope: so each side
   // of the view gives the least distance, and the best centre is where two opposite sides ask for the same.
   // Seen orthographically z does not count, and `distance` only stands for height / (2·slope).
-  const double slopeUp = slopeOfView * fittedPart;
-  const double slopeAcross = slopeUp * size.width / size.height;
+  const auto slopeWithin = [&](int side) {
+    const double part = std::clamp(1 - 2 * margin / side, leastFittedPart, fittedPart);
+    return slopeOfView * part * side / size.height;
+  };
+  const double slopeUp = slopeWithin(size.height);
+  const double slopeAcross = slopeWithin(size.width);
   Span across;
   Span upward;
   for (const Place &place : finite) {

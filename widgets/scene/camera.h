@@ -68,8 +68,9 @@ public:
   bool operator==(const Camera &) const = default;
 };
 
-/// A camera looking the same way that has all places in view, with a margin around; the same camera for no
-/// places.
-[[nodiscard]] Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size);
+/// A camera looking the same way that has all places in view, at least `margin` pixels from its edges; the
+/// same camera for no places.
+[[nodiscard]] Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size,
+                            double margin = 0);
 
 } // namespace halfspace

@@ -37,8 +37,6 @@ std::optional<Place> onLine(const SightLine &sight, Place at, Place direction) {
 std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constraint, const Camera &camera,
                                 PixelSize size, Place at) {
   const SightLine sight = camera.sightThrough(pixel, size);
-  if (constraint.kind == DragConstraint::Kind::Screen)
-    return onPlane(sight, at, camera.viewDirection());
   if (sineOfAngle(constraint, sight.direction) < std::sin(leastSightAngle))
     return {};
   return constraint.kind == DragConstraint::Kind::Line ? onLine(sight, at, constraint.direction)
@@ -48,8 +46,6 @@ std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constrai
 } // namespace
 
 bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place at) {
-  if (constraint.kind == DragConstraint::Kind::Screen)
-    return true;
   if (constraint.direction == Place(0))
     return false;
   const Place sight = camera.orthographic ? camera.viewDirection() : glm::normalize(at - camera.eye());

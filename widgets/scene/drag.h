@@ -5,10 +5,10 @@
 
 namespace halfspace {
 
-/// How a grabbed place may move: along a line, in a plane, or in the plane of the screen.
+/// How a grabbed place may move: along a line or in a plane.
 struct DragConstraint {
-  enum class Kind { Line, Plane, Screen };
-  Kind kind = Kind::Screen;
+  enum class Kind { Line, Plane };
+  Kind kind = Kind::Line;
   Place direction{}; ///< of the line, or the plane's normal; not zero, need not be unit
   bool operator==(const DragConstraint &) const = default;
 };
@@ -17,9 +17,6 @@ struct DragConstraint {
   return {DragConstraint::Kind::Line, direction};
 }
 [[nodiscard]] inline DragConstraint inPlane(Place normal) { return {DragConstraint::Kind::Plane, normal}; }
-[[nodiscard]] inline DragConstraint inHorizontalPlane() { return inPlane({0, 0, 1}); }
-[[nodiscard]] inline DragConstraint alongVertical() { return alongLine({0, 0, 1}); }
-[[nodiscard]] inline DragConstraint inScreenPlane() { return {}; }
 
 /// Nearer than this (15°) to the eye's direction a line cannot be grabbed: there a pixel would throw an
 /// object across the room.

@@ -1,5 +1,7 @@
 #include "widgets/scene/egl_context.h"
 
+#include "lessons/words.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -16,9 +18,11 @@
 namespace halfspace {
 namespace {
 
-const char *const noOpenGl = "Pictures cannot be drawn here: OpenGL 3.2 without a window (EGL) is missing. "
-                             "Installing Mesa's libegl1 and "
-                             "libgl1-mesa-dri brings it.";
+std::string noOpenGl() {
+  return words(
+      "Pictures cannot be drawn here: OpenGL 3.2 without a window (EGL) is missing. Installing Mesa's "
+      "libegl1 and libgl1-mesa-dri brings it.");
+}
 
 /// Answers VTK's questions about the context.
 void answer(vtkObject *, unsigned long event, void *client, void *data) {
@@ -47,17 +51,17 @@ std::string EglContext::open() {
   const auto getDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (!getDisplay)
-    return noOpenGl;
+    return noOpenGl();
   m_display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (!m_display || !eglInitialize(m_display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
-    return noOpenGl;
+    return noOpenGl();
 
   constexpr std::array<EGLint, 5> wantedConfig{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                                EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(m_display, wantedConfig.data(), &config, 1, &count) || count < 1)
-    return noOpenGl;
+    return noOpenGl();
   constexpr std::array<EGLint, 7> wantedContext{EGL_CONTEXT_MAJOR_VERSION,
                                                 3,
                                                 EGL_CONTEXT_MINOR_VERSION,
@@ -67,7 +71,7 @@ std::string EglContext::open() {
                                                 EGL_NONE};
   m_context = eglCreateContext(m_display, config, EGL_NO_CONTEXT, wantedContext.data());
   if (!m_context || !eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context))
-    return noOpenGl;
+    return noOpenGl();
   return {};
 }
 

@@ -36,17 +36,6 @@ std::vector<Place> placesOf(const Figure &figure, double scale) {
   return places;
 }
 
-/// The places that say how long the axes are: patches may reach beyond them.
-std::vector<Place> placesForAxes(const Figure &figure) {
-  std::vector<Place> places;
-  for (const Mark &mark : figure.marks)
-    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
-      const MarkOutline outline = outlineOf(mark, 0);
-      places.insert(places.end(), outline.path.begin(), outline.path.end());
-    }
-  return places;
-}
-
 } // namespace
 
 class FigureScene::Impl {
@@ -64,6 +53,7 @@ public:
   bool backgroundVisible = true;
   bool themeChanged = true;
   bool contentChanged = true;
+  bool gizmoChanged = true;
   bool viewChanged = true;
 
 private:
@@ -95,20 +85,22 @@ void FigureScene::Impl::prepare() {
   if (themeChanged)
     actors.applyTheme(theme);
   if (contentChanged)
-    m_axes = axesFor(placesForAxes(content.figure));
+    m_axes = axesAround(content.figure);
   if (themeChanged || contentChanged || sizesChanged)
     prepareFigure();
-  if (themeChanged || contentChanged || viewChanged) {
+  const bool lookChanged = themeChanged || contentChanged || viewChanged;
+  if (lookChanged) {
     prepareFaceOrder();
     prepareGround();
-    prepareTools();
     prepareCamera();
   }
+  if (lookChanged || gizmoChanged)
+    prepareTools();
   // Labels whose pictures were not ready are asked for again.
-  if (themeChanged || contentChanged || viewChanged || labels.isPending())
+  if (lookChanged || gizmoChanged || labels.isPending())
     labels.show(labelTexts(content, axisLabels(m_axes, gridStep(view.camera.height), scale()), theme, view),
-                obstaclesOf(content, theme, view), theme, view);
-  themeChanged = contentChanged = viewChanged = false;
+                obstaclesOf(content, m_axes, theme, view), theme, view);
+  themeChanged = contentChanged = gizmoChanged = viewChanged = false;
   showStrip(0, view.size.height);
 }
 
@@ -128,8 +120,8 @@ void FigureScene::Impl::showStrip(int top, int height) {
 void FigureScene::Impl::prepareFigure() {
   m_solidScale = scale();
   m_places = placesOf(content.figure, scale());
-  write(solidsOf(content.figure, content.highlighted, theme, scale()), actors.solids());
-  m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme));
+  write(solidsOf(content.figure, content.highlighted, theme, scale(), content.arrival), actors.solids());
+  m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme, content.arrival));
 }
 
 void FigureScene::Impl::prepareFaceOrder() {
@@ -196,18 +188,24 @@ FigureScene::~FigureScene() = default;
 vtkRenderer *FigureScene::renderer() const { return m_impl->actors.renderer(); }
 
 void FigureScene::setTheme(const Theme &theme) {
+  m_impl->themeChanged = m_impl->themeChanged || !(theme == m_impl->theme);
   m_impl->theme = theme;
-  m_impl->themeChanged = true;
 }
 
 void FigureScene::setBackgroundVisible(bool visible) {
-  m_impl->backgroundVisible = visible;
-  m_impl->themeChanged = true;
+  m_impl->backgroundVisible = visible; // showStrip, which always runs, takes it up
 }
 
 void FigureScene::setContent(SceneContent content) {
   m_impl->content = std::move(content);
   m_impl->contentChanged = true;
+}
+
+void FigureScene::setGizmo(std::optional<Gizmo> gizmo) {
+  if (gizmo == m_impl->content.gizmo)
+    return;
+  m_impl->content.gizmo = std::move(gizmo);
+  m_impl->gizmoChanged = true;
 }
 
 void FigureScene::setView(const Camera &camera, PixelSize size, double pixelRatio) {

@@ -1,11 +1,11 @@
 // The 3D picture of a figure: marks to meshes, labels, ground, shadows. VTK, no Qt.
 #pragma once
 
+#include "widgets/scene/arrival.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/label_picture.h"
 
 #include <memory>
-#include <set>
 
 class vtkRenderer;
 
@@ -44,13 +44,14 @@ struct DropLine {
 struct SceneContent {
   Figure figure;
   std::set<std::string> highlighted; ///< mark ids that stand out
+  Arrival arrival;                   ///< marks that fade in
   std::optional<Gizmo> gizmo;
   std::vector<Knob> knobs;
   std::optional<DropLine> dropLine;
 };
 
-/// Keeps one VTK renderer in step with what it is told to show. All setters are cheap when nothing changed;
-/// nothing is drawn until the owner renders the window.
+/// Keeps one VTK renderer in step with what it is told to show. Setters only take note, and what they change
+/// is made anew by prepare(); nothing is drawn until the owner renders the window.
 class FigureScene {
 public:
   explicit FigureScene(LabelPainter labels);
@@ -64,7 +65,10 @@ public:
   void setTheme(const Theme &theme);
   /// False: no gradient and no ground colour, for pictures with a transparent background.
   void setBackgroundVisible(bool visible);
+  /// Takes a content as new, whatever was shown before: all its meshes are made anew.
   void setContent(SceneContent content);
+  /// Another gizmo for the same content: nothing of the figure is made anew.
+  void setGizmo(std::optional<Gizmo> gizmo);
   /// The view, its size in device pixels, and how many device pixels a design pixel has.
   void setView(const Camera &camera, PixelSize size, double pixelRatio);
 

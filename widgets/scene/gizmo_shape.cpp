@@ -61,9 +61,9 @@ DragConstraint constraintOf(Part part) {
   case Part::PlaneYZ:
     return inPlane(unitX);
   case Part::PlaneZX:
-    return inPlane(unitY);
+    break;
   }
-  return inScreenPlane();
+  return inPlane(unitY);
 }
 
 std::vector<GizmoPartShape> gizmoParts(const Gizmo &gizmo, const Camera &camera, PixelSize size,

@@ -1,6 +1,7 @@
 #include "widgets/scene/ground.h"
 
 #include "widgets/scene/design_scale.h"
+#include "widgets/scene/mark_outline.h"
 #include "widgets/scene/number_text.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double axisRadius = 0.055;
 constexpr double tickRadius = 0.044;
 constexpr double tickLength = 0.35;
 constexpr double tickLabelDistance = 0.78;
-constexpr double nameDistance = 0.4;
+constexpr double nameDistance = 0.1;
 constexpr double originRadius = 0.13;
 
 /// Every so many steps a major line and a tick.
@@ -88,6 +89,13 @@ Grid gridAround(const Camera &camera) {
   return grid;
 }
 
+std::array<AxisEnds, 3> axisEnds(const AxesReach &reach) {
+  std::array<AxisEnds, 3> ends;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    ends[i] = {axisDirections[i] * reach.low, axisDirections[i] * reach.high};
+  return ends;
+}
+
 AxesReach axesFor(const std::vector<Place> &places) {
   AxesReach reach;
   for (const Place &place : places)
@@ -101,13 +109,23 @@ AxesReach axesFor(const std::vector<Place> &places) {
   return reach;
 }
 
+AxesReach axesAround(const Figure &figure) {
+  std::vector<Place> places;
+  for (const Mark &mark : figure.marks)
+    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
+      const MarkOutline outline = outlineOf(mark, 0);
+      places.insert(places.end(), outline.path.begin(), outline.path.end());
+    }
+  return axesFor(places);
+}
+
 Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double scale) {
   Mesh mesh;
   const double width = scale * theme.lineScale;
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
-    const Place start = axisDirections[i] * reach.low[axis];
-    addArrow(mesh, start, axisDirections[i] * reach.high[axis] - start, axisRadius * width, theme.axis);
+    const auto [low, high] = axisEnds(reach)[i];
+    addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
     for (const double tick : ticksOf(reach.low[axis], reach.high[axis], step)) {
       const Place at = axisDirections[i] * tick;
       addTube(mesh, at, at + tickSides[i] * (tickLength * scale), tickRadius * width, theme.axis);

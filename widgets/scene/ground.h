@@ -4,6 +4,8 @@
 #include "widgets/scene/camera.h"
 #include "widgets/scene/mesh.h"
 
+#include <array>
+
 namespace halfspace {
 
 /// The grid as straight pieces between neighbouring points, in two lists of the same length, with how much of
@@ -27,12 +29,23 @@ struct Grid {
 /// How far the axes reach from the origin, to both sides.
 struct AxesReach {
   Place low{0};
-  Place high{16.2, 18.2, 12.2};
+  Place high{12.2, 16.2, 11.2};
   bool operator==(const AxesReach &) const = default;
 };
 
+/// The two ends of an axis.
+struct AxisEnds {
+  Place low{};
+  Place high{};
+};
+/// Of x, y and z.
+[[nodiscard]] std::array<AxisEnds, 3> axisEnds(const AxesReach &reach);
+
 /// Long enough for all places, but not without bound: what is far away does not stretch them.
 [[nodiscard]] AxesReach axesFor(const std::vector<Place> &places);
+
+/// The axes of a figure: patches and rays may reach beyond them.
+[[nodiscard]] AxesReach axesAround(const Figure &figure);
 
 /// A number or a name written at an axis.
 struct AxisLabel {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace halfspace {
@@ -29,6 +30,9 @@ constexpr double costOfPoint = 45;
 constexpr double costOfLine = 16;
 constexpr double costOfChange = 9;
 constexpr double costOfLeaving = 200;
+
+/// A box that the screen's edge pushes by less than this part of its size still stands where it was wanted.
+constexpr double freePush = 0.02;
 
 /// Labels are gone through this often: the second time each sees where all others are.
 constexpr int passes = 2;
@@ -70,7 +74,7 @@ double lengthInside(const Rectangle &box, const LabelObstacles::Segment &segment
 }
 
 glm::dvec2 direction(std::size_t number) {
-  const double angle = 2 * std::acos(-1.0) * static_cast<double>(number) / directionCount;
+  const double angle = 2 * std::numbers::pi * static_cast<double>(number) / directionCount;
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -131,7 +135,7 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
         const Rectangle box = movedInside(wanted, board.size);
         const double pushed = glm::distance(wanted.low, box.low) / (request.extent.x + request.extent.y);
         const double cost = liking + costOfOtherSide * (1 - glm::dot(best, direction(way))) +
-                            costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - 0.02);
+                            costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - freePush);
         candidates.push_back({{a, way, far}, box, anchor.pixel, cost});
       }
     liking += costOfNextAnchor;

@@ -68,7 +68,7 @@ struct LabelOverlay::Sprite {
   Sprite(const Sprite &) = delete;
   Sprite &operator=(const Sprite &) = delete;
 
-  void show(const Picture &newPicture, glm::dvec2 topLeft, PixelSize size) {
+  void show(const Picture &newPicture, glm::dvec2 topLeft, PixelSize size, double opacity) {
     if (newPicture != picture) {
       picture = newPicture;
       texture->SetInputData(imageOf(*picture));
@@ -82,6 +82,7 @@ struct LabelOverlay::Sprite {
     corners->SetPoint(2, right, top, 0);
     corners->SetPoint(3, left, top, 0);
     corners->Modified();
+    actor->GetProperty()->SetOpacity(opacity);
     actor->VisibilityOn();
   }
 };
@@ -116,6 +117,7 @@ void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacle
   m_pending = false;
   std::vector<LabelRequest> requests;
   std::map<std::string, Picture> pictures;
+  std::map<std::string, double> opacities;
   std::set<std::string> marks;
   for (const LabelText &text : texts) {
     const Picture picture = pictureOf(text);
@@ -123,6 +125,7 @@ void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacle
       continue;
     requests.push_back({text.id, {picture->width, picture->height}, text.anchors, text.isPinned});
     pictures[text.id] = picture;
+    opacities[text.id] = text.opacity;
     if (text.isMark)
       marks.insert(text.id);
   }
@@ -134,7 +137,7 @@ void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacle
     if (marks.contains(label.id))
       m_markLabels.push_back(label);
   for (std::size_t i = 0; i < placed.size(); ++i)
-    sprite(i).show(pictures[placed[i].id], placed[i].topLeft, view.size);
+    sprite(i).show(pictures[placed[i].id], placed[i].topLeft, view.size, opacities[placed[i].id]);
   for (std::size_t i = placed.size(); i < m_sprites.size(); ++i)
     m_sprites[i]->actor->VisibilityOff();
   showLeaders(placed, theme, view);

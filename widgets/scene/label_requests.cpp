@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace halfspace {
@@ -19,9 +20,21 @@ constexpr double pointClearance = 9;
 constexpr double lineClearance = 5;
 constexpr double tipClearance = 4;
 constexpr double gizmoClearance = 16;
+constexpr double knobClearance = 16;
 
 /// Numbers at an axis are at least this far apart, in scene units at scale 1.
 constexpr double numberSpacing = 0.8;
+
+/// Where along a line its label may stand, the best place first.
+constexpr std::array besideLineParts{0.5, 0.65, 0.35, 0.8};
+
+constexpr std::array besideArrowParts{0.5, 0.7, 0.3};
+
+/// Where along an arc, the best place first.
+constexpr std::array alongArcParts{0.5, 0.3, 0.7};
+
+/// The width of a number at an axis, in heights of its type.
+constexpr double numberWidth = 1.3;
 
 /// Beside a point a label is best to the upper right.
 constexpr glm::dvec2 upperRight{1, -0.8};
@@ -90,7 +103,7 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
   const std::vector<Place> &path = outline.path;
   Anchors anchors(view);
   const auto besideLine = [&] {
-    for (const double part : {0.5, 0.65, 0.35, 0.8})
+    for (const double part : besideLineParts)
       anchors.addBeside(path.front(), path.back(), part);
   };
   std::visit(Overloaded{
@@ -99,17 +112,54 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
                  [&](const RayMark &) { besideLine(); },
                  [&](const ArrowMark &) {
                    anchors.addTip(path.front(), path.back());
-                   anchors.addBeside(path.front(), path.back(), 0.5);
-                   anchors.addBeside(path.front(), path.back(), 0.7);
+                   for (const double part : besideArrowParts)
+                     anchors.addBeside(path.front(), path.back(), part);
                  },
                  [&](const PlanePatchMark &) { anchors.addCorners(path); },
                  [&](const PolygonMark &) {
                    anchors.add(middleOf(path), {0, 0}, 0);
                  },
-                 [&](const ArcMark &arc) { anchors.addTip(arc.center, path[path.size() / 2]); },
+                 [&](const ArcMark &arc) {
+                   for (const double part : alongArcParts)
+                     anchors.addTip(arc.center, path[static_cast<std::size_t>(part * double(path.size()))]);
+                 },
                  [&](const RightAngleMark &corner) { anchors.addTip(corner.at, path[1]); },
              },
              mark);
+  return anchors.take();
+}
+
+/// Leaves out numbers that would be written over others.
+class NumbersOnScreen {
+public:
+  explicit NumbersOnScreen(const View &view) : m_view(view) {}
+
+  /// Whether there is room for a number of this size at a place; it is taken then.
+  bool takeRoom(Place at, double size) {
+    const auto projected = m_view.camera.project(at, m_view.size);
+    if (!projected)
+      return false;
+    const glm::dvec2 pixel(*projected);
+    const auto isNear = [&](glm::dvec2 other) {
+      const glm::dvec2 apart = glm::abs(pixel - other) / size;
+      return apart.x < numberWidth && apart.y < 1;
+    };
+    if (std::any_of(m_taken.begin(), m_taken.end(), isNear))
+      return false;
+    m_taken.push_back(pixel);
+    return true;
+  }
+
+private:
+  const View &m_view;
+  std::vector<glm::dvec2> m_taken;
+};
+
+/// Beyond the tip of an axis, whose name gives way to what is already there.
+std::vector<LabelAnchor> axisNameAnchors(Place tip, const View &view) {
+  Anchors anchors(view);
+  anchors.addTip(Place(0), tip);
+  anchors.add(tip, upperRight, tipClearance);
   return anchors.take();
 }
 
@@ -133,20 +183,25 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
       dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], scale));
   for (const AxisLabel &label : dropNumbers)
     pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
+  NumbersOnScreen numbers(view);
   for (const AxisLabel &label : axes) {
     // A drop line's number takes the place of a tick's.
     const auto covers = [&](const AxisLabel &drop) {
       return glm::distance(drop.at, label.at) < numberSpacing * scale * theme.textScale;
     };
-    if (std::none_of(dropNumbers.begin(), dropNumbers.end(), covers))
-      pin("axis " + std::to_string(texts.size()), label.latex, label.at,
-          label.isName ? style(theme.ink, markTextSize) : style(theme.mutedInk, tickTextSize));
+    if (label.isName)
+      texts.push_back({"axis " + label.latex, label.latex, style(theme.ink, markTextSize),
+                       axisNameAnchors(label.at, view)});
+    else if (std::none_of(dropNumbers.begin(), dropNumbers.end(), covers) &&
+             numbers.takeRoom(label.at, tickTextSize * pixels))
+      pin("axis " + std::to_string(texts.size()), label.latex, label.at, style(theme.mutedInk, tickTextSize));
   }
   for (const Mark &mark : content.figure.marks) {
     const MarkBase &base = baseOf(mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
     if (!base.label.empty())
-      texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(mark, view), false, true});
+      texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(mark, view), false, true,
+                       content.arrival.presenceOf(base)});
   }
   if (content.gizmo && !content.gizmo->note.empty()) {
     Anchors anchors(view);
@@ -156,7 +211,8 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   return texts;
 }
 
-LabelObstacles obstaclesOf(const SceneContent &content, const Theme &theme, const View &view) {
+LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes, const Theme &theme,
+                           const View &view) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   const double radius = pointClearance * theme.lineScale * view.pixelRatio;
   LabelObstacles obstacles;
@@ -173,6 +229,11 @@ LabelObstacles obstaclesOf(const SceneContent &content, const Theme &theme, cons
   };
   for (const Mark &mark : content.figure.marks)
     addPath(outlineOf(mark, rightAngleSize * scale).path);
+  for (const Knob &knob : content.knobs)
+    if (const auto pixel = view.camera.project(knob.at, view.size))
+      obstacles.discs.push_back({glm::dvec2(*pixel), knobClearance * view.pixelRatio});
+  for (const AxisEnds &axis : axisEnds(axes))
+    addPath({axis.low, axis.high});
   if (content.gizmo)
     for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
       addPath(part.outline);

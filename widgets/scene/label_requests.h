@@ -16,6 +16,7 @@ struct LabelText {
   std::vector<LabelAnchor> anchors;
   bool isPinned = false;
   bool isMark = false; ///< whether the id is a mark's
+  double opacity = 1;
 };
 
 /// The height of type in design pixels.
@@ -28,6 +29,7 @@ inline constexpr double tickTextSize = 15;
                                                 const View &view);
 
 /// The points and lines on the screen that labels keep clear of.
-[[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const Theme &theme, const View &view);
+[[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes,
+                                         const Theme &theme, const View &view);
 
 } // namespace halfspace

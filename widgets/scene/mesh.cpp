@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -28,12 +29,19 @@ constexpr double leastMitreCosine = 0.35;
 constexpr double headLength = 9.5;
 constexpr double headRadius = 3.0;
 constexpr double longestHead = 0.45;
+/// However short an arrow is, its head is wider than the shaft by this factor.
+constexpr double leastHeadRadius = 1.6;
+/// The shaft goes this part of the head into it, so that no gap shows.
+constexpr double shaftInHead = 0.04;
+
+/// A direction steeper than this (the sine of its slope) is no use to tell what lies square to it from z.
+constexpr double steepest = 0.9;
 
 /// Cosines and sines around the circle; the first direction is repeated at the end.
 template <std::size_t sides> std::array<glm::dvec2, sides + 1> circle() {
   std::array<glm::dvec2, sides + 1> points;
   for (std::size_t i = 0; i <= sides; ++i) {
-    const double angle = 2 * std::acos(-1.0) * static_cast<double>(i % sides) / sides;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i % sides) / sides;
     points[i] = {std::cos(angle), std::sin(angle)};
   }
   return points;
@@ -65,7 +73,7 @@ struct Frame {
   Place b;
 
   explicit Frame(Place along) {
-    const Place other = std::abs(along.z) < 0.9 ? Place(0, 0, 1) : Place(1, 0, 0);
+    const Place other = std::abs(along.z) < steepest ? Place(0, 0, 1) : Place(1, 0, 0);
     a = glm::normalize(glm::cross(other, along));
     b = glm::cross(along, a);
   }
@@ -225,7 +233,7 @@ void addBall(Mesh &mesh, Place center, double radius, Color color) {
   static const auto directions = circle<ballMeridians>();
   std::int32_t previous = -1;
   for (std::size_t row = 0; row <= ballParallels; ++row) {
-    const double latitude = std::acos(-1.0) * (static_cast<double>(row) / ballParallels - 0.5);
+    const double latitude = std::numbers::pi * (static_cast<double>(row) / ballParallels - 0.5);
     const std::int32_t first = cornerCount(mesh);
     for (const glm::dvec2 &d : directions) {
       const Place normal(d * std::cos(latitude), std::sin(latitude));
@@ -256,10 +264,9 @@ void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, 
     return;
   const Place along = vector / length;
   const double head = std::min(longestHead * length, headLength * radius);
-  const double width = std::max(headRadius * head / headLength, 1.6 * radius);
+  const double width = std::max(headRadius * head / headLength, leastHeadRadius * radius);
   const Place neck = from + along * (length - head);
-  // The shaft goes a little into the head, so that no gap shows.
-  const Place shaftEnd = neck + along * (0.04 * head);
+  const Place shaftEnd = neck + along * (shaftInHead * head);
   if (dash > 0)
     addDashes(mesh, from, shaftEnd, radius, dash, color);
   else

@@ -1,5 +1,6 @@
 #include "widgets/scene/offscreen.h"
 
+#include "lessons/words.h"
 #include "widgets/scene/design_scale.h"
 #include "widgets/scene/egl_context.h"
 #include "widgets/scene/render_window.h"
@@ -64,7 +65,7 @@ Result<LabelPicture> render(FigureScene &scene, const PictureRequest &request) {
   vtkNew<RenderWindow> window;
   context.serve(window);
   if (!window->isReady())
-    return problem("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2.");
+    return problem(words("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2."));
   window->GetState()->Reset();
   window->SetAlphaBitPlanes(1);
   window->SetMultiSamples(samplesPerPixel);
@@ -92,14 +93,13 @@ Result<LabelPicture> render(FigureScene &scene, const PictureRequest &request) {
 Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels) {
   const auto [width, height] = request.size;
   if (width < 1 || height < 1 || width > maxPictureSide || height > maxPictureSide)
-    return problem("A picture of " + inWords(request.size) +
-                   " pixels cannot be drawn: each side must be 1 to " + std::to_string(maxPictureSide) +
-                   " pixels.");
+    return problem(words("A picture of {size} pixels cannot be drawn: each side must be 1 to {most} pixels.",
+                         {{"size", inWords(request.size)}, {"most", std::to_string(maxPictureSide)}}));
   FigureScene scene(labels);
   scene.setTheme(request.theme);
   scene.setBackgroundVisible(!request.transparent);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, height / designHeight);
+  scene.setView(request.camera, request.size, request.pixelRatio.value_or(height / designHeight));
   scene.prepare();
 
   // A thread of its own: a context that a live window has current in this one would be in the way.
@@ -108,7 +108,8 @@ Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPai
     try {
       result = render(scene, request);
     } catch (const std::bad_alloc &) {
-      result = problem("There is not enough memory for a picture of " + inWords(request.size) + " pixels.");
+      result = problem(words("There is not enough memory for a picture of {size} pixels.",
+                             {{"size", inWords(request.size)}}));
     }
   }).join();
   return result;

@@ -5,6 +5,7 @@
 #include "widgets/scene/figure_scene.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace halfspace {
 
@@ -14,14 +15,16 @@ struct PictureRequest {
   Theme theme;
   PixelSize size{1600, 1000};
   bool transparent = false;
+  /// The pixels that a design pixel has; nothing: all is scaled to the picture's height, and has its usual
+  /// size at a height of 800.
+  std::optional<double> pixelRatio;
 };
 
 /// The widest and highest picture that is drawn.
 inline constexpr int maxPictureSide = 16384;
 
-/// Draws a picture as large as asked, everything in it scaled to its height, with straight alpha, rows from
-/// top to bottom. Fails with a sentence where no OpenGL 3.2 is to be had. `pixelRatio` is 1 at a height of
-/// 800.
+/// Draws a picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence
+/// where no OpenGL 3.2 is to be had.
 [[nodiscard]] Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels);
 
 /// Writes a PNG file atomically: the whole picture or nothing.

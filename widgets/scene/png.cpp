@@ -1,5 +1,7 @@
 #include "widgets/scene/offscreen.h"
 
+#include "lessons/words.h"
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -36,7 +38,7 @@ bool writeBytes(const vtkUnsignedCharArray &bytes, const std::filesystem::path &
 
 std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file) {
   if (picture.width < 1 || picture.height < 1)
-    return Problem{"The picture is empty.", file.string(), 0, {}};
+    return Problem{words("The picture is empty."), file.string(), 0, {}};
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(imageOf(picture));
   writer->WriteToMemoryOn();
@@ -51,11 +53,9 @@ std::optional<Problem> writePng(const LabelPicture &picture, const std::filesyst
       return {};
   }
   std::filesystem::remove(unfinished, error);
-  return Problem{
-      "The picture cannot be written there: does the folder exist, may you write to it, and is there room?",
-      file.string(),
-      0,
-      {}};
+  return Problem{words("The picture cannot be written there: does the folder exist, may you write to it, and "
+                       "is there room?"),
+                 file.string(), 0, ""};
 }
 
 } // namespace halfspace

@@ -106,13 +106,17 @@ Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
 }
 
 Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
-              double scale) {
+              double scale, const Arrival &arrival) {
   Mesh mesh;
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
     const bool standsOut = highlighted.contains(base.id);
-    const double width = scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightWidth : 1);
-    const Brush brush{solidColor(base, theme, standsOut), width,
+    const double presence = arrival.presenceOf(base);
+    if (presence <= 0)
+      continue;
+    const double width =
+        scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightWidth : 1) * presence;
+    const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
                       isDashed(base.role) ? dashLength * scale : 0};
     addMark(mesh, mark, brush, theme, scale);
   }

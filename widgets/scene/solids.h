@@ -1,9 +1,8 @@
 // The opaque parts of a figure: tubes, balls, arrows, dashes.
 #pragma once
 
+#include "widgets/scene/arrival.h"
 #include "widgets/scene/mesh.h"
-
-#include <set>
 
 namespace halfspace {
 
@@ -19,8 +18,8 @@ inline constexpr double freePointRadius = 0.32;
 [[nodiscard]] Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted);
 
 /// The meshes of all marks. Thicknesses, dashes and corners are multiplied by `scale`, so that they measure
-/// the same on the screen however near the camera is.
+/// the same on the screen however near the camera is. What arrives grows out of thin, pale lines.
 [[nodiscard]] Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted,
-                            const Theme &theme, double scale);
+                            const Theme &theme, double scale, const Arrival &arrival = {});
 
 } // namespace halfspace

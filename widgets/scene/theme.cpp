@@ -38,7 +38,6 @@ Theme light() {
 Theme dark() {
   Theme theme;
   theme.name = "dark";
-  theme.dark = true;
   theme.backgroundBottom = hex(0x14191f);
   theme.backgroundTop = hex(0x232c36);
   theme.ink = hex(0xeef3f8);
@@ -94,8 +93,8 @@ Theme projector() {
   theme.shadow = hex(0xccd3da);
   theme.planeOpacity = 0.36;
   theme.polygonOpacity = 0.42;
-  theme.lineScale = 1.6;
-  theme.textScale = 1.4;
+  theme.lineScale = 1.4;
+  theme.textScale = 1.3;
   theme.solids = {hex(0x1b2530), hex(0x005a94), hex(0xc04f00), hex(0xc98a00),
                   hex(0x008560), hex(0x008560), hex(0x673c86), hex(0xb4508a)};
   theme.inks = {hex(0x000000), hex(0x004a7c), hex(0x963f00), hex(0x6e4c00),

@@ -25,7 +25,6 @@ struct Color {
 /// How everything looks. Hues are Okabe and Ito's, told apart with every common colour-vision deficiency.
 struct Theme {
   std::string name;
-  bool dark = false;
   Color backgroundBottom;
   Color backgroundTop;
   Color ink; ///< text
@@ -52,6 +51,8 @@ struct Theme {
 
   std::array<Color, 8> solids{}; ///< by Subject
   std::array<Color, 8> inks{};   ///< by Subject
+
+  bool operator==(const Theme &) const = default;
 };
 
 /// light, dark, print (white, black ink), projector (strong contrast, thick lines, large type).

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -31,7 +32,7 @@ constexpr std::array<Place, 3> axes{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 
 std::vector<Place> levelCircle(Place center, double radius) {
   std::vector<Place> corners;
   for (int i = 0; i < discCorners; ++i) {
-    const double angle = 2 * std::acos(-1.0) * i / discCorners;
+    const double angle = 2 * std::numbers::pi * i / discCorners;
     corners.push_back(center + Place(std::cos(angle), std::sin(angle), 0) * radius);
   }
   return corners;

@@ -68,14 +68,17 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
 
 } // namespace
 
-std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted,
-                          const Theme &theme) {
+std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
+                          const Arrival &arrival) {
   std::vector<Face> patches;
   std::vector<Face> polygons;
   for (const Mark &mark : figure.marks) {
     const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
-    if (isPatch || std::holds_alternative<PolygonMark>(mark))
-      (isPatch ? patches : polygons).push_back(faceOf(mark, theme, highlighted.contains(baseOf(mark).id)));
+    if (!isPatch && !std::holds_alternative<PolygonMark>(mark))
+      continue;
+    Face face = faceOf(mark, theme, highlighted.contains(baseOf(mark).id));
+    face.opacity *= arrival.presenceOf(baseOf(mark));
+    (isPatch ? patches : polygons).push_back(std::move(face));
   }
   patches.insert(patches.end(), polygons.begin(), polygons.end());
   return patches;

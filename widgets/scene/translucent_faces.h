@@ -2,12 +2,12 @@
 // another.
 #pragma once
 
+#include "widgets/scene/arrival.h"
 #include "widgets/scene/theme.h"
 
 #include <glm/vec4.hpp>
 
 #include <memory>
-#include <set>
 
 namespace halfspace {
 
@@ -21,7 +21,7 @@ struct Face {
 /// The faces of a figure's plane patches and polygons. Patches come first: they lie under what is drawn on
 /// them.
 [[nodiscard]] std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted,
-                                        const Theme &theme);
+                                        const Theme &theme, const Arrival &arrival = {});
 
 /// Faces ordered by a binary space partition: split once, ordered for each new eye by a walk through the
 /// tree.

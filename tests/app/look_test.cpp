@@ -1,0 +1,181 @@
+// Size, motion and menus of the window.
+#include "app/panel_style.h"
+#include "tests/app/window_fixture.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStyleOption>
+#include <QTemporaryDir>
+
+using namespace halfspace;
+
+namespace {
+
+QAction &action(MainWindow &window, const char *name) { return *window.findChild<QAction *>(name); }
+
+/// Whether a press so far below a handle grabs it.
+bool grabsBelow(WindowFixture &fixture, const std::string &handle, int pixels) {
+  fixture.scene().selectHandle({});
+  fixture.press(*fixture.scene().handlePosition(handle) + QPoint(0, pixels));
+  fixture.release();
+  return fixture.scene().selectedHandle() == handle;
+}
+
+/// Waits until nothing is drawn any more.
+void waitForRest(QSignalSpy &drawn) {
+  int before = -1;
+  while (before != drawn.count()) {
+    before = drawn.count();
+    QTest::qWait(400);
+  }
+}
+
+} // namespace
+
+class LookTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("halfspace-test");
+    QCoreApplication::setApplicationName("look");
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+  }
+  void init() { QSettings().clear(); }
+
+  void size_changed_scalesTextLabelsAndHandlesAtOnce() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.window.setSizeScale(1);
+    const double points = QApplication::font().pointSizeF();
+    const double ratio = fixture.scene().designRatio();
+    QVERIFY(!grabsBelow(fixture, "Q", 18));
+    for (int i = 0; i < 4; ++i)
+      action(fixture.window, "larger").trigger();
+    QCOMPARE(fixture.window.sizeScale(), 2.0);
+    QCOMPARE(QApplication::font().pointSizeF(), 2 * points);
+    QCOMPARE(fixture.scene().designRatio(), 2 * ratio);
+    QVERIFY(grabsBelow(fixture, "Q", 18));
+  }
+
+  void size_keepsItsBounds_togetherWithAThemeOfLargeType() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.window.setSizeScale(1);
+    QVERIFY(!action(fixture.window, "smaller").isEnabled());
+    const double points = QApplication::font().pointSizeF();
+    for (const char *theme : {"light", "projector"}) {
+      fixture.window.setThemeNamed(theme);
+      for (int i = 0; i < 20; ++i)
+        action(fixture.window, "larger").trigger();
+      QVERIFY(!action(fixture.window, "larger").isEnabled());
+      QCOMPARE(QApplication::font().pointSizeF(), 2.5 * points);
+    }
+    action(fixture.window, "usualSize").trigger();
+    QCOMPARE(fixture.window.sizeScale(), usualSizeScale(*fixture.window.screen()));
+  }
+
+  void size_hasTheUsualKeys() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(action(fixture.window, "larger").shortcuts().contains(QKeySequence("Ctrl++")));
+    QCOMPARE(action(fixture.window, "smaller").shortcut(), QKeySequence("Ctrl+-"));
+    QCOMPARE(action(fixture.window, "usualSize").shortcut(), QKeySequence("Ctrl+0"));
+  }
+
+  void sizeAndMotion_areKeptForTheNextWindow() {
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      fixture.window.setSizeScale(1.75);
+      action(fixture.window, "motion").setChecked(false);
+      fixture.window.close();
+    }
+    WindowFixture next("signed-distance");
+    QCOMPARE(next.window.sizeScale(), 1.75);
+    QVERIFY(!action(next.window, "motion").isChecked());
+  }
+
+  void step_withMotion_fadesItsMarksIn_andThenRests() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    fixture.model().setStep(3); // so that its labels are there the next time
+    waitForRest(drawn);
+    const auto framesOfStep = [&](bool motion) {
+      fixture.scene().setMotion(false);
+      fixture.model().setStep(1);
+      waitForRest(drawn);
+      fixture.scene().setMotion(motion);
+      waitForRest(drawn);
+      drawn.clear();
+      fixture.model().setStep(3);
+      waitForRest(drawn); // ends only when nothing is drawn any more
+      return drawn.count();
+    };
+    const int still = framesOfStep(false);
+    const int moving = framesOfStep(true);
+    QVERIFY2(moving >= still + 3, qPrintable(QString("%1 and %2 frames").arg(still).arg(moving)));
+  }
+
+  void grabbing_duringAFade_endsIt() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    fixture.model().setStep(3);
+    waitForRest(drawn);
+    fixture.model().setStep(1);
+    waitForRest(drawn);
+    fixture.scene().setMotion(true);
+    waitForRest(drawn);
+    fixture.model().setStep(3);
+    QTRY_VERIFY(drawn.count() > 0);
+    fixture.press(*fixture.scene().handlePosition("Q"));
+    QTest::qWait(20);
+    drawn.clear();
+    QTest::qWait(MarkFade::fadeTime);
+    QVERIFY2(drawn.count() <= 2, "only what rests is drawn once more");
+    fixture.release();
+  }
+
+  void viewDownTheRay_isOfferedOnlyWhereThereIsOne() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QTRY_VERIFY(!action(fixture.window, "downRay").isEnabled());
+    fixture.model().openLesson("ray-plane-dot");
+    QTRY_VERIFY(action(fixture.window, "downRay").isEnabled());
+    fixture.model().openLesson("plane-implicit");
+    QTRY_VERIFY(!action(fixture.window, "downRay").isEnabled());
+  }
+
+  void checkBox_inEveryTheme_standsOutFromThePanel() {
+    for (const Theme &theme : themes()) {
+      WindowFixture fixture("plane-implicit");
+      fixture.window.setThemeNamed(QString::fromStdString(theme.name));
+      const QColor panel = QApplication::palette().color(QPalette::Window);
+      QImage image(16, 16, QImage::Format_RGB32);
+      image.fill(panel);
+      QPainter painter(&image);
+      QStyleOptionButton box;
+      box.rect = image.rect();
+      box.palette = QApplication::palette();
+      box.state = QStyle::State_Enabled;
+      PanelStyle(1).drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, &painter, nullptr);
+      painter.end();
+      int contrast = 0;
+      for (int x = 0; x < image.width(); ++x)
+        contrast = std::max(contrast, std::abs(qGray(image.pixel(x, 8)) - qGray(panel.rgb())));
+      QVERIFY2(contrast > 100, theme.name.c_str());
+    }
+  }
+
+private:
+  QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(LookTest)
+#include "look_test.moc"

@@ -1,0 +1,124 @@
+// Unsaved work of programs that live, that were killed, and that ended.
+#include "app/recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace halfspace {
+namespace {
+
+UnsavedWork workAt(int x) {
+  UnsavedWork work;
+  work.session = {"signed-distance", 2, {{{"Q", PointObject{ExactVec3(x, Rational(-10, 3), 0)}}}}};
+  return work;
+}
+
+class RecoveryTest : public testing::Test {
+protected:
+  /// Another program that keeps work and goes on living until it is killed.
+  pid_t startProgram(int x) const {
+    int ready[2];
+    EXPECT_EQ(pipe(ready), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+      Recovery recovery(folder.path());
+      recovery.keepNow(workAt(x));
+      static_cast<void>(!write(ready[1], "x", 1));
+      for (;;)
+        pause();
+    }
+    char byte = 0;
+    EXPECT_EQ(read(ready[0], &byte, 1), 1);
+    close(ready[0]);
+    close(ready[1]);
+    return child;
+  }
+  static void killProgram(pid_t child) {
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+  }
+
+  QTemporaryDir folder;
+};
+
+TEST_F(RecoveryTest, OfAProgramThatLives_IsLeftAlone_AndOfferedOnceItIsKilled) {
+  const pid_t child = startProgram(7);
+  Recovery recovery(folder.path());
+  EXPECT_TRUE(recovery.leftovers().empty());
+  killProgram(child);
+  const auto leftovers = recovery.leftovers();
+  ASSERT_EQ(leftovers.size(), 1U);
+  EXPECT_EQ(leftovers.front().work.session, workAt(7).session);
+}
+
+TEST_F(RecoveryTest, OfTwoProgramsAtOnce_IsKeptApart) {
+  Recovery first(folder.path());
+  Recovery second(folder.path());
+  first.keepNow(workAt(1));
+  second.keepNow(workAt(2));
+  Recovery third(folder.path());
+  EXPECT_TRUE(third.leftovers().empty());
+  first.forget();
+  EXPECT_TRUE(third.leftovers().empty());
+  killProgram(startProgram(3));
+  EXPECT_EQ(third.leftovers().size(), 1U);
+}
+
+TEST_F(RecoveryTest, Adopted_BelongsToTheNewProgram_UntilThatForgetsIt) {
+  killProgram(startProgram(7));
+  Recovery recovery(folder.path());
+  const auto leftovers = recovery.leftovers();
+  ASSERT_EQ(leftovers.size(), 1U);
+  ASSERT_TRUE(recovery.adopt(leftovers.front().path));
+  Recovery other(folder.path());
+  EXPECT_TRUE(other.leftovers().empty());
+  EXPECT_FALSE(other.adopt(leftovers.front().path));
+  recovery.forget();
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(RecoveryTest, AfterTheFirstChange_LeavesAnotherLeftoverAsItWas) {
+  killProgram(startProgram(7));
+  {
+    Recovery recovery(folder.path());
+    recovery.keepNow(workAt(1));
+    recovery.forget();
+  }
+  const auto leftovers = Recovery(folder.path()).leftovers();
+  ASSERT_EQ(leftovers.size(), 1U);
+  EXPECT_EQ(leftovers.front().work.session, workAt(7).session);
+}
+
+TEST_F(RecoveryTest, KeepsFileAnswersAndOtherLessons) {
+  UnsavedWork work = workAt(4);
+  work.file = "/somewhere/mine.halfspace";
+  work.left["plane-implicit"] = {"plane-implicit", 1, workAt(9).session.scene};
+  work.progress[{"signed-distance", 0}] = {"positive", "negative", TaskProgress({true, false})};
+  { Recovery(folder.path()).keepNow(work); }
+  const auto leftovers = Recovery(folder.path()).leftovers();
+  ASSERT_EQ(leftovers.size(), 1U);
+  const UnsavedWork &found = leftovers.front().work;
+  EXPECT_EQ(found.session, work.session);
+  EXPECT_EQ(found.file, work.file);
+  EXPECT_EQ(found.left, work.left);
+  EXPECT_EQ(found.progress, work.progress);
+}
+
+TEST_F(RecoveryTest, OfADamagedFile_IsPassedOver) {
+  QFile file(folder.filePath("broken.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"session\": 3");
+  file.close();
+  EXPECT_TRUE(Recovery(folder.path()).leftovers().empty());
+  EXPECT_TRUE(QFile::exists(folder.filePath("broken.json")));
+}
+
+} // namespace
+} // namespace halfspace

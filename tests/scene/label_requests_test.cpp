@@ -1,0 +1,58 @@
+#include "widgets/scene/label_requests.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+View viewAtHeight(double height) {
+  CameraView from;
+  from.height = height;
+  return {Camera(from), {900, 440}, 1};
+}
+
+std::vector<LabelText> axisTexts(const View &view) {
+  return labelTexts({}, axisLabels({}, 1, 1), themes().front(), view);
+}
+
+TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers) {
+  const auto countNumbers = [](const std::vector<LabelText> &texts) {
+    return std::count_if(texts.begin(), texts.end(), [](const LabelText &text) { return text.isPinned; });
+  };
+  const auto near = countNumbers(axisTexts(viewAtHeight(21)));
+  const auto far = countNumbers(axisTexts(viewAtHeight(300)));
+  EXPECT_EQ(near, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
+  EXPECT_GT(far, 0);
+  EXPECT_LT(far, near);
+}
+
+TEST(LabelRequests, NamesOfTheAxes_GiveWay) {
+  const auto texts = axisTexts(viewAtHeight(21));
+  for (const char *name : {"x", "y", "z"}) {
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const LabelText &text) { return text.latex == name; });
+    ASSERT_NE(found, texts.end());
+    EXPECT_FALSE(found->isPinned);
+    EXPECT_FALSE(found->anchors.empty());
+  }
+}
+
+TEST(LabelRequests, LabelOfAnArc_StandsBesideTheArc) {
+  ArcMark arc;
+  arc.id = "theta";
+  arc.label = "\\theta";
+  arc.center = {6, 8, 4};
+  arc.from = {1, 0, 0};
+  arc.to = {0, 1, 1};
+  SceneContent content;
+  content.figure.marks.push_back(arc);
+  const View view = viewAtHeight(21);
+  const auto texts = labelTexts(content, {}, themes().front(), view);
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_EQ(texts.front().anchors.size(), 3U);
+}
+
+} // namespace
+} // namespace halfspace
