@@ -39,6 +39,18 @@ public:
         return value;
   }
 
+  /// With integer coordinates: small ones keep the products of a sweep quick, and meet in special positions
+  /// often.
+  ExactVec3 wholeVector(int limit) {
+    return {integer(-limit, limit), integer(-limit, limit), integer(-limit, limit)};
+  }
+
+  ExactVec3 nonZeroWholeVector(int limit) {
+    for (;;)
+      if (ExactVec3 value = wholeVector(limit); !isZero(value))
+        return value;
+  }
+
   Triangle<Rational> properTriangle() {
     for (;;) {
       Triangle<Rational> triangle{vector(), vector(), vector()};

@@ -1,0 +1,236 @@
+#include "geometry/intersect_ray_sphere.h"
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace halfspace {
+namespace {
+
+using SurdVec3 = std::array<Surd, 3>;
+
+/// The vectors A and B and the number n of A + B·√n, where all coordinates share the root.
+struct Parts {
+  ExactVec3 rational{};
+  ExactVec3 factor{};
+  Rational radicand = 1;
+};
+
+Parts partsOf(const SurdVec3 &vector) {
+  Parts parts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Surd &value = vector[static_cast<std::size_t>(axis)];
+    parts.rational[axis] = value.rationalPart();
+    parts.factor[axis] = value.rootFactor();
+    if (!value.isRational())
+      parts.radicand = Rational(value.radicand());
+  }
+  return parts;
+}
+
+bool rootsAreShared(const SurdVec3 &vector) {
+  const Parts parts = partsOf(vector);
+  return std::all_of(vector.begin(), vector.end(), [&](const Surd &value) {
+    return value.isRational() || Rational(value.radicand()) == parts.radicand;
+  });
+}
+
+/// Whether |A + B·√n|² is the square, its part with the root zero.
+bool hasSquare(const Parts &v, const Rational &square) {
+  return dot(v.rational, v.rational) + dot(v.factor, v.factor) * v.radicand == square &&
+         dot(v.rational, v.factor) == 0;
+}
+
+bool liesOnSphere(const SurdVec3 &point, const Sphere<Rational> &sphere) {
+  Parts fromCenter = partsOf(point);
+  fromCenter.rational -= sphere.center;
+  return hasSquare(fromCenter, sphere.radius * sphere.radius);
+}
+
+bool liesOnLine(const SurdVec3 &point, const Ray<Rational> &ray) {
+  const Parts parts = partsOf(point);
+  return isZero(cross(ExactVec3(parts.rational - ray.origin), ray.direction)) &&
+         isZero(cross(parts.factor, ray.direction));
+}
+
+void expectSoundContact(const SphereContact<Rational> &contact, const Ray<Rational> &ray,
+                        const Sphere<Rational> &sphere) {
+  EXPECT_TRUE(rootsAreShared(contact.point));
+  EXPECT_TRUE(liesOnSphere(contact.point, sphere));
+  EXPECT_TRUE(liesOnLine(contact.point, ray));
+  EXPECT_TRUE(hasSquare(partsOf(contact.normal), 1));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<int>(i);
+    EXPECT_EQ(contact.t * ray.direction[axis] + ray.origin[axis], contact.point[i]);
+    EXPECT_EQ(contact.normal[i] * sphere.radius + sphere.center[axis], contact.point[i]);
+  }
+}
+
+/// Of two roots of one quadratic, A ∓ B·√n.
+bool ascends(const Surd &first, const Surd &second) {
+  if (first.isRational())
+    return first.rationalPart() < second.rationalPart();
+  return first.rationalPart() == second.rationalPart() && first.rootFactor() < 0 && second.rootFactor() > 0;
+}
+
+/// A vector whose length is a fraction.
+ExactVec3 vectorOfRationalLength(RandomNumbers &random, Rational &length) {
+  constexpr std::array<std::array<int, 4>, 6> quadruples{
+      {{1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}, {2, 6, 9, 11}, {0, 3, 4, 5}}};
+  const auto &quadruple = quadruples[static_cast<std::size_t>(random.integer(0, 5))];
+  const Rational scale = abs(random.nonZeroRational(3));
+  length = scale * quadruple[3];
+  ExactVec3 vector;
+  const int turn = random.integer(0, 2);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int sign = random.integer(0, 1) == 0 ? 1 : -1;
+    vector[(axis + turn) % 3] = scale * quadruple[static_cast<std::size_t>(axis)] * sign;
+  }
+  return vector;
+}
+
+TEST(IntersectRaySphere, RayThroughTheCenter_MeetsItTwice) {
+  const auto meet = intersectRaySphere(Ray<Rational>{ExactVec3(0, 0, 0), ExactVec3(2, 0, 0)},
+                                       Sphere<Rational>{ExactVec3(6, 0, 0), 2});
+  EXPECT_EQ(meet.which, RaySphereCase::Hit);
+  EXPECT_EQ(meet.contacts, SphereContacts::Two);
+  EXPECT_EQ(meet.origin, SolidPlace::Outside);
+  EXPECT_EQ(meet.discriminant, 16);
+  ASSERT_EQ(meet.along.size(), 2U);
+  EXPECT_EQ(meet.along[0].t, Surd(2));
+  EXPECT_EQ(meet.along[1].t, Surd(4));
+  EXPECT_EQ(meet.along[0].normal, (SurdVec3{-1, 0, 0}));
+}
+
+TEST(IntersectRaySphere, RootThatIsNoFraction_StaysARoot) {
+  const auto meet = intersectRaySphere(Ray<Rational>{ExactVec3(-3, 1, 0), ExactVec3(1, 0, 0)},
+                                       Sphere<Rational>{ExactVec3(0, 0, 0), 2});
+  ASSERT_EQ(meet.along.size(), 2U);
+  EXPECT_EQ(toText(meet.along[0].t), "3 - sqrt(3)");
+  EXPECT_EQ(toText(meet.along[1].point[0]), "sqrt(3)");
+  EXPECT_EQ(toText(meet.along[1].normal[0]), "1/2*sqrt(3)");
+}
+
+TEST(IntersectRaySphere, AnyRay_HasItsContactsExactlyOnTheSphere) {
+  RandomNumbers random(101);
+  std::map<RaySphereCase, int> cases;
+  for (int i = 0; i < 1500; ++i) {
+    const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
+    const Sphere<Rational> sphere{random.wholeVector(9), abs(random.nonZeroRational(8))};
+    const auto meet = intersectRaySphere(ray, sphere);
+    ++cases[meet.which];
+    EXPECT_EQ(meet.along.size(), meet.discriminant < 0 ? 0U : meet.discriminant == 0 ? 1U : 2U);
+    for (const auto &contact : meet.along)
+      expectSoundContact(contact, ray, sphere);
+    if (meet.along.empty())
+      continue;
+    EXPECT_EQ(meet.which, meet.along.back().t.sign() < 0 ? RaySphereCase::Behind : RaySphereCase::Hit);
+    EXPECT_TRUE(meet.along.size() == 1 || ascends(meet.along[0].t, meet.along[1].t));
+  }
+  EXPECT_EQ(cases.size(), 3U) << "a case did not come up";
+}
+
+TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRadius) {
+  RandomNumbers random(102);
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
+    const Sphere<Rational> sphere{random.wholeVector(9), abs(random.nonZeroRational(8))};
+    const ExactVec3 moment = cross(ExactVec3(sphere.center - ray.origin), ray.direction);
+    const Rational squaredDistance = dot(moment, moment) / dot(ray.direction, ray.direction);
+    const auto meet = intersectRaySphere(ray, sphere);
+    const int side = (squaredDistance - sphere.radius * sphere.radius).sign();
+    EXPECT_EQ(meet.discriminant.sign(), -side);
+    EXPECT_EQ(meet.contacts, side > 0    ? SphereContacts::None
+                             : side == 0 ? SphereContacts::Tangent
+                                         : SphereContacts::Two);
+  }
+}
+
+TEST(IntersectRaySphere, TangentRay_TouchesExactlyOnceWhereItWasAimed) {
+  RandomNumbers random(103);
+  for (int i = 0; i < 1000; ++i) {
+    Sphere<Rational> sphere{random.vector(), 0};
+    const ExactVec3 arm = vectorOfRationalLength(random, sphere.radius);
+    const ExactVec3 direction = cross(arm, random.vector());
+    if (isZero(direction))
+      continue;
+    const ExactVec3 touch = sphere.center + arm;
+    const Rational t = random.rational(3);
+    const auto meet = intersectRaySphere(Ray<Rational>{touch - direction * t, direction}, sphere);
+    EXPECT_EQ(meet.discriminant, 0);
+    EXPECT_EQ(meet.contacts, SphereContacts::Tangent);
+    EXPECT_EQ(meet.which, t < 0 ? RaySphereCase::Behind : RaySphereCase::Hit);
+    EXPECT_EQ(meet.origin, t == 0 ? SolidPlace::On : SolidPlace::Outside);
+    ASSERT_EQ(meet.along.size(), 1U);
+    EXPECT_EQ(meet.along[0].t, Surd(t));
+    EXPECT_EQ(meet.along[0].point, (SurdVec3{touch.x, touch.y, touch.z}));
+    EXPECT_EQ(meet.along[0].normal[1], Surd(Rational(arm.y / sphere.radius)));
+  }
+}
+
+TEST(IntersectRaySphere, TangentMovedByAHair_TouchesTwiceOrNotAtAll) {
+  const Sphere<Rational> sphere{ExactVec3(0, 0, 0), 1};
+  for (int k = 0; k <= 60; ++k) {
+    const auto at = [&](const Rational &height) {
+      return intersectRaySphere(Ray<Rational>{ExactVec3(-5, height, 0), ExactVec3(1, 0, 0)}, sphere).contacts;
+    };
+    EXPECT_EQ(at(Rational(1 - tenToThe(-k))), SphereContacts::Two);
+    EXPECT_EQ(at(Rational(1)), SphereContacts::Tangent);
+    EXPECT_EQ(at(Rational(1 + tenToThe(-k))), SphereContacts::None);
+  }
+}
+
+TEST(IntersectRaySphere, StartInsideOnOrOutside_IsSaidAndDecidesTheSignsOfT) {
+  RandomNumbers random(104);
+  for (int i = 0; i < 500; ++i) {
+    Sphere<Rational> sphere{random.vector(), 0};
+    const ExactVec3 arm = vectorOfRationalLength(random, sphere.radius);
+    const ExactVec3 direction = random.nonZeroWholeVector(9);
+    const auto from = [&](const Rational &part) {
+      return intersectRaySphere(Ray<Rational>{sphere.center + arm * part, direction}, sphere);
+    };
+    const auto inside = from(Rational(random.integer(0, 9), 10));
+    EXPECT_EQ(inside.origin, SolidPlace::Inside);
+    EXPECT_EQ(inside.which, RaySphereCase::Hit);
+    EXPECT_EQ(inside.along.front().t.sign() * inside.along.back().t.sign(), -1);
+    const auto on = from(1);
+    EXPECT_EQ(on.origin, SolidPlace::On);
+    EXPECT_EQ(on.which, RaySphereCase::Hit);
+    EXPECT_TRUE(on.along.front().t == Surd(0) || on.along.back().t == Surd(0));
+    EXPECT_EQ(from(Rational(11, 10)).origin, SolidPlace::Outside);
+  }
+}
+
+TEST(IntersectRaySphere, ZeroDirection_IsACaseOfItsOwnButKnowsItsPlace) {
+  const Sphere<Rational> sphere{ExactVec3(0, 0, 0), 2};
+  const auto still = intersectRaySphere(Ray<Rational>{ExactVec3(0, 1, 0), ExactVec3(0, 0, 0)}, sphere);
+  EXPECT_EQ(still.which, RaySphereCase::ZeroDirection);
+  EXPECT_EQ(still.origin, SolidPlace::Inside);
+  EXPECT_TRUE(still.along.empty());
+}
+
+TEST(IntersectRaySphere, DoublesOnSmallIntegers_FindTheSameContacts) {
+  RandomNumbers random(105);
+  // The discriminant is an integer that a double holds; t is a sum of two numbers of at most 40, each with
+  // three roundings, and a point 10 times that.
+  const double bound = 1e-12;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
+    const Sphere<Rational> sphere{random.wholeVector(9), random.integer(1, 12)};
+    const auto exact = intersectRaySphere(ray, sphere);
+    const auto rounded = intersectRaySphere(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)},
+                                            {toDouble(sphere.center), toDouble(sphere.radius)});
+    EXPECT_EQ(rounded.which, exact.which);
+    EXPECT_EQ(rounded.origin, exact.origin);
+    EXPECT_EQ(rounded.discriminant, toDouble(exact.discriminant));
+    ASSERT_EQ(rounded.along.size(), exact.along.size());
+    for (std::size_t j = 0; j < exact.along.size(); ++j) {
+      EXPECT_NEAR(rounded.along[j].t, toDouble(exact.along[j].t), bound);
+      EXPECT_NEAR(rounded.along[j].point[2], toDouble(exact.along[j].point[2]), 10 * bound);
+    }
+  }
+}
+
+} // namespace
+} // namespace halfspace

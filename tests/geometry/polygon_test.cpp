@@ -1,0 +1,244 @@
+#include "geometry/intersect_ray_polygon.h"
+#include "geometry/intersect_ray_triangle.h"
+#include "tests/geometry/random_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace halfspace {
+namespace {
+
+PolygonShape shapeOfPolygon(const Polygon<Rational> &corners) {
+  return shapeOf(std::span<const ExactVec3>(corners));
+}
+
+RayPolygon<Rational> intersect(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
+  return intersectRayPolygon(ray, std::span<const ExactVec3>(corners));
+}
+
+/// The corners of a plane figure, in a plane that is slanted against all axes.
+Polygon<Rational> slanted(const std::vector<std::pair<int, int>> &corners) {
+  Polygon<Rational> polygon;
+  for (const auto &[x, y] : corners)
+    polygon.push_back(ExactVec3(1, 2, 3) + ExactVec3(1, 0, 2) * Rational(x) +
+                      ExactVec3(0, 1, -1) * Rational(y));
+  return polygon;
+}
+
+/// Convex by the words of the format: from each edge all other corners lie on one side, none on its line.
+bool isConvexByEveryEdge(const Polygon<Rational> &corners) {
+  const std::size_t count = corners.size();
+  const auto plane = planeOf(std::span<const ExactVec3>(corners));
+  for (std::size_t i = 0; i < count; ++i) {
+    const ExactVec3 edge = corners[(i + 1) % count] - corners[i];
+    std::set<int> sides;
+    for (std::size_t j = 0; j < count; ++j)
+      if (j != i && j != (i + 1) % count)
+        sides.insert(dot(cross(edge, ExactVec3(corners[j] - corners[i])), plane.normal).sign());
+    if (sides.size() != 1 || sides.contains(0))
+      return false;
+  }
+  return true;
+}
+
+TEST(PolygonShape, ConvexPolygonEitherWayRound_IsConvex) {
+  const std::vector<std::pair<int, int>> corners{{0, 0}, {4, 0}, {6, 3}, {4, 6}, {0, 5}};
+  EXPECT_EQ(shapeOfPolygon(slanted(corners)), PolygonShape::Convex);
+  EXPECT_EQ(shapeOfPolygon(slanted({corners.rbegin(), corners.rend()})), PolygonShape::Convex);
+  EXPECT_EQ(shapeOfPolygon(slanted({{0, 0}, {1, 0}, {0, 1}})), PolygonShape::Convex);
+}
+
+TEST(PolygonShape, PlanarFiguresThatAreNotConvex_AreNotConvex) {
+  const std::map<std::string, std::vector<std::pair<int, int>>> figures{
+      {"five-pointed star", {{0, 10}, {6, -8}, {-10, 3}, {10, 3}, {-6, -8}}},
+      {"bow tie", {{0, 0}, {4, 4}, {4, 0}, {0, 4}}},
+      {"dent", {{0, 0}, {6, 0}, {2, 2}, {0, 6}}},
+      {"repeated corner", {{0, 0}, {4, 0}, {4, 0}, {0, 4}}},
+      {"last corner is the first", {{0, 0}, {4, 0}, {0, 4}, {0, 0}}},
+      {"corner met twice", {{0, 0}, {4, 0}, {4, 4}, {0, 0}, {-4, 4}}},
+      {"straight corner", {{0, 0}, {2, 0}, {4, 0}, {0, 4}}},
+      {"straight corner at the end", {{2, 0}, {4, 0}, {0, 4}, {0, 0}}},
+      {"there and back", {{0, 0}, {4, 0}, {2, 0}, {0, 4}}},
+      {"triangle twice", {{0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}}},
+      {"square twice", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}},
+      {"round twice with different corners",
+       {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {1, 1}, {8, 1}, {8, 8}, {1, 8}}},
+      {"all on one line", {{0, 0}, {1, 1}, {3, 3}, {2, 2}}},
+      {"all the same", {{1, 1}, {1, 1}, {1, 1}}},
+      {"two points", {{0, 0}, {1, 2}, {0, 0}, {1, 2}}}};
+  for (const auto &[name, corners] : figures) {
+    EXPECT_EQ(shapeOfPolygon(slanted(corners)), PolygonShape::NotConvex) << name;
+    EXPECT_EQ(shapeOfPolygon(slanted({corners.rbegin(), corners.rend()})), PolygonShape::NotConvex) << name;
+  }
+}
+
+TEST(PolygonShape, OneCornerOffThePlane_IsNotPlanarHoweverLittle) {
+  for (int k = 0; k <= 60; ++k)
+    for (std::size_t lifted = 0; lifted < 4; ++lifted) {
+      Polygon<Rational> corners = slanted({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+      corners[lifted].z += tenToThe(-k);
+      EXPECT_EQ(shapeOfPolygon(corners), PolygonShape::NotPlanar);
+    }
+}
+
+TEST(PolygonShape, CornerPressedIn_IsConvexUntilItIsStraight) {
+  for (int k = 0; k <= 60; ++k) {
+    const auto with = [&](const Rational &bulge) {
+      return shapeOfPolygon({ExactVec3(0, 0, 0), ExactVec3(4, 0, 0),
+                             ExactVec3(Rational(2 + bulge), Rational(2 + bulge), 0), ExactVec3(0, 4, 0)});
+    };
+    EXPECT_EQ(with(tenToThe(-k)), PolygonShape::Convex);
+    EXPECT_EQ(with(Rational(0)), PolygonShape::NotConvex);
+    EXPECT_EQ(with(Rational(-tenToThe(-k))), PolygonShape::NotConvex);
+  }
+}
+
+TEST(PolygonShape, AnyPlanarCorners_AgreeWithLookingFromEveryEdge) {
+  RandomNumbers random(111);
+  int convex = 0;
+  constexpr int figures = 20'000;
+  for (int i = 0; i < figures; ++i) {
+    std::vector<std::pair<int, int>> corners;
+    for (int left = random.integer(3, 6); left > 0; --left)
+      corners.emplace_back(random.integer(0, 4), random.integer(0, 4));
+    const Polygon<Rational> polygon = slanted(corners);
+    const bool expected = isConvexByEveryEdge(polygon);
+    convex += expected ? 1 : 0;
+    ASSERT_EQ(shapeOfPolygon(polygon), expected ? PolygonShape::Convex : PolygonShape::NotConvex)
+        << "figure " << i;
+  }
+  // Both verdicts come up often.
+  EXPECT_GT(convex, figures / 10);
+  EXPECT_LT(convex, figures / 2);
+}
+
+TEST(PolygonShape, RandomConvexPolygons_AreConvex) {
+  RandomNumbers random(112);
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_EQ(shapeOfPolygon(randomPolygon(random)), PolygonShape::Convex);
+}
+
+/// The same by a fan of triangles from corner 0: what is a diagonal there is inside here.
+PolygonPlace placeByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
+  const auto last = static_cast<int>(corners.size()) - 1;
+  for (int i = 1; i < last; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const TrianglePlace place = intersectRayTriangle(ray, {corners[0], corners[at], corners[at + 1]}).place;
+    switch (place.location) {
+    case TriangleLocation::Outside:
+      continue;
+    case TriangleLocation::Interior:
+      return {PolygonLocation::Interior, -1};
+    case TriangleLocation::Vertex:
+      return {PolygonLocation::Vertex, place.feature == 0 ? 0 : i + place.feature - 1};
+    case TriangleLocation::Edge:
+      if (place.feature == 0)
+        return {PolygonLocation::Edge, i};
+      if (place.feature == 2 && i == 1)
+        return {PolygonLocation::Edge, 0};
+      if (place.feature == 1 && i + 1 == last)
+        return {PolygonLocation::Edge, last};
+      return {PolygonLocation::Interior, -1};
+    }
+  }
+  return {};
+}
+
+/// A corner, a point of an edge or of its line beyond, or any point of the plane.
+ExactVec3 someTarget(const Polygon<Rational> &corners, RandomNumbers &random) {
+  const std::size_t count = corners.size();
+  const auto i = static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
+  const ExactVec3 &corner = corners[i];
+  const ExactVec3 along = corners[(i + 1) % count] - corner;
+  const ExactVec3 across = corners[(i + 2) % count] - corner;
+  switch (random.integer(0, 3)) {
+  case 0:
+    return corner;
+  case 1:
+    return corner + along * (Rational(random.integer(-2, 6)) / 4);
+  case 2:
+    return corner + across * (Rational(random.integer(0, 4)) / 4);
+  default:
+    return corner + along * (Rational(random.integer(-4, 12)) / 8) +
+           across * (Rational(random.integer(-4, 12)) / 8);
+  }
+}
+
+TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
+  RandomNumbers random(113);
+  std::map<PolygonLocation, int> locations;
+  for (int i = 0; i < 5000; ++i) {
+    const Polygon<Rational> corners = randomPolygon(random);
+    const ExactVec3 target = someTarget(corners, random);
+    const ExactVec3 direction = random.nonZeroWholeVector(6);
+    const Rational t = random.rational(2);
+    const Ray<Rational> ray{target - direction * t, direction};
+    const auto meet = intersect(ray, corners);
+    if (!meet.crosses())
+      continue;
+    const PolygonPlace expected = placeByFan(ray, corners);
+    ++locations[meet.place.location];
+    ASSERT_EQ(meet.place.location, expected.location) << "pair " << i;
+    ASSERT_EQ(meet.place.feature, expected.feature) << "pair " << i;
+    EXPECT_EQ(meet.t, t);
+    EXPECT_EQ(meet.point, target);
+    EXPECT_EQ(meet.which, expected.location == PolygonLocation::Outside ? RayPolygonCase::Miss
+                          : t < 0                                       ? RayPolygonCase::Behind
+                                                                        : RayPolygonCase::Hit);
+  }
+  EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
+}
+
+TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTheArea) {
+  RandomNumbers random(114);
+  for (int i = 0; i < 1000; ++i) {
+    const Polygon<Rational> corners = randomPolygon(random);
+    const Ray<Rational> ray{random.wholeVector(6), random.nonZeroWholeVector(6)};
+    const auto meet = intersect(ray, corners);
+    ASSERT_EQ(meet.products.size(), corners.size());
+    Rational sum = 0;
+    ExactVec3 area(0, 0, 0);
+    for (std::size_t edge = 0; edge < corners.size(); ++edge) {
+      const ExactVec3 &from = corners[edge];
+      const ExactVec3 &to = corners[(edge + 1) % corners.size()];
+      EXPECT_EQ(meet.products[edge],
+                dot(cross(ExactVec3(from - ray.origin), ExactVec3(to - ray.origin)), ray.direction));
+      sum += meet.products[edge];
+      area += cross(from, to);
+    }
+    EXPECT_EQ(sum, dot(area, ray.direction));
+  }
+}
+
+TEST(IntersectRayPolygon, RayAlongThePlane_IsParallelOrInThePlane) {
+  const Polygon<Rational> square{ExactVec3(0, 0, 1), ExactVec3(2, 0, 1), ExactVec3(2, 2, 1),
+                                 ExactVec3(0, 2, 1)};
+  const ExactVec3 along(1, 1, 0);
+  EXPECT_EQ(intersect({ExactVec3(0, 0, 0), along}, square).which, RayPolygonCase::Parallel);
+  EXPECT_EQ(intersect({ExactVec3(9, 0, 1), along}, square).which, RayPolygonCase::InPlane);
+  EXPECT_EQ(intersect({ExactVec3(1, 1, 1), along}, square).which, RayPolygonCase::InPlane);
+  EXPECT_EQ(intersect({ExactVec3(1, 1, 0), ExactVec3(0, 0, 0)}, square).which, RayPolygonCase::ZeroDirection);
+}
+
+TEST(IntersectRayPolygon, Doubles_AgreeWithFractionsOnSmallIntegers) {
+  // Products of integers this small are integers that a double holds, so only the last division rounds.
+  RandomNumbers random(115);
+  const std::vector<Vec3<double>> rounded{{0, 0, 0}, {4, 0, 0}, {6, 3, 0}, {4, 6, 0}, {0, 5, 0}};
+  Polygon<Rational> exact;
+  for (const auto &corner : rounded)
+    exact.emplace_back(exactly(corner.x), exactly(corner.y), exactly(corner.z));
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<Rational> ray{random.wholeVector(8), random.nonZeroWholeVector(8)};
+    const auto fractions = intersect(ray, exact);
+    const auto doubles = intersectRayPolygon(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)},
+                                             std::span<const Vec3<double>>(rounded));
+    EXPECT_EQ(doubles.which, fractions.which);
+    EXPECT_EQ(doubles.place.location, fractions.place.location);
+    EXPECT_EQ(doubles.place.feature, fractions.place.feature);
+    EXPECT_EQ(doubles.t, toDouble(fractions.t));
+  }
+}
+
+} // namespace
+} // namespace halfspace
