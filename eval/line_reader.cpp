@@ -17,7 +17,8 @@ std::optional<std::string_view> LineReader::next() {
     std::string_view line = m_line;
     if (std::exchange(m_firstLine, false) && line.starts_with(byteOrderMark))
       line.remove_prefix(byteOrderMark.size());
-    if (line.find_first_not_of(" \t") != std::string_view::npos)
+    // What was cut off a line that is too long may be more than blanks.
+    if (line.size() > maxLineLength || line.find_first_not_of(" \t") != std::string_view::npos)
       return line;
   }
   return {};
