@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 namespace halfspace {
@@ -67,32 +68,40 @@ inline Mesh pyramidMesh() {
           {{4, 3, 2, 1, 0}, {0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}}};
 }
 
+/// Adds the triangle of three vertices where it is a face of the hull of all; false where a fourth one lies
+/// in its plane.
+inline bool addHullFace(Mesh &mesh, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  const auto plane = planeThrough(mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]);
+  std::map<int, int> sides;
+  for (const ExactVec3 &vertex : mesh.vertices)
+    ++sides[evaluate(plane, vertex).sign()];
+  if (sides[0] != 3)
+    return false;
+  if (sides[1] == 0)
+    mesh.faces.push_back({i, j, k});
+  else if (sides[-1] == 0)
+    mesh.faces.push_back({i, k, j});
+  return true;
+}
+
+/// Adds all faces of the hull; false where four vertices lie in a plane.
+inline bool addHull(Mesh &mesh) {
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t j = i + 1; j < count; ++j)
+      for (std::uint32_t k = j + 1; k < count; ++k)
+        if (!addHullFace(mesh, i, j, k))
+          return false;
+  return true;
+}
+
 /// The hull of random points, all of whose faces are triangles; points within are vertices of no face.
 inline Mesh randomHull(RandomNumbers &random) {
   for (;;) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
       mesh.vertices.push_back(random.wholeVector(5));
-    bool general = true;
-    const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::uint32_t i = 0; i < count; ++i)
-      for (std::uint32_t j = i + 1; j < count; ++j)
-        for (std::uint32_t k = j + 1; k < count; ++k) {
-          const auto plane = planeThrough(mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]);
-          int before = 0;
-          int behind = 0;
-          for (const ExactVec3 &vertex : mesh.vertices) {
-            const int side = evaluate(plane, vertex).sign();
-            before += side > 0 ? 1 : 0;
-            behind += side < 0 ? 1 : 0;
-          }
-          general = general && before + behind + 3 == static_cast<int>(count);
-          if (before == 0)
-            mesh.faces.push_back({i, j, k});
-          else if (behind == 0)
-            mesh.faces.push_back({i, k, j});
-        }
-    if (general)
+    if (addHull(mesh))
       return mesh;
   }
 }

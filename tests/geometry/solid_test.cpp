@@ -190,15 +190,8 @@ SolidContacts expectedContacts(const Clipped &clipped) {
   return clipped.inFacePlane ? SolidContacts::Along : SolidContacts::Two;
 }
 
-void expectAsClipped(const Ray<Rational> &ray, const Mesh &mesh, const RaySolid<Rational> &meet) {
-  const Clipped clipped = clip(ray, mesh);
-  ASSERT_EQ(meet.contacts, expectedContacts(clipped));
-  EXPECT_EQ(meet.origin, clipped.origin);
-  EXPECT_EQ(meet.which, !clipped.meets      ? RaySolidCase::Miss
-                        : clipped.leave < 0 ? RaySolidCase::Behind
-                                            : RaySolidCase::Hit);
-  if (!clipped.meets)
-    return;
+void expectCrossings(const Ray<Rational> &ray, const Mesh &mesh, const RaySolid<Rational> &meet,
+                     const Clipped &clipped) {
   ASSERT_TRUE(meet.entered && meet.left);
   EXPECT_EQ(meet.entered->t, clipped.enter);
   EXPECT_EQ(meet.left->t, clipped.leave);
@@ -206,6 +199,18 @@ void expectAsClipped(const Ray<Rational> &ray, const Mesh &mesh, const RaySolid<
   EXPECT_EQ(meet.left->point, pointAt(ray, clipped.leave));
   EXPECT_EQ(meet.entered->face, lowestFace(mesh, meet.entered->point, ray.direction, -1));
   EXPECT_EQ(meet.left->face, lowestFace(mesh, meet.left->point, ray.direction, 1));
+}
+
+void expectAsClipped(const Ray<Rational> &ray, const Mesh &mesh, const RaySolid<Rational> &meet) {
+  const Clipped clipped = clip(ray, mesh);
+  EXPECT_EQ(meet.contacts, expectedContacts(clipped));
+  EXPECT_EQ(meet.origin, clipped.origin);
+  EXPECT_EQ(meet.which, !clipped.meets      ? RaySolidCase::Miss
+                        : clipped.leave < 0 ? RaySolidCase::Behind
+                                            : RaySolidCase::Hit);
+  EXPECT_EQ(meet.entered.has_value(), clipped.meets);
+  if (clipped.meets)
+    expectCrossings(ray, mesh, meet, clipped);
 }
 
 const std::vector<std::uint32_t> &someFace(const Mesh &mesh, RandomNumbers &random) {
