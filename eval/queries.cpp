@@ -212,7 +212,7 @@ void rayPlane(Operands &operands, Answer &answer) {
     return;
   answer.number("t", meet.t);
   answer.vector("point", meet.point);
-  answer.numbers("facing_normal", meet.facingNormal);
+  answer.numbers("facing_normal", facingNormal(plane.normal, ray.direction));
 }
 
 void addPlace(Answer &answer, const auto &place) {

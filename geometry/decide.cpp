@@ -16,7 +16,7 @@ double sizeOfDot(const Vec3<double> &n, const Vec3<double> &x) {
 
 /// n·x with a bound, for tame numbers.
 Bounded boundedDot(const Vec3<double> &n, const Vec3<double> &x) {
-  return {dot(n, x), filterError * sizeOfDot(n, x)};
+  return Bounded::of(dot(n, x), sizeOfDot(n, x));
 }
 
 /// f(x) = n·x + d with a bound, for tame numbers.
@@ -123,25 +123,24 @@ RayTriangleVerdict verdictOf(const TriangleProducts<Integer> &exact) {
   return {caseOfCrossing(place, signOf(exact.volume) * sum < 0), place};
 }
 
-/// The verdict that the signs allow without exact arithmetic, if they do.
-std::optional<RayTriangleVerdict> verdictOf(const TriangleProducts<Bounded> &bounded) {
-  const auto &[first, second, third] = bounded.products;
-  const std::array<int, 3> signs{first.sign(), second.sign(), third.sign()};
-  const int volume = bounded.volume.sign();
-  if (signs[0] != 0 && signs[0] == signs[1] && signs[1] == signs[2] && volume != 0)
-    return RayTriangleVerdict{signs[0] == volume ? RayTriangleCase::Hit : RayTriangleCase::Behind,
-                              {TriangleLocation::Interior, -1}};
-  const auto [low, high] = std::minmax_element(signs.begin(), signs.end());
-  if (*low < 0 && *high > 0 && bounded.sum.sign() != 0)
+/// The verdict that plain arithmetic allows, if it does.
+std::optional<RayTriangleVerdict> verdictOf(const FilteredTriangle &filtered) {
+  if (filtered.surelyMissed)
     return RayTriangleVerdict{RayTriangleCase::Miss, {}};
-  return {};
+  const auto &[first, second, third] = filtered.bounded.products;
+  const int sign = first.sign();
+  const int volume = filtered.bounded.volume.sign();
+  if (sign == 0 || second.sign() != sign || third.sign() != sign || volume == 0)
+    return {};
+  return RayTriangleVerdict{sign == volume ? RayTriangleCase::Hit : RayTriangleCase::Behind,
+                            {TriangleLocation::Interior, -1}};
 }
 
 } // namespace
 
 RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle) {
   if (isTame(ray) && isTame(triangle))
-    if (const auto verdict = verdictOf(boundedProducts(ray, triangle)))
+    if (const auto verdict = verdictOf(filterRayTriangle(ray, triangle)))
       return *verdict;
   const WholeNumbers whole(ray, triangle);
   const TriangleShape shape = whole.shape();
@@ -165,14 +164,14 @@ RaySphereVerdict decideRaySphere(const Ray<double> &ray, const Sphere<double> &s
     const double centerSquare = dot(m, m);
     const double radiusSquare = sphere.radius * sphere.radius;
     const double outsideSize = centerSquare + radiusSquare;
-    const Bounded outside{centerSquare - radiusSquare, filterError * outsideSize};
+    const Bounded outside = Bounded::of(centerSquare - radiusSquare, outsideSize);
     if (outside.sign() < 0)
       return {RaySphereCase::Hit, SphereContacts::Two};
     const Bounded leaving = boundedDot(d, m);
     const double leavingSize = sizeOfDot(d, m);
     const double directionSquare = dot(d, d);
-    const Bounded discriminant{leaving.value * leaving.value - directionSquare * outside.value,
-                               filterError * (leavingSize * leavingSize + directionSquare * outsideSize)};
+    const Bounded discriminant = Bounded::of(leaving.value * leaving.value - directionSquare * outside.value,
+                                             leavingSize * leavingSize + directionSquare * outsideSize);
     if (discriminant.sign() < 0)
       return {RaySphereCase::Miss, SphereContacts::None};
     if (outside.sign() > 0 && discriminant.sign() > 0 && leaving.sign() != 0)

@@ -15,10 +15,19 @@ namespace halfspace {
 /// sum of the terms' magnitudes. The rest of 2^-48 is room for the roundings of the bound itself.
 inline constexpr double filterError = 0x1p-48;
 
+/// A bound on what underflow adds to that: each product is at most 2^-1075 off then, and may be multiplied
+/// with two more tame numbers.
+inline constexpr double underflowError = 0x1p-600;
+
 /// A double and how far the true value may be from it.
 struct Bounded {
   double value = 0;
   double error = 0;
+
+  /// `size` is the sum of the terms' magnitudes, or more.
+  [[nodiscard]] static Bounded of(double value, double size) {
+    return {value, filterError * size + underflowError};
+  }
 
   /// −1 or 1 where the true value surely has this sign; 0 where that is open.
   [[nodiscard]] int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
@@ -32,26 +41,23 @@ struct Bounded {
     const double quotient = value / divisor.value;
     return {quotient,
             (error + std::abs(quotient) * divisor.error) / (std::abs(divisor.value) - divisor.error) +
-                filterError * std::abs(quotient)};
+                filterError * std::abs(quotient) + underflowError};
   }
 };
 
-/// Whether no product of four differences of such numbers leaves the range in which doubles keep their
-/// relative precision: the bounds hold only then.
-[[nodiscard]] inline bool isTame(double value) {
-  const double size = std::abs(value);
-  return value == 0 || (0x1p-200 <= size && size <= 0x1p200);
+[[nodiscard]] inline double largestCoordinate(const Vec3<double> &v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
-[[nodiscard]] inline bool isTame(const Vec3<double> &v) { return isTame(v.x) && isTame(v.y) && isTame(v.z); }
+
+/// Whether numbers are so small that a product of four differences of them is finite: the bounds hold only
+/// then.
+[[nodiscard]] inline bool isTame(double value) { return std::abs(value) <= 0x1p200; }
+[[nodiscard]] inline bool isTame(const Vec3<double> &v) { return isTame(largestCoordinate(v)); }
 [[nodiscard]] inline bool isTame(const Ray<double> &ray) {
   return isTame(ray.origin) && isTame(ray.direction);
 }
 [[nodiscard]] inline bool isTame(const Triangle<double> &triangle) {
   return isTame(triangle.p0) && isTame(triangle.p1) && isTame(triangle.p2);
-}
-
-[[nodiscard]] inline double largestCoordinate(const Vec3<double> &v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 /// What a ray and a triangle tell without a division.
@@ -61,24 +67,41 @@ template <class Value> struct TriangleProducts {
   Value volume;                  ///< six times that of the ray's origin and the triangle; t = volume/sum
 };
 
+/// What plain arithmetic can tell of a ray and a triangle.
+struct FilteredTriangle {
+  bool surelyMissed =
+      false; ///< the line crosses the triangle's plane, outside: the products are not looked at then
+  TriangleProducts<Bounded> bounded{};
+};
+
 /// For a tame ray and a tame triangle. Computed from the triangle's first corner, like Cramer's determinants:
 /// seen from the ray's origin a small triangle far away would be lost in the rounding.
-[[nodiscard]] inline TriangleProducts<Bounded> boundedProducts(const Ray<double> &ray,
-                                                               const Triangle<double> &triangle) {
+[[nodiscard]] inline FilteredTriangle filterRayTriangle(const Ray<double> &ray,
+                                                        const Triangle<double> &triangle) {
   const Vec3<double> u = triangle.p1 - triangle.p0;
   const Vec3<double> v = triangle.p2 - triangle.p0;
   const Vec3<double> w = ray.origin - triangle.p0;
-  const Vec3<double> normal = cross(u, v);
   const double sizeU = largestCoordinate(u);
   const double sizeV = largestCoordinate(v);
   const double sizeW = largestCoordinate(w);
   const double sizeR = largestCoordinate(ray.direction);
-  // A volume of three edges is a sum of six products.
-  constexpr double unit = 6 * filterError;
-  const Bounded sum{dot(ray.direction, normal), unit * sizeR * sizeU * sizeV};
-  const Bounded second{dot(w, cross(v, ray.direction)), unit * sizeW * sizeV * sizeR};
-  const Bounded third{dot(ray.direction, cross(u, w)), unit * sizeR * sizeU * sizeW};
-  return {{sum - second - third, second, third}, sum, {-dot(w, normal), unit * sizeW * sizeU * sizeV}};
+  constexpr double terms = 6; // of a volume of three edges
+
+  const Vec3<double> acrossV = cross(v, ray.direction);
+  const Bounded sum = Bounded::of(dot(u, acrossV), terms * sizeU * sizeV * sizeR);
+  const Bounded second = Bounded::of(dot(w, acrossV), terms * sizeW * sizeV * sizeR);
+  const int facing = sum.sign();
+  const auto isOutside = [facing](const Bounded &product) {
+    return facing != 0 && product.sign() == -facing;
+  };
+  if (isOutside(second) || isOutside(sum - second))
+    return {true};
+  const Vec3<double> acrossU = cross(u, w);
+  const Bounded third = Bounded::of(dot(ray.direction, acrossU), terms * sizeR * sizeU * sizeW);
+  const Bounded first = sum - second - third;
+  if (isOutside(third) || isOutside(first))
+    return {true};
+  return {false, {{first, second, third}, sum, Bounded::of(dot(v, acrossU), terms * sizeV * sizeU * sizeW)}};
 }
 
 } // namespace halfspace

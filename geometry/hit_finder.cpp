@@ -50,16 +50,15 @@ public:
   void offer(std::size_t index, bool tameTriangle) {
     const Triangle<double> &triangle = m_triangles[index];
     if (m_tame && tameTriangle) {
-      const TriangleProducts<Bounded> bounded = boundedProducts(m_ray, triangle);
-      const auto &[first, second, third] = bounded.products;
-      const int sign = first.sign();
-      // Of products that surely have different signs none needs to be looked at any closer.
-      if ((sign > 0 && (second.sign() < 0 || third.sign() < 0)) ||
-          (sign < 0 && (second.sign() > 0 || third.sign() > 0)))
+      const FilteredTriangle filtered = filterRayTriangle(m_ray, triangle);
+      if (filtered.surelyMissed)
         return;
-      if (sign != 0 && second.sign() == sign && third.sign() == sign && bounded.volume.sign() != 0) {
-        if (bounded.volume.sign() == sign)
-          take(index, bounded.volume / bounded.sum);
+      const auto &[first, second, third] = filtered.bounded.products;
+      const Bounded &volume = filtered.bounded.volume;
+      const int sign = first.sign();
+      if (sign != 0 && second.sign() == sign && third.sign() == sign && volume.sign() != 0) {
+        if (volume.sign() == sign)
+          take(index, volume / filtered.bounded.sum);
         return;
       }
     }

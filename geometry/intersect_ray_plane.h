@@ -15,14 +15,12 @@ template <class Scalar> struct RayPlane {
   Scalar denominator{}; ///< r·n
   Scalar t{};           ///< numerator/denominator; a distance only when |r| = 1
   Vec3<Scalar> point{}; ///< Q + t·r
-  std::array<Root<Scalar>, 3>
-      facingNormal{}; ///< unit normal on the side that the ray's line comes from: n·r < 0
 
-  /// Whether the ray's line crosses the plane in one point; t, point and facingNormal are set only then.
+  /// Whether the ray's line crosses the plane in one point; t and point are set only then.
   [[nodiscard]] bool crosses() const { return which == RayPlaneCase::Hit || which == RayPlaneCase::Behind; }
 };
 
-/// Intersects a ray with a plane by dot products (note PG 5; facing normal: note RP 28).
+/// Intersects a ray with a plane by dot products (note PG 5).
 /// Hit: t ≥ 0. Behind: t < 0. Parallel: the denominator is 0. InPlane: the numerator is 0 too.
 /// With a zero normal, else a zero direction, the case says so.
 template <class Scalar>
@@ -44,10 +42,17 @@ template <class Scalar>
   result.t = result.numerator / result.denominator;
   result.which = result.t < zero ? RayPlaneCase::Behind : RayPlaneCase::Hit;
   result.point = pointAt(ray, result.t);
-  const Scalar square = dot(plane.normal, plane.normal);
-  const Vec3<Scalar> facing = result.denominator > zero ? Vec3<Scalar>(-plane.normal) : plane.normal;
-  result.facingNormal = {overRoot(facing.x, square), overRoot(facing.y, square), overRoot(facing.z, square)};
   return result;
+}
+
+/// The unit normal of a plane on the side that a ray's line comes from: n·r < 0 (note RP 28, which forgets to
+/// turn it). The direction must not be parallel to the plane.
+template <class Scalar>
+[[nodiscard]] std::array<Root<Scalar>, 3> facingNormal(const Vec3<Scalar> &normal,
+                                                       const Vec3<Scalar> &direction) {
+  const Scalar square = dot(normal, normal);
+  const Vec3<Scalar> facing = dot(normal, direction) > Scalar(0) ? Vec3<Scalar>(-normal) : normal;
+  return {overRoot(facing.x, square), overRoot(facing.y, square), overRoot(facing.z, square)};
 }
 
 } // namespace halfspace

@@ -17,9 +17,10 @@ struct In {
 struct Out {
   Plane<Rational> plane;
   std::vector<Surd> coefficients;
-  ExactVec3 toPlane;       // P0 − Q
-  Rational f;              // f(Q), the constant left after substitution
-  RayPlane<Rational> meet; // numerator, denominator, t, point, facing normal
+  ExactVec3 toPlane;          // P0 − Q
+  Rational f;                 // f(Q), the constant left after substitution
+  RayPlane<Rational> meet;    // numerator, denominator, t, point
+  std::array<Surd, 3> facing; // the facing normal, where the ray's line crosses the plane
 };
 
 Out compute(const In &in) {
@@ -29,6 +30,8 @@ Out compute(const In &in) {
   out.toPlane = in.E.point - in.L.origin;
   out.f = evaluate(out.plane, in.L.origin);
   out.meet = intersectRayPlane(Ray<Rational>{in.L.origin, in.L.direction}, out.plane);
+  if (out.meet.crosses())
+    out.facing = facingNormal(in.E.normal, in.L.direction);
   return out;
 }
 
@@ -74,8 +77,7 @@ std::vector<NamedValue> list(const Out &out) {
     return values;
   values.push_back({"t", "t", Surd(out.meet.t)});
   values.push_back({"point", H, listOf(out.meet.point)});
-  values.push_back({"facing_normal", facing,
-                    std::vector<Surd>(out.meet.facingNormal.begin(), out.meet.facingNormal.end())});
+  values.push_back({"facing_normal", facing, std::vector<Surd>(out.facing.begin(), out.facing.end())});
   return values;
 }
 
@@ -138,7 +140,7 @@ WorkingLine hitLine(const In &in, const Out &out) {
 
 WorkingLine facingLine(const Out &out) {
   Formula f;
-  const std::string unit = f.list({out.meet.facingNormal.begin(), out.meet.facingNormal.end()});
+  const std::string unit = f.list({out.facing.begin(), out.facing.end()});
   const bool flipped = out.meet.denominator > 0;
   return {"facing", facing + " = " + (flipped ? "-" : "") + "\\frac{" + n + "}{\\lvert" + n + "\\rvert}",
           f.equals(unit), "",
@@ -170,7 +172,7 @@ Figure draw(const In &in, const Out &out) {
   if (!hit)
     figure.marks.push_back(SegmentMark{{"H-backward", Role::Ghost, Subject::Ray, ""}, q, meeting});
   figure.marks.push_back(PointMark{{"H", hit ? Role::Result : Role::Ghost, Subject::Ray, "H"}, meeting});
-  const auto &unit = out.meet.facingNormal;
+  const auto &unit = out.facing;
   figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_{f}"},
                                    meeting,
                                    {toDouble(unit[0]), toDouble(unit[1]), toDouble(unit[2])}});

@@ -54,8 +54,11 @@ struct Mesh {
       for (unsigned column = 0; column < columns; ++column) {
         const unsigned a = row * columns + column;
         const unsigned b = row * columns + (column + 1) % columns;
-        corners.push_back({a, b, a + columns});
-        corners.push_back({b, b + columns, a + columns});
+        // At the poles one side of each cell has no length.
+        if (row > 0)
+          corners.push_back({a, b, a + columns});
+        if (row + 1 < rows)
+          corners.push_back({b, b + columns, a + columns});
       }
   }
 
