@@ -23,7 +23,7 @@ missingPackages() {
   done <"$list"
 }
 
-# Installs what is missing of the lists build, test in packages/.
+# Installs what is missing of the lists build, test, bench in packages/.
 installMissing() {
   command -v dpkg-query >/dev/null || return 0 # no Debian: CMake says what it does not find
   local list missing=
