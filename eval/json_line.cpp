@@ -33,27 +33,33 @@ int hexWord(std::string_view text) {
 bool isHighSurrogate(int word) { return 0xD800 <= word && word < 0xDC00; }
 bool isLowSurrogate(int word) { return 0xDC00 <= word && word < 0xE000; }
 
-/// The length of the UTF-8 sequence of more than one byte at the front; 0 where it is not valid (Unicode,
-/// table 3-7).
+/// The first bytes of sequences of one length, and what may follow them first; after that anything from 80 to
+/// BF (Unicode, table 3-7).
+struct Utf8Form {
+  int firstLow;
+  int firstHigh;
+  int secondLow;
+  int secondHigh;
+  std::size_t length;
+};
+constexpr std::array utf8Forms{Utf8Form{0xC2, 0xDF, 0x80, 0xBF, 2}, Utf8Form{0xE0, 0xE0, 0xA0, 0xBF, 3},
+                               Utf8Form{0xE1, 0xEC, 0x80, 0xBF, 3}, Utf8Form{0xED, 0xED, 0x80, 0x9F, 3},
+                               Utf8Form{0xEE, 0xEF, 0x80, 0xBF, 3}, Utf8Form{0xF0, 0xF0, 0x90, 0xBF, 4},
+                               Utf8Form{0xF1, 0xF3, 0x80, 0xBF, 4}, Utf8Form{0xF4, 0xF4, 0x80, 0x8F, 4}};
+
+/// The length of the UTF-8 sequence of more than one byte at the front; 0 where it is not valid.
 std::size_t utf8Length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
-  const auto within = [&](std::size_t i, int low, int high) { return low <= byte(i) && byte(i) <= high; };
-  const auto follows = [&](std::size_t i) { return within(i, 0x80, 0xBF); };
-  const int first = byte(0);
-  if (0xC2 <= first && first <= 0xDF)
-    return follows(1) ? 2 : 0;
-  if (0xE0 <= first && first <= 0xEF) {
-    const bool second = first == 0xE0   ? within(1, 0xA0, 0xBF)
-                        : first == 0xED ? within(1, 0x80, 0x9F)
-                                        : follows(1);
-    return second && follows(2) ? 3 : 0;
-  }
-  if (0xF0 <= first && first <= 0xF4) {
-    const bool second = first == 0xF0   ? within(1, 0x90, 0xBF)
-                        : first == 0xF4 ? within(1, 0x80, 0x8F)
-                                        : follows(1);
-    return second && follows(2) && follows(3) ? 4 : 0;
-  }
+  const auto within = [&](std::size_t i, int low, int high) {
+    const int byte = i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+    return low <= byte && byte <= high;
+  };
+  for (const Utf8Form &form : utf8Forms)
+    if (within(0, form.firstLow, form.firstHigh)) {
+      bool valid = within(1, form.secondLow, form.secondHigh);
+      for (std::size_t i = 2; i < form.length; ++i)
+        valid = valid && within(i, 0x80, 0xBF);
+      return valid ? form.length : 0;
+    }
   return 0;
 }
 

@@ -54,8 +54,8 @@ Polygon<Rational> pointsFrom(const JsonValue &value, std::size_t count, const ch
 }
 
 Triangle<Rational> triangleFrom(const JsonValue &value) {
-  auto points = pointsFrom(value, 3, "a list of three points is wanted");
-  return {std::move(points[0]), std::move(points[1]), std::move(points[2])};
+  const auto points = pointsFrom(value, 3, "a list of three points is wanted");
+  return {points[0], points[1], points[2]};
 }
 
 Plane<Rational> planeFrom(const JsonValue &value, bool &fromPoints) {

@@ -22,7 +22,7 @@ template <class Scalar> [[nodiscard]] Plane<Scalar> planeOf(std::span<const Vec3
   while (second < corners.size() && corners[second] == first)
     ++second;
   for (std::size_t third = second + 1; third < corners.size(); ++third)
-    if (const auto plane = planeThrough(first, corners[second], corners[third]); !isZero(plane.normal))
+    if (auto plane = planeThrough(first, corners[second], corners[third]); !isZero(plane.normal))
       return plane;
   return {};
 }

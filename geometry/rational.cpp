@@ -249,7 +249,7 @@ std::optional<Rational> parseRational(std::string_view text) {
 }
 
 std::optional<Rational> parseFraction(std::string_view text) {
-  const auto numerator = takeInteger(text);
+  auto numerator = takeInteger(text);
   if (!numerator || text.empty())
     return numerator;
   if (!takeChar(text, '/'))

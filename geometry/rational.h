@@ -79,7 +79,7 @@ public:
 
   [[nodiscard]] friend bool operator==(const Rational &a, const Rational &b) {
     return a.isSmall() && b.isSmall() ? a.m_numerator == b.m_numerator && a.m_denominator == b.m_denominator
-                                      : (a <=> b) == 0;
+                                      : std::is_eq(a <=> b);
   }
   [[nodiscard]] friend std::strong_ordering operator<=>(const Rational &a, const Rational &b) {
     return a.isSmallInteger() && b.isSmallInteger() ? a.m_numerator <=> b.m_numerator : a.compare(b);

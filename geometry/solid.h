@@ -3,6 +3,7 @@
 
 #include "geometry/line.h"
 #include "geometry/polygon.h"
+#include "geometry/vertex_tree.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -21,6 +22,11 @@ template <class Scalar> struct SolidMesh {
     for (const std::uint32_t index : face)
       corners.push_back(vertices[index]);
     return corners;
+  }
+
+  /// Of a convex face: its normal points to where the face is counterclockwise.
+  [[nodiscard]] Plane<Scalar> planeOf(const std::vector<std::uint32_t> &face) const {
+    return planeThrough(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
   }
 };
 
@@ -60,22 +66,7 @@ struct FaceEdge {
 /// Whether each edge is had by two faces, in opposite directions.
 [[nodiscard]] bool isClosed(const std::vector<FaceEdge> &edgesByEnds);
 
-/// Whether all vertices but those on the plane lie behind it, and there is one.
-template <class Scalar>
-[[nodiscard]] bool supports(const Plane<Scalar> &plane, const std::vector<Vec3<Scalar>> &vertices) {
-  const Scalar zero(0);
-  bool someBehind = false;
-  for (const Vec3<Scalar> &vertex : vertices) {
-    const Scalar f = evaluate(plane, vertex);
-    if (f > zero)
-      return false;
-    someBehind = someBehind || f < zero;
-  }
-  return someBehind;
-}
-
-/// The first of NotPlanar, NotConvex and NotClosed that holds of a mesh, else Convex. Takes time in
-/// proportion to faces × vertices.
+/// The first of NotPlanar, NotConvex and NotClosed that holds of a mesh, else Convex.
 template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar> &mesh) {
   bool convex = true;
   for (const auto &face : mesh.faces) {
@@ -84,10 +75,12 @@ template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar>
       return SolidShape::NotPlanar;
     convex = convex && shape == PolygonShape::Convex;
   }
-  for (auto face = mesh.faces.begin(); convex && face != mesh.faces.end(); ++face)
-    convex = supports(
-        planeThrough(mesh.vertices[(*face)[0]], mesh.vertices[(*face)[1]], mesh.vertices[(*face)[2]]),
-        mesh.vertices);
+  const VertexTree<Scalar> vertices(mesh.vertices);
+  for (auto face = mesh.faces.begin(); convex && face != mesh.faces.end(); ++face) {
+    const Plane<Scalar> plane = mesh.planeOf(*face);
+    const Plane<Scalar> turned{-plane.normal, Scalar(-plane.offset)};
+    convex = !vertices.hasInFront(plane) && vertices.hasInFront(turned);
+  }
   if (!convex)
     return SolidShape::NotConvex;
   return isClosed(edgesByEnds(mesh.faces)) ? SolidShape::Convex : SolidShape::NotClosed;
@@ -97,8 +90,7 @@ template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar>
 template <class Scalar> [[nodiscard]] ConvexSolid<Scalar> solidOf(const SolidMesh<Scalar> &mesh) {
   ConvexSolid<Scalar> solid;
   for (const auto &face : mesh.faces)
-    solid.faces.push_back(
-        {planeThrough(mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]), {}});
+    solid.faces.push_back({mesh.planeOf(face), {}});
   std::optional<std::pair<std::uint32_t, std::uint32_t>> ends;
   bool forward = true;
   for (const FaceEdge &edge : edgesByEnds(mesh.faces)) {
