@@ -24,8 +24,7 @@ int decimalPlaces(Integer q) {
 }
 
 std::string decimalText(const Rational &value, int places) {
-  const Rational scaled =
-      abs(value) * Rational(mp::pow(Integer(10), static_cast<unsigned>(places)));
+  const Rational scaled = abs(value) * Rational(mp::pow(Integer(10), static_cast<unsigned>(places)));
   std::string digits = scaled.numerator().str();
   const auto fraction = static_cast<std::size_t>(places);
   if (digits.size() <= fraction)

@@ -55,8 +55,7 @@ std::string valueLatex(const Value &value) {
 /// A single number's decimal behind its exact form: after = only where the decimal is exact too.
 std::string decimalLatex(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
-  if (!number || !show(*number).exact ||
-      (number->isRational() && number->rationalPart().denominator() == 1))
+  if (!number || !show(*number).exact || (number->isRational() && number->rationalPart().denominator() == 1))
     return {};
   const std::string decimal = roundedText(toDouble(*number));
   const auto same = parseRational(decimal);

@@ -163,8 +163,8 @@ private:
   void checkAnswer(const WorkingLine &line) const {
     const Side last = chainsOf(line.symbols + " " + line.numbers + " " + line.result).back().back();
     const Quantity answer = calculate(last.latex, m_expected.names);
-    const Precise asked =
-        mp::sqrt(quantity(abs(signedSquares({line.blank->answer})[0]))[0]) * Precise(line.blank->answer.sign());
+    const Precise asked = mp::sqrt(quantity(abs(signedSquares({line.blank->answer})[0]))[0]) *
+                          Precise(line.blank->answer.sign());
     EXPECT_TRUE(agree(answer, {asked}, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
   }
 
