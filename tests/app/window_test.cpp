@@ -84,6 +84,19 @@ private slots:
     QTRY_COMPARE(field->text(), QString("11"));
   }
 
+  void undoKey_inAFieldThatWaits_undoesTheScene() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QVERIFY(field);
+    typeInto(*field, "3");
+    QTest::keySequence(field, QKeySequence::Undo);
+    QVERIFY(fixture.value("Q").x == 11);
+    QTest::keyClicks(field, "12"); // half typed: the key belongs to the field
+    QTest::keySequence(field, QKeySequence::Undo);
+    QVERIFY(fixture.value("Q").x == 11);
+  }
+
   void number_thatIsNone_isRefusedWithASentence_andTheSessionStays_data() {
     QTest::addColumn<QString>("text");
     for (const char *text : {"nan", "inf", "", "1/0", "abc", "1e999", "99999999999999999999"})
