@@ -149,6 +149,8 @@ void MainWindow::showCase() {
     m_caseLabel->setProperty("degenerate", outcome.degenerate);
     repolish(*m_caseLabel);
   }
+  // In a drag the label only grows: the picture above it would jump back and forth with the numbers.
+  m_caseLabel->setMinimumHeight(m_model.inGesture() ? m_caseLabel->height() : 0);
   m_scene->setAccessibleDescription(m_caseLabel->text());
 }
 

@@ -58,7 +58,7 @@ makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*te
     CaseWords words = tell(in, out);
     return Outcome{std::move(words.name),
                    list(out),
-                   withTellingMistakes(withTrueRelations(explain(in, out))),
+                   withTellingMistakes(withoutRepetitions(withTrueRelations(explain(in, out)))),
                    draw(in, out),
                    std::move(words.description),
                    words.degenerate};

@@ -35,7 +35,7 @@ void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd>
   const Place point = place(plane.point);
   if (!isZero(plane.normal)) {
     figure.marks.push_back(
-        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ " + planeEquation(coefficients)},
+        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ {" + planeEquation(coefficients) + "}"},
                        point,
                        place(plane.normal),
                        covers});

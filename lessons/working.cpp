@@ -18,6 +18,14 @@ void keepTelling(Blank &blank) {
   blank.mistakes = std::move(telling);
 }
 
+/// A fraction with the sign of its numerator in front, as results have it.
+std::string withSignInFront(std::string latex) {
+  constexpr std::string_view negative = "= \\frac{-";
+  if (latex.starts_with(negative))
+    latex.replace(0, negative.size(), "= -\\frac{");
+  return latex;
+}
+
 } // namespace
 
 Blank fractionBlank(const Rational &p, const Rational &q) {
@@ -32,6 +40,13 @@ Working withTrueRelations(Working working) {
   for (WorkingLine &line : working.lines)
     if (line.numbers.starts_with("\\approx") && line.result.starts_with("="))
       line.result.replace(0, 1, "\\approx");
+  return working;
+}
+
+Working withoutRepetitions(Working working) {
+  for (WorkingLine &line : working.lines)
+    if (withSignInFront(line.numbers) == line.result)
+      line.numbers.clear();
   return working;
 }
 

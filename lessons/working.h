@@ -48,6 +48,9 @@ struct Working {
 /// much.
 [[nodiscard]] Working withTrueRelations(Working working);
 
+/// The working without numbers that are the result already, as in `−22/3 = −22/3`.
+[[nodiscard]] Working withoutRepetitions(Working working);
+
 /// The working without mistakes that come to the answer, or to what an earlier one of the line comes to.
 [[nodiscard]] Working withTellingMistakes(Working working);
 

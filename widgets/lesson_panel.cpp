@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,6 +23,8 @@ constexpr double titleSize = 1.3;
 /// A panel at least so wide, in letters, has two columns.
 constexpr int twoColumnLetters = 66;
 constexpr QSize usualSize(420, 360);
+/// After so many milliseconds the reason of an answer has its place below the choices.
+constexpr int layoutTime = 100;
 
 void setInk(QWidget &widget, Color color) {
   QPalette palette = widget.palette();
@@ -150,6 +153,8 @@ void LessonPanel::makeExercises() {
     connect(m_prediction, &PredictionBox::chosen, this, [this](const QString &word) {
       m_next->setFocus(); // the choices are disabled now
       emit predictionChosen(word);
+      QTimer::singleShot(layoutTime, m_prediction,
+                         [this] { m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin / 2); });
     });
     layout->addWidget(m_prediction);
   }

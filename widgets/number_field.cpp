@@ -114,6 +114,18 @@ void NumberField::focusOutEvent(QFocusEvent *event) {
   QLineEdit::focusOutEvent(event);
 }
 
+bool NumberField::event(QEvent *event) {
+  // With nothing half typed in the field, undo and redo are the window's.
+  if (event->type() == QEvent::ShortcutOverride && text() == typedText(m_value, locale())) {
+    const auto *key = static_cast<QKeyEvent *>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
 void NumberField::keyPressEvent(QKeyEvent *event) {
   const int times = event->modifiers() & Qt::ControlModifier ? manySteps : 1;
   switch (event->key()) {

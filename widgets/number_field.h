@@ -30,6 +30,7 @@ signals:
   void scrubEnded(bool keep); ///< false: Escape
 
 protected:
+  bool event(QEvent *event) override;
   void mousePressEvent(QMouseEvent *event) override;
   void mouseMoveEvent(QMouseEvent *event) override;
   void mouseReleaseEvent(QMouseEvent *event) override;

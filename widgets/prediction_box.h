@@ -38,6 +38,8 @@ public:
   void setAnswer(const std::optional<std::string> &chosen, const std::string &right);
   void setTheme(const Theme &theme);
   [[nodiscard]] QList<ChoiceButton *> choices() const { return m_buttons; }
+  /// Why an answer is right or not; hidden while the question is open.
+  [[nodiscard]] RichLabel *reason() const { return m_reason; }
 
 signals:
   void chosen(const QString &word);

@@ -140,7 +140,7 @@ const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
     if (!projected || !grabMode(handle, m_vertical, m_camera))
       continue;
     const double distance =
-        glm::length(glm::dvec2(*projected) - pixel - alongHead(handle, *projected, pixel));
+        glm::length(glm::dvec2(*projected) + alongHead(handle, *projected, pixel) - pixel);
     // Of two at the same pixel the later one wins: a tip lies over the point that it starts from.
     if (distance <= least) {
       least = distance;

@@ -95,6 +95,16 @@ private slots:
     QCOMPARE(fixture.model().history().count(), 0);
   }
 
+  void arrow_isGrabbedAnywhereOnItsHead() {
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    const QPoint tip = *fixture.scene().handlePosition("E.n");
+    const QPointF back = fixture.pixelOf(Place(5, 4, 7)) - tip;
+    const QPoint onHead = tip + (back * (18 / std::hypot(back.x(), back.y()))).toPoint();
+    fixture.drag(onHead, onHead + QPoint(40, 0));
+    QVERIFY(fixture.value("E.n") != ExactVec3(1, 2, 2));
+  }
+
   void shift_heldDuringADrag_movesUpAndDownOnly() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);

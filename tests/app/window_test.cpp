@@ -84,6 +84,23 @@ private slots:
     QTRY_COMPARE(field->text(), QString("11"));
   }
 
+  void undoKey_inAFieldThatWaits_isLeftToTheWindow() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    QVERIFY(field);
+    const auto takesUndo = [&] {
+      QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+      undo.ignore();
+      QCoreApplication::sendEvent(field, &undo);
+      return undo.isAccepted();
+    };
+    typeInto(*field, "3");
+    QVERIFY(!takesUndo());
+    QTest::keyClicks(field, "12"); // half typed: the key belongs to the field
+    QVERIFY(takesUndo());
+  }
+
   void number_thatIsNone_isRefusedWithASentence_andTheSessionStays_data() {
     QTest::addColumn<QString>("text");
     for (const char *text : {"nan", "inf", "", "1/0", "abc", "1e999", "99999999999999999999"})

@@ -34,6 +34,15 @@ TEST(Evaluate, TheStartOfTheDistanceLesson_IsTenAwayOnThePositiveSide) {
   EXPECT_FALSE(outcome.working.lines.empty());
 }
 
+TEST(Evaluate, APlanesLabel_HasItsEquationAsOneGroup) {
+  const Outcome outcome =
+      evaluate(apply({"", 0, distanceScene()}, {"E", PlaneObject{{5, 4, 7}, {-6, 6, 2}}}).scene);
+  const Mark *plane = findMark(outcome.figure, "E");
+  ASSERT_NE(plane, nullptr);
+  const std::string &label = baseOf(*plane).label;
+  EXPECT_TRUE(label.starts_with("E\\colon\\ {-6x") && label.ends_with("}")) << label; // a sign, no difference
+}
+
 TEST(Evaluate, AnObjectThatNoConstructionLooksAt_IsDrawnAllTheSame) {
   Scene scene = distanceScene();
   scene.entries.push_back({"F", PointObject{{1, 2, 3}}});

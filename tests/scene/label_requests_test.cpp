@@ -1,5 +1,7 @@
 #include "widgets/scene/label_requests.h"
 
+#include "tests/scene/marks.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +28,28 @@ TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers
   EXPECT_EQ(near, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
   EXPECT_GT(far, 0);
   EXPECT_LT(far, near);
+}
+
+TEST(LabelRequests, NumberAtAnAxis_IsLeftOutBehindABall) {
+  const View view = viewAtHeight(21);
+  const auto axes = axisLabels({}, 1, 1);
+  const auto number =
+      std::find_if(axes.begin(), axes.end(), [](const AxisLabel &label) { return !label.isName; });
+  ASSERT_NE(number, axes.end());
+  SceneContent content;
+  content.figure.marks.push_back(pointAt(number->at));
+  EXPECT_EQ(labelTexts(content, axes, themes().front(), view).size(), axes.size() - 1);
+}
+
+TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
+  const auto clearanceOf = [](Subject subject) {
+    PointMark point = named(pointAt({1, 2, 3}), "Q", subject);
+    point.label = "Q";
+    SceneContent content;
+    content.figure.marks.push_back(point);
+    return labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().anchors.front().clearance;
+  };
+  EXPECT_GT(clearanceOf(Subject::Point), clearanceOf(Subject::Plane));
 }
 
 TEST(LabelRequests, NamesOfTheAxes_GiveWay) {

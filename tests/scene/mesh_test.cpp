@@ -110,10 +110,15 @@ TEST(Solids, NotFiniteMarksAreLeftOut) {
   EXPECT_TRUE(solidsOf(figure, {}, themes().front(), 1).positions.empty());
 }
 
-TEST(Solids, HighlightedMarksAreThicker) {
-  const Figure figure{{named(pointAt({0, 0, 0}), "p")}};
-  EXPECT_GT(spanOf(solidsOf(figure, {"p"}, themes().front(), 1), 0).second,
-            1.3 * spanOf(solidsOf(figure, {}, themes().front(), 1), 0).second);
+TEST(Solids, HighlightedMarksAreThicker_ButBallsDoNotSwell) {
+  const auto growth = [](const Figure &figure, int axis) {
+    return spanOf(solidsOf(figure, {"p"}, themes().front(), 1), axis).second /
+           spanOf(solidsOf(figure, {}, themes().front(), 1), axis).second;
+  };
+  EXPECT_GT(growth({{named(segmentBetween({0, 0, 0}, {0, 0, 4}), "p")}}, 0), 1.3);
+  const double ofBall = growth({{named(pointAt({0, 0, 0}), "p")}}, 0);
+  EXPECT_GT(ofBall, 1.1);
+  EXPECT_LT(ofBall, 1.3);
 }
 
 TEST(Solids, WarningsHaveTheWarningColour) {

@@ -103,6 +103,20 @@ private slots:
     QVERIFY(choices[0]->isEnabled());
   }
 
+  void reasonOfAnAnswerIsScrolledTo() {
+    LessonPanel panel(m_typesetter);
+    panel.resize(300, 160);
+    panel.show();
+    panel.setLesson(someLesson());
+    panel.setStep(2);
+    connect(&panel, &LessonPanel::predictionChosen, &panel,
+            [&](const QString &word) { panel.setPredictionAnswer(word.toStdString(), "positive"); });
+    QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2);
+    QTest::mouseClick(shown<ChoiceButton>(panel)[1], Qt::LeftButton);
+    const RichLabel *reason = panel.findChild<PredictionBox *>()->reason();
+    QTRY_COMPARE(reason->visibleRegion().boundingRect(), reason->rect());
+  }
+
   void exercisesOfTheLastStepAreGone() {
     LessonPanel panel(m_typesetter);
     panel.setLesson(someLesson());

@@ -16,10 +16,9 @@ namespace halfspace {
 namespace {
 
 /// What balls and arrow heads cover around an anchor, in design pixels.
-constexpr double pointClearance = 9;
 constexpr double lineClearance = 5;
 constexpr double tipClearance = 4;
-constexpr double gizmoClearance = 16;
+constexpr double gizmoClearance = 26;
 constexpr double knobClearance = 16;
 
 /// Numbers at an axis are at least this far apart, in scene units at scale 1.
@@ -91,6 +90,9 @@ private:
   std::vector<LabelAnchor> m_anchors;
 };
 
+/// What a point's ball covers around its middle, in design pixels.
+double clearanceOf(const PointMark &point) { return ballRadius(point) * designHeight / designUnits; }
+
 Place middleOf(const std::vector<Place> &places) {
   return std::accumulate(places.begin(), places.end(), Place(0)) / static_cast<double>(places.size());
 }
@@ -107,7 +109,7 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
       anchors.addBeside(path.front(), path.back(), part);
   };
   std::visit(Overloaded{
-                 [&](const PointMark &point) { anchors.add(point.at, upperRight, pointClearance); },
+                 [&](const PointMark &point) { anchors.add(point.at, upperRight, clearanceOf(point)); },
                  [&](const SegmentMark &) { besideLine(); },
                  [&](const RayMark &) { besideLine(); },
                  [&](const ArrowMark &) {
@@ -134,6 +136,12 @@ class NumbersOnScreen {
 public:
   explicit NumbersOnScreen(const View &view) : m_view(view) {}
 
+  /// No number is written on the ball of a point.
+  void keepOff(const PointMark &point, double radius) {
+    if (const auto pixel = m_view.camera.project(point.at, m_view.size))
+      m_balls.push_back({glm::dvec2(*pixel), radius});
+  }
+
   /// Whether there is room for a number of this size at a place; it is taken then.
   bool takeRoom(Place at, double size) {
     const auto projected = m_view.camera.project(at, m_view.size);
@@ -144,7 +152,11 @@ public:
       const glm::dvec2 apart = glm::abs(pixel - other) / size;
       return apart.x < numberWidth && apart.y < 1;
     };
-    if (std::any_of(m_taken.begin(), m_taken.end(), isNear))
+    const auto isOn = [&](const LabelObstacles::Disc &ball) {
+      return glm::distance(pixel, ball.center) < ball.radius + size / 2;
+    };
+    if (std::any_of(m_taken.begin(), m_taken.end(), isNear) ||
+        std::any_of(m_balls.begin(), m_balls.end(), isOn))
       return false;
     m_taken.push_back(pixel);
     return true;
@@ -153,6 +165,7 @@ public:
 private:
   const View &m_view;
   std::vector<glm::dvec2> m_taken;
+  std::vector<LabelObstacles::Disc> m_balls;
 };
 
 /// Beyond the tip of an axis, whose name gives way to what is already there.
@@ -184,6 +197,9 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   for (const AxisLabel &label : dropNumbers)
     pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
   NumbersOnScreen numbers(view);
+  for (const Mark &mark : content.figure.marks)
+    if (const auto *point = std::get_if<PointMark>(&mark))
+      numbers.keepOff(*point, clearanceOf(*point) * theme.lineScale * view.pixelRatio);
   for (const AxisLabel &label : axes) {
     // A drop line's number takes the place of a tick's.
     const auto covers = [&](const AxisLabel &drop) {
@@ -214,24 +230,27 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
 LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes, const Theme &theme,
                            const View &view) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  const double radius = pointClearance * theme.lineScale * view.pixelRatio;
   LabelObstacles obstacles;
+  const auto addDisc = [&](Place at, double radius) {
+    if (const auto pixel = view.camera.project(at, view.size))
+      obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio});
+  };
   const auto addPath = [&](const std::vector<Place> &path) {
     std::optional<glm::dvec3> previous;
     for (const Place &place : path) {
       const auto pixel = view.camera.project(place, view.size);
-      if (pixel && path.size() == 1)
-        obstacles.discs.push_back({glm::dvec2(*pixel), radius});
-      else if (pixel && previous)
+      if (pixel && previous)
         obstacles.segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel)});
       previous = pixel;
     }
   };
   for (const Mark &mark : content.figure.marks)
-    addPath(outlineOf(mark, rightAngleSize * scale).path);
+    if (const auto *point = std::get_if<PointMark>(&mark))
+      addDisc(point->at, clearanceOf(*point) * theme.lineScale);
+    else
+      addPath(outlineOf(mark, rightAngleSize * scale).path);
   for (const Knob &knob : content.knobs)
-    if (const auto pixel = view.camera.project(knob.at, view.size))
-      obstacles.discs.push_back({glm::dvec2(*pixel), knobClearance * view.pixelRatio});
+    addDisc(knob.at, knobClearance);
   for (const AxisEnds &axis : axisEnds(axes))
     addPath({axis.low, axis.high});
   if (content.gizmo)

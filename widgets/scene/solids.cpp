@@ -6,7 +6,6 @@ namespace halfspace {
 namespace {
 
 // Radii and lengths in scene units at scale 1.
-constexpr double pointRadius = 0.23;
 constexpr double arrowRadius = 0.11;
 constexpr double segmentRadius = 0.07;
 constexpr double rayRadius = 0.05;
@@ -16,6 +15,8 @@ constexpr double angleRadius = 0.04;
 constexpr double dashLength = 0.42;
 
 constexpr double highlightWidth = 1.55;
+/// A ball is thick as it is: much thicker, it would cover what lies beside it.
+constexpr double highlightBallWidth = 1.2;
 constexpr double highlightInk = 0.22;
 constexpr double ghostPaleness = 0.6;
 constexpr double patchBorderDepth = 0.35;
@@ -33,6 +34,10 @@ double widthOf(Role role) {
     return 0.75;
   }
   return 1;
+}
+
+double highlightOf(const Mark &mark) {
+  return std::holds_alternative<PointMark>(mark) ? highlightBallWidth : highlightWidth;
 }
 
 /// How one mark is drawn.
@@ -73,8 +78,7 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
   std::visit(
       Overloaded{
           [&](const PointMark &point) {
-            const bool isFree = point.subject == Subject::Point && point.role == Role::Given;
-            addBall(mesh, point.at, (isFree ? freePointRadius : pointRadius) * brush.width, brush.color);
+            addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color);
           },
           [&](const SegmentMark &) { line(segmentRadius); },
           [&](const RayMark &) { line(rayRadius); },
@@ -96,6 +100,11 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
 
 } // namespace
 
+double ballRadius(const PointMark &point) {
+  const bool isFree = point.subject == Subject::Point && point.role == Role::Given;
+  return isFree ? freePointRadius : pointRadius;
+}
+
 bool isDashed(Role role) { return role == Role::Helper || role == Role::Ghost; }
 
 Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
@@ -115,7 +124,7 @@ Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted, co
     if (presence <= 0)
       continue;
     const double width =
-        scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightWidth : 1) * presence;
+        scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightOf(mark) : 1) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
                       isDashed(base.role) ? dashLength * scale : 0};
     addMark(mesh, mark, brush, theme, scale);

@@ -10,6 +10,11 @@ namespace halfspace {
 inline constexpr double rightAngleSize = 0.9;
 /// The radius of a given point, the thickest thing there is.
 inline constexpr double freePointRadius = 0.32;
+/// The radius of any other point.
+inline constexpr double pointRadius = 0.23;
+
+/// The radius of a point's ball at scale 1, in scene units.
+[[nodiscard]] double ballRadius(const PointMark &point);
 
 /// Whether a mark's lines are dashed.
 [[nodiscard]] bool isDashed(Role role);
