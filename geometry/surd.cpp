@@ -124,7 +124,7 @@ Surd Surd::root(const Rational &square, const Rational &factor) {
   if (inside == 1)
     return outside;
   result.m_factor = outside;
-  result.m_radicand = inside;
+  result.m_radicand = Rational(inside);
   result.m_canonical = p.complete && q.complete;
   return result;
 }
@@ -135,7 +135,7 @@ int Surd::sign() const {
   if (m_rational.sign() * m_factor.sign() >= 0)
     return m_factor.sign();
   // The parts pull apart: the one with the larger square wins; they are never equal, as √n is irrational.
-  const bool rootWins = m_factor * m_factor * Rational(m_radicand) > m_rational * m_rational;
+  const bool rootWins = m_factor * m_factor * m_radicand > m_rational * m_rational;
   return rootWins ? m_factor.sign() : m_rational.sign();
 }
 
@@ -156,8 +156,8 @@ bool Surd::isWithinFactorLimit() const {
   // B²n = p/q in lowest terms, found without factors as n is square-free: p and q are squares but for the
   // parts of n that they keep.
   const Integer denominator = m_factor.denominator();
-  const Integer shared = mp::gcd(m_radicand, denominator);
-  const Integer rest = m_radicand / shared;
+  const Integer shared = mp::gcd(radicand(), denominator);
+  const Integer rest = radicand() / shared;
   const Integer numerator = m_factor.numerator();
   return (rest == 1 || numerator * numerator * rest <= factorLimit) &&
          (shared == 1 || denominator * denominator / shared <= factorLimit);
@@ -167,7 +167,7 @@ Surd Surd::operator*(const Rational &scale) const {
   if (isRational() || scale == 0)
     return m_rational * scale;
   if (!m_canonical)
-    return root(Rational(m_radicand), m_factor * scale) + m_rational * scale;
+    return root(m_radicand, m_factor * scale) + m_rational * scale;
   Surd result = *this;
   result.m_rational = m_rational * scale;
   result.m_factor = m_factor * scale;
@@ -177,9 +177,7 @@ Surd Surd::operator*(const Rational &scale) const {
 
 bool Surd::operator==(const Surd &other) const {
   // Squares compare the roots whether or not their radicands could be brought to square-free form.
-  const auto rootSquare = [](const Surd &s) {
-    return Rational(s.m_factor * s.m_factor * Rational(s.m_radicand));
-  };
+  const auto rootSquare = [](const Surd &s) { return Rational(s.m_factor * s.m_factor * s.m_radicand); };
   return m_rational == other.m_rational && m_factor.sign() == other.m_factor.sign() &&
          rootSquare(*this) == rootSquare(other);
 }

@@ -24,7 +24,7 @@ public:
 
   [[nodiscard]] const Rational &rationalPart() const { return m_rational; }
   [[nodiscard]] const Rational &rootFactor() const { return m_factor; }
-  [[nodiscard]] const Integer &radicand() const { return m_radicand; }
+  [[nodiscard]] Integer radicand() const { return m_radicand.numerator(); }
   [[nodiscard]] bool isRational() const { return m_factor == 0; }
   [[nodiscard]] bool canonical() const { return m_canonical; }
 
@@ -40,7 +40,7 @@ private:
 
   Rational m_rational = 0;
   Rational m_factor = 0;
-  Integer m_radicand = 1;
+  Rational m_radicand = 1; ///< an integer, kept as a fraction is: a small one without memory of its own
   bool m_canonical = true;
 };
 

@@ -5,15 +5,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 namespace {
 
 /// Denominators of more than this are written as decimals where the decimal ends: 6.37, not 637/100.
-const Integer largestFractionDenominator = 12;
+constexpr std::int64_t largestFractionDenominator = 12;
 
 /// The digits after the point that the exact decimal of p/q needs, or −1 when it never ends.
-int decimalPlaces(Integer q) {
+int decimalPlaces(std::int64_t q) {
   int twos = 0;
   int fives = 0;
   for (; q % 2 == 0; q /= 2)
@@ -24,8 +25,10 @@ int decimalPlaces(Integer q) {
 }
 
 std::string decimalText(const Rational &value, int places) {
-  const Rational scaled = abs(value) * Rational(mp::pow(Integer(10), static_cast<unsigned>(places)));
-  std::string digits = scaled.numerator().str();
+  Rational scaled = abs(value);
+  for (int place = 0; place < places; ++place)
+    scaled *= 10;
+  std::string digits = toText(scaled);
   const auto fraction = static_cast<std::size_t>(places);
   if (digits.size() <= fraction)
     digits.insert(0, fraction + 1 - digits.size(), '0');
@@ -37,11 +40,12 @@ ShownNumber rounded(double value) { return {roundedText(value), false}; }
 
 /// p/q with the sign in front of the fraction; `root` is written behind the numerator.
 std::string fractionLatex(const Rational &value, const std::string &root) {
-  const Integer p = mp::abs(value.numerator());
-  const Integer q = value.denominator();
-  std::string top = p == 1 && !root.empty() ? root : p.str() + root;
-  if (q != 1)
-    top = "\\frac{" + top + "}{" + q.str() + "}";
+  const std::string magnitude = toText(abs(value));
+  const auto slash = magnitude.find('/');
+  const std::string p = magnitude.substr(0, slash);
+  std::string top = p == "1" && !root.empty() ? root : p + root;
+  if (slash != std::string::npos)
+    top = "\\frac{" + top + "}{" + magnitude.substr(slash + 1) + "}";
   return (value < 0 ? "-" : "") + top;
 }
 
@@ -72,9 +76,11 @@ std::string roundedText(double value) {
 }
 
 ShownNumber show(const Rational &value) {
-  const Integer q = value.denominator();
-  if (toText(value).size() > longestExactForm)
+  static_assert(longestExactForm <= std::numeric_limits<std::int64_t>::digits10);
+  const auto words = value.words();
+  if (!words || toText(value).size() > longestExactForm)
     return rounded(toDouble(value));
+  const std::int64_t q = words->denominator;
   const int places = q > largestFractionDenominator ? decimalPlaces(q) : -1;
   return {places > 0 ? decimalText(value, places) : fractionLatex(value, ""), true};
 }

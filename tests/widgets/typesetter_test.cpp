@@ -1,4 +1,5 @@
 // The typesetter's queue and cache.
+#include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QElapsedTimer>
@@ -8,6 +9,8 @@
 using namespace halfspace;
 
 namespace {
+
+const LabelStyle style{{0, 0, 0}, {255, 255, 255}, 22};
 
 QStringList numbered(const QString &prefix, int count) {
   QStringList formulas;
@@ -22,18 +25,32 @@ class TypesetterTest : public QObject {
   Q_OBJECT
 
 private slots:
-  void pictureIsNullFirstAndThereAfterReady() {
+  void labelIsNullFirstAndThereAfterReady() {
     Typesetter typesetter;
     QSignalSpy ready(&typesetter, &Typesetter::ready);
-    QVERIFY(!typesetter.picture("x+1"));
+    QVERIFY(!typesetter.label("x+1", style));
     QVERIFY(ready.wait());
-    QVERIFY(typesetter.picture("x+1"));
+    QVERIFY(typesetter.label("x+1", style));
+  }
+
+  void labelIsThePictureThatThePainterMakes() {
+    Typesetter typesetter;
+    QTRY_VERIFY(typesetter.label("x+1", style));
+    const LabelPicture painted = paintLabel(*typesetter.pictureNow("x+1"), style);
+    QCOMPARE(typesetter.label("x+1", style)->rgba, painted.rgba);
+  }
+
+  void formulaTooLongIsAnErrorAndALabelOfItIsPaintedAllTheSame() {
+    Typesetter typesetter;
+    const QString tooLong = QStringLiteral("x+").repeated(TypesetWorker::longestLatex);
+    QVERIFY(!typesetter.pictureNow(tooLong)->error().isEmpty());
+    QTRY_VERIFY(typesetter.label(tooLong, style));
   }
 
   void askingAgainGivesTheSamePicture() {
     Typesetter typesetter;
     const auto first = typesetter.pictureNow("x+1");
-    QCOMPARE(typesetter.picture("x+1"), first);
+    QCOMPARE(typesetter.known("x+1"), first);
     QCOMPARE(typesetter.pictureNow("x+1"), first);
   }
 
@@ -42,7 +59,7 @@ private slots:
     clock.start();
     Typesetter typesetter;
     for (const QString &latex : numbered("\\frac{1}{2} + ", 30))
-      QVERIFY(!typesetter.picture(latex));
+      QVERIFY(!typesetter.label(latex, style));
     QVERIFY2(clock.elapsed() < 60, qPrintable(QString::number(clock.elapsed())));
   }
 
@@ -82,12 +99,12 @@ private slots:
     QTRY_VERIFY(kept.isComplete());
   }
 
-  void looseRequestsAreBoundedAndTheLatestAreMade() {
+  void labelsWaitingAreBoundedAndTheLatestAreMade() {
     Typesetter typesetter;
     for (const QString &latex : numbered("n_", 500))
-      (void)typesetter.picture(latex);
-    QCOMPARE(typesetter.queueLength(), Typesetter::looseRequests);
-    QTRY_VERIFY(typesetter.known("n_499"));
+      (void)typesetter.label(latex, style);
+    QCOMPARE(typesetter.queueLength(), Typesetter::mostLabelsWaiting);
+    QTRY_VERIFY(typesetter.label("n_499", style));
   }
 
   void cacheForgetsWhatWasNotUsedForLong() {
@@ -116,7 +133,7 @@ private slots:
       Typesetter typesetter;
       (void)typesetter.pictureNow("x");
       for (const QString &latex : numbered("\\sqrt{\\frac{1}{x}} + ", 60))
-        (void)typesetter.picture(latex);
+        (void)typesetter.label(latex, style);
       clock.start();
     }
     QVERIFY2(clock.elapsed() < 300, qPrintable(QString::number(clock.elapsed())));

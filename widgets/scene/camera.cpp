@@ -84,13 +84,17 @@ void Camera::zoom(double factor, glm::dvec2 pixel, PixelSize size) {
 }
 
 std::optional<glm::dvec3> Camera::project(Place place, PixelSize size) const {
-  const Place sight = place - eye();
-  const double depth = glm::dot(sight, viewDirection());
+  // Once each: a frame projects some hundred places.
+  const Place along = viewDirection();
+  const Place across = right();
+  const Place sight = place - (target - along * distance());
+  const double depth = glm::dot(sight, along);
   if (!isFinite(place) || depth <= 0)
     return {};
   const double pixels = 1 / unitsPerPixelAtTarget(*this, size) * (orthographic ? 1 : distance() / depth);
-  return glm::dvec3(size.width / 2.0 + glm::dot(sight, right()) * pixels,
-                    size.height / 2.0 - glm::dot(sight, up()) * pixels, depth / (depth + distance()));
+  return glm::dvec3(size.width / 2.0 + glm::dot(sight, across) * pixels,
+                    size.height / 2.0 - glm::dot(sight, glm::cross(across, along)) * pixels,
+                    depth / (depth + distance()));
 }
 
 SightLine Camera::sightThrough(glm::dvec2 pixel, PixelSize size) const {

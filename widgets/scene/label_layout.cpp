@@ -73,9 +73,13 @@ double lengthInside(const Rectangle &box, const LabelObstacles::Segment &segment
   return std::max(0.0, leave - enter) * glm::length(along);
 }
 
-glm::dvec2 direction(std::size_t number) {
-  const double angle = 2 * std::numbers::pi * static_cast<double>(number) / directionCount;
-  return {std::cos(angle), std::sin(angle)};
+std::array<glm::dvec2, directionCount> unitDirections() {
+  std::array<glm::dvec2, directionCount> directions;
+  for (std::size_t way = 0; way < directionCount; ++way) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(way) / directionCount;
+    directions[way] = {std::cos(angle), std::sin(angle)};
+  }
+  return directions;
 }
 
 /// The box beside an anchor: its side or corner that faces the anchor is `gap` away from it.
@@ -103,7 +107,6 @@ bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
 struct LabelLayout::Candidate {
   Choice choice;
   Rectangle box;
-  glm::dvec2 anchor{};
   double cost = 0; ///< by itself, whatever else is on the screen
 };
 
@@ -117,26 +120,28 @@ struct LabelLayout::Board {
 
 std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest &request,
                                                               const Board &board) {
+  static const std::array directions = unitDirections();
   std::vector<Candidate> candidates;
+  candidates.reserve(request.anchors.size() * directionCount * distances.size());
   double liking = 0;
-  for (std::size_t a = 0; a < request.anchors.size(); ++a) {
+  for (std::uint16_t a = 0; a < request.anchors.size(); ++a) {
     const LabelAnchor &anchor = request.anchors[a];
     if (!isOnScreen(anchor.pixel, board.size))
       continue;
     if (request.isPinned) {
       const Rectangle box{anchor.pixel - request.extent / 2.0, anchor.pixel + request.extent / 2.0};
-      return {{{}, movedInside(box, board.size), anchor.pixel, 0}};
+      return {{{a, 0, 0}, movedInside(box, board.size), 0}};
     }
     const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
-    for (std::size_t way = 0; way < directionCount; ++way)
-      for (std::size_t far = 0; far < distances.size(); ++far) {
+    for (std::uint16_t way = 0; way < directionCount; ++way)
+      for (std::uint16_t far = 0; far < distances.size(); ++far) {
         const double gap = anchor.clearance + distances[far] * board.pixelRatio;
-        const Rectangle wanted = boxBeside(anchor.pixel, direction(way), gap, request.extent);
+        const Rectangle wanted = boxBeside(anchor.pixel, directions[way], gap, request.extent);
         const Rectangle box = movedInside(wanted, board.size);
         const double pushed = glm::distance(wanted.low, box.low) / (request.extent.x + request.extent.y);
-        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, direction(way))) +
+        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, directions[way])) +
                             costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - freePush);
-        candidates.push_back({{a, way, far}, box, anchor.pixel, cost});
+        candidates.push_back({{a, way, far}, box, cost});
       }
     liking += costOfNextAnchor;
   }
@@ -152,6 +157,8 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
   for (std::size_t other = 0; other < board.placed.size(); ++other) {
     if (other == label || !board.placed[other])
       continue;
+    if (cost >= limit)
+      return cost;
     const double overlap = overlapArea(box, board.placed[other]->box);
     cost += costOfOverlap * overlap / (extent.x * extent.y) + (overlap > 0 ? costOfTouching : 0);
   }
@@ -171,6 +178,7 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
                                             double pixelRatio) {
   Board board{obstacles, size, pixelRatio, std::vector<std::optional<Candidate>>(requests.size())};
   std::vector<std::vector<Candidate>> candidates;
+  candidates.reserve(requests.size());
   for (std::size_t label = 0; label < requests.size(); ++label) {
     candidates.push_back(candidatesOf(requests[label], board));
     if (requests[label].isPinned && !candidates.back().empty())
@@ -202,7 +210,8 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       continue;
     const Candidate &chosen = *board.placed[label];
     m_choices[requests[label].id] = chosen.choice;
-    result.push_back({requests[label].id, chosen.box.low, chosen.box.extent(), chosen.anchor,
+    result.push_back({requests[label].id, chosen.box.low, chosen.box.extent(),
+                      requests[label].anchors[chosen.choice.anchor].pixel,
                       chosen.choice.distance >= firstWithLeader});
   }
   return result;

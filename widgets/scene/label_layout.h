@@ -4,6 +4,7 @@
 
 #include "widgets/scene/camera.h"
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -60,9 +61,9 @@ public:
 private:
   /// What a label chose: the anchor's number, the direction's and the distance's.
   struct Choice {
-    std::size_t anchor = 0;
-    std::size_t direction = 0;
-    std::size_t distance = 0;
+    std::uint16_t anchor = 0;
+    std::uint16_t direction = 0;
+    std::uint16_t distance = 0;
     bool operator==(const Choice &) const = default;
   };
   struct Candidate;

@@ -23,15 +23,14 @@ namespace {
 /// Leader lines in design pixels, and how far short of the label they end.
 constexpr double leaderWidth = 1;
 
-vtkSmartPointer<vtkImageData> imageOf(const LabelPicture &picture) {
-  auto image = vtkSmartPointer<vtkImageData>::New();
+void write(const LabelPicture &picture, vtkImageData *image) {
   image->SetDimensions(picture.width, picture.height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   const auto rowBytes = static_cast<std::ptrdiff_t>(picture.width) * 4;
   for (int row = 0; row < picture.height; ++row) // VTK's rows go from bottom to top
     std::copy_n(picture.rgba.data() + row * rowBytes, rowBytes,
                 static_cast<std::uint8_t *>(image->GetScalarPointer(0, picture.height - 1 - row, 0)));
-  return image;
+  image->Modified();
 }
 
 } // namespace
@@ -42,6 +41,7 @@ struct LabelOverlay::Sprite {
   Picture picture;
   vtkNew<vtkPoints> corners;
   vtkNew<vtkPolyData> rectangle;
+  vtkNew<vtkImageData> image;
   vtkNew<vtkTexture> texture;
   vtkNew<vtkTexturedActor2D> actor;
 
@@ -58,6 +58,7 @@ struct LabelOverlay::Sprite {
     rectangle->GetPointData()->SetTCoords(texels);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(rectangle);
+    texture->SetInputData(image);
     texture->InterpolateOff();
     texture->RepeatOff();
     actor->SetMapper(mapper);
@@ -71,7 +72,7 @@ struct LabelOverlay::Sprite {
   void show(const Picture &newPicture, glm::dvec2 topLeft, PixelSize size, double opacity) {
     if (newPicture != picture) {
       picture = newPicture;
-      texture->SetInputData(imageOf(*picture));
+      write(*picture, image);
     }
     const double left = topLeft.x;
     const double right = left + picture->width;

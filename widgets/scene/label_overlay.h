@@ -4,7 +4,6 @@
 #include "widgets/scene/label_requests.h"
 
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <map>
 

@@ -56,7 +56,7 @@ void addCorner(Mesh &mesh, Place position, Place normal, Color color) {
 }
 
 void addTriangle(Mesh &mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
-  mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
+  mesh.triangles.emplace_back(a, b, c);
 }
 
 /// Joins two rings of so many corners each that start at these indices.

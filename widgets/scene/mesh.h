@@ -5,18 +5,19 @@
 #include "lessons/figure.h"
 #include "widgets/scene/theme.h"
 
+#include <glm/ext/vector_int3.hpp>
 #include <glm/vec3.hpp>
 
 #include <span>
 
 namespace halfspace {
 
-/// Corners with their normals and colours, and triangles as three indices each.
+/// Corners with their normals and colours, and triangles of three corners by their numbers.
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<Color> colors;
-  std::vector<std::int32_t> triangles;
+  std::vector<glm::ivec3> triangles;
 };
 
 /// A tube around a path with mitred corners and flat ends. Repeated points of the path are left out; a path

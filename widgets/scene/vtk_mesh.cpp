@@ -35,15 +35,17 @@ vtkNew<vtkUnsignedCharArray> colorArray(const std::vector<Color> &colors) {
   return array;
 }
 
-vtkNew<vtkCellArray> triangleArray(const std::vector<std::int32_t> &corners) {
-  const std::size_t count = corners.size() / 3;
+vtkNew<vtkCellArray> triangleArray(const std::vector<glm::ivec3> &triangles) {
+  static_assert(sizeof(glm::ivec3) == 3 * sizeof(vtkTypeInt32));
+  const std::size_t count = triangles.size();
   vtkNew<vtkTypeInt32Array> offsets;
   offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
   for (std::size_t i = 0; i <= count; ++i)
     offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
   vtkNew<vtkTypeInt32Array> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
-  std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * count));
+  if (!triangles.empty())
+    std::copy_n(&triangles.front().x, 3 * count, connectivity->GetPointer(0));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;

@@ -19,14 +19,6 @@ namespace {
 constexpr double haloWidth = 0.11;
 /// Nothing that is to be read is drawn larger.
 constexpr int largestLabelSide = 4096;
-/// How many labels are kept.
-constexpr int cachedLabels = 400;
-
-QString keyOf(const std::string &latex, const LabelStyle &style) {
-  const auto hex = [](Color color) { return toQColor(color).name(); };
-  return QStringLiteral("%1 %2 %3 %4")
-      .arg(hex(style.ink), hex(style.halo), QString::number(style.pixelSize), QString::fromStdString(latex));
-}
 
 LabelPicture fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
@@ -37,24 +29,6 @@ LabelPicture fromImage(const QImage &image) {
     std::memcpy(picture.rgba.data() + rowBytes * static_cast<std::size_t>(row), straight.constScanLine(row),
                 rowBytes);
   return picture;
-}
-
-using PictureSource = std::function<Typesetter::Picture(const QString &latex)>;
-
-LabelPainter makePainter(PictureSource pictureOf) {
-  using Cache = QCache<QString, std::shared_ptr<const LabelPicture>>;
-  return [pictureOf = std::move(pictureOf), cache = std::make_shared<Cache>(cachedLabels)](
-             const std::string &latex, const LabelStyle &style) -> std::shared_ptr<const LabelPicture> {
-    const QString key = keyOf(latex, style);
-    if (const auto *kept = cache->object(key))
-      return *kept;
-    const Typesetter::Picture formula = pictureOf(QString::fromStdString(latex));
-    if (!formula)
-      return nullptr;
-    auto label = std::make_shared<const LabelPicture>(paintLabel(*formula, style));
-    cache->insert(key, new std::shared_ptr<const LabelPicture>(label));
-    return label;
-  };
 }
 
 } // namespace
@@ -79,11 +53,22 @@ LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
 }
 
 LabelPainter labelPainter(Typesetter &typesetter) {
-  return makePainter([&typesetter](const QString &latex) { return typesetter.picture(latex); });
+  return [&typesetter](const std::string &latex, const LabelStyle &style) {
+    return typesetter.label(QString::fromStdString(latex), style);
+  };
 }
 
 LabelPainter blockingLabelPainter(Typesetter &typesetter) {
-  return makePainter([&typesetter](const QString &latex) { return typesetter.pictureNow(latex); });
+  using Cache = QCache<TypesetOrder, Typesetter::Label>;
+  return [&typesetter, cache = std::make_shared<Cache>(Typesetter::labelCapacity)](
+             const std::string &latex, const LabelStyle &style) -> Typesetter::Label {
+    const TypesetOrder order{QString::fromStdString(latex), style};
+    if (const Typesetter::Label *kept = cache->object(order))
+      return *kept;
+    auto label = std::make_shared<const LabelPicture>(paintLabel(*typesetter.pictureNow(order.latex), style));
+    cache->insert(order, new Typesetter::Label(label));
+    return label;
+  };
 }
 
 } // namespace halfspace

@@ -1,5 +1,7 @@
 #include "widgets/typeset/typeset_worker.h"
 
+#include "widgets/typeset/label_painter.h"
+
 #include <QFile>
 #include <QJSEngine>
 
@@ -23,13 +25,22 @@ QJSValue loadMathJax(QJSEngine &engine) {
   return engine.globalObject().property(QStringLiteral("halfspaceMath")).property(QStringLiteral("typeset"));
 }
 
-MathPicture make(const QJSValue &typeset, const QString &latex) {
+MathPicture pictureOf(const QJSValue &typeset, const QString &latex) {
+  if (latex.size() > TypesetWorker::longestLatex)
+    return MathPicture::failed(QStringLiteral("The formula is too long"), latex);
   if (!typeset.isCallable())
     return MathPicture::failed(QStringLiteral("Formulas cannot be typeset: ") + typeset.toString(), latex);
   const QJSValue svg = QJSValue(typeset).call({latex});
   if (svg.isError() || !svg.isString())
     return MathPicture::failed(QStringLiteral("The formula is too complicated"), latex);
   return MathPicture::fromSvg(svg.toString(), latex);
+}
+
+TypesetWorker::Made make(const QJSValue &typeset, const TypesetOrder &order) {
+  MathPicture formula = pictureOf(typeset, order.latex);
+  if (order.label)
+    return {order, nullptr, std::make_shared<const LabelPicture>(paintLabel(formula, *order.label))};
+  return {order, std::make_shared<const MathPicture>(std::move(formula)), nullptr};
 }
 
 } // namespace
@@ -56,13 +67,13 @@ void TypesetWorker::run() {
   }
   const QJSValue typeset = loadMathJax(engine);
   while (takeNext()) {
-    auto picture = std::make_shared<const MathPicture>(make(typeset, m_current));
+    TypesetWorker::Made made = make(typeset, *m_current);
     bool first = false;
     {
       const std::lock_guard lock(m_mutex);
       first = m_made.empty();
-      m_made.emplace_back(m_current, std::move(picture));
-      m_current = QString();
+      m_made.push_back(std::move(made));
+      m_current.reset();
     }
     m_result.notify_all();
     if (first)
@@ -83,13 +94,14 @@ bool TypesetWorker::takeNext() {
   return true;
 }
 
-void TypesetWorker::setQueue(const QStringList &formulas) {
+void TypesetWorker::setQueue(const QList<TypesetOrder> &orders) {
   {
     const std::lock_guard lock(m_mutex);
-    m_queue = formulas;
-    m_queue.removeAll(m_current);
+    m_queue = orders;
+    if (m_current)
+      m_queue.removeAll(*m_current);
     for (const Made &made : m_made)
-      m_queue.removeAll(made.first);
+      m_queue.removeAll(made.order);
   }
   m_work.notify_all();
 }
@@ -106,13 +118,13 @@ void TypesetWorker::waitForMade(std::chrono::milliseconds time) {
 
 void TypesetWorker::giveUpAfter(std::chrono::milliseconds patience) {
   const std::lock_guard lock(m_mutex);
-  if (m_engine && !m_current.isNull() && Clock::now() - m_started > patience)
+  if (m_engine && m_current && Clock::now() - m_started > patience)
     m_engine->setInterrupted(true);
 }
 
 bool TypesetWorker::isIdle() const {
   const std::lock_guard lock(m_mutex);
-  return m_queue.isEmpty() && m_current.isNull() && m_made.empty();
+  return m_queue.isEmpty() && !m_current && m_made.empty();
 }
 
 } // namespace halfspace

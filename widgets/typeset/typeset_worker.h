@@ -2,8 +2,9 @@
 #pragma once
 
 #include "widgets/typeset/math_picture.h"
+#include "widgets/typeset/typeset_order.h"
 
-#include <QStringList>
+#include <QList>
 
 #include <chrono>
 #include <condition_variable>
@@ -17,10 +18,17 @@ class QJSEngine;
 
 namespace halfspace {
 
-/// Makes pictures one after the other. All functions may be called from any thread.
+/// Makes pictures one after the other, and paints labels. All functions may be called from any thread.
 class TypesetWorker {
 public:
-  using Made = std::pair<QString, std::shared_ptr<const MathPicture>>;
+  struct Made {
+    TypesetOrder order;
+    std::shared_ptr<const MathPicture> formula; ///< null where a label was ordered
+    std::shared_ptr<const LabelPicture> label;  ///< null where a formula was ordered
+  };
+
+  /// Longer sources are refused.
+  static constexpr int longestLatex = 4000;
 
   /// Starts the thread. `arrived` is called on it when the first picture after a `takeMade` is there.
   explicit TypesetWorker(std::function<void()> arrived);
@@ -29,8 +37,8 @@ public:
   TypesetWorker(const TypesetWorker &) = delete;
   TypesetWorker &operator=(const TypesetWorker &) = delete;
 
-  /// Replaces the formulas that wait.
-  void setQueue(const QStringList &formulas);
+  /// Replaces the orders that wait.
+  void setQueue(const QList<TypesetOrder> &orders);
   /// The pictures made since the last call.
   [[nodiscard]] std::vector<Made> takeMade();
   /// Waits until a picture is there, and at most so long.
@@ -50,8 +58,8 @@ private:
   mutable std::mutex m_mutex; ///< guards all below
   std::condition_variable m_work;
   std::condition_variable m_result;
-  QStringList m_queue;
-  QString m_current; ///< the formula in work; null for none
+  QList<TypesetOrder> m_queue;
+  std::optional<TypesetOrder> m_current; ///< what is in work
   Clock::time_point m_started;
   std::vector<Made> m_made;
   QJSEngine *m_engine = nullptr; ///< the thread's, while it lives

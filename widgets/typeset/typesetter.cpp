@@ -1,6 +1,6 @@
 #include "widgets/typeset/typesetter.h"
 
-#include "widgets/typeset/typeset_worker.h"
+#include <QSet>
 
 #include <algorithm>
 #include <chrono>
@@ -28,15 +28,16 @@ Typesetter::Typesetter(QObject *parent, int capacity) : QObject(parent), m_cache
 
 Typesetter::~Typesetter() = default;
 
-Typesetter::Picture Typesetter::picture(const QString &latex) {
-  if (Picture there = known(latex))
-    return there;
-  m_loose.removeAll(latex);
-  m_loose.prepend(latex);
-  while (m_loose.size() > looseRequests)
-    m_loose.removeLast();
+Typesetter::Label Typesetter::label(const QString &latex, const LabelStyle &style) {
+  const TypesetOrder order{latex, style};
+  if (const Label *there = m_labels.object(order))
+    return *there;
+  m_waitingLabels.removeAll(order);
+  m_waitingLabels.prepend(order);
+  while (m_waitingLabels.size() > mostLabelsWaiting)
+    m_waitingLabels.removeLast();
   updateQueue();
-  return known(latex); // a source that is refused has its picture at once
+  return nullptr;
 }
 
 Typesetter::Picture Typesetter::known(const QString &latex) const {
@@ -61,14 +62,7 @@ Typesetter::Picture Typesetter::pictureNow(const QString &latex) {
   return known(latex);
 }
 
-int Typesetter::queueLength() const {
-  QStringList waiting = m_loose;
-  for (const Request *request : m_requests)
-    waiting << request->m_wanted;
-  waiting.removeDuplicates();
-  return static_cast<int>(std::count_if(waiting.cbegin(), waiting.cend(),
-                                        [this](const QString &latex) { return !known(latex); }));
-}
+int Typesetter::queueLength() const { return static_cast<int>(missing().size()); }
 
 void Typesetter::announceArrived() {
   if (takeArrived())
@@ -77,13 +71,19 @@ void Typesetter::announceArrived() {
 
 bool Typesetter::takeArrived() {
   const std::vector<TypesetWorker::Made> arrived = m_worker->takeMade();
-  for (const auto &[latex, picture] : arrived)
-    keep(latex, picture);
+  for (const TypesetWorker::Made &made : arrived)
+    keep(made);
   return !arrived.empty();
 }
 
-void Typesetter::keep(const QString &latex, const Picture &picture) {
-  m_loose.removeAll(latex);
+void Typesetter::keep(const TypesetWorker::Made &made) {
+  if (made.formula)
+    return keepFormula(made.order.latex, made.formula);
+  m_waitingLabels.removeAll(made.order);
+  m_labels.insert(made.order, new Label(made.label));
+}
+
+void Typesetter::keepFormula(const QString &latex, const Picture &picture) {
   for (Request *request : m_requests)
     if (request->m_wanted.contains(latex))
       request->m_pictures[latex] = picture;
@@ -92,21 +92,20 @@ void Typesetter::keep(const QString &latex, const Picture &picture) {
   m_cache.insert(latex, new Picture(picture), cost);
 }
 
-void Typesetter::updateQueue() {
-  QStringList queue = m_loose;
+QList<TypesetOrder> Typesetter::missing() const {
+  QList<TypesetOrder> orders = m_waitingLabels;
+  QSet<QString> formulas;
   for (const Request *request : m_requests)
-    queue << request->m_wanted;
-  queue.removeDuplicates();
-  const auto refusedOrKnown = [this](const QString &latex) {
-    if (known(latex))
-      return true;
-    if (latex.size() <= longestLatex)
-      return false;
-    keep(latex, std::make_shared<const MathPicture>(
-                    MathPicture::failed(QStringLiteral("The formula is too long"), latex)));
-    return true;
-  };
-  queue.erase(std::remove_if(queue.begin(), queue.end(), refusedOrKnown), queue.end());
+    for (const QString &latex : request->m_wanted)
+      if (!formulas.contains(latex) && !known(latex)) {
+        formulas.insert(latex);
+        orders.push_back({latex, {}});
+      }
+  return orders;
+}
+
+void Typesetter::updateQueue() {
+  const QList<TypesetOrder> queue = missing();
   m_worker->setQueue(queue);
   // Not anew for each request, or it would never end a formula while requests keep coming.
   if (!queue.isEmpty() && !m_watch.isActive())

@@ -1,7 +1,7 @@
 // LaTeX to pictures, on a thread of its own: nothing that is drawn or dragged ever waits for a formula.
 #pragma once
 
-#include "widgets/typeset/math_picture.h"
+#include "widgets/typeset/typeset_worker.h"
 
 #include <QCache>
 #include <QObject>
@@ -13,22 +13,21 @@
 
 namespace halfspace {
 
-class TypesetWorker;
-
 /// Keeps typeset formulas and has missing ones made. Lives on the thread of the user interface; one for the
 /// program.
 class Typesetter : public QObject {
   Q_OBJECT
 public:
   using Picture = std::shared_ptr<const MathPicture>;
+  using Label = std::shared_ptr<const LabelPicture>;
 
-  /// Longer sources are refused at once.
-  static constexpr int longestLatex = 4000;
   /// A formula that takes longer is given up. A long one takes 10 ms.
   static constexpr int patienceMilliseconds = 1500;
 
   /// How many shapes the kept formulas have together: about 20 MB.
   static constexpr int usualCapacity = 20'000;
+  /// How many labels are kept.
+  static constexpr int labelCapacity = 400;
 
   explicit Typesetter(QObject *parent = nullptr, int capacity = usualCapacity);
   ~Typesetter() override;
@@ -54,10 +53,10 @@ public:
     std::map<QString, Picture> m_pictures; ///< of the wanted, held here so that the cache cannot lose them
   };
 
-  /// The picture, or null while it is being made: `ready` tells when to ask again. For passing needs: of the
-  /// formulas that were asked for in this way, only the latest `looseRequests` are made.
-  [[nodiscard]] Picture picture(const QString &latex);
-  static constexpr int looseRequests = 64;
+  /// The label, or null while it is being made: `ready` tells when to ask again. Only the latest
+  /// `mostLabelsWaiting` that were asked for are made.
+  [[nodiscard]] Label label(const QString &latex, const LabelStyle &style);
+  static constexpr int mostLabelsWaiting = 64;
 
   /// The picture if it is there; asks for nothing.
   [[nodiscard]] Picture known(const QString &latex) const;
@@ -65,7 +64,7 @@ public:
   /// Waits for the picture: for exports.
   [[nodiscard]] Picture pictureNow(const QString &latex);
 
-  /// How many formulas wait to be made.
+  /// How many formulas and labels wait to be made.
   [[nodiscard]] int queueLength() const;
 
 signals:
@@ -76,13 +75,17 @@ private:
   void announceArrived();
   /// Whether any pictures have arrived since the last time; they are kept then.
   bool takeArrived();
-  void keep(const QString &latex, const Picture &picture);
-  /// Tells the worker what is wanted and not there.
+  void keep(const TypesetWorker::Made &made);
+  void keepFormula(const QString &latex, const Picture &picture);
+  /// What is wanted and not there, each once; labels first, as they belong to what is being dragged.
+  [[nodiscard]] QList<TypesetOrder> missing() const;
+  /// Tells the worker what is missing.
   void updateQueue();
 
   QCache<QString, Picture> m_cache;
   std::vector<Request *> m_requests;
-  QStringList m_loose;
+  QCache<TypesetOrder, Label> m_labels{labelCapacity};
+  QList<TypesetOrder> m_waitingLabels; ///< the latest first
   QTimer m_watch; ///< runs while the worker has work, and ends formulas that take too long
   std::unique_ptr<TypesetWorker> m_worker;
 };
