@@ -13,7 +13,8 @@ namespace halfspace {
 class Evaluator {
 public:
   /// Writes the answer to a line behind what `answers` holds, with a line's end; true when its `ok` is true.
-  /// A line of more than `maxLineLength` bytes may be given by any longer part of it.
+  /// A line of more than `maxLineLength` bytes may be given by any part of it that is itself longer than
+  /// that.
   bool answer(std::string_view line, std::string &answers);
 
 private:

@@ -157,7 +157,7 @@ private:
   }
 
   bool take(char c) {
-    if (peek() != c || m_at == m_text.size())
+    if (peek() != c)
       return false;
     ++m_at;
     return true;
@@ -323,7 +323,7 @@ private:
     return hasDistinctKeys(node) || fail("a key twice in this object");
   }
 
-  /// Few keys are compared with each other at once, many are sorted.
+  /// Few keys are compared pairwise, many are sorted.
   bool hasDistinctKeys(std::size_t object) {
     constexpr std::size_t few = 8;
     std::array<const JsonLine::Node *, few> first{};

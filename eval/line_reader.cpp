@@ -2,6 +2,7 @@
 
 #include "eval/json_line.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -40,7 +41,7 @@ bool LineReader::readLine() {
       break;
     }
   }
-  return begun;
+  return begun && !m_failed;
 }
 
 /// One byte more than a line may have tells that it has too many; a \r at its end and a mark at its front are

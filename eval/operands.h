@@ -11,6 +11,10 @@
 #include "geometry/sphere.h"
 #include "geometry/triangle.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace halfspace {
 
 using ExactVec3 = Vec3<Rational>;

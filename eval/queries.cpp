@@ -12,14 +12,15 @@
 #include "geometry/project_vector.h"
 #include "geometry/relate_lines.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace halfspace {
 namespace {
 
 // --- Words for cases
-// ------------------------------------------------------------------------------------------- The cases that
-// the reader has ruled out before (a zero normal, a degenerate triangle …) have no word.
+
+// The cases that the reader has ruled out before (a zero normal, a degenerate triangle …) have no word.
 
 std::string_view wordOf(PointPlaneCase side) {
   return side == PointPlaneCase::Positive ? "positive" : side == PointPlaneCase::Negative ? "negative" : "on";

@@ -123,25 +123,14 @@ RayTriangleVerdict verdictOf(const TriangleProducts<Integer> &exact) {
   return {caseOfCrossing(place, signOf(exact.volume) * sum < 0), place};
 }
 
-/// The verdict that plain arithmetic allows, if it does.
-std::optional<RayTriangleVerdict> verdictOf(const FilteredTriangle &filtered) {
-  if (filtered.surelyMissed)
-    return RayTriangleVerdict{RayTriangleCase::Miss, {}};
-  const auto &[first, second, third] = filtered.bounded.products;
-  const int sign = first.sign();
-  const int volume = filtered.bounded.volume.sign();
-  if (sign == 0 || second.sign() != sign || third.sign() != sign || volume == 0)
-    return {};
-  return RayTriangleVerdict{sign == volume ? RayTriangleCase::Hit : RayTriangleCase::Behind,
-                            {TriangleLocation::Interior, -1}};
-}
-
 } // namespace
 
 RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle) {
   if (isTame(ray) && isTame(triangle))
-    if (const auto verdict = verdictOf(filterRayTriangle(ray, triangle)))
-      return *verdict;
+    if (const auto which = surelyCaseOf(filterRayTriangle(ray, triangle))) {
+      const bool outside = *which == RayTriangleCase::Miss;
+      return {*which, {outside ? TriangleLocation::Outside : TriangleLocation::Interior, -1}};
+    }
   const WholeNumbers whole(ray, triangle);
   const TriangleShape shape = whole.shape();
   if (shape != TriangleShape::Proper || whole.hasZeroDirection())

@@ -1,12 +1,12 @@
 // Signs of double expressions that can be trusted.
 #pragma once
 
-#include "geometry/ray.h"
-#include "geometry/triangle.h"
+#include "geometry/intersect_ray_triangle.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace halfspace {
 
@@ -69,8 +69,8 @@ template <class Value> struct TriangleProducts {
 
 /// What plain arithmetic can tell of a ray and a triangle.
 struct FilteredTriangle {
-  bool surelyMissed =
-      false; ///< the line crosses the triangle's plane, outside: the products are not looked at then
+  /// The line crosses the triangle's plane, outside. The products are not set then.
+  bool surelyMissed = false;
   TriangleProducts<Bounded> bounded{};
 };
 
@@ -102,6 +102,18 @@ struct FilteredTriangle {
   if (isOutside(third) || isOutside(first))
     return {true};
   return {false, {{first, second, third}, sum, Bounded::of(dot(v, acrossU), terms * sizeV * sizeU * sizeW)}};
+}
+
+/// The case that plain arithmetic is sure of, if it is. A Hit and a case Behind are inside the triangle.
+[[nodiscard]] inline std::optional<RayTriangleCase> surelyCaseOf(const FilteredTriangle &filtered) {
+  if (filtered.surelyMissed)
+    return RayTriangleCase::Miss;
+  const auto &[first, second, third] = filtered.bounded.products;
+  const int sign = first.sign();
+  const int volume = filtered.bounded.volume.sign();
+  if (sign == 0 || second.sign() != sign || third.sign() != sign || volume == 0)
+    return {};
+  return sign == volume ? RayTriangleCase::Hit : RayTriangleCase::Behind;
 }
 
 } // namespace halfspace

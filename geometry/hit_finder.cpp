@@ -43,22 +43,18 @@ Box boxOf(const Triangle<double> &triangle) {
 /// open.
 class NearestSoFar {
 public:
-  NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles)
-      : m_ray(ray), m_tame(isTame(ray)), m_triangles(triangles) {}
+  /// `tame` tells whether all triangles are.
+  NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles, bool tame)
+      : m_ray(ray), m_tame(tame && isTame(ray)), m_triangles(triangles) {}
 
   /// Looks whether the ray hits a triangle, and takes it if it is nearer, or as near and of lower index.
-  void offer(std::size_t index, bool tameTriangle) {
+  void offer(std::size_t index) {
     const Triangle<double> &triangle = m_triangles[index];
-    if (m_tame && tameTriangle) {
+    if (m_tame) {
       const FilteredTriangle filtered = filterRayTriangle(m_ray, triangle);
-      if (filtered.surelyMissed)
-        return;
-      const auto &[first, second, third] = filtered.bounded.products;
-      const Bounded &volume = filtered.bounded.volume;
-      const int sign = first.sign();
-      if (sign != 0 && second.sign() == sign && third.sign() == sign && volume.sign() != 0) {
-        if (volume.sign() == sign)
-          take(index, volume / filtered.bounded.sum);
+      if (const auto which = surelyCaseOf(filtered)) {
+        if (*which == RayTriangleCase::Hit)
+          take(index, filtered.bounded.volume / filtered.bounded.sum);
         return;
       }
     }
@@ -73,7 +69,7 @@ public:
   [[nodiscard]] std::optional<NearestHit> result() const {
     if (!m_index)
       return {};
-    const bool precise = m_t.error <= hitPrecision * m_t.value;
+    const bool precise = std::isfinite(m_t.value) && m_t.error <= hitPrecision * m_t.value;
     return NearestHit{*m_index, precise ? m_t.value : toDouble(exactT(m_ray, m_triangles[*m_index]))};
   }
 
@@ -124,8 +120,10 @@ struct HitFinder::Tree {
   Tree(const Tree &) = delete;
   Tree &operator=(const Tree &) = delete;
   ~Tree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    if (scene != nullptr)
+      rtcReleaseScene(scene);
+    if (device != nullptr)
+      rtcReleaseDevice(device);
   }
 
   void setUp();
@@ -207,7 +205,9 @@ std::optional<MovedRay> HitFinder::Tree::move(const Ray<double> &ray) const {
       largestCoordinate(ray.direction) < std::numeric_limits<double>::min())
     return {};
   // To where the ray comes into a ball around the scene, or a little before.
-  constexpr double ballRadius = 2; // half widths; the corners of the scene's box are √3 away
+  // In half widths. The corners of the scene's box are √3 away from its middle, and twice that where the
+  // middle could only be rounded to a corner.
+  constexpr double ballRadius = 4;
   const double perUnit = 1 / largestCoordinate(ray.direction);
   const Vec3<double> direction = ray.direction * perUnit;
   const double nearest = -dot(origin, direction) / dot(direction, direction);
@@ -219,7 +219,7 @@ void HitFinder::Tree::intersect(const RTCIntersectFunctionNArguments *arguments)
   // One ray at a time is asked: N is 1.
   const auto &tree = *static_cast<const Tree *>(arguments->geometryUserPtr);
   const auto &question = *reinterpret_cast<const Question *>(arguments->context);
-  question.nearest->offer(arguments->primID, tree.tame);
+  question.nearest->offer(arguments->primID);
   const double reach = (question.nearest->reach() - question.moved->start) / question.moved->perUnit;
   auto &ray = reinterpret_cast<RTCRayHit *>(arguments->rayhit)->ray;
   ray.tfar = std::min(ray.tfar, static_cast<float>(reach + boxMargin * tree.halfWidth));
@@ -232,11 +232,11 @@ HitFinder &HitFinder::operator=(HitFinder &&) noexcept = default;
 HitFinder::~HitFinder() = default;
 
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
-  NearestSoFar nearest(ray, m_tree->triangles);
+  NearestSoFar nearest(ray, m_tree->triangles, m_tree->tame);
   const auto moved = m_tree->scene != nullptr ? m_tree->move(ray) : std::nullopt;
   if (!moved) {
     for (std::size_t i = 0; i < m_tree->triangles.size(); ++i)
-      nearest.offer(i, m_tree->tame);
+      nearest.offer(i);
     return nearest.result();
   }
   Question question{{}, &nearest, &*moved};

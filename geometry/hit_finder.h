@@ -16,7 +16,7 @@ inline constexpr double hitPrecision = 0x1p-36;
 /// The triangle with the smallest t ≥ 0, of several the one with the lowest index.
 struct NearestHit {
   std::size_t index = 0;
-  double t = 0; ///< within hitPrecision
+  double t = 0; ///< within hitPrecision; +infinity beyond the range of doubles
 };
 
 /// Many triangles, made ready once and then asked often.

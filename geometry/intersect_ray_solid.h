@@ -24,7 +24,7 @@ template <class Scalar> struct RaySolid {
   RaySolidCase which = RaySolidCase::ZeroDirection;
   SolidContacts contacts = SolidContacts::None;
   SolidPlace origin = SolidPlace::Outside;      ///< where the ray starts
-  std::optional<SolidCrossing<Scalar>> entered; ///< with the rest missing together
+  std::optional<SolidCrossing<Scalar>> entered; ///< both are there, unless the case is Miss or ZeroDirection
   std::optional<SolidCrossing<Scalar>> left;
 };
 

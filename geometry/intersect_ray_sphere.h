@@ -6,6 +6,7 @@
 #include "geometry/sphere.h"
 #include "geometry/surd.h"
 
+#include <array>
 #include <vector>
 
 namespace halfspace {

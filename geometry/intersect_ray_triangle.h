@@ -8,7 +8,7 @@ namespace halfspace {
 
 enum class RayTriangleCase { Hit, Miss, Behind, Parallel, InPlane, Coincident, Collinear, ZeroDirection };
 
-/// The case of a ray that does not cross the triangle's plane in one point, by the first of these that holds.
+/// The case of a ray that does not cross the triangle's plane in one point, by the first reason that holds.
 [[nodiscard]] inline RayTriangleCase caseWithoutCrossing(TriangleShape shape, bool zeroDirection,
                                                          bool inPlane) {
   if (shape == TriangleShape::Coincident)
@@ -40,6 +40,7 @@ template <class Scalar> struct TrianglePerps {
   Scalar denominator{}; ///< (u·v)² − (u·u)(v·v) = −n·n; 0 exactly for a degenerate triangle
 };
 
+/// For any triangle; of a degenerate one normal and denominator are 0.
 template <class Scalar> [[nodiscard]] TrianglePerps<Scalar> perpsOf(const Triangle<Scalar> &triangle) {
   TrianglePerps<Scalar> result;
   result.u = triangle.p1 - triangle.p0;
@@ -66,7 +67,8 @@ template <class Scalar> struct RayTriangle {
   Scalar s{};         ///< w = s·u + tTriangle·v
   Scalar tTriangle{}; ///< the notes call it t as well; the ray's own t is plane.t
 
-  /// Whether the ray's line crosses the triangle's plane in one point; all the rest is set only then.
+  /// Whether the ray's line crosses the triangle's plane in one point: place, w, wu, wv, s and
+  /// tTriangle are set only then.
   [[nodiscard]] bool crosses() const { return plane.crosses(); }
 };
 

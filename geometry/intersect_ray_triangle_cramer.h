@@ -44,9 +44,9 @@ template <class Scalar>
   result.detTau = dot(ray.direction, throughS);
   result.detT = -dot(toT, throughS);
 
-  result.which = caseWithoutCrossing(shapeOf(triangle), isZero(ray.direction), result.detT == zero);
-  const bool proper = shapeOf(triangle) == TriangleShape::Proper;
-  if (!proper || result.det == zero)
+  const TriangleShape shape = shapeOf(triangle);
+  result.which = caseWithoutCrossing(shape, isZero(ray.direction), result.detT == zero);
+  if (shape != TriangleShape::Proper || result.det == zero)
     return result;
   result.sigma = result.detSigma / result.det;
   result.tau = result.detTau / result.det;

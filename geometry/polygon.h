@@ -45,20 +45,19 @@ template <class Scalar> [[nodiscard]] PolygonShape shapeOf(std::span<const Vec3<
   const auto turn = [&](const Vec3<Scalar> &from, const Vec3<Scalar> &to) -> Scalar {
     return dot(cross(from, to), plane.normal);
   };
-  const bool left = turn(edge(0), edge(1)) > zero;
   // Edges whose direction lies less than half a turn from the first one's, and those in the other half: a
   // polygon that goes round once comes back from the other half once.
   const Vec3<Scalar> reference = edge(0);
   const auto inFirstHalf = [&](const Vec3<Scalar> &direction) {
     const Scalar side = turn(reference, direction);
-    return side == zero ? dot(reference, direction) > zero : (side > zero) == left;
+    return side == zero ? dot(reference, direction) > zero : side > zero;
   };
   int rounds = 0;
   Vec3<Scalar> before = edge(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3<Scalar> direction = edge(i);
     const Scalar bend = turn(before, direction);
-    if (bend == zero || (bend > zero) != left)
+    if (bend <= zero)
       return PolygonShape::NotConvex;
     if (inFirstHalf(direction) && !inFirstHalf(before))
       ++rounds;

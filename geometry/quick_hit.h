@@ -41,12 +41,12 @@ template <class Scalar>
   if (approach == zero)
     return {};
   const Scalar t = -evaluate(triangle.plane, ray.origin) / approach;
-  if (t < zero)
+  if (!(t >= zero)) // and so below: over doubles something may be no number
     return {};
   const Vec3<Scalar> point = pointAt(ray, t);
   const Scalar s = evaluate(triangle.s, point);
   const Scalar tTriangle = evaluate(triangle.t, point);
-  if (s < zero || tTriangle < zero || s + tTriangle > Scalar(1))
+  if (!(s >= zero && tTriangle >= zero && s + tTriangle <= Scalar(1)))
     return {};
   return {true, t, s, tTriangle};
 }
@@ -66,14 +66,14 @@ template <class Scalar>
   const Scalar share = one / det;
   const Vec3<Scalar> toO = triangle.p0 - ray.origin;
   const Scalar s = dot(toO, throughT) * share;
-  if (s < zero || s > one)
+  if (!(s >= zero && s <= one))
     return {};
   const Vec3<Scalar> throughS = cross(toS, toO);
   const Scalar tTriangle = dot(ray.direction, throughS) * share;
-  if (tTriangle < zero || s + tTriangle > one)
+  if (!(tTriangle >= zero && s + tTriangle <= one))
     return {};
   const Scalar t = -dot(toT, throughS) * share;
-  if (t < zero)
+  if (!(t >= zero))
     return {};
   return {true, t, s, tTriangle};
 }

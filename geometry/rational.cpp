@@ -306,8 +306,8 @@ double nearestDouble(const Integer &p, const Integer &q, int exponent) {
     return 0;
   const Integer magnitude = mp::abs(p);
 
-  // Scale so that the quotient has 64 or 65 bits; a last odd bit stands for all that the division cut off, so
-  // that the one rounding below rounds the true value.
+  // Scale so that the quotient has 65 or 66 bits, more than a double's 53; a last odd bit stands for all that
+  // the division cut off, so that the one rounding below rounds the true value.
   const int shift = 65 - (bitLength(magnitude) - bitLength(q));
   const Integer dividend = shift > 0 ? Integer(magnitude << shift) : magnitude;
   const Integer divisor = shift < 0 ? Integer(q << -shift) : q;

@@ -197,7 +197,8 @@ std::optional<double> quickDouble(const Surd &value) {
     return static_cast<long double>(words.numerator) / static_cast<long double>(words.denominator);
   };
   const long double whole = quotient(*rational);
-  const long double root = quotient(*factor) * std::sqrt(static_cast<long double>(value.radicand()));
+  const long double root =
+      quotient(*factor) * std::sqrt(static_cast<long double>(static_cast<std::int64_t>(value.radicand())));
   const long double sum = whole + root;
   // Each part is at most 2 units in its 64th bit off. Of 11 bits more than a double has 8 may cancel.
   constexpr long double cancellation = 256;

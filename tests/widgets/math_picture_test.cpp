@@ -1,4 +1,5 @@
 // Formulas as pictures: what MathJax writes and what is read of it.
+#include "widgets/typeset/typeset_worker.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QElapsedTimer>
@@ -114,7 +115,7 @@ private slots:
 
   void hostileSourceIsRefusedQuickly_data() {
     QTest::addColumn<QString>("latex");
-    QTest::newRow("too long") << QString(Typesetter::longestLatex + 1, 'x');
+    QTest::newRow("too long") << QString(TypesetWorker::longestLatex + 1, 'x');
     QTest::newRow("deeply nested") << QString(1300, '{') + "x" + QString(1300, '}');
     QTest::newRow("nested fractions") << QString("\\frac1{").repeated(400) + "x" + QString(400, '}');
     QTest::newRow("nested brackets") << QString("\\left(").repeated(300) + QString("\\right)").repeated(300);
