@@ -151,6 +151,18 @@ TEST(HitFinder, NoTriangles_FindsNothing) {
   EXPECT_FALSE(HitFinder(Triangles{}).find({{0, 0, 0}, {0, 0, 1}}));
 }
 
+TEST(HitFinder, SceneOfOneUnitInTheLastPlace_AgreesWithTheExactLoop) {
+  // Its middle is no double: it is rounded to a corner.
+  const double low = 0x1p20;
+  const double high = std::nextafter(low, 2 * low);
+  const Triangles triangles{{{high, low, low}, {high, high, low}, {high, high, high}},
+                            {{low, low, low}, {low, high, low}, {low, high, high}}};
+  const HitFinder finder(triangles);
+  for (const Vec3<double> &direction : {Vec3<double>(-1, -0.375, -0.375), Vec3<double>(-1, 0, 0)})
+    ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(
+        finder, triangles, {Vec3<double>(high, high, high) - direction * 0x1p-20, direction}));
+}
+
 TEST(HitFinder, FarAwayHugeAndTiny_AgreesWithTheExactLoop) {
   Scenes scenes(4);
   for (const double size : {1e-30, 1e-9, 1.0, 1e9, 1e30, 1e250}) {

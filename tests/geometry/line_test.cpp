@@ -188,6 +188,12 @@ TEST(RelateLines, LinesDrawnApart_MeetOnlyAtZero) {
   }
 }
 
+TEST(RelateLines, DoublesWhoseRelationIsRounded_AreLinesAllTheSame) {
+  const auto line = lineAlong<double>({0.1, 0.2, 0.3}, {0.7, 0.11, 0.13});
+  ASSERT_NE(relation(line), 0);
+  EXPECT_EQ(relateLines(line, lineAlong<double>({5, 0, 0}, {0, 0, 1})).which, LineLineCase::Skew);
+}
+
 TEST(RelateLines, DoublesOnSmallIntegers_FindTheSameProductAndSkewLines) {
   // Products of integers this small are integers that a double holds.
   RandomNumbers random(88);

@@ -33,6 +33,13 @@ TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) {
   EXPECT_GT(hits, 200);
 }
 
+TEST(QuickHit, DoublesThatOverflow_AreNoHit) {
+  const Triangle<double> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Ray<double> besideIt{{5, 5, 1}, {0, 0, -1e-310}};
+  EXPECT_FALSE(quickHit(besideIt, prepare(triangle)).hit);
+  EXPECT_FALSE(quickHit(besideIt, triangle).hit);
+}
+
 TEST(HitFinder, DirectionOfAnyLength_FindsTheSameTriangle) {
   const std::vector<Triangle<double>> triangles{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
                                                 {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}};
