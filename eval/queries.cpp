@@ -26,97 +26,38 @@ std::string_view wordOf(PointPlaneCase side) {
   return side == PointPlaneCase::Positive ? "positive" : side == PointPlaneCase::Negative ? "negative" : "on";
 }
 
-std::string_view wordOf(RayPlaneCase which) {
+/// Of a ray and something flat, which it may run along.
+template <class Case> std::string_view wordOfFlat(Case which) {
   switch (which) {
-  case RayPlaneCase::Hit:
+  case Case::Hit:
     return "hit";
-  case RayPlaneCase::Behind:
+  case Case::Behind:
     return "behind";
-  case RayPlaneCase::Parallel:
+  case Case::Parallel:
     return "parallel";
-  case RayPlaneCase::InPlane:
+  case Case::InPlane:
     return "in-plane";
   default:
-    return {};
+    return "miss"; // a plane has no such case
   }
 }
+std::string_view wordOf(RayPlaneCase which) { return wordOfFlat(which); }
+std::string_view wordOf(RayTriangleCase which) { return wordOfFlat(which); }
+std::string_view wordOf(RayPolygonCase which) { return wordOfFlat(which); }
 
-std::string_view wordOf(RayTriangleCase which) {
-  switch (which) {
-  case RayTriangleCase::Hit:
-    return "hit";
-  case RayTriangleCase::Miss:
-    return "miss";
-  case RayTriangleCase::Behind:
-    return "behind";
-  case RayTriangleCase::Parallel:
-    return "parallel";
-  case RayTriangleCase::InPlane:
-    return "in-plane";
-  default:
-    return {};
-  }
+/// Of a ray and a body.
+template <class Case> std::string_view wordOfBody(Case which) {
+  return which == Case::Hit ? "hit" : which == Case::Behind ? "behind" : "miss";
 }
-
-std::string_view wordOf(RayPolygonCase which) {
-  switch (which) {
-  case RayPolygonCase::Hit:
-    return "hit";
-  case RayPolygonCase::Miss:
-    return "miss";
-  case RayPolygonCase::Behind:
-    return "behind";
-  case RayPolygonCase::Parallel:
-    return "parallel";
-  case RayPolygonCase::InPlane:
-    return "in-plane";
-  default:
-    return {};
-  }
-}
-
-std::string_view wordOf(TriangleLocation location) {
-  switch (location) {
-  case TriangleLocation::Interior:
-    return "interior";
-  case TriangleLocation::Edge:
-    return "edge";
-  case TriangleLocation::Vertex:
-    return "vertex";
-  case TriangleLocation::Outside:
-    return "outside";
-  }
-  return {};
-}
-
-std::string_view wordOf(PolygonLocation location) {
-  switch (location) {
-  case PolygonLocation::Interior:
-    return "interior";
-  case PolygonLocation::Edge:
-    return "edge";
-  case PolygonLocation::Vertex:
-    return "vertex";
-  case PolygonLocation::Outside:
-    return "outside";
-  }
-  return {};
-}
+std::string_view wordOf(RaySphereCase which) { return wordOfBody(which); }
+std::string_view wordOf(RaySolidCase which) { return wordOfBody(which); }
 
 std::string_view wordOf(SolidPlace place) {
   return place == SolidPlace::Outside ? "outside" : place == SolidPlace::Inside ? "inside" : "on";
 }
 
-std::string_view wordOf(RaySphereCase which) {
-  return which == RaySphereCase::Hit ? "hit" : which == RaySphereCase::Behind ? "behind" : "miss";
-}
-
 std::string_view wordOf(SphereContacts contacts) {
   return contacts == SphereContacts::Two ? "two" : contacts == SphereContacts::Tangent ? "tangent" : "none";
-}
-
-std::string_view wordOf(RaySolidCase which) {
-  return which == RaySolidCase::Hit ? "hit" : which == RaySolidCase::Behind ? "behind" : "miss";
 }
 
 std::string_view wordOf(SolidContacts contacts) {
@@ -217,7 +158,7 @@ void rayPlane(Operands &operands, Answer &answer) {
 }
 
 void addPlace(Answer &answer, const auto &place) {
-  answer.word("location", wordOf(place.location));
+  answer.word("location", nameOf(place.location));
   if (place.feature >= 0)
     answer.index("feature", static_cast<std::size_t>(place.feature));
 }
@@ -389,7 +330,7 @@ void parametric(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   answer.vector("point", pointOf(triangle, s, t));
-  answer.word("location", wordOf(placeInTriangle(s, t).location));
+  answer.word("location", nameOf(placeInTriangle(s, t).location));
   answer.truth("in_parallelogram", isInParallelogram(s, t));
 }
 

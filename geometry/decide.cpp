@@ -119,8 +119,21 @@ RayTriangleVerdict verdictOf(const TriangleProducts<Integer> &exact) {
     const bool inPlane = first == 0 && second == 0 && third == 0;
     return {inPlane ? RayTriangleCase::InPlane : RayTriangleCase::Parallel, {}};
   }
-  const TrianglePlace place = placeBySigns(signs);
+  const FacePlace place = placeBySigns(signs);
   return {caseOfCrossing(place, signOf(exact.volume) * sum < 0), place};
+}
+
+RayTriangleVerdict verdictOf(const WholeNumbers &whole, const TriangleProducts<Integer> &exact) {
+  const TriangleShape shape = whole.shape();
+  if (shape != TriangleShape::Proper || whole.hasZeroDirection())
+    return {caseWithoutCrossing(shape, whole.hasZeroDirection(), false), {}};
+  return verdictOf(exact);
+}
+
+Rational tOf(const WholeNumbers &whole, const TriangleProducts<Integer> &exact) {
+  const Rational t(exact.volume, exact.sum);
+  const Rational power(Integer(Integer(1) << std::abs(whole.tExponent())));
+  return whole.tExponent() < 0 ? t / power : t * power;
 }
 
 } // namespace
@@ -129,21 +142,23 @@ RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<doub
   if (isTame(ray) && isTame(triangle))
     if (const auto which = surelyCaseOf(filterRayTriangle(ray, triangle))) {
       const bool outside = *which == RayTriangleCase::Miss;
-      return {*which, {outside ? TriangleLocation::Outside : TriangleLocation::Interior, -1}};
+      return {*which, {outside ? FaceLocation::Outside : FaceLocation::Interior, -1}};
     }
   const WholeNumbers whole(ray, triangle);
-  const TriangleShape shape = whole.shape();
-  if (shape != TriangleShape::Proper || whole.hasZeroDirection())
-    return {caseWithoutCrossing(shape, whole.hasZeroDirection(), false), {}};
-  return verdictOf(whole.products());
+  return verdictOf(whole, whole.products());
+}
+
+std::optional<Rational> exactHit(const Ray<double> &ray, const Triangle<double> &triangle) {
+  const WholeNumbers whole(ray, triangle);
+  const auto exact = whole.products();
+  if (verdictOf(whole, exact).which != RayTriangleCase::Hit)
+    return {};
+  return tOf(whole, exact);
 }
 
 Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle) {
   const WholeNumbers whole(ray, triangle);
-  const auto exact = whole.products();
-  const Rational t(exact.volume, exact.sum);
-  const Rational power(Integer(Integer(1) << std::abs(whole.tExponent())));
-  return whole.tExponent() < 0 ? t / power : t * power;
+  return tOf(whole, whole.products());
 }
 
 RaySphereVerdict decideRaySphere(const Ray<double> &ray, const Sphere<double> &sphere) {

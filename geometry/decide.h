@@ -6,6 +6,8 @@
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/point_plane.h"
 
+#include <optional>
+
 namespace halfspace {
 
 // Each of these takes finite doubles for exactly the numbers that they are, and gives the verdict that the
@@ -20,11 +22,14 @@ namespace halfspace {
 
 struct RayTriangleVerdict {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  TrianglePlace place; ///< Outside, too, where the line does not cross the plane in one point
+  FacePlace place; ///< Outside, too, where the line does not cross the plane in one point
 };
 
 /// The case and the place of `intersectRayTriangle`.
 [[nodiscard]] RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle);
+
+/// The t of a Hit of `intersectRayTriangle`, in exact arithmetic from the start; nothing in any other case.
+[[nodiscard]] std::optional<Rational> exactHit(const Ray<double> &ray, const Triangle<double> &triangle);
 
 /// The t of `intersectRayTriangle`, for a ray whose line crosses the triangle's plane in one point.
 [[nodiscard]] Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle);

@@ -58,8 +58,8 @@ public:
         return;
       }
     }
-    if (decideRayTriangle(m_ray, triangle).which == RayTriangleCase::Hit) {
-      const double t = toDouble(exactT(m_ray, triangle));
+    if (const auto exact = exactHit(m_ray, triangle)) {
+      const double t = toDouble(*exact);
       take(index, {t, t * filterError});
     }
   }

@@ -3,24 +3,18 @@
 
 #include "geometry/intersect_ray_plane.h"
 #include "geometry/line.h"
+#include "geometry/place.h"
 #include "geometry/polygon.h"
 
 namespace halfspace {
 
 enum class RayPolygonCase { Hit, Miss, Behind, Parallel, InPlane, ZeroDirection };
-enum class PolygonLocation { Interior, Edge, Vertex, Outside };
-
-/// Where a point of a polygon's plane lies. Edge i runs from corner i to corner i + 1.
-struct PolygonPlace {
-  PolygonLocation location = PolygonLocation::Outside;
-  int feature = -1; ///< the edge's or the corner's index; set only for Edge and Vertex
-};
 
 /// Where a ray meets a convex polygon, with every number on the way.
 template <class Scalar> struct RayPolygon {
   RayPolygonCase which = RayPolygonCase::ZeroDirection;
   std::vector<Scalar> products; ///< with each edge i → i + 1
-  PolygonPlace place;
+  FacePlace place;              ///< edge i runs from corner i to corner i + 1
   Scalar t{};
   Vec3<Scalar> point{};
 
@@ -34,7 +28,7 @@ template <class Scalar> struct RayPolygon {
 /// the sign of direction·normal, where the edges go counterclockwise around the normal: inside all products
 /// have that sign, on an edge its own is 0.
 template <class Scalar>
-[[nodiscard]] PolygonPlace placeByProducts(std::span<const Scalar> products, bool withNormal) {
+[[nodiscard]] FacePlace placeByProducts(std::span<const Scalar> products, bool withNormal) {
   const Scalar zero(0);
   std::vector<int> zeros;
   for (std::size_t i = 0; i < products.size(); ++i) {
@@ -44,13 +38,13 @@ template <class Scalar>
       return {};
   }
   if (zeros.empty())
-    return {PolygonLocation::Interior, -1};
+    return {FaceLocation::Interior, -1};
   if (zeros.size() == 1)
-    return {PolygonLocation::Edge, zeros.front()};
+    return {FaceLocation::Edge, zeros.front()};
   // Two neighbours meet in the corner where the second one starts; the last edge and the first one in corner
   // 0.
   const bool aroundTheEnd = zeros[1] != zeros[0] + 1;
-  return {PolygonLocation::Vertex, aroundTheEnd ? 0 : zeros[1]};
+  return {FaceLocation::Vertex, aroundTheEnd ? 0 : zeros[1]};
 }
 
 /// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
@@ -76,9 +70,9 @@ template <class Scalar>
   result.t = plane.t;
   result.point = plane.point;
   result.place = placeByProducts(std::span<const Scalar>(result.products), plane.denominator > zero);
-  result.which = result.place.location == PolygonLocation::Outside ? RayPolygonCase::Miss
-                 : plane.which == RayPlaneCase::Behind             ? RayPolygonCase::Behind
-                                                                   : RayPolygonCase::Hit;
+  result.which = result.place.location == FaceLocation::Outside ? RayPolygonCase::Miss
+                 : plane.which == RayPlaneCase::Behind          ? RayPolygonCase::Behind
+                                                                : RayPolygonCase::Hit;
   return result;
 }
 

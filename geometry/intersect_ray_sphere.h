@@ -57,6 +57,7 @@ template <class Scalar>
 
   const Scalar middle = -leaving / square;
   const Scalar share = Scalar(1) / square;
+  const Scalar perRadius = Scalar(1) / sphere.radius;
   const auto addContact = [&](const Root<Scalar> &t) {
     SphereContact<Scalar> contact;
     contact.t = t;
@@ -64,7 +65,7 @@ template <class Scalar>
       const auto axis = static_cast<glm::length_t>(i);
       const Root<Scalar> fromCenter = t * d[axis] + m[axis];
       contact.point[i] = fromCenter + sphere.center[axis];
-      contact.normal[i] = fromCenter * Scalar(Scalar(1) / sphere.radius);
+      contact.normal[i] = fromCenter * perRadius;
     }
     result.along.push_back(std::move(contact));
   };

@@ -20,9 +20,14 @@ enum class RayTriangleCase { Hit, Miss, Behind, Parallel, InPlane, Coincident, C
   return inPlane ? RayTriangleCase::InPlane : RayTriangleCase::Parallel;
 }
 
+/// Whether the case is one of a ray whose line crosses the triangle's plane in one point.
+[[nodiscard]] inline bool crossesPlane(RayTriangleCase which) {
+  return which == RayTriangleCase::Hit || which == RayTriangleCase::Miss || which == RayTriangleCase::Behind;
+}
+
 /// The case of a ray whose line crosses the triangle's plane in one point.
-[[nodiscard]] inline RayTriangleCase caseOfCrossing(const TrianglePlace &place, bool behind) {
-  if (place.location == TriangleLocation::Outside)
+[[nodiscard]] inline RayTriangleCase caseOfCrossing(const FacePlace &place, bool behind) {
+  if (place.location == FaceLocation::Outside)
     return RayTriangleCase::Miss;
   return behind ? RayTriangleCase::Behind : RayTriangleCase::Hit;
 }
@@ -60,7 +65,7 @@ template <class Scalar> struct RayTriangle {
   RayTriangleCase which = RayTriangleCase::Coincident;
   TrianglePerps<Scalar> perps;
   RayPlane<Scalar> plane; ///< the ray and the triangle's plane: t, point
-  TrianglePlace place;
+  FacePlace place;
   Vec3<Scalar> w{};   ///< point − P0
   Scalar wu{};        ///< w·u, one of the five dot products
   Scalar wv{};        ///< w·v

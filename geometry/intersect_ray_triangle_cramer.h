@@ -9,7 +9,7 @@ namespace halfspace {
 /// ray: M = [r−s | r−t | d] by columns, and r−o in place of column 1, 2, 3 for σ, τ and the ray's parameter.
 template <class Scalar> struct RayTriangleCramer {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  TrianglePlace place;
+  FacePlace place;
   Scalar det{};      ///< det M = d·n; 0 when parallel, and for a degenerate triangle
   Scalar detSigma{}; ///< σ = detSigma/det, which is s of the perps
   Scalar detTau{};   ///< τ = detTau/det, which is t of the perps
@@ -20,10 +20,7 @@ template <class Scalar> struct RayTriangleCramer {
 
   /// Whether the ray's line crosses the triangle's plane in one point; sigma, tau, t and place are set only
   /// then.
-  [[nodiscard]] bool crosses() const {
-    return which == RayTriangleCase::Hit || which == RayTriangleCase::Miss ||
-           which == RayTriangleCase::Behind;
-  }
+  [[nodiscard]] bool crosses() const { return crossesPlane(which); }
 };
 
 /// Intersects a ray with a triangle by Cramer's rule (note CG). The four determinants share two cross

@@ -9,7 +9,7 @@ namespace halfspace {
 /// Where a ray meets a triangle, by the side on which its line passes each edge.
 template <class Scalar> struct RayTrianglePlucker {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  TrianglePlace place;
+  FacePlace place;
   std::array<Scalar, 3> products{}; ///< with the edges P1→P2, P2→P0, P0→P1: edge i is opposite corner i
   Scalar sum{};                     ///< of the products: r·n; 0 when parallel
   std::array<Scalar, 3> barycentric{}; ///< products/sum
@@ -18,10 +18,7 @@ template <class Scalar> struct RayTrianglePlucker {
 
   /// Whether the ray's line crosses the triangle's plane in one point; all but the products and their sum is
   /// set only then.
-  [[nodiscard]] bool crosses() const {
-    return which == RayTriangleCase::Hit || which == RayTriangleCase::Miss ||
-           which == RayTriangleCase::Behind;
-  }
+  [[nodiscard]] bool crosses() const { return crossesPlane(which); }
 };
 
 /// The permuted inner products of a ray's line with a triangle's edges P1→P2, P2→P0, P0→P1 (note PL): of one

@@ -1,6 +1,7 @@
 // Triangles.
 #pragma once
 
+#include "geometry/place.h"
 #include "geometry/vector.h"
 
 #include <array>
@@ -38,30 +39,23 @@ template <class Scalar> [[nodiscard]] bool isInParallelogram(const Scalar &s, co
   return zero <= s && s <= one && zero <= t && t <= one;
 }
 
-/// Where a point of a triangle's plane lies. On an edge or at a corner the feature tells which one:
-/// the corner's index, or the index of the corner opposite the edge.
-enum class TriangleLocation { Interior, Edge, Vertex, Outside };
-struct TrianglePlace {
-  TriangleLocation location = TriangleLocation::Outside;
-  int feature = -1; ///< set for Edge and Vertex
-};
-
 /// −1, 0 or 1.
 template <class Scalar> [[nodiscard]] int signOf(const Scalar &value) {
   const Scalar zero(0);
   return value < zero ? -1 : value > zero ? 1 : 0;
 }
 
-/// The place of a point by the signs of its barycentric coordinates (note PG 2; note CG). A coordinate 0 is
-/// an edge only where the other two are positive, a corner where one more is 0.
-[[nodiscard]] inline TrianglePlace placeBySigns(const std::array<int, 3> &signs) {
+/// The place of a point by the signs of its barycentric coordinates (note PG 2; note CG). An edge's feature
+/// is the index of the corner opposite. A coordinate 0 is an edge only where the other two are positive, a
+/// corner where one more is 0.
+[[nodiscard]] inline FacePlace placeBySigns(const std::array<int, 3> &signs) {
   int zeros = 0;
   int lastZero = -1;
   int lastPositive = -1;
   for (int i = 0; i < 3; ++i) {
     const int sign = signs[static_cast<std::size_t>(i)];
     if (sign < 0)
-      return {TriangleLocation::Outside, -1};
+      return {FaceLocation::Outside, -1};
     if (sign == 0) {
       ++zeros;
       lastZero = i;
@@ -70,13 +64,12 @@ template <class Scalar> [[nodiscard]] int signOf(const Scalar &value) {
     }
   }
   if (zeros == 0)
-    return {TriangleLocation::Interior, -1};
-  return zeros == 1 ? TrianglePlace{TriangleLocation::Edge, lastZero}
-                    : TrianglePlace{TriangleLocation::Vertex, lastPositive};
+    return {FaceLocation::Interior, -1};
+  return zeros == 1 ? FacePlace{FaceLocation::Edge, lastZero} : FacePlace{FaceLocation::Vertex, lastPositive};
 }
 
 /// The place of the point with barycentric coordinates [1 − s − t, s, t].
-template <class Scalar> [[nodiscard]] TrianglePlace placeInTriangle(const Scalar &s, const Scalar &t) {
+template <class Scalar> [[nodiscard]] FacePlace placeInTriangle(const Scalar &s, const Scalar &t) {
   return placeBySigns({signOf(Scalar(Scalar(1) - s - t)), signOf(s), signOf(t)});
 }
 

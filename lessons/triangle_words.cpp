@@ -17,32 +17,18 @@ std::string cornerName(int corner) {
   return names.at(static_cast<std::size_t>(corner));
 }
 
-std::string placeWords(const TrianglePlace &place) {
+std::string placeWords(const FacePlace &place) {
   switch (place.location) {
-  case TriangleLocation::Interior:
+  case FaceLocation::Interior:
     return words("inside the triangle");
-  case TriangleLocation::Edge:
+  case FaceLocation::Edge:
     return words("on the edge {edge}", {{"edge", edgeNames.at(static_cast<std::size_t>(place.feature))}});
-  case TriangleLocation::Vertex:
+  case FaceLocation::Vertex:
     return words("at the corner {corner}", {{"corner", cornerName(place.feature)}});
-  case TriangleLocation::Outside:
+  case FaceLocation::Outside:
     break;
   }
   return words("outside the triangle");
-}
-
-std::string locationName(TriangleLocation location) {
-  switch (location) {
-  case TriangleLocation::Interior:
-    return "interior";
-  case TriangleLocation::Edge:
-    return "edge";
-  case TriangleLocation::Vertex:
-    return "vertex";
-  case TriangleLocation::Outside:
-    break;
-  }
-  return "outside";
 }
 
 } // namespace halfspace

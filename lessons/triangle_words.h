@@ -11,9 +11,6 @@ namespace halfspace {
 [[nodiscard]] std::string cornerName(int corner);
 
 /// Where in the triangle, for people: inside the triangle, on the edge P₀P₁ …
-[[nodiscard]] std::string placeWords(const TrianglePlace &place);
-
-/// Where in the triangle, for programs: interior, edge, vertex, outside.
-[[nodiscard]] std::string locationName(TriangleLocation location);
+[[nodiscard]] std::string placeWords(const FacePlace &place);
 
 } // namespace halfspace

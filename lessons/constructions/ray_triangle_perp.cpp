@@ -137,7 +137,7 @@ std::vector<NamedValue> perpValues(const Out &out) {
 std::vector<NamedValue> list(const Out &out) {
   std::vector<NamedValue> values;
   if (out.meet.crosses()) {
-    values.push_back({"location", "\\text{place}", locationName(out.meet.place.location)});
+    values.push_back({"location", "\\text{place}", std::string(nameOf(out.meet.place.location))});
     if (out.meet.place.feature >= 0)
       values.push_back({"feature", "", out.meet.place.feature});
     values.push_back({"t", "\\lambda", Surd(out.meet.plane.t)});

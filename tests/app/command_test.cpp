@@ -1,16 +1,11 @@
 // The program as a shell meets it, without a display: what it prints, where, and with which exit status.
-#include <gtest/gtest.h>
+#include "tests/program_test.h"
 
 #include <nlohmann/json.hpp>
 
 #include <QImage>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <sys/wait.h>
 
 namespace halfspace {
 namespace {
@@ -18,47 +13,17 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-struct Ran {
-  int status = -1; ///< −1: ended by a signal
-  std::string out;
-  std::string err;
-};
-
-std::string contentOf(const fs::path &file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-/// Runs the program in a folder of its own, which each test finds empty.
-class Program : public testing::Test {
+class Program : public ProgramTest {
 protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "halfspace-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    m_folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
-
-  fs::path inFolder(const std::string &name) const { return m_folder / name; }
-
   QImage picture(const std::string &name) const {
     return QImage(QString::fromStdString(inFolder(name).string()));
   }
 
-  /// `arguments` as a shell reads them; `environment`: NAME=value in front. No display, no home, and no core
-  /// file should the program crash.
+  /// `arguments` as a shell reads them; `environment`: NAME=value in front. No display and no home.
   Ran run(const std::string &arguments, const std::string &environment = "") const {
-    const std::string command =
-        "cd '" + m_folder.string() +
-        "' && ulimit -c 0 && exec env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR "
-        "-u QT_QPA_PLATFORM HOME='" +
-        m_folder.string() + "' " + environment + " '" HALFSPACE_PROGRAM "' " + arguments +
-        " >.out 2>.err </dev/null";
-    const int ended = std::system(command.c_str()); // NOLINT(concurrency-mt-unsafe): a test is one thread
-    return {WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, contentOf(m_folder / ".out"),
-            contentOf(m_folder / ".err")};
+    return shell("exec env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR -u QT_QPA_PLATFORM HOME='" +
+                 folder().string() + "' " + environment + " '" HALFSPACE_PROGRAM "' " + arguments +
+                 " >.out 2>.err </dev/null");
   }
 
   Json explained(const std::string &arguments) const {
@@ -80,9 +45,6 @@ protected:
         << ran.err;
     EXPECT_NE(ran.err.find(reason), std::string::npos) << ran.err;
   }
-
-private:
-  fs::path m_folder;
 };
 
 TEST_F(Program, Lessons_ListsIdsAndTitles) {
@@ -258,9 +220,6 @@ TEST_F(Program, ASessionFile_IsExplainedLikeALesson) {
 }
 
 TEST_F(Program, ADamagedSessionFile_IsRefusedWithItsPlace) {
-  const auto write = [&](const std::string &text) {
-    std::ofstream(inFolder("bad.halfspace"), std::ios::binary) << text;
-  };
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "bad.halfspace"},
       {"{\"format\":\"halfspace\",", "bad.halfspace"},
@@ -273,7 +232,7 @@ TEST_F(Program, ADamagedSessionFile_IsRefusedWithItsPlace) {
            "scene":[{"name":"d","construction":"no-such","of":{}}]})",
        "no-such"}};
   for (const auto &[text, reason] : cases) {
-    write(text);
+    write("bad.halfspace", text);
     expectRefused("explain bad.halfspace", reason);
     expectRefused("render bad.halfspace -o a.png", reason);
     expectRefused("bad.halfspace", reason);

@@ -2,6 +2,7 @@
 // do it.
 #include "geometry/hit_finder.h"
 #include "tests/bench/stopwatch.h"
+#include "tests/bench/vtk_segment.h"
 
 #ifdef HALFSPACE_BENCH_CGAL
 #include <CGAL/AABB_traits.h>
@@ -163,17 +164,11 @@ public:
   }
 
   double find(const Ray<double> &ray) {
-    Vector origin = ray.origin;
-    Vector end = pointAt(ray, 100.0);
-    Vector point;
-    Vector parametric;
-    double t = 0;
-    int part = 0;
+    VtkSegment ask(ray);
     vtkIdType cell = 0;
-    return m_locator->IntersectWithLine(&origin.x, &end.x, 0, t, &point.x, &parametric.x, part, cell,
-                                        m_cell) != 0
-               ? t * 100
-               : 0;
+    const bool hit = m_locator->IntersectWithLine(&ask.origin.x, &ask.end.x, 0, ask.t, &ask.point.x,
+                                                  &ask.parametric.x, ask.part, cell, m_cell) != 0;
+    return hit ? ask.t * VtkSegment::length : 0;
   }
 
 private:

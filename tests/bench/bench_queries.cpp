@@ -3,6 +3,7 @@
 #include "geometry/decide.h"
 #include "geometry/quick_hit.h"
 #include "tests/bench/stopwatch.h"
+#include "tests/bench/vtk_segment.h"
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/geometric.hpp>
@@ -147,13 +148,10 @@ struct CgalInputs {
 #endif
 
 double vtkHit(vtkTriangle &triangle, const Ray<double> &ray) {
-  Vector origin = ray.origin;
-  Vector end = pointAt(ray, 100.0);
-  Vector point;
-  Vector parametric;
-  double t = 0;
-  int part = 0;
-  return triangle.IntersectWithLine(&origin.x, &end.x, 0, t, &point.x, &parametric.x, part) != 0 ? t : 0;
+  VtkSegment ask(ray);
+  const bool hit = triangle.IntersectWithLine(&ask.origin.x, &ask.end.x, 0, ask.t, &ask.point.x,
+                                              &ask.parametric.x, ask.part) != 0;
+  return hit ? ask.t : 0;
 }
 
 void raceTriangles(const Inputs &all) {

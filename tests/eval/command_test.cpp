@@ -1,59 +1,21 @@
 // `halfspace eval` as a shell meets it: exit statuses, and nothing but answers on standard output.
-#include <gtest/gtest.h>
+#include "tests/program_test.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <sys/stat.h>
-#include <sys/wait.h>
 
 namespace halfspace {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Ran {
-  int status = -1; ///< −1: ended by a signal
-  std::string out;
-  std::string err;
-};
-
 const std::string good = R"({"id":1,"query":"plane","plane":{"coefficients":[0,0,1,0]}})";
 const std::string bad = R"({"id":2,"query":"no-such"})";
 
-std::string contentOf(const fs::path &file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-class EvalCommand : public testing::Test {
+class EvalCommand : public ProgramTest {
 protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "halfspace-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    m_folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
-
-  fs::path inFolder(const std::string &name) const { return m_folder / name; }
-
-  void write(const std::string &name, const std::string &text) const {
-    std::ofstream(inFolder(name), std::ios::binary) << text;
-  }
-
-  /// What follows `halfspace eval`, as a shell reads it, in a folder of its own and without a display.
+  /// What follows `halfspace eval`, as a shell reads it, without a display.
   Ran run(const std::string &arguments) const {
-    const std::string command = "cd '" + m_folder.string() +
-                                "' && ulimit -c 0 && { env -u DISPLAY -u WAYLAND_DISPLAY HOME=. "
-                                "'" HALFSPACE_PROGRAM "' eval " +
-                                arguments + "; } >.out 2>.err";
-    const int ended = std::system(command.c_str()); // NOLINT(concurrency-mt-unsafe): a test is one thread
-    return {WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, contentOf(m_folder / ".out"),
-            contentOf(m_folder / ".err")};
+    return shell("{ env -u DISPLAY -u WAYLAND_DISPLAY HOME=. '" HALFSPACE_PROGRAM "' eval " + arguments +
+                 "; } >.out 2>.err");
   }
 
   void expectRefused(const std::string &arguments) const {
@@ -63,9 +25,6 @@ protected:
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
     EXPECT_TRUE(ran.err.starts_with("halfspace: ")) << ran.err;
   }
-
-private:
-  fs::path m_folder;
 };
 
 TEST_F(EvalCommand, AllAnswered_IsStatusZeroFromAFileAndFromStandardInput) {

@@ -25,7 +25,7 @@ Ray<Rational> rayThrough(const ExactVec3 &point, const Triangle<Rational> &trian
       return {point - direction * Rational(2), direction};
 }
 
-void expectPlace(const TrianglePlace &place, TriangleLocation location, int feature) {
+void expectPlace(const FacePlace &place, FaceLocation location, int feature) {
   EXPECT_EQ(place.location, location);
   EXPECT_EQ(place.feature, feature);
 }
@@ -42,7 +42,7 @@ TEST(IntersectRayTriangle, RayThroughTheInside_HitsWithItsParameters) {
   EXPECT_EQ(result.perps.vPerp, ExactVec3(-64, 0, 0));
   EXPECT_EQ(result.wu, 4);
   EXPECT_EQ(result.wv, 8);
-  expectPlace(result.place, TriangleLocation::Interior, -1);
+  expectPlace(result.place, FaceLocation::Interior, -1);
 }
 
 TEST(IntersectRayTriangle, RayFromBehind_IsBehindOrMissesByWhereItsLineCrosses) {
@@ -76,30 +76,30 @@ TEST(IntersectRayTriangle, DegenerateInput_IsNamed) {
 
 TEST(PlaceInTriangle, CornersAndEdges_AreNamedByTheirIndex) {
   const Rational half(1, 2);
-  expectPlace(placeInTriangle(Rational(0), Rational(0)), TriangleLocation::Vertex, 0);
-  expectPlace(placeInTriangle(Rational(1), Rational(0)), TriangleLocation::Vertex, 1);
-  expectPlace(placeInTriangle(Rational(0), Rational(1)), TriangleLocation::Vertex, 2);
-  expectPlace(placeInTriangle(half, half), TriangleLocation::Edge, 0);
-  expectPlace(placeInTriangle(Rational(0), half), TriangleLocation::Edge, 1);
-  expectPlace(placeInTriangle(half, Rational(0)), TriangleLocation::Edge, 2);
+  expectPlace(placeInTriangle(Rational(0), Rational(0)), FaceLocation::Vertex, 0);
+  expectPlace(placeInTriangle(Rational(1), Rational(0)), FaceLocation::Vertex, 1);
+  expectPlace(placeInTriangle(Rational(0), Rational(1)), FaceLocation::Vertex, 2);
+  expectPlace(placeInTriangle(half, half), FaceLocation::Edge, 0);
+  expectPlace(placeInTriangle(Rational(0), half), FaceLocation::Edge, 1);
+  expectPlace(placeInTriangle(half, Rational(0)), FaceLocation::Edge, 2);
 }
 
 TEST(PlaceInTriangle, EdgeLineBeyondTheCorners_IsOutside) {
-  expectPlace(placeInTriangle(Rational(0), Rational(2)), TriangleLocation::Outside, -1);
-  expectPlace(placeInTriangle(Rational(-1), Rational(0)), TriangleLocation::Outside, -1);
-  expectPlace(placeInTriangle(Rational(3), Rational(-2)), TriangleLocation::Outside, -1);
+  expectPlace(placeInTriangle(Rational(0), Rational(2)), FaceLocation::Outside, -1);
+  expectPlace(placeInTriangle(Rational(-1), Rational(0)), FaceLocation::Outside, -1);
+  expectPlace(placeInTriangle(Rational(3), Rational(-2)), FaceLocation::Outside, -1);
 }
 
 TEST(PlaceInTriangle, PointMovedOverAnEdge_IsOnItOnlyAtZero) {
   for (int k = 1; k <= 60; ++k) {
     const Rational step = tenToThe(-k);
     const Rational half(1, 2);
-    expectPlace(placeInTriangle(step, half), TriangleLocation::Interior, -1);
-    expectPlace(placeInTriangle(Rational(-step), half), TriangleLocation::Outside, -1);
-    expectPlace(placeInTriangle(half, Rational(half - step)), TriangleLocation::Interior, -1);
-    expectPlace(placeInTriangle(half, Rational(half + step)), TriangleLocation::Outside, -1);
-    expectPlace(placeInTriangle(Rational(1 - step), Rational(0)), TriangleLocation::Edge, 2);
-    expectPlace(placeInTriangle(Rational(1 + step), Rational(0)), TriangleLocation::Outside, -1);
+    expectPlace(placeInTriangle(step, half), FaceLocation::Interior, -1);
+    expectPlace(placeInTriangle(Rational(-step), half), FaceLocation::Outside, -1);
+    expectPlace(placeInTriangle(half, Rational(half - step)), FaceLocation::Interior, -1);
+    expectPlace(placeInTriangle(half, Rational(half + step)), FaceLocation::Outside, -1);
+    expectPlace(placeInTriangle(Rational(1 - step), Rational(0)), FaceLocation::Edge, 2);
+    expectPlace(placeInTriangle(Rational(1 + step), Rational(0)), FaceLocation::Outside, -1);
   }
 }
 
@@ -150,11 +150,11 @@ TEST(IntersectRayTriangle, RayAimedAtEdgesAndCorners_NeverSlipsThrough) {
       const ExactVec3 &last = corners[(vertex + 2) % 3];
       const auto atCorner = intersectRayTriangle(rayThrough(corners[vertex], triangle, random), triangle);
       EXPECT_EQ(atCorner.which, RayTriangleCase::Hit);
-      expectPlace(atCorner.place, TriangleLocation::Vertex, vertex);
+      expectPlace(atCorner.place, FaceLocation::Vertex, vertex);
       const ExactVec3 between = next + (last - next) * (Rational(random.integer(1, 99)) / 100);
       const auto onEdge = intersectRayTriangle(rayThrough(between, triangle, random), triangle);
       EXPECT_EQ(onEdge.which, RayTriangleCase::Hit);
-      expectPlace(onEdge.place, TriangleLocation::Edge, vertex);
+      expectPlace(onEdge.place, FaceLocation::Edge, vertex);
     }
   }
 }

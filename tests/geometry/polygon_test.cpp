@@ -120,26 +120,26 @@ TEST(PolygonShape, RandomConvexPolygons_AreConvex) {
 }
 
 /// The same by a fan of triangles from corner 0: what is a diagonal there is inside here.
-PolygonPlace placeByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
+FacePlace placeByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
   const auto last = static_cast<int>(corners.size()) - 1;
   for (int i = 1; i < last; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const TrianglePlace place = intersectRayTriangle(ray, {corners[0], corners[at], corners[at + 1]}).place;
+    const FacePlace place = intersectRayTriangle(ray, {corners[0], corners[at], corners[at + 1]}).place;
     switch (place.location) {
-    case TriangleLocation::Outside:
+    case FaceLocation::Outside:
       continue;
-    case TriangleLocation::Interior:
-      return {PolygonLocation::Interior, -1};
-    case TriangleLocation::Vertex:
-      return {PolygonLocation::Vertex, place.feature == 0 ? 0 : i + place.feature - 1};
-    case TriangleLocation::Edge:
+    case FaceLocation::Interior:
+      return {FaceLocation::Interior, -1};
+    case FaceLocation::Vertex:
+      return {FaceLocation::Vertex, place.feature == 0 ? 0 : i + place.feature - 1};
+    case FaceLocation::Edge:
       if (place.feature == 0)
-        return {PolygonLocation::Edge, i};
+        return {FaceLocation::Edge, i};
       if (place.feature == 2 && i == 1)
-        return {PolygonLocation::Edge, 0};
+        return {FaceLocation::Edge, 0};
       if (place.feature == 1 && i + 1 == last)
-        return {PolygonLocation::Edge, last};
-      return {PolygonLocation::Interior, -1};
+        return {FaceLocation::Edge, last};
+      return {FaceLocation::Interior, -1};
     }
   }
   return {};
@@ -167,7 +167,7 @@ ExactVec3 someTarget(const Polygon<Rational> &corners, RandomNumbers &random) {
 
 TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
   RandomNumbers random(113);
-  std::map<PolygonLocation, int> locations;
+  std::map<FaceLocation, int> locations;
   for (int i = 0; i < 5000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const ExactVec3 target = someTarget(corners, random);
@@ -177,15 +177,15 @@ TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
     const auto meet = intersect(ray, corners);
     if (!meet.crosses())
       continue;
-    const PolygonPlace expected = placeByFan(ray, corners);
+    const FacePlace expected = placeByFan(ray, corners);
     ++locations[meet.place.location];
     ASSERT_EQ(meet.place.location, expected.location) << "pair " << i;
     ASSERT_EQ(meet.place.feature, expected.feature) << "pair " << i;
     EXPECT_EQ(meet.t, t);
     EXPECT_EQ(meet.point, target);
-    EXPECT_EQ(meet.which, expected.location == PolygonLocation::Outside ? RayPolygonCase::Miss
-                          : t < 0                                       ? RayPolygonCase::Behind
-                                                                        : RayPolygonCase::Hit);
+    EXPECT_EQ(meet.which, expected.location == FaceLocation::Outside ? RayPolygonCase::Miss
+                          : t < 0                                    ? RayPolygonCase::Behind
+                                                                     : RayPolygonCase::Hit);
   }
   EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }

@@ -83,7 +83,7 @@ Ray<Rational> someRay(const Triangle<Rational> &triangle, RandomNumbers &random)
   }
 }
 
-bool samePlace(const TrianglePlace &a, const TrianglePlace &b) {
+bool samePlace(const FacePlace &a, const FacePlace &b) {
   return a.location == b.location && a.feature == b.feature;
 }
 
@@ -111,7 +111,7 @@ TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
   constexpr int enough = 200;
   RandomNumbers random(61);
   std::map<RayTriangleCase, int> cases;
-  std::map<TriangleLocation, int> locations;
+  std::map<FaceLocation, int> locations;
   for (int i = 0; i < pairs; ++i) {
     const Triangle<Rational> triangle = someTriangle(random);
     const Ray<Rational> ray = someRay(triangle, random);
@@ -125,8 +125,8 @@ TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
                            RayTriangleCase::Parallel, RayTriangleCase::InPlane, RayTriangleCase::Coincident,
                            RayTriangleCase::Collinear, RayTriangleCase::ZeroDirection})
     EXPECT_GE(cases[which], enough) << static_cast<int>(which);
-  for (const auto location : {TriangleLocation::Interior, TriangleLocation::Edge, TriangleLocation::Vertex,
-                              TriangleLocation::Outside})
+  for (const auto location :
+       {FaceLocation::Interior, FaceLocation::Edge, FaceLocation::Vertex, FaceLocation::Outside})
     EXPECT_GE(locations[location], enough) << static_cast<int>(location);
 }
 
