@@ -37,7 +37,7 @@ std::string FieldReader::text(std::string_view key, const std::optional<std::str
   if (!node)
     return fallback.value_or("");
   if (node->kind != DocumentNode::Kind::Text)
-    complain(*node, pathOf(key), words("Here a text is expected, not a list or a map."));
+    complain(*node, pathOf(key), words("Here a text is expected, in quotes where the file is JSON."));
   else if (node->text.size() > maxFieldText)
     complain(*node, pathOf(key),
              words("This text is too long: at most {limit} bytes are read.",
@@ -47,6 +47,19 @@ std::string FieldReader::text(std::string_view key, const std::optional<std::str
   return "";
 }
 
+std::string FieldReader::lessonId(std::string_view key) {
+  constexpr std::size_t longest = 64;
+  std::string id = text(key);
+  const bool good = !id.empty() && id.size() <= longest &&
+                    id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  if (!good)
+    if (const DocumentNode *node = m_node.find(key))
+      complain(*node, pathOf(key),
+               words("An id is made of small letters, digits and hyphens, at most {limit}.",
+                     {{"limit", std::to_string(longest)}}));
+  return id;
+}
+
 int FieldReader::integer(std::string_view key, int lowest, int highest, std::optional<int> fallback) {
   const DocumentNode *node = fallback ? optional(key) : required(key);
   if (!node)
@@ -54,7 +67,7 @@ int FieldReader::integer(std::string_view key, int lowest, int highest, std::opt
   int value = 0;
   const char *end = node->text.data() + node->text.size();
   const auto [stop, error] = std::from_chars(node->text.data(), end, value);
-  if (error == std::errc() && stop == end && value >= lowest && value <= highest)
+  if (node->spellsNumber() && error == std::errc() && stop == end && value >= lowest && value <= highest)
     return value;
   complain(*node, pathOf(key),
            words("Here a whole number from {lowest} to {highest} is expected.",
@@ -75,6 +88,15 @@ void FieldReader::complain(const DocumentNode &where, std::string field, std::st
 void FieldReader::keep(Problem problem) {
   if (!m_problem)
     m_problem = std::move(problem);
+}
+
+int lineAt(std::string_view text, std::size_t place) {
+  return 1 +
+         static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+}
+
+std::string notText() {
+  return words("The file holds bytes here that are no text in UTF-8: it is damaged, or of another kind.");
 }
 
 std::string shortened(std::string_view text) {

@@ -12,13 +12,16 @@ namespace halfspace {
 
 /// A part of a document. Numbers and truth values are kept as they are spelled.
 struct DocumentNode {
-  enum class Kind { Text, List, Map };
+  /// In YAML all that is neither a list nor a map is a text; in JSON a number is not, nor are true, false and
+  /// null.
+  enum class Kind { Text, Number, Literal, List, Map };
   Kind kind = Kind::Text;
   std::string key;  ///< its name in the map above
-  std::string text; ///< for Kind::Text
+  std::string text; ///< for Kind::Text, Number and Literal
   std::vector<DocumentNode> children;
   int line = 0; ///< counted from 1
 
+  [[nodiscard]] bool spellsNumber() const { return kind == Kind::Text || kind == Kind::Number; }
   /// The child with this key, or null.
   [[nodiscard]] const DocumentNode *find(std::string_view name) const;
 };
@@ -45,6 +48,8 @@ public:
   /// fallback.
   [[nodiscard]] std::string text(std::string_view key,
                                  const std::optional<std::string> &fallback = std::nullopt);
+  /// The id of a lesson: small letters, digits and hyphens.
+  [[nodiscard]] std::string lessonId(std::string_view key);
   /// A whole number between the bounds.
   [[nodiscard]] int integer(std::string_view key, int lowest, int highest,
                             std::optional<int> fallback = std::nullopt);
@@ -63,6 +68,12 @@ private:
   std::string m_path;
   std::optional<Problem> m_problem;
 };
+
+/// The line of a place in a text, counted from 1.
+[[nodiscard]] int lineAt(std::string_view text, std::size_t place);
+
+/// The sentence for a file whose bytes are not all text.
+[[nodiscard]] std::string notText();
 
 /// The longest text of one field, in bytes.
 inline constexpr std::size_t maxFieldText = 4000;

@@ -15,10 +15,11 @@ bool DocumentBuilder::key(std::string text, int line) {
   return true;
 }
 
-bool DocumentBuilder::text(std::string text, int line) {
+bool DocumentBuilder::scalar(DocumentNode::Kind kind, std::string text, int line) {
   if (!count(line))
     return false;
   DocumentNode node;
+  node.kind = kind;
   node.text = std::move(text);
   node.line = line;
   return add(std::move(node));

@@ -16,7 +16,8 @@ public:
   DocumentBuilder(std::string file, int maxDepth) : m_file(std::move(file)), m_maxDepth(maxDepth) {}
 
   bool key(std::string text, int line);
-  bool text(std::string text, int line);
+  /// A Text, a Number or a Literal.
+  bool scalar(DocumentNode::Kind kind, std::string text, int line);
   bool open(DocumentNode::Kind kind, int line);
   bool close();
 

@@ -1,4 +1,5 @@
 #include "lessons/document_builder.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@ namespace halfspace {
 namespace {
 
 using Json = nlohmann::json;
+using Kind = DocumentNode::Kind;
 
 /// The library's number for "number overflow".
 constexpr int numberOverflow = 406;
@@ -57,23 +59,25 @@ public:
   JsonEvents(DocumentBuilder &builder, std::string_view text, const std::size_t &taken)
       : m_builder(builder), m_lines(text), m_taken(taken) {}
 
-  bool null() override { return m_builder.text("null", line()); }
-  bool boolean(bool value) override { return m_builder.text(value ? "true" : "false", line()); }
+  bool null() override { return m_builder.scalar(Kind::Literal, "null", line()); }
+  bool boolean(bool value) override {
+    return m_builder.scalar(Kind::Literal, value ? "true" : "false", line());
+  }
   bool number_integer(number_integer_t value) override {
-    return m_builder.text(std::to_string(value), line());
+    return m_builder.scalar(Kind::Number, std::to_string(value), line());
   }
   bool number_unsigned(number_unsigned_t value) override {
-    return m_builder.text(std::to_string(value), line());
+    return m_builder.scalar(Kind::Number, std::to_string(value), line());
   }
   bool number_float(number_float_t, const string_t &spelled) override {
-    return m_builder.text(spelled, line());
+    return m_builder.scalar(Kind::Number, spelled, line());
   }
-  bool string(string_t &value) override { return m_builder.text(value, line()); }
+  bool string(string_t &value) override { return m_builder.scalar(Kind::Text, value, line()); }
   bool binary(binary_t &) override { return false; } // not in JSON texts
-  bool start_object(std::size_t) override { return m_builder.open(DocumentNode::Kind::Map, line()); }
+  bool start_object(std::size_t) override { return m_builder.open(Kind::Map, line()); }
   bool key(string_t &value) override { return m_builder.key(value, line()); }
   bool end_object() override { return m_builder.close(); }
-  bool start_array(std::size_t) override { return m_builder.open(DocumentNode::Kind::List, line()); }
+  bool start_array(std::size_t) override { return m_builder.open(Kind::List, line()); }
   bool end_array() override { return m_builder.close(); }
   bool parse_error(std::size_t, const std::string &, const Json::exception &exception) override {
     if (exception.id == numberOverflow)
@@ -95,6 +99,9 @@ private:
 } // namespace
 
 Result<DocumentNode> parseJson(std::string_view text, const std::string &file, int maxDepth) {
+  // The library takes a zero byte for the end of the text.
+  if (const auto at = firstNoText(text))
+    return Problem{notText(), file, lineAt(text, *at), ""};
   DocumentBuilder builder(file, maxDepth);
   std::size_t taken = 0;
   JsonEvents events(builder, text, taken);

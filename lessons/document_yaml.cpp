@@ -43,8 +43,8 @@ public:
 
 private:
   void scalar(const std::string &value, const YAML::Mark &mark) {
-    const bool goOn =
-        m_builder.expectsKey() ? m_builder.key(value, line(mark)) : m_builder.text(value, line(mark));
+    const bool goOn = m_builder.expectsKey() ? m_builder.key(value, line(mark))
+                                             : m_builder.scalar(DocumentNode::Kind::Text, value, line(mark));
     if (!goOn)
       throw Stopped{};
   }

@@ -1,12 +1,12 @@
 #include "lessons/lesson.h"
 
 #include "lessons/document.h"
+#include "lessons/files/read_file.h"
 #include "lessons/lesson_reader.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 namespace halfspace {
@@ -193,6 +193,8 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
 Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
   if (text.size() > maxLessonBytes)
     return tooLarge(file);
+  if (const auto at = firstNoText(text))
+    return Problem{notText(), file, lineAt(text, *at), ""};
   const auto parts = splitFrontMatter(withoutByteOrderMark(text), file);
   if (!parts)
     return parts.problem();
@@ -207,15 +209,8 @@ Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
 }
 
 Result<Lesson> readLesson(const std::filesystem::path &file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    return Problem{words("The file cannot be opened."), file.string(), 0, ""};
-  std::string text(maxLessonBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad())
-    return Problem{words("The file cannot be read."), file.string(), 0, ""};
-  return parseLesson(text, file.string());
+  const auto text = readFile(file, maxLessonBytes);
+  return text ? parseLesson(*text, file.string()) : Result<Lesson>(text.problem());
 }
 
 const Lesson *LessonLibrary::find(std::string_view id) const {

@@ -59,15 +59,6 @@ CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
   return camera;
 }
 
-void checkId(const DocumentNode &root, const Lesson &lesson, FieldReader &fields) {
-  const bool good = !lesson.id.empty() && lesson.id.size() <= 64 &&
-                    lesson.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-  const DocumentNode *id = root.find("id");
-  if (!good)
-    fields.complain(id ? *id : root, "id",
-                    words("An id is made of small letters, digits and hyphens, at most 64."));
-}
-
 std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReader &fields) {
   std::vector<Prediction::Choice> choices;
   for (const DocumentNode &child : node.children) {
@@ -89,10 +80,9 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   FieldReader fields(*root, file, "");
   fields.allowOnly({"id", "title", "order", "sources", "scene", "camera"});
   Lesson lesson;
-  lesson.id = fields.text("id");
+  lesson.id = fields.lessonId("id");
   lesson.title = fields.text("title");
   lesson.order = fields.integer("order", 0, highestOrder, 0);
-  checkId(*root, lesson, fields);
   if (const DocumentNode *sources = fields.optional("sources"))
     lesson.sources = readTexts(*sources, "sources", fields);
   if (const DocumentNode *camera = fields.optional("camera"))

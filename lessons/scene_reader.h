@@ -16,6 +16,10 @@ namespace halfspace {
 /// A coordinate as it is typed or written: a number that parseRational reads and refuseCoordinate takes.
 [[nodiscard]] Result<Rational> readCoordinate(std::string_view text);
 
+/// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
+/// limits.
+[[nodiscard]] std::string whyNotRead(std::string_view text);
+
 /// The longest name of an entry.
 inline constexpr std::size_t maxNameLength = 32;
 

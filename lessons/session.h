@@ -24,6 +24,10 @@ inline const Rational coordinateLimit = 1000000000;
 /// The most digits of a coordinate's numerator or denominator.
 inline constexpr std::size_t coordinateDigits = 40;
 
+/// The sentences for a number that is beyond the two bounds.
+[[nodiscard]] std::string tooLarge();
+[[nodiscard]] std::string tooLong();
+
 /// Whether a typed number may become a coordinate; if not, the sentence that says why.
 [[nodiscard]] std::optional<std::string> refuseCoordinate(const Rational &value);
 

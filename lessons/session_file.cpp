@@ -1,12 +1,11 @@
 #include "lessons/session_file.h"
 
+#include "lessons/files/read_file.h"
 #include "lessons/scene_reader.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace halfspace {
 namespace {
@@ -104,7 +103,7 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
   if (!fields.problem())
     fields.allowOnly({"format", "version", "lesson", "step", "scene"});
   Session session;
-  session.lesson = fields.text("lesson");
+  session.lesson = fields.lessonId("lesson");
   session.step = fields.integer("step", 0, highestStep);
   const DocumentNode *list = fields.required("scene");
   if (fields.problem())
@@ -116,18 +115,14 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
   return session;
 }
 
-Result<Session> readSessionFile(const std::filesystem::path &file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    return Problem{words("There is no such file."), file.string(), 0, ""};
-  std::ifstream stream(file, std::ios::binary);
-  // One byte more than allowed shows that there are too many.
-  std::string text(maxSessionBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad() || (!stream && !stream.eof()))
-    return Problem{words("The file cannot be read."), file.string(), 0, ""};
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return readSession(text, file.string());
+Result<SessionFile> readSessionFile(const std::filesystem::path &file) {
+  auto text = readFile(file, maxSessionBytes);
+  if (!text)
+    return text.problem();
+  auto session = readSession(*text, file.string());
+  if (!session)
+    return session.problem();
+  return SessionFile{std::move(*session), std::move(*text)};
 }
 
 Result<Session> withValue(Session session, std::string_view assignment) {

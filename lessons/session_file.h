@@ -23,7 +23,13 @@ inline constexpr std::size_t maxSceneEntries = 1000;
 /// A session after `name=value`, as --set takes it: Q=11,15,8, E.n=0,0,1.
 [[nodiscard]] Result<Session> withValue(Session session, std::string_view assignment);
 
+/// A session with the text of the file that it stands in.
+struct SessionFile {
+  Session session;
+  std::string text;
+};
+
 /// Reads a .halfspace file.
-[[nodiscard]] Result<Session> readSessionFile(const std::filesystem::path &file);
+[[nodiscard]] Result<SessionFile> readSessionFile(const std::filesystem::path &file);
 
 } // namespace halfspace

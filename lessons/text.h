@@ -1,6 +1,9 @@
 // Small matters of text.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace halfspace {
@@ -13,5 +16,17 @@ namespace halfspace {
     return {};
   return text.substr(begin, text.find_last_not_of(space) - begin + 1);
 }
+
+/// How many bytes the character takes that a text begins with: 1 to 4, or 0 where it is not UTF-8 (overlong
+/// forms and halves of surrogate pairs are not).
+[[nodiscard]] std::size_t characterLength(std::string_view text);
+
+/// Where a text stops being text: at a byte that is not UTF-8, or at a control character other than a tab or
+/// an end of a line. Nothing for a text.
+[[nodiscard]] std::optional<std::size_t> firstNoText(std::string_view bytes);
+
+/// The text with � for each character that would steer a terminal or turn the direction of writing
+/// instead of being read, and for each byte that is not UTF-8. Tabs and ends of lines stay.
+[[nodiscard]] std::string printable(std::string_view text);
 
 } // namespace halfspace

@@ -27,7 +27,7 @@ inline constexpr int maxPictureSide = 16384;
 /// where no OpenGL 3.2 is to be had.
 [[nodiscard]] Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels);
 
-/// Writes a PNG file atomically: the whole picture or nothing.
+/// Writes a PNG file, as writeFile does.
 [[nodiscard]] std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file);
 
 } // namespace halfspace

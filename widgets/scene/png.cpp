@@ -1,5 +1,6 @@
 #include "widgets/scene/offscreen.h"
 
+#include "lessons/files/write_file.h"
 #include "lessons/words.h"
 
 #include <vtkImageData.h>
@@ -8,8 +9,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <fstream>
-#include <system_error>
 
 namespace halfspace {
 namespace {
@@ -25,15 +24,6 @@ vtkNew<vtkImageData> imageOf(const LabelPicture &picture) {
   return image;
 }
 
-bool writeBytes(const vtkUnsignedCharArray &bytes, const std::filesystem::path &file) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): streams write chars.
-  stream.write(reinterpret_cast<const char *>(const_cast<vtkUnsignedCharArray &>(bytes).GetPointer(0)),
-               static_cast<std::streamsize>(bytes.GetNumberOfValues()));
-  stream.close();
-  return !stream.fail();
-}
-
 } // namespace
 
 std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file) {
@@ -44,18 +34,12 @@ std::optional<Problem> writePng(const LabelPicture &picture, const std::filesyst
   writer->WriteToMemoryOn();
   writer->Write();
 
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  std::error_code error;
-  if (writer->GetResult() && writeBytes(*writer->GetResult(), unfinished)) {
-    std::filesystem::rename(unfinished, file, error);
-    if (!error)
-      return {};
-  }
-  std::filesystem::remove(unfinished, error);
-  return Problem{words("The picture cannot be written there: does the folder exist, may you write to it, and "
-                       "is there room?"),
-                 file.string(), 0, ""};
+  vtkUnsignedCharArray *bytes = writer->GetResult();
+  if (!bytes)
+    return Problem{words("There is not enough memory for this picture."), file.string(), 0, {}};
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): files are chars.
+  return writeFile(file, {reinterpret_cast<const char *>(bytes->GetPointer(0)),
+                          static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 } // namespace halfspace

@@ -1,0 +1,181 @@
+#include "lessons/files/write_file.h"
+
+#include "lessons/files/descriptor.h"
+#include "lessons/words.h"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <random>
+#include <sys/stat.h>
+
+namespace halfspace {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view unfinishedBeginning = ".halfspace-";
+constexpr std::string_view unfinishedEnd = ".part";
+
+/// More links than this one behind another are a circle.
+constexpr int mostLinks = 40;
+
+constexpr mode_t permissionBits = 07777;
+constexpr mode_t groupBits = 0070;
+constexpr mode_t anyoneWrites = 0222;
+constexpr mode_t usualMode = 0666; // less what the process's mask takes away
+constexpr mode_t ownerMode = 0600;
+
+/// Thrown within this file at the first thing that fails.
+struct Failure {
+  std::string reason;
+};
+
+[[noreturn]] void fail(int error) { throw Failure{reasonOf(error)}; }
+
+/// The result of a system call, which is negative where it failed.
+int checked(int result) {
+  if (result < 0)
+    fail(errno);
+  return result;
+}
+
+/// What stands at a path, links followed; nothing where nothing does.
+std::optional<struct stat> whatIsAt(const fs::path &path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) == 0)
+    return found;
+  if (errno != ENOENT)
+    fail(errno);
+  return {};
+}
+
+/// Where a path leads when links are followed, also to what is not there yet.
+fs::path targetOf(fs::path path) {
+  for (int links = 0; links < mostLinks; ++links) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(path, error);
+    if (error && status.type() != fs::file_type::not_found)
+      fail(error.value());
+    if (!fs::is_symlink(status))
+      return path;
+    const fs::path next = fs::read_symlink(path, error);
+    if (error)
+      fail(error.value());
+    path = path.parent_path() / next;
+  }
+  fail(ELOOP);
+}
+
+/// A pipe or a device: there is nothing to keep, and no name to take.
+void writeAsItIs(const fs::path &file, std::string_view content) {
+  // Opened without waiting: a pipe that nobody reads would wait for ever.
+  Descriptor out(checked(::open(file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)));
+  if (const int error = writeAll(out.get(), content))
+    fail(error);
+  if (const int error = out.close())
+    fail(error);
+}
+
+std::string randomName() {
+  std::random_device random;
+  const std::uint64_t number = (std::uint64_t{random()} << 32U) | random();
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, 16).ptr;
+  return std::string(unfinishedBeginning) + std::string(digits.data(), end) + std::string(unfinishedEnd);
+}
+
+/// A new file in a folder, which is removed again unless it takes the target's name.
+class UnfinishedFile {
+public:
+  UnfinishedFile(int folder, mode_t mode) : m_folder(folder), m_name(randomName()) {
+    m_out = Descriptor(checked(
+        ::openat(folder, m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode)));
+  }
+  ~UnfinishedFile() {
+    if (!m_name.empty())
+      ::unlinkat(m_folder, m_name.c_str(), 0);
+  }
+  UnfinishedFile(const UnfinishedFile &) = delete;
+  UnfinishedFile &operator=(const UnfinishedFile &) = delete;
+
+  void write(std::string_view content) {
+    if (const int error = writeAll(m_out.get(), content))
+      fail(error);
+  }
+
+  /// Gives it the owner, the group and the permissions of another file. Not everyone may give files away: who
+  /// then owns it is who wrote it, and a group that did not come along gets no rights by it.
+  void takeRightsOf(const struct stat &other) {
+    mode_t mode = other.st_mode & permissionBits;
+    struct stat own {};
+    checked(::fstat(m_out.get(), &own));
+    const bool sameOwner = own.st_uid == other.st_uid && own.st_gid == other.st_gid;
+    if (!sameOwner && ::fchown(m_out.get(), other.st_uid, other.st_gid) != 0 &&
+        ::fchown(m_out.get(), static_cast<uid_t>(-1), other.st_gid) != 0)
+      mode &= ~groupBits;
+    checked(::fchmod(m_out.get(), mode));
+  }
+
+  void finishAs(const fs::path &name) {
+    if (const int error = syncToDisk(m_out.get()))
+      fail(error);
+    if (const int error = m_out.close())
+      fail(error);
+    checked(::renameat(m_folder, m_name.c_str(), m_folder, name.c_str()));
+    m_name.clear();
+    if (const int error = syncToDisk(m_folder))
+      fail(error);
+  }
+
+private:
+  int m_folder;
+  std::string m_name; ///< empty once it has the target's
+  Descriptor m_out;
+};
+
+void replace(const fs::path &target, const std::optional<struct stat> &old, std::string_view content,
+             Readers readers) {
+  if (old && (old->st_mode & anyoneWrites) == 0)
+    fail(EACCES); // the superuser too respects a file that is marked as read-only
+  if (old && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+    fail(errno);
+  const fs::path parent = target.parent_path();
+  const Descriptor folder(
+      checked(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+  UnfinishedFile unfinished(folder.get(), old || readers == Readers::OwnerOnly ? ownerMode : usualMode);
+  unfinished.write(content);
+  if (old)
+    unfinished.takeRightsOf(*old);
+  unfinished.finishAs(target.filename());
+}
+
+void writeOrThrow(const fs::path &file, std::string_view content, Readers readers) {
+  const auto old = whatIsAt(file);
+  if (old && (S_ISCHR(old->st_mode) || S_ISFIFO(old->st_mode)))
+    return writeAsItIs(file, content);
+  if ((old && S_ISDIR(old->st_mode)) || !file.has_filename())
+    throw Failure{words("it is a folder")};
+  if (old && !S_ISREG(old->st_mode))
+    throw Failure{words("it is no file but a device or a socket")};
+  replace(targetOf(file), old, content, readers);
+}
+
+} // namespace
+
+std::optional<Problem> writeFile(const fs::path &file, std::string_view content, Readers readers) {
+  try {
+    writeOrThrow(file, content, readers);
+    return {};
+  } catch (const Failure &failure) {
+    return Problem{words("This cannot be written: {reason}.", {{"reason", failure.reason}}), file.string(), 0,
+                   ""};
+  }
+}
+
+bool isUnfinishedFile(const fs::path &file) {
+  const std::string name = file.filename().string();
+  return name.starts_with(unfinishedBeginning) && name.ends_with(unfinishedEnd);
+}
+
+} // namespace halfspace
