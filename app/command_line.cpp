@@ -13,11 +13,7 @@
 namespace halfspace {
 namespace {
 
-constexpr int badArguments = 2;
-
-PrintCommand complaint(const std::string &sentence) {
-  return {"halfspace: " + sentence + "\n", badArguments};
-}
+PrintCommand complaint(const std::string &sentence) { return {sentence, true}; }
 
 /// 1600x1000
 std::optional<PixelSize> parseSize(const std::string &text) {
@@ -68,7 +64,7 @@ void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &a
   app.add_option("subject", subject, "A lesson's id or a .halfspace file")->required();
   app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
       ->type_name("NAME=VALUE")
-      ->expected(1)
+      ->allow_extra_args(false) // one value each time: what follows it is another word
       ->take_all();
 }
 
@@ -139,8 +135,11 @@ Command parseCommandLine(int argc, const char *const *argv) {
     std::ostringstream out;
     std::ostringstream unused;
     app.exit(error, out, unused);
-    return PrintCommand{out.str(), 0};
+    return PrintCommand{out.str()};
   }
+  if (arguments.window.subject && !app.get_subcommands().empty())
+    return complaint("“" + *arguments.window.subject +
+                     "” stands before a command: the lesson or file comes after it.");
   if (lessons->parsed())
     return arguments.lessons;
   if (explain->parsed())

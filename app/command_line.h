@@ -11,7 +11,7 @@
 namespace halfspace {
 
 struct WindowCommand {
-  std::string subject; ///< a lesson's id or a .halfspace file; empty: the first lesson
+  std::optional<std::string> subject; ///< a lesson's id or a .halfspace file; nothing: the first lesson
 };
 
 struct LessonsCommand {
@@ -35,20 +35,19 @@ struct RenderCommand {
 };
 
 struct EvalCommand {
-  std::string file; ///< empty or -: standard input
+  std::optional<std::string> file; ///< nothing or -: standard input
 };
 
 /// Nothing is left to do but to print a text (--help, --version) or a complaint.
 struct PrintCommand {
   std::string text;
-  int exitStatus = 0; ///< 0: to standard output; 2: to standard error
+  bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
 using Command =
     std::variant<WindowCommand, LessonsCommand, ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
 
-/// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence and exit
-/// status 2.
+/// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);
 
 } // namespace halfspace

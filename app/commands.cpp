@@ -1,8 +1,10 @@
 #include "app/commands.h"
 
 #include "app/lesson_files.h"
+#include "app/standard_streams.h"
 #include "app/subject.h"
 #include "lessons/explanation.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/scene/design_scale.h"
 #include "widgets/scene/offscreen.h"
@@ -14,8 +16,6 @@
 
 #include <QGuiApplication>
 
-#include <iostream>
-
 namespace halfspace {
 namespace {
 
@@ -23,38 +23,30 @@ namespace {
 LessonLibrary openLibrary() {
   LessonLibrary library = readLessons(lessonsFolder());
   for (const Problem &problem : library.problems)
-    std::cerr << "halfspace: " << problem.text() << "\n";
+    printError(problem.text());
   return library;
 }
 
 /// What Qt remarks about the surroundings (no XDG_RUNTIME_DIR …) is nothing to somebody who draws a picture.
 void passOverQtRemarks(QtMsgType type, const QMessageLogContext &, const QString &message) {
   if (type == QtFatalMsg)
-    std::cerr << "halfspace: " << message.toStdString() << "\n";
+    printError(message.toStdString());
 }
 
 } // namespace
 
-int fail(const Problem &problem) {
-  std::cerr << "halfspace: " << problem.text() << "\n";
-  return 2;
-}
-
 int runLessons(const LessonsCommand &command) {
   const LessonLibrary library = openLibrary();
   auto list = nlohmann::ordered_json::array();
+  std::string lines;
   for (const Lesson &lesson : library.lessons) {
-    if (command.json)
-      list.push_back({{"id", lesson.id},
-                      {"title", lesson.title},
-                      {"steps", lesson.steps.size()},
-                      {"sources", lesson.sources}});
-    else
-      std::cout << lesson.id << "  " << lesson.title << "\n";
+    list.push_back({{"id", lesson.id},
+                    {"title", lesson.title},
+                    {"steps", lesson.steps.size()},
+                    {"sources", lesson.sources}});
+    lines += lesson.id + "  " + printable(lesson.title) + "\n";
   }
-  if (command.json)
-    std::cout << list.dump(2) << "\n";
-  return 0;
+  return printOut(command.json ? list.dump(2) + "\n" : lines);
 }
 
 int runExplain(const ExplainCommand &command) {
@@ -63,14 +55,11 @@ int runExplain(const ExplainCommand &command) {
   if (!subject)
     return fail(subject.problem());
   const Outcome outcome = evaluate(subject->session.scene);
-  const std::string title = subject->lesson ? subject->lesson->title : subject->session.lesson;
+  const std::string title = printable(subject->lesson ? subject->lesson->title : subject->session.lesson);
   if (command.format == "json")
-    std::cout << explanationJson(subject->session.lesson, outcome);
-  else if (command.format == "latex")
-    std::cout << explanationLatex(title, outcome);
-  else
-    std::cout << explanationText(title, outcome);
-  return 0;
+    return printOut(explanationJson(subject->session.lesson, outcome));
+  return printOut(command.format == "latex" ? explanationLatex(title, outcome)
+                                            : explanationText(title, outcome));
 }
 
 int runRender(const RenderCommand &command) {

@@ -1,8 +1,7 @@
 #include "app/commands.h"
 #include "app/eval_command.h"
+#include "app/standard_streams.h"
 #include "app/window_command.h"
-
-#include <iostream>
 
 namespace {
 
@@ -15,12 +14,14 @@ int run(const Command &command, int argc, char **argv) {
                                [](const RenderCommand &render) { return runRender(render); },
                                [](const EvalCommand &eval) { return runEval(eval); },
                                [](const PrintCommand &print) {
-                                 (print.exitStatus == 0 ? std::cout : std::cerr) << print.text;
-                                 return print.exitStatus;
+                                 return print.refused ? fail({print.text, "", 0, ""}) : printOut(print.text);
                                }},
                     command);
 }
 
 } // namespace
 
-int main(int argc, char **argv) { return run(halfspace::parseCommandLine(argc, argv), argc, argv); }
+int main(int argc, char **argv) {
+  halfspace::holdStandardStreams();
+  return run(halfspace::parseCommandLine(argc, argv), argc, argv);
+}

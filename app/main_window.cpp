@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
@@ -11,14 +12,12 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 
 #include <algorithm>
@@ -26,8 +25,13 @@
 namespace halfspace {
 namespace {
 
-/// The panels are brought up to date at most this often while something is dragged, in milliseconds.
+// In milliseconds.
+/// The panels are brought up to date at most this often while something is dragged.
 constexpr int panelInterval = 30;
+/// Unsaved work is kept so long after a change.
+constexpr int keepDelay = 800;
+/// Whoever lives so long after the first picture of a session has not ended for it.
+constexpr int openedDelay = 1500;
 
 constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
@@ -41,7 +45,12 @@ MainWindow::MainWindow(LessonLibrary library)
   createPanels();
   createMenus();
 
-  m_panelTimer.setSingleShot(true);
+  for (QTimer *timer : {&m_panelTimer, &m_keepTimer, &m_openedTimer})
+    timer->setSingleShot(true);
+  m_keepTimer.setInterval(keepDelay);
+  m_openedTimer.setInterval(openedDelay);
+  connect(&m_keepTimer, &QTimer::timeout, this, &MainWindow::keepOrForget);
+  connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
@@ -53,8 +62,8 @@ MainWindow::MainWindow(LessonLibrary library)
       m_panelTimer.start(m_model.inGesture() ? panelInterval : 0);
   });
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsaved);
-  connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsaved);
+  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
+  connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
   connect(m_typesetter.get(), &Typesetter::ready, m_scene, &SceneView::refreshLabels);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
@@ -158,8 +167,8 @@ void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
   progress().chosen = answer.toStdString();
   progress().right = rightAnswer(*currentStep()->prediction);
-  if (!m_model.history().isClean())
-    keepUnsaved();
+  if (hasChanges())
+    keepUnsavedSoon();
   showOutcome();
 }
 
@@ -173,9 +182,9 @@ void MainWindow::highlight(const QString &markId) {
 
 void MainWindow::updateTitle() {
   const QString name =
-      m_file.isEmpty() ? QString::fromStdString(m_model.lesson().title) : QFileInfo(m_file).fileName();
+      m_file ? QFileInfo(m_file->path).fileName() : QString::fromStdString(m_model.lesson().title);
   setWindowTitle(name + "[*] — Halfspace");
-  setWindowModified(!m_model.history().isClean());
+  setWindowModified(hasChanges());
 }
 
 void MainWindow::setThemeNamed(const QString &name) {
@@ -215,44 +224,37 @@ void MainWindow::showFitting() {
     show();
 }
 
-void MainWindow::complain(const QString &sentence) { QMessageBox::warning(this, tr("Halfspace"), sentence); }
+void MainWindow::complain(const QString &sentence) {
+  QMessageBox box(QMessageBox::Warning, tr("Halfspace"), sentence, QMessageBox::Ok, this);
+  box.setTextFormat(Qt::PlainText); // it may quote a stranger's file
+  box.exec();
+}
 
 void MainWindow::restoreSettings() {
-  const QSettings settings;
-  setSizeScale(settings.value("scale", usualSizeScale(*screen())).toDouble());
-  setThemeNamed(settings.value("theme", "light").toString());
-  m_motion->setChecked(settings.value("motion", true).toBool());
-  if (!restoreGeometry(settings.value("geometry").toByteArray()))
+  const auto stored = readSettings(settingsFile());
+  if (!stored)
+    statusBar()->showMessage(QString::fromStdString(stored.problem().text()));
+  const Settings settings = stored ? *stored : Settings();
+  setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
+  setThemeNamed(settings.theme);
+  m_motion->setChecked(settings.motion);
+  if (!restoreGeometry(settings.window))
     resize((usualSize * sizeScale()).boundedTo(screen()->availableSize()));
-  if (!restoreState(settings.value("docks").toByteArray()))
+  if (!restoreState(settings.panels))
     arrangePanels();
 }
 
 void MainWindow::storeSettings() {
-  QSettings settings;
-  settings.setValue("theme", QString::fromStdString(m_theme.name));
-  settings.setValue("motion", m_motion->isChecked());
-  if (m_sizeScale == usualSizeScale(*screen()))
-    settings.remove("scale"); // another screen may have another usual one
-  else
-    settings.setValue("scale", m_sizeScale);
-  settings.setValue("geometry", saveGeometry());
-  settings.setValue("docks", saveState());
-}
-
-void MainWindow::closeEvent(QCloseEvent *event) {
-  const bool unsaved = !m_model.history().isClean();
-  if (unsaved && belongsToFile() && !askToKeepChanges()) {
-    event->ignore();
-    return;
-  }
-  storeSettings();
-  // What has no file comes back with the next start, without a question.
-  if (unsaved && !belongsToFile())
-    m_recovery.keepNow(unsavedWork());
-  else
-    m_recovery.forget();
-  event->accept();
+  Settings settings;
+  settings.theme = QString::fromStdString(m_theme.name);
+  settings.motion = m_motion->isChecked();
+  if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
+    settings.sizeScale = m_sizeScale;
+  settings.window = saveGeometry();
+  settings.panels = saveState();
+  // The window is on its way out: there is nowhere else to say it.
+  if (const auto problem = writeSettings(settings, settingsFile()))
+    printError(problem->text());
 }
 
 } // namespace halfspace

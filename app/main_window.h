@@ -3,6 +3,7 @@
 
 #include "app/lesson_progress.h"
 #include "app/recovery.h"
+#include "app/settings.h"
 #include "app/size_scale.h"
 #include "widgets/scene_view.h"
 #include "widgets/session_model.h"
@@ -31,21 +32,28 @@ public:
   explicit MainWindow(LessonLibrary library);
   ~MainWindow() override;
 
-  /// Starts with a session; `file` is where Save writes it (empty: Save asks).
-  void startWith(const Session &session, const QString &file = {});
+  /// Starts with a session; `file` is where Save writes it (nothing: Save asks).
+  void startWith(const Session &session, std::optional<KnownFile> file = {});
   /// Shows the window, maximized where it would not fit the screen with its frame.
   void showFitting();
-  /// Goes on with the newest work that an earlier run left unsaved, if there is any.
+  /// Goes on with the newest work that an earlier run left unsaved, if there is any. Where that run ended
+  /// while it opened the work, it is only offered, once the window is shown.
   void restoreUnsaved();
   /// Offers unsaved changes to the file that the window began with, and tells where other work waits.
   void offerUnsaved();
   /// Opens a .halfspace file; on failure says why and leaves the session as it is.
   void openFile(const QString &file);
+  /// Writes the session to its file, or asks for one. Asks as well where the file is not any more as this
+  /// window knows it. False where it is not saved.
+  bool save();
   /// Writes the session; on failure says why and returns false.
   bool saveTo(const QString &file);
   /// Writes the 3D view as a PNG file, twice as fine as on the screen.
   bool savePicture(const QString &file);
   void copyPicture();
+  /// Keeps all that is unsaved for the next start, without a question: the program ends now.
+  void endWithoutQuestions();
+  void complain(const QString &sentence);
   void setThemeNamed(const QString &name);
   /// How large type, lines and handles are; within the bounds of size_scale.h.
   void setSizeScale(double scale);
@@ -82,7 +90,6 @@ private:
   void updateTitle();
   void applyLook();
   void changeSizeBy(int steps);
-  void complain(const QString &sentence);
   [[nodiscard]] StepProgress &progress();
   [[nodiscard]] const LessonStep *currentStep() const;
   /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
@@ -93,13 +100,26 @@ private:
   void choose(const QString &answer);
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
+  /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and
+  /// why, else empty.
+  [[nodiscard]] QString finishInput();
   bool askToKeepChanges();
+  bool askToReplace(const KnownFile &file);
+  bool askToGoWithout(const QString &refused);
+  /// What the next start should find is kept there, saved to a file, or given up on purpose.
+  bool keepForNextStart(bool changesKept);
+  [[nodiscard]] bool hasChanges() const;
+  /// Whether changed sessions of other lessons wait to be gone on with.
+  [[nodiscard]] bool hasLeftSessions() const;
   [[nodiscard]] UnsavedWork unsavedWork() const;
-  void keepUnsaved();
+  /// A moment after a change: keeps what is unsaved, or drops what was kept when nothing is.
+  void keepUnsavedSoon();
+  void keepOrForget();
+  std::optional<Problem> keepNow(const UnsavedWork &work);
   void takeUp(const Recovery::Leftover &leftover);
+  void offerAgain(const Recovery::Leftover &leftover);
   void fillUnsavedMenu(QMenu &menu);
   [[nodiscard]] QString askForFile(const QString &title, const QString &filter, const QString &suffix);
-  bool save();
   bool saveAs();
   void open();
   void exportPicture();
@@ -120,12 +140,13 @@ private:
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
   QAction *m_downRay = nullptr;
-  QString m_file;           ///< where Save writes; empty: it asks
-  std::string m_fileLesson; ///< the lesson of that file
+  std::optional<KnownFile> m_file; ///< where Save writes; nothing: it asks
   Theme m_theme;
   double m_sizeScale = smallestSizeScale; ///< as it was chosen
   Recovery m_recovery;
-  QTimer m_panelTimer; ///< the panels follow a drag at its pace, so that the picture never waits for them
+  QTimer m_keepTimer;   ///< unsaved work is kept a moment after a change
+  QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown
+  QTimer m_panelTimer;  ///< the panels follow a drag at its pace, so that the picture never waits for them
   LessonProgress m_progress;
 };
 

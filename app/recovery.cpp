@@ -1,6 +1,10 @@
 #include "app/recovery.h"
 
+#include "app/folders.h"
+#include "lessons/files/read_file.h"
+#include "lessons/files/write_file.h"
 #include "lessons/session_file.h"
+#include "lessons/words.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,22 +13,23 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLockFile>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
 
 namespace halfspace {
 namespace {
 
-constexpr int keepDelay = 800; // milliseconds
 /// As many sessions as there may be lessons that were left.
-constexpr qint64 maxFileBytes = 4 * static_cast<qint64>(maxSessionBytes);
+constexpr std::size_t maxFileBytes = 4 * maxSessionBytes;
 
 QString newPath(const QString &folder) {
   return folder + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces) + ".json";
 }
 
-/// The lock of a file, held; null where a living program holds it.
+/// The file beside a leftover that is there while it is being opened.
+QString openingMark(const QString &path) { return path + ".opening"; }
+
+/// The lock of a file, held; null where a living program holds it, or where none can be made.
 std::unique_ptr<QLockFile> locked(const QString &path) {
   auto lock = std::make_unique<QLockFile>(path + ".lock");
   lock->setStaleLockTime(0); // a lock is stale when its program is gone, not when it is old
@@ -33,42 +38,67 @@ std::unique_ptr<QLockFile> locked(const QString &path) {
 
 QString textOf(const Session &session) { return QString::fromStdString(writeSession(session)); }
 
-QByteArray toBytes(const UnsavedWork &work) {
+QJsonValue toJson(const std::optional<KnownFile> &file) {
+  if (!file)
+    return {};
+  return QJsonObject{{"path", file->path},
+                     {"text", QString::fromStdString(file->text)},
+                     {"lesson", QString::fromStdString(file->lesson)}};
+}
+
+std::optional<KnownFile> fileFrom(const QJsonValue &json) {
+  if (!json["path"].isString())
+    return {};
+  return KnownFile{json["path"].toString(), json["text"].toString().toStdString(),
+                   json["lesson"].toString().toStdString()};
+}
+
+std::string toText(const UnsavedWork &work) {
   QJsonArray left;
   for (const auto &[lesson, session] : work.left)
     left.append(textOf(session));
   return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
                                    {"left", left},
-                                   {"file", work.file},
+                                   {"file", toJson(work.file)},
                                    {"progress", toJson(work.progress)}})
-      .toJson();
+      .toJson()
+      .toStdString();
 }
 
 std::optional<UnsavedWork> readWork(const QString &path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly) || file.size() > maxFileBytes)
+  const auto text = readFile(path.toStdString(), maxFileBytes);
+  if (!text)
     return {};
-  const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
-  const auto read = [&](const QJsonValue &text) {
-    return readSession(text.toString().toStdString(), path.toStdString());
+  const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
+  const auto read = [&](const QJsonValue &session) {
+    return readSession(session.toString().toStdString(), path.toStdString());
   };
   auto session = read(json["session"]);
   if (!session)
     return {};
-  UnsavedWork work{
-      std::move(*session), {}, json["file"].toString(), progressFrom(json["progress"].toArray())};
-  for (const QJsonValue &text : json["left"].toArray())
-    if (auto left = read(text))
+  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"]), progressFrom(json["progress"].toArray())};
+  for (const QJsonValue &other : json["left"].toArray())
+    if (auto left = read(other))
       work.left[left->lesson] = *left;
   return work;
+}
+
+/// Nobody is still writing a file that was begun so long ago, in seconds.
+constexpr int longSinceBegun = 600;
+
+/// Removes what programs that were killed while they wrote have left of it.
+void removeUnfinished(const QString &folder) {
+  const QDateTime then = QDateTime::currentDateTime().addSecs(-longSinceBegun);
+  for (const QFileInfo &info : QDir(folder).entryInfoList(QDir::Files | QDir::Hidden))
+    if (isUnfinishedFile(info.fileName().toStdString()) && info.lastModified() < then)
+      QFile::remove(info.filePath());
 }
 
 } // namespace
 
 Recovery::Recovery(QString folder) : m_folder(std::move(folder)), m_path(newPath(m_folder)) {
-  m_timer.setSingleShot(true);
-  m_timer.setInterval(keepDelay);
-  QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { write(); });
+  if (!m_folder.isEmpty())
+    removeUnfinished(m_folder);
 }
 
 Recovery::~Recovery() = default;
@@ -88,7 +118,7 @@ std::vector<Recovery::Leftover> Recovery::leftovers() const {
     if (path == m_path || !locked(path))
       continue;
     if (auto work = readWork(path))
-      found.push_back({path, info.lastModified(), std::move(*work)});
+      found.push_back({path, info.lastModified(), std::move(*work), QFile::exists(openingMark(path))});
   }
   return found;
 }
@@ -97,45 +127,33 @@ bool Recovery::adopt(const QString &path) {
   auto lock = locked(path);
   if (!lock)
     return false;
-  if (m_timer.isActive()) {
-    m_timer.stop();
-    write();
-  }
+  // Without the mark it is opened all the same: only the next start would not know.
+  static_cast<void>(writeFile(openingMark(path).toStdString(), "", Readers::OwnerOnly));
   m_path = path;
   m_lock = std::move(lock);
   return true;
 }
 
-void Recovery::keep(UnsavedWork work) {
-  m_work = std::move(work);
-  if (!m_timer.isActive())
-    m_timer.start();
-}
+void Recovery::opened() { QFile::remove(openingMark(m_path)); }
 
-void Recovery::keepNow(UnsavedWork work) {
-  m_timer.stop();
-  m_work = std::move(work);
-  write();
+std::optional<Problem> Recovery::keep(const UnsavedWork &work) {
+  if (m_folder.isEmpty())
+    return Problem{words("There is no folder for unsaved work on this system."), "", 0, ""};
+  if (auto problem = makeFolder(m_folder))
+    return problem;
+  if (!m_lock)
+    m_lock = locked(m_path);
+  if (!m_lock)
+    return Problem{words("No file can be made in this folder."), m_folder.toStdString(), 0, ""};
+  return writeFile(m_path.toStdString(), toText(work), Readers::OwnerOnly);
 }
 
 void Recovery::forget() {
-  m_timer.stop();
   if (!m_lock)
     return;
   QFile::remove(m_path);
+  QFile::remove(openingMark(m_path));
   m_lock.reset();
-}
-
-void Recovery::write() {
-  if (m_folder.isEmpty())
-    return;
-  QDir().mkpath(m_folder);
-  if (!m_lock)
-    m_lock = locked(m_path);
-  // A failure is silent: the user saves on purpose elsewhere, and is told there.
-  QSaveFile out(m_path);
-  if (m_lock && out.open(QIODevice::WriteOnly) && out.write(toBytes(m_work)) >= 0)
-    out.commit();
 }
 
 } // namespace halfspace

@@ -1,12 +1,12 @@
-// Keeps unsaved work where a killed program cannot lose it.
+// Unsaved work, kept where a killed program cannot lose it.
 #pragma once
 
 #include "app/lesson_progress.h"
+#include "lessons/problem.h"
 #include "lessons/session.h"
 
 #include <QDateTime>
 #include <QString>
-#include <QTimer>
 
 #include <memory>
 
@@ -14,26 +14,35 @@ class QLockFile;
 
 namespace halfspace {
 
+/// The file that Save writes, as it was when this program last read or wrote it.
+struct KnownFile {
+  QString path;       ///< absolute
+  std::string text;   ///< what stood in it
+  std::string lesson; ///< the lesson of its session
+  bool operator==(const KnownFile &) const = default;
+};
+
 /// A session that is saved nowhere, and what is needed to go on with it.
 struct UnsavedWork {
   Session session;
   std::map<std::string, Session> left; ///< sessions of other lessons that were left with changes
-  QString file;                        ///< where Save would write the session; empty: it asks
+  std::optional<KnownFile> file;       ///< where Save would write the session; nothing: it asks
   LessonProgress progress;
 };
 
-/// Writes unsaved work to a file of its own a moment after each change. A lock beside the file tells others
-/// that this program lives: what is found without one, or with that of a program that is gone, was left
-/// behind.
+/// Keeps unsaved work in a file of its own, which nobody but the user may read. A lock beside the file tells
+/// others that this program lives: what is found without one, or with that of a program that is gone, was
+/// left behind.
 class Recovery {
 public:
   struct Leftover {
     QString path;
     QDateTime written;
     UnsavedWork work;
+    bool endedItsProgram = false; ///< the program that took it up ended before it was all shown
   };
 
-  /// `folder` may be empty: then nothing is kept.
+  /// `folder` may be empty: then nothing can be kept.
   explicit Recovery(QString folder = standardFolder());
   ~Recovery();
 
@@ -42,25 +51,21 @@ public:
 
   /// What programs that have ended left behind, the newest first.
   [[nodiscard]] std::vector<Leftover> leftovers() const;
-  /// Goes on with a leftover: its file is this program's from now on. What this program kept before is a
-  /// leftover itself then. False where another program was quicker.
+  /// Takes up a leftover: its file is this program's from now on, and marked as being opened. False where
+  /// another program was quicker.
   bool adopt(const QString &path);
+  /// What was taken up is all shown: should the program end, it was not for that.
+  void opened();
 
-  /// Keeps this work soon.
-  void keep(UnsavedWork work);
-  /// Keeps this work before the program ends.
-  void keepNow(UnsavedWork work);
+  /// Keeps this work, or says why it cannot be kept; then what was kept before is still there.
+  [[nodiscard]] std::optional<Problem> keep(const UnsavedWork &work);
   /// There is nothing unsaved any more.
   void forget();
 
 private:
-  void write();
-
   QString m_folder;
   QString m_path;
   std::unique_ptr<QLockFile> m_lock; ///< of that file, from its first writing on
-  UnsavedWork m_work;
-  QTimer m_timer;
 };
 
 } // namespace halfspace

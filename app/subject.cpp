@@ -19,8 +19,9 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
 
 bool namesFile(const LessonLibrary &library, const std::string &name) {
   std::error_code error;
-  return !library.find(name) && (name.ends_with(".halfspace") || name.find('/') != std::string::npos ||
-                                 std::filesystem::exists(name, error));
+  return !name.empty() && !library.find(name) &&
+         (name.ends_with(".halfspace") || name.find('/') != std::string::npos ||
+          std::filesystem::exists(name, error));
 }
 
 Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::string &name,
@@ -31,13 +32,14 @@ Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::strin
                : library.problems.front();
   OpenedSubject subject;
   if (namesFile(library, name)) {
-    auto session = readSessionFile(name);
-    if (!session)
-      return session.problem();
-    subject.session = std::move(*session);
+    auto file = readSessionFile(name);
+    if (!file)
+      return file.problem();
+    subject.session = std::move(file->session);
+    subject.text = std::move(file->text);
     subject.lesson = library.find(subject.session.lesson);
   } else {
-    subject.lesson = name.empty() ? &library.lessons.front() : library.find(name);
+    subject.lesson = library.find(name);
     if (!subject.lesson)
       return unknownLesson(library, name);
     subject.session = {subject.lesson->id, 0, subject.lesson->scene};

@@ -10,13 +10,14 @@ namespace halfspace {
 /// is none.
 struct OpenedSubject {
   Session session;
-  const Lesson *lesson = nullptr; ///< in the library that was given
+  const Lesson *lesson = nullptr;  ///< in the library that was given
+  std::optional<std::string> text; ///< of the file that the session stands in, if it is a file's
 };
 
 /// Whether the name is a file's rather than a lesson's: it ends in .halfspace, has a slash, or is there.
 [[nodiscard]] bool namesFile(const LessonLibrary &library, const std::string &name);
 
-/// Opens a lesson by its id (empty: the first) or a .halfspace file, and gives coordinates their values.
+/// Opens a lesson by its id or a .halfspace file, and gives coordinates their values.
 [[nodiscard]] Result<OpenedSubject> openSubject(const LessonLibrary &library, const std::string &name,
                                                 const std::vector<std::string> &assignments = {});
 

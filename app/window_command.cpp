@@ -1,32 +1,30 @@
 #include "app/window_command.h"
 
-#include "app/commands.h"
 #include "app/lesson_files.h"
 #include "app/main_window.h"
+#include "app/standard_streams.h"
 #include "app/subject.h"
+#include "app/termination.h"
 #include "lessons/words.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
+#include <csignal>
 #include <cstdlib>
-#include <iostream>
 
 namespace halfspace {
 namespace {
-
-constexpr int exitNoDisplay = 2;
 
 /// Qt ends the program by itself when the display cannot be reached; this says why, and ends it in order.
 void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &) {
   if (type != QtFatalMsg)
     return;
-  std::cerr << "halfspace: "
-            << words("The window needs a display, and none could be opened (DISPLAY or WAYLAND_DISPLAY). The "
-                     "commands lessons, explain and render work without one.")
-            << "\n";
-  std::_Exit(exitNoDisplay);
+  printError(words("The window needs a display, and none could be opened (DISPLAY or WAYLAND_DISPLAY). The "
+                   "commands lessons, explain and render work without one."));
+  std::_Exit(exitRefused);
 }
 
 bool displayNamed() {
@@ -51,23 +49,56 @@ std::optional<Problem> checkOpenGL() {
   return {};
 }
 
+/// The window on a subject. A file that cannot be opened is told about in the window: who clicked on it sees
+/// no terminal.
+int showWindow(LessonLibrary library, const OpenedSubject &subject, const std::optional<Problem> &problem,
+               const WindowCommand &command) {
+  MainWindow window(std::move(library));
+  const Termination termination([&](int signal) {
+    window.endWithoutQuestions();
+    QApplication::exit(statusAfterSignal(signal));
+  });
+  std::optional<KnownFile> file;
+  if (subject.text)
+    file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *subject.text,
+            subject.session.lesson};
+  window.startWith(subject.session, std::move(file));
+  if (!command.subject)
+    window.restoreUnsaved();
+  else
+    window.offerUnsaved();
+  window.showFitting();
+  if (problem)
+    QTimer::singleShot(0, &window, [&] { window.complain(QString::fromStdString(problem->text())); });
+  return QApplication::exec();
+}
+
 } // namespace
 
 int runWindow(const WindowCommand &command, int argc, char **argv) {
   LessonLibrary library = readLessons(lessonsFolder());
   for (const Problem &problem : library.problems)
-    std::cerr << "halfspace: " << problem.text() << "\n";
-  const auto subject = openSubject(library, command.subject);
-  if (!subject)
-    return fail(subject.problem());
+    printError(problem.text());
+  const std::string firstLesson = library.lessons.empty() ? "" : library.lessons.front().id;
+  auto subject = openSubject(library, command.subject.value_or(firstLesson));
+  std::optional<Problem> problem;
+  if (!subject) {
+    problem = subject.problem();
+    printError(problem->text());
+    if (!command.subject || !namesFile(library, *command.subject) || !displayNamed())
+      return exitRefused;
+    subject = openSubject(library, firstLesson);
+    if (!subject)
+      return fail(subject.problem());
+  }
   if (!displayNamed())
     return fail(
         {words("The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands "
                "lessons, explain and render work without one."),
          "", 0, ""});
 
-  const bool isFile = namesFile(library, command.subject);
-  const Session session = subject->session;
+  // Writing to a pipe that nobody reads any more is a failure to be told, not the end of the window.
+  std::signal(SIGPIPE, SIG_IGN);
   QCoreApplication::setApplicationName("halfspace");
   QCoreApplication::setApplicationVersion(HALFSPACE_VERSION);
   QCoreApplication::setOrganizationName("halfspace");
@@ -78,17 +109,9 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
   const QApplication application(argc, argv);
   qInstallMessageHandler(usualHandler);
-  if (const auto problem = checkOpenGL())
-    return fail(*problem);
-
-  MainWindow window(std::move(library));
-  window.startWith(session, isFile ? QString::fromStdString(command.subject) : QString());
-  if (command.subject.empty())
-    window.restoreUnsaved();
-  else
-    window.offerUnsaved();
-  window.showFitting();
-  return QApplication::exec();
+  if (const auto missing = checkOpenGL())
+    return fail(*missing);
+  return showWindow(std::move(library), *subject, problem, command);
 }
 
 } // namespace halfspace

@@ -1,6 +1,7 @@
-// Sessions and pictures in files, and unsaved work that comes back.
+// Sessions and pictures in files.
 #include "app/main_window.h"
-#include "app/session_files.h"
+#include "lessons/files/read_file.h"
+#include "lessons/files/write_file.h"
 #include "lessons/session_file.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
@@ -11,7 +12,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
-#include <QMenu>
 #include <QMessageBox>
 #include <QStatusBar>
 
@@ -24,41 +24,55 @@ constexpr int messageTime = 8000; // milliseconds
 /// Pictures are made this much finer than the screen shows them.
 constexpr double pictureScale = 2;
 
+/// Whether a file is as it was when it was last read or written here. One that is gone can be written anew.
+bool isAsKnown(const KnownFile &file) {
+  if (!QFileInfo::exists(file.path))
+    return true;
+  const auto text = readFile(file.path.toStdString(), maxSessionBytes);
+  return text && *text == file.text;
+}
+
 } // namespace
 
-void MainWindow::startWith(const Session &session, const QString &file) {
-  m_file = file.isEmpty() ? QString() : QFileInfo(file).absoluteFilePath();
-  m_fileLesson = session.lesson;
+void MainWindow::startWith(const Session &session, std::optional<KnownFile> file) {
+  m_file = std::move(file);
   m_model.startWith(session);
   updateTitle();
 }
 
 void MainWindow::openFile(const QString &file) {
-  const auto session = readSessionFile(file.toStdString());
-  if (!session)
-    return complain(QString::fromStdString(session.problem().text()));
-  startWith(*session, file);
+  const auto opened = readSessionFile(file.toStdString());
+  if (!opened)
+    return complain(QString::fromStdString(opened.problem().text()));
+  startWith(opened->session,
+            KnownFile{QFileInfo(file).absoluteFilePath(), opened->text, opened->session.lesson});
 }
 
 bool MainWindow::saveTo(const QString &file) {
-  if (const auto problem = writeSessionFile(m_model.session(), file)) {
-    complain(QString::fromStdString(problem->text()));
+  const std::string text = writeSession(m_model.session());
+  if (const auto problem = writeFile(file.toStdString(), text)) {
+    complain(tr("The session is not saved.") + "\n" + QString::fromStdString(problem->text()));
     return false;
   }
-  m_file = QFileInfo(file).absoluteFilePath();
-  m_fileLesson = m_model.session().lesson;
+  m_file = {QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson};
   m_model.history().setClean();
-  m_recovery.forget();
+  keepUnsavedSoon();
   updateTitle();
   statusBar()->showMessage(tr("Saved."), messageTime);
   return true;
 }
 
-bool MainWindow::belongsToFile() const {
-  return !m_file.isEmpty() && m_model.session().lesson == m_fileLesson;
-}
+bool MainWindow::belongsToFile() const { return m_file && m_model.session().lesson == m_file->lesson; }
 
-bool MainWindow::save() { return belongsToFile() ? saveTo(m_file) : saveAs(); }
+bool MainWindow::save() {
+  if (const QString refused = finishInput(); !refused.isEmpty()) {
+    complain(refused);
+    return false;
+  }
+  if (!belongsToFile())
+    return saveAs();
+  return isAsKnown(*m_file) ? saveTo(m_file->path) : askToReplace(*m_file);
+}
 
 QString MainWindow::askForFile(const QString &title, const QString &filter, const QString &suffix) {
   QFileDialog dialog(this, title, {}, filter);
@@ -69,25 +83,24 @@ QString MainWindow::askForFile(const QString &title, const QString &filter, cons
 }
 
 bool MainWindow::saveAs() {
+  if (const QString refused = finishInput(); !refused.isEmpty()) {
+    complain(refused);
+    return false;
+  }
   const QString file = askForFile(tr("Save session"), tr("Halfspace sessions (*.halfspace)"), "halfspace");
   return !file.isEmpty() && saveTo(file);
 }
 
 void MainWindow::open() {
-  const bool unsaved = !m_model.history().isClean() && (belongsToFile() || m_model.isChanged());
+  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+    return;
+  const bool unsaved = hasChanges() && (belongsToFile() || m_model.isChanged());
   if (unsaved && !askToKeepChanges())
     return;
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Open session"), {}, tr("Halfspace sessions (*.halfspace)"));
   if (!file.isEmpty())
     openFile(file);
-}
-
-bool MainWindow::askToKeepChanges() {
-  const auto answer =
-      QMessageBox::question(this, tr("Halfspace"), tr("Save your changes to this session first?"),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
 std::optional<LabelPicture> MainWindow::pictureOfScene() {
@@ -134,70 +147,6 @@ void MainWindow::copyPicture() {
     QApplication::clipboard()->setImage(image.copy());
     statusBar()->showMessage(tr("Picture copied."), messageTime);
   }
-}
-
-UnsavedWork MainWindow::unsavedWork() const {
-  return {m_model.session(), m_model.leftSessions(), belongsToFile() ? m_file : QString(), m_progress};
-}
-
-void MainWindow::keepUnsaved() {
-  if (m_model.history().isClean())
-    m_recovery.forget();
-  else
-    m_recovery.keep(unsavedWork());
-}
-
-void MainWindow::takeUp(const Recovery::Leftover &leftover) {
-  if (!m_model.history().isClean())
-    m_recovery.keepNow(unsavedWork()); // it becomes a leftover itself
-  if (!m_recovery.adopt(leftover.path))
-    return complain(tr("Another window has taken up this work already."));
-  const UnsavedWork &work = leftover.work;
-  m_progress = work.progress;
-  m_model.setLeftSessions(work.left);
-  startWith(work.session, work.file);
-  m_model.history().resetClean();
-  m_recovery.keepNow(unsavedWork());
-  statusBar()->showMessage(tr("Your unsaved work is back. Edit > Start Over begins the lesson anew."),
-                           messageTime);
-}
-
-void MainWindow::restoreUnsaved() {
-  const auto leftovers = m_recovery.leftovers();
-  if (!leftovers.empty())
-    takeUp(leftovers.front());
-}
-
-void MainWindow::offerUnsaved() {
-  const auto leftovers = m_recovery.leftovers();
-  const auto ours =
-      std::find_if(leftovers.begin(), leftovers.end(), [this](const Recovery::Leftover &leftover) {
-        return !m_file.isEmpty() && leftover.work.file == m_file;
-      });
-  if (ours != leftovers.end() &&
-      QMessageBox::question(
-          this, tr("Halfspace"),
-          tr("There are unsaved changes to %1 from a run that was cut off. Go on with them?")
-              .arg(QFileInfo(m_file).fileName())) == QMessageBox::Yes)
-    return takeUp(*ours);
-  if (!leftovers.empty())
-    statusBar()->showMessage(tr("Unsaved work from an earlier run waits in File > Unsaved Work."),
-                             messageTime);
-}
-
-void MainWindow::fillUnsavedMenu(QMenu &menu) {
-  menu.clear();
-  for (const Recovery::Leftover &leftover : m_recovery.leftovers()) {
-    const UnsavedWork &work = leftover.work;
-    const Lesson *lesson = m_model.library().find(work.session.lesson);
-    const QString name = !work.file.isEmpty()
-                             ? QFileInfo(work.file).fileName()
-                             : QString::fromStdString(lesson ? lesson->title : work.session.lesson);
-    menu.addAction(tr("%1 (%2)").arg(name, QLocale().toString(leftover.written, QLocale::ShortFormat)), this,
-                   [this, leftover] { takeUp(leftover); });
-  }
-  if (menu.isEmpty())
-    menu.addAction(tr("None"))->setEnabled(false);
 }
 
 } // namespace halfspace

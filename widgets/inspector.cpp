@@ -94,6 +94,15 @@ NumberField *Inspector::field(const std::string &coordinateName, int axis) const
   return nullptr;
 }
 
+QString Inspector::enterTyped() {
+  QString refused;
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      if (const QString why = field->enter(); refused.isEmpty())
+        refused = why;
+  return refused;
+}
+
 void Inspector::buildGivenRows() {
   m_given.clear();
   m_givenLabels.clear();

@@ -29,6 +29,9 @@ public:
   /// Hides what comes out, while a question asks for it.
   void setResultsHidden(bool hidden);
 
+  /// Ends a scrub, and enters the numbers that are typed and not entered yet. Why one is refused; else empty.
+  [[nodiscard]] QString enterTyped();
+
   /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when there is none.
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
 

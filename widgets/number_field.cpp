@@ -1,11 +1,14 @@
 #include "widgets/number_field.h"
 
+#include "lessons/scene_reader.h"
 #include "lessons/session.h"
 
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QStyle>
+#include <QStyleOptionFrame>
 
 namespace halfspace {
 namespace {
@@ -17,12 +20,16 @@ constexpr int manySteps = 10;
 
 /// Decimals that end within so many places are shown as decimals.
 constexpr int shownPlaces = 4;
+/// A number too long for its field is rounded to at most so many digits.
+constexpr int mostShownDigits = 12;
+
+/// What Qt keeps free beside the text of a line edit, in pixels.
+constexpr int textMargin = 2;
 
 QChar decimalPoint(const QLocale &locale) { return QString(locale.decimalPoint()).at(0); }
 
-} // namespace
-
-std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
+/// What was typed, in the one spelling that files have too.
+std::string plainSpelling(const QString &text, const QLocale &locale) {
   QString plain = text.trimmed();
   plain.replace(QChar(0x2212), '-'); // the typographic minus
   if (plain.startsWith('+'))
@@ -32,7 +39,13 @@ std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
   if (plain.startsWith('.') || plain.startsWith("-."))
     plain.insert(plain.indexOf('.'), '0');
   plain.remove(' ');
-  return parseRational(plain.toStdString());
+  return plain.toStdString();
+}
+
+} // namespace
+
+std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
+  return parseRational(plainSpelling(text, locale));
 }
 
 QString typedText(const Rational &value, const QLocale &locale) {
@@ -53,7 +66,7 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
   setCursor(Qt::SizeHorCursor);
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
-  connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
+  connect(this, &QLineEdit::returnPressed, this, &NumberField::enter);
   showValue();
 }
 
@@ -90,27 +103,32 @@ void NumberField::mark(bool wrong) {
   style()->polish(this);
 }
 
-void NumberField::commit() {
-  if (text() == typedText(m_value, locale()))
-    return showValue();
+QString NumberField::enter() {
+  if (m_scrubbing)
+    endScrub(true);
+  if (text() == typedText(m_value, locale())) {
+    showValue();
+    return {};
+  }
   const auto value = parseTyped(text(), locale());
-  if (!value) {
-    mark(true);
-    emit refused(tr("“%1” is no number. Write it like 3, -1.5 or 10/3.").arg(text().left(40)));
-    return;
-  }
-  if (const auto why = refuseCoordinate(*value)) {
-    mark(true);
-    emit refused(QString::fromStdString(*why));
-    return;
-  }
+  if (!value)
+    return refuse(QString::fromStdString(whyNotRead(plainSpelling(text(), locale()))));
+  if (const auto why = refuseCoordinate(*value))
+    return refuse(QString::fromStdString(*why));
   m_value = *value;
   showValue();
   emit valueTyped(*value);
+  return {};
+}
+
+QString NumberField::refuse(const QString &sentence) {
+  mark(true);
+  emit refused(sentence);
+  return sentence;
 }
 
 void NumberField::focusOutEvent(QFocusEvent *event) {
-  commit();
+  enter();
   QLineEdit::focusOutEvent(event);
 }
 
@@ -144,6 +162,33 @@ void NumberField::keyPressEvent(QKeyEvent *event) {
   default:
     QLineEdit::keyPressEvent(event);
   }
+}
+
+QString NumberField::textWithin(int width) const {
+  const auto fits = [&](const QString &text) { return fontMetrics().horizontalAdvance(text) <= width; };
+  if (fits(text()))
+    return text();
+  if (property("wrong").toBool())
+    return fontMetrics().elidedText(text(), Qt::ElideRight, width);
+  QString rounded;
+  for (int digits = mostShownDigits; digits > 0; --digits)
+    if (rounded = QString::fromUtf8("≈ ") + locale().toString(toDouble(m_value), 'g', digits); fits(rounded))
+      break;
+  return rounded;
+}
+
+void NumberField::paintEvent(QPaintEvent *event) {
+  QStyleOptionFrame frame;
+  initStyleOption(&frame);
+  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &frame, this);
+  const QRect room = inside.adjusted(textMargin, 0, -textMargin, 0);
+  const QString shown = textWithin(room.width());
+  if (hasFocus() || shown == text())
+    return QLineEdit::paintEvent(event);
+  QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_PanelLineEdit, &frame, &painter, this);
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, shown);
 }
 
 void NumberField::endScrub(bool keep) {

@@ -8,7 +8,8 @@
 namespace halfspace {
 
 /// Shows a fraction exactly. Typing takes `-10/3`, `1.5`, and `1,5` where the language writes it so. Up and
-/// Down step it; pressing on a field without the focus and dragging sideways scrubs it. A text that is no
+/// Down step it; a number too long for the field is shown rounded after ≈ until the field has the focus.
+/// Pressing on a field without the focus and dragging sideways scrubs it. A text that is no
 /// number stays, marked, until it is mended or Escape takes it back.
 class NumberField : public QLineEdit {
   Q_OBJECT
@@ -18,6 +19,9 @@ public:
 
   void setValue(const Rational &value);
   [[nodiscard]] const Rational &value() const { return m_value; }
+
+  /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
+  QString enter();
 
   [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -36,9 +40,11 @@ protected:
   void mouseReleaseEvent(QMouseEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
   void focusOutEvent(QFocusEvent *event) override;
+  void paintEvent(QPaintEvent *event) override;
 
 private:
-  void commit();
+  QString refuse(const QString &sentence);
+  [[nodiscard]] QString textWithin(int width) const;
   void endScrub(bool keep);
   void showValue();
   void mark(bool wrong);

@@ -69,6 +69,8 @@ public:
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
   void selectHandle(const std::string &handleId);
+  /// Ends what the mouse began, as its release does.
+  void finishDrag();
 
 signals:
   void markHovered(const QString &markId); ///< empty: none
@@ -115,7 +117,6 @@ private:
   void requestFrame();
   void frame();
   void followPointer();
-  void finishDrag();
   void cancelDrag();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);

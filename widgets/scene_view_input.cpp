@@ -124,10 +124,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
   }
 }
 
-void SceneView::mouseReleaseEvent(QMouseEvent *) {
-  if (m_gesture != Gesture::None)
-    finishDrag();
-}
+void SceneView::mouseReleaseEvent(QMouseEvent *) { finishDrag(); }
 
 void SceneView::followPointer() {
   if (!m_drag || !m_pendingPointer)
@@ -151,6 +148,8 @@ void SceneView::followPointer() {
 }
 
 void SceneView::finishDrag() {
+  if (m_gesture == Gesture::None)
+    return;
   if (m_gesture == Gesture::Handle) {
     followPointer();
     const Handle &handle = m_drag->handle();

@@ -28,6 +28,7 @@ public:
   /// What the current step shows of it.
   [[nodiscard]] const Outcome &shownOutcome() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
+  [[nodiscard]] const QUndoStack &history() const { return m_history; }
   /// The steps in which numbers move when dragged, typed or stepped by keys.
   [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
   void setSnapStep(const Rational &step) { m_snapStep = step; }

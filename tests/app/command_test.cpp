@@ -205,7 +205,7 @@ TEST_F(Program, ALessonOrFileThatIsNotThere_IsRefused) {
   expectRefused("explain no-such-lesson", "There is no lesson “no-such-lesson”");
   expectRefused("render no-such-lesson -o a.png", "There is no lesson “no-such-lesson”");
   expectRefused("explain missing.halfspace", "missing.halfspace: There is no such file");
-  expectRefused("explain /", "There is no such file");
+  expectRefused("explain /", "/: This is a folder, not a file");
   expectRefused("no-such-lesson", "There is no lesson “no-such-lesson”");
 }
 

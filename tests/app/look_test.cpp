@@ -6,10 +6,8 @@
 #include <QApplication>
 #include <QImage>
 #include <QPainter>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QStyleOption>
-#include <QTemporaryDir>
 
 using namespace halfspace;
 
@@ -44,9 +42,8 @@ private slots:
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName("halfspace-test");
     QCoreApplication::setApplicationName("look");
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
   }
-  void init() { QSettings().clear(); }
+  void init() { QFile::remove(settingsFile()); }
 
   void size_changed_scalesTextLabelsAndHandlesAtOnce() {
     WindowFixture fixture("signed-distance");
@@ -172,9 +169,6 @@ private slots:
       QVERIFY2(contrast > 100, theme.name.c_str());
     }
   }
-
-private:
-  QTemporaryDir m_settings;
 };
 
 QTEST_MAIN(LookTest)

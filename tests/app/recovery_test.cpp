@@ -29,7 +29,7 @@ protected:
     const pid_t child = fork();
     if (child == 0) {
       Recovery recovery(folder.path());
-      recovery.keepNow(workAt(x));
+      static_cast<void>(recovery.keep(workAt(x)));
       static_cast<void>(!write(ready[1], "x", 1));
       for (;;)
         pause();
@@ -61,8 +61,8 @@ TEST_F(RecoveryTest, OfAProgramThatLives_IsLeftAlone_AndOfferedOnceItIsKilled) {
 TEST_F(RecoveryTest, OfTwoProgramsAtOnce_IsKeptApart) {
   Recovery first(folder.path());
   Recovery second(folder.path());
-  first.keepNow(workAt(1));
-  second.keepNow(workAt(2));
+  EXPECT_FALSE(first.keep(workAt(1)));
+  EXPECT_FALSE(second.keep(workAt(2)));
   Recovery third(folder.path());
   EXPECT_TRUE(third.leftovers().empty());
   first.forget();
@@ -88,7 +88,7 @@ TEST_F(RecoveryTest, AfterTheFirstChange_LeavesAnotherLeftoverAsItWas) {
   killProgram(startProgram(7));
   {
     Recovery recovery(folder.path());
-    recovery.keepNow(workAt(1));
+    EXPECT_FALSE(recovery.keep(workAt(1)));
     recovery.forget();
   }
   const auto leftovers = Recovery(folder.path()).leftovers();
@@ -98,10 +98,10 @@ TEST_F(RecoveryTest, AfterTheFirstChange_LeavesAnotherLeftoverAsItWas) {
 
 TEST_F(RecoveryTest, KeepsFileAnswersAndOtherLessons) {
   UnsavedWork work = workAt(4);
-  work.file = "/somewhere/mine.halfspace";
+  work.file = {"/somewhere/mine.halfspace", "{}", "signed-distance"};
   work.left["plane-implicit"] = {"plane-implicit", 1, workAt(9).session.scene};
   work.progress[{"signed-distance", 0}] = {"positive", "negative", TaskProgress({true, false})};
-  { Recovery(folder.path()).keepNow(work); }
+  EXPECT_FALSE(Recovery(folder.path()).keep(work));
   const auto leftovers = Recovery(folder.path()).leftovers();
   ASSERT_EQ(leftovers.size(), 1U);
   const UnsavedWork &found = leftovers.front().work;

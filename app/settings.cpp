@@ -1,0 +1,67 @@
+#include "app/settings.h"
+
+#include "app/folders.h"
+#include "lessons/files/read_file.h"
+#include "lessons/files/write_file.h"
+#include "lessons/words.h"
+
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr std::size_t maxSettingsBytes = 1U << 20U;
+
+QByteArray bytesIn(const QJsonValue &value) { return QByteArray::fromBase64(value.toString().toLatin1()); }
+
+QString textOf(const QByteArray &bytes) { return QString::fromLatin1(bytes.toBase64()); }
+
+Settings settingsFrom(const QJsonObject &json) {
+  Settings settings;
+  settings.theme = json["theme"].toString(settings.theme);
+  settings.motion = json["motion"].toBool(settings.motion);
+  if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
+    settings.sizeScale = scale.toDouble();
+  settings.window = bytesIn(json["window"]);
+  settings.panels = bytesIn(json["panels"]);
+  return settings;
+}
+
+} // namespace
+
+QString settingsFile() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation);
+  return folder.isEmpty() ? QString() : folder + "/settings.json";
+}
+
+Result<Settings> readSettings(const QString &file) {
+  if (!QFileInfo::exists(file))
+    return Settings();
+  const auto text = readFile(file.toStdString(), maxSettingsBytes);
+  if (!text)
+    return text.problem();
+  const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(*text));
+  if (!json.isObject())
+    return Problem{words("The settings are damaged: the usual ones are in force."), file.toStdString(), 0,
+                   ""};
+  return settingsFrom(json.object());
+}
+
+std::optional<Problem> writeSettings(const Settings &settings, const QString &file) {
+  QJsonObject json{{"theme", settings.theme},
+                   {"motion", settings.motion},
+                   {"window", textOf(settings.window)},
+                   {"panels", textOf(settings.panels)}};
+  if (settings.sizeScale)
+    json["sizeScale"] = *settings.sizeScale;
+  if (auto problem = makeFolder(QFileInfo(file).path()))
+    return problem;
+  return writeFile(file.toStdString(), QJsonDocument(json).toJson().toStdString());
+}
+
+} // namespace halfspace

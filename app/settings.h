@@ -1,0 +1,31 @@
+// What a user has chosen, kept between starts.
+#pragma once
+
+#include "lessons/problem.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <optional>
+
+namespace halfspace {
+
+struct Settings {
+  QString theme = "light";
+  bool motion = true;
+  std::optional<double> sizeScale; ///< nothing: what suits the screen; always finite
+  QByteArray window;               ///< size and place, as Qt saves them
+  QByteArray panels;               ///< their arrangement, as Qt saves it
+  bool operator==(const Settings &) const = default;
+};
+
+/// Where the settings stand: a file of the user's configuration.
+[[nodiscard]] QString settingsFile();
+
+/// The settings of a file. What it does not tell, or tells wrongly, is as usual; a file that is there and
+/// cannot be read is a problem.
+[[nodiscard]] Result<Settings> readSettings(const QString &file);
+
+[[nodiscard]] std::optional<Problem> writeSettings(const Settings &settings, const QString &file);
+
+} // namespace halfspace
