@@ -68,8 +68,10 @@ int runRender(const RenderCommand &command) {
   if (!subject)
     return fail(subject.problem());
   Outcome outcome = evaluate(subject->session.scene);
+  const Stage stage = stageOf(subject->session.scene);
   const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
-  const Camera camera = homeView(view, outcome.figure, command.size, command.size.height / designHeight);
+  const Camera camera = homeView(view, toStage(outcome.figure, stage), stage.hasAxes(), command.size,
+                                 command.size.height / designHeight);
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
@@ -88,7 +90,8 @@ int runRender(const RenderCommand &command) {
   const QGuiApplication application(argc, argv);
   Typesetter typesetter;
   PictureRequest request;
-  request.content.figure = std::move(outcome.figure);
+  request.content.stage = stage;
+  request.content.figure = toStage(outcome.figure, stage);
   request.camera = camera;
   request.theme = *findTheme(command.theme);
   request.size = command.size;

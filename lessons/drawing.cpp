@@ -6,12 +6,6 @@
 #include <array>
 
 namespace halfspace {
-namespace {
-
-/// How far a ray runs on behind what it hits, in scene units.
-constexpr double beyondHit = 2.5;
-
-} // namespace
 
 Place unitOf(const ExactVec3 &direction) {
   // The largest coordinate is made 1 first: the squares of a very short direction's doubles would vanish.
@@ -20,7 +14,7 @@ Place unitOf(const ExactVec3 &direction) {
   return glm::normalize(place(direction * Rational(1 / largest)));
 }
 
-ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
+ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
   return {std::move(base), from, unitOf(direction) * length};
 }
 
@@ -45,11 +39,12 @@ void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd>
   figure.marks.push_back(PointMark{{"P0", Role::Given, Subject::Plane, "P_0"}, point});
 }
 
-void drawRay(Figure &figure, const RayObject &ray, double reach) {
+void drawRay(Figure &figure, const RayObject &ray, const std::optional<Place> &meets) {
   const Place origin = place(ray.origin);
   const Place direction = place(ray.direction);
   if (!isZero(ray.direction)) {
-    figure.marks.push_back(RayMark{{"ray", Role::Given, Subject::Ray, ""}, origin, direction, reach});
+    figure.marks.push_back(
+        RayMark{{"ray", Role::Given, Subject::Ray, ""}, origin, unitOf(ray.direction), meets});
     figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction});
   }
   figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, origin});
@@ -62,15 +57,6 @@ void drawCorners(Figure &figure, const TriangleObject &triangle) {
     figure.marks.push_back(
         PointMark{{"P" + index, Role::Given, Subject::Triangle, "P_" + index}, place(*corners[i])});
   }
-}
-
-double rayReach(const RayObject &ray, const std::optional<Place> &hit) {
-  const double unit = glm::length(place(ray.direction));
-  if (unit == 0)
-    return 0;
-  if (!hit)
-    return openRayLength / unit;
-  return (glm::length(*hit - place(ray.origin)) + beyondHit) / unit;
 }
 
 } // namespace halfspace

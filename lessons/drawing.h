@@ -12,9 +12,9 @@ namespace halfspace {
 /// The unit vector of a direction ≠ 0, however short it is.
 [[nodiscard]] Place unitOf(const ExactVec3 &direction);
 
-/// The arrow of a direction ≠ 0 drawn at another length.
-[[nodiscard]] ArrowMark drawnArrow(MarkBase base, const Place &from, const ExactVec3 &direction,
-                                   double length);
+/// The arrow of a direction ≠ 0 drawn at another length, in scene units.
+[[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
+                                      double length);
 
 /// The LaTeX of a plane's equation, with the relation that its numbers allow: `x + 2y + 2z - 27 = 0`.
 [[nodiscard]] std::string planeEquation(const std::vector<Surd> &coefficients);
@@ -24,17 +24,11 @@ namespace halfspace {
 void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd> &coefficients,
                const std::vector<Place> &covers);
 
-/// The marks that every figure with a ray has: Q, its direction r and the line it runs along up to t = reach.
-/// A zero direction leaves Q.
-void drawRay(Figure &figure, const RayObject &ray, double reach);
+/// The marks that every figure with a ray has: Q, its direction r and the line it runs along, to what it
+/// meets ahead and beyond. A zero direction leaves Q.
+void drawRay(Figure &figure, const RayObject &ray, const std::optional<Place> &meets);
 
 /// The corners of a triangle, P0, P1 and P2.
 void drawCorners(Figure &figure, const TriangleObject &triangle);
-
-/// How far to draw a ray that meets nothing ahead: this many scene units.
-inline constexpr double openRayLength = 16;
-
-/// The t up to which a ray is drawn: a little beyond the hit, or openRayLength units where there is none.
-[[nodiscard]] double rayReach(const RayObject &ray, const std::optional<Place> &hit);
 
 } // namespace halfspace

@@ -29,6 +29,15 @@ Figure withoutNumbers(Figure figure) {
   return figure;
 }
 
+Place endOf(const RayMark &ray) {
+  const double length = ray.meets ? glm::distance(ray.origin, *ray.meets) + beyondHit : openRayLength;
+  return ray.origin + glm::normalize(ray.direction) * length;
+}
+
+Place shownVector(const ArrowMark &arrow) {
+  return arrow.drawnLength ? glm::normalize(arrow.vector) * *arrow.drawnLength : arrow.vector;
+}
+
 std::vector<Place> cornersOf(const PlanePatchMark &patch) {
   if (patch.normal == Place(0) || !isFinite(patch.normal) || !isFinite(patch.center))
     return {};

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,17 +47,19 @@ struct SegmentMark : MarkBase {
   bool operator==(const SegmentMark &) const = default;
 };
 
-/// The thin line of a ray from its start; its direction is an arrow of its own. It is drawn up to t = reach.
+/// The thin line of a ray from its start; its direction, which is not zero, is an arrow of its own.
 struct RayMark : MarkBase {
   Place origin{};
   Place direction{};
-  double reach = 0;
+  std::optional<Place> meets{}; ///< what it meets ahead
   bool operator==(const RayMark &) const = default;
 };
 
 struct ArrowMark : MarkBase {
   Place from{};
   Place vector{};
+  std::optional<double>
+      drawnLength{}; ///< in units of the picture, where only the direction of the vector matters
   bool operator==(const ArrowMark &) const = default;
 };
 
@@ -125,12 +128,23 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
   return nullptr;
 }
 
-/// A patch is at least this long on each side, in scene units …
+/// A patch is at least this long on each side, in units of the picture …
 inline constexpr double minimumPatchSide = 14;
 /// … goes on this far behind a covered point …
 inline constexpr double patchMargin = 1;
 /// … and ends this far from its centre, so that a far point does not make it fill the picture.
 inline constexpr double maximumPatchReach = 24;
+
+/// A ray runs on so far behind what it meets, in units of the picture …
+inline constexpr double beyondHit = 2.5;
+/// … and so far where it meets nothing.
+inline constexpr double openRayLength = 16;
+
+/// Where the drawn line of a ray ends.
+[[nodiscard]] Place endOf(const RayMark &ray);
+
+/// From the start of an arrow to the tip that is drawn.
+[[nodiscard]] Place shownVector(const ArrowMark &arrow);
 
 /// The figure without the numbers in its labels: `d` for `d = 10`, `E` for `E: x + 2y + 2z − 27 = 0`.
 [[nodiscard]] Figure withoutNumbers(Figure figure);

@@ -28,8 +28,7 @@ public:
     std::vector<Mark> marks{PointMark{part("Q", "Q", Subject::Ray), place(ray.origin)}};
     if (isZero(ray.direction))
       return marks;
-    marks.push_back(RayMark{whole(Subject::Ray, ""), place(ray.origin), place(ray.direction),
-                            rayReach(ray, std::nullopt)});
+    marks.push_back(RayMark{whole(Subject::Ray, ""), place(ray.origin), unitOf(ray.direction)});
     marks.push_back(ArrowMark{part("r", "\\vec r", Subject::Ray), place(ray.origin), place(ray.direction)});
     return marks;
   }

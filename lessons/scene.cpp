@@ -6,18 +6,27 @@ namespace halfspace {
 namespace {
 
 /// The name of a coordinate within its object; a point's goes by the point's own name.
+std::string_view ownName(const Entry &entry, const Object &object, std::size_t index) {
+  const auto &specs = coordinatesOf(object);
+  return index < specs.size() && !specs[index].name.empty() ? specs[index].name
+                                                            : std::string_view(entry.name);
+}
+
 std::string_view ownName(const Scene &scene, const CoordinateId &id) {
-  const Object *object = findObject(scene, id.object);
-  if (!object || id.index >= coordinatesOf(*object).size())
-    return id.object;
-  const std::string_view name = coordinatesOf(*object)[id.index].name;
-  return name.empty() ? std::string_view(id.object) : name;
+  for (const Entry &entry : scene.entries)
+    if (entry.name == id.object)
+      if (const auto *object = std::get_if<Object>(&entry.content))
+        return ownName(entry, *object, id.index);
+  return id.object;
 }
 
 bool isOnlyOne(const Scene &scene, std::string_view name) {
-  const auto ids = coordinatesOf(scene);
-  return std::count_if(ids.begin(), ids.end(),
-                       [&](const CoordinateId &id) { return ownName(scene, id) == name; }) == 1;
+  int found = 0;
+  for (const Entry &entry : scene.entries)
+    if (const auto *object = std::get_if<Object>(&entry.content))
+      for (std::size_t index = 0; index < coordinatesOf(*object).size(); ++index)
+        found += ownName(entry, *object, index) == name ? 1 : 0;
+  return found == 1;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace halfspace {
 namespace {
@@ -45,12 +46,12 @@ std::vector<Evaluated> evaluateConstructions(const Scene &scene) {
   return evaluated;
 }
 
-/// Adds an earlier construction's marks; their ids get the entry's name in front, what is drawn already is
-/// left out.
-void addMarksOf(Evaluated &&earlier, Figure &figure) {
+/// Adds an earlier construction's marks; their ids get the entry's name in front. What the last construction
+/// draws just so is left out: `last` has its marks by their ids.
+void addMarksOf(Evaluated &&earlier, const std::unordered_map<std::string, Mark> &last, Figure &figure) {
   for (Mark &mark : earlier.outcome.figure.marks) {
     MarkBase &base = baseOf(mark);
-    if (std::find(figure.marks.begin(), figure.marks.end(), mark) != figure.marks.end())
+    if (const auto same = last.find(base.id); same != last.end() && same->second == mark)
       continue;
     base.id = earlier.entry->name + "." + base.id;
     figure.marks.push_back(std::move(mark));
@@ -114,8 +115,11 @@ Outcome evaluate(const Scene &scene) {
   Outcome outcome;
   if (!evaluated.empty()) {
     outcome = std::move(evaluated.back().outcome);
+    std::unordered_map<std::string, Mark> last;
+    for (const Mark &mark : outcome.figure.marks)
+      last.emplace(baseOf(mark).id, mark);
     for (std::size_t i = 0; i + 1 < evaluated.size(); ++i)
-      addMarksOf(std::move(evaluated[i]), outcome.figure);
+      addMarksOf(std::move(evaluated[i]), last, outcome.figure);
   }
   std::move(others.marks.begin(), others.marks.end(), std::back_inserter(outcome.figure.marks));
   return outcome;

@@ -54,7 +54,10 @@ Flat freedomOf(DragMode mode, const Handle &handle) {
   return isPlanar(mode) ? Flat::plane(handle.at, exact) : Flat::line(handle.at, exact);
 }
 
-Place inBox(Place place) { return glm::clamp(place, -dragBox, dragBox); }
+Place inBox(Place place, const ExactVec3 &start) {
+  const Place limit = glm::max(Place(dragBox), glm::abs(toDouble(start)));
+  return glm::clamp(place, -limit, limit);
+}
 
 } // namespace
 
@@ -131,8 +134,9 @@ std::optional<DragMove> HandleDrag::moveTo(glm::dvec2 pixel, const Rational &ste
       return std::numeric_limits<double>::infinity();
     return glm::length(glm::dvec2(*onScreenA) - glm::dvec2(*onScreenB));
   };
-  const SnappedPlace snapped = snap({m_scene, m_anchor, inBox(*place - beside), freedomOf(m_mode, m_anchor),
-                                     step, pixelsApart, catchDistance * screen.pixelRatio});
+  const SnappedPlace snapped =
+      snap({m_scene, m_anchor, inBox(*place - beside, m_handle.at), freedomOf(m_mode, m_anchor), step,
+            pixelsApart, catchDistance * screen.pixelRatio});
   m_at = snapped.at;
   return DragMove{movedTo(*object, m_handle, m_at), snapped.caughtBy};
 }

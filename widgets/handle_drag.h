@@ -31,7 +31,8 @@ struct DragScreen {
 /// The knob of a handle that no mark of a figure shows; nothing for the others.
 [[nodiscard]] std::optional<Knob> knobOf(const Handle &handle, bool hot);
 
-/// Objects are dragged within this box around the origin, in scene units. Typed numbers may lie outside.
+/// Objects are dragged within this box around the origin of the stage, in its units; one that lies outside,
+/// as far out as it is.
 inline constexpr double dragBox = 30;
 /// Special places catch within this many design pixels.
 inline constexpr double catchDistance = 9;

@@ -1,5 +1,6 @@
 #include "widgets/scene_view.h"
 
+#include "geometry/decide.h"
 #include "lessons/formula.h"
 #include "widgets/scene/gizmo_shape.h"
 #include "widgets/scene/render_window.h"
@@ -55,6 +56,8 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_model.history(), &QUndoStack::indexChanged, this,
+          &SceneView::takeOutcome); // a gesture has ended
   takeOutcome();
 }
 
@@ -199,8 +202,23 @@ bool SceneView::focusNextPrevChild(bool next) {
   return true;
 }
 
+/// The stage follows the scene, but not while something is dragged: the picture would jump under the hand.
+void SceneView::takeStage() {
+  const Stage stage = stageOf(m_model.session().scene);
+  if (m_model.inGesture() || stage == m_stage)
+    return;
+  const ExactVec3 target = fromStage(exactly(m_camera.target), CoordinateRole::Position, m_stage);
+  m_camera.target = glm::clamp(toDouble(toStage(target, CoordinateRole::Position, stage)),
+                               -Camera::farthestTarget, Camera::farthestTarget);
+  m_camera.height = std::clamp(m_camera.height * toDouble(m_stage.unit() / stage.unit()), Camera::minHeight,
+                               Camera::maxHeight);
+  m_stage = stage;
+  stayHome();
+}
+
 void SceneView::takeOutcome() {
-  m_handles = handlesOf(m_model.session().scene);
+  takeStage();
+  m_handles = handlesOf(stagedScene());
   if (!findHandle(m_selected))
     m_selected.clear();
   if (!findHandle(m_hovered))
@@ -242,7 +260,8 @@ std::optional<Gizmo> SceneView::gizmo() const {
       gizmo.mode = gizmoMode;
   if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate) {
     Formula f;
-    const Rational z = handle->at.z - handle->base.z;
+    const CoordinateRole role = isZero(handle->base) ? CoordinateRole::Position : CoordinateRole::Direction;
+    const Rational z = fromStage(handle->at - handle->base, role, m_stage).z;
     gizmo.note = "z " + f.equals(f(z)) + "\\text{ fixed}";
   }
   return gizmo;
@@ -250,7 +269,8 @@ std::optional<Gizmo> SceneView::gizmo() const {
 
 SceneContent SceneView::pictureContent() const {
   SceneContent content;
-  content.figure = m_model.shownOutcome().figure;
+  content.stage = m_stage;
+  content.figure = staged(m_model.shownOutcome().figure);
   if (m_numbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));
   return content;
@@ -309,7 +329,7 @@ SceneContent SceneView::interactiveContent() const {
     if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
       content.knobs.push_back(std::move(*knob));
   const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
-  if (dropped && dropped->motion == Handle::Motion::Coordinate)
+  if (dropped && dropped->motion == Handle::Motion::Coordinate && m_stage.hasGround())
     content.dropLine = DropLine{toDouble(dropped->at)};
   return content;
 }

@@ -58,6 +58,8 @@ public:
   void setOrthographic(bool on);
   [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
 
+  /// The stage that scene, handles and camera are shown on.
+  [[nodiscard]] const Stage &stage() const { return m_stage; }
   [[nodiscard]] const Camera &camera() const { return m_camera; }
   [[nodiscard]] PixelSize pixelSize() const;
   /// How many of those pixels a design pixel has, in which labels, thicknesses and handles are measured.
@@ -106,6 +108,10 @@ private:
 
   [[nodiscard]] SceneContent interactiveContent() const;
   void takeOutcome();
+  void takeStage();
+  /// The session's scene in units of the stage.
+  [[nodiscard]] Scene stagedScene() const { return toStage(m_model.session().scene, m_stage); }
+  [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
   void prepare();
   /// Takes the content anew, and draws it.
   void updateContent();
@@ -132,6 +138,7 @@ private:
   SessionModel &m_model;
   FigureScene m_scene;
   Theme m_theme;
+  Stage m_stage;
   Camera m_camera;
   double m_sizeScale = 1;
   bool m_motion = true;

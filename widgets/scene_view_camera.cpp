@@ -56,8 +56,8 @@ void SceneView::glideTo(const Camera &camera) {
 }
 
 Camera SceneView::homeCamera() const {
-  return homeView(m_model.lesson().camera, m_model.outcome().figure, pixelSize(), designRatio(),
-                  m_camera.orthographic);
+  return homeView(m_model.lesson().camera, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(),
+                  designRatio(), m_camera.orthographic);
 }
 
 void SceneView::goHome() {
@@ -80,9 +80,9 @@ void SceneView::resizeEvent(QResizeEvent *event) {
 
 void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
 
-void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(m_model.outcome().figure, m_camera)); }
+void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.outcome().figure), m_camera)); }
 
-void SceneView::lookDownRay() { glideTo(seenDownRay(m_model.session().scene, m_camera)); }
+void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene(), m_camera)); }
 
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();
@@ -90,6 +90,8 @@ void SceneView::setOrthographic(bool on) {
   requestFrame();
 }
 
-void SceneView::fit() { glideTo(fitted(m_camera, placesOf(m_model.shownOutcome().figure), pixelSize())); }
+void SceneView::fit() {
+  glideTo(fitted(m_camera, placesOf(staged(m_model.shownOutcome().figure)), pixelSize()));
+}
 
 } // namespace halfspace

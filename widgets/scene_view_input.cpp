@@ -92,7 +92,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
 void SceneView::pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
   m_gesture = Gesture::Handle;
   m_fade.finish();
-  m_drag.emplace(m_model.session().scene, handle, mode, pixel);
+  m_drag.emplace(stagedScene(), handle, mode, pixel);
   m_model.beginGesture();
   if (m_selected != handle.id)
     m_vertical = false;
@@ -137,7 +137,7 @@ void SceneView::followPointer() {
       m_drag->moveTo(devicePixel(m_lastPointer), suspended ? finestStep : m_model.snapStep(), screen());
   if (!move)
     return;
-  m_model.moveGesture({m_drag->handle().object, move->object});
+  m_model.moveGesture({m_drag->handle().object, fromStage(move->object, m_stage)});
   m_evaluateTime = Clock::now() - start;
   if (move->caught != m_caught) {
     m_caught = move->caught;
@@ -251,14 +251,15 @@ void SceneView::keyReleaseEvent(QKeyEvent *event) {
 
 bool SceneView::stepSelected(const QKeyEvent &event) {
   const Handle *handle = findHandle(m_selected);
-  const Object *object = handle ? findObject(m_model.session().scene, handle->object) : nullptr;
+  const Scene scene = handle ? stagedScene() : Scene();
+  const Object *object = handle ? findObject(scene, handle->object) : nullptr;
   if (!object || m_gesture != Gesture::None)
     return false;
   const auto place = steppedPlace(*handle, m_vertical ? verticalKey(event.key()) : event.key(),
                                   event.modifiers(), m_model.snapStep(), m_camera);
   if (!place)
     return false;
-  m_model.edit({handle->object, movedTo(*object, *handle, *place)},
+  m_model.edit({handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
                tr("move %1").arg(QString::fromStdString(handle->id)));
   return true;
 }

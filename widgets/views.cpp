@@ -1,8 +1,10 @@
 #include "widgets/views.h"
 
 #include "widgets/scene/ground.h"
+#include "widgets/scene/stage.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +32,9 @@ std::optional<Place> normalOf(const Mark &mark) {
 std::vector<Place> placesOf(const Figure &figure) {
   std::vector<Place> places;
   const auto add = [&](const std::vector<Place> &more) {
-    places.insert(places.end(), more.begin(), more.end());
+    std::copy_if(more.begin(), more.end(), std::back_inserter(places), [](const Place &place) {
+      return glm::all(glm::lessThanEqual(glm::abs(place), Place(stageReach)));
+    });
   };
   for (const Mark &mark : figure.marks)
     std::visit(Overloaded{[&](const PointMark &point) { add({point.at}); },
@@ -39,7 +43,7 @@ std::vector<Place> placesOf(const Figure &figure) {
                           },
                           [&](const RayMark &ray) { add({ray.origin}); },
                           [&](const ArrowMark &arrow) {
-                            add({arrow.from, arrow.from + arrow.vector});
+                            add({arrow.from, arrow.from + shownVector(arrow)});
                           },
                           [&](const PlanePatchMark &patch) { add(cornersOf(patch)); },
                           [&](const PolygonMark &polygon) { add(polygon.corners); },
@@ -49,13 +53,14 @@ std::vector<Place> placesOf(const Figure &figure) {
   return places;
 }
 
-Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, double pixelRatio,
+Camera homeView(const CameraView &view, const Figure &figure, bool axes, PixelSize size, double pixelRatio,
                 bool orthographic) {
   Camera camera(view);
   camera.orthographic = orthographic;
   std::vector<Place> places = placesOf(figure);
-  for (const AxisEnds &axis : axisEnds(axesAround(figure)))
-    places.push_back(axis.high);
+  if (axes)
+    for (const AxisEnds &axis : axisEnds(axesAround(figure)))
+      places.push_back(axis.high);
   return fitted(camera, places, size, std::min(homeMargin * pixelRatio, largestHomeMargin * size.height));
 }
 

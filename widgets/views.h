@@ -7,12 +7,15 @@
 
 namespace halfspace {
 
-/// How a lesson begins: from its direction, with all of the figure and the tips of the axes in view, and room
-/// for their labels. A design pixel has `pixelRatio` pixels.
-[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, PixelSize size, double pixelRatio,
-                              bool orthographic = false);
+// Figures, scenes and cameras are those of a stage.
 
-/// The places that a picture of the figure should have in view; what runs on without end does not count.
+/// How a lesson begins: from its direction, with all of the figure and the tips of the axes in view, if there
+/// are any, and room for their labels. A design pixel has `pixelRatio` pixels.
+[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, bool axes, PixelSize size,
+                              double pixelRatio, bool orthographic = false);
+
+/// The places that a picture of the figure should have in view; what runs on without end does not count, nor
+/// does what lies farther away than all objects.
 [[nodiscard]] std::vector<Place> placesOf(const Figure &figure);
 
 /// Views along an axis: from the front (against x), from the right (against y), from the top (against z).

@@ -159,6 +159,9 @@ Working explain(const In &in, const Out &out) {
   return working;
 }
 
+/// The unit normal is drawn this long in every picture.
+constexpr double drawnNormalLength = 1;
+
 Figure draw(const In &in, const Out &out) {
   Figure figure;
   const bool crosses = out.meet.crosses();
@@ -166,7 +169,7 @@ Figure draw(const In &in, const Out &out) {
   const Place meeting = place(out.meet.point);
   const Place q = place(in.L.origin);
   drawPlane(figure, in.E, out.coefficients, crosses ? std::vector{meeting} : std::vector<Place>{});
-  drawRay(figure, in.L, rayReach(in.L, hit ? std::optional(meeting) : std::nullopt));
+  drawRay(figure, in.L, hit ? std::optional(meeting) : std::nullopt);
   if (!crosses)
     return figure;
   if (!hit)
@@ -175,7 +178,8 @@ Figure draw(const In &in, const Out &out) {
   const auto &unit = out.facing;
   figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_{f}"},
                                    meeting,
-                                   {toDouble(unit[0]), toDouble(unit[1]), toDouble(unit[2])}});
+                                   {toDouble(unit[0]), toDouble(unit[1]), toDouble(unit[2])},
+                                   drawnNormalLength});
   return figure;
 }
 

@@ -329,7 +329,7 @@ Working explain(const In &in, const Out &out) {
   return working;
 }
 
-/// The normal is drawn this long, whatever u×v is: only its direction matters here.
+/// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
 constexpr double drawnNormalLength = 3;
 /// The perps are drawn a little longer than the farther of the feet on them.
 constexpr double perpBeyondFoot = 1.12;
@@ -341,16 +341,16 @@ void drawSpan(Figure &figure, const In &in, const Out &out) {
   const Place pu = place(perps.u);
   figure.marks.push_back(
       PolygonMark{{"T", Role::Given, Subject::Triangle, ""}, {p0, place(in.T.p1), place(in.T.p2)}});
-  figure.marks.push_back(
-      drawnArrow({"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, perps.normal, drawnNormalLength));
+  figure.marks.push_back(ArrowMark{
+      {"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, unitOf(perps.normal), drawnNormalLength});
   const double heightOfV = std::abs(glm::dot(pv, unitOf(perps.uPerp)));
   const double heightOfU = std::abs(glm::dot(pu, unitOf(perps.vPerp)));
   const double reachOfFeet =
       out.meet.crosses() ? std::max(heightOfV, glm::length(place(out.footA) - p0)) : heightOfV;
-  figure.marks.push_back(drawnArrow({"uperp", Role::Derived, Subject::EdgeU, "\\vec u^{\\perp}"}, p0,
-                                    perps.uPerp, reachOfFeet * perpBeyondFoot));
-  figure.marks.push_back(drawnArrow({"vperp", Role::Derived, Subject::EdgeV, "\\vec v^{\\perp}"}, p0,
-                                    perps.vPerp, heightOfU * perpBeyondFoot));
+  figure.marks.push_back(arrowOfLength({"uperp", Role::Derived, Subject::EdgeU, "\\vec u^{\\perp}"}, p0,
+                                       perps.uPerp, reachOfFeet * perpBeyondFoot));
+  figure.marks.push_back(arrowOfLength({"vperp", Role::Derived, Subject::EdgeV, "\\vec v^{\\perp}"}, p0,
+                                       perps.vPerp, heightOfU * perpBeyondFoot));
 }
 
 void drawEdges(Figure &figure, const In &in, const Out &out) {
@@ -391,7 +391,7 @@ Figure draw(const In &in, const Out &out) {
   if (out.meet.perps.denominator != 0)
     drawSpan(figure, in, out);
   drawEdges(figure, in, out);
-  drawRay(figure, in.L, rayReach(in.L, crosses && ahead ? std::optional(point) : std::nullopt));
+  drawRay(figure, in.L, crosses && ahead ? std::optional(point) : std::nullopt);
   if (!crosses)
     return figure;
   if (!ahead)

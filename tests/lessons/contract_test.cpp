@@ -226,29 +226,30 @@ private:
   }
 
   static std::vector<Place> placesOf(const Mark &mark) {
-    return std::visit(Overloaded{[](const PointMark &m) { return std::vector{m.at}; },
-                                 [](const SegmentMark &m) {
-                                   return std::vector{m.from, m.to};
-                                 },
-                                 [](const RayMark &m) {
-                                   return std::vector{m.origin, m.direction, Place(m.reach)};
-                                 },
-                                 [](const ArrowMark &m) {
-                                   return std::vector{m.from, m.vector};
-                                 },
-                                 [](const PlanePatchMark &m) {
-                                   std::vector<Place> places = cornersOf(m);
-                                   places.insert(places.end(), m.covers.begin(), m.covers.end());
-                                   return places;
-                                 },
-                                 [](const PolygonMark &m) { return m.corners; },
-                                 [](const ArcMark &m) {
-                                   return std::vector{m.center, m.from, m.to};
-                                 },
-                                 [](const RightAngleMark &m) {
-                                   return std::vector{m.at, m.first, m.second};
-                                 }},
-                      mark);
+    return std::visit(
+        Overloaded{[](const PointMark &m) { return std::vector{m.at}; },
+                   [](const SegmentMark &m) {
+                     return std::vector{m.from, m.to};
+                   },
+                   [](const RayMark &m) {
+                     return std::vector{m.origin, m.direction, m.meets.value_or(Place(0)), endOf(m)};
+                   },
+                   [](const ArrowMark &m) {
+                     return std::vector{m.from, m.vector};
+                   },
+                   [](const PlanePatchMark &m) {
+                     std::vector<Place> places = cornersOf(m);
+                     places.insert(places.end(), m.covers.begin(), m.covers.end());
+                     return places;
+                   },
+                   [](const PolygonMark &m) { return m.corners; },
+                   [](const ArcMark &m) {
+                     return std::vector{m.center, m.from, m.to};
+                   },
+                   [](const RightAngleMark &m) {
+                     return std::vector{m.at, m.first, m.second};
+                   }},
+        mark);
   }
 
   void checkFigure() const {

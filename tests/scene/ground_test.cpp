@@ -40,7 +40,7 @@ TEST(Ground, AxesReachBeyondEveryPlaceButNotWithoutBound) {
 
 TEST(Ground, AxesAreNumberedAtEveryFifthStepAndNamed) {
   std::vector<std::string> texts;
-  for (const AxisLabel &label : axisLabels({}, 1, 1))
+  for (const AxisLabel &label : axisLabels({}, Camera(), 0, 1))
     texts.push_back(label.latex);
   EXPECT_EQ(texts, (std::vector<std::string>{"5", "10", "x", "5", "10", "15", "y", "5", "10", "z"}));
 }

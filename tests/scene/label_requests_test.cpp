@@ -16,7 +16,7 @@ View viewAtHeight(double height) {
 }
 
 std::vector<LabelText> axisTexts(const View &view) {
-  return labelTexts({}, axisLabels({}, 1, 1), themes().front(), view);
+  return labelTexts({}, axisLabels({}, view.camera, 0, 1), themes().front(), view);
 }
 
 TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers) {
@@ -32,7 +32,7 @@ TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers
 
 TEST(LabelRequests, NumberAtAnAxis_IsLeftOutBehindABall) {
   const View view = viewAtHeight(21);
-  const auto axes = axisLabels({}, 1, 1);
+  const auto axes = axisLabels({}, view.camera, 0, 1);
   const auto number =
       std::find_if(axes.begin(), axes.end(), [](const AxisLabel &label) { return !label.isName; });
   ASSERT_NE(number, axes.end());

@@ -27,7 +27,7 @@ private slots:
     const Lesson &lesson = *m_library.find(id.toStdString());
     const Figure figure = evaluate(lesson.scene).figure;
     const PixelSize pixels{size.width(), size.height()};
-    const Camera camera = homeView(lesson.camera, figure, pixels, 1);
+    const Camera camera = homeView(lesson.camera, figure, true, pixels, 1);
     std::vector<Place> places = placesOf(figure);
     for (const AxisEnds &axis : axisEnds(axesAround(figure)))
       places.push_back(axis.high);

@@ -74,13 +74,14 @@ void Camera::turn(double azimuthChange, double elevationChange) {
 
 void Camera::pan(glm::dvec2 pixels, PixelSize size) {
   target -= (right() * pixels.x - up() * pixels.y) * unitsPerPixelAtTarget(*this, size);
+  target = glm::clamp(target, -farthestTarget, farthestTarget);
 }
 
 void Camera::zoom(double factor, glm::dvec2 pixel, PixelSize size) {
   const Place offset = offsetAtTarget(*this, pixel, size);
   const double before = height;
   height = std::clamp(height * factor, minHeight, maxHeight);
-  target += offset * (1 - height / before);
+  target = glm::clamp(target + offset * (1 - height / before), -farthestTarget, farthestTarget);
 }
 
 std::optional<glm::dvec3> Camera::project(Place place, PixelSize size) const {

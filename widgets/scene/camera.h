@@ -39,6 +39,8 @@ public:
   static constexpr double maxElevation = 1.5690;
   static constexpr double minHeight = 0.05;
   static constexpr double maxHeight = 2000;
+  /// The target stays within so many units of the origin, in each coordinate: farther away nothing is drawn.
+  static constexpr double farthestTarget = 1000;
   /// The vertical angle of view of the perspective camera: 28°.
   static constexpr double viewAngle = 0.4886921905584123;
 

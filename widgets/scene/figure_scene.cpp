@@ -24,7 +24,10 @@ namespace {
 /// Near and far clipping planes keep this distance, in parts of the depth, from what they enclose …
 constexpr double clippingMargin = 0.02;
 /// … and the near one is never nearer than this part of the far one: depth values are too coarse otherwise.
-constexpr double leastNearPerFar = 1e-3;
+constexpr double leastNearPerFar = 1e-4;
+/// What lies farther away than so many times the distance of the target is cut off, so that the near plane
+/// never cuts off what the camera looks at.
+constexpr double farthestPerDistance = 1000;
 
 /// All corners and ends of a figure's marks.
 std::vector<Place> placesOf(const Figure &figure, double scale) {
@@ -63,18 +66,20 @@ private:
   void prepareGround();
   void prepareTools();
   void prepareCamera();
+  [[nodiscard]] std::vector<AxisLabel> labelsOfAxes() const;
 
   /// What grid and axes depend on.
   struct GroundKey {
     Place target{};
     double height = 0;
     double scale = 0;
-    AxesReach axes;
+    std::optional<AxesReach> axes;
+    bool ground = true;
     bool operator==(const GroundKey &) const = default;
   };
 
   FaceOrder m_faces;
-  AxesReach m_axes;
+  std::optional<AxesReach> m_axes;    ///< where there are any
   std::optional<GroundKey> m_ground;  ///< what they were made for
   std::optional<double> m_solidScale; ///< what the solids were made for
   std::vector<Place> m_places;        ///< of the figure
@@ -85,7 +90,7 @@ void FigureScene::Impl::prepare() {
   if (themeChanged)
     actors.applyTheme(theme);
   if (contentChanged)
-    m_axes = axesAround(content.figure);
+    m_axes = content.stage.hasAxes() ? std::optional(axesAround(content.figure)) : std::nullopt;
   if (themeChanged || contentChanged || sizesChanged)
     prepareFigure();
   const bool lookChanged = themeChanged || contentChanged || viewChanged;
@@ -98,10 +103,15 @@ void FigureScene::Impl::prepare() {
     prepareTools();
   // Labels whose pictures were not ready are asked for again.
   if (lookChanged || gizmoChanged || labels.isPending())
-    labels.show(labelTexts(content, axisLabels(m_axes, gridStep(view.camera.height), scale()), theme, view),
-                obstaclesOf(content, m_axes, theme, view), theme, view);
+    labels.show(labelTexts(content, labelsOfAxes(), theme, view), obstaclesOf(content, m_axes, theme, view),
+                theme, view);
   themeChanged = contentChanged = gizmoChanged = viewChanged = false;
   showStrip(0, view.size.height);
+}
+
+std::vector<AxisLabel> FigureScene::Impl::labelsOfAxes() const {
+  return m_axes ? axisLabels(*m_axes, view.camera, content.stage.exponent, scale())
+                : std::vector<AxisLabel>();
 }
 
 void FigureScene::Impl::showStrip(int top, int height) {
@@ -132,16 +142,17 @@ void FigureScene::Impl::prepareFaceOrder() {
 
 void FigureScene::Impl::prepareGround() {
   // Turning the camera changes neither grid nor axes.
-  const GroundKey key{view.camera.target, view.camera.height, scale(), m_axes};
+  const bool ground = content.stage.hasGround();
+  const GroundKey key{view.camera.target, view.camera.height, scale(), m_axes, ground};
   if (themeChanged || m_ground != key) {
     m_ground = key;
-    write(gridAround(view.camera), theme, actors.grid());
-    write(axesMesh(m_axes, gridStep(view.camera.height), theme, scale()), actors.axes());
+    write(ground ? gridAround(view.camera) : Grid(), theme, actors.grid());
+    write(m_axes ? axesMesh(*m_axes, view.camera, theme, scale()) : Mesh(), actors.axes());
     actors.setGridLineWidth(theme.lineScale * view.pixelRatio);
   }
   // Seen from below, shadows on the ground would only cover what casts them. Their colour is that of a
   // darkened background: where there is none they would be patches on whatever lies behind the picture.
-  actors.setShadowsVisible(backgroundVisible && view.camera.eye().z > 0);
+  actors.setShadowsVisible(ground && backgroundVisible && view.camera.eye().z > 0);
 }
 
 void FigureScene::Impl::prepareTools() { write(toolsMesh(content, theme, view), actors.tools()); }
@@ -167,9 +178,11 @@ void FigureScene::Impl::prepareCamera() {
     farthest = std::max(farthest, depth + margin);
   };
   enclose(Place(camera.target.x, camera.target.y, 0), around);
-  enclose(m_axes.low, around / 4);
-  enclose(m_axes.high, around / 4);
-  enclose(Place(0), std::max({m_axes.high.x, m_axes.high.y, m_axes.high.z}));
+  if (m_axes) {
+    enclose(m_axes->low, around / 4);
+    enclose(m_axes->high, around / 4);
+    enclose(Place(0), std::max({m_axes->high.x, m_axes->high.y, m_axes->high.z}));
+  }
   for (const Place &place : m_places) {
     enclose(place, around / 8);
     enclose({place.x, place.y, 0}, around / 8);
@@ -178,7 +191,7 @@ void FigureScene::Impl::prepareCamera() {
     enclose(knob.at, around / 4);
   if (content.gizmo)
     enclose(content.gizmo->at, around / 4);
-  farthest *= 1 + clippingMargin;
+  farthest = std::min(farthest * (1 + clippingMargin), camera.distance() * farthestPerDistance);
   vtk->SetClippingRange(std::max(nearest * (1 - clippingMargin), farthest * leastNearPerFar), farthest);
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/scene/arrival.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/label_picture.h"
+#include "widgets/scene/stage.h"
 
 #include <memory>
 
@@ -34,14 +35,15 @@ struct Knob {
   bool operator==(const Knob &) const = default;
 };
 
-/// A line from a point down to the ground, with its foot and its x and y on the axes.
+/// A line from a point down to the ground, with its foot, and its x and y on the axes where there are any.
 struct DropLine {
   Place from{};
   bool operator==(const DropLine &) const = default;
 };
 
-/// Everything that a picture shows.
+/// Everything that a picture shows, in units of its stage.
 struct SceneContent {
+  Stage stage;
   Figure figure;
   std::set<std::string> highlighted; ///< mark ids that stand out
   Arrival arrival;                   ///< marks that fade in

@@ -27,6 +27,9 @@ constexpr double gridRadius = 0.62;
 constexpr double fadingPart = 0.5;
 constexpr int piecesPerLine = 48;
 
+/// Ticks farther away than so many heights of the view are too small to be seen.
+constexpr double tickReach = 4;
+
 /// The axes reach this far beyond the last place and end here at the latest.
 constexpr double axisMargin = 1.2;
 constexpr double longestAxis = 60;
@@ -57,13 +60,26 @@ Grid::Line gridLine(glm::dvec2 middle, double radius, double step, double number
   return line;
 }
 
-/// The numbers of the ticks of an axis, without the origin.
-std::vector<double> ticksOf(double low, double high, double step) {
+/// The whole numbers n, lowest first, for which n·spacing lies between two bounds. They are few: the bounds
+/// are some heights of a view apart, and the spacing follows that height.
+std::vector<double> multiplesBetween(double low, double high, double spacing) {
+  const double first = std::ceil(low / spacing);
+  const int count = static_cast<int>(std::max(0.0, std::floor(high / spacing) - first + 1));
+  std::vector<double> numbers;
+  for (int i = 0; i < count; ++i)
+    numbers.push_back(first + i);
+  return numbers;
+}
+
+/// The places of an axis' ticks that the camera may see, without the origin and the tip.
+std::vector<double> ticksOf(double low, double high, double target, double viewHeight) {
+  const double step = gridStep(viewHeight);
   const double spacing = step * stepsPerMajor;
   std::vector<double> ticks;
-  for (double i = std::ceil(low / spacing); i * spacing < high - spacing / stepsPerMajor; ++i)
-    if (i != 0)
-      ticks.push_back(i * spacing);
+  for (const double number : multiplesBetween(std::max(low, target - tickReach * viewHeight),
+                                              std::min(high, target + tickReach * viewHeight), spacing))
+    if (number != 0 && number * spacing < high - step)
+      ticks.push_back(number * spacing);
   return ticks;
 }
 
@@ -80,7 +96,7 @@ Grid gridAround(const Camera &camera) {
   Grid grid;
   for (const bool alongX : {true, false}) {
     const double center = alongX ? middle.y : middle.x;
-    for (double number = std::ceil((center - radius) / step); number * step <= center + radius; ++number)
+    for (const double number : multiplesBetween(center - radius, center + radius, step))
       grid.lines.push_back(gridLine(middle, radius, step, number, alongX));
   }
   // Major lines last: they lie over the others.
@@ -119,14 +135,14 @@ AxesReach axesAround(const Figure &figure) {
   return axesFor(places);
 }
 
-Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double scale) {
+Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale) {
   Mesh mesh;
   const double width = scale * theme.lineScale;
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
     const auto [low, high] = axisEnds(reach)[i];
     addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
-    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], step)) {
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
       const Place at = axisDirections[i] * tick;
       addTube(mesh, at, at + tickSides[i] * (tickLength * scale), tickRadius * width, theme.axis);
     }
@@ -135,17 +151,18 @@ Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double sc
   return mesh;
 }
 
-AxisLabel axisNumber(int axis, double number, double scale) {
+AxisLabel axisNumber(int axis, double number, int exponent, double scale) {
   const auto i = static_cast<std::size_t>(axis);
-  return {numberText(number), axisDirections[i] * number + tickSides[i] * (tickLabelDistance * scale)};
+  return {numberText(number, exponent),
+          axisDirections[i] * number + tickSides[i] * (tickLabelDistance * scale)};
 }
 
-std::vector<AxisLabel> axisLabels(const AxesReach &reach, double step, double scale) {
+std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent, double scale) {
   std::vector<AxisLabel> labels;
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
-    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], step))
-      labels.push_back(axisNumber(axis, tick, scale));
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height))
+      labels.push_back(axisNumber(axis, tick, exponent, scale));
     labels.push_back({axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true});
   }
   return labels;

@@ -54,10 +54,13 @@ struct AxisLabel {
   bool isName = false;
 };
 
-/// A number at its place beside an axis (0, 1, 2 for x, y, z).
-[[nodiscard]] AxisLabel axisNumber(int axis, double number, double scale);
+/// A number at its place beside an axis (0, 1, 2 for x, y, z), written in scene units: a unit of the stage is
+/// 10^exponent of them.
+[[nodiscard]] AxisLabel axisNumber(int axis, double number, int exponent, double scale);
 
-[[nodiscard]] Mesh axesMesh(const AxesReach &reach, double step, const Theme &theme, double scale);
-[[nodiscard]] std::vector<AxisLabel> axisLabels(const AxesReach &reach, double step, double scale);
+/// The axes with ticks, those that the camera may see.
+[[nodiscard]] Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale);
+[[nodiscard]] std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent,
+                                                double scale);
 
 } // namespace halfspace

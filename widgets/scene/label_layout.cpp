@@ -73,6 +73,16 @@ double lengthInside(const Rectangle &box, const LabelObstacles::Segment &segment
   return std::max(0.0, leave - enter) * glm::length(along);
 }
 
+/// The obstacles that touch a box.
+LabelObstacles obstaclesIn(const Rectangle &box, const LabelObstacles &all) {
+  LabelObstacles found;
+  std::copy_if(all.discs.begin(), all.discs.end(), std::back_inserter(found.discs),
+               [&](const LabelObstacles::Disc &disc) { return distanceTo(box, disc.center) < disc.radius; });
+  std::copy_if(all.segments.begin(), all.segments.end(), std::back_inserter(found.segments),
+               [&](const LabelObstacles::Segment &segment) { return lengthInside(box, segment) > 0; });
+  return found;
+}
+
 std::array<glm::dvec2, directionCount> unitDirections() {
   std::array<glm::dvec2, directionCount> directions;
   for (std::size_t way = 0; way < directionCount; ++way) {
@@ -110,9 +120,24 @@ struct LabelLayout::Candidate {
   double cost = 0; ///< by itself, whatever else is on the screen
 };
 
+/// Where a label may stand, the cheapest place first, and what it may come upon there: each obstacle is
+/// looked at once for a label before it is for each of its candidates.
+struct LabelLayout::Options {
+  std::vector<Candidate> candidates;
+  LabelObstacles obstacles;
+
+  Options(std::vector<Candidate> places, const LabelObstacles &all) : candidates(std::move(places)) {
+    if (candidates.empty())
+      return;
+    Rectangle reach = candidates.front().box;
+    for (const Candidate &candidate : candidates)
+      reach = {glm::min(reach.low, candidate.box.low), glm::max(reach.high, candidate.box.high)};
+    obstacles = obstaclesIn(reach, all);
+  }
+};
+
 /// All that is on the screen while labels are placed.
 struct LabelLayout::Board {
-  const LabelObstacles &obstacles;
   PixelSize size;
   double pixelRatio;
   std::vector<std::optional<Candidate>> placed; ///< by the label's number
@@ -150,7 +175,8 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
   return candidates;
 }
 
-double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const Board &board, double limit) {
+double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const LabelObstacles &obstacles,
+                           const Board &board, double limit) {
   double cost = candidate.cost;
   const Rectangle &box = candidate.box;
   const glm::dvec2 extent = box.extent();
@@ -162,10 +188,10 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
     const double overlap = overlapArea(box, board.placed[other]->box);
     cost += costOfOverlap * overlap / (extent.x * extent.y) + (overlap > 0 ? costOfTouching : 0);
   }
-  for (const LabelObstacles::Disc &disc : board.obstacles.discs)
+  for (const LabelObstacles::Disc &disc : obstacles.discs)
     if (distanceTo(box, disc.center) < disc.radius)
       cost += costOfPoint;
-  for (const LabelObstacles::Segment &segment : board.obstacles.segments) {
+  for (const LabelObstacles::Segment &segment : obstacles.segments) {
     if (cost >= limit)
       return cost;
     cost += costOfLine * std::min(1.0, 2 * lengthInside(box, segment) / (extent.x + extent.y));
@@ -176,13 +202,13 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
-  Board board{obstacles, size, pixelRatio, std::vector<std::optional<Candidate>>(requests.size())};
-  std::vector<std::vector<Candidate>> candidates;
-  candidates.reserve(requests.size());
+  Board board{size, pixelRatio, std::vector<std::optional<Candidate>>(requests.size())};
+  std::vector<Options> options;
+  options.reserve(requests.size());
   for (std::size_t label = 0; label < requests.size(); ++label) {
-    candidates.push_back(candidatesOf(requests[label], board));
-    if (requests[label].isPinned && !candidates.back().empty())
-      board.placed[label] = candidates.back().front();
+    options.emplace_back(candidatesOf(requests[label], board), obstacles);
+    if (requests[label].isPinned && !options.back().candidates.empty())
+      board.placed[label] = options.back().candidates.front();
   }
   // Every label takes the cheapest candidate beside those placed before it; the second time, beside all
   // others.
@@ -190,12 +216,13 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
     for (std::size_t label = 0; label < requests.size(); ++label) {
       const auto previous = m_choices.find(requests[label].id);
       double lowest = std::numeric_limits<double>::infinity();
-      for (const Candidate &candidate : candidates[label]) {
+      for (const Candidate &candidate : options[label].candidates) {
         if (candidate.cost >= lowest)
           break; // they are sorted: those after it cost even more
         const bool isChange = previous != m_choices.end() && previous->second != candidate.choice;
         const double change = isChange ? costOfChange : 0;
-        const double cost = costOf(candidate, label, board, lowest - change) + change;
+        const double cost =
+            costOf(candidate, label, options[label].obstacles, board, lowest - change) + change;
         if (cost < lowest) {
           lowest = cost;
           board.placed[label] = candidate;

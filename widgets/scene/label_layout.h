@@ -67,13 +67,14 @@ private:
     bool operator==(const Choice &) const = default;
   };
   struct Candidate;
+  struct Options;
   struct Board;
 
   [[nodiscard]] static std::vector<Candidate> candidatesOf(const LabelRequest &request, const Board &board);
   /// The cost of a candidate beside all else that is on the screen; any number beyond the limit once that is
   /// passed.
-  [[nodiscard]] static double costOf(const Candidate &candidate, std::size_t label, const Board &board,
-                                     double limit);
+  [[nodiscard]] static double costOf(const Candidate &candidate, std::size_t label,
+                                     const LabelObstacles &obstacles, const Board &board, double limit);
 
   std::map<std::string, Choice> m_choices;
 };

@@ -168,6 +168,20 @@ private:
   std::vector<LabelObstacles::Disc> m_balls;
 };
 
+/// The marks whose labels are written.
+std::vector<const Mark *> labelledMarks(const SceneContent &content) {
+  const auto standsOut = [&](const Mark *mark) { return content.highlighted.contains(baseOf(*mark).id); };
+  std::vector<const Mark *> marks;
+  for (const Mark &mark : content.figure.marks)
+    if (!baseOf(mark).label.empty())
+      marks.push_back(&mark);
+  if (marks.size() > mostMarkLabels) {
+    std::stable_partition(marks.begin(), marks.end(), standsOut);
+    marks.resize(mostMarkLabels);
+  }
+  return marks;
+}
+
 /// Beyond the tip of an axis, whose name gives way to what is already there.
 std::vector<LabelAnchor> axisNameAnchors(Place tip, const View &view) {
   Anchors anchors(view);
@@ -191,9 +205,9 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
 
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   std::vector<AxisLabel> dropNumbers;
-  if (content.dropLine)
+  if (content.dropLine && content.stage.hasAxes())
     for (const int axis : {0, 1})
-      dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], scale));
+      dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], content.stage.exponent, scale));
   for (const AxisLabel &label : dropNumbers)
     pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
   NumbersOnScreen numbers(view);
@@ -212,12 +226,11 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
              numbers.takeRoom(label.at, tickTextSize * pixels))
       pin("axis " + std::to_string(texts.size()), label.latex, label.at, style(theme.mutedInk, tickTextSize));
   }
-  for (const Mark &mark : content.figure.marks) {
-    const MarkBase &base = baseOf(mark);
+  for (const Mark *mark : labelledMarks(content)) {
+    const MarkBase &base = baseOf(*mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
-    if (!base.label.empty())
-      texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(mark, view), false, true,
-                       content.arrival.presenceOf(base)});
+    texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(*mark, view), false, true,
+                     content.arrival.presenceOf(base)});
   }
   if (content.gizmo && !content.gizmo->note.empty()) {
     Anchors anchors(view);
@@ -227,8 +240,8 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   return texts;
 }
 
-LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes, const Theme &theme,
-                           const View &view) {
+LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
+                           const Theme &theme, const View &view) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   LabelObstacles obstacles;
   const auto addDisc = [&](Place at, double radius) {
@@ -251,8 +264,9 @@ LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes, c
       addPath(outlineOf(mark, rightAngleSize * scale).path);
   for (const Knob &knob : content.knobs)
     addDisc(knob.at, knobClearance);
-  for (const AxisEnds &axis : axisEnds(axes))
-    addPath({axis.low, axis.high});
+  if (axes)
+    for (const AxisEnds &axis : axisEnds(*axes))
+      addPath({axis.low, axis.high});
   if (content.gizmo)
     for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
       addPath(part.outline);

@@ -23,13 +23,17 @@ struct LabelText {
 inline constexpr double markTextSize = 22;
 inline constexpr double tickTextSize = 15;
 
-/// All labels of a content: marks, the gizmo's note, the drop line's numbers, and those of the axes.
+/// More labels of marks than this would hide the figure; the others are left out.
+inline constexpr std::size_t mostMarkLabels = 150;
+
+/// The labels of a content: marks (those that stand out first, then in the figure's order, mostMarkLabels at
+/// most), the gizmo's note, the drop line's numbers, and those of the axes.
 [[nodiscard]] std::vector<LabelText> labelTexts(const SceneContent &content,
                                                 const std::vector<AxisLabel> &axes, const Theme &theme,
                                                 const View &view);
 
 /// The points and lines on the screen that labels keep clear of.
-[[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const AxesReach &axes,
+[[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                                          const Theme &theme, const View &view);
 
 } // namespace halfspace

@@ -53,10 +53,10 @@ MarkOutline outlineOf(const Mark &mark, double size) {
                        return MarkOutline{Kind::Line, {segment.from, segment.to}};
                      },
                      [](const RayMark &ray) {
-                       return MarkOutline{Kind::Line, {ray.origin, ray.origin + ray.direction * ray.reach}};
+                       return MarkOutline{Kind::Line, {ray.origin, endOf(ray)}};
                      },
                      [](const ArrowMark &arrow) {
-                       return MarkOutline{Kind::Line, {arrow.from, arrow.from + arrow.vector}};
+                       return MarkOutline{Kind::Line, {arrow.from, arrow.from + shownVector(arrow)}};
                      },
                      [](const PlanePatchMark &patch) {
                        return MarkOutline{Kind::Face, cornersOf(patch)};

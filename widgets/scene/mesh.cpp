@@ -15,6 +15,8 @@ constexpr std::size_t tubeSides = 12;
 constexpr std::size_t coneSides = 24;
 constexpr std::size_t ballMeridians = 32;
 constexpr std::size_t ballParallels = 18;
+constexpr std::size_t coarseMeridians = 12;
+constexpr std::size_t coarseParallels = 8;
 
 /// More dashes than this are not told apart any more.
 constexpr double mostDashes = 120;
@@ -229,11 +231,14 @@ void addCone(Mesh &mesh, Place base, Place tip, double radius, Color color) {
   addDisc(mesh, base, frame, directions, radius, -along, color);
 }
 
-void addBall(Mesh &mesh, Place center, double radius, Color color) {
-  static const auto directions = circle<ballMeridians>();
+namespace {
+
+template <std::size_t meridians, std::size_t parallels>
+void addGlobe(Mesh &mesh, Place center, double radius, Color color) {
+  static const auto directions = circle<meridians>();
   std::int32_t previous = -1;
-  for (std::size_t row = 0; row <= ballParallels; ++row) {
-    const double latitude = std::numbers::pi * (static_cast<double>(row) / ballParallels - 0.5);
+  for (std::size_t row = 0; row <= parallels; ++row) {
+    const double latitude = std::numbers::pi * (static_cast<double>(row) / parallels - 0.5);
     const std::int32_t first = cornerCount(mesh);
     for (const glm::dvec2 &d : directions) {
       const Place normal(d * std::cos(latitude), std::sin(latitude));
@@ -243,6 +248,15 @@ void addBall(Mesh &mesh, Place center, double radius, Color color) {
       joinRings(mesh, previous, first, directions.size());
     previous = first;
   }
+}
+
+} // namespace
+
+void addBall(Mesh &mesh, Place center, double radius, Color color, BallDetail detail) {
+  if (detail == BallDetail::Fine)
+    addGlobe<ballMeridians, ballParallels>(mesh, center, radius, color);
+  else
+    addGlobe<coarseMeridians, coarseParallels>(mesh, center, radius, color);
 }
 
 void addFlat(Mesh &mesh, std::span<const Place> corners, Color color) {

@@ -35,7 +35,10 @@ void addDashes(Mesh &mesh, Place from, Place to, double radius, double dash, Col
 /// A cone with its base.
 void addCone(Mesh &mesh, Place base, Place tip, double radius, Color color);
 
-void addBall(Mesh &mesh, Place center, double radius, Color color);
+/// Coarse balls have a sixth of the triangles: for pictures of very many.
+enum class BallDetail { Fine, Coarse };
+
+void addBall(Mesh &mesh, Place center, double radius, Color color, BallDetail detail = BallDetail::Fine);
 
 /// A flat convex polygon, seen from both sides.
 void addFlat(Mesh &mesh, std::span<const Place> corners, Color color);

@@ -5,7 +5,8 @@
 
 namespace halfspace {
 
-/// At most three digits after the point, none that say nothing; never −0.
-[[nodiscard]] std::string numberText(double number);
+/// number·10^exponent in LaTeX: as a decimal with at most three digits after the point, none that say
+/// nothing, never −0; where it is too large or too small for that, as 2.5 \cdot 10^{7}.
+[[nodiscard]] std::string numberText(double number, int exponent = 0);
 
 } // namespace halfspace

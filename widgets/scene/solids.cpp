@@ -2,6 +2,8 @@
 
 #include "widgets/scene/mark_outline.h"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr double polygonEdgeRadius = 0.05;
 constexpr double patchEdgeRadius = 0.045;
 constexpr double angleRadius = 0.04;
 constexpr double dashLength = 0.42;
+
+/// More points than this are drawn as coarse balls.
+constexpr int mostFineBalls = 150;
 
 constexpr double highlightWidth = 1.55;
 /// A ball is thick as it is: much thicker, it would cover what lies beside it.
@@ -40,11 +45,18 @@ double highlightOf(const Mark &mark) {
   return std::holds_alternative<PointMark>(mark) ? highlightBallWidth : highlightWidth;
 }
 
+BallDetail ballDetailFor(const Figure &figure) {
+  const auto points = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                    [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
+  return points <= mostFineBalls ? BallDetail::Fine : BallDetail::Coarse;
+}
+
 /// How one mark is drawn.
 struct Brush {
   Color color;
   double width; ///< what radii are multiplied by
   double dash;  ///< length of a dash, 0 for a solid line
+  BallDetail ball = BallDetail::Fine;
 };
 
 void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
@@ -78,12 +90,13 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
   std::visit(
       Overloaded{
           [&](const PointMark &point) {
-            addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color);
+            addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color, brush.ball);
           },
           [&](const SegmentMark &) { line(segmentRadius); },
           [&](const RayMark &) { line(rayRadius); },
           [&](const ArrowMark &arrow) {
-            addArrow(mesh, arrow.from, arrow.vector, arrowRadius * brush.width, brush.color, brush.dash);
+            addArrow(mesh, arrow.from, shownVector(arrow), arrowRadius * brush.width, brush.color,
+                     brush.dash);
           },
           [&](const PlanePatchMark &patch) {
             const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.dash};
@@ -117,6 +130,7 @@ Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
 Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
               double scale, const Arrival &arrival) {
   Mesh mesh;
+  const BallDetail ball = ballDetailFor(figure);
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
     const bool standsOut = highlighted.contains(base.id);
@@ -126,7 +140,7 @@ Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted, co
     const double width =
         scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightOf(mark) : 1) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
-                      isDashed(base.role) ? dashLength * scale : 0};
+                      isDashed(base.role) ? dashLength * scale : 0, ball};
     addMark(mesh, mark, brush, theme, scale);
   }
   return mesh;

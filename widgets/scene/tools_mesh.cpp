@@ -110,7 +110,7 @@ void addKnob(Mesh &mesh, const Knob &knob, const Theme &theme, const View &view)
   arrows(view.camera.up());
 }
 
-void addDropLine(Mesh &mesh, const DropLine &line, const Theme &theme, const View &view) {
+void addDropLine(Mesh &mesh, const DropLine &line, bool toAxes, const Theme &theme, const View &view) {
   const Place foot(line.from.x, line.from.y, 0);
   const double unit = view.unitsPerDesignPixel(foot);
   if (unit <= 0)
@@ -119,8 +119,10 @@ void addDropLine(Mesh &mesh, const DropLine &line, const Theme &theme, const Vie
     addDashes(mesh, from, to, dropRadius * unit, dropDash * unit, theme.mutedInk);
   };
   dashes(line.from, foot);
-  dashes(foot, {foot.x, 0, 0});
-  dashes(foot, {0, foot.y, 0});
+  if (toAxes) {
+    dashes(foot, {foot.x, 0, 0});
+    dashes(foot, {0, foot.y, 0});
+  }
   addRing(mesh, levelCircle(foot, footRadius * unit), dropRadius * unit, theme.mutedInk);
 }
 
@@ -129,7 +131,7 @@ void addDropLine(Mesh &mesh, const DropLine &line, const Theme &theme, const Vie
 Mesh toolsMesh(const SceneContent &content, const Theme &theme, const View &view) {
   Mesh mesh;
   if (content.dropLine)
-    addDropLine(mesh, *content.dropLine, theme, view);
+    addDropLine(mesh, *content.dropLine, content.stage.hasAxes(), theme, view);
   for (const Knob &knob : content.knobs)
     addKnob(mesh, knob, theme, view);
   if (content.gizmo)

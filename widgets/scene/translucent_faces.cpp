@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -17,6 +18,10 @@ constexpr double onPlaneTolerance = 1e-7;
 
 constexpr double ghostOpacity = 0.35;
 constexpr double highlightOpacity = 0.18;
+
+/// Faces that all pass through one another would be cut into more pieces than anyone can draw. After so many
+/// cuts each face stays whole, on the side where its middle lies.
+constexpr int mostCuts = 4096;
 
 /// Twice the area of a planar polygon times its unit normal.
 Place areaVector(const std::vector<Place> &corners) {
@@ -94,7 +99,7 @@ struct FaceOrder::Node {
   [[nodiscard]] double side(Place place) const { return glm::dot(normal, place) + offset; }
 
   /// Splits by the plane of the first face.
-  static std::unique_ptr<Node> of(const std::vector<Face> &faces) {
+  static std::unique_ptr<Node> of(const std::vector<Face> &faces, int &cutsLeft) {
     if (faces.empty())
       return nullptr;
     auto node = std::make_unique<Node>();
@@ -104,25 +109,28 @@ struct FaceOrder::Node {
     std::vector<Face> inFront;
     std::vector<Face> behind;
     for (std::size_t i = 1; i < faces.size(); ++i)
-      node->sort(faces[i], inFront, behind);
-    node->front = of(inFront);
-    node->back = of(behind);
+      node->sort(faces[i], inFront, behind, cutsLeft);
+    node->front = of(inFront, cutsLeft);
+    node->back = of(behind, cutsLeft);
     return node;
   }
 
-  void sort(const Face &face, std::vector<Face> &inFront, std::vector<Face> &behind) {
+  void sort(const Face &face, std::vector<Face> &inFront, std::vector<Face> &behind, int &cutsLeft) {
     std::vector<double> sides;
     for (const Place &corner : face.corners)
       sides.push_back(side(corner));
     const auto [lowest, highest] = std::minmax_element(sides.begin(), sides.end());
     const bool reachesFront = *highest > onPlaneTolerance;
     const bool reachesBack = *lowest < -onPlaneTolerance;
-    if (reachesFront && reachesBack) {
+    if (!reachesFront || !reachesBack) {
+      (reachesFront ? inFront : reachesBack ? behind : inPlane).push_back(face);
+    } else if (cutsLeft > 0) {
+      --cutsLeft;
       const Halves halves = cut(face, sides);
       keep(halves.front, inFront);
       keep(halves.back, behind);
     } else {
-      (reachesFront ? inFront : reachesBack ? behind : inPlane).push_back(face);
+      (std::accumulate(sides.begin(), sides.end(), 0.0) > 0 ? inFront : behind).push_back(face);
     }
   }
 
@@ -153,7 +161,8 @@ FaceOrder::FaceOrder(const std::vector<Face> &faces) {
   std::vector<Face> visible;
   for (const Face &face : faces)
     Node::keep(face, visible);
-  m_root = Node::of(visible);
+  int cutsLeft = mostCuts;
+  m_root = Node::of(visible, cutsLeft);
 }
 
 std::vector<const Face *> FaceOrder::backToFront(glm::dvec4 eye) const {
