@@ -5,6 +5,7 @@
 #include "geometry/weighted_point.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace halfspace {
@@ -24,16 +25,16 @@ template <class Scalar>
 
 /// Points in nested boxes: whether one of them lies in front of a plane is told without looking at each.
 ///
-/// Exact over fractions. Doubles near to them, counted from the first point in units of about the size of the
-/// whole, decide wherever they can; so long numbers cost no more than others unless points lie on the plane
-/// or very near to it.
+/// Exact over fractions. Doubles near to them decide wherever they can, so long numbers cost no more than
+/// others unless points lie on the plane or very near to it. The doubles are counted along each axis in units
+/// of about the size of the whole, and from a point nearby where the origin lies far off.
 template <class Scalar> class VertexTree {
 public:
   /// At least one point.
-  explicit VertexTree(const std::vector<WeightedPoint<Scalar>> &points) : m_first(points.front()) {
+  explicit VertexTree(const std::vector<WeightedPoint<Scalar>> &points) : m_from(points.front()) {
     for (const auto &point : points)
       m_points.push_back({point, {}});
-    findUnit();
+    findFrame();
     for (Point &point : m_points)
       point.nearby = nearby(point.exact);
     m_nodes.reserve(2 * (m_points.size() / leafSize + 1));
@@ -65,43 +66,55 @@ private:
         0; ///< of the two nodes that it is made of, the first stands behind it; 0: it has none
   };
 
-  /// As seen from the first point.
-  [[nodiscard]] WeightedPoint<Scalar> fromFirst(const WeightedPoint<Scalar> &point) const {
-    return {lineThrough(m_first, point).direction, m_first.weight * point.weight};
+  [[nodiscard]] WeightedPoint<Scalar> seen(const WeightedPoint<Scalar> &point) const {
+    return {lineThrough(m_from, point).direction, m_from.weight * point.weight};
   }
 
-  void findUnit() {
-    bool found = false;
+  void findFrame() {
+    m_units = largestExponents();
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      if (const Scalar &first = m_from.position[axis];
+          first != Scalar(0) && binaryExponent(first, m_from.weight) <= m_units[axis])
+        m_from.position[axis] = Scalar(0);
+    m_units = largestExponents();
+  }
+
+  /// Of the points' coordinates as they are seen; 0 where all are 0.
+  [[nodiscard]] Vec3<int> largestExponents() const {
+    constexpr int none = std::numeric_limits<int>::min();
+    Vec3<int> largest(none);
     for (const Point &point : m_points) {
-      const auto seen = fromFirst(point.exact);
+      const auto from = seen(point.exact);
       for (glm::length_t axis = 0; axis < 3; ++axis)
-        if (seen.position[axis] != Scalar(0)) {
-          const int exponent = binaryExponent(seen.position[axis], seen.weight);
-          m_unit = found ? std::max(m_unit, exponent) : exponent;
-          found = true;
-        }
+        if (from.position[axis] != Scalar(0))
+          largest[axis] = std::max(largest[axis], binaryExponent(from.position[axis], from.weight));
     }
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      largest[axis] = largest[axis] == none ? 0 : largest[axis];
+    return largest;
   }
 
   [[nodiscard]] Vec3<double> nearby(const WeightedPoint<Scalar> &point) const {
-    const auto seen = fromFirst(point);
-    return {nearestQuotient(seen.position.x, seen.weight, -m_unit),
-            nearestQuotient(seen.position.y, seen.weight, -m_unit),
-            nearestQuotient(seen.position.z, seen.weight, -m_unit)};
+    const auto from = seen(point);
+    Vec3<double> result;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      result[axis] = nearestQuotient(from.position[axis], from.weight, -m_units[axis]);
+    return result;
   }
 
   /// A positive multiple of the plane, with coefficients of about 1 or less.
   [[nodiscard]] Plane<double> nearby(const Plane<Scalar> &plane) const {
     const Scalar one(1);
-    const Vec3<Scalar> normal = plane.normal * m_first.weight;
-    const Scalar offset = evaluate(plane, m_first);
-    int size = offset == Scalar(0) ? std::numeric_limits<int>::min() : binaryExponent(offset, one) - m_unit;
+    const Vec3<Scalar> normal = plane.normal * m_from.weight;
+    const Scalar offset = evaluate(plane, m_from);
+    int size = offset == Scalar(0) ? std::numeric_limits<int>::min() : binaryExponent(offset, one);
     for (glm::length_t axis = 0; axis < 3; ++axis)
       if (normal[axis] != Scalar(0))
-        size = std::max(size, binaryExponent(normal[axis], one));
-    return {{nearestQuotient(normal.x, one, -size), nearestQuotient(normal.y, one, -size),
-             nearestQuotient(normal.z, one, -size)},
-            nearestQuotient(offset, one, -size - m_unit)};
+        size = std::max(size, binaryExponent(normal[axis], one) + m_units[axis]);
+    Plane<double> result{{}, nearestQuotient(offset, one, -size)};
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      result.normal[axis] = nearestQuotient(normal[axis], one, m_units[axis] - size);
+    return result;
   }
 
   std::size_t build(std::size_t begin, std::size_t end) {
@@ -166,8 +179,8 @@ private:
                        [&](const Point &point) { return isInFront(question, point); });
   }
 
-  WeightedPoint<Scalar> m_first;
-  int m_unit = 0; ///< the exponent of a power of two
+  WeightedPoint<Scalar> m_from; ///< what the doubles are counted from
+  Vec3<int> m_units{};          ///< exponents of powers of two
   std::vector<Point> m_points;
   std::vector<Node> m_nodes;
 };
