@@ -17,8 +17,7 @@ enum class PolygonShape { Convex, NotPlanar, NotConvex };
 
 /// A positive multiple of the plane of a polygon: through its first corner, the first one that differs from
 /// it, and the first one off their line. Its normal is zero when all corners lie on one line.
-template <class Scalar>
-[[nodiscard]] Plane<Scalar> planeOf(std::span<const WeightedPoint<Scalar>> corners) {
+template <class Scalar> [[nodiscard]] Plane<Scalar> planeOf(std::span<const WeightedPoint<Scalar>> corners) {
   const WeightedPoint<Scalar> &first = corners.front();
   std::size_t second = 1;
   while (second < corners.size() && corners[second] == first)
@@ -79,8 +78,7 @@ template <class Scalar>
 }
 
 /// Whether the corners are those of a strictly convex polygon, in time linear in their number.
-template <class Scalar>
-[[nodiscard]] PolygonShape shapeOf(std::span<const WeightedPoint<Scalar>> corners) {
+template <class Scalar> [[nodiscard]] PolygonShape shapeOf(std::span<const WeightedPoint<Scalar>> corners) {
   const Plane<Scalar> plane = planeOf(corners);
   for (const WeightedPoint<Scalar> &corner : corners)
     if (evaluate(plane, corner) != Scalar(0))

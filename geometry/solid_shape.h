@@ -138,18 +138,20 @@ template <class Scalar>
 /// polygons.
 ///
 /// Closed faces that all bend backwards at their edges, behind which one point lies, and that go round it
-/// once, are the surface of a convex body (Mehlhorn and others, Checking geometric programs or verification of
-/// geometric structures, 1999): that takes a few signs for each edge. Only what is no such surface, and
+/// once, are the surface of a convex body (Mehlhorn and others, Checking geometric programs or verification
+/// of geometric structures, 1999): that takes a few signs for each edge. Only what is no such surface, and
 /// vertices of no face, are held against all faces.
 template <class Scalar> [[nodiscard]] bool areAllBehind(const FaceSet<Scalar> &set) {
   constexpr std::size_t few = 16; // so many are looked at in less time than all the preparation takes
   std::vector<Plane<Scalar>> planes;
+  planes.reserve(set.faces.size());
   for (const auto &face : set.faces)
     planes.push_back(planeOf(face, set.vertices));
   if (set.vertices.size() <= few && set.faces.size() <= 2 * few)
     return areAllBehindOneByOne(set, planes);
 
-  // Where no vertex lies in front of a plane, all points inside the hull lie behind it, or all vertices in it.
+  // Where no vertex lies in front of a plane, all points inside the hull lie behind it, or all vertices in
+  // it.
   const auto center = pointWithin(set);
   if (!center || std::any_of(planes.begin(), planes.end(), [&](const Plane<Scalar> &plane) {
         return evaluate(plane, *center) >= Scalar(0);
@@ -170,13 +172,14 @@ template <class Scalar> [[nodiscard]] bool areAllBehind(const FaceSet<Scalar> &s
 }
 
 /// The first of NotPlanar, NotConvex and NotClosed that holds of a mesh, else Convex. The time is linear in
-/// the number of corners for a closed solid whose vertices are all in faces, else about linear; at worst, for
-/// points that doubles do not tell apart, it grows with the product of vertices and faces.
+/// the number of corners for a closed solid whose vertices are all in faces. Else boxes and doubles keep it
+/// near to that; where doubles do not tell the points apart, it grows with the product of vertices and faces.
 template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar> &mesh) {
   const FaceSet<Scalar> set{weighted(mesh.vertices), mesh.faces, edgesByEnds(mesh.faces)};
   bool convex = true;
   for (const auto &face : mesh.faces) {
     std::vector<WeightedPoint<Scalar>> corners;
+    corners.reserve(face.size());
     for (const std::uint32_t index : face)
       corners.push_back(set.vertices[index]);
     const PolygonShape shape = shapeOf(std::span<const WeightedPoint<Scalar>>(corners));

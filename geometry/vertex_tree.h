@@ -18,8 +18,7 @@ template <class Scalar> [[nodiscard]] int binaryExponent(const Scalar &p, const 
 
 /// The double nearest to p/q·2^exponent, for q > 0. Fractions must be whole numbers.
 [[nodiscard]] double nearestQuotient(const Rational &p, const Rational &q, int exponent);
-template <class Scalar>
-[[nodiscard]] double nearestQuotient(const Scalar &p, const Scalar &q, int exponent) {
+template <class Scalar> [[nodiscard]] double nearestQuotient(const Scalar &p, const Scalar &q, int exponent) {
   return std::ldexp(toDouble(p) / toDouble(q), exponent);
 }
 
@@ -125,9 +124,8 @@ private:
     const glm::length_t axis = widestAxis(m_nodes[index]);
     const std::size_t middle = (begin + end) / 2;
     const auto at = [this](std::size_t i) { return m_points.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Point &a, const Point &b) {
-      return a.nearby[axis] < b.nearby[axis];
-    });
+    std::nth_element(at(begin), at(middle), at(end),
+                     [axis](const Point &a, const Point &b) { return a.nearby[axis] < b.nearby[axis]; });
     build(begin, middle);
     const std::size_t second = build(middle, end);
     m_nodes[index].second = second;

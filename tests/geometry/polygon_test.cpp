@@ -9,9 +9,7 @@
 namespace halfspace {
 namespace {
 
-PolygonShape shapeOfPolygon(const Polygon<Rational> &corners) {
-  return shapeOf(corners);
-}
+PolygonShape shapeOfPolygon(const Polygon<Rational> &corners) { return shapeOf(corners); }
 
 RayPolygon<Rational> intersect(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
   return intersectRayPolygon(ray, std::span<const ExactVec3>(corners));
