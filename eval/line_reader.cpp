@@ -35,12 +35,12 @@ bool LineReader::readLine() {
     const std::size_t end = rest.find('\n');
     append(rest.substr(0, end));
     m_used += end == std::string_view::npos ? rest.size() : end + 1;
-    if (end != std::string_view::npos) {
-      if (m_line.ends_with('\r'))
-        m_line.pop_back();
+    if (end != std::string_view::npos)
       break;
-    }
   }
+  // At the end of the stream it is the front half of an end.
+  if (m_line.ends_with('\r'))
+    m_line.pop_back();
   return begun && !m_failed;
 }
 

@@ -10,8 +10,8 @@
 
 namespace halfspace {
 
-/// Takes a stream apart into lines, ended by \n or \r\n; the last needs no end. Blank lines (spaces and tabs
-/// alone) are skipped, and so is a byte order mark before the first line.
+/// Takes a stream apart into lines, ended by \n or \r\n; the last needs no end, or only half of one: a \r.
+/// Blank lines (spaces and tabs alone) are skipped, and so is a byte order mark before the first line.
 class LineReader {
 public:
   /// `beforeWaiting` is called whenever the stream may have to wait for more input.

@@ -238,7 +238,7 @@ Polygon<Rational> Operands::polygon(const std::string &name) {
   });
   if (!corners)
     return {};
-  const PolygonShape shape = shapeOf(std::span<const ExactVec3>(*corners));
+  const PolygonShape shape = shapeOf(*corners);
   if (shape == PolygonShape::NotPlanar)
     refuse(FaultCode::NotPlanar, "The corners of the polygon do not lie in one plane.");
   if (shape == PolygonShape::NotConvex)

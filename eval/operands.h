@@ -7,7 +7,7 @@
 #include "geometry/plane.h"
 #include "geometry/polygon.h"
 #include "geometry/ray.h"
-#include "geometry/solid.h"
+#include "geometry/solid_shape.h"
 #include "geometry/sphere.h"
 #include "geometry/triangle.h"
 

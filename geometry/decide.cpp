@@ -7,29 +7,6 @@
 #include <optional>
 
 namespace halfspace {
-namespace {
-
-/// |n1·x1| + |n2·x2| + |n3·x3|
-double sizeOfDot(const Vec3<double> &n, const Vec3<double> &x) {
-  return std::abs(n.x * x.x) + std::abs(n.y * x.y) + std::abs(n.z * x.z);
-}
-
-/// n·x with a bound, for tame numbers.
-Bounded boundedDot(const Vec3<double> &n, const Vec3<double> &x) {
-  return Bounded::of(dot(n, x), sizeOfDot(n, x));
-}
-
-/// f(x) = n·x + d with a bound, for tame numbers.
-Bounded boundedEvaluate(const Plane<double> &plane, const Vec3<double> &x) {
-  const Bounded product = boundedDot(plane.normal, x);
-  return {product.value + plane.offset, product.error + filterError * std::abs(plane.offset)};
-}
-
-bool isTame(const Plane<double> &plane) {
-  return halfspace::isTame(plane.normal) && halfspace::isTame(plane.offset);
-}
-
-} // namespace
 
 PointPlaneCase decidePointPlane(const Vec3<double> &point, const Plane<double> &plane) {
   if (isTame(plane) && isTame(point))

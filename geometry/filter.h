@@ -56,8 +56,27 @@ struct Bounded {
 [[nodiscard]] inline bool isTame(const Ray<double> &ray) {
   return isTame(ray.origin) && isTame(ray.direction);
 }
+[[nodiscard]] inline bool isTame(const Plane<double> &plane) {
+  return isTame(plane.normal) && isTame(plane.offset);
+}
 [[nodiscard]] inline bool isTame(const Triangle<double> &triangle) {
   return isTame(triangle.p0) && isTame(triangle.p1) && isTame(triangle.p2);
+}
+
+/// |n1·x1| + |n2·x2| + |n3·x3|
+[[nodiscard]] inline double sizeOfDot(const Vec3<double> &n, const Vec3<double> &x) {
+  return std::abs(n.x * x.x) + std::abs(n.y * x.y) + std::abs(n.z * x.z);
+}
+
+/// n·x with a bound, for tame numbers.
+[[nodiscard]] inline Bounded boundedDot(const Vec3<double> &n, const Vec3<double> &x) {
+  return Bounded::of(dot(n, x), sizeOfDot(n, x));
+}
+
+/// f(x) = n·x + d with a bound, for tame numbers.
+[[nodiscard]] inline Bounded boundedEvaluate(const Plane<double> &plane, const Vec3<double> &x) {
+  const Bounded product = boundedDot(plane.normal, x);
+  return {product.value + plane.offset, product.error + filterError * std::abs(plane.offset)};
 }
 
 /// What a ray and a triangle tell without a division.

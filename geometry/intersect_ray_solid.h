@@ -28,48 +28,35 @@ template <class Scalar> struct RaySolid {
   std::optional<SolidCrossing<Scalar>> left;
 };
 
-/// Whether a line crosses a face (its boundary included), by its products with all edges of the solid and the
-/// sign of direction·normal ≠ 0: those with the face's own edges, as the face has them, all have that sign or
-/// are 0.
-template <class Scalar>
-[[nodiscard]] bool crossesFace(const typename ConvexSolid<Scalar>::Face &face,
-                               const std::vector<Scalar> &products, bool withNormal) {
-  const Scalar zero(0);
-  return std::all_of(face.sides.begin(), face.sides.end(), [&](const auto &side) {
-    const Scalar &product = products[side.edge];
-    return product == zero || (product > zero) == (side.forward == withNormal);
-  });
-}
-
 /// Intersects a ray with a convex solid (note PL). Hit: it leaves the solid at t ≥ 0. Behind: at t < 0. Miss:
 /// the line does not meet it. With a zero direction the case says so, and only the origin's place is set.
 template <class Scalar>
 [[nodiscard]] RaySolid<Scalar> intersectRaySolid(const Ray<Scalar> &ray, const ConvexSolid<Scalar> &solid) {
   const Scalar zero(0);
   RaySolid<Scalar> result;
-  const Line<Scalar> line = lineOf(ray);
-  std::vector<Scalar> products;
-  products.reserve(solid.edges.size());
-  for (const Line<Scalar> &edge : solid.edges)
-    products.push_back(permutedInnerProduct(line, edge));
+  // The ray in whole numbers, as the solid is: enough for all signs.
+  const WeightedPoint<Scalar> origin = weighted(ray.origin);
+  const Vec3<Scalar> direction = weighted(ray.direction).position;
+  const std::vector<Scalar> products =
+      productsWith({direction * origin.weight, cross(origin.position, direction)}, solid);
 
   bool inFacePlane = false;
   result.origin = SolidPlace::Inside;
   for (std::size_t i = 0; i < solid.faces.size(); ++i) {
     const auto &face = solid.faces[i];
-    const Scalar f = evaluate(face.plane, ray.origin);
+    const Scalar f = evaluate(face.plane, origin);
     if (f > zero)
       result.origin = SolidPlace::Outside;
     else if (f == zero && result.origin == SolidPlace::Inside)
       result.origin = SolidPlace::On;
-    const Scalar approach = dot(ray.direction, face.plane.normal);
+    const Scalar approach = dot(direction, face.plane.normal);
     if (approach == zero) {
       inFacePlane = inFacePlane || f == zero;
       continue;
     }
     auto &crossing = approach < zero ? result.entered : result.left;
     if (!crossing && crossesFace<Scalar>(face, products, approach > zero)) {
-      const Scalar t = -f / approach;
+      const Scalar t = -evaluate(face.plane, ray.origin) / dot(ray.direction, face.plane.normal);
       crossing = {t, pointAt(ray, t), i};
     }
   }

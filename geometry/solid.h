@@ -1,13 +1,13 @@
 // Convex solids.
 #pragma once
 
-#include "geometry/line.h"
-#include "geometry/polygon.h"
-#include "geometry/vertex_tree.h"
+#include "geometry/weighted_point.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace halfspace {
 
@@ -16,27 +16,11 @@ namespace halfspace {
 template <class Scalar> struct SolidMesh {
   std::vector<Vec3<Scalar>> vertices;
   std::vector<std::vector<std::uint32_t>> faces;
-
-  [[nodiscard]] Polygon<Scalar> corners(const std::vector<std::uint32_t> &face) const {
-    Polygon<Scalar> corners;
-    for (const std::uint32_t index : face)
-      corners.push_back(vertices[index]);
-    return corners;
-  }
-
-  /// Of a convex face: its normal points to where the face is counterclockwise.
-  [[nodiscard]] Plane<Scalar> planeOf(const std::vector<std::uint32_t> &face) const {
-    return planeThrough(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
-  }
 };
 
-/// Convex: every face is a convex polygon, no vertex lies in front of a face and some vertex lies behind it;
-/// two faces may share a plane. NotClosed: the edge i→j of some face is not the edge j→i of exactly one other
-/// face.
-enum class SolidShape { Convex, NotPlanar, NotConvex, NotClosed };
-
 /// A convex solid that can be asked. Each edge is shared by two faces and held once, so that one product with
-/// it serves both (note PL).
+/// it serves both (note PL). Planes and lines are positive multiples of those of the vertices, over fractions
+/// in whole numbers.
 template <class Scalar> struct ConvexSolid {
   /// An edge as a face has it: in the direction of its line, or against it.
   struct Side {
@@ -66,42 +50,58 @@ struct FaceEdge {
 /// Whether each edge is had by two faces, in opposite directions.
 [[nodiscard]] bool isClosed(const std::vector<FaceEdge> &edgesByEnds);
 
-/// The first of NotPlanar, NotConvex and NotClosed that holds of a mesh, else Convex.
-template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar> &mesh) {
-  bool convex = true;
-  for (const auto &face : mesh.faces) {
-    const PolygonShape shape = shapeOf(std::span<const Vec3<Scalar>>(mesh.corners(face)));
-    if (shape == PolygonShape::NotPlanar)
-      return SolidShape::NotPlanar;
-    convex = convex && shape == PolygonShape::Convex;
-  }
-  const VertexTree<Scalar> vertices(mesh.vertices);
-  for (auto face = mesh.faces.begin(); convex && face != mesh.faces.end(); ++face) {
-    const Plane<Scalar> plane = mesh.planeOf(*face);
-    const Plane<Scalar> turned{-plane.normal, Scalar(-plane.offset)};
-    convex = !vertices.hasInFront(plane) && vertices.hasInFront(turned);
-  }
-  if (!convex)
-    return SolidShape::NotConvex;
-  return isClosed(edgesByEnds(mesh.faces)) ? SolidShape::Convex : SolidShape::NotClosed;
+/// A positive multiple of the plane of a convex face: its normal points to where the face is
+/// counterclockwise.
+template <class Scalar>
+[[nodiscard]] Plane<Scalar> planeOf(const std::vector<std::uint32_t> &face,
+                                    const std::vector<WeightedPoint<Scalar>> &vertices) {
+  return planeThrough(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
 }
 
-/// The solid of a mesh whose shape is Convex.
-template <class Scalar> [[nodiscard]] ConvexSolid<Scalar> solidOf(const SolidMesh<Scalar> &mesh) {
+/// The solid of vertices and faces whose shape is Convex.
+template <class Scalar>
+[[nodiscard]] ConvexSolid<Scalar> solidOf(const std::vector<WeightedPoint<Scalar>> &vertices,
+                                          const std::vector<std::vector<std::uint32_t>> &faces) {
   ConvexSolid<Scalar> solid;
-  for (const auto &face : mesh.faces)
-    solid.faces.push_back({mesh.planeOf(face), {}});
+  for (const auto &face : faces)
+    solid.faces.push_back({planeOf(face, vertices), {}});
   std::optional<std::pair<std::uint32_t, std::uint32_t>> ends;
   bool forward = true;
-  for (const FaceEdge &edge : edgesByEnds(mesh.faces)) {
+  for (const FaceEdge &edge : edgesByEnds(faces)) {
     forward = ends != edge.ends();
     if (forward) {
       ends = edge.ends();
-      solid.edges.push_back(lineThrough(mesh.vertices[edge.from], mesh.vertices[edge.to]));
+      solid.edges.push_back(lineThrough(vertices[edge.from], vertices[edge.to]));
     }
     solid.faces[edge.face].sides.push_back({static_cast<std::uint32_t>(solid.edges.size() - 1), forward});
   }
   return solid;
+}
+template <class Scalar> [[nodiscard]] ConvexSolid<Scalar> solidOf(const SolidMesh<Scalar> &mesh) {
+  return solidOf(weighted(mesh.vertices), mesh.faces);
+}
+
+/// The products of a line with all edges of a solid (note PL).
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> productsWith(const Line<Scalar> &line, const ConvexSolid<Scalar> &solid) {
+  std::vector<Scalar> products;
+  products.reserve(solid.edges.size());
+  for (const Line<Scalar> &edge : solid.edges)
+    products.push_back(permutedInnerProduct(line, edge));
+  return products;
+}
+
+/// Whether a line crosses a face (its boundary included), by its products with all edges of the solid and the
+/// sign of direction·normal ≠ 0: those with the face's own edges, as the face has them, all have that sign or
+/// are 0.
+template <class Scalar>
+[[nodiscard]] bool crossesFace(const typename ConvexSolid<Scalar>::Face &face,
+                               const std::vector<Scalar> &products, bool withNormal) {
+  const Scalar zero(0);
+  return std::all_of(face.sides.begin(), face.sides.end(), [&](const auto &side) {
+    const Scalar &product = products[side.edge];
+    return product == zero || (product > zero) == (side.forward == withNormal);
+  });
 }
 
 } // namespace halfspace

@@ -36,7 +36,16 @@ TEST(LineReader, EitherEnd_IsTakenOffAndTheLastLineNeedsNone) {
 }
 
 TEST(LineReader, CarriageReturnsElsewhere_Stay) {
-  EXPECT_EQ(linesOf("a\rb\r\r\nc\r"), (Lines{"a\rb\r", "c\r"}));
+  EXPECT_EQ(linesOf("a\rb\r\r\nc\r\r"), (Lines{"a\rb\r", "c\r"}));
+}
+
+TEST(LineReader, CarriageReturnAtTheVeryEnd_IsTheFrontHalfOfAnEnd) {
+  EXPECT_EQ(linesOf("a\r"), (Lines{"a"}));
+  EXPECT_EQ(linesOf("a\n\r"), (Lines{"a"}));
+  EXPECT_EQ(linesOf("a\r\n\r"), (Lines{"a"}));
+  EXPECT_EQ(linesOf("\r"), Lines());
+  EXPECT_EQ(linesOf(" \t\r"), Lines());
+  EXPECT_EQ(linesOf(mark + "\r"), Lines());
 }
 
 TEST(LineReader, BlankLines_AreSkipped) {
@@ -106,6 +115,7 @@ TEST(LineReader, LineOfTheLargestLength_ComesWholeWithEitherEndAndBehindAMark) {
   for (const char *end : {"\nnext", "\r\nnext"})
     EXPECT_EQ(lengthsOf({"", 'x', maxLineLength, end}), (Lengths{maxLineLength, 4}));
   EXPECT_EQ(lengthsOf({mark, 'x', maxLineLength, "\r\nnext"}), (Lengths{maxLineLength, 4}));
+  EXPECT_EQ(lengthsOf({mark, 'x', maxLineLength, "\r"}), (Lengths{maxLineLength}));
 }
 
 TEST(LineReader, LongerLine_ComesAsNoMoreThanItTakesToTellAndTheNextOneFollows) {

@@ -42,6 +42,7 @@ TEST(EvaluateLines, ManyLines_AreAnsweredInTheirOrder) {
 TEST(EvaluateLines, Outcome_TellsWhetherAllWereAnswered) {
   EXPECT_EQ(outcomeOf(""), StreamOutcome::AllAnswered);
   EXPECT_EQ(outcomeOf("\n \n"), StreamOutcome::AllAnswered);
+  EXPECT_EQ(outcomeOf("\r"), StreamOutcome::AllAnswered);
   EXPECT_EQ(outcomeOf(numbered(1)), StreamOutcome::AllAnswered);
   EXPECT_EQ(outcomeOf(numbered(1, false) + "\n" + numbered(2)), StreamOutcome::SomeFaults);
   EXPECT_EQ(outcomeOf("{"), StreamOutcome::SomeFaults);

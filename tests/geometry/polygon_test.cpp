@@ -9,9 +9,7 @@
 namespace halfspace {
 namespace {
 
-PolygonShape shapeOfPolygon(const Polygon<Rational> &corners) {
-  return shapeOf(std::span<const ExactVec3>(corners));
-}
+PolygonShape shapeOfPolygon(const Polygon<Rational> &corners) { return shapeOf(corners); }
 
 RayPolygon<Rational> intersect(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
   return intersectRayPolygon(ray, std::span<const ExactVec3>(corners));
@@ -29,7 +27,8 @@ Polygon<Rational> slanted(const std::vector<std::pair<int, int>> &corners) {
 /// Convex by the words of the format: from each edge all other corners lie on one side, none on its line.
 bool isConvexByEveryEdge(const Polygon<Rational> &corners) {
   const std::size_t count = corners.size();
-  const auto plane = planeOf(std::span<const ExactVec3>(corners));
+  const auto points = weighted(corners);
+  const auto plane = planeOf(std::span<const WeightedPoint<Rational>>(points));
   for (std::size_t i = 0; i < count; ++i) {
     const ExactVec3 edge = corners[(i + 1) % count] - corners[i];
     std::set<int> sides;

@@ -1,4 +1,5 @@
 #include "geometry/intersect_ray_solid.h"
+#include "geometry/solid_shape.h"
 #include "tests/geometry/random_bodies.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,80 @@
+// Points in whole numbers.
+#pragma once
+
+#include "geometry/line.h"
+#include "geometry/plane.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace halfspace {
+
+/// The point position/weight, with weight > 0 (homogeneous coordinates).
+///
+/// Over fractions position and weight are whole numbers, so what is computed of them needs no common divisors
+/// taken out: for long numbers that is nearly all the work that fractions are. Planes and lines of such
+/// points are those of the points themselves times a positive number, which no sign feels.
+template <class Scalar> struct WeightedPoint {
+  Vec3<Scalar> position;
+  Scalar weight;
+
+  /// Equal points are written in the same way.
+  [[nodiscard]] bool operator==(const WeightedPoint &) const = default;
+};
+
+/// Over fractions the weight is the least common denominator of the coordinates; of no more than one point:
+/// that of many points would be as long as all their denominators together.
+[[nodiscard]] WeightedPoint<Rational> weighted(const Vec3<Rational> &point);
+template <class Scalar> [[nodiscard]] WeightedPoint<Scalar> weighted(const Vec3<Scalar> &point) {
+  return {point, Scalar(1)};
+}
+
+template <class Scalar>
+[[nodiscard]] std::vector<WeightedPoint<Scalar>> weighted(const std::vector<Vec3<Scalar>> &points) {
+  std::vector<WeightedPoint<Scalar>> result;
+  result.reserve(points.size());
+  for (const Vec3<Scalar> &point : points)
+    result.push_back(weighted(point));
+  return result;
+}
+
+/// A positive multiple of the plane through three points, which is zero when they lie on one line.
+template <class Scalar>
+[[nodiscard]] Plane<Scalar> planeThrough(const WeightedPoint<Scalar> &p0, const WeightedPoint<Scalar> &p1,
+                                         const WeightedPoint<Scalar> &p2) {
+  // (p1 − p0)×(p2 − p0) = p0×p1 + p1×p2 + p2×p0
+  const Vec3<Scalar> p01 = cross(p0.position, p1.position);
+  const Vec3<Scalar> p12 = cross(p1.position, p2.position);
+  const Vec3<Scalar> p20 = cross(p2.position, p0.position);
+  return {p01 * p2.weight + p12 * p0.weight + p20 * p1.weight, Scalar(-dot(p01, p2.position))};
+}
+
+/// A positive multiple of the line from p to q.
+template <class Scalar>
+[[nodiscard]] Line<Scalar> lineThrough(const WeightedPoint<Scalar> &p, const WeightedPoint<Scalar> &q) {
+  return {q.position * p.weight - p.position * q.weight, cross(p.position, q.position)};
+}
+
+/// A positive multiple of f(x) = n·x + d.
+template <class Scalar>
+[[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane, const WeightedPoint<Scalar> &x) {
+  return dot(plane.normal, x.position) + plane.offset * x.weight;
+}
+
+/// The mean of some points.
+template <class Scalar>
+[[nodiscard]] WeightedPoint<Scalar> meanOf(std::initializer_list<WeightedPoint<Scalar>> points) {
+  WeightedPoint<Scalar> mean{{}, Scalar(1)};
+  for (const WeightedPoint<Scalar> &point : points)
+    mean = {mean.position * point.weight + point.position * mean.weight, mean.weight * point.weight};
+  mean.weight *= Scalar(static_cast<int>(points.size()));
+  return mean;
+}
+
+/// A point nearby with few digits, each coordinate the nearest double; the point itself beyond their range.
+[[nodiscard]] WeightedPoint<Rational> rounded(const WeightedPoint<Rational> &point);
+template <class Scalar> [[nodiscard]] WeightedPoint<Scalar> rounded(const WeightedPoint<Scalar> &point) {
+  return point;
+}
+
+} // namespace halfspace
