@@ -65,6 +65,9 @@ std::string decimalLatex(const Value &value) {
   return (exact ? "\\;=\\;" : "\\;\\approx\\;") + decimal;
 }
 
+/// More rows than this nobody looks through, and each costs time and memory.
+constexpr std::size_t mostGivenRows = 60;
+
 QLabel *heading(const QString &text) {
   auto *label = new QLabel(text);
   label->setObjectName("heading");
@@ -117,16 +120,21 @@ void Inspector::buildGivenRows() {
   given->setColumnMinimumWidth(0, 34);
   for (int column = 1; column <= 3; ++column)
     given->setColumnStretch(column, 1);
-  for (const CoordinateId &id : coordinatesOf(m_model.session().scene))
-    addGivenRow(*given, id);
+  const auto ids = coordinatesOf(m_model.session().scene);
+  for (std::size_t i = 0; i < std::min(ids.size(), mostGivenRows); ++i)
+    addGivenRow(*given, ids[i]);
   m_complaint = new QLabel;
   m_complaint->setObjectName("complaint");
   m_complaint->setWordWrap(true);
+  m_complaint->setTextFormat(Qt::PlainText);
   m_complaint->hide();
   m_resultsBox = new QWidget;
 
   m_layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
   m_layout->addLayout(given);
+  if (ids.size() > mostGivenRows)
+    m_layout->addWidget(heading(tr("… and %n more, to be dragged or stepped in the scene.", nullptr,
+                                   static_cast<int>(ids.size() - mostGivenRows))));
   m_layout->addWidget(m_complaint);
   m_layout->addSpacing(6);
   m_layout->addWidget(heading(tr("Results")));
@@ -223,7 +231,8 @@ void Inspector::scrub(const CoordinateId &id, int axis, int steps) {
 
 void Inspector::showSession() {
   const Scene &scene = m_model.session().scene;
-  const auto ids = coordinatesOf(scene);
+  auto ids = coordinatesOf(scene);
+  ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.outcome().values);
   // The given rows stay while results come and go: a field may be in use.
   const bool sameGiven =
