@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/lesson_files.h"
 #include "app/main_window.h"
+#include "app/memory.h"
 #include "app/subject.h"
 #include "lessons/words.h"
 
@@ -54,6 +55,7 @@ std::optional<Problem> checkOpenGL() {
 } // namespace
 
 int runWindow(const WindowCommand &command, int argc, char **argv) {
+  returnLargeBuffers();
   LessonLibrary library = readLessons(lessonsFolder());
   for (const Problem &problem : library.problems)
     std::cerr << "halfspace: " << problem.text() << "\n";
