@@ -2,6 +2,7 @@
 
 #include "app/lesson_files.h"
 #include "app/main_window.h"
+#include "app/memory.h"
 #include "app/standard_streams.h"
 #include "app/subject.h"
 #include "app/termination.h"
@@ -76,6 +77,7 @@ int showWindow(LessonLibrary library, const OpenedSubject &subject, const std::o
 } // namespace
 
 int runWindow(const WindowCommand &command, int argc, char **argv) {
+  returnLargeBuffers();
   LessonLibrary library = readLessons(lessonsFolder());
   for (const Problem &problem : library.problems)
     printError(problem.text());

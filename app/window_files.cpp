@@ -1,5 +1,6 @@
 // Sessions and pictures in files.
 #include "app/main_window.h"
+#include "app/memory.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
 #include "lessons/session_file.h"
@@ -115,6 +116,7 @@ std::optional<LabelPicture> MainWindow::pictureOfScene() {
   // The picture is drawn in a context of its own; two current ones in a thread clash.
   m_scene->doneCurrent();
   auto picture = drawOffscreen(request, blockingLabelPainter(*m_typesetter));
+  returnFreeMemory(); // the context that has ended leaves a hundred megabytes
   if (!picture) {
     complain(QString::fromStdString(picture.problem().text()));
     return {};
