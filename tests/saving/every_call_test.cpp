@@ -23,6 +23,9 @@ struct Saved {
   Before before;
 };
 
+/// For the test's name in ctest.
+void PrintTo(const Saved &saved, std::ostream *out) { *out << saved.kind; }
+
 struct Call {
   std::string name;
   std::string place; ///< in the folder, which itself is a dot
