@@ -40,11 +40,13 @@ int runLessons(const LessonsCommand &command) {
   auto list = nlohmann::ordered_json::array();
   std::string lines;
   for (const Lesson &lesson : library.lessons) {
-    list.push_back({{"id", lesson.id},
-                    {"title", lesson.title},
-                    {"steps", lesson.steps.size()},
-                    {"sources", lesson.sources}});
-    lines += lesson.id + "  " + printable(lesson.title) + "\n";
+    const std::string title = printable(lesson.title);
+    auto sources = nlohmann::ordered_json::array();
+    for (const std::string &source : lesson.sources)
+      sources.push_back(printable(source));
+    list.push_back(
+        {{"id", lesson.id}, {"title", title}, {"steps", lesson.steps.size()}, {"sources", sources}});
+    lines += lesson.id + "  " + title + "\n";
   }
   return printOut(command.json ? list.dump(2) + "\n" : lines);
 }

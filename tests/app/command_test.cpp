@@ -6,6 +6,10 @@
 #include <QImage>
 
 #include <algorithm>
+#include <array>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 namespace halfspace {
 namespace {
@@ -21,9 +25,31 @@ protected:
 
   /// `arguments` as a shell reads them; `environment`: NAME=value in front. No display and no home.
   Ran run(const std::string &arguments, const std::string &environment = "") const {
+    return runWith(">.out 2>.err </dev/null", arguments, environment);
+  }
+  /// Likewise, with other standard streams.
+  Ran runWith(const std::string &streams, const std::string &arguments,
+              const std::string &environment = "") const {
+    fs::remove(inFolder(".out"));
+    fs::remove(inFolder(".err"));
     return shell("exec env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR -u QT_QPA_PLATFORM HOME='" +
-                 folder().string() + "' " + environment + " '" HALFSPACE_PROGRAM "' " + arguments +
-                 " >.out 2>.err </dev/null");
+                 folder().string() + "' " + environment + " '" + m_program + "' " + arguments + " " +
+                 streams);
+  }
+
+  /// From now on it is a copy of the program that runs, which has one of our lessons, and this one.
+  void addLesson(const std::string &text) {
+    const fs::path own = inFolder("own");
+    const fs::path lessons = "share/halfspace/lessons";
+    if (!fs::exists(own)) {
+      const fs::path program = m_program;
+      fs::create_directories(own / "bin");
+      fs::create_directories(own / lessons);
+      m_program = (own / "bin/halfspace").string();
+      fs::copy_file(program, m_program);
+      fs::copy(program.parent_path().parent_path() / lessons / "signed-distance.md", own / lessons);
+    }
+    write("own/share/halfspace/lessons/added.md", text);
   }
 
   Json explained(const std::string &arguments) const {
@@ -45,7 +71,24 @@ protected:
         << ran.err;
     EXPECT_NE(ran.err.find(reason), std::string::npos) << ran.err;
   }
+
+private:
+  std::string m_program = HALFSPACE_PROGRAM;
 };
+
+/// Whether a terminal would be steered, or sentences turned, by characters that a file has put in.
+bool isHarmless(const std::string &text) {
+  const std::array<std::string, 4> harmful{"\x1B", "\x07", "\xC2\x9B", "\u202E"};
+  return std::none_of(harmful.begin(), harmful.end(), [&](const std::string &character) {
+    return text.find(character) != std::string::npos;
+  });
+}
+
+/// A session file of these fields, which are JSON.
+std::string sessionWith(const std::string &lesson, const std::string &step, const std::string &scene = "[]") {
+  return R"({"format":"halfspace","version":1,"lesson":)" + lesson + R"(,"step":)" + step + R"(,"scene":)" +
+         scene + "}";
+}
 
 TEST_F(Program, Lessons_ListsIdsAndTitles) {
   const Ran ran = run("lessons");
@@ -186,6 +229,32 @@ TEST_F(Program, Set_WithoutANameOrANumber_IsRefused) {
   expectRefused("explain signed-distance --set", "--set");
 }
 
+TEST_F(Program, Set_BeyondWhatIsRead_SaysWhetherTheNumberIsTooLargeOrTooLong) {
+  for (const char *number : {"1e401", "-1e401", "1e10", "1e99999999999", "12345678901"})
+    expectRefused("explain signed-distance --set Q=" + std::string(number) + ",0,0", "too large");
+  for (const char *number : {"1e-401", "1e-400", "1e-99999999999"})
+    expectRefused("explain signed-distance --set Q=" + std::string(number) + ",0,0", "too long");
+}
+
+TEST_F(Program, Set_BeforeTheSubject_TakesOneValueOnly) {
+  EXPECT_EQ(explained("--set Q=1,2,3 signed-distance"), explained("signed-distance --set Q=1,2,3"));
+  EXPECT_EQ(run("render --set Q=1,2,3 signed-distance -o before.png --size 64x64").status, 0);
+  EXPECT_EQ(run("render signed-distance -o after.png --size 64x64 --set Q=1,2,3").status, 0);
+  EXPECT_EQ(picture("before.png").size(), QSize(64, 64));
+  EXPECT_EQ(contentOf(inFolder("before.png")), contentOf(inFolder("after.png")));
+}
+
+TEST_F(Program, ASubjectInFrontOfACommand_IsRefused) {
+  expectRefused("signed-distance lessons", "stands before a command");
+  expectRefused("signed-distance explain ray-plane-dot", "stands before a command");
+}
+
+TEST_F(Program, AnEmptySubject_IsNoLesson) {
+  expectRefused("explain ''", "There is no lesson “”");
+  expectRefused("render '' -o a.png", "There is no lesson “”");
+  expectRefused("''", "There is no lesson “”");
+}
+
 TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
   expectRefused("explain", "subject");
   expectRefused("explain signed-distance --format xml", "xml");
@@ -207,6 +276,78 @@ TEST_F(Program, ALessonOrFileThatIsNotThere_IsRefused) {
   expectRefused("explain missing.halfspace", "missing.halfspace: There is no such file");
   expectRefused("explain /", "/: This is a folder, not a file");
   expectRefused("no-such-lesson", "There is no lesson “no-such-lesson”");
+}
+
+TEST_F(Program, WhatIsNoFile_IsNamedAsWhatItIsAndNotWaitedFor) {
+  fs::create_directory(inFolder("folder"));
+  ASSERT_EQ(mkfifo(inFolder("pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", inFolder("zero.halfspace"));
+  expectRefused("explain folder", "folder: This is a folder, not a file.");
+  for (const char *name : {"pipe", "./pipe", "zero.halfspace", "/dev/null"}) {
+    expectRefused("explain " + std::string(name), "This is a device, a pipe or a socket, not a file.");
+    expectRefused("render -o a.png " + std::string(name),
+                  "This is a device, a pipe or a socket, not a file.");
+  }
+}
+
+TEST_F(Program, ALessonThatIsNoText_IsToldWithItsLineAndTheOthersAreListed) {
+  addLesson("---\nid: added\ntitle: A\xFF\n---\n## Step\n");
+  for (const char *arguments : {"lessons", "lessons --json"}) {
+    const Ran ran = run(arguments);
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_NE(ran.out.find("signed-distance"), std::string::npos);
+    EXPECT_EQ(ran.out.find("added"), std::string::npos);
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_NE(ran.err.find("added.md:3: The file holds bytes here that are no text"), std::string::npos)
+        << ran.err;
+  }
+  EXPECT_EQ(Json::parse(run("lessons --json").out).size(), 1U);
+}
+
+TEST_F(Program, ALessonThatWouldSteerTheTerminal_DoesNot) {
+  // YAML spells in plain letters what the file itself may not hold.
+  const std::string steering = R"("T\e[31m\x9B31m\a\u202E")";
+  addLesson("---\nid: added\ntitle: " + steering + "\nsources: [" + steering +
+            "]\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n## Step\n");
+  for (const char *arguments : {"lessons", "lessons --json", "explain added", "explain added --format latex",
+                                "explain added --format json"}) {
+    const Ran ran = run(arguments);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(isHarmless(ran.out + ran.err)) << arguments;
+  }
+  EXPECT_NE(run("lessons").out.find("added  T\uFFFD[31m\uFFFD31m\uFFFD\uFFFD\n"), std::string::npos);
+}
+
+TEST_F(Program, ASessionThatWouldSteerTheTerminal_DoesNot) {
+  const std::string steering = R"("T\u001b[31m\u009b\u0007\u202e")";
+  const std::vector<std::string> sessions{
+      sessionWith(steering, "0"),
+      sessionWith("\"x\"", steering),
+      sessionWith("\"x\"", "0", "[{\"name\":" + steering + ",\"point\":[1,2,3]}]"),
+      sessionWith("\"x\"", "0", "[{\"name\":\"Q\",\"point\":[1,2," + steering + "]}]"),
+      sessionWith("\"x\"", "0", "[{\"name\":\"Q\"," + steering + ":[1,2,3]}]"),
+      sessionWith("\"x\"", "0", "[{\"name\":\"Q\",\"construction\":" + steering + ",\"of\":{}}]"),
+      sessionWith("\"x\"", "0",
+                  "[{\"name\":\"d\",\"construction\":\"signed-distance\",\"of\":{" + steering +
+                      ":\"Q\",\"E\":" + steering + "}}]"),
+      "{" + steering + ":1}"};
+  for (const std::string &session : sessions) {
+    write("a.halfspace", session);
+    expectRefused("explain a.halfspace", "a.halfspace");
+    EXPECT_TRUE(isHarmless(contentOf(inFolder(".err")))) << contentOf(inFolder(".err"));
+  }
+}
+
+TEST_F(Program, ArgumentsThatWouldSteerTheTerminal_DoNot) {
+  const std::string steering = "'\x1B[31m\xC2\x9B\x07\u202E'";
+  for (const std::string &arguments :
+       {"explain " + steering, "explain ./" + steering,
+        "explain signed-distance --set " + steering + "=1,2,3",
+        "explain signed-distance --set Q=1,2," + steering, "--" + steering,
+        "render signed-distance --size 64x64 -o no/" + steering, steering, "eval " + steering}) {
+    expectRefused(arguments, "");
+    EXPECT_TRUE(isHarmless(contentOf(inFolder(".err")))) << arguments;
+  }
 }
 
 TEST_F(Program, ASessionFile_IsExplainedLikeALesson) {
@@ -277,6 +418,73 @@ TEST_F(Program, RenderSet_DrawsTheChangedScene) {
   EXPECT_NE(contentOf(inFolder("start.png")), contentOf(inFolder("moved.png")));
 }
 
+class RenderOnto : public Program {
+protected:
+  const std::string small = "render signed-distance --size 64x64 -o ";
+
+  void SetUp() override {
+    Program::SetUp();
+    ASSERT_EQ(run(small + "plain.png").status, 0);
+    m_plain = contentOf(inFolder("plain.png"));
+    ASSERT_FALSE(m_plain.empty());
+  }
+  void expectDrawn(const std::string &name) const {
+    const Ran ran = run(small + name);
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.out + ran.err, "");
+  }
+  const std::string &plain() const { return m_plain; }
+
+private:
+  std::string m_plain;
+};
+
+TEST_F(RenderOnto, ALink_ChangesItsTargetAndKeepsTheLink) {
+  fs::create_directory(inFolder("there"));
+  write("there/a.png", "old");
+  fs::create_symlink("there/a.png", inFolder("link.png"));
+  expectDrawn("link.png");
+  EXPECT_EQ(contentOf(inFolder("there/a.png")), plain());
+  EXPECT_EQ(fs::read_symlink(inFolder("link.png")), "there/a.png");
+}
+
+TEST_F(RenderOnto, APipeThatIsRead_GivesItThePicture) {
+  ASSERT_EQ(mkfifo(inFolder("pipe").c_str(), 0600), 0);
+  expectRefused(small + "pipe", "pipe: This cannot be written: nobody reads from it");
+  const int reader = open(inFolder("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  expectDrawn("pipe");
+  std::string got(plain().size() + 1, '\0');
+  const auto count = read(reader, got.data(), got.size());
+  close(reader);
+  EXPECT_EQ(count, static_cast<ssize_t>(plain().size()));
+  EXPECT_TRUE(got.starts_with(plain()));
+  EXPECT_TRUE(fs::is_fifo(inFolder("pipe")));
+}
+
+TEST_F(RenderOnto, ADevice_LeavesItOne) {
+  expectRefused(small + "/dev/full", "there is no room left on the disk");
+  if (mknod(inFolder("null").c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) { // only root may
+    expectDrawn("null");
+    EXPECT_TRUE(fs::is_character_file(inFolder("null")));
+  }
+}
+
+TEST_F(RenderOnto, AReadOnlyFile_IsRefusedAndUnchanged) {
+  write("a.png", "old");
+  ASSERT_EQ(chmod(inFolder("a.png").c_str(), 0444), 0);
+  expectRefused(small + "a.png", "a.png: This cannot be written: you may not do that there");
+  EXPECT_EQ(contentOf(inFolder("a.png")), "old");
+}
+
+TEST_F(RenderOnto, AFileBesideAPlantedLink_LeavesAloneWhereThatLeads) {
+  write("victim", "mine");
+  for (const char *name : {"a.png.part", "a.part", ".a.png.part", "a.png.tmp", "a.png~"})
+    fs::create_symlink("victim", inFolder(name));
+  expectDrawn("a.png");
+  EXPECT_EQ(contentOf(inFolder("a.png")), plain());
+  EXPECT_EQ(contentOf(inFolder("victim")), "mine");
+}
+
 TEST_F(Program, RenderWhereNothingCanBeWritten_IsRefused) {
   expectRefused("render signed-distance -o no-such-folder/a.png --size 64x64", "no-such-folder/a.png");
   expectRefused("render signed-distance -o . --size 64x64", "cannot be written");
@@ -295,6 +503,28 @@ TEST_F(Program, HelpAndVersion_ArePrinted) {
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(version.out.starts_with("halfspace ")) << version.out;
   EXPECT_EQ(std::count(version.out.begin(), version.out.end(), '\n'), 1);
+}
+
+TEST_F(Program, WhereNothingCanBePrinted_SaysSoAndEndsWithTwo) {
+  for (const char *arguments :
+       {"lessons", "lessons --json", "explain signed-distance", "explain signed-distance --format latex",
+        "explain signed-distance --format json", "--help", "explain --help", "--version"})
+    for (const auto &[out, reason] :
+         {std::pair{">/dev/full", "there is no room left on the disk"}, {">&-", ""}}) {
+      SCOPED_TRACE(std::string(arguments) + out);
+      const Ran ran = runWith("2>.err </dev/null " + std::string(out), arguments);
+      EXPECT_EQ(ran.status, 2);
+      EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+      EXPECT_TRUE(ran.err.starts_with("halfspace: Standard output cannot be written: ")) << ran.err;
+      EXPECT_NE(ran.err.find(reason), std::string::npos) << ran.err;
+    }
+}
+
+TEST_F(Program, WithoutStandardStreams_DoesWhatCanBeDone) {
+  EXPECT_EQ(runWith(">&- 2>&- <&-", "lessons").status, 2);
+  EXPECT_EQ(runWith(">&- 2>&- <&-", "explain no-such-lesson").status, 2);
+  EXPECT_EQ(runWith(">&- 2>&- <&-", "render signed-distance --size 64x64 -o a.png").status, 0);
+  EXPECT_EQ(picture("a.png").size(), QSize(64, 64));
 }
 
 TEST_F(Program, TheWindow_WithoutADisplay_IsRefusedWithOneSentence) {

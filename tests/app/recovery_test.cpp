@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include <csignal>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -109,6 +110,36 @@ TEST_F(RecoveryTest, KeepsFileAnswersAndOtherLessons) {
   EXPECT_EQ(found.file, work.file);
   EXPECT_EQ(found.left, work.left);
   EXPECT_EQ(found.progress, work.progress);
+}
+
+TEST_F(RecoveryTest, Kept_IsReadByNobodyElse) {
+  const mode_t before = umask(0);
+  const QString inner = folder.filePath("data/unsaved");
+  Recovery recovery(inner);
+  EXPECT_FALSE(recovery.keep(workAt(1)));
+  umask(before);
+  const auto onlyOwner = QFile::ReadOwner | QFile::WriteOwner | QFile::ReadUser | QFile::WriteUser;
+  for (const QString &made : {folder.filePath("data"), inner})
+    EXPECT_EQ(QFile::permissions(made), onlyOwner | QFile::ExeOwner | QFile::ExeUser) << made.toStdString();
+  const auto files = QDir(inner).entryInfoList({"*.json"}, QDir::Files);
+  ASSERT_EQ(files.size(), 1);
+  EXPECT_EQ(files.front().permissions(), onlyOwner);
+}
+
+TEST_F(RecoveryTest, BesideAnUnfinishedFile_RemovesItOnceNobodyCanBeWritingIt) {
+  const QString old = folder.filePath(".halfspace-1.part");
+  const QString young = folder.filePath(".halfspace-2.part");
+  const QString other = folder.filePath("mine.part");
+  const QDateTime longAgo = QDateTime::currentDateTime().addDays(-1);
+  for (const QString &path : {old, young, other}) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    EXPECT_TRUE(path == young || file.setFileTime(longAgo, QFileDevice::FileModificationTime));
+  }
+  const Recovery recovery(folder.path());
+  EXPECT_FALSE(QFile::exists(old));
+  EXPECT_TRUE(QFile::exists(young));
+  EXPECT_TRUE(QFile::exists(other));
 }
 
 TEST_F(RecoveryTest, OfADamagedFile_IsPassedOver) {

@@ -2,7 +2,11 @@
 #include "tests/program_test.h"
 
 #include <algorithm>
+#include <array>
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace halfspace {
 namespace {
@@ -63,6 +67,7 @@ TEST_F(EvalCommand, WhatCannotBeRead_IsStatusTwoWithOneSentence) {
 TEST_F(EvalCommand, WhereNothingCanBeWritten_IsStatusTwoWithOneSentence) {
   write("cases.jsonl", good);
   expectRefused("cases.jsonl >/dev/full");
+  expectRefused("cases.jsonl >&-");
 }
 
 TEST_F(EvalCommand, AnswersBeforeTheInputEnds_AreWritten) {
@@ -73,6 +78,102 @@ TEST_F(EvalCommand, AnswersBeforeTheInputEnds_AreWritten) {
     until grep -q '"ok":true' answers || [ $tries = 100 ]; do sleep 0.1; tries=$((tries + 1)); done
     wc -l <answers; exec 3>&-; wait $!; echo $?)");
   EXPECT_EQ(ran.out, "1\n0\n") << ran.err;
+}
+
+/// A pipe between the test and the program.
+struct Pipe {
+  Pipe() { EXPECT_EQ(pipe2(ends.data(), O_CLOEXEC), 0); }
+  ~Pipe() {
+    closeOutput();
+    close(ends[0]);
+  }
+  Pipe(const Pipe &) = delete;
+  Pipe &operator=(const Pipe &) = delete;
+
+  [[nodiscard]] int input() const { return ends[0]; }
+  [[nodiscard]] int output() const { return ends[1]; }
+  void closeOutput() {
+    if (ends[1] >= 0)
+      close(std::exchange(ends[1], -1));
+  }
+
+  std::array<int, 2> ends{-1, -1};
+};
+
+void makeNonBlocking(int descriptor) { EXPECT_EQ(fcntl(descriptor, F_SETFL, O_NONBLOCK), 0); }
+
+/// Starts `halfspace eval` on these descriptors.
+pid_t startEval(int input, int output) {
+  const pid_t child = fork();
+  if (child != 0)
+    return child;
+  dup2(input, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  execl(HALFSPACE_PROGRAM, "halfspace", "eval", nullptr);
+  _exit(127);
+}
+
+int statusOf(pid_t child) {
+  int ended = 0;
+  waitpid(child, &ended, 0);
+  return WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+}
+
+/// What there is to read up to a line's end.
+std::string readLine(int descriptor) {
+  std::string line;
+  for (char c = 0; c != '\n' && read(descriptor, &c, 1) == 1;)
+    line += c;
+  return line;
+}
+
+TEST_F(EvalCommand, IntoAPipeThatDoesNotWait_LosesNoAnswer) {
+  std::string questions;
+  for (int i = 0; i < 4000; ++i)
+    questions += good + "\n";
+  write("cases.jsonl", questions);
+  const std::string expected = run("<cases.jsonl").out;
+  Pipe answers;
+  makeNonBlocking(answers.output());
+  const int input = open(inFolder("cases.jsonl").c_str(), O_RDONLY | O_CLOEXEC);
+  const pid_t child = startEval(input, answers.output());
+  const int size = fcntl(answers.output(), F_GETPIPE_SZ);
+  ASSERT_GT(expected.size(), 2 * static_cast<std::size_t>(size));
+  answers.closeOutput();
+  close(input);
+  // Nothing is read before the pipe is as good as full.
+  for (int waiting = 0, tries = 0; waiting < size - 4096 && tries < 2000; ++tries) {
+    usleep(5000);
+    ASSERT_EQ(ioctl(answers.input(), FIONREAD, &waiting), 0);
+  }
+  std::string got;
+  std::string part(1000, '\0');
+  for (ssize_t count = 1; count > 0;) {
+    count = read(answers.input(), part.data(), part.size());
+    got += part.substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  }
+  EXPECT_EQ(statusOf(child), 0);
+  EXPECT_TRUE(got == expected) << got.size() << " of " << expected.size() << " bytes";
+}
+
+TEST_F(EvalCommand, FromAPipeThatDoesNotWait_WaitsForLateQuestions) {
+  Pipe questions;
+  Pipe answers;
+  makeNonBlocking(questions.input());
+  const pid_t child = startEval(questions.input(), answers.output());
+  answers.closeOutput();
+  const auto ask = [&](const std::string &text) {
+    usleep(100000); // so late that it has looked before
+    EXPECT_EQ(::write(questions.output(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  };
+  ask(good + "\n");
+  EXPECT_TRUE(readLine(answers.input()).starts_with(R"({"id":1,"ok":true)"));
+  ask(good.substr(0, 10));
+  ask(good.substr(10) + "\n");
+  EXPECT_TRUE(readLine(answers.input()).starts_with(R"({"id":1,"ok":true)"));
+  questions.closeOutput();
+  EXPECT_EQ(readLine(answers.input()), "");
+  EXPECT_EQ(statusOf(child), 0);
 }
 
 } // namespace

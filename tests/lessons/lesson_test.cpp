@@ -118,6 +118,14 @@ TEST(LessonProblems, InTheFrame_NameTheLine) {
   EXPECT_EQ(problemOf(frontMatter + "## One\n```task\ndo: x\n").line, 13);
 }
 
+TEST(LessonProblems, OfBytesThatAreNoText_NameTheLine) {
+  for (const char *bytes : {"\xFF", "\xC3", "\xED\xA0\x80", "\x1B[31m", "\x7F", "\xC2\x9B"}) {
+    EXPECT_EQ(problemOf(replaced(frontMatter, "An example", bytes)).line, 3);
+    EXPECT_EQ(problemOf(frontMatter + "## One\nWords " + bytes + "\n").line, 13);
+  }
+  EXPECT_EQ(problemOf(frontMatter + "## One\n" + std::string(1, '\0')).line, 13);
+}
+
 TEST(LessonProblems, InTheFrontMatter_NameLineAndField) {
   const Problem id = problemOf(replaced(frontMatter, "id: example", "id: An Example"));
   EXPECT_EQ(id.line, 2);

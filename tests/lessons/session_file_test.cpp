@@ -163,6 +163,37 @@ TEST(SessionFile, WithFieldsMissingOrUnknown_SaysWhich) {
   EXPECT_EQ(problemOf(R"({"format":"halfspace","version":1,"lesson":"x","step":0})").field, "scene");
 }
 
+TEST(SessionFile, WithAByteBehindItsEnd_IsRefused) {
+  const std::string whole = around("[]");
+  ASSERT_TRUE(readSession(whole + " \n\t", file));
+  for (const char end : {'\0', '\x1B', '\x7F', '\xFF', ']', '0'})
+    problemOf(whole + end);
+  EXPECT_EQ(problemOf(whole + "\n\n" + std::string(3, '\0')).line, 3);
+}
+
+TEST(SessionFile, WithALessonThatIsNoId_IsRefused) {
+  for (const char *lesson : {"null", "5", "true", "[]", "{}", "\"\"", "\"A b\"", "\"../x\"", "\"\\u0000\""})
+    EXPECT_EQ(problemOf(R"({"format":"halfspace","version":1,"step":0,"scene":[],"lesson":)" +
+                        std::string(lesson) + "}")
+                  .field,
+              "lesson")
+        << lesson;
+}
+
+TEST(SessionFile, WithAStep_ReadsItAsANumberOrInQuotes) {
+  const auto with = [](const std::string &step) {
+    return R"({"format":"halfspace","version":1,"lesson":"x","scene":[],"step":)" + step + "}";
+  };
+  for (const char *step : {"2", "\"2\""}) {
+    const auto session = readSession(with(step), file);
+    ASSERT_TRUE(session) << session.problem().text();
+    EXPECT_EQ(session->step, 2);
+  }
+  for (const char *step : {"null", "true", "2.0", "2e0", "-1", "100001", "99999999999999999999", "\"two\"",
+                           "\"2 \"", "\"\"", "[2]", "{}"})
+    EXPECT_EQ(problemOf(with(step)).field, "step") << step;
+}
+
 TEST(SessionFile, WithInvalidUtf8_IsRefused) { problemOf(around("[{\"name\":\"\xFF\",\"point\":[1,2,3]}]")); }
 
 TEST(WithValue, OfACoordinatesName_SetsItExactly) {
@@ -178,6 +209,20 @@ TEST(WithValue, OfAnythingElse_SaysWhatToWrite) {
   EXPECT_TRUE(mentions(withValue(startSession(), "Q=1,2").problem(), "three numbers"));
   EXPECT_TRUE(mentions(withValue(startSession(), "Q=1,2,x").problem(), "not a number"));
   EXPECT_TRUE(mentions(withValue(startSession(), "Q=1,2,1e20").problem(), "too large"));
+}
+
+TEST(WithValue, BeyondWhatIsRead_SaysTooLargeOrTooLong) {
+  for (const char *number : {"1e400", "1e401", "-1e401", "1e+401", "1E99999999999", "00012345678901.5"})
+    EXPECT_TRUE(mentions(withValue(startSession(), "Q=0,0," + std::string(number)).problem(), "too large"))
+        << number;
+  for (const char *number : {"1e-400", "1e-401", "-1e-401", "1E-99999999999"})
+    EXPECT_TRUE(mentions(withValue(startSession(), "Q=0,0," + std::string(number)).problem(), "too long"))
+        << number;
+  EXPECT_TRUE(mentions(withValue(startSession(), "Q=0,0,0." + std::string(300, '1')).problem(), "too long"));
+  EXPECT_TRUE(mentions(withValue(startSession(), "Q=0,0,1/" + std::string(300, '1')).problem(), "too long"));
+  for (const char *number : {"1e", "e401", "1e401x", "1/0", "--1"})
+    EXPECT_TRUE(mentions(withValue(startSession(), "Q=0,0," + std::string(number)).problem(), "not a number"))
+        << number;
 }
 
 } // namespace
