@@ -29,11 +29,23 @@ QString newPath(const QString &folder) {
 /// The file beside a leftover that is there while it is being opened.
 QString openingMark(const QString &path) { return path + ".opening"; }
 
-/// The lock of a file, held; null where a living program holds it, or where none can be made.
-std::unique_ptr<QLockFile> locked(const QString &path) {
+/// The lock of a file, not held yet.
+std::unique_ptr<QLockFile> lockOf(const QString &path) {
   auto lock = std::make_unique<QLockFile>(path + ".lock");
   lock->setStaleLockTime(0); // a lock is stale when its program is gone, not when it is old
+  return lock;
+}
+
+/// The lock of a file, held; null where a living program holds it.
+std::unique_ptr<QLockFile> locked(const QString &path) {
+  auto lock = lockOf(path);
   return lock->tryLock(0) ? std::move(lock) : nullptr;
+}
+
+/// Why no lock can be made for a file that nobody else knows.
+std::string whyNotLocked(const QLockFile &lock) {
+  return lock.error() == QLockFile::PermissionError ? words("you may not write there")
+                                                    : words("there may be no room left on the disk");
 }
 
 QString textOf(const Session &session) { return QString::fromStdString(writeSession(session)); }
@@ -141,10 +153,14 @@ std::optional<Problem> Recovery::keep(const UnsavedWork &work) {
     return Problem{words("There is no folder for unsaved work on this system."), "", 0, ""};
   if (auto problem = makeFolder(m_folder))
     return problem;
-  if (!m_lock)
-    m_lock = locked(m_path);
-  if (!m_lock)
-    return Problem{words("No file can be made in this folder."), m_folder.toStdString(), 0, ""};
+  if (!m_lock) {
+    auto lock = lockOf(m_path);
+    if (!lock->tryLock(0))
+      return Problem{
+          words("No file can be made in this folder: {reason}.", {{"reason", whyNotLocked(*lock)}}),
+          m_folder.toStdString(), 0, ""};
+    m_lock = std::move(lock);
+  }
   return writeFile(m_path.toStdString(), toText(work), Readers::OwnerOnly);
 }
 

@@ -164,9 +164,17 @@ void NumberField::keyPressEvent(QKeyEvent *event) {
   }
 }
 
-QString NumberField::textWithin(int width) const {
+QRect NumberField::room() const {
+  QStyleOptionFrame frame;
+  initStyleOption(&frame);
+  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &frame, this);
+  return inside.adjusted(textMargin, 0, -textMargin, 0);
+}
+
+QString NumberField::shownText() const {
+  const int width = room().width();
   const auto fits = [&](const QString &text) { return fontMetrics().horizontalAdvance(text) <= width; };
-  if (fits(text()))
+  if (hasFocus() || fits(text()))
     return text();
   if (property("wrong").toBool())
     return fontMetrics().elidedText(text(), Qt::ElideRight, width);
@@ -178,17 +186,15 @@ QString NumberField::textWithin(int width) const {
 }
 
 void NumberField::paintEvent(QPaintEvent *event) {
+  const QString shown = shownText();
+  if (shown == text())
+    return QLineEdit::paintEvent(event);
   QStyleOptionFrame frame;
   initStyleOption(&frame);
-  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &frame, this);
-  const QRect room = inside.adjusted(textMargin, 0, -textMargin, 0);
-  const QString shown = textWithin(room.width());
-  if (hasFocus() || shown == text())
-    return QLineEdit::paintEvent(event);
   QPainter painter(this);
   style()->drawPrimitive(QStyle::PE_PanelLineEdit, &frame, &painter, this);
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, shown);
+  painter.drawText(room(), Qt::AlignRight | Qt::AlignVCenter, shown);
 }
 
 void NumberField::endScrub(bool keep) {

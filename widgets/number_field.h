@@ -23,6 +23,9 @@ public:
   /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
   QString enter();
 
+  /// What can be read in the field: the text, or the number rounded after ≈ where the text is too long.
+  [[nodiscard]] QString shownText() const;
+
   [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
@@ -44,7 +47,7 @@ protected:
 
 private:
   QString refuse(const QString &sentence);
-  [[nodiscard]] QString textWithin(int width) const;
+  [[nodiscard]] QRect room() const;
   void endScrub(bool keep);
   void showValue();
   void mark(bool wrong);

@@ -67,6 +67,8 @@ int syncToDisk(int descriptor) {
 
 std::string reasonOf(int error) {
   switch (error) {
+  case EBADF:
+    return words("it is closed");
   case ENOSPC:
     return words("there is no room left on the disk");
   case EDQUOT:

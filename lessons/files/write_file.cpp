@@ -20,7 +20,7 @@ constexpr std::string_view unfinishedEnd = ".part";
 /// More links than this one behind another are a circle.
 constexpr int mostLinks = 40;
 
-constexpr mode_t permissionBits = 07777;
+constexpr mode_t permissionBits = 0777; // a document needs no others
 constexpr mode_t groupBits = 0070;
 constexpr mode_t anyoneWrites = 0222;
 constexpr mode_t usualMode = 0666; // less what the process's mask takes away
@@ -151,6 +151,8 @@ void replace(const fs::path &target, const std::optional<struct stat> &old, std:
 }
 
 void writeOrThrow(const fs::path &file, std::string_view content, Readers readers) {
+  if (file.empty())
+    throw Failure{words("no file is named")};
   const auto old = whatIsAt(file);
   if (old && (S_ISCHR(old->st_mode) || S_ISFIFO(old->st_mode)))
     return writeAsItIs(file, content);

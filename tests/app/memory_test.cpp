@@ -1,4 +1,5 @@
-// Resident memory of the window in long use. A program of its own: what other tests leave would be counted too.
+// Resident memory of the window in long use. A program of its own: what other tests leave would be counted
+// too.
 #include "app/memory.h"
 #include "tests/app/window_fixture.h"
 

@@ -93,7 +93,7 @@ void addTools(BarePicture &picture, const SceneContent &content, const Theme &th
 
 void addLabels(BarePicture &picture, const SceneContent &content, const Theme &theme, const View &view,
                const LabelPainter &painter, double scale) {
-  const auto axes = axisLabels(axesFor({}), gridStep(view.camera.height), scale);
+  const auto axes = axisLabels(axesFor({}), view.camera, 0, scale);
   for (const LabelText &text : labelTexts(content, axes, theme, view)) {
     const auto image = painter(text.latex, text.style);
     if (image && image->width > 0 && !text.anchors.empty())

@@ -4,6 +4,7 @@
 #include "tests/program_test.h"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -296,14 +297,21 @@ TEST_F(WriteFile, ThatIsASlowlyReadPipe_GetsMoreThanAPipeHolds) {
   std::string text(muchMoreThanAPipe, 'x');
   text.back() = '\n';
   std::string got;
+  std::atomic<bool> written = false;
   std::thread reading([&] {
     std::string part(1000, '\0');
-    for (ssize_t count = 1; count > 0 && got.size() < text.size();) {
-      count = read(reader, part.data(), part.size());
+    for (;;) {
+      const bool last = written; // looked at first: what is read then is all that there is
+      const ssize_t count = read(reader, part.data(), part.size());
       got += part.substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+      if (count <= 0 && last)
+        return;
+      if (count <= 0)
+        std::this_thread::yield(); // nobody has opened it for writing yet
     }
   });
   EXPECT_FALSE(writeFile(inFolder("pipe"), text));
+  written = true;
   reading.join();
   EXPECT_TRUE(got == text);
   close(reader);

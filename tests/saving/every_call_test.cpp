@@ -70,7 +70,7 @@ int likelyError(const Call &call) {
 /// Qt, which makes the lock of unsaved work, does not tell why it cannot.
 bool namesReason(const std::string &sentence, const Call &call) {
   if (call.place.ends_with(".lock") &&
-      sentence.find("No file can be made in this folder.") != std::string::npos)
+      sentence.find("No file can be made in this folder: ") != std::string::npos)
     return true;
   return sentence.find("no room left on the disk") != std::string::npos ||
          sentence.find("Input/output error") != std::string::npos;

@@ -1,0 +1,335 @@
+// Nothing is lost when the window closes, is told to end, or finds its file changed.
+#include "app/termination.h"
+#include "lessons/session_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/inspector.h"
+#include "widgets/number_field.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <csignal>
+
+using namespace halfspace;
+
+namespace {
+
+/// Presses a button of the next message box, by its text, and keeps what the box said.
+class BoxAnswerer : public QObject {
+public:
+  explicit BoxAnswerer(QString button) : m_button(std::move(button)) {
+    m_timer.setInterval(50);
+    QObject::connect(&m_timer, &QTimer::timeout, this, [this] { answer(); });
+    m_timer.start();
+  }
+
+  QString text; ///< empty as long as no box was there
+
+private:
+  void answer() {
+    auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+    if (!box)
+      return;
+    m_timer.stop();
+    text = box->text();
+    for (QAbstractButton *button : box->buttons())
+      if (button->text().remove('&') == m_button)
+        return button->click();
+    box->reject();
+  }
+
+  QString m_button;
+  QTimer m_timer;
+};
+
+NumberField &field(WindowFixture &fixture, const char *name, int axis) {
+  return *fixture.window.findChild<Inspector *>()->field(name, axis);
+}
+
+/// Types without entering.
+void beginTyping(NumberField &number, const QString &text) {
+  number.setFocus();
+  number.selectAll();
+  QTest::keyClicks(&number, text);
+}
+
+void moveUp(WindowFixture &fixture, const char *handle) {
+  fixture.scene().selectHandle(handle);
+  QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
+}
+
+ExactVec3 pointOf(const Session &session, const char *name) {
+  return coordinate(*findObject(session.scene, name), 0);
+}
+
+std::vector<Recovery::Leftover> leftovers() { return Recovery(Recovery::standardFolder()).leftovers(); }
+
+/// Where nothing can be kept: a file stands in the folder's place.
+void blockUnsavedFolder() {
+  const QString folder = Recovery::standardFolder();
+  QDir(folder).removeRecursively();
+  QDir().mkpath(QFileInfo(folder).path());
+  QFile blocking(folder);
+  QVERIFY(blocking.open(QIODevice::WriteOnly));
+}
+
+} // namespace
+
+class LeavingTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() {
+    QFile::remove(Recovery::standardFolder());
+    QDir(Recovery::standardFolder()).removeRecursively();
+  }
+
+  void closing_inTheMiddleOfADrag_keepsWhatWasDragged() {
+    ExactVec3 dragged;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      const QPoint from = *fixture.scene().handlePosition("Q");
+      fixture.press(from);
+      fixture.moveTo(from + QPoint(60, 20));
+      dragged = fixture.value("Q");
+      QVERIFY(!(dragged == ExactVec3(11, 15, 8)));
+      QVERIFY(fixture.window.close());
+    }
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(pointOf(leftovers().front().work.session, "Q") == dragged);
+  }
+
+  void closing_withANumberTypedAndNotEntered_keepsIt() {
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      beginTyping(field(fixture, "Q", 0), "3/7");
+      QVERIFY(fixture.window.close());
+    }
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(pointOf(leftovers().front().work.session, "Q").x == Rational(3, 7));
+  }
+
+  void saving_withANumberTypedAndNotEntered_savesIt() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.saveTo(file));
+    beginTyping(field(fixture, "Q", 0), "3/7");
+    QVERIFY(fixture.window.save());
+    QVERIFY(pointOf(readSessionFile(file.toStdString())->session, "Q").x == Rational(3, 7));
+  }
+
+  void saving_withATextThatIsNoNumber_isRefusedWithTheReason() {
+    const QTemporaryDir folder;
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.saveTo(folder.filePath("mine.halfspace")));
+    beginTyping(field(fixture, "Q", 0), "three");
+    const BoxAnswerer box("OK");
+    QVERIFY(!fixture.window.save());
+    QVERIFY2(box.text.contains("“three” is not a number"), qPrintable(box.text));
+  }
+
+  void closing_withATextThatIsNoNumber_asks() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    beginTyping(field(fixture, "Q", 0), "three");
+    {
+      const BoxAnswerer box("Cancel");
+      QVERIFY(!fixture.window.close());
+      QVERIFY2(box.text.contains("“three” is not a number"), qPrintable(box.text));
+    }
+    const BoxAnswerer box("Yes");
+    QVERIFY(fixture.window.close());
+  }
+
+  void closing_whereUnsavedWorkCannotBeKept_asks() {
+    blockUnsavedFolder();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    moveUp(fixture, "Q");
+    {
+      const BoxAnswerer box("Cancel");
+      QVERIFY(!fixture.window.close());
+      QVERIFY2(box.text.contains("cannot be kept"), qPrintable(box.text));
+      QVERIFY(fixture.window.isVisible());
+    }
+    const BoxAnswerer box("Discard");
+    QVERIFY(fixture.window.close());
+  }
+
+  void closing_withNothingUnsaved_asksNothing_evenWhereNothingCanBeKept() {
+    blockUnsavedFolder();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const BoxAnswerer box("Cancel");
+    QVERIFY(fixture.window.close());
+    QVERIFY(box.text.isEmpty());
+  }
+
+  void aFileThatAnotherWindowSaved_isNotReplacedInSilence() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("ours.halfspace");
+    WindowFixture first("signed-distance");
+    QVERIFY(first.ready);
+    QVERIFY(first.window.saveTo(file));
+    WindowFixture second("signed-distance");
+    QVERIFY(second.ready);
+    second.window.openFile(file);
+    moveUp(first, "Q");
+    QVERIFY(first.window.save());
+    moveUp(second, "E.P0");
+    const std::string firstsText = readSessionFile(file.toStdString())->text;
+    {
+      const BoxAnswerer box("Cancel");
+      QVERIFY(!second.window.save());
+      QVERIFY2(box.text.contains("ours.halfspace"), qPrintable(box.text));
+      QCOMPARE(readSessionFile(file.toStdString())->text, firstsText);
+      QVERIFY(second.window.isWindowModified());
+    }
+    const BoxAnswerer box("Replace");
+    QVERIFY(second.window.save());
+    QVERIFY(readSessionFile(file.toStdString())->session == second.model().session());
+    QVERIFY(second.window.save()); // from now on it is known again: no further question
+  }
+
+  void endingWithoutQuestions_keepsWhatIsUnsaved_withItsFile() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    Session session;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      QVERIFY(fixture.window.saveTo(file));
+      moveUp(fixture, "Q");
+      session = fixture.model().session();
+      fixture.window.endWithoutQuestions();
+    }
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(leftovers().front().work.session == session);
+    QCOMPARE(leftovers().front().work.file->path, file);
+    QVERIFY(!(readSessionFile(file.toStdString())->session == session));
+  }
+
+  void closing_afterSaving_keepsTheChangesOfOtherLessons() {
+    const QTemporaryDir folder;
+    Session left;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      moveUp(fixture, "Q");
+      left = fixture.model().session();
+      fixture.model().openLesson("plane-implicit");
+      QVERIFY(fixture.window.saveTo(folder.filePath("plane.halfspace")));
+      const BoxAnswerer box("Cancel");
+      QVERIFY(fixture.window.close());
+      QVERIFY(box.text.isEmpty());
+    }
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(leftovers().front().work.left.at("signed-distance") == left);
+  }
+
+  void workThatEndedItsProgram_isOfferedInsteadOfOpened() {
+    UnsavedWork work;
+    {
+      WindowFixture fixture("signed-distance");
+      moveUp(fixture, "Q");
+      work.session = fixture.model().session();
+    }
+    init();
+    { QVERIFY(!Recovery(Recovery::standardFolder()).keep(work)); }
+    {
+      Recovery ended(Recovery::standardFolder());
+      QVERIFY(ended.adopt(ended.leftovers().front().path)); // … and is gone before all is shown
+    }
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    {
+      const BoxAnswerer box("Cancel");
+      fixture.window.restoreUnsaved();
+      QTRY_VERIFY(box.text.contains("ended while it was opening"));
+      QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
+      QCOMPARE(leftovers().size(), 1U);
+    }
+    const BoxAnswerer box("Open");
+    fixture.window.restoreUnsaved();
+    QTRY_VERIFY(fixture.model().session() == work.session);
+  }
+
+  void workThatIsAllShown_isOpenedByItselfTheNextTime() {
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      moveUp(fixture, "Q");
+      QVERIFY(fixture.window.close());
+    }
+    {
+      WindowFixture next("plane-implicit");
+      QVERIFY(next.ready);
+      next.window.restoreUnsaved();
+      const QDir unsaved(Recovery::standardFolder());
+      QCOMPARE(unsaved.entryList({"*.opening"}).size(), 1);
+      QTRY_VERIFY(unsaved.entryList({"*.opening"}).isEmpty());
+    }
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(!leftovers().front().endedItsProgram);
+  }
+
+  void longFraction_inItsField_isRoundedAndMarkedUntilItIsTyped() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField &number = field(fixture, "Q", 0);
+    number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
+    QVERIFY(number.text().startsWith("1234567890123456789/") || number.text().contains('/'));
+    QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));
+    QApplication::setActiveWindow(&fixture.window);
+    number.setFocus();
+    QTRY_COMPARE(number.shownText(), number.text());
+  }
+
+  void signal_isHeardInTheEventLoop() {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+      int heard = 0;
+      const Termination termination([&](int number) { heard = number; });
+      QCOMPARE(std::raise(signal), 0);
+      QTRY_COMPARE(heard, signal);
+    }
+  }
+
+  void program_openedOnADamagedFile_showsItsWindow_andEndsInOrderWhenItIsTold() {
+    const QTemporaryDir home;
+    QFile damaged(home.filePath("damaged.halfspace"));
+    QVERIFY(damaged.open(QIODevice::WriteOnly));
+    damaged.write("{\"format\":");
+    damaged.close();
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("HOME", home.path());
+    environment.insert("XDG_CONFIG_HOME", home.filePath("config"));
+    environment.insert("XDG_DATA_HOME", home.filePath("data"));
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.setProcessChannelMode(QProcess::MergedChannels);
+    program.start(HALFSPACE_PROGRAM, {damaged.fileName()});
+    QVERIFY(program.waitForReadyRead(20000));
+    QVERIFY(program.readAll().contains("damaged.halfspace"));
+    // Told on standard error, it goes on and shows the same in its window: it has not ended.
+    QVERIFY(!program.waitForFinished(4000));
+    QCOMPARE(::kill(static_cast<pid_t>(program.processId()), SIGTERM), 0);
+    QVERIFY(program.waitForFinished(20000));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), statusAfterSignal(SIGTERM));
+  }
+};
+
+QTEST_MAIN(LeavingTest)
+#include "leaving_test.moc"
