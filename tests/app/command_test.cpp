@@ -485,6 +485,39 @@ TEST_F(RenderOnto, AFileBesideAPlantedLink_LeavesAloneWhereThatLeads) {
   EXPECT_EQ(contentOf(inFolder("victim")), "mine");
 }
 
+/// In seconds of processor time and bytes of memory: six times what the largest scene takes.
+constexpr const char *limits = "prlimit --cpu=8 --as=4294967296";
+
+TEST_F(Program, RenderOfARayAlmostAlongItsPlane_EndsWithinLimits) {
+  const Ran ran = run("render ray-plane-dot --set P0=0,0,0 --set n=0,0,1 --set Q=1,1,1 --set r=1,0,-1e-20 "
+                      "-o a.png --size 160x100",
+                      limits);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+}
+
+TEST_F(Program, RenderOfAsManyObjectsAsAreRead_EndsWithinLimits) {
+  const auto number = [](int i) { return std::to_string(i * 7919 % 25 - 12); };
+  const auto vector = [&](int i) { return Json{number(i), number(3 * i + 1), number(5 * i + 2)}; };
+  for (const std::string kind : {"triangle", "plane"}) {
+    Json scene = Json::array();
+    for (int i = 0; i < 1000; ++i) {
+      const std::string name = "O" + std::to_string(i);
+      if (kind == "plane")
+        scene.push_back(
+            {{"name", name}, {"plane", {{"P0", vector(i)}, {"n", {"1", number(i), number(2 * i)}}}}});
+      else
+        scene.push_back({{"name", name},
+                         {"triangle", {{"P0", vector(i)}, {"P1", vector(i + 400)}, {"P2", vector(i + 77)}}}});
+    }
+    write("many.halfspace",
+          Json{{"format", "halfspace"}, {"version", 1}, {"lesson", "many"}, {"step", 0}, {"scene", scene}}
+              .dump());
+    const Ran ran = run("render many.halfspace -o " + kind + ".png --size 160x100", limits);
+    EXPECT_EQ(ran.status, 0) << kind << " " << ran.err;
+    EXPECT_EQ(picture(kind + ".png").width(), 160);
+  }
+}
+
 TEST_F(Program, RenderWhereNothingCanBeWritten_IsRefused) {
   expectRefused("render signed-distance -o no-such-folder/a.png --size 64x64", "no-such-folder/a.png");
   expectRefused("render signed-distance -o . --size 64x64", "cannot be written");
