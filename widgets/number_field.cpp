@@ -28,6 +28,20 @@ constexpr int textMargin = 2;
 
 QChar decimalPoint(const QLocale &locale) { return QString(locale.decimalPoint()).at(0); }
 
+/// The number rounded to so many digits: 1.2346, or 1.23·10⁻⁷ where it is very large or very small.
+QString roundedTo(int digits, const Rational &value, const QLocale &locale) {
+  static const QString superscripts = QString::fromUtf8("⁰¹²³⁴⁵⁶⁷⁸⁹");
+  const QString text = locale.toString(toDouble(value), 'g', digits);
+  const int mark = text.indexOf(locale.exponential(), 0, Qt::CaseInsensitive);
+  if (mark < 0)
+    return text;
+  const int exponent = text.mid(mark + 1).toInt();
+  QString power;
+  for (const QChar digit : QString::number(std::abs(exponent)))
+    power += superscripts.at(digit.digitValue());
+  return text.left(mark) + QString::fromUtf8(exponent < 0 ? "·10⁻" : "·10") + power;
+}
+
 /// What was typed, in the one spelling that files have too.
 std::string plainSpelling(const QString &text, const QLocale &locale) {
   QString plain = text.trimmed();
@@ -180,7 +194,7 @@ QString NumberField::shownText() const {
     return fontMetrics().elidedText(text(), Qt::ElideRight, width);
   QString rounded;
   for (int digits = mostShownDigits; digits > 0; --digits)
-    if (rounded = QString::fromUtf8("≈ ") + locale().toString(toDouble(m_value), 'g', digits); fits(rounded))
+    if (rounded = QString::fromUtf8("≈ ") + roundedTo(digits, m_value, locale()); fits(rounded))
       break;
   return rounded;
 }

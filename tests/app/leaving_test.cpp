@@ -292,6 +292,8 @@ private slots:
     number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
     QVERIFY(number.text().startsWith("1234567890123456789/") || number.text().contains('/'));
     QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));
+    number.setValue(Rational(Integer(1), Integer("123456789012345")));
+    QVERIFY2(number.shownText().endsWith("·10⁻¹⁵"), qPrintable(number.shownText()));
     QApplication::setActiveWindow(&fixture.window);
     number.setFocus();
     QTRY_COMPARE(number.shownText(), number.text());
