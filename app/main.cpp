@@ -3,6 +3,8 @@
 #include "app/standard_streams.h"
 #include "app/window_command.h"
 
+#include <csignal>
+
 namespace {
 
 using namespace halfspace;
@@ -23,5 +25,6 @@ int run(const Command &command, int argc, char **argv) {
 
 int main(int argc, char **argv) {
   halfspace::holdStandardStreams();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that would be larger than it may be is a failure to be told
   return run(halfspace::parseCommandLine(argc, argv), argc, argv);
 }

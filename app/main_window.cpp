@@ -44,12 +44,22 @@ MainWindow::MainWindow(LessonLibrary library)
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
   createMenus();
+  m_unkept = new QLabel;
+  m_unkept->setObjectName("complaint");
+  m_unkept->setTextFormat(Qt::PlainText);
+  m_unkept->hide();
+  statusBar()->addPermanentWidget(m_unkept);
 
   for (QTimer *timer : {&m_panelTimer, &m_keepTimer, &m_openedTimer})
     timer->setSingleShot(true);
   m_keepTimer.setInterval(keepDelay);
   m_openedTimer.setInterval(openedDelay);
-  connect(&m_keepTimer, &QTimer::timeout, this, &MainWindow::keepOrForget);
+  connect(&m_keepTimer, &QTimer::timeout, this, [this] {
+    if (m_model.inGesture())
+      keepUnsavedSoon();
+    else
+      keepOrForget();
+  });
   connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
@@ -167,8 +177,7 @@ void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
   progress().chosen = answer.toStdString();
   progress().right = rightAnswer(*currentStep()->prediction);
-  if (hasChanges())
-    keepUnsavedSoon();
+  keepUnsavedSoon();
   showOutcome();
 }
 
@@ -184,7 +193,7 @@ void MainWindow::updateTitle() {
   const QString name =
       m_file ? QFileInfo(m_file->path).fileName() : QString::fromStdString(m_model.lesson().title);
   setWindowTitle(name + "[*] — Halfspace");
-  setWindowModified(hasChanges());
+  setWindowModified(!m_model.history().isClean());
 }
 
 void MainWindow::setThemeNamed(const QString &name) {
@@ -228,6 +237,11 @@ void MainWindow::complain(const QString &sentence) {
   QMessageBox box(QMessageBox::Warning, tr("Halfspace"), sentence, QMessageBox::Ok, this);
   box.setTextFormat(Qt::PlainText); // it may quote a stranger's file
   box.exec();
+}
+
+void MainWindow::say(const QString &sentence) {
+  constexpr int readingTime = 8000; // milliseconds
+  statusBar()->showMessage(sentence, readingTime);
 }
 
 void MainWindow::restoreSettings() {

@@ -37,9 +37,10 @@ public:
   /// Shows the window, maximized where it would not fit the screen with its frame.
   void showFitting();
   /// Goes on with the newest work that an earlier run left unsaved, if there is any. Where that run ended
-  /// while it opened the work, it is only offered, once the window is shown.
+  /// while it opened the work, it is only offered. For the event loop: it may ask.
   void restoreUnsaved();
-  /// Offers unsaved changes to the file that the window began with, and tells where other work waits.
+  /// Offers unsaved changes to the file that the window began with, and tells where other work waits. For the
+  /// event loop: it may ask.
   void offerUnsaved();
   /// Opens a .halfspace file; on failure says why and leaves the session as it is.
   void openFile(const QString &file);
@@ -106,17 +107,22 @@ private:
   bool askToKeepChanges();
   bool askToReplace(const KnownFile &file);
   bool askToGoWithout(const QString &refused);
-  /// What the next start should find is kept there, saved to a file, or given up on purpose.
-  bool keepForNextStart(bool changesKept);
+  /// Back to what the session's file holds.
+  void dropChanges();
+  /// What the next start should find is kept for it, saved to a file, or given up on purpose.
+  bool keepForNextStart();
+  /// Whether something in the session on the screen would be lost.
   [[nodiscard]] bool hasChanges() const;
   /// Whether changed sessions of other lessons wait to be gone on with.
   [[nodiscard]] bool hasLeftSessions() const;
   [[nodiscard]] UnsavedWork unsavedWork() const;
-  /// A moment after a change: keeps what is unsaved, or drops what was kept when nothing is.
+  /// A moment after a change, and never during a drag: the disk is waited for.
   void keepUnsavedSoon();
-  void keepOrForget();
-  std::optional<Problem> keepNow(const UnsavedWork &work);
-  void takeUp(const Recovery::Leftover &leftover);
+  /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the status
+  /// bar says as long as it holds.
+  std::optional<Problem> keepOrForget();
+  void say(const QString &sentence);
+  void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);
   void fillUnsavedMenu(QMenu &menu);
   [[nodiscard]] QString askForFile(const QString &title, const QString &filter, const QString &suffix);
@@ -136,6 +142,7 @@ private:
   LessonPanel *m_lessonPanel = nullptr;
   QListWidget *m_lessonList = nullptr;
   QLabel *m_caseLabel = nullptr;
+  QLabel *m_unkept = nullptr; ///< in the status bar: that unsaved work cannot be kept
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;

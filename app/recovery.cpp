@@ -36,10 +36,11 @@ std::unique_ptr<QLockFile> lockOf(const QString &path) {
   return lock;
 }
 
-/// The lock of a file, held; null where a living program holds it.
-std::unique_ptr<QLockFile> locked(const QString &path) {
-  auto lock = lockOf(path);
-  return lock->tryLock(0) ? std::move(lock) : nullptr;
+/// Whether a living program holds the lock of a file. (Where no lock can be made, as in a read-only home,
+/// nobody has made one.)
+bool isHeld(const QString &path) {
+  const auto lock = lockOf(path);
+  return !lock->tryLock(0) && lock->error() == QLockFile::LockFailedError;
 }
 
 /// Why no lock can be made for a file that nobody else knows.
@@ -127,7 +128,7 @@ std::vector<Recovery::Leftover> Recovery::leftovers() const {
   const auto files = QDir(m_folder).entryInfoList({"*.json"}, QDir::Files, QDir::Time);
   for (const QFileInfo &info : files) {
     const QString path = info.filePath();
-    if (path == m_path || !locked(path))
+    if (path == m_path || isHeld(path))
       continue;
     if (auto work = readWork(path))
       found.push_back({path, info.lastModified(), std::move(*work), QFile::exists(openingMark(path))});
@@ -135,15 +136,20 @@ std::vector<Recovery::Leftover> Recovery::leftovers() const {
   return found;
 }
 
-bool Recovery::adopt(const QString &path) {
-  auto lock = locked(path);
-  if (!lock)
-    return false;
+std::optional<UnsavedWork> Recovery::adopt(const QString &path) {
+  auto lock = lockOf(path);
+  const bool locked = lock->tryLock(0);
+  if (!locked && lock->error() == QLockFile::LockFailedError)
+    return {};
+  auto work = readWork(path);
+  if (!work)
+    return {};
+  opened(); // what was here before
   // Without the mark it is opened all the same: only the next start would not know.
   static_cast<void>(writeFile(openingMark(path).toStdString(), "", Readers::OwnerOnly));
   m_path = path;
-  m_lock = std::move(lock);
-  return true;
+  m_lock = locked ? std::move(lock) : nullptr; // else keep() tries again, and tells
+  return work;
 }
 
 void Recovery::opened() { QFile::remove(openingMark(m_path)); }

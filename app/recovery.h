@@ -51,9 +51,9 @@ public:
 
   /// What programs that have ended left behind, the newest first.
   [[nodiscard]] std::vector<Leftover> leftovers() const;
-  /// Takes up a leftover: its file is this program's from now on, and marked as being opened. False where
-  /// another program was quicker.
-  bool adopt(const QString &path);
+  /// Takes up a leftover as it is now: its file is this program's from now on, and marked as being opened.
+  /// What this program kept before is a leftover itself then. Nothing where another program was quicker.
+  [[nodiscard]] std::optional<UnsavedWork> adopt(const QString &path);
   /// What was taken up is all shown: should the program end, it was not for that.
   void opened();
 

@@ -40,7 +40,8 @@ QString settingsFile() {
 }
 
 Result<Settings> readSettings(const QString &file) {
-  if (!QFileInfo::exists(file))
+  std::error_code error;
+  if (!std::filesystem::exists(file.toStdString(), error) && !error)
     return Settings();
   const auto text = readFile(file.toStdString(), maxSettingsBytes);
   if (!text)

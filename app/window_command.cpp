@@ -64,13 +64,16 @@ int showWindow(LessonLibrary library, const OpenedSubject &subject, const std::o
     file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *subject.text,
             subject.session.lesson};
   window.startWith(subject.session, std::move(file));
-  if (!command.subject)
-    window.restoreUnsaved();
-  else
-    window.offerUnsaved();
   window.showFitting();
-  if (problem)
-    QTimer::singleShot(0, &window, [&] { window.complain(QString::fromStdString(problem->text())); });
+  // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
+  QTimer::singleShot(0, &window, [&] {
+    if (problem)
+      window.complain(QString::fromStdString(problem->text()));
+    if (!command.subject)
+      window.restoreUnsaved();
+    else
+      window.offerUnsaved();
+  });
   return QApplication::exec();
 }
 

@@ -14,23 +14,23 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
-#include <QStatusBar>
 
 #include <algorithm>
 
 namespace halfspace {
 namespace {
 
-constexpr int messageTime = 8000; // milliseconds
 /// Pictures are made this much finer than the screen shows them.
 constexpr double pictureScale = 2;
 
-/// Whether a file is as it was when it was last read or written here. One that is gone can be written anew.
-bool isAsKnown(const KnownFile &file) {
-  if (!QFileInfo::exists(file.path))
+/// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or
+/// written here, or holds that text already.
+bool mayReplace(const KnownFile &file, const std::string &text) {
+  std::error_code error;
+  if (!std::filesystem::exists(file.path.toStdString(), error) && !error)
     return true;
-  const auto text = readFile(file.path.toStdString(), maxSessionBytes);
-  return text && *text == file.text;
+  const auto found = readFile(file.path.toStdString(), maxSessionBytes);
+  return found && (*found == file.text || *found == text);
 }
 
 } // namespace
@@ -59,7 +59,7 @@ bool MainWindow::saveTo(const QString &file) {
   m_model.history().setClean();
   keepUnsavedSoon();
   updateTitle();
-  statusBar()->showMessage(tr("Saved."), messageTime);
+  say(tr("Saved."));
   return true;
 }
 
@@ -67,12 +67,13 @@ bool MainWindow::belongsToFile() const { return m_file && m_model.session().less
 
 bool MainWindow::save() {
   if (const QString refused = finishInput(); !refused.isEmpty()) {
-    complain(refused);
+    complain(tr("The session is not saved.") + "\n" + refused);
     return false;
   }
   if (!belongsToFile())
     return saveAs();
-  return isAsKnown(*m_file) ? saveTo(m_file->path) : askToReplace(*m_file);
+  return mayReplace(*m_file, writeSession(m_model.session())) ? saveTo(QString(m_file->path))
+                                                              : askToReplace(*m_file);
 }
 
 QString MainWindow::askForFile(const QString &title, const QString &filter, const QString &suffix) {
@@ -85,7 +86,7 @@ QString MainWindow::askForFile(const QString &title, const QString &filter, cons
 
 bool MainWindow::saveAs() {
   if (const QString refused = finishInput(); !refused.isEmpty()) {
-    complain(refused);
+    complain(tr("The session is not saved.") + "\n" + refused);
     return false;
   }
   const QString file = askForFile(tr("Save session"), tr("Halfspace sessions (*.halfspace)"), "halfspace");
@@ -95,8 +96,7 @@ bool MainWindow::saveAs() {
 void MainWindow::open() {
   if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
     return;
-  const bool unsaved = hasChanges() && (belongsToFile() || m_model.isChanged());
-  if (unsaved && !askToKeepChanges())
+  if (hasChanges() && !askToKeepChanges())
     return;
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Open session"), {}, tr("Halfspace sessions (*.halfspace)"));
@@ -132,7 +132,7 @@ bool MainWindow::savePicture(const QString &file) {
     complain(QString::fromStdString(problem->text()));
     return false;
   }
-  statusBar()->showMessage(tr("Picture saved."), messageTime);
+  say(tr("Picture saved."));
   return true;
 }
 
@@ -147,7 +147,7 @@ void MainWindow::copyPicture() {
     const QImage image(picture->rgba.data(), picture->width, picture->height, picture->width * 4,
                        QImage::Format_RGBA8888);
     QApplication::clipboard()->setImage(image.copy());
-    statusBar()->showMessage(tr("Picture copied."), messageTime);
+    say(tr("Picture copied."));
   }
 }
 

@@ -7,31 +7,25 @@
 
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStatusBar>
 #include <QTimer>
 
 #include <algorithm>
 
 namespace halfspace {
-namespace {
-
-constexpr int messageTime = 8000; // milliseconds
-
-/// Whether a session is what its file holds.
-bool isSaved(const UnsavedWork &work) { return work.file && work.file->text == writeSession(work.session); }
-
-} // namespace
-
 QString MainWindow::finishInput() {
   m_scene->finishDrag();
   return m_inspector->enterTyped();
 }
 
-bool MainWindow::hasChanges() const { return !m_model.history().isClean(); }
+bool MainWindow::hasChanges() const {
+  // After another lesson was opened the history is not clean, though nothing need have changed.
+  return !m_model.history().isClean() && (belongsToFile() || m_model.isChanged());
+}
 
 bool MainWindow::hasLeftSessions() const {
   const auto &left = m_model.leftSessions();
@@ -48,19 +42,18 @@ void MainWindow::keepUnsavedSoon() {
     m_keepTimer.start();
 }
 
-void MainWindow::keepOrForget() {
+std::optional<Problem> MainWindow::keepOrForget() {
+  m_keepTimer.stop();
+  std::optional<Problem> problem;
   if (hasChanges() || hasLeftSessions())
-    keepNow(unsavedWork());
+    problem = m_recovery.keep(unsavedWork());
   else
     m_recovery.forget();
-}
-
-std::optional<Problem> MainWindow::keepNow(const UnsavedWork &work) {
-  m_keepTimer.stop();
-  auto problem = m_recovery.keep(work);
-  if (problem)
-    statusBar()->showMessage(tr("Unsaved work cannot be kept for the next start: save it to a file.") + " " +
-                             QString::fromStdString(problem->text()));
+  m_unkept->setVisible(problem.has_value());
+  if (problem) {
+    m_unkept->setText(tr("Unsaved work cannot be kept for the next start: save it to a file."));
+    m_unkept->setToolTip(QString::fromStdString(problem->text()).toHtmlEscaped());
+  }
   return problem;
 }
 
@@ -74,8 +67,7 @@ bool MainWindow::askToKeepChanges() {
 bool MainWindow::askToReplace(const KnownFile &file) {
   QMessageBox box(
       QMessageBox::Warning, tr("Halfspace"),
-      tr("%1 is not any more as it was when you opened or saved it here: another window or program "
-         "has written it. Replace it by this session?")
+      tr("Another window or program has changed %1 since you opened it. Replace it with what you see here?")
           .arg(QFileInfo(file.path).fileName()),
       QMessageBox::Cancel, this);
   box.setTextFormat(Qt::PlainText);
@@ -89,97 +81,113 @@ bool MainWindow::askToReplace(const KnownFile &file) {
 }
 
 bool MainWindow::askToGoWithout(const QString &refused) {
-  return QMessageBox::question(this, tr("Halfspace"), refused + "\n" + tr("Go on without this number?"),
-                               QMessageBox::Yes | QMessageBox::Cancel,
-                               QMessageBox::Cancel) == QMessageBox::Yes;
+  QMessageBox box(QMessageBox::Question, tr("Halfspace"),
+                  refused + "\n" + tr("Close this session without the number?"),
+                  QMessageBox::Yes | QMessageBox::Cancel, this);
+  box.setTextFormat(Qt::PlainText);
+  box.setDefaultButton(QMessageBox::Cancel);
+  if (box.exec() != QMessageBox::Yes)
+    return false;
+  m_inspector->dropTyped();
+  return true;
 }
 
-bool MainWindow::keepForNextStart(bool changesKept) {
-  m_keepTimer.stop();
-  if (!changesKept && !hasLeftSessions()) {
-    m_recovery.forget();
-    return true;
+void MainWindow::dropChanges() {
+  if (const auto saved = readSession(m_file->text, m_file->path.toStdString()))
+    startWith(*saved, KnownFile(*m_file));
+}
+
+bool MainWindow::keepForNextStart() {
+  while (const auto problem = keepOrForget()) {
+    // Only what is on the screen can be saved to a file.
+    const bool canSave = hasChanges();
+    QMessageBox box(QMessageBox::Warning, tr("Halfspace"),
+                    (canSave ? tr("Unsaved work cannot be kept for the next start. Save it to a file?")
+                             : tr("Your changes in other lessons cannot be kept for the next start. To keep "
+                                  "them, cancel, open these lessons and save each to a file.")) +
+                        "\n" + QString::fromStdString(problem->text()),
+                    QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
+    if (canSave)
+      box.addButton(QMessageBox::Save);
+    box.setDefaultButton(canSave ? QMessageBox::Save : QMessageBox::Cancel);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Discard) {
+      m_recovery.forget(); // an older state of it must not come back
+      return true;
+    }
+    if (answer != QMessageBox::Save || !saveAs())
+      return false;
   }
-  UnsavedWork work = unsavedWork();
-  if (!changesKept && work.file)
-    if (const auto saved = readSession(work.file->text, work.file->path.toStdString()))
-      work.session = *saved;
-  const auto problem = keepNow(work);
-  if (!problem)
-    return true;
-  const auto answer =
-      QMessageBox::warning(this, tr("Halfspace"),
-                           tr("Unsaved work cannot be kept for the next start. Save it to a file?") + "\n" +
-                               QString::fromStdString(problem->text()),
-                           QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveAs());
+  return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {
   event->ignore();
   if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
     return;
-  const bool ofFile = belongsToFile();
-  if (hasChanges() && ofFile && !askToKeepChanges())
-    return;
   // What has no file comes back with the next start, without a question.
-  if (!keepForNextStart(hasChanges() && !ofFile))
+  if (hasChanges() && belongsToFile()) {
+    if (!askToKeepChanges())
+      return;
+    if (hasChanges())
+      dropChanges();
+  }
+  if (!keepForNextStart())
     return;
+  m_recovery.opened();
   storeSettings();
   event->accept();
 }
 
 void MainWindow::endWithoutQuestions() {
   static_cast<void>(finishInput()); // what cannot be entered is no number
-  if (!hasChanges() && !hasLeftSessions())
-    m_recovery.forget();
-  else if (const auto problem = keepNow(unsavedWork()))
+  if (const auto problem = keepOrForget())
     printError(problem->text());
+  m_recovery.opened();
   storeSettings();
 }
 
-void MainWindow::takeUp(const Recovery::Leftover &leftover) {
-  if (hasChanges() || hasLeftSessions()) {
-    // It becomes a leftover itself.
-    if (const auto problem = keepNow(unsavedWork()))
-      return complain(QString::fromStdString(problem->text()));
-  }
-  if (!m_recovery.adopt(leftover.path))
+void MainWindow::takeUp(const QString &leftover) {
+  // What is unsaved here becomes a leftover itself.
+  if (const auto problem = keepOrForget())
+    return complain(QString::fromStdString(problem->text()));
+  const auto work = m_recovery.adopt(leftover);
+  if (!work)
     return complain(tr("Another window has taken up this work already."));
-  const UnsavedWork &work = leftover.work;
-  m_progress = work.progress;
-  m_model.setLeftSessions(work.left);
-  startWith(work.session, work.file);
-  if (!isSaved(work))
+  m_progress = work->progress;
+  m_model.setLeftSessions(work->left);
+  startWith(work->session, work->file);
+  if (!work->file || work->file->text != writeSession(work->session))
     m_model.history().resetClean();
-  keepOrForget();
   const auto drawn = std::make_shared<QMetaObject::Connection>();
   *drawn = connect(m_scene, &SceneView::frameDrawn, this, [this, drawn] {
     disconnect(*drawn);
     m_openedTimer.start();
   });
-  statusBar()->showMessage(tr("Your unsaved work is back. Edit > Start Over begins the lesson anew."),
-                           messageTime);
+  say(tr("Your unsaved work is back. Edit > Start Over begins the lesson anew."));
 }
 
 void MainWindow::offerAgain(const Recovery::Leftover &leftover) {
-  const auto answer = QMessageBox::question(
-      this, tr("Halfspace"),
-      tr("The program ended while it was opening your unsaved work of %1. Open it again? It stays in File > "
-         "Unsaved Work.")
-          .arg(QLocale().toString(leftover.written, QLocale::ShortFormat)),
-      QMessageBox::Open | QMessageBox::Cancel, QMessageBox::Cancel);
+  const auto answer =
+      QMessageBox::question(this, tr("Halfspace"),
+                            tr("The program ended while it was opening your unsaved work of %1. Open it "
+                               "again? Else it stays in File "
+                               "> Unsaved Work.")
+                                .arg(QLocale().toString(leftover.written, QLocale::ShortFormat)),
+                            QMessageBox::Open | QMessageBox::Cancel, QMessageBox::Cancel);
   if (answer == QMessageBox::Open)
-    takeUp(leftover);
+    takeUp(leftover.path);
 }
 
 void MainWindow::restoreUnsaved() {
   const auto leftovers = m_recovery.leftovers();
   if (leftovers.empty())
     return;
-  if (!leftovers.front().endedItsProgram)
-    return takeUp(leftovers.front());
-  QTimer::singleShot(0, this, [this, leftover = leftovers.front()] { offerAgain(leftover); });
+  if (leftovers.front().endedItsProgram)
+    offerAgain(leftovers.front());
+  else
+    takeUp(leftovers.front().path);
 }
 
 void MainWindow::offerUnsaved() {
@@ -193,10 +201,9 @@ void MainWindow::offerUnsaved() {
           this, tr("Halfspace"),
           tr("There are unsaved changes to %1 from a run that was cut off. Go on with them?")
               .arg(QFileInfo(m_file->path).fileName())) == QMessageBox::Yes)
-    return takeUp(*ours);
+    return takeUp(ours->path);
   if (!leftovers.empty())
-    statusBar()->showMessage(tr("Unsaved work from an earlier run waits in File > Unsaved Work."),
-                             messageTime);
+    say(tr("Unsaved work from an earlier run waits in File > Unsaved Work."));
 }
 
 void MainWindow::fillUnsavedMenu(QMenu &menu) {
@@ -207,7 +214,7 @@ void MainWindow::fillUnsavedMenu(QMenu &menu) {
     const QString name = work.file ? QFileInfo(work.file->path).fileName()
                                    : QString::fromStdString(lesson ? lesson->title : work.session.lesson);
     menu.addAction(tr("%1 (%2)").arg(name, QLocale().toString(leftover.written, QLocale::ShortFormat)), this,
-                   [this, leftover] { takeUp(leftover); });
+                   [this, path = leftover.path] { takeUp(path); });
   }
   if (menu.isEmpty())
     menu.addAction(tr("None"))->setEnabled(false);

@@ -196,18 +196,6 @@ Rational integerOf(std::string_view digits) {
   return value;
 }
 
-Rational powerOfTen(int exponent) {
-  static const auto words = [] {
-    std::array<std::int64_t, wordDigits + 1> powers{1};
-    for (std::size_t i = 1; i < powers.size(); ++i)
-      powers[i] = powers[i - 1] * 10;
-    return powers;
-  }();
-  const auto power = static_cast<std::size_t>(exponent);
-  return power < words.size() ? Rational(words[power])
-                              : Rational(mp::pow(Integer(10), static_cast<unsigned>(exponent)));
-}
-
 /// The signed exponent after `e`, or nothing when it is malformed or too large.
 std::optional<int> takeExponent(std::string_view &text) {
   const bool negative = takeChar(text, '-');
@@ -286,6 +274,42 @@ std::optional<Rational> parseDecimal(std::string_view text) {
       integerOf(whole) * powerOfTen(static_cast<int>(decimals.size())) + integerOf(decimals);
   const Rational value = exponent >= 0 ? digits * powerOfTen(exponent) : digits / powerOfTen(-exponent);
   return negative ? -value : value;
+}
+
+Rational powerOfTen(int exponent) {
+  static const auto words = [] {
+    std::array<std::int64_t, wordDigits + 1> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i)
+      powers[i] = powers[i - 1] * 10;
+    return powers;
+  }();
+  const auto power = static_cast<std::size_t>(std::abs(exponent));
+  const Rational value = power < words.size() ? Rational(words[power])
+                                              : Rational(mp::pow(Integer(10), static_cast<unsigned>(power)));
+  return exponent < 0 ? 1 / value : value;
+}
+
+NotRead whyNotRead(std::string_view text) {
+  takeChar(text, '-');
+  const bool hasWhole = !takeDigits(text).empty();
+  bool isNumber = hasWhole;
+  bool grows = false;
+  if (takeChar(text, '/')) {
+    takeChar(text, '-');
+    isNumber = hasWhole && takeDigits(text).find_first_not_of('0') != std::string_view::npos;
+  } else {
+    if (takeChar(text, '.'))
+      isNumber = !takeDigits(text).empty() && isNumber;
+    if (takeChar(text, 'e') || takeChar(text, 'E')) {
+      grows = !takeChar(text, '-');
+      if (grows)
+        takeChar(text, '+');
+      isNumber = !takeDigits(text).empty() && isNumber;
+    }
+  }
+  if (!isNumber || !text.empty())
+    return NotRead::NoNumber;
+  return grows ? NotRead::TooLarge : NotRead::TooLong;
 }
 
 std::string toText(const Rational &value) {

@@ -140,6 +140,16 @@ inline constexpr int maxExponent = 400;
 /// zero denominator, or beyond the limits above.
 [[nodiscard]] std::optional<Rational> parseFraction(std::string_view text);
 
+/// Why a text is not read: it spells no number, or one beyond the limits above: of many digits, or far
+/// from 1.
+enum class NotRead { NoNumber, TooLong, TooLarge };
+
+/// For a text that parseRational does not read.
+[[nodiscard]] NotRead whyNotRead(std::string_view text);
+
+/// 10 to a whole power.
+[[nodiscard]] Rational powerOfTen(int exponent);
+
 /// `p` or `p/q` in lowest terms.
 [[nodiscard]] std::string toText(const Rational &value);
 

@@ -34,7 +34,7 @@ void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd>
                        place(plane.normal),
                        covers});
     figure.marks.push_back(
-        ArrowMark{{"n", Role::Given, Subject::Plane, "\\vec n"}, point, place(plane.normal)});
+        ArrowMark{{"n", Role::Given, Subject::Plane, "\\vec n"}, point, place(plane.normal), true});
   }
   figure.marks.push_back(PointMark{{"P0", Role::Given, Subject::Plane, "P_0"}, point});
 }
@@ -45,7 +45,7 @@ void drawRay(Figure &figure, const RayObject &ray, const std::optional<Place> &m
   if (!isZero(ray.direction)) {
     figure.marks.push_back(
         RayMark{{"ray", Role::Given, Subject::Ray, ""}, origin, unitOf(ray.direction), meets});
-    figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction});
+    figure.marks.push_back(ArrowMark{{"r", Role::Given, Subject::Ray, "\\vec r"}, origin, direction, true});
   }
   figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, origin});
 }

@@ -58,6 +58,7 @@ struct RayMark : MarkBase {
 struct ArrowMark : MarkBase {
   Place from{};
   Place vector{};
+  bool isFree = false; ///< a normal or a ray's direction: where its length cannot be shown, its direction can
   std::optional<double>
       drawnLength{}; ///< in units of the picture, where only the direction of the vector matters
   bool operator==(const ArrowMark &) const = default;

@@ -20,7 +20,8 @@ public:
       return marks;
     marks.push_back(PlanePatchMark{
         whole(Subject::Plane, nameLatex(m_name)), place(plane.point), place(plane.normal), {}});
-    marks.push_back(ArrowMark{part("n", "\\vec n", Subject::Plane), place(plane.point), place(plane.normal)});
+    marks.push_back(
+        ArrowMark{part("n", "\\vec n", Subject::Plane), place(plane.point), place(plane.normal), true});
     return marks;
   }
 
@@ -29,7 +30,8 @@ public:
     if (isZero(ray.direction))
       return marks;
     marks.push_back(RayMark{whole(Subject::Ray, ""), place(ray.origin), unitOf(ray.direction)});
-    marks.push_back(ArrowMark{part("r", "\\vec r", Subject::Ray), place(ray.origin), place(ray.direction)});
+    marks.push_back(
+        ArrowMark{part("r", "\\vec r", Subject::Ray), place(ray.origin), place(ray.direction), true});
     return marks;
   }
 

@@ -179,66 +179,15 @@ std::optional<Problem> checkCount(std::size_t count) {
                  "", 0, "scene"};
 }
 
-/// Takes the digits that a text begins with.
-std::string_view takeDigits(std::string_view &text) {
-  const auto digits = text.substr(0, std::min(text.find_first_not_of("0123456789"), text.size()));
-  text.remove_prefix(digits.size());
-  return digits;
-}
-
-/// Takes one of some characters, if the text begins with it.
-bool takeOne(std::string_view &text, std::string_view of) {
-  if (text.empty() || of.find(text.front()) == std::string_view::npos)
-    return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-/// A decimal with more digits before its point, and no exponent that shrinks it, is beyond coordinateLimit.
-constexpr std::size_t mostWholeDigits = 10;
-
-/// How a number is spelled, within the limits of what is read or not.
-enum class Spelling { NoNumber, Fraction, Decimal, LargeDecimal };
-
-Spelling spellingOf(std::string_view text) {
-  takeOne(text, "-");
-  std::string_view whole = takeDigits(text);
-  if (whole.empty())
-    return Spelling::NoNumber;
-  if (takeOne(text, "/")) {
-    takeOne(text, "-");
-    const auto denominator = takeDigits(text);
-    const bool isZero = denominator.find_first_not_of('0') == std::string_view::npos; // or no digit at all
-    return text.empty() && !isZero ? Spelling::Fraction : Spelling::NoNumber;
-  }
-  if (takeOne(text, ".") && takeDigits(text).empty())
-    return Spelling::NoNumber;
-  bool grows = false;
-  bool shrinks = false;
-  if (takeOne(text, "eE")) {
-    shrinks = takeOne(text, "-");
-    grows = !shrinks;
-    if (grows)
-      takeOne(text, "+");
-    if (takeDigits(text).empty())
-      return Spelling::NoNumber;
-  }
-  if (!text.empty())
-    return Spelling::NoNumber;
-  whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
-  return grows || (!shrinks && whole.size() > mostWholeDigits) ? Spelling::LargeDecimal : Spelling::Decimal;
-}
-
 } // namespace
 
-std::string whyNotRead(std::string_view text) {
-  switch (spellingOf(text)) {
-  case Spelling::LargeDecimal:
-    return tooLarge();
-  case Spelling::Decimal:
-  case Spelling::Fraction:
-    return tooLong();
-  case Spelling::NoNumber:
+std::string sentenceForNotRead(std::string_view text) {
+  switch (whyNotRead(text)) {
+  case NotRead::TooLarge:
+    return sentenceForTooLarge();
+  case NotRead::TooLong:
+    return sentenceForTooLong();
+  case NotRead::NoNumber:
     break;
   }
   return words("“{text}” is not a number: write it as 3, -1.5 or -10/3.", {{"text", shortened(text)}});
@@ -247,7 +196,7 @@ std::string whyNotRead(std::string_view text) {
 Result<Rational> readCoordinate(std::string_view text) {
   const auto value = parseRational(text);
   if (!value)
-    return Problem{whyNotRead(text), "", 0, ""};
+    return Problem{sentenceForNotRead(text), "", 0, ""};
   if (const auto refused = refuseCoordinate(*value))
     return Problem{*refused, "", 0, ""};
   return *value;

@@ -18,7 +18,7 @@ namespace halfspace {
 
 /// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
 /// limits.
-[[nodiscard]] std::string whyNotRead(std::string_view text);
+[[nodiscard]] std::string sentenceForNotRead(std::string_view text);
 
 /// The longest name of an entry.
 inline constexpr std::size_t maxNameLength = 32;

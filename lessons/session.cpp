@@ -83,21 +83,21 @@ bool isWithinBounds(const Object &object) {
 
 } // namespace
 
-std::string tooLarge() {
+std::string sentenceForTooLarge() {
   return words("This number is too large: coordinates go from −{limit} to {limit}.",
                {{"limit", toText(coordinateLimit)}});
 }
 
-std::string tooLong() {
+std::string sentenceForTooLong() {
   return words("This number is too long: as a fraction it may have {digits} digits above and below the line.",
                {{"digits", std::to_string(coordinateDigits)}});
 }
 
 std::optional<std::string> refuseCoordinate(const Rational &value) {
   if (abs(value) > coordinateLimit)
-    return tooLarge();
+    return sentenceForTooLarge();
   if (hasTooManyDigits(value.numerator()) || hasTooManyDigits(value.denominator()))
-    return tooLong();
+    return sentenceForTooLong();
   return {};
 }
 

@@ -25,8 +25,8 @@ inline const Rational coordinateLimit = 1000000000;
 inline constexpr std::size_t coordinateDigits = 40;
 
 /// The sentences for a number that is beyond the two bounds.
-[[nodiscard]] std::string tooLarge();
-[[nodiscard]] std::string tooLong();
+[[nodiscard]] std::string sentenceForTooLarge();
+[[nodiscard]] std::string sentenceForTooLong();
 
 /// Whether a typed number may become a coordinate; if not, the sentence that says why.
 [[nodiscard]] std::optional<std::string> refuseCoordinate(const Rational &value);

@@ -106,6 +106,12 @@ QString Inspector::enterTyped() {
   return refused;
 }
 
+void Inspector::dropTyped() {
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      field->drop();
+}
+
 void Inspector::buildGivenRows() {
   m_given.clear();
   m_givenLabels.clear();
@@ -188,15 +194,15 @@ void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
 void Inspector::connectField(NumberField &field, const CoordinateId &id, int axis) {
   connect(&field, &NumberField::valueTyped, this,
           [=, this](const Rational &value) { change(id, axis, value); });
-  connect(&field, &NumberField::stepped, this, [=, this, &field](int steps) {
-    change(id, axis, Rational(field.value() + m_model.snapStep() * steps));
-  });
+  connect(&field, &NumberField::stepped, this,
+          [=, this, &field](int steps) { change(id, axis, Rational(field.value() + stepOf(id) * steps)); });
   connect(&field, &NumberField::refused, this, [this](const QString &sentence) {
     m_complaint->setText(sentence);
     m_complaint->setVisible(!sentence.isEmpty());
   });
-  connect(&field, &NumberField::scrubStarted, this, [this, &field] {
+  connect(&field, &NumberField::scrubStarted, this, [=, this, &field] {
     m_scrubStart = field.value();
+    m_scrubStep = stepOf(id);
     m_model.beginGesture();
   });
   connect(&field, &NumberField::scrubbed, this, [=, this](int steps) { scrub(id, axis, steps); });
@@ -207,6 +213,17 @@ void Inspector::connectField(NumberField &field, const CoordinateId &id, int axi
             else
               m_model.cancelGesture();
           });
+}
+
+Rational Inspector::stepOf(const CoordinateId &id) const {
+  const Object *object = findObject(m_model.session().scene, id.object);
+  if (!object)
+    return m_model.snapStep();
+  if (coordinatesOf(*object)[id.index].role == CoordinateRole::Position)
+    return m_model.snapStep() * m_model.stage().unit();
+  const ExactVec3 &direction = coordinate(*object, id.index);
+  const Rational longest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
+  return m_model.snapStep() * powerOfTen(suitingExponent(toDouble(longest)));
 }
 
 void Inspector::change(const CoordinateId &id, int axis, const Rational &value) {
@@ -221,7 +238,7 @@ void Inspector::change(const CoordinateId &id, int axis, const Rational &value) 
 
 void Inspector::scrub(const CoordinateId &id, int axis, int steps) {
   const Object *object = findObject(m_model.session().scene, id.object);
-  const Rational value = m_scrubStart + m_model.snapStep() * steps;
+  const Rational value = m_scrubStart + m_scrubStep * steps;
   if (!object || refuseCoordinate(value))
     return;
   Object changed = *object;

@@ -31,6 +31,8 @@ public:
 
   /// Ends a scrub, and enters the numbers that are typed and not entered yet. Why one is refused; else empty.
   [[nodiscard]] QString enterTyped();
+  /// Takes back what is typed and refused.
+  void dropTyped();
 
   /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when there is none.
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
@@ -53,6 +55,8 @@ private:
   void connectField(NumberField &field, const CoordinateId &id, int axis);
   void change(const CoordinateId &id, int axis, const Rational &value);
   void scrub(const CoordinateId &id, int axis, int steps);
+  /// The step that suits a coordinate: of a position the stage's, of a direction its own size's.
+  [[nodiscard]] Rational stepOf(const CoordinateId &id) const;
   void applyInk();
 
   SessionModel &m_model;
@@ -67,6 +71,7 @@ private:
   QWidget *m_resultsBox = nullptr;
   QLabel *m_complaint = nullptr;
   Rational m_scrubStart; ///< the number where a scrub began
+  Rational m_scrubStep;
 };
 
 } // namespace halfspace

@@ -42,6 +42,12 @@ QString roundedTo(int digits, const Rational &value, const QLocale &locale) {
   return text.left(mark) + QString::fromUtf8(exponent < 0 ? "·10⁻" : "·10") + power;
 }
 
+/// Whether so many digits tell all of a number.
+bool isDecimalOf(int digits, const Rational &value) {
+  const QString rounded = QString::number(toDouble(value), 'g', digits);
+  return parseRational(rounded.toStdString()) == value;
+}
+
 /// What was typed, in the one spelling that files have too.
 std::string plainSpelling(const QString &text, const QLocale &locale) {
   QString plain = text.trimmed();
@@ -126,7 +132,7 @@ QString NumberField::enter() {
   }
   const auto value = parseTyped(text(), locale());
   if (!value)
-    return refuse(QString::fromStdString(whyNotRead(plainSpelling(text(), locale()))));
+    return refuse(QString::fromStdString(sentenceForNotRead(plainSpelling(text(), locale()))));
   if (const auto why = refuseCoordinate(*value))
     return refuse(QString::fromStdString(*why));
   m_value = *value;
@@ -147,10 +153,12 @@ void NumberField::focusOutEvent(QFocusEvent *event) {
 }
 
 bool NumberField::event(QEvent *event) {
-  // With nothing half typed in the field, undo and redo are the window's.
+  // With nothing half typed in the field, undo and redo are the window's; so is the key for a picture, which
+  // Qt takes for the end of the line.
   if (event->type() == QEvent::ShortcutOverride && text() == typedText(m_value, locale())) {
     const auto *key = static_cast<QKeyEvent *>(event);
-    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+    const bool isPictureKey = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isPictureKey) {
       event->ignore();
       return true;
     }
@@ -193,9 +201,13 @@ QString NumberField::shownText() const {
   if (property("wrong").toBool())
     return fontMetrics().elidedText(text(), Qt::ElideRight, width);
   QString rounded;
-  for (int digits = mostShownDigits; digits > 0; --digits)
-    if (rounded = QString::fromUtf8("≈ ") + roundedTo(digits, m_value, locale()); fits(rounded))
+  for (int digits = mostShownDigits; digits > 0; --digits) {
+    rounded = roundedTo(digits, m_value, locale());
+    if (!isDecimalOf(digits, m_value))
+      rounded.prepend(QString::fromUtf8("≈ "));
+    if (fits(rounded))
       break;
+  }
   return rounded;
 }
 

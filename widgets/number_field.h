@@ -22,6 +22,8 @@ public:
 
   /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
   QString enter();
+  /// Shows the value again instead of what is typed.
+  void drop() { showValue(); }
 
   /// What can be read in the field: the text, or the number rounded after ≈ where the text is too long.
   [[nodiscard]] QString shownText() const;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -202,23 +203,45 @@ bool SceneView::focusNextPrevChild(bool next) {
   return true;
 }
 
-/// The stage follows the scene, but not while something is dragged: the picture would jump under the hand.
+/// Looks at the same part of the scene on another stage.
 void SceneView::takeStage() {
-  const Stage stage = stageOf(m_model.session().scene);
-  if (m_model.inGesture() || stage == m_stage)
+  const Stage &stage = m_model.stage();
+  if (stage == m_stage)
     return;
+  if (m_glide.state() == QAbstractAnimation::Running)
+    m_glide.setCurrentTime(m_glide.duration()); // it arrives, in the units that it began with
   const ExactVec3 target = fromStage(exactly(m_camera.target), CoordinateRole::Position, m_stage);
   m_camera.target = glm::clamp(toDouble(toStage(target, CoordinateRole::Position, stage)),
                                -Camera::farthestTarget, Camera::farthestTarget);
-  m_camera.height = std::clamp(m_camera.height * toDouble(m_stage.unit() / stage.unit()), Camera::minHeight,
-                               Camera::maxHeight);
+  m_camera.height = std::clamp(m_camera.height * toDouble(powerOfTen(m_stage.exponent - stage.exponent)),
+                               Camera::minHeight, Camera::maxHeight);
   m_stage = stage;
-  stayHome();
+  showAll();
+}
+
+bool SceneView::isInView(const Handle &handle) const {
+  const PixelSize size = pixelSize();
+  const auto pixel = m_camera.project(toDouble(handle.at), size);
+  return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= size.width && pixel->y <= size.height;
+}
+
+/// A position that was typed out of the view takes the view along.
+void SceneView::followTyped(const std::vector<Handle> &before) {
+  if (m_model.inGesture())
+    return;
+  for (const Handle &handle : m_handles) {
+    const auto old = std::find_if(before.begin(), before.end(),
+                                  [&](const Handle &other) { return other.id == handle.id; });
+    const bool isPosition = handle.motion == Handle::Motion::Coordinate && isZero(handle.base);
+    if (isPosition && old != before.end() && !(old->at == handle.at) && !isInView(handle))
+      return showAll();
+  }
 }
 
 void SceneView::takeOutcome() {
   takeStage();
-  m_handles = handlesOf(stagedScene());
+  const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
+  followTyped(before);
   if (!findHandle(m_selected))
     m_selected.clear();
   if (!findHandle(m_hovered))

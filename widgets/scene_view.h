@@ -58,8 +58,6 @@ public:
   void setOrthographic(bool on);
   [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
 
-  /// The stage that scene, handles and camera are shown on.
-  [[nodiscard]] const Stage &stage() const { return m_stage; }
   [[nodiscard]] const Camera &camera() const { return m_camera; }
   [[nodiscard]] PixelSize pixelSize() const;
   /// How many of those pixels a design pixel has, in which labels, thicknesses and handles are measured.
@@ -129,6 +127,10 @@ private:
   [[nodiscard]] Camera homeCamera() const;
   /// As long as nobody has moved the camera, the figure stays in view at every size.
   void stayHome();
+  /// All of the figure in view, from the direction that the camera has.
+  void showAll();
+  [[nodiscard]] bool isInView(const Handle &handle) const;
+  void followTyped(const std::vector<Handle> &before);
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
   bool lockAxis(int key);
@@ -138,7 +140,7 @@ private:
   SessionModel &m_model;
   FigureScene m_scene;
   Theme m_theme;
-  Stage m_stage;
+  Stage m_stage; ///< the model's, that the camera is on
   Camera m_camera;
   double m_sizeScale = 1;
   bool m_motion = true;

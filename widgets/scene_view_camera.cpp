@@ -65,6 +65,14 @@ void SceneView::goHome() {
   m_atHome = true;
 }
 
+void SceneView::showAll() {
+  m_glide.stop();
+  const CameraView view = m_atHome ? m_model.lesson().camera
+                                   : CameraView{-m_camera.viewDirection(), m_camera.target, m_camera.height};
+  m_camera = homeView(view, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(), designRatio(),
+                      m_camera.orthographic);
+}
+
 void SceneView::stayHome() {
   if (!m_atHome)
     return;

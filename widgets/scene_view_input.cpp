@@ -269,7 +269,9 @@ void SceneView::showHint() {
   if (!m_caught.empty())
     emit hint(QString::fromStdString(m_caught));
   else if (!handle)
-    emit hint(tr("Drag a handle to move it, drag beside it to turn the view. The wheel zooms."));
+    emit hint(m_stage.hasAxes()
+                  ? tr("Drag a handle to move it, drag beside it to turn the view. The wheel zooms.")
+                  : tr("The origin and the axes lie far outside of this picture."));
   else if (const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera))
     emit hint(hintFor(*mode));
   else

@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 
@@ -101,7 +102,7 @@ void SessionModel::endGesture(const QString &description) {
   if (!m_beforeGesture)
     return;
   const Session before = *m_beforeGesture;
-  m_beforeGesture.reset();
+  finishGesture();
   if (!(m_session == before))
     record(before, description);
 }
@@ -110,8 +111,21 @@ void SessionModel::cancelGesture() {
   if (!m_beforeGesture)
     return;
   const Session before = *m_beforeGesture;
-  m_beforeGesture.reset();
+  finishGesture();
   show(before);
+}
+
+void SessionModel::finishGesture() {
+  m_beforeGesture.reset();
+  if (takeStage())
+    emit outcomeChanged();
+}
+
+bool SessionModel::takeStage() {
+  if (inGesture())
+    return false;
+  const Stage before = std::exchange(m_stage, stageOf(m_session.scene));
+  return !(m_stage == before);
 }
 
 void SessionModel::record(const Session &before, const QString &description) {
@@ -131,8 +145,10 @@ void SessionModel::show(const Session &session) {
     m_lesson = known ? known : &m_unknownLesson;
     m_session.step = std::clamp(m_session.step, 0, lastStep());
   }
-  if (otherScene || otherLesson)
+  if (otherScene || otherLesson) {
     m_outcome = evaluate(m_session.scene);
+    takeStage();
+  }
   const auto step = static_cast<std::size_t>(m_session.step);
   m_shown = step < m_lesson->steps.size() ? shownIn(m_lesson->steps[step], m_outcome) : m_outcome;
   if (otherLesson)

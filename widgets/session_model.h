@@ -3,6 +3,7 @@
 
 #include "lessons/lesson.h"
 #include "lessons/session.h"
+#include "widgets/scene/stage.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -29,7 +30,10 @@ public:
   [[nodiscard]] const Outcome &shownOutcome() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
   [[nodiscard]] const QUndoStack &history() const { return m_history; }
-  /// The steps in which numbers move when dragged, typed or stepped by keys.
+  /// The stage that the scene is shown on. It follows the scene, but not during a gesture: the picture would
+  /// jump under the hand.
+  [[nodiscard]] const Stage &stage() const { return m_stage; }
+  /// The steps in which handles move when dragged or stepped by keys, in units of the stage.
   [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
   void setSnapStep(const Rational &step) { m_snapStep = step; }
 
@@ -60,7 +64,7 @@ public:
   [[nodiscard]] bool inGesture() const { return m_beforeGesture.has_value(); }
 
 signals:
-  void outcomeChanged(); ///< after every change of scene or step
+  void outcomeChanged(); ///< after every change of scene, stage or step
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
   void stepChanged();    ///< before outcomeChanged, when another step or lesson is shown
 
@@ -69,6 +73,9 @@ private:
   void show(const Session &session);
   [[nodiscard]] int lastStep() const;
   void record(const Session &before, const QString &description);
+  /// True where the stage is another one now.
+  bool takeStage();
+  void finishGesture();
 
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
@@ -79,6 +86,7 @@ private:
   std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;
   std::optional<Session> m_beforeGesture;
+  Stage m_stage;
   Rational m_snapStep = 1;
 };
 

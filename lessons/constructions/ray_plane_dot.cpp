@@ -179,6 +179,7 @@ Figure draw(const In &in, const Out &out) {
   figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_{f}"},
                                    meeting,
                                    {toDouble(unit[0]), toDouble(unit[1]), toDouble(unit[2])},
+                                   false,
                                    drawnNormalLength});
   return figure;
 }

@@ -342,7 +342,7 @@ void drawSpan(Figure &figure, const In &in, const Out &out) {
   figure.marks.push_back(
       PolygonMark{{"T", Role::Given, Subject::Triangle, ""}, {p0, place(in.T.p1), place(in.T.p2)}});
   figure.marks.push_back(ArrowMark{
-      {"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, unitOf(perps.normal), drawnNormalLength});
+      {"n", Role::Derived, Subject::Plane, "\\vec n"}, p0, unitOf(perps.normal), false, drawnNormalLength});
   const double heightOfV = std::abs(glm::dot(pv, unitOf(perps.uPerp)));
   const double heightOfU = std::abs(glm::dot(pu, unitOf(perps.vPerp)));
   const double reachOfFeet =

@@ -82,6 +82,8 @@ std::string reasonOf(int error) {
     return words("the disk is read-only");
   case ENOENT:
     return words("there is no such folder");
+  case EEXIST:
+    return words("something else stands there");
   case ENOTDIR:
     return words("a part of its path is no folder");
   case ENAMETOOLONG:

@@ -89,8 +89,8 @@ std::string randomName() {
 class UnfinishedFile {
 public:
   UnfinishedFile(int folder, mode_t mode) : m_folder(folder), m_name(randomName()) {
-    m_out = Descriptor(checked(
-        ::openat(folder, m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode)));
+    m_out =
+        Descriptor(checked(::openat(folder, m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode)));
   }
   ~UnfinishedFile() {
     if (!m_name.empty())
@@ -137,7 +137,7 @@ private:
 void replace(const fs::path &target, const std::optional<struct stat> &old, std::string_view content,
              Readers readers) {
   if (old && (old->st_mode & anyoneWrites) == 0)
-    fail(EACCES); // the superuser too respects a file that is marked as read-only
+    throw Failure{words("it is read-only")}; // to the superuser too
   if (old && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
     fail(errno);
   const fs::path parent = target.parent_path();

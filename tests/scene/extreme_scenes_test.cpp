@@ -40,8 +40,6 @@ void limit(int resource, rlim_t most) {
   ASSERT_EQ(setrlimit(static_cast<__rlimit_resource>(resource), &bounds), 0);
 }
 
-Rational tenTo(int exponent) { return Stage{ExactVec3(0), exponent}.unit(); }
-
 /// Makes scenes with one construction over random objects.
 class ExtremeScenes {
 public:
@@ -59,7 +57,7 @@ private:
   int integer(int low, int high) { return m_random.integer(low, high); }
 
   ExactVec3 vector(int exponent) {
-    const auto number = [&] { return Rational(integer(-999, 999), 100) * tenTo(exponent); };
+    const auto number = [&] { return Rational(integer(-999, 999), 100) * powerOfTen(exponent); };
     return {number(), number(), number()};
   }
 
@@ -103,7 +101,7 @@ private:
     normal *= Rational(1 / largest);
     for (Entry &entry : scene.entries)
       if (auto *ray = std::get_if<RayObject>(&std::get<Object>(entry.content)))
-        ray->direction = cross(normal, vector(0)) + normal * tenTo(-integer(1, 20));
+        ray->direction = cross(normal, vector(0)) + normal * powerOfTen(-integer(1, 20));
   }
 
   static bool isAccepted(const Scene &scene) {

@@ -14,8 +14,6 @@ Scene sceneOf(std::vector<Object> objects) {
   return scene;
 }
 
-Rational powerOfTen(int exponent) { return Stage{ExactVec3(0), exponent}.unit(); }
-
 TEST(Stage, OfASceneOfUsualSize_IsTheScenesOwnSpace) {
   EXPECT_EQ(stageOf({}), Stage());
   EXPECT_EQ(stageOf(sceneOf({PointObject{}})), Stage());
@@ -34,10 +32,31 @@ TEST(Stage, OfAnySize_HoldsItsObjectsAndIsNotTooLargeForThem) {
   }
 }
 
-TEST(Stage, OfALongDirection_HoldsItsTip) {
-  const Stage stage = stageOf(sceneOf({PlaneObject{{5, 4, 7}, {100, 200, 900000}}}));
-  EXPECT_LE(toStage(ExactVec3(0, 0, 900007), CoordinateRole::Position, stage).z, Rational(200));
-  EXPECT_GT(stage.exponent, 0);
+TEST(Stage, OfPositions_IsNotChangedByDirectionsOfAnotherSize) {
+  EXPECT_EQ(stageOf(sceneOf({PlaneObject{{5, 4, 7}, {100, 200, 900000}}})), Stage());
+  EXPECT_EQ(stageOf(sceneOf({PlaneObject{{5, 4, 7}, {0, 0, Rational(1, 1000000)}}})), Stage());
+  const Rational tiny(1, 100000);
+  EXPECT_LT(stageOf(sceneOf({PlaneObject{{tiny, 0, 0}, {1, 2, 2}}, PointObject{{0, tiny, 0}}})).exponent, -3);
+}
+
+TEST(Stage, OfASingleObjectAtTheOrigin_SuitsItsDirection) {
+  EXPECT_EQ(stageOf(sceneOf({PlaneObject{{0, 0, 0}, {1, 2, 2}}})), Stage());
+  EXPECT_LT(stageOf(sceneOf({PlaneObject{{0, 0, 0}, {0, 0, Rational(1, 1000000)}}})).exponent, -3);
+}
+
+TEST(StagedFigure, OfAnotherSize_ShowsTheDirectionOfFreeArrows) {
+  ArrowMark normal;
+  normal.vector = {0, 0, 3};
+  normal.isFree = true;
+  for (const int exponent : {-9, 0, 9}) {
+    const Figure staged = toStage({{named(normal, "n")}}, Stage{ExactVec3(0), exponent});
+    const auto *arrow = std::get_if<ArrowMark>(findMark(staged, "n"));
+    ASSERT_TRUE(arrow);
+    const Place shown = shownVector(*arrow);
+    EXPECT_TRUE(exponent != 0 || shown == normal.vector);
+    EXPECT_GT(shown.z, 1);
+    EXPECT_LT(shown.z, 20);
+  }
 }
 
 TEST(Stage, OfObjectsTogetherFarAway_StandsAmongThemWithoutTheOrigin) {

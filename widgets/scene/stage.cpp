@@ -13,16 +13,14 @@ namespace {
 constexpr double smallestAcross = 0.2;
 /// Objects that stand together within this part of their distance from the origin have a stage of their own,
 /// without it: with it they would lie in one pixel.
-constexpr double togetherPart = 0.02;
+constexpr double togetherPart = 0.002;
+/// Where a scene is not of usual size, free arrows are drawn within these lengths.
+constexpr double shortestArrow = 1.5;
+constexpr double longestArrow = 12;
 /// A stage without the origin has its own on whole multiples of so many units: so its grid is the scene's.
 constexpr int middleStep = 25;
 /// Where the ground is not farther than so many units from the objects, it is on the stage.
 constexpr int farthestGround = 75;
-
-Rational powerOfTen(int exponent) {
-  const Rational power(Integer(mp::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)))));
-  return exponent < 0 ? 1 / power : power;
-}
 
 /// The box around places, in scene units.
 struct Box {
@@ -45,28 +43,26 @@ struct Box {
   }
 };
 
+/// The box around all positions of a scene. Directions count where all positions are the origin: usually
+/// their size has nothing to do with that of the positions.
 Box boxAround(const Scene &scene) {
-  Box box;
+  Box positions;
+  Box tips;
   for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content)) {
       const auto &specs = coordinatesOf(*object);
       const Place start = toDouble(coordinate(*object, 0));
       for (std::size_t i = 0; i < specs.size(); ++i) {
         const Place value = toDouble(coordinate(*object, i));
-        box.add(specs[i].role == CoordinateRole::Direction ? start + value : value);
+        const bool isPosition = specs[i].role == CoordinateRole::Position;
+        (isPosition ? positions : tips).add(isPosition ? value : start + value);
       }
     }
-  return box;
-}
-
-/// The power of ten of which a scene of this size is neither too many nor too few: where it is not 1, the
-/// scene is 2 to 20 units across, or 5 to 50.
-int exponentFor(double across) {
-  if (across > stageReach)
-    return static_cast<int>(std::ceil(std::log10(across / 50)));
-  if (across > 0 && across < smallestAcross)
-    return static_cast<int>(std::floor(std::log10(across / 2)));
-  return 0;
+  if (positions.distance() > 0 || tips.isEmpty)
+    return positions;
+  positions.add(tips.low);
+  positions.add(tips.high);
+  return positions;
 }
 
 /// Cuts off what a line from `from` to `to` has beyond drawnReach; false where nothing is left.
@@ -102,7 +98,8 @@ bool isWithinReach(const Place &place) { return Box::longest(place) <= drawnReac
 /// Puts the marks of a figure on a stage, one at a time.
 class Stager {
 public:
-  explicit Stager(const Stage &stage) : m_middle(toDouble(stage.middle)), m_unit(toDouble(stage.unit())) {}
+  explicit Stager(const Stage &stage)
+      : m_middle(toDouble(stage.middle)), m_unit(toDouble(stage.unit())), m_isUsual(stage == Stage()) {}
 
   [[nodiscard]] Figure take() { return std::move(m_figure); }
 
@@ -127,6 +124,9 @@ public:
     arrow.from = position(arrow.from);
     if (!arrow.drawnLength)
       arrow.vector /= m_unit;
+    const double length = glm::length(arrow.vector);
+    if (arrow.isFree && !m_isUsual && length > 0)
+      arrow.drawnLength = std::clamp(length, shortestArrow, longestArrow);
     const Place tip = arrow.from + shownVector(arrow);
     if (isWithinReach(arrow.from) && isWithinReach(tip))
       m_figure.marks.emplace_back(std::move(arrow));
@@ -167,6 +167,7 @@ private:
 
   Place m_middle;
   double m_unit;
+  bool m_isUsual;
   Figure m_figure;
 };
 
@@ -174,12 +175,20 @@ private:
 
 Rational Stage::unit() const { return powerOfTen(exponent); }
 
+int suitingExponent(double across) {
+  if (across > stageReach)
+    return static_cast<int>(std::ceil(std::log10(across / 50)));
+  if (across > 0 && across < smallestAcross)
+    return static_cast<int>(std::floor(std::log10(across / 2)));
+  return 0;
+}
+
 Stage stageOf(const Scene &scene) {
   Stage stage;
   const Box box = boxAround(scene);
   const double distance = box.distance();
   const bool standsApart = distance > stageReach && box.across() < togetherPart * distance;
-  stage.exponent = standsApart ? std::max(0, exponentFor(box.across())) : exponentFor(distance);
+  stage.exponent = standsApart ? std::max(0, suitingExponent(box.across())) : suitingExponent(distance);
   if (!standsApart)
     return stage;
   const Place middle = (box.low + box.high) / 2.0;
@@ -192,19 +201,17 @@ Stage stageOf(const Scene &scene) {
 }
 
 ExactVec3 toStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage) {
-  if (stage == Stage())
-    return value;
-  return (role == CoordinateRole::Position ? value - stage.middle : value) * Rational(1 / stage.unit());
+  return (role == CoordinateRole::Position ? value - stage.middle : value) * powerOfTen(-stage.exponent);
 }
 
 ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage) {
-  if (stage == Stage())
-    return value;
   const ExactVec3 length = value * stage.unit();
   return role == CoordinateRole::Position ? length + stage.middle : length;
 }
 
 Scene toStage(Scene scene, const Stage &stage) {
+  if (stage == Stage())
+    return scene;
   for (Entry &entry : scene.entries)
     if (auto *object = std::get_if<Object>(&entry.content))
       for (std::size_t i = 0; i < coordinatesOf(*object).size(); ++i)
@@ -213,6 +220,8 @@ Scene toStage(Scene scene, const Stage &stage) {
 }
 
 Object fromStage(Object object, const Stage &stage) {
+  if (stage == Stage())
+    return object;
   for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i)
     coordinate(object, i) = fromStage(coordinate(object, i), coordinatesOf(object)[i].role, stage);
   return object;

@@ -25,9 +25,13 @@ struct Stage {
   bool operator==(const Stage &) const = default;
 };
 
-/// The stage for all objects of a scene: positions, and the tips of directions. The origin belongs to it
-/// unless the objects stand together far away from it.
+/// The stage for the positions of a scene's objects (for its directions, where all positions are the origin).
+/// The origin belongs to it unless the objects stand together far away from it.
 [[nodiscard]] Stage stageOf(const Scene &scene);
+
+/// The power of ten in which a length is neither long nor short: 0 for usual ones, else one that leaves it 2
+/// to 20 units long, or 5 to 50.
+[[nodiscard]] int suitingExponent(double across);
 
 /// The objects lie within so many units of a stage's origin, in each coordinate.
 inline constexpr double stageReach = 200;
@@ -41,7 +45,9 @@ inline constexpr double drawnReach = 1000;
 [[nodiscard]] Object fromStage(Object object, const Stage &stage);
 
 /// A figure in units of the stage, all its places finite and within drawnReach: lines are cut off there, an
-/// arrow whose tip lies beyond is a line up to there, and what lies beyond is left out.
+/// arrow whose tip lies beyond is a line up to there, and what lies beyond is left out. On a stage that is
+/// not the scene's own space, free arrows are drawn neither too short nor too long to be seen. (What is drawn
+/// around a place, as a patch or the end of a ray behind what it meets, may reach some units farther.)
 [[nodiscard]] Figure toStage(const Figure &figure, const Stage &stage);
 
 } // namespace halfspace
