@@ -18,7 +18,7 @@ template <class Scalar> struct WeightedPoint {
   Vec3<Scalar> position;
   Scalar weight;
 
-  /// Equal points are written in the same way.
+  /// Of points as `weighted` writes them, equal ones are written in the same way.
   [[nodiscard]] bool operator==(const WeightedPoint &) const = default;
 };
 

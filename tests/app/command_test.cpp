@@ -472,7 +472,7 @@ TEST_F(RenderOnto, ADevice_LeavesItOne) {
 TEST_F(RenderOnto, AReadOnlyFile_IsRefusedAndUnchanged) {
   write("a.png", "old");
   ASSERT_EQ(chmod(inFolder("a.png").c_str(), 0444), 0);
-  expectRefused(small + "a.png", "a.png: This cannot be written: you may not do that there");
+  expectRefused(small + "a.png", "a.png: This cannot be written: it is read-only");
   EXPECT_EQ(contentOf(inFolder("a.png")), "old");
 }
 
@@ -483,6 +483,12 @@ TEST_F(RenderOnto, AFileBesideAPlantedLink_LeavesAloneWhereThatLeads) {
   expectDrawn("a.png");
   EXPECT_EQ(contentOf(inFolder("a.png")), plain());
   EXPECT_EQ(contentOf(inFolder("victim")), "mine");
+}
+
+TEST_F(Program, RenderBeyondTheLargestFileAllowed_IsRefused) {
+  expectRefused("render signed-distance -o a.png --size 160x100", "the file would be larger than it may be",
+                "prlimit --fsize=1000");
+  EXPECT_FALSE(fs::exists(inFolder("a.png")));
 }
 
 /// In seconds of processor time and bytes of memory: six times what the largest scene takes.

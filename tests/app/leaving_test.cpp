@@ -8,13 +8,17 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include <csignal>
+#include <memory>
 
 using namespace halfspace;
 
@@ -221,6 +225,129 @@ private slots:
     QVERIFY(!(readSessionFile(file.toStdString())->session == session));
   }
 
+  void endingWithoutQuestions_inADragOrWithANumberNotEntered_keepsThem() {
+    ExactVec3 dragged;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      const QPoint from = *fixture.scene().handlePosition("Q");
+      fixture.press(from);
+      fixture.moveTo(from + QPoint(60, 20));
+      dragged = fixture.value("Q");
+      fixture.window.endWithoutQuestions();
+    }
+    QVERIFY(!(dragged == ExactVec3(11, 15, 8)));
+    QVERIFY(pointOf(leftovers().front().work.session, "Q") == dragged);
+    init();
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      beginTyping(field(fixture, "Q", 0), "3/7");
+      fixture.window.endWithoutQuestions();
+    }
+    QVERIFY(pointOf(leftovers().front().work.session, "Q").x == Rational(3, 7));
+  }
+
+  void unsavedWorkThatCannotBeKept_isSaidWhileOneWorks_untilItCan() {
+    blockUnsavedFolder();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const auto warning = [&]() -> QLabel * {
+      for (QLabel *label : fixture.window.statusBar()->findChildren<QLabel *>())
+        if (label->text().contains("cannot be kept"))
+          return label;
+      return nullptr;
+    };
+    moveUp(fixture, "Q");
+    QTRY_VERIFY(warning() && warning()->isVisible());
+    QVERIFY2(warning()->toolTip().contains("something else stands there"), qPrintable(warning()->toolTip()));
+    QVERIFY(QFile::remove(Recovery::standardFolder()));
+    moveUp(fixture, "Q");
+    QTRY_VERIFY(!warning()->isVisible());
+  }
+
+  void closing_whereWorkCannotBeKept_savesItElsewhere() {
+    blockUnsavedFolder();
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("elsewhere.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    moveUp(fixture, "Q");
+    const BoxAnswerer box("Save");
+    QTimer chooser;
+    connect(&chooser, &QTimer::timeout, [&] {
+      if (auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget())) {
+        chooser.stop();
+        dialog->selectFile(file);
+        QMetaObject::invokeMethod(dialog, "accept");
+      }
+    });
+    chooser.start(50);
+    QVERIFY(fixture.window.close());
+    const auto saved = readSessionFile(file.toStdString());
+    QVERIFY(saved && saved->session == fixture.model().session());
+  }
+
+  void closing_whereWorkCannotBeKept_doesNotLoseOtherLessonsWithASave() {
+    blockUnsavedFolder();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    moveUp(fixture, "Q");
+    fixture.model().openLesson("plane-implicit");
+    const BoxAnswerer box("Cancel");
+    QVERIFY(!fixture.window.close());
+    QVERIFY2(box.text.contains("other lessons"), qPrintable(box.text));
+  }
+
+  void closing_afterOnlyLookingAtAnotherLesson_asksNothing() {
+    blockUnsavedFolder();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().openLesson("plane-implicit");
+    const BoxAnswerer box("Cancel");
+    QVERIFY(fixture.window.close());
+    QVERIFY(box.text.isEmpty());
+  }
+
+  void savingAtTheClose_withARefusedNumber_goesOnWithoutIt() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.saveTo(file));
+    moveUp(fixture, "Q");
+    beginTyping(field(fixture, "Q", 0), "three");
+    const BoxAnswerer without("Yes");
+    std::unique_ptr<BoxAnswerer> save;
+    QTimer::singleShot(400, &fixture.window, [&] { save = std::make_unique<BoxAnswerer>("Save"); });
+    QVERIFY(fixture.window.close());
+    QVERIFY(readSessionFile(file.toStdString())->session == fixture.model().session());
+  }
+
+  void aLargeNumber_typed_takesTheViewAlong() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    for (const char *text : {"40", "100", "20000", "1000000000", "11"}) {
+      beginTyping(field(fixture, "Q", 0), text);
+      QTest::keyClick(&field(fixture, "Q", 0), Qt::Key_Return);
+      QVERIFY2(fixture.scene().handlePosition("Q"), text);
+      QVERIFY2(fixture.scene().handlePosition("E.P0"), text);
+    }
+  }
+
+  void aSceneOfVeryManyObjects_showsSoManyRowsAndNoMore() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    Session many{"many", 0, {}};
+    for (int i = 0; i < 500; ++i)
+      many.scene.entries.push_back({"Q" + std::to_string(i), PointObject{ExactVec3(i % 20, i / 20, 0)}});
+    fixture.window.startWith(many);
+    const auto rows = [&] {
+      return fixture.window.findChild<Inspector *>()->findChildren<NumberField *>().size() / 3;
+    };
+    QTRY_COMPARE(rows(), 60);
+  }
+
   void closing_afterSaving_keepsTheChangesOfOtherLessons() {
     const QTemporaryDir folder;
     Session left;
@@ -290,7 +417,7 @@ private slots:
     QVERIFY(fixture.ready);
     NumberField &number = field(fixture, "Q", 0);
     number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
-    QVERIFY(number.text().startsWith("1234567890123456789/") || number.text().contains('/'));
+    QVERIFY(number.text().contains('/'));
     QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));
     number.setValue(Rational(Integer(1), Integer("123456789012345")));
     QVERIFY2(number.shownText().endsWith("·10⁻¹⁵"), qPrintable(number.shownText()));

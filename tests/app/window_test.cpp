@@ -245,8 +245,9 @@ private slots:
       QVERIFY(fixture.window.saveTo(file));
       work.session = fixture.model().session();
     }
+    const std::string textInFile = writeSession(work.session);
     coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, 3);
-    work.file = {file, writeSession(work.session), work.session.lesson};
+    work.file = {file, textInFile, work.session.lesson};
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work));
     WindowFixture fixture("plane-implicit");
     fixture.window.openFile(file);
@@ -258,6 +259,7 @@ private slots:
     });
     fixture.window.offerUnsaved();
     QVERIFY(fixture.value("Q") == ExactVec3(1, 2, 3));
+    QVERIFY(fixture.window.isWindowModified());
     QVERIFY(fixture.window.saveTo(file));
   }
 

@@ -49,7 +49,9 @@ constexpr Silent silentCalls[] = {
     {"close", "real", "real", "likewise, where a link leads"},
     {"fchown", "kept", ".part", "not everyone may give files away: then only the group is given, or nothing"},
     {"fchown", "real", ".part", "likewise, where a link leads"},
-    {"statx", "", "", "asks whether the folder is there: where nothing tells so it is made, which does tell"},
+    {"stat", "kept", "kept",
+     "asks whether the folder is there: where nothing tells so it is made, which does tell"},
+    {"stat", ".", ".", "likewise, of the folder that it is made in"},
     {"flock", "kept", ".lock", "the lock is the file, not what the kernel holds beside it"},
     {"fdatasync", "kept", ".lock", "a program whose lock is lost by a loss of power does not live any more"},
 };

@@ -43,6 +43,20 @@ TEST(LabelRequests, NumberAtAnAxis_IsLeftOutBehindABall) {
   EXPECT_EQ(labelTexts(content, axes, themes().front(), view).size(), axes.size() - 1);
 }
 
+TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem) {
+  SceneContent content;
+  for (int i = 0; i < 1000; ++i) {
+    PointMark point = named(pointAt({i % 30 - 15.0, i / 30 - 15.0, 0}), "P" + std::to_string(i));
+    point.label = "P";
+    content.figure.marks.push_back(point);
+  }
+  content.highlighted = {"P999"};
+  const auto texts = labelTexts(content, {}, themes().front(), viewAtHeight(60));
+  EXPECT_EQ(texts.size(), mostMarkLabels);
+  EXPECT_TRUE(
+      std::any_of(texts.begin(), texts.end(), [](const LabelText &text) { return text.id == "P999"; }));
+}
+
 TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
   const auto clearanceOf = [](Subject subject) {
     PointMark point = named(pointAt({1, 2, 3}), "Q", subject);

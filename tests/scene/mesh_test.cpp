@@ -141,5 +141,16 @@ TEST(Solids, ArrivingGrowOutOfThinPaleLines) {
   EXPECT_EQ(at(0.5).colors.back(), all.colors.back());
 }
 
+TEST(Solids, OfVeryManyPoints_AreCoarser) {
+  const auto cornersOfPoints = [](int count) {
+    Figure figure;
+    for (int i = 0; i < count; ++i)
+      figure.marks.push_back(pointAt({double(i), 0, 0}));
+    return solidsOf(figure, {}, themes().front(), 1).positions.size();
+  };
+  EXPECT_EQ(cornersOfPoints(100), 100 * cornersOfPoints(1));
+  EXPECT_LT(cornersOfPoints(1000), 300 * cornersOfPoints(1));
+}
+
 } // namespace
 } // namespace halfspace

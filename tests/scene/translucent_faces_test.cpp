@@ -1,7 +1,11 @@
 #include "widgets/scene/translucent_faces.h"
 
+#include "tests/scene/marks.h"
 #include <glm/geometric.hpp>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -60,6 +64,18 @@ TEST(TranslucentFaces, InOnePlaneKeepTheirOrderFromBothSides) {
     ASSERT_EQ(faces.size(), 2U);
     EXPECT_EQ(faces[1]->color, blue);
   }
+}
+
+TEST(TranslucentFaces, ThatAllPassThroughOneAnother_AreCutSoManyTimesAndNoMore) {
+  constexpr int count = 300;
+  std::vector<Face> faces;
+  for (int i = 0; i < count; ++i) {
+    const Place normal(std::cos(i * 0.7), std::sin(i * 1.3), std::cos(i * 2.1) + 0.01);
+    faces.push_back({cornersOf(patchAt(normal * 0.1, normal)), red, 0.3});
+  }
+  const std::size_t pieces = FaceOrder(faces).backToFront({30, 20, 10, 1}).size();
+  EXPECT_GT(pieces, 2000U); // they are cut …
+  EXPECT_LE(pieces, 4096U + count);
 }
 
 TEST(TranslucentFaces, FacesWithoutAreaAreLeftOut) {
