@@ -217,6 +217,7 @@ void SceneView::takeStage() {
                                Camera::minHeight, Camera::maxHeight);
   m_stage = stage;
   showAll();
+  showHint();
 }
 
 bool SceneView::isInView(const Handle &handle) const {

@@ -71,6 +71,12 @@ TEST(Stage, OfObjectsTogetherFarAway_StandsAmongThemWithoutTheOrigin) {
   EXPECT_FALSE(onGround.hasAxes());
 }
 
+TEST(Stage, OfASinglePositionFarAway_HasTheOriginToo) {
+  const Stage stage = stageOf(sceneOf({PlaneObject{{20000, 4, 7}, {1, 2, 2}}}));
+  EXPECT_TRUE(stage.hasAxes());
+  EXPECT_LE(toStage(ExactVec3(20000, 0, 0), CoordinateRole::Position, stage).x, Rational(50));
+}
+
 TEST(Stage, PutOnAndTakenBack_IsExactlyTheSame) {
   const Stage stage{{1000000, -25, 0}, -3};
   const Object ray = RayObject{{Rational(1, 3), 7, Rational(-10, 7)}, {Rational(2, 9), 0, 5}};

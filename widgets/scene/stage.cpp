@@ -187,8 +187,9 @@ Stage stageOf(const Scene &scene) {
   Stage stage;
   const Box box = boxAround(scene);
   const double distance = box.distance();
-  const bool standsApart = distance > stageReach && box.across() < togetherPart * distance;
-  stage.exponent = standsApart ? std::max(0, suitingExponent(box.across())) : suitingExponent(distance);
+  const double across = box.across(); // 0 for a single position: then there is nothing to be told apart
+  const bool standsApart = distance > stageReach && across > 0 && across < togetherPart * distance;
+  stage.exponent = standsApart ? std::max(0, suitingExponent(across)) : suitingExponent(distance);
   if (!standsApart)
     return stage;
   const Place middle = (box.low + box.high) / 2.0;
