@@ -58,9 +58,12 @@ std::optional<Problem> MainWindow::keepOrForget() {
 }
 
 bool MainWindow::askToKeepChanges() {
-  const auto answer =
-      QMessageBox::question(this, tr("Halfspace"), tr("Save your changes to this session first?"),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  const QString name =
+      m_file ? QFileInfo(m_file->path).fileName() : QString::fromStdString(m_model.lesson().title);
+  QMessageBox box(QMessageBox::Question, tr("Halfspace"), tr("Save your changes to “%1” first?").arg(name),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setTextFormat(Qt::PlainText);
+  const int answer = box.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 

@@ -52,15 +52,24 @@ std::string valueLatex(const Value &value) {
   return {};
 }
 
+/// A rounded text as parseRational reads it: 3e-5 for 3 \cdot 10^{-5}.
+std::string plainSpelling(const std::string &rounded) {
+  const auto power = rounded.find(" \\cdot 10^{");
+  if (power == std::string::npos)
+    return rounded;
+  const auto exponent = rounded.find('{') + 1;
+  return rounded.substr(0, power) + "e" + rounded.substr(exponent, rounded.size() - exponent - 1);
+}
+
 /// A single number's decimal behind its exact form: after = only where the decimal is exact too.
 std::string decimalLatex(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
   if (!number || !show(*number).exact || (number->isRational() && number->rationalPart().denominator() == 1))
     return {};
   const std::string decimal = roundedText(toDouble(*number));
-  const auto same = parseRational(decimal);
+  const auto same = parseRational(plainSpelling(decimal));
   const bool exact = same && Surd(*same) == *number;
-  if (exact && show(*same).latex == decimal)
+  if (exact && parseRational(show(*number).latex))
     return {}; // written as a decimal already
   return (exact ? "\\;=\\;" : "\\;\\approx\\;") + decimal;
 }
