@@ -17,6 +17,7 @@
 #include <algorithm>
 
 namespace halfspace {
+
 QString MainWindow::finishInput() {
   m_scene->finishDrag();
   return m_inspector->enterTyped();
