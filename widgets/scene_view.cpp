@@ -57,8 +57,6 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
-  connect(&m_model.history(), &QUndoStack::indexChanged, this,
-          &SceneView::takeOutcome); // a gesture has ended
   takeOutcome();
 }
 

@@ -124,7 +124,8 @@ private:
   void cancelDrag();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
-  [[nodiscard]] Camera homeCamera() const;
+  /// From the direction of a view, on the stage.
+  [[nodiscard]] Camera viewOfAll(const CameraView &view) const;
   /// As long as nobody has moved the camera, the figure stays in view at every size.
   void stayHome();
   /// All of the figure in view, from the direction that the camera has.

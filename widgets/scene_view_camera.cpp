@@ -55,29 +55,25 @@ void SceneView::glideTo(const Camera &camera) {
   m_glide.start();
 }
 
-Camera SceneView::homeCamera() const {
-  return homeView(m_model.lesson().camera, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(),
-                  designRatio(), m_camera.orthographic);
+Camera SceneView::viewOfAll(const CameraView &view) const {
+  return homeView(view, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(), designRatio(),
+                  m_camera.orthographic);
 }
 
 void SceneView::goHome() {
-  glideTo(homeCamera());
+  glideTo(viewOfAll(m_model.lesson().camera));
   m_atHome = true;
 }
 
 void SceneView::showAll() {
   m_glide.stop();
-  const CameraView view = m_atHome ? m_model.lesson().camera
-                                   : CameraView{-m_camera.viewDirection(), m_camera.target, m_camera.height};
-  m_camera = homeView(view, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(), designRatio(),
-                      m_camera.orthographic);
+  m_camera = viewOfAll(m_atHome ? m_model.lesson().camera
+                                : CameraView{-m_camera.viewDirection(), m_camera.target, m_camera.height});
 }
 
 void SceneView::stayHome() {
-  if (!m_atHome)
-    return;
-  m_glide.stop();
-  m_camera = homeCamera();
+  if (m_atHome)
+    showAll();
 }
 
 void SceneView::resizeEvent(QResizeEvent *event) {
