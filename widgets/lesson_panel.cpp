@@ -153,12 +153,20 @@ void LessonPanel::makeExercises() {
     connect(m_prediction, &PredictionBox::chosen, this, [this](const QString &word) {
       m_next->setFocus(); // the choices are disabled now
       emit predictionChosen(word);
-      QTimer::singleShot(layoutTime, m_prediction,
-                         [this] { m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin / 2); });
+      showReason();
     });
     layout->addWidget(m_prediction);
   }
   m_columns->addWidget(m_exercises, 2, Qt::AlignTop);
+}
+
+void LessonPanel::showReason() {
+  const bool settled = m_prediction->reason()->isSettled();
+  QTimer::singleShot(layoutTime, m_prediction, [this, settled] {
+    m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin / 2);
+    if (!settled) // it has grown with its formulas
+      showReason();
+  });
 }
 
 void LessonPanel::setMarkdown(const QString &markdown) { m_words->setMarkdown(markdown); }

@@ -47,6 +47,8 @@ private:
   void makeHead(QBoxLayout &layout);
   void makeFoot(QBoxLayout &layout);
   void makeExercises();
+  /// Scrolls to the reason of an answer once it has its place.
+  void showReason();
   [[nodiscard]] const LessonStep *step() const;
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
 
