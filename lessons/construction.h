@@ -39,14 +39,15 @@ template <class In, class Kind> struct TypedRole {
 
 /// Puts a construction together from its pure functions:
 ///   Out compute(const In &), CaseWords tell(const In &, const Out &),
-///   std::vector<NamedValue> list(const Out &),
+///   std::vector<NamedValue> list(const In &, const Out &),
 ///   Working explain(const In &, const Out &), Figure draw(const In &, const Out &).
 /// Only compute does arithmetic.
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
 makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*tell)(const In &, const Out &),
-                 std::vector<NamedValue> (*list)(const Out &), Working (*explain)(const In &, const Out &),
-                 Figure (*draw)(const In &, const Out &), TypedRole<In, Kinds>... roles) {
+                 std::vector<NamedValue> (*list)(const In &, const Out &),
+                 Working (*explain)(const In &, const Out &), Figure (*draw)(const In &, const Out &),
+                 TypedRole<In, Kinds>... roles) {
   Construction construction;
   construction.id = id;
   construction.roles = {ConstructionRole{roles.name, kindOf(Kinds{})}...};
@@ -56,12 +57,9 @@ makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*te
     ((in.*roles.member = std::get<Kinds>(*objects[next++])), ...);
     const Out out = compute(in);
     CaseWords words = tell(in, out);
-    return Outcome{std::move(words.name),
-                   list(out),
-                   withTellingMistakes(withoutRepetitions(withTrueRelations(explain(in, out)))),
-                   draw(in, out),
-                   std::move(words.description),
-                   words.degenerate};
+    return Outcome{
+        std::move(words.name),        list(in, out),   withTellingMistakes(explain(in, out)), draw(in, out),
+        std::move(words.description), words.degenerate};
   };
   return construction;
 }

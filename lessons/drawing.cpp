@@ -1,5 +1,8 @@
 #include "lessons/drawing.h"
 
+#include "lessons/given.h"
+#include "lessons/term/latex.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -18,18 +21,11 @@ ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direc
   return {std::move(base), from, unitOf(direction) * length};
 }
 
-std::string planeEquation(const std::vector<Surd> &coefficients) {
-  Formula f;
-  const std::string left = f.linear(coefficients, {"x", "y", "z"});
-  return left + f.equals("0");
-}
-
-void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd> &coefficients,
-               const std::vector<Place> &covers) {
+void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Place> &covers) {
   const Place point = place(plane.point);
   if (!isZero(plane.normal)) {
     figure.marks.push_back(
-        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ {" + planeEquation(coefficients) + "}"},
+        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ {" + latexOf(equationOf(plane)) + "}"},
                        point,
                        place(plane.normal),
                        covers});

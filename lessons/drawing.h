@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/figure.h"
-#include "lessons/formula.h"
+#include "lessons/object.h"
 
 namespace halfspace {
 
@@ -16,13 +16,9 @@ namespace halfspace {
 [[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
                                       double length);
 
-/// The LaTeX of a plane's equation, with the relation that its numbers allow: `x + 2y + 2z - 27 = 0`.
-[[nodiscard]] std::string planeEquation(const std::vector<Surd> &coefficients);
-
 /// The marks that every figure with a plane has: the patch E with its equation, P0 and n. A zero normal
 /// leaves P0.
-void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Surd> &coefficients,
-               const std::vector<Place> &covers);
+void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Place> &covers);
 
 /// The marks that every figure with a ray has: Q, its direction r and the line it runs along, to what it
 /// meets ahead and beyond. A zero direction leaves Q.

@@ -24,6 +24,9 @@ struct NamedValue {
   Value value;
 };
 
+/// A value that stands in the worked lines: what the term comes to, an exact number or a list of them.
+[[nodiscard]] NamedValue listed(std::string name, const Term &term);
+
 struct Outcome {
   std::string caseName;           ///< hit, behind, parallel … : a word for programs
   std::vector<NamedValue> values; ///< those that have a meaning in the case

@@ -2,6 +2,7 @@
 
 #include "lessons/formula.h"
 #include "lessons/text.h"
+#include "lessons/usual_mistakes.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -164,10 +165,25 @@ std::string praise(const Answer &answer, const Surd &truth) {
                      : words("Right, rounded.");
 }
 
+/// The sentence of the first usual mistake in the line's formula that comes to this.
+std::optional<std::string> slipSentence(const Blank &blank, const Answer &answer) {
+  if (!blank.formula)
+    return {};
+  for (const WrongTerm &mistake : usualMistakes(*blank.formula)) {
+    const auto value = evaluate(mistake.wrong);
+    const auto number = value ? value->number() : std::nullopt;
+    if (number && number->exact() && answer.means(*number->exact()) && !(*number->exact() == blank.answer))
+      return mistake.sentence;
+  }
+  return {};
+}
+
 std::string diagnosis(const Blank &blank, const Answer &answer) {
   for (const Mistake &mistake : blank.mistakes)
     if (answer.means(mistake.value))
       return mistake.sentence;
+  if (const auto slip = slipSentence(blank, answer))
+    return *slip;
   if (blank.answer.sign() != 0 && answer.means(-blank.answer))
     return words("{answer} has the right size and the wrong sign.");
   return words("{answer} is not right. Put the numbers into the symbols once more.");

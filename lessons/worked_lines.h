@@ -1,36 +1,25 @@
-// Worked lines of shapes that many constructions have.
+// Worked lines from chains of terms.
 #pragma once
 
-#include "lessons/formula.h"
+#include "lessons/term/chain.h"
+#include "lessons/usual_mistakes.h"
 #include "lessons/working.h"
 
 namespace halfspace {
 
-/// A line's name, and its two pieces in words.
-struct LineWords {
-  std::string id;
-  std::string symbols; ///< LaTeX
-  std::string sentence;
-};
+/// A line of one statement, or of several beside each other: s = 1/4, t = 1/2.
+[[nodiscard]] WorkingLine line(std::string id, std::vector<Chain> chains, std::string sentence = {});
 
-/// A line that subtracts two points: u = P1 − P0 with numbers and result.
-[[nodiscard]] WorkingLine differenceLine(LineWords line, const ExactVec3 &to, const ExactVec3 &from,
-                                         const ExactVec3 &difference);
+/// The line, whose result a learner is to find: the last side of its last chain. `mistakes` say more than
+/// those that follow from the formula by themselves, and go before them.
+[[nodiscard]] WorkingLine asked(WorkingLine line, const std::vector<WrongTerm> &mistakes = {});
 
-/// A line for a dot product of two vectors, multiplied out.
-[[nodiscard]] WorkingLine dotLine(LineWords line, const ExactVec3 &a, const ExactVec3 &b,
-                                  const Rational &product);
+/// The line, of which a learner is to find one number: `sought`, a name and how it is found. `form` is the
+/// line's last side with that name in it.
+[[nodiscard]] WorkingLine askedFor(const Chain &sought, const Term &form, WorkingLine line,
+                                   const std::vector<WrongTerm> &mistakes = {});
 
-/// A line for a dot product of two vectors, not multiplied out.
-[[nodiscard]] WorkingLine shortDotLine(LineWords line, const ExactVec3 &a, const ExactVec3 &b,
-                                       const Rational &product);
-
-/// A line for the parameter at which a line meets a plane: a fraction of two dot products.
-[[nodiscard]] WorkingLine parameterLine(LineWords line, const Rational &numerator,
-                                        const Rational &denominator, const Rational &parameter);
-
-/// A line for the point that a line reaches: Q + t·r.
-[[nodiscard]] WorkingLine pointLine(LineWords line, const ExactVec3 &start, const Rational &parameter,
-                                    const ExactVec3 &direction, const ExactVec3 &point);
+/// The mistake of a parameter, (P₀ − Q)·n over r·n, with the wrong sign.
+[[nodiscard]] WrongTerm wrongSignOf(const Term &parameter);
 
 } // namespace halfspace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/surd.h"
+#include "lessons/term/chain.h"
 
 #include <optional>
 #include <string>
@@ -19,14 +20,13 @@ struct Mistake {
 /// What a learner fills in where a line's numbers are blank.
 struct Blank {
   Surd answer;
-  /// Looked through in their order. One that comes to the answer itself, or to what an earlier one comes to,
-  /// is left out by itself; that only the sign is wrong is noticed without being named here.
+  /// Written for the line, because they say more than what the formula tells by itself. Looked through in
+  /// their order. One that comes to the answer itself, or to what an earlier one comes to, is left out by
+  /// itself; that only the sign is wrong is noticed without being named here.
   std::vector<Mistake> mistakes{};
-  std::string prompt = "="; ///< LaTeX between the line's symbols and what is filled in
+  std::string prompt = "=";       ///< LaTeX between the line's symbols and what is filled in
+  std::optional<Chain> formula{}; ///< how the answer is found: the usual mistakes follow from it
 };
-
-/// A blank for p/q with the mistakes that a fraction invites: upside down, and not divided at all. For q ≠ 0.
-[[nodiscard]] Blank fractionBlank(const Rational &p, const Rational &q);
 
 /// One line of a working. The three pieces are LaTeX and read on from one another. A term that belongs to a
 /// mark of the figure is written `\mark{id}{…}`: it takes the mark's colour, and hovering one lights up the
@@ -38,18 +38,12 @@ struct WorkingLine {
   std::string result;   ///< likewise; may be empty
   std::string sentence; ///< plain words, no LaTeX; may be empty
   std::optional<Blank> blank{}; ///< nothing where one number would not do as an answer
+  std::vector<Chain> chains{};  ///< what the three pieces say
 };
 
 struct Working {
   std::vector<WorkingLine> lines;
 };
-
-/// The working with `≈` before a result that follows rounded numbers: after one `≈` an `=` would claim too
-/// much.
-[[nodiscard]] Working withTrueRelations(Working working);
-
-/// The working without numbers that are the result already, as in `−22/3 = −22/3`.
-[[nodiscard]] Working withoutRepetitions(Working working);
 
 /// The working without mistakes that come to the answer, or to what an earlier one of the line comes to.
 [[nodiscard]] Working withTellingMistakes(Working working);

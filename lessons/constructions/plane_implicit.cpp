@@ -3,9 +3,11 @@
 #include "geometry/point_plane.h"
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
+#include "lessons/given.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
-
-#include <array>
+#include "lessons/worked_lines.h"
 
 namespace halfspace {
 namespace {
@@ -17,22 +19,12 @@ struct In {
 struct Out {
   Plane<Rational> plane;
   bool zeroNormal = false;
-  Rational constant;              // n·P0
-  Rational coordinateSum;         // of P0: what is left when n is forgotten
-  Rational normalSquared;         // n·n
-  Surd length;                    // |n|
-  std::vector<Surd> coefficients; // a, b, c, d
-  std::vector<Surd> primitive;    // the same in integers without a common factor
-  std::vector<Surd> normalized;   // divided by |n|
-  Rational dividedBySquare;       // d/(n·n)
-  Surd originDistance;            // of the origin, signed
-  ExactVec3 otherPoint;           // a second point P1 of the plane
-  Rational otherConstant;         // n·P1
-  Plane<Rational> scaled;         // by kn, k = scale
+  Surd length;                  // |n|
+  std::vector<Surd> primitive;  // a, b, c, d in integers without a common factor
+  std::vector<Surd> normalized; // divided by |n|
+  Surd originDistance;          // of the origin, signed
+  ExactVec3 otherPoint;         // a second point P1 of the plane
 };
-
-/// The k of "k·n gives the same plane".
-const Rational scale = 2;
 
 /// A vector in the plane with short coordinates, for n ≠ 0.
 ExactVec3 vectorInPlane(const ExactVec3 &n) {
@@ -45,35 +37,31 @@ Out compute(const In &in) {
   Out out;
   out.plane = planeThrough(in.E.point, in.E.normal);
   out.zeroNormal = isZero(in.E.normal);
-  out.constant = dot(in.E.normal, in.E.point);
-  out.coordinateSum = in.E.point.x + in.E.point.y + in.E.point.z;
-  out.normalSquared = dot(in.E.normal, in.E.normal);
-  out.coefficients = coefficientsOf(out.plane);
   if (out.zeroNormal)
     return out;
-  out.length = Surd::root(out.normalSquared);
+  out.length = Surd::root(dot(in.E.normal, in.E.normal));
   for (const Integer &integer : primitiveCoefficients(out.plane))
     out.primitive.emplace_back(Rational(integer));
   for (const Surd &coefficient : normalizedCoefficients(out.plane))
     out.normalized.push_back(coefficient);
-  out.dividedBySquare = out.plane.offset / out.normalSquared;
   out.originDistance = measurePointPlane(ExactVec3(0), out.plane).signedDistance;
   out.otherPoint = in.E.point + vectorInPlane(in.E.normal);
-  out.otherConstant = dot(in.E.normal, out.otherPoint);
-  out.scaled = planeThrough(in.E.point, ExactVec3(in.E.normal * scale));
   return out;
 }
 
-CaseWords tell(const In &, const Out &out) {
+CaseWords tell(const In &in, const Out &out) {
   if (out.zeroNormal)
     return {"zero-normal", words("The normal n is the zero vector: it points nowhere, so there is no plane."),
             true};
   return {"plane", words("A point P lies in the plane exactly when {equation}.",
-                         {{"equation", plainText(planeEquation(out.coefficients))}})};
+                         {{"equation", plainText(equationOf(in.E))}})};
 }
 
-std::vector<NamedValue> list(const Out &out) {
-  std::vector<NamedValue> values{{"coefficients", "(a,b,c,d)", out.coefficients}};
+std::vector<NamedValue> list(const In &, const Out &out) {
+  const auto &plane = out.plane;
+  std::vector<NamedValue> values{
+      {"coefficients", "(a,b,c,d)",
+       std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
   if (out.zeroNormal)
     return values;
   values.push_back({"primitive", "\\text{in lowest integers}", out.primitive});
@@ -82,126 +70,98 @@ std::vector<NamedValue> list(const Out &out) {
   return values;
 }
 
-const std::string n = marked("n", "\\vec n");
-const std::string P0 = marked("P0", "P_0");
-const std::string P1 = marked("P1", "P_1");
+/// The letters of the lines.
+struct Letters : PlaneTerms {
+  Term P, P1, d;
+  Term left; ///< of the equation: n·(P − P0)
+};
 
-/// x − 5, x + 5 or x
-std::string difference(Formula &f, const char *variable, const Rational &value) {
-  return variable + f.addend(Rational(-value));
+Letters lettersOf(const In &in, const Out &out) {
+  const PlaneTerms E = termsOf(in.E, "E");
+  const Term P = anyPoint();
+  return {E, P, name(letter("P", "1"), out.otherPoint).marked("P1"), name(letter("d"), out.plane.offset),
+          dot(E.n, P - E.P0)};
 }
 
-std::string expanded(Formula &f, const PlaneObject &plane) {
-  const std::array<std::string, 3> variables{"x", "y", "z"};
-  std::string sum;
-  for (int i = 0; i < 3; ++i)
-    sum += (sum.empty() ? "" : " + ") + f.factor(plane.normal[i]) + "(" +
-           difference(f, variables[static_cast<std::size_t>(i)].c_str(), plane.point[i]) + ")";
-  return sum;
+/// ax + by + cz + d, in letters only.
+Term generalForm(const Term &d) {
+  const auto summand = [](const char *coefficient, const char *variable) {
+    return unknown(coefficient) * unknown(variable);
+  };
+  return summand("a", "x") + summand("b", "y") + summand("c", "z") + d;
 }
 
-WorkingLine implicitLine() {
-  return {"implicit", "0 = " + n + "\\cdot(P - " + P0 + ")", "", "",
-          words("A vector from P₀ to another point of the plane is perpendicular to n. So P lies in the "
-                "plane exactly when this dot product is zero.")};
+WorkingLine implicitLine(const Letters &at) {
+  return line("implicit", {condition(0 == at.left)},
+              words("A vector from P₀ to another point of the plane is perpendicular to n. So P lies in the "
+                    "plane exactly when this dot product is zero."));
 }
 
-WorkingLine insertLine(const In &in) {
-  Formula f;
-  const std::string normal = f(in.E.normal);
-  const std::string inserted = f.equals(normal + "\\cdot\\bigl((x,\\,y,\\,z) - " + f(in.E.point) + "\\bigr)");
-  Formula g;
-  const std::string variables = "\\left(" + difference(g, "x", in.E.point.x) + ",\\," +
-                                difference(g, "y", in.E.point.y) + ",\\," + difference(g, "z", in.E.point.z) +
-                                "\\right)";
-  const std::string subtracted = g.equals(g(in.E.normal) + "\\cdot " + variables);
-  return {"insert", "0", inserted, subtracted, words("The numbers put in, with P = (x, y, z).")};
+WorkingLine insertLine(const Letters &at) {
+  return line("insert", {condition(Chain(0).then(namesPutIn(at.left)).then(numbersPutIn(at.left)))},
+              words("The numbers put in, with P = (x, y, z)."));
 }
 
-WorkingLine expandLine(const In &in) {
-  Formula f;
-  const std::string sum = expanded(f, in.E);
-  return {"expand", "0", f.equals(sum), "",
-          words("The dot product multiplied out, coordinate by coordinate.")};
+WorkingLine expandLine(const Letters &at) {
+  return line("expand", {condition(Chain(0).then(multipliedOut(at.left)))},
+              words("The dot product multiplied out, coordinate by coordinate."));
 }
 
-Blank constantBlank(const Out &out) {
-  return {out.coefficients[3],
-          {{out.constant, words("{answer} is n·P₀: the minus sign of P − P₀ is lost.")},
-           {out.coordinateSum,
-            words("{answer} only adds up the coordinates of P₀: each is multiplied by that of n first.")},
-           {out.normalized[3],
-            words("{answer} belongs to the normalized equation: here nothing is divided by |n|.")}},
-          "= ax + by + cz + d,\\quad d ="};
+WorkingLine collectLine(const Letters &at) {
+  const Chain collected = Chain(0)
+                              .then(calculated(dot(at.n, at.P)) - multipliedOut(dot(at.n, at.P0)))
+                              .then(calculated(at.left).marked("E"));
+  const Term coordinateSum = sum(calculated(at.P0)->parts);
+  return askedFor(
+      at.d == -dot(at.n, at.P0), generalForm(at.d),
+      line("collect", {condition(collected)},
+           words("Collected: the numbers before x, y and z are the coordinates of n, and the constant is "
+                 "−n·P₀.")),
+      {{dot(at.n, at.P0), words("{answer} is n·P₀: the minus sign of P − P₀ is lost.")},
+       {coordinateSum,
+        words("{answer} only adds up the coordinates of P₀: each is multiplied by that of n first.")},
+       {at.d / norm(at.n),
+        words("{answer} belongs to the normalized equation: here nothing is divided by |n|.")}});
 }
 
-Blank normalizedBlank(const Out &out) {
-  return {out.normalized[3],
-          {{out.coefficients[3], words("{answer} is not normalized: d is divided by |n| as well.")},
-           {out.dividedBySquare, words("{answer} is divided by n·n: divide by its root, |n|.")}},
-          "= \\frac{ax + by + cz + d}{\\lvert " + n + "\\rvert},\\quad \\frac{d}{\\lvert " + n +
-              "\\rvert} ="};
+WorkingLine constantLine(const Letters &at) {
+  return asked(line("constant", {withProducts(dot(at.n, at.P1))},
+                    words("{point} is another point of the plane. It gives the same number as P₀, so the "
+                          "constant does not depend on the point you start from.",
+                          {{"point", equation(at.P1)}})));
 }
 
-WorkingLine collectLine(const In &in, const Out &out) {
-  Formula f;
-  const std::vector<Surd> variablesOnly(out.coefficients.begin(), out.coefficients.begin() + 3);
-  const std::string left = f.linear(variablesOnly, {"x", "y", "z"});
-  const std::string sum = f.equals(left + " - \\bigl(" + f.products(in.E.normal, in.E.point) + "\\bigr)");
-  Formula g;
-  const std::string equation = g.linear(out.coefficients, {"x", "y", "z"});
-  return {
-      "collect",
-      "0",
-      sum,
-      g.equals(marked("E", equation)),
-      words("Collected: the numbers before x, y and z are the coordinates of n, and the constant is −n·P₀."),
-      constantBlank(out)};
+std::string normalizedWords(const Letters &at, const Out &out) {
+  if (out.length == Surd(1))
+    return words("|n| is 1: the equation is normalized already, so its left side gives distances.");
+  return words(
+      "Divided by the length of the normal, {length}: the normalized form. The plane is the same, and "
+      "the left side now gives distances.",
+      {{"length", equation(norm(at.n))}});
 }
 
-WorkingLine constantLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string products = f.products(in.E.normal, out.otherPoint);
-  return {"constant",
-          n + "\\cdot " + P1,
-          f.equals(products),
-          equalTo(out.otherConstant),
-          words("{point} is another point of the plane. It gives the same number as P₀, so the constant "
-                "does not depend on the point you start from.",
-                {{"point", equation("P₁", out.otherPoint)}}),
-          Blank{out.otherConstant}};
+WorkingLine normalizedLine(const Letters &at, const Out &out) {
+  const Chain divided =
+      Chain(0).then(calculated(at.left) / calculated(norm(at.n))).then(calculated(at.left / norm(at.n)));
+  return askedFor(at.d / norm(at.n) == at.d / norm(at.n), generalForm(at.d) / norm(at.n),
+                  line("normalized", {condition(divided)}, normalizedWords(at, out)),
+                  {{at.d, words("{answer} is not normalized: d is divided by |n| as well.")},
+                   {at.d / dot(at.n, at.n), words("{answer} is divided by n·n: divide by its root, |n|.")}});
 }
 
-WorkingLine normalizedLine(const Out &out) {
-  Formula f;
-  const std::string divided =
-      "\\frac{" + f.linear(out.coefficients, {"x", "y", "z"}) + "}{" + f(out.length) + "}";
-  Formula g;
-  const std::string normalized = g.linear(out.normalized, {"x", "y", "z"});
-  const bool unit = out.normalSquared == 1;
-  return {"normalized",
-          "0",
-          f.equals(divided),
-          g.equals(normalized),
-          unit ? words("|n| is 1: the equation is normalized already, so its left side gives distances.")
-               : words("Divided by the length of the normal, {length}: the normalized form. The plane is the "
-                       "same, and the left side now gives distances.",
-                       {{"length", equation("|n|", out.length)}}),
-          normalizedBlank(out)};
-}
-
-WorkingLine scaledLine(const Out &out) {
-  Formula f;
-  const std::string equation = f.linear(coefficientsOf(out.scaled), {"x", "y", "z"});
-  return {"scaled", "0 = " + marked("kn", "2\\vec n") + "\\cdot(P - " + P0 + ")", f.equals(equation), "",
-          words("Twice the normal doubles every number and changes nothing: the same points make it zero.")};
+WorkingLine scaledLine(const Letters &at) {
+  const Term twice = dot((2 * at.n).marked("kn"), at.P - at.P0);
+  return line(
+      "scaled", {condition((0 == twice).then(calculated(twice)))},
+      words("Twice the normal doubles every number and changes nothing: the same points make it zero."));
 }
 
 Working explain(const In &in, const Out &out) {
+  const Letters at = lettersOf(in, out);
   if (out.zeroNormal)
-    return {{implicitLine(), insertLine(in)}};
-  return {{implicitLine(), insertLine(in), expandLine(in), collectLine(in, out), constantLine(in, out),
-           normalizedLine(out), scaledLine(out)}};
+    return {{implicitLine(at), insertLine(at)}};
+  return {{implicitLine(at), insertLine(at), expandLine(at), collectLine(at), constantLine(at),
+           normalizedLine(at, out), scaledLine(at)}};
 }
 
 Figure draw(const In &in, const Out &out) {
@@ -209,8 +169,7 @@ Figure draw(const In &in, const Out &out) {
   const Place point = place(in.E.point);
   const Place normal = place(in.E.normal);
   const Place other = place(out.otherPoint);
-  drawPlane(figure, in.E, out.coefficients,
-            out.zeroNormal ? std::vector<Place>{} : std::vector<Place>{other});
+  drawPlane(figure, in.E, out.zeroNormal ? std::vector<Place>{} : std::vector<Place>{other});
   if (out.zeroNormal)
     return figure;
   figure.marks.push_back(SegmentMark{{"P1-way", Role::Helper, Subject::Neutral, ""}, point, other});

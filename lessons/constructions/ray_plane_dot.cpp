@@ -3,6 +3,8 @@
 #include "geometry/intersect_ray_plane.h"
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
+#include "lessons/given.h"
+#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 #include "lessons/worked_lines.h"
 
@@ -16,27 +18,46 @@ struct In {
 
 struct Out {
   Plane<Rational> plane;
-  std::vector<Surd> coefficients;
-  ExactVec3 toPlane;          // P0 − Q
-  Rational f;                 // f(Q), the constant left after substitution
-  RayPlane<Rational> meet;    // numerator, denominator, t, point
-  std::array<Surd, 3> facing; // the facing normal, where the ray's line crosses the plane
+  Rational f;               // f(Q), the constant left after substitution
+  RayPlane<Rational> meet;  // numerator, denominator, t, point
+  std::vector<Surd> facing; // the facing normal, where the ray's line crosses the plane
 };
 
 Out compute(const In &in) {
   Out out;
   out.plane = planeThrough(in.E.point, in.E.normal);
-  out.coefficients = coefficientsOf(out.plane);
-  out.toPlane = in.E.point - in.L.origin;
   out.f = evaluate(out.plane, in.L.origin);
   out.meet = intersectRayPlane(Ray<Rational>{in.L.origin, in.L.direction}, out.plane);
-  if (out.meet.crosses())
-    out.facing = facingNormal(in.E.normal, in.L.direction);
+  if (!out.meet.crosses())
+    return out;
+  const auto facing = facingNormal(in.E.normal, in.L.direction);
+  out.facing.assign(facing.begin(), facing.end());
   return out;
 }
 
-CaseWords tell(const In &, const Out &out) {
-  const std::string t = equation("t", out.meet.t);
+/// The letters of the lines.
+struct Letters : PlaneTerms, RayTerms {
+  Term d, f, t, H, facing;
+  Term numerator;   ///< of t: (P0 − Q)·n
+  Term denominator; ///< r·n
+};
+
+Letters lettersOf(const In &in, const Out &out) {
+  const PlaneTerms E = termsOf(in.E, "E");
+  const RayTerms L = termsOf(in.L, "L");
+  return {E,
+          L,
+          name(letter("d"), out.plane.offset),
+          applied(letter("f"), L.Q, out.f),
+          name(letter("t"), out.meet.t),
+          name(letter("H"), out.meet.point).marked("H"),
+          name(vectorLetter("n", "f"), out.facing).marked("facing"),
+          dot(E.P0 - L.Q, E.n),
+          dot(L.r, E.n)};
+}
+
+CaseWords tell(const In &in, const Out &out) {
+  const std::string t = equation(lettersOf(in, out).t);
   switch (out.meet.which) {
   case RayPlaneCase::Hit:
     if (out.meet.t == 0)
@@ -61,100 +82,72 @@ CaseWords tell(const In &, const Out &out) {
           true};
 }
 
-const std::string n = marked("n", "\\vec n");
-const std::string r = marked("r", "\\vec r");
-const std::string P0 = marked("P0", "P_0");
-const std::string Q = marked("Q", "Q");
-const std::string H = marked("H", "H");
-
-/// Facing normal's mark, only in the figure when the line crosses the plane.
-const std::string facing = marked("facing", "\\vec n_{f}");
-
-std::vector<NamedValue> list(const Out &out) {
-  std::vector<NamedValue> values{{"numerator", "(" + P0 + "-" + Q + ")\\cdot " + n, Surd(out.meet.numerator)},
-                                 {"denominator", r + "\\cdot " + n, Surd(out.meet.denominator)}};
+std::vector<NamedValue> list(const In &in, const Out &out) {
+  const Letters at = lettersOf(in, out);
+  std::vector<NamedValue> values{listed("numerator", at.numerator), listed("denominator", at.denominator)};
   if (!out.meet.crosses())
     return values;
-  values.push_back({"t", "t", Surd(out.meet.t)});
-  values.push_back({"point", H, listOf(out.meet.point)});
-  values.push_back({"facing_normal", facing, std::vector<Surd>(out.facing.begin(), out.facing.end())});
+  values.push_back(listed("t", at.t));
+  values.push_back(listed("point", at.H));
+  values.push_back(listed("facing_normal", at.facing));
   return values;
 }
 
-/// (11 − t), (15 + 3t): one coordinate of Q + t·r
-std::string alongRay(Formula &f, const Rational &start, const Rational &step) {
-  return f.linear({Surd(step), Surd(start)}, {"t"});
+WorkingLine substituteLine(const Letters &at) {
+  const Term inserted = dot(at.n, at.Q + unknown("t") * at.r) + at.d;
+  return line("substitute", {condition((0 == inserted).then(multipliedOut(inserted)))},
+              words("The ray's points Q + t·r put into the plane's equation. One unknown is left: t."));
 }
 
-WorkingLine substituteLine(const In &in, const Out &out) {
-  Formula f;
-  std::string sum;
-  for (int i = 0; i < 3; ++i)
-    sum += (i == 0 ? "" : " + ") + f.factor(in.E.normal[i]) + "(" +
-           alongRay(f, in.L.origin[i], in.L.direction[i]) + ")";
-  sum += f.addend(out.plane.offset);
-  return {"substitute", "0 = " + n + "\\cdot(" + Q + " + t\\," + r + ") + d", f.equals(sum), "",
-          words("The ray's points Q + t·r put into the plane's equation. One unknown is left: t.")};
+WorkingLine collectLine(const Letters &at) {
+  const Term equation = at.denominator * unknown("t") + at.f;
+  return line("collect", {condition((0 == equation).then(calculated(equation)))},
+              words("Collected by t: r·n stands before t, and f(Q) is left over."));
 }
 
-WorkingLine collectLine(const Out &out) {
-  Formula f;
-  const std::string sum = f.linear({Surd(out.meet.denominator), Surd(out.f)}, {"t"});
-  return {"collect", "0 = (" + r + "\\cdot " + n + ")\\,t + f(" + Q + ")", f.equals(sum), "",
-          words("Collected by t: r·n stands before t, and f(Q) is left over.")};
+WorkingLine numeratorLine(const Letters &at) {
+  return asked(
+      line("numerator", {withNumbers(at.numerator)},
+           words("The same by dot products. The numerator is −f(Q): how far the plane is from Q, "
+                 "measured along n.")),
+      {{at.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}});
 }
 
-WorkingLine numeratorLine(const In &in, const Out &out) {
-  WorkingLine line =
-      shortDotLine({"numerator", "(" + P0 + " - " + Q + ")\\cdot " + n,
-                    words("The same by dot products. The numerator is −f(Q): how far the plane is from Q, "
-                          "measured along n.")},
-                   out.toPlane, in.E.normal, out.meet.numerator);
-  line.blank->mistakes = {
-      {out.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}};
-  return line;
+WorkingLine denominatorLine(const Letters &at) {
+  return asked(line("denominator", {withNumbers(at.denominator)},
+                    words("The denominator: how far one step r goes along n. Zero means that no step along r "
+                          "comes nearer to the plane.")));
 }
 
-WorkingLine denominatorLine(const In &in, const Out &out) {
-  return shortDotLine({"denominator", r + "\\cdot " + n,
-                       words("The denominator: how far one step r goes along n. Zero means that no step "
-                             "along r comes nearer to the plane.")},
-                      in.L.direction, in.E.normal, out.meet.denominator);
+WorkingLine tLine(const Letters &at) {
+  return asked(line("t", {withNumbers(at.t == at.numerator / at.denominator)},
+                    words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1.")),
+               {wrongSignOf(at.t)});
 }
 
-WorkingLine tLine(const Out &out) {
-  return parameterLine(
-      {"t", "t = \\frac{(" + P0 + " - " + Q + ")\\cdot " + n + "}{" + r + "\\cdot " + n + "}",
-       words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1.")},
-      out.meet.numerator, out.meet.denominator, out.meet.t);
+WorkingLine hitLine(const Letters &at, const Out &out) {
+  return line("hit", {withNumbers(at.H == at.Q + at.t * at.r)},
+              out.meet.which == RayPlaneCase::Hit
+                  ? words("The point where the ray meets the plane.")
+                  : words("Here the line through the ray meets the plane, behind the start: the ray "
+                          "itself never gets there."));
 }
 
-WorkingLine hitLine(const In &in, const Out &out) {
-  return pointLine({"hit", H + " = " + Q + " + t\\," + r,
-                    out.meet.which == RayPlaneCase::Hit
-                        ? words("The point where the ray meets the plane.")
-                        : words("Here the line through the ray meets the plane, behind the start: the ray "
-                                "itself never gets there.")},
-                   in.L.origin, out.meet.t, in.L.direction, out.meet.point);
-}
-
-WorkingLine facingLine(const Out &out) {
-  Formula f;
-  const std::string unit = f.list({out.facing.begin(), out.facing.end()});
+WorkingLine facingLine(const Letters &at, const Out &out) {
+  const Term unit = at.n / norm(at.n);
   const bool flipped = out.meet.denominator > 0;
-  return {"facing", facing + " = " + (flipped ? "-" : "") + "\\frac{" + n + "}{\\lvert" + n + "\\rvert}",
-          f.equals(unit), "",
-          flipped ? words("r·n is positive, so n points away from where the ray comes from: the facing "
-                          "normal is −n, made one unit long.")
-                  : words("r·n is negative, so n already points to where the ray comes from: the facing "
-                          "normal is n, made one unit long.")};
+  return line("facing", {withResult(at.facing == (flipped ? -unit : unit))},
+              flipped ? words("r·n is positive, so n points away from where the ray comes from: the facing "
+                              "normal is −n, made one unit long.")
+                      : words("r·n is negative, so n already points to where the ray comes from: the facing "
+                              "normal is n, made one unit long."));
 }
 
 Working explain(const In &in, const Out &out) {
-  Working working{
-      {substituteLine(in, out), collectLine(out), numeratorLine(in, out), denominatorLine(in, out)}};
+  const Letters at = lettersOf(in, out);
+  Working working{{substituteLine(at), collectLine(at), numeratorLine(at), denominatorLine(at)}};
   if (out.meet.crosses())
-    for (WorkingLine &line : std::vector<WorkingLine>{tLine(out), hitLine(in, out), facingLine(out)})
+    for (WorkingLine &line : std::vector<WorkingLine>{tLine(at), hitLine(at, out), facingLine(at, out)})
       working.lines.push_back(std::move(line));
   return working;
 }
@@ -168,7 +161,7 @@ Figure draw(const In &in, const Out &out) {
   const bool hit = out.meet.which == RayPlaneCase::Hit;
   const Place meeting = place(out.meet.point);
   const Place q = place(in.L.origin);
-  drawPlane(figure, in.E, out.coefficients, crosses ? std::vector{meeting} : std::vector<Place>{});
+  drawPlane(figure, in.E, crosses ? std::vector{meeting} : std::vector<Place>{});
   drawRay(figure, in.L, hit ? std::optional(meeting) : std::nullopt);
   if (!crosses)
     return figure;

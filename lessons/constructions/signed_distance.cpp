@@ -2,6 +2,11 @@
 #include "geometry/point_plane.h"
 #include "lessons/construction.h"
 #include "lessons/drawing.h"
+#include "lessons/given.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
 #include "lessons/words.h"
 #include "lessons/worked_lines.h"
 
@@ -18,42 +23,42 @@ struct In {
 };
 
 struct Out {
-  Plane<Rational> plane;
-  std::vector<Surd> coefficients;
   PointPlane<Rational> measured; // f, signed distance, foot
-  Surd length;                   // |n|
   ExactVec3 w;                   // Q − P0
   bool atP0 = false;             // w is zero: there is no angle
-  Surd wLength;                  // |w|
   Surd cosine;                   // of the angle θ between n and w
-  Rational nQ;                   // n·Q: what is left when P0 is forgotten
-  Rational fWithoutSign;         // |f|
-  Surd oppositeDistance;         // −(signed distance)
 };
 
 Out compute(const In &in) {
   Out out;
-  out.plane = planeThrough(in.E.point, in.E.normal);
-  out.coefficients = coefficientsOf(out.plane);
-  out.measured = measurePointPlane(in.Q.at, out.plane);
+  out.measured = measurePointPlane(in.Q.at, planeThrough(in.E.point, in.E.normal));
   out.w = in.Q.at - in.E.point;
-  out.nQ = dot(in.E.normal, in.Q.at);
-  out.fWithoutSign = abs(out.measured.f);
   out.atP0 = isZero(out.w);
-  if (out.measured.which == PointPlaneCase::ZeroNormal)
-    return out;
-  out.length = Surd::root(out.measured.normalSquared);
-  out.oppositeDistance = -out.measured.signedDistance;
-  const Rational wSquared = dot(out.w, out.w);
-  out.wLength = Surd::root(wSquared);
-  if (!out.atP0)
-    out.cosine = overRoot(out.measured.f, Rational(out.measured.normalSquared * wSquared));
+  if (out.measured.which != PointPlaneCase::ZeroNormal && !out.atP0)
+    out.cosine = overRoot(out.measured.f, Rational(out.measured.normalSquared * dot(out.w, out.w)));
   return out;
 }
 
-CaseWords tell(const In &, const Out &out) {
-  const std::string f = equation("f(Q)", out.measured.f);
-  const std::string distance = equation("signed distance", out.measured.signedDistance);
+/// The letters of the lines.
+struct Letters : PlaneTerms {
+  Term Q, f, w, dist, cosine, F;
+};
+
+Letters lettersOf(const In &in, const Out &out) {
+  const Term Q = termOf(in.Q, "Q");
+  const Term theta = name(letter("θ"), {}).marked("theta");
+  return {termsOf(in.E, "E"),
+          Q,
+          applied(letter("f"), Q, out.measured.f),
+          name(vectorLetter("w"), out.w).marked("w"),
+          name(word("dist"), out.measured.signedDistance).marked("distance"),
+          applied(word("cos"), theta, out.cosine),
+          name(letter("F"), out.measured.foot).marked("F")};
+}
+
+CaseWords tell(const In &in, const Out &out) {
+  const std::string f = equation(lettersOf(in, out).f);
+  const std::string distance = equation(name(word("signed distance"), out.measured.signedDistance));
   switch (out.measured.which) {
   case PointPlaneCase::Positive:
     return {"positive", words("{f} is positive: Q lies on the side that n points to, {distance}.",
@@ -76,116 +81,72 @@ std::string sideName(PointPlaneCase which) {
                                              : "on";
 }
 
-const std::string n = marked("n", "\\vec n");
-const std::string P0 = marked("P0", "P_0");
-const std::string Q = marked("Q", "Q");
-const std::string F = marked("F", "F");
-const std::string w = marked("w", "\\vec w");
-const std::string dist = marked("distance", "\\operatorname{dist}");
-const std::string theta = marked("theta", "\\theta");
-
-std::vector<NamedValue> list(const Out &out) {
-  std::vector<NamedValue> values{{"f", "f(" + Q + ")", Surd(out.measured.f)}};
+std::vector<NamedValue> list(const In &in, const Out &out) {
+  const Letters at = lettersOf(in, out);
+  std::vector<NamedValue> values{listed("f", at.f)};
   if (out.measured.which == PointPlaneCase::ZeroNormal)
     return values;
-  values.push_back({"signed_distance", dist, out.measured.signedDistance});
+  values.push_back(listed("signed_distance", at.dist));
   values.push_back({"side", "\\text{side}", sideName(out.measured.which)});
-  values.push_back({"foot", F, listOf(out.measured.foot)});
+  values.push_back(listed("foot", at.F));
   if (!out.atP0)
-    values.push_back({"cos_angle", "\\cos" + theta, out.cosine});
+    values.push_back(listed("cos_angle", at.cosine));
   return values;
 }
 
-WorkingLine fLine(const In &in, const Out &out) {
-  WorkingLine line = shortDotLine({"f", "f(" + Q + ") = " + n + "\\cdot(" + Q + " - " + P0 + ")",
-                                   words("Q put into the left side of the plane's equation.")},
-                                  in.E.normal, out.w, out.measured.f);
-  line.blank->mistakes = {{out.nQ, words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}};
-  return line;
-}
-
-WorkingLine sideLine(const Out &out) {
-  switch (out.measured.which) {
+std::string sideWords(PointPlaneCase which) {
+  switch (which) {
   case PointPlaneCase::Positive:
-    return {"side", "f(" + Q + ") > 0", "", "", words("The sign tells the side: positive where n points.")};
+    return words("The sign tells the side: positive where n points.");
   case PointPlaneCase::Negative:
-    return {"side", "f(" + Q + ") < 0", "", "",
-            words("The sign tells the side: negative behind the plane, seen along n.")};
+    return words("The sign tells the side: negative behind the plane, seen along n.");
   default:
-    return {"side", "f(" + Q + ") = 0", "", "",
-            words("Zero: Q satisfies the plane's equation, so it lies in the plane.")};
+    return words("Zero: Q satisfies the plane's equation, so it lies in the plane.");
   }
 }
 
-WorkingLine lengthLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals("\\sqrt{" + f.products(in.E.normal, in.E.normal) + "}");
-  return {"length",
-          "\\lvert" + n + "\\rvert = \\sqrt{" + n + "\\cdot " + n + "}",
-          inserted,
-          equalTo(out.length),
-          words("The length of the normal."),
-          Blank{out.length,
-                {{out.measured.normalSquared, words("{answer} is n·n: its root is still to be taken.")}}}};
+std::string distanceWords(const Letters &at, const Out &out) {
+  if (out.measured.normalSquared == 1)
+    return words("Because |n| = 1, f(Q) is the signed distance already.");
+  return words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
+               {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
 }
 
-Blank distanceBlank(const Out &out) {
-  return {out.measured.signedDistance,
-          {{out.measured.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
-           {out.fWithoutSign, words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
-           {out.measured.footParameter, words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")},
-           {out.oppositeDistance, words("{answer} has the wrong sign: the distance has the sign of f(Q).")}}};
+WorkingLine distanceLine(const Letters &at, const Out &out) {
+  return asked(line("distance", {withNumbers(at.dist == at.f / norm(at.n))}, distanceWords(at, out)),
+               {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
+                {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
+                {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")},
+                {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")}});
 }
 
-WorkingLine distanceLine(const Out &out) {
-  Formula f;
-  const std::string inserted = f.equals(f.quotient(out.measured.f, out.length));
-  const bool unit = out.measured.normalSquared == 1;
-  return {
-      "distance",
-      dist + " = \\frac{f(" + Q + ")}{\\lvert" + n + "\\rvert}",
-      inserted,
-      equalTo(out.measured.signedDistance),
-      unit ? words("Because |n| = 1, f(Q) is the signed distance already.")
-           : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
-                   {{"f", equation("f(Q)", out.measured.f)}, {"length", plainText(show(out.length).latex)}}),
-      distanceBlank(out)};
-}
-
-WorkingLine cosineLine(const Out &out) {
-  Formula f;
-  const std::string inserted =
-      f.equals("\\frac{" + f(out.measured.f) + "}{" + f(out.length) + "\\cdot " + f(out.wLength) + "}");
+WorkingLine cosineLine(const Letters &at, const Out &out) {
   const double degrees = std::acos(std::clamp(toDouble(out.cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
-  return {"cosine",
-          "\\cos" + theta + " = \\frac{" + n + "\\cdot " + w + "}{\\lvert" + n + "\\rvert\\,\\lvert" + w +
-              "\\rvert}",
-          inserted,
-          equalTo(out.cosine),
-          words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of w "
-                "that runs along n.",
-                {{"degrees", roundedText(degrees)}}),
-          Blank{out.cosine,
-                {{out.measured.signedDistance, words("{answer} is the distance: divide by |w| as well.")},
-                 {out.measured.f, words("{answer} is n·w: divide by both lengths.")}}}};
-}
-
-WorkingLine footLine(const In &in, const Out &out) {
-  Formula f;
-  const std::string inserted =
-      f.equals(f(in.Q.at) + " - " + f.quotient(out.measured.f, out.measured.normalSquared) + f(in.E.normal));
-  return {"foot", F + " = " + Q + " - \\frac{f(" + Q + ")}{" + n + "\\cdot " + n + "}\\," + n, inserted,
-          equalTo(out.measured.foot),
-          words("The foot: from Q straight along n to the plane, its nearest point.")};
+  return asked(line("cosine", {withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w)))},
+                    words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the "
+                          "part of w that runs along n.",
+                          {{"degrees", plainText(rounded(degrees))}})),
+               {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
+                {dot(at.n, at.w), words("{answer} is n·w: divide by both lengths.")}});
 }
 
 Working explain(const In &in, const Out &out) {
+  const Letters at = lettersOf(in, out);
+  Working working{
+      {asked(line("f", {withNumbers(at.f == dot(at.n, at.Q - at.P0))},
+                  words("Q put into the left side of the plane's equation.")),
+             {{dot(at.n, at.Q), words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}})}};
   if (out.measured.which == PointPlaneCase::ZeroNormal)
-    return {{fLine(in, out)}};
-  Working working{{fLine(in, out), sideLine(out), lengthLine(in, out), distanceLine(out)}};
+    return working;
+  working.lines.push_back(line("side", {compared(at.f, 0)}, sideWords(out.measured.which)));
+  working.lines.push_back(asked(
+      line("length", {withProducts(norm(at.n) == root(dot(at.n, at.n)))}, words("The length of the normal.")),
+      {{dot(at.n, at.n), words("{answer} is n·n: its root is still to be taken.")}}));
+  working.lines.push_back(distanceLine(at, out));
   if (!out.atP0)
-    working.lines.push_back(cosineLine(out));
-  working.lines.push_back(footLine(in, out));
+    working.lines.push_back(cosineLine(at, out));
+  working.lines.push_back(line("foot", {withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n)},
+                               words("The foot: from Q straight along n to the plane, its nearest point.")));
   return working;
 }
 
@@ -196,7 +157,7 @@ Figure draw(const In &in, const Out &out) {
   const Place normal = place(in.E.normal);
   const bool hasPlane = out.measured.which != PointPlaneCase::ZeroNormal;
   const Place foot = hasPlane ? place(out.measured.foot) : p0;
-  drawPlane(figure, in.E, out.coefficients, {foot});
+  drawPlane(figure, in.E, {foot});
   figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, q});
   if (!out.atP0)
     figure.marks.push_back(ArrowMark{{"w", Role::Derived, Subject::Point, "\\vec w"}, p0, q - p0});
@@ -208,10 +169,9 @@ Figure draw(const In &in, const Out &out) {
   figure.marks.push_back(PointMark{{"F", Role::Result, Subject::Measure, "F"}, foot});
   if (out.measured.which == PointPlaneCase::On)
     return figure;
-  Formula f;
-  const std::string distance = f(out.measured.signedDistance);
-  figure.marks.push_back(SegmentMark{
-      {"distance", Role::Result, Subject::Measure, "\\operatorname{dist} " + f.equals(distance)}, foot, q});
+  const Term dist = name(word("dist"), out.measured.signedDistance);
+  figure.marks.push_back(
+      SegmentMark{{"distance", Role::Result, Subject::Measure, latexOf(withResult(dist))}, foot, q});
   figure.marks.push_back(
       RightAngleMark{{"F-angle", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
   return figure;

@@ -1,0 +1,85 @@
+#include "lessons/term/chain.h"
+
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
+
+namespace halfspace {
+namespace {
+
+Relation comparisonOf(const Term &a, const Term &b) {
+  const auto difference = evaluate(a - b);
+  const auto number = difference ? difference->number() : std::nullopt;
+  const auto side = number ? sign(*number) : std::nullopt;
+  if (!side)
+    return Relation::Unequal;
+  if (*side == 0)
+    return Relation::Equal;
+  return *side < 0 ? Relation::Less : Relation::Greater;
+}
+
+/// Of two terms that should be equal; nothing where that cannot be known.
+std::optional<bool> comeToTheSame(const Term &a, const Term &b) {
+  const auto left = evaluate(a);
+  const auto right = evaluate(b);
+  return left && right ? areEqual(*left, *right) : std::optional(false);
+}
+
+} // namespace
+
+std::vector<Relation> Chain::relations() const {
+  if (m_claim == Claim::Comparison)
+    return {comparisonOf(m_sides[0], m_sides[1])};
+  const std::size_t first = m_claim == Claim::Condition ? 1 : 0;
+  std::vector<Relation> relations;
+  bool rounded = showsRounded(m_sides[0]);
+  for (std::size_t i = 1; i < m_sides.size(); ++i) {
+    rounded = rounded || showsRounded(m_sides[i]);
+    const auto same = i == first ? std::optional(true) : comeToTheSame(m_sides[first], m_sides[i]);
+    relations.push_back(same == false      ? Relation::Unequal
+                        : rounded || !same ? Relation::Approximately
+                                           : Relation::Equal);
+  }
+  return relations;
+}
+
+Chain operator==(Chain chain, Term next) {
+  chain.m_sides.push_back(std::move(next));
+  chain.m_symbolic = chain.m_sides.size();
+  return chain;
+}
+
+Chain Chain::then(Term calculated) const {
+  Chain chain = *this;
+  const bool repeats = plainText(calculated) == plainText(chain.last());
+  if (!repeats)
+    chain.m_sides.push_back(std::move(calculated));
+  else if (chain.m_sides.size() > chain.m_symbolic)
+    chain.m_sides.back() = std::move(calculated);
+  return chain;
+}
+
+Chain operator==(Term a, Term b) { return Chain(std::move(a)) == std::move(b); }
+
+Chain condition(Chain chain) {
+  chain.m_claim = Chain::Claim::Condition;
+  return chain;
+}
+
+Chain compared(Term a, Term b) {
+  Chain chain = std::move(a) == std::move(b);
+  chain.m_claim = Chain::Claim::Comparison;
+  return chain;
+}
+
+Chain withNumbers(const Chain &chain) {
+  return chain.then(numbersPutIn(chain.last())).then(calculated(chain.last()));
+}
+
+Chain withProducts(const Chain &chain) {
+  return chain.then(multipliedOut(chain.last())).then(calculated(chain.last()));
+}
+
+Chain withResult(const Chain &chain) { return chain.then(calculated(chain.last())); }
+
+} // namespace halfspace

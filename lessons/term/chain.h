@@ -1,0 +1,64 @@
+// Chains of terms, `a = b = c`, whose relations follow from what the terms come to.
+#pragma once
+
+#include "lessons/term/term.h"
+
+#include <vector>
+
+namespace halfspace {
+
+enum class Relation : std::uint8_t {
+  Equal,         ///< both sides are the same, and all numbers in them are exact
+  Approximately, ///< a number was rounded, here or before
+  Less,
+  Greater,
+  Unequal, ///< the chain claims what does not hold: a defect of whoever built it
+};
+
+/// Terms that are claimed to be equal, from left to right. Immutable relations are derived, never written.
+class Chain {
+public:
+  Chain(Term first)
+      : m_sides{std::move(first)} {} // NOLINT(google-explicit-constructor): a term is a short chain
+
+  [[nodiscard]] const std::vector<Term> &sides() const { return m_sides; }
+  [[nodiscard]] const Term &last() const { return m_sides.back(); }
+  /// How many sides stand there in symbols; those behind them were calculated from them.
+  [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
+  /// The relation before the side at `index` ≥ 1.
+  [[nodiscard]] Relation relationBefore(std::size_t index) const { return relations().at(index - 1); }
+  /// Between all sides.
+  [[nodiscard]] std::vector<Relation> relations() const;
+
+  /// The chain goes on in symbols.
+  friend Chain operator==(Chain chain, Term next);
+  /// The chain goes on with a calculated side, unless that reads like the one before it: then it replaces it
+  /// when that was calculated too.
+  [[nodiscard]] Chain then(Term calculated) const;
+
+private:
+  enum class Claim : std::uint8_t { Identity, Condition, Comparison };
+  friend Chain condition(Chain chain);
+  friend Chain compared(Term a, Term b);
+
+  std::vector<Term> m_sides;
+  std::size_t m_symbolic = 1;
+  Claim m_claim = Claim::Identity;
+};
+
+[[nodiscard]] Chain operator==(Term a, Term b);
+
+/// `0 = …`, which its unknowns fulfil or not: the first side is equal to the second by demand.
+[[nodiscard]] Chain condition(Chain chain);
+
+/// a < b, a = b or a > b, whichever holds.
+[[nodiscard]] Chain compared(Term a, Term b);
+
+/// Goes on with the numbers put in, and the result.
+[[nodiscard]] Chain withNumbers(const Chain &chain);
+/// Goes on with all dot products multiplied out, and the result.
+[[nodiscard]] Chain withProducts(const Chain &chain);
+/// Goes on with the result.
+[[nodiscard]] Chain withResult(const Chain &chain);
+
+} // namespace halfspace

@@ -1,0 +1,193 @@
+// What terms come to.
+#include "lessons/term/term.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+using Found = std::optional<TermValue>;
+using Values = std::vector<TermValue>;
+
+Found sumOf(const Values &values) {
+  TermValue sum = values.front();
+  for (auto value = values.begin() + 1; value != values.end(); ++value) {
+    if (value->isList != sum.isList || value->entries.size() != sum.entries.size())
+      return {};
+    for (std::size_t i = 0; i < sum.entries.size(); ++i)
+      sum.entries[i] = sum.entries[i] + value->entries[i];
+  }
+  return sum;
+}
+
+TermValue scaled(TermValue value, const Polynomial &factor) {
+  for (Polynomial &entry : value.entries)
+    entry = entry * factor;
+  return value;
+}
+
+Found productOf(const Values &values) {
+  TermValue product = values.front();
+  for (auto value = values.begin() + 1; value != values.end(); ++value) {
+    if (value->isList && product.isList)
+      return {};
+    product =
+        value->isList ? scaled(*value, product.entries.front()) : scaled(product, value->entries.front());
+  }
+  return product;
+}
+
+Found dotOf(const TermValue &a, const TermValue &b) {
+  if (!a.isList || !b.isList || a.entries.size() != b.entries.size())
+    return {};
+  Polynomial sum;
+  for (std::size_t i = 0; i < a.entries.size(); ++i)
+    sum = sum + a.entries[i] * b.entries[i];
+  return sum;
+}
+
+Found crossOf(const TermValue &left, const TermValue &right) {
+  const auto &a = left.entries;
+  const auto &b = right.entries;
+  if (!left.isList || !right.isList || a.size() != 3 || b.size() != 3)
+    return {};
+  return TermValue::list({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
+
+Found quotientOf(const TermValue &dividend, const TermValue &divisor) {
+  const auto by = divisor.number();
+  const auto reciprocal = by ? quotient(Real(1), *by) : std::nullopt;
+  return reciprocal ? Found(scaled(dividend, *reciprocal)) : std::nullopt;
+}
+
+Found powerOf(const TermValue &base, const TermValue &exponent) {
+  const auto times = exponent.number();
+  if (base.isList || !times)
+    return {};
+  Polynomial power = Real(1);
+  for (int i = 0; i < static_cast<int>(toDouble(*times)); ++i)
+    power = power * base.entries.front();
+  return power;
+}
+
+Found rootOf(const TermValue &square) {
+  const auto number = square.number();
+  const auto root = number ? squareRoot(*number) : std::nullopt;
+  return root ? Found(*root) : std::nullopt;
+}
+
+Found normOf(const TermValue &value) {
+  if (value.isList) {
+    const auto square = dotOf(value, value);
+    return square ? rootOf(*square) : std::nullopt;
+  }
+  const auto number = value.number();
+  const auto side = number ? sign(*number) : std::nullopt;
+  return side ? Found(*side < 0 ? -*number : *number) : std::nullopt;
+}
+
+/// By the first row, minor by minor: determinants of the notes have three rows.
+Polynomial determinantOf(const std::vector<Polynomial> &entries, std::size_t size) {
+  if (size == 1)
+    return entries.front();
+  Polynomial sum;
+  for (std::size_t column = 0; column < size; ++column) {
+    std::vector<Polynomial> minor;
+    for (std::size_t i = size; i < size * size; ++i)
+      if (i % size != column)
+        minor.push_back(entries[i]);
+    const Polynomial part = entries[column] * determinantOf(minor, size - 1);
+    sum = column % 2 == 0 ? sum + part : sum - part;
+  }
+  return sum;
+}
+
+/// The entries one after the other; nothing where one is a list itself.
+std::optional<std::vector<Polynomial>> entriesOf(const Values &values) {
+  std::vector<Polynomial> entries;
+  for (const TermValue &value : values) {
+    if (value.isList)
+      return {};
+    entries.push_back(value.entries.front());
+  }
+  return entries;
+}
+
+Found determinantOf(const Values &values, std::size_t columns) {
+  const auto entries = entriesOf(values);
+  if (!entries || columns == 0 || values.size() != columns * columns)
+    return {};
+  return determinantOf(*entries, columns);
+}
+
+Found permutedOf(const Values &values) {
+  const Found first = dotOf(values[0], values[3]);
+  const Found second = dotOf(values[2], values[1]);
+  return first && second ? sumOf({*first, *second}) : std::nullopt;
+}
+
+Found operated(const TermNode &term, const Values &values) {
+  switch (term.kind) {
+  case TermKind::Negation:
+    return scaled(values[0], Real(-1));
+  case TermKind::Sum:
+    return sumOf(values);
+  case TermKind::Product:
+    return productOf(values);
+  case TermKind::Dot:
+    return dotOf(values[0], values[1]);
+  case TermKind::Cross:
+    return crossOf(values[0], values[1]);
+  case TermKind::Quotient:
+    return quotientOf(values[0], values[1]);
+  case TermKind::Power:
+    return powerOf(values[0], values[1]);
+  case TermKind::Root:
+    return rootOf(values[0]);
+  case TermKind::Norm:
+    return normOf(values[0]);
+  case TermKind::List:
+  case TermKind::Matrix: {
+    const auto entries = entriesOf(values);
+    return entries ? Found(TermValue::list(*entries)) : std::nullopt;
+  }
+  case TermKind::Determinant:
+    return determinantOf(values, term.columns);
+  case TermKind::Permuted:
+    return permutedOf(values);
+  case TermKind::Digits:
+  case TermKind::Number:
+  case TermKind::Name:
+  case TermKind::Unknown:
+  case TermKind::Applied:
+    break;
+  }
+  return {};
+}
+
+} // namespace
+
+std::optional<TermValue> evaluate(const Term &term) {
+  switch (term->kind) {
+  case TermKind::Number:
+  case TermKind::Name:
+  case TermKind::Applied:
+    return term->value;
+  case TermKind::Unknown:
+    return TermValue(Polynomial::unknown(term->symbol.letter));
+  case TermKind::Digits:
+    return {};
+  default:
+    break;
+  }
+  Values values;
+  for (const Term &part : term->parts) {
+    Found value = evaluate(part);
+    if (!value || value->entries.empty())
+      return {};
+    values.push_back(*std::move(value));
+  }
+  return values.empty() ? std::nullopt : operated(*term, values);
+}
+
+} // namespace halfspace

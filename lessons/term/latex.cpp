@@ -1,0 +1,171 @@
+#include "lessons/term/latex.h"
+
+#include "lessons/term/term_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace halfspace {
+namespace {
+
+struct GreekLetter {
+  std::string_view letter;
+  std::string_view command;
+};
+
+constexpr std::array greekLetters{
+    GreekLetter{"α", "\\alpha"},  GreekLetter{"β", "\\beta"},       GreekLetter{"γ", "\\gamma"},
+    GreekLetter{"δ", "\\delta"},  GreekLetter{"ε", "\\varepsilon"}, GreekLetter{"θ", "\\theta"},
+    GreekLetter{"λ", "\\lambda"}, GreekLetter{"μ", "\\mu"},         GreekLetter{"π", "\\pi"},
+    GreekLetter{"ρ", "\\rho"},    GreekLetter{"σ", "\\sigma"},      GreekLetter{"τ", "\\tau"},
+    GreekLetter{"φ", "\\varphi"}, GreekLetter{"ω", "\\omega"},      GreekLetter{"Δ", "\\Delta"},
+    GreekLetter{"∞", "\\infty"}};
+
+std::string letterLatex(const std::string &letter) {
+  const auto greek = std::find_if(greekLetters.begin(), greekLetters.end(),
+                                  [&](const GreekLetter &each) { return each.letter == letter; });
+  return greek == greekLetters.end() ? letter : std::string(greek->command);
+}
+
+class LatexWriter : public TermWriter<std::string> {
+public:
+  LatexWriter(LatexMarks marks, Notation notation) : m_marks(marks), m_notation(notation) {}
+
+protected:
+  std::string row(std::vector<std::string> parts) override {
+    std::string text;
+    for (const std::string &part : parts)
+      append(text, part);
+    return text;
+  }
+
+  std::string digits(const std::string &decimal) override {
+    const std::string text = letterLatex(decimal);
+    const auto point = text.find('.');
+    return point == std::string::npos || m_notation.decimalMark == '.'
+               ? text
+               : text.substr(0, point) + "{,}" + text.substr(point + 1);
+  }
+
+  std::string symbol(const Symbol &symbol) override { return latexOf(symbol); }
+
+  std::string sign(TermSign sign) override {
+    switch (sign) {
+    case TermSign::Plus:
+      return " + ";
+    case TermSign::Minus:
+      return " - ";
+    case TermSign::Negative:
+      return "-";
+    case TermSign::Dot:
+      return "\\cdot ";
+    case TermSign::Cross:
+      return "\\times ";
+    case TermSign::Permuted:
+      return " * ";
+    case TermSign::Gap:
+      break;
+    }
+    return "\\,";
+  }
+
+  std::string relation(Relation relation) override {
+    switch (relation) {
+    case Relation::Equal:
+      return " = ";
+    case Relation::Approximately:
+      return " \\approx ";
+    case Relation::Less:
+      return " < ";
+    case Relation::Greater:
+      return " > ";
+    case Relation::Unequal:
+      break;
+    }
+    return " \\neq ";
+  }
+
+  std::string parenthesized(std::string inside, bool tall) override {
+    return tall ? "\\left(" + inside + "\\right)" : "(" + inside + ")";
+  }
+
+  std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+    return (look.small ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
+  }
+
+  std::string root(std::string square) override { return "\\sqrt{" + square + "}"; }
+  std::string norm(std::string vector) override { return row({"\\lvert", std::move(vector), "\\rvert"}); }
+
+  std::string power(std::string base, std::string exponent) override {
+    return base + (exponent.size() == 1 ? "^" + exponent : "^{" + exponent + "}");
+  }
+
+  std::string list(std::vector<std::string> entries) override {
+    std::string text;
+    for (const std::string &entry : entries)
+      text += (text.empty() ? "" : m_notation.decimalMark == ',' ? ";\\," : ",\\,") + entry;
+    return "\\left(" + text + "\\right)";
+  }
+
+  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+    const std::string kind = isDeterminant ? "vmatrix" : "pmatrix";
+    std::string rows;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      rows += (i == 0 ? "" : i % columns == 0 ? " \\\\ " : " & ") + entries[i];
+    return "\\begin{" + kind + "}" + rows + "\\end{" + kind + "}";
+  }
+
+  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+    return inParentheses ? function + "(" + argument + ")" : row({std::move(function), std::move(argument)});
+  }
+
+  std::string touchable(const Term &term, std::string text) override {
+    return m_marks == LatexMarks::With && !term->mark.empty() ? "\\mark{" + term->mark + "}{" + text + "}"
+                                                              : text;
+  }
+
+  [[nodiscard]] bool isFlat() const override { return false; }
+
+private:
+  /// A letter behind a command would become part of its name.
+  static void append(std::string &text, const std::string &next) {
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto lastOther = std::find_if_not(text.rbegin(), text.rend(), isLetter);
+    const bool endsInCommand = lastOther != text.rbegin() && lastOther != text.rend() && *lastOther == '\\';
+    text += (endsInCommand && !next.empty() && isLetter(next.front()) ? " " : "") + next;
+  }
+
+  LatexMarks m_marks;
+  Notation m_notation;
+};
+
+} // namespace
+
+std::string latexOf(const Symbol &symbol) {
+  if (symbol.isWord) {
+    constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
+    const bool isKnown = std::find(known.begin(), known.end(), symbol.letter) != known.end();
+    return isKnown ? "\\" + symbol.letter : "\\operatorname{" + symbol.letter + "}";
+  }
+  const std::string letter = letterLatex(symbol.letter);
+  std::string text = symbol.isVector ? "\\vec " + letter : letter;
+  if (!symbol.subscript.empty())
+    text += symbol.subscript.size() == 1 ? "_" + symbol.subscript : "_{" + symbol.subscript + "}";
+  return symbol.isPerp ? text + "^{\\perp}" : text;
+}
+
+std::string latexOf(const Term &term, LatexMarks marks, Notation notation) {
+  return LatexWriter(marks, notation).write(term);
+}
+
+std::string latexOf(const Chain &chain, LatexMarks marks, Notation notation) {
+  return LatexWriter(marks, notation).write(chain);
+}
+
+std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end, LatexMarks marks,
+                    Notation notation) {
+  return LatexWriter(marks, notation).write(chain, begin, end);
+}
+
+} // namespace halfspace

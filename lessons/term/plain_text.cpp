@@ -1,0 +1,140 @@
+#include "lessons/term/plain_text.h"
+
+#include "lessons/term/term_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace halfspace {
+namespace {
+
+constexpr std::array<std::string_view, 10> raisedDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::array<std::string_view, 10> loweredDigits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+
+bool areDigits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::string inForm(const std::array<std::string_view, 10> &forms, std::string_view digits) {
+  std::string text;
+  for (const char digit : digits)
+    text += forms.at(static_cast<std::size_t>(digit - '0'));
+  return text;
+}
+
+class PlainWriter : public TermWriter<std::string> {
+public:
+  explicit PlainWriter(Notation notation) : m_notation(notation) {}
+
+protected:
+  std::string row(std::vector<std::string> parts) override {
+    std::string text;
+    for (const std::string &part : parts)
+      text += part;
+    return text;
+  }
+
+  std::string digits(const std::string &decimal) override {
+    std::string text = decimal;
+    std::replace(text.begin(), text.end(), '.', m_notation.decimalMark);
+    return text;
+  }
+
+  std::string symbol(const Symbol &symbol) override { return plainText(symbol); }
+
+  std::string sign(TermSign sign) override {
+    switch (sign) {
+    case TermSign::Plus:
+      return " + ";
+    case TermSign::Minus:
+      return " − ";
+    case TermSign::Negative:
+      return "−";
+    case TermSign::Dot:
+      return "·";
+    case TermSign::Cross:
+      return "×";
+    case TermSign::Permuted:
+      return " ∗ ";
+    case TermSign::Gap:
+      break;
+    }
+    return " ";
+  }
+
+  std::string relation(Relation relation) override {
+    switch (relation) {
+    case Relation::Equal:
+      return " = ";
+    case Relation::Approximately:
+      return " ≈ ";
+    case Relation::Less:
+      return " < ";
+    case Relation::Greater:
+      return " > ";
+    case Relation::Unequal:
+      break;
+    }
+    return " ≠ ";
+  }
+
+  std::string parenthesized(std::string inside, bool) override { return "(" + inside + ")"; }
+  std::string fraction(std::string top, std::string bottom, FractionLook) override {
+    return top + "/" + bottom;
+  }
+  std::string root(std::string square) override { return "√" + square; }
+  std::string norm(std::string vector) override { return "|" + vector + "|"; }
+
+  std::string power(std::string base, std::string exponent) override {
+    constexpr std::string_view minus = "−";
+    const bool negative = exponent.starts_with(minus);
+    const std::string_view magnitude = std::string_view(exponent).substr(negative ? minus.size() : 0);
+    return areDigits(magnitude) ? base + (negative ? "⁻" : "") + inForm(raisedDigits, magnitude)
+                                : base + "^(" + exponent + ")";
+  }
+
+  std::string list(std::vector<std::string> entries) override {
+    return "(" + joined(entries, m_notation.decimalMark == ',' ? "; " : ", ") + ")";
+  }
+
+  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+    std::string rows;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      rows += (i == 0 ? "" : i % columns == 0 ? "; " : " ") + entries[i];
+    return isDeterminant ? "det[" + rows + "]" : "[" + rows + "]";
+  }
+
+  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+    return inParentheses ? function + "(" + argument + ")" : function + " " + argument;
+  }
+
+  [[nodiscard]] bool isFlat() const override { return true; }
+
+private:
+  static std::string joined(const std::vector<std::string> &parts, std::string_view separator) {
+    std::string text;
+    for (const std::string &part : parts)
+      text += (text.empty() ? "" : std::string(separator)) + part;
+    return text;
+  }
+
+  Notation m_notation;
+};
+
+} // namespace
+
+std::string plainText(const Symbol &symbol) {
+  std::string text = symbol.letter;
+  if (areDigits(symbol.subscript))
+    text += inForm(loweredDigits, symbol.subscript);
+  else if (!symbol.subscript.empty())
+    text += "_" + symbol.subscript;
+  return symbol.isPerp ? text + "⊥" : text;
+}
+
+std::string plainText(const Term &term, Notation notation) { return PlainWriter(notation).write(term); }
+
+std::string plainText(const Chain &chain, Notation notation) { return PlainWriter(notation).write(chain); }
+
+} // namespace halfspace

@@ -1,0 +1,55 @@
+// Real numbers as a term comes to them: exact as long as A + B·√n holds them, else between two bounds.
+#pragma once
+
+#include "geometry/surd.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <optional>
+#include <variant>
+
+namespace halfspace {
+
+/// Between `low` and `high`, both included; each operation widens by its own rounding.
+struct Interval {
+  /// Digits enough to tell any two numbers apart that a page shows, and then some.
+  using Bound = mp::number<mp::cpp_bin_float<120>, mp::et_off>;
+  Bound low;
+  Bound high;
+};
+
+class Real {
+public:
+  Real(Surd value) : m_value(std::move(value)) {} // NOLINT(google-explicit-constructor): every surd is one
+  Real(Rational value) : Real(Surd(std::move(value))) {} // NOLINT(google-explicit-constructor)
+  Real(int value) : Real(Surd(value)) {}                 // NOLINT(google-explicit-constructor)
+  explicit Real(Interval value) : m_value(std::move(value)) {}
+
+  /// The value where it is A + B·√n; null where it is only known to lie between bounds.
+  [[nodiscard]] const Surd *exact() const { return std::get_if<Surd>(&m_value); }
+  [[nodiscard]] Interval bounds() const;
+
+  [[nodiscard]] Real operator-() const;
+  friend Real operator+(const Real &a, const Real &b);
+  [[nodiscard]] friend Real operator-(const Real &a, const Real &b) { return a + -b; }
+  friend Real operator*(const Real &a, const Real &b);
+
+private:
+  std::variant<Surd, Interval> m_value;
+};
+
+/// Nothing where the bounds leave it open.
+[[nodiscard]] std::optional<int> sign(const Real &value);
+
+/// a/b; nothing where b is zero, or may be.
+[[nodiscard]] std::optional<Real> quotient(const Real &a, const Real &b);
+
+/// √value; nothing below zero, or where the value may be.
+[[nodiscard]] std::optional<Real> squareRoot(const Real &value);
+
+/// Whether both are the same number; nothing where the bounds leave it open.
+[[nodiscard]] std::optional<bool> areEqual(const Real &a, const Real &b);
+
+[[nodiscard]] double toDouble(const Real &value);
+
+} // namespace halfspace

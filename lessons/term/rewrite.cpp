@@ -1,0 +1,146 @@
+#include "lessons/term/rewrite.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+Term numberFrom(const Real &value, const Term &origin) {
+  TermNode node;
+  node.value = value;
+  node.origin = origin;
+  return Term(std::move(node));
+}
+
+Term unknownsOf(const Polynomial::Monomial &monomial) {
+  std::vector<Term> factors;
+  for (std::size_t i = 0; i < monomial.size();) {
+    const auto same = static_cast<int>(std::count(monomial.begin(), monomial.end(), monomial[i]));
+    factors.push_back(same == 1 ? unknown(monomial[i]) : power(unknown(monomial[i]), same));
+    i += static_cast<std::size_t>(same);
+  }
+  return factors.size() == 1 ? factors.front() : product(std::move(factors));
+}
+
+/// |factor|·x², without a factor 1.
+Term magnitudeOf(const Polynomial::Summand &summand, const Term &origin) {
+  const bool negative = sign(summand.factor) == -1;
+  const Real magnitude = negative ? -summand.factor : summand.factor;
+  if (summand.monomial.empty())
+    return numberFrom(magnitude, origin);
+  const Term letters = unknownsOf(summand.monomial);
+  return areEqual(magnitude, Real(1)) == true ? letters : product({numberFrom(magnitude, origin), letters});
+}
+
+Term collected(const Polynomial &polynomial, const Term &origin) {
+  if (const auto number = polynomial.number())
+    return numberFrom(*number, origin);
+  std::vector<Term> summands;
+  for (const Polynomial::Summand &summand : polynomial.summands()) {
+    const Term magnitude = magnitudeOf(summand, origin);
+    summands.push_back(sign(summand.factor) == -1 ? -magnitude : magnitude);
+  }
+  return summands.size() == 1 ? summands.front() : sum(std::move(summands));
+}
+
+/// The component of a coordinate, where the list is one.
+Term withSource(const Term &entry, const Term &whole, std::size_t index) {
+  if (!whole->source || entry->kind != TermKind::Number)
+    return entry;
+  TermNode node = *entry;
+  node.source = whole->source;
+  node.source->component = static_cast<int>(index);
+  return Term(std::move(node));
+}
+
+Term valueAsTerm(const TermValue &value, const Term &origin) {
+  if (!value.isList)
+    return collected(value.entries.front(), origin);
+  std::vector<Term> entries;
+  for (std::size_t i = 0; i < value.entries.size(); ++i)
+    entries.push_back(withSource(collected(value.entries[i], origin), origin, i));
+  TermNode node = *list(std::move(entries));
+  node.origin = origin;
+  return Term(std::move(node));
+}
+
+/// Rewrites the parts. A sum in a sum becomes part of it.
+template <class Rewriting> Term partsBy(Rewriting rewriting, const Term &term) {
+  if (term->parts.empty() || term->kind == TermKind::Applied)
+    return term;
+  std::vector<Term> parts;
+  for (const Term &part : term->parts) {
+    const Term rewritten = rewriting(part);
+    if (term->kind == TermKind::Sum && rewritten->kind == TermKind::Sum)
+      parts.insert(parts.end(), rewritten->parts.begin(), rewritten->parts.end());
+    else
+      parts.push_back(rewritten);
+  }
+  TermNode node = *withParts(term, std::move(parts));
+  node.mark.clear(); // numbers are no part of the figure
+  return Term(std::move(node));
+}
+
+bool isNamed(const Term &term) { return term->kind == TermKind::Name || term->kind == TermKind::Applied; }
+
+/// Whether "numbers put in" shows what comes of it, rather than how.
+bool isOneNumber(const Term &term) {
+  switch (term->kind) {
+  case TermKind::Dot:
+  case TermKind::Cross:
+  case TermKind::Norm:
+  case TermKind::Determinant:
+  case TermKind::Permuted:
+    return true;
+  default:
+    return isNamed(term);
+  }
+}
+
+Term inserted(const Term &term) { return isOneNumber(term) ? calculated(term) : partsBy(inserted, term); }
+
+bool isDotOfLists(const Term &term) {
+  return term->kind == TermKind::Dot && term->parts[0]->kind == TermKind::List &&
+         term->parts[1]->kind == TermKind::List &&
+         term->parts[0]->parts.size() == term->parts[1]->parts.size();
+}
+
+Term summed(const Term &dot) {
+  std::vector<Term> products;
+  for (std::size_t i = 0; i < dot->parts[0]->parts.size(); ++i)
+    products.push_back(product({dot->parts[0]->parts[i], dot->parts[1]->parts[i]}));
+  return sum(std::move(products));
+}
+
+} // namespace
+
+Term calculated(const Term &term) {
+  const auto value = evaluate(term);
+  return value ? valueAsTerm(*value, term) : term;
+}
+
+Term multipleOf(const Term &factor, const Term &term) {
+  const auto value = evaluate(factor);
+  const auto number = value ? value->number() : std::nullopt;
+  if (!number)
+    return factor * term;
+  const bool negative = sign(*number) == -1;
+  const Term scaled = numberFrom(negative ? -*number : *number, factor) * term;
+  return negative ? -scaled : scaled;
+}
+
+Term namesPutIn(const Term &term) { return isNamed(term) ? calculated(term) : partsBy(namesPutIn, term); }
+
+Term numbersPutIn(const Term &term) {
+  return isOneNumber(term) && !isNamed(term) ? partsBy(calculated, term) : inserted(term);
+}
+
+Term multipliedOut(const Term &term) {
+  if (isNamed(term))
+    return calculated(term);
+  const Term rewritten =
+      term->kind == TermKind::Dot ? partsBy(calculated, term) : partsBy(multipliedOut, term);
+  return isDotOfLists(rewritten) ? summed(rewritten) : rewritten;
+}
+
+} // namespace halfspace

@@ -1,0 +1,27 @@
+// The steps between a formula and its result, written once for all of them. None changes what a term comes
+// to.
+#pragma once
+
+#include "lessons/term/term.h"
+
+namespace halfspace {
+
+/// The term as a number, a list of numbers, or, where unknowns are left, collected by them: 9t + 30. Each
+/// number remembers the term that it came from. A term that comes to nothing stays as it is.
+[[nodiscard]] Term calculated(const Term &term);
+
+/// factor·term with the factor calculated and its sign in front: −(2/3) v.
+[[nodiscard]] Term multipleOf(const Term &factor, const Term &term);
+
+/// Numbers for all names, and nothing calculated: n·(Q − P₀) as (1, 2, 2)·((11, 15, 8) − (5, 4, 7)).
+[[nodiscard]] Term namesPutIn(const Term &term);
+
+/// The numbers that the formula is made of: names, products of vectors and norms are calculated, while sums,
+/// products, fractions, powers and the outermost operation stand. f(Q)/|n| as 30/3, n·(Q − P₀) as
+/// (1, 2, 2)·(6, 11, 1).
+[[nodiscard]] Term numbersPutIn(const Term &term);
+
+/// Numbers for all names, and dot products of vectors coordinate by coordinate: u·v as 1·4 + 2·5 + 3·6.
+[[nodiscard]] Term multipliedOut(const Term &term);
+
+} // namespace halfspace

@@ -1,0 +1,135 @@
+#include "lessons/term/term.h"
+
+#include <array>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+Term made(TermKind kind, std::vector<Term> parts) {
+  TermNode node;
+  node.kind = kind;
+  node.parts = std::move(parts);
+  return Term(std::move(node));
+}
+
+Term numberTerm(TermValue value) {
+  TermNode node;
+  node.value = std::move(value);
+  return Term(std::move(node));
+}
+
+/// The parts of a term that is of this kind, else the term: a + b + c is one sum.
+void appendFlat(std::vector<Term> &parts, TermKind kind, Term term) {
+  if (term->kind == kind && term->mark.empty())
+    parts.insert(parts.end(), term->parts.begin(), term->parts.end());
+  else
+    parts.push_back(std::move(term));
+}
+
+} // namespace
+
+Symbol letter(std::string letter, std::string subscript) {
+  return {.letter = std::move(letter), .subscript = std::move(subscript)};
+}
+Symbol vectorLetter(std::string letter, std::string subscript) {
+  return {.letter = std::move(letter), .subscript = std::move(subscript), .isVector = true};
+}
+Symbol perpLetter(std::string letter) {
+  return {.letter = std::move(letter), .isVector = true, .isPerp = true};
+}
+Symbol word(std::string word) { return {.letter = std::move(word), .isWord = true}; }
+
+Term::Term(int number) : Term(Surd(number)) {}
+Term::Term(const Rational &number) : Term(Surd(number)) {}
+Term::Term(const Surd &number) : Term(numberTerm(number)) {}
+Term::Term(TermNode node) : m_node(std::make_shared<const TermNode>(std::move(node))) {}
+
+Term Term::marked(std::string mark) const {
+  TermNode node = *m_node;
+  node.mark = std::move(mark);
+  return Term(std::move(node));
+}
+
+Term name(Symbol symbol, TermValue value) {
+  TermNode node;
+  node.kind = TermKind::Name;
+  node.symbol = std::move(symbol);
+  node.value = std::move(value);
+  return Term(std::move(node));
+}
+
+Term given(Symbol symbol, const Vec3<Rational> &value, std::string role, std::size_t coordinate) {
+  TermNode node = *name(std::move(symbol), value);
+  node.source = CoordinateSource{std::move(role), coordinate, std::nullopt};
+  return Term(std::move(node));
+}
+
+Term unknown(std::string letter) {
+  TermNode node;
+  node.kind = TermKind::Unknown;
+  node.symbol = halfspace::letter(std::move(letter));
+  return Term(std::move(node));
+}
+
+Term applied(Symbol function, Term argument, TermValue value) {
+  TermNode node;
+  node.kind = TermKind::Applied;
+  node.symbol = std::move(function);
+  node.parts = {std::move(argument)};
+  node.value = std::move(value);
+  return Term(std::move(node));
+}
+
+Term dot(Term a, Term b) { return made(TermKind::Dot, {std::move(a), std::move(b)}); }
+Term cross(Term a, Term b) { return made(TermKind::Cross, {std::move(a), std::move(b)}); }
+Term power(Term base, int exponent) { return made(TermKind::Power, {std::move(base), exponent}); }
+Term root(Term square) { return made(TermKind::Root, {std::move(square)}); }
+Term norm(Term vector) { return made(TermKind::Norm, {std::move(vector)}); }
+Term list(std::vector<Term> entries) { return made(TermKind::List, std::move(entries)); }
+Term sum(std::vector<Term> summands) { return made(TermKind::Sum, std::move(summands)); }
+Term product(std::vector<Term> factors) { return made(TermKind::Product, std::move(factors)); }
+
+Term determinant(std::size_t columns, std::vector<Term> entries) {
+  TermNode node = *made(TermKind::Determinant, std::move(entries));
+  node.columns = columns;
+  return Term(std::move(node));
+}
+
+Term matrix(std::size_t columns, std::vector<Term> entries) {
+  TermNode node = *made(TermKind::Matrix, std::move(entries));
+  node.columns = columns;
+  return Term(std::move(node));
+}
+
+Term permuted(Term d1, Term m1, Term d2, Term m2) {
+  return made(TermKind::Permuted, {std::move(d1), std::move(m1), std::move(d2), std::move(m2)});
+}
+
+Term operator-(Term term) { return made(TermKind::Negation, {std::move(term)}); }
+
+Term operator+(Term a, Term b) {
+  std::vector<Term> parts;
+  appendFlat(parts, TermKind::Sum, std::move(a));
+  parts.push_back(std::move(b));
+  return sum(std::move(parts));
+}
+
+Term operator-(Term a, Term b) { return std::move(a) + -std::move(b); }
+
+Term operator*(Term a, Term b) {
+  std::vector<Term> parts;
+  appendFlat(parts, TermKind::Product, std::move(a));
+  parts.push_back(std::move(b));
+  return product(std::move(parts));
+}
+
+Term operator/(Term a, Term b) { return made(TermKind::Quotient, {std::move(a), std::move(b)}); }
+
+Term withParts(const Term &term, std::vector<Term> parts) {
+  TermNode node = *term;
+  node.parts = std::move(parts);
+  return Term(std::move(node));
+}
+
+} // namespace halfspace

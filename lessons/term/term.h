@@ -1,0 +1,129 @@
+// Formulas as values: a term is a tree of numbers, names and operations, and comes to a number or a vector.
+#pragma once
+
+#include "lessons/term/term_value.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace halfspace {
+
+/// How a name is spelled, whatever the notation.
+struct Symbol {
+  std::string letter{};    ///< one letter, in UTF-8: P, λ, θ; or a word, as `dist`
+  std::string subscript{}; ///< digits or letters; empty for none
+  bool isVector = false;   ///< with an arrow above
+  bool isPerp = false;     ///< with a ⊥ behind
+  bool isWord = false;     ///< more than a letter: set upright, as `cos`
+  bool operator==(const Symbol &) const = default;
+};
+
+[[nodiscard]] Symbol letter(std::string letter, std::string subscript = {});
+[[nodiscard]] Symbol vectorLetter(std::string letter, std::string subscript = {});
+/// u⊥
+[[nodiscard]] Symbol perpLetter(std::string letter);
+[[nodiscard]] Symbol word(std::string word);
+
+/// The coordinate of the scene that a number or a vector is.
+struct CoordinateSource {
+  std::string role;             ///< the role of the object in the construction
+  std::size_t coordinate;       ///< its place among the object's coordinates
+  std::optional<int> component; ///< 0, 1, 2; nothing for the whole point or vector
+  bool operator==(const CoordinateSource &) const = default;
+};
+
+enum class TermKind : std::uint8_t {
+  Digits,  ///< an unsigned number as it is written: only in what `written` makes of a number
+  Number,  ///< an exact value
+  Name,    ///< a symbol that stands for a value
+  Unknown, ///< a symbol that stands for any number: the t of an equation
+  Applied, ///< f(Q), cos θ: a symbol with the term that it is taken of
+  Negation,
+  Sum,     ///< of two and more; a difference is a sum with a negation
+  Product, ///< of two and more numbers, one of which may be a vector
+  Dot,
+  Cross,
+  Quotient, ///< of a number or a vector by a number
+  Power,    ///< with a whole exponent, its second part
+  Root,     ///< the square root
+  Norm,     ///< of a vector, or the magnitude of a number
+  List,     ///< coordinates of a point or a vector, and other rows of numbers
+  Matrix,   ///< `columns` numbers a row
+  Determinant,
+  Permuted, ///< of two lines by direction and moment: d₁·m₂ + d₂·m₁, its four parts in the order d₁ m₁ d₂ m₂
+};
+
+struct TermNode;
+
+/// A term; cheap to copy, never changed. The operators build terms as the notes write them; they calculate
+/// nothing.
+class Term {
+public:
+  /// Numbers that stand in a formula: the 2 of 2n.
+  Term(int number);             // NOLINT(google-explicit-constructor): every number is a term
+  Term(const Rational &number); // NOLINT(google-explicit-constructor)
+  Term(const Surd &number);     // NOLINT(google-explicit-constructor)
+  explicit Term(TermNode node);
+
+  [[nodiscard]] const TermNode &operator*() const { return *m_node; }
+  [[nodiscard]] const TermNode *operator->() const { return m_node.get(); }
+
+  /// The same term as part of the figure: the id of the mark that it is.
+  [[nodiscard]] Term marked(std::string mark) const;
+
+private:
+  std::shared_ptr<const TermNode> m_node;
+};
+
+struct TermNode {
+  TermKind kind = TermKind::Number;
+  std::vector<Term> parts{};
+  Symbol symbol{};                          ///< of Name, Unknown, Applied
+  std::string digits{};                     ///< of Digits
+  TermValue value{};                        ///< of Number, Name, Applied
+  std::size_t columns = 0;                  ///< of Matrix, Determinant
+  std::string mark{};                       ///< the figure's mark that the term is; empty for none
+  std::optional<CoordinateSource> source{}; ///< of Number, Name: the coordinate that it is
+  std::optional<Term> origin{};             ///< of Number, List: what was calculated to get here
+};
+
+/// A name and what it stands for.
+[[nodiscard]] Term name(Symbol symbol, TermValue value);
+/// A name of one of the scene's coordinates.
+[[nodiscard]] Term given(Symbol symbol, const Vec3<Rational> &value, std::string role,
+                         std::size_t coordinate);
+[[nodiscard]] Term unknown(std::string letter);
+/// f(Q), with its value.
+[[nodiscard]] Term applied(Symbol function, Term argument, TermValue value);
+
+[[nodiscard]] Term dot(Term a, Term b);
+[[nodiscard]] Term cross(Term a, Term b);
+[[nodiscard]] Term power(Term base, int exponent);
+[[nodiscard]] Term root(Term square);
+[[nodiscard]] Term norm(Term vector);
+[[nodiscard]] Term list(std::vector<Term> entries);
+[[nodiscard]] Term sum(std::vector<Term> summands);
+[[nodiscard]] Term product(std::vector<Term> factors);
+[[nodiscard]] Term determinant(std::size_t columns, std::vector<Term> entries);
+[[nodiscard]] Term matrix(std::size_t columns, std::vector<Term> entries);
+/// The permuted inner product of two lines with directions d and moments m.
+[[nodiscard]] Term permuted(Term d1, Term m1, Term d2, Term m2);
+
+[[nodiscard]] Term operator-(Term term);
+[[nodiscard]] Term operator+(Term a, Term b);
+[[nodiscard]] Term operator-(Term a, Term b);
+[[nodiscard]] Term operator*(Term a, Term b);
+[[nodiscard]] Term operator/(Term a, Term b);
+
+/// The same operation on other parts.
+[[nodiscard]] Term withParts(const Term &term, std::vector<Term> parts);
+
+/// What the term comes to; nothing where it divides by zero, takes the root of a negative number, or mixes
+/// numbers and vectors.
+[[nodiscard]] std::optional<TermValue> evaluate(const Term &term);
+
+} // namespace halfspace

@@ -1,0 +1,301 @@
+// What all notations have in common: which parts stand in parentheses, where a sign is part of a sum, what
+// stands between factors.
+#pragma once
+
+#include "lessons/term/chain.h"
+#include "lessons/term/written.h"
+
+#include <algorithm>
+
+#include <utility>
+#include <vector>
+
+namespace halfspace {
+
+/// Signs and gaps between the parts of a term.
+enum class TermSign : std::uint8_t { Plus, Minus, Negative, Dot, Cross, Permuted, Gap };
+
+/// Walks through a term; a notation says what its pieces look like. `Text` is what it makes of them: a
+/// string, or a node of another tree.
+template <class Text> class TermWriter {
+public:
+  virtual ~TermWriter() = default;
+
+  [[nodiscard]] Text write(const Term &term) { return marked(term, unmarked(term)); }
+
+  /// The sides with the relations between them.
+  [[nodiscard]] Text write(const Chain &chain) { return write(chain, 0, chain.sides().size()); }
+
+  /// The sides from `begin` on, each but the chain's first with the relation before it.
+  [[nodiscard]] Text write(const Chain &chain, std::size_t begin, std::size_t end) {
+    const std::vector<Relation> relations = chain.relations();
+    std::vector<Text> texts;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > 0)
+        texts.push_back(relation(relations[i - 1]));
+      texts.push_back(write(chain.sides()[i]));
+    }
+    return row(std::move(texts));
+  }
+
+protected:
+  TermWriter() = default;
+  TermWriter(const TermWriter &) = default;
+  TermWriter &operator=(const TermWriter &) = default;
+
+  struct FractionLook {
+    bool small = false;    ///< in a row of numbers, where a tall one would tear the line apart
+    bool compound = false; ///< more than a number or a name above or below
+  };
+
+  [[nodiscard]] virtual Text row(std::vector<Text> parts) = 0;
+  [[nodiscard]] virtual Text digits(const std::string &decimal) = 0;
+  [[nodiscard]] virtual Text symbol(const Symbol &symbol) = 0;
+  [[nodiscard]] virtual Text sign(TermSign sign) = 0;
+  [[nodiscard]] virtual Text relation(Relation relation) = 0;
+  [[nodiscard]] virtual Text parenthesized(Text inside, bool tall) = 0;
+  [[nodiscard]] virtual Text fraction(Text top, Text bottom, FractionLook look) = 0;
+  [[nodiscard]] virtual Text root(Text square) = 0;
+  [[nodiscard]] virtual Text norm(Text vector) = 0;
+  [[nodiscard]] virtual Text power(Text base, Text exponent) = 0;
+  [[nodiscard]] virtual Text list(std::vector<Text> entries) = 0;
+  [[nodiscard]] virtual Text matrix(std::vector<Text> entries, std::size_t columns, bool isDeterminant) = 0;
+  /// f(Q), or cos θ for a word before a name.
+  [[nodiscard]] virtual Text applied(Text function, Text argument, bool inParentheses) = 0;
+  /// A term that has a mark or is a number that can be traced. Notations without a hand pass it through.
+  [[nodiscard]] virtual Text touchable(const Term &, Text text) { return text; }
+  /// Whether a fraction is written in the line, with a slash, so that it needs parentheses as a product does.
+  [[nodiscard]] virtual bool isFlat() const = 0;
+
+private:
+  /// How tightly a term holds together: what holds less than its place asks for stands in parentheses.
+  enum class Binding : std::uint8_t { Sum, Negation, VectorProduct, Product, Fraction, Power, Atom };
+
+  /// A number as the term of digits that is written for it.
+  [[nodiscard]] static Term shown(const Term &term) {
+    const auto number = term->kind == TermKind::Number ? term->value.number() : std::nullopt;
+    return number ? written(*number).term : term;
+  }
+
+  [[nodiscard]] Binding bindingOf(const Term &term) const {
+    switch (shown(term)->kind) {
+    case TermKind::Sum:
+      return Binding::Sum;
+    case TermKind::Negation:
+      return Binding::Negation;
+    case TermKind::Dot:
+    case TermKind::Cross:
+    case TermKind::Permuted:
+      return Binding::VectorProduct;
+    case TermKind::Product:
+      return Binding::Product;
+    case TermKind::Quotient:
+    case TermKind::Root:
+      return isFlat() ? Binding::Fraction : Binding::Atom;
+    case TermKind::Power:
+      return Binding::Power;
+    default:
+      return Binding::Atom;
+    }
+  }
+
+  [[nodiscard]] static bool isTall(const Term &term) {
+    const Term looked = shown(term);
+    switch (looked->kind) {
+    case TermKind::Quotient:
+    case TermKind::List:
+    case TermKind::Root:
+    case TermKind::Matrix:
+    case TermKind::Determinant:
+      return true;
+    default:
+      return std::any_of(looked->parts.begin(), looked->parts.end(), isTall);
+    }
+  }
+
+  /// A number, or calculated from numbers alone without a vector.
+  [[nodiscard]] static bool isNumeric(const Term &term) {
+    switch (term->kind) {
+    case TermKind::Number:
+      return true;
+    case TermKind::Power:
+    case TermKind::Quotient:
+      return std::all_of(term->parts.begin(), term->parts.end(), isNumeric);
+    default:
+      return false;
+    }
+  }
+
+  [[nodiscard]] Text marked(const Term &term, Text text) { return touchable(term, std::move(text)); }
+
+  [[nodiscard]] Text held(const Term &term, Binding least) {
+    Text text = write(term);
+    return bindingOf(term) < least ? parenthesized(std::move(text), isTall(term)) : std::move(text);
+  }
+
+  [[nodiscard]] Text unmarked(const Term &term) {
+    const Term looked = shown(term);
+    const auto &parts = looked->parts;
+    switch (looked->kind) {
+    case TermKind::Digits:
+      return digits(looked->digits);
+    case TermKind::Number: // of no value that could be written
+      return digits("?");
+    case TermKind::Name:
+    case TermKind::Unknown:
+      return symbol(looked->symbol);
+    case TermKind::Applied:
+      return applied(symbol(looked->symbol), write(parts[0]),
+                     !looked->symbol.isWord || parts[0]->kind != TermKind::Name);
+    case TermKind::Negation:
+      return row({sign(TermSign::Negative), held(parts[0], Binding::VectorProduct)});
+    case TermKind::Sum:
+      return sum(parts);
+    case TermKind::Product:
+      return product(parts);
+    case TermKind::Dot:
+      return row({held(parts[0], Binding::Product), sign(TermSign::Dot), held(parts[1], Binding::Product)});
+    case TermKind::Cross:
+      return row({held(parts[0], Binding::Product), sign(TermSign::Cross), held(parts[1], Binding::Product)});
+    case TermKind::Permuted:
+      return row({list({write(parts[0]), write(parts[1])}), sign(TermSign::Permuted),
+                  list({write(parts[2]), write(parts[3])})});
+    case TermKind::Quotient:
+      return quotient(looked);
+    case TermKind::Power:
+      return power(base(parts[0]), write(parts[1]));
+    case TermKind::Root:
+      return root(held(parts[0], isFlat() ? Binding::Atom : Binding::Sum));
+    case TermKind::Norm:
+      return norm(write(parts[0]));
+    case TermKind::List:
+      return list(small(parts));
+    case TermKind::Matrix:
+    case TermKind::Determinant:
+      return matrix(small(parts), looked->columns, looked->kind == TermKind::Determinant);
+    }
+    return digits("?");
+  }
+
+  [[nodiscard]] Text sum(const std::vector<Term> &summands) {
+    std::vector<Text> texts{held(summands.front(), Binding::Negation)};
+    for (auto summand = summands.begin() + 1; summand != summands.end(); ++summand) {
+      const Term looked = shown(*summand);
+      const bool negative = looked->kind == TermKind::Negation;
+      texts.push_back(sign(negative ? TermSign::Minus : TermSign::Plus));
+      // The sign of a negative number is the sum's, but the number is still one to be touched.
+      texts.push_back(negative ? touchable(*summand, held(looked->parts[0], Binding::VectorProduct))
+                               : held(*summand, Binding::VectorProduct));
+    }
+    return row(std::move(texts));
+  }
+
+  [[nodiscard]] Text product(const std::vector<Term> &factors) {
+    std::vector<Text> texts;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const Term &factor = factors[i];
+      const bool isLast = i + 1 == factors.size();
+      const bool dotted = !isLast && standDotted(factor, factors[i + 1]);
+      const bool isCoefficient = !isLast && factors[i + 1]->kind == TermKind::Unknown;
+      if (isCoefficient && isRoundedOne(factor))
+        continue;
+      const bool smallBefore = std::exchange(m_small, m_small || isCoefficient);
+      texts.push_back(held(factor, leastInProduct(factors, i, isLast || dotted)));
+      m_small = smallBefore;
+      if (dotted)
+        texts.push_back(sign(TermSign::Dot));
+      else if (!isLast && standApart(factor, factors[i + 1]))
+        texts.push_back(sign(TermSign::Gap));
+    }
+    return row(std::move(texts));
+  }
+
+  /// (1/3)x, because 1/3x would be read as 1/(3x); 2(3t), because 23t is another number.
+  [[nodiscard]] Binding leastInProduct(const std::vector<Term> &factors, std::size_t index,
+                                       bool endsThere) const {
+    const bool isFraction =
+        bindingOf(factors[index]) == Binding::Fraction || endsInRoot(shown(factors[index]));
+    const bool digitsMeet =
+        index > 0 && isNumeral(factors[index - 1]) && factors[index]->kind == TermKind::Product;
+    return (isFraction && !endsThere) || digitsMeet ? Binding::Power : Binding::Product;
+  }
+
+  [[nodiscard]] bool endsInRoot(const Term &term) const {
+    return isFlat() && term->kind == TermKind::Product && term->parts.back()->kind == TermKind::Root;
+  }
+
+  [[nodiscard]] static bool standDotted(const Term &left, const Term &right) {
+    const bool powerOfTen = left->kind == TermKind::Digits && right->kind == TermKind::Power;
+    return powerOfTen || (isNumeric(left) && isNumeric(right));
+  }
+
+  /// t r and (1/2) v, but 2n, 3x, 4(x − 1).
+  [[nodiscard]] bool standApart(const Term &left, const Term &right) const {
+    if (right->kind == TermKind::List || bindingOf(right) < Binding::Product)
+      return false; // it opens with a parenthesis
+    return !isNumeral(left) || (right->kind == TermKind::Name && !isInteger(left));
+  }
+
+  [[nodiscard]] static bool isInteger(const Term &number) {
+    const Term looked = shown(number);
+    return looked->kind == TermKind::Digits && looked->digits.find('.') == std::string::npos;
+  }
+
+  /// A factor that is rounded to 1 says nothing before an unknown.
+  [[nodiscard]] static bool isRoundedOne(const Term &factor) {
+    const Term looked = shown(factor);
+    return looked->kind == TermKind::Digits && looked->digits == "1" && showsRounded(factor);
+  }
+
+  [[nodiscard]] static bool isNumeral(const Term &term) {
+    return term->kind == TermKind::Number || term->kind == TermKind::Digits;
+  }
+
+  [[nodiscard]] static bool isCompound(const Term &term) {
+    const TermKind kind = shown(term)->kind;
+    return kind != TermKind::Digits && kind != TermKind::Name && kind != TermKind::Unknown;
+  }
+
+  [[nodiscard]] Text quotient(const Term &term) {
+    const Term &top = term->parts[0];
+    const Term &bottom = term->parts[1];
+    const FractionLook look{m_small, isCompound(top) || isCompound(bottom)};
+    const bool smallBefore = std::exchange(m_small, true);
+    const Term above = shown(top);
+    const bool isNegativeAtom =
+        above->kind == TermKind::Negation && bindingOf(above->parts[0]) >= Binding::Power;
+    const Binding leastAbove = !isFlat() ? Binding::Sum : isNegativeAtom ? Binding::Negation : Binding::Power;
+    Text topText = held(top, leastAbove);
+    Text bottomText = held(bottom, isFlat() ? Binding::Power : Binding::Sum);
+    m_small = smallBefore;
+    return fraction(std::move(topText), std::move(bottomText), look);
+  }
+
+  /// In parentheses wherever the exponent would stick to a part of it only.
+  [[nodiscard]] Text base(const Term &term) {
+    switch (shown(term)->kind) {
+    case TermKind::Digits:
+    case TermKind::Name:
+    case TermKind::Unknown:
+    case TermKind::Applied:
+    case TermKind::List:
+    case TermKind::Norm:
+      return write(term);
+    default:
+      return parenthesized(write(term), isTall(term));
+    }
+  }
+
+  [[nodiscard]] std::vector<Text> small(const std::vector<Term> &entries) {
+    const bool smallBefore = std::exchange(m_small, true);
+    std::vector<Text> texts;
+    for (const Term &entry : entries)
+      texts.push_back(write(entry));
+    m_small = smallBefore;
+    return texts;
+  }
+
+  bool m_small = false;
+};
+
+} // namespace halfspace

@@ -1,0 +1,118 @@
+#include "lessons/term/written.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace halfspace {
+namespace {
+
+/// Denominators of more than this are written as decimals where the decimal ends: 6.37, not 637/100.
+constexpr std::int64_t largestFractionDenominator = 12;
+
+Term digits(std::string text) {
+  TermNode node;
+  node.kind = TermKind::Digits;
+  node.digits = std::move(text);
+  return Term(std::move(node));
+}
+
+Term signedTerm(bool negative, Term term) { return negative ? -std::move(term) : std::move(term); }
+
+/// The digits after the point that the exact decimal of p/q needs, or −1 when it never ends.
+int decimalPlaces(std::int64_t q) {
+  int twos = 0;
+  int fives = 0;
+  for (; q % 2 == 0; q /= 2)
+    ++twos;
+  for (; q % 5 == 0; q /= 5)
+    ++fives;
+  return q == 1 ? std::max(twos, fives) : -1;
+}
+
+std::string decimalText(const Rational &magnitude, int places) {
+  std::string text = toText(Rational(magnitude * powerOfTen(places)));
+  const auto fraction = static_cast<std::size_t>(places);
+  if (text.size() <= fraction)
+    text.insert(0, fraction + 1 - text.size(), '0');
+  return text.insert(text.size() - fraction, ".");
+}
+
+/// 6.02214·10²³
+Term scientific(const std::string &mantissa, int exponent) {
+  const Term ten = digits("10");
+  const Term times = digits(std::to_string(std::abs(exponent)));
+  TermNode raised = *power(ten, 1);
+  raised.parts = {ten, signedTerm(exponent < 0, times)};
+  return digits(mantissa) * Term(std::move(raised));
+}
+
+/// p/q of positive integers, `root` behind p.
+Term fraction(const Rational &magnitude, const std::optional<Term> &root) {
+  const Integer p = magnitude.numerator();
+  const Term top = !root ? digits(p.str()) : p == 1 ? *root : digits(p.str()) * *root;
+  return magnitude.isInteger() ? top : top / digits(magnitude.denominator().str());
+}
+
+/// The characters of an exact form without the sign in front.
+std::size_t lengthOf(std::string_view exactForm) {
+  return exactForm.size() - (exactForm.starts_with('-') ? 1 : 0);
+}
+
+WrittenNumber writtenFraction(const Rational &value) {
+  static_assert(longestExactForm <= std::numeric_limits<std::int64_t>::digits10);
+  const auto words = value.words();
+  if (!words || lengthOf(toText(value)) > longestExactForm)
+    return {rounded(toDouble(value)), false};
+  const std::int64_t q = words->denominator;
+  const int places = q > largestFractionDenominator ? decimalPlaces(q) : -1;
+  const Rational magnitude = abs(value);
+  return {signedTerm(value<0, places> 0 ? digits(decimalText(magnitude, places)) : fraction(magnitude, {})),
+          true};
+}
+
+WrittenNumber writtenSurd(const Surd &value) {
+  if (value.isRational())
+    return writtenFraction(value.rationalPart());
+  const auto text = toText(value);
+  if (!text || lengthOf(*text) > longestExactForm + std::string_view("*sqrt()").size())
+    return {rounded(toDouble(value)), false};
+  const Term root =
+      signedTerm(value.rootFactor() < 0,
+                 fraction(abs(value.rootFactor()), halfspace::root(digits(value.radicand().str()))));
+  if (value.rationalPart() == 0)
+    return {root, true};
+  const Rational &part = value.rationalPart();
+  return {signedTerm(part < 0, fraction(abs(part), {})) + root, true};
+}
+
+} // namespace
+
+Term rounded(double value) {
+  const bool negative = value < 0;
+  if (!std::isfinite(value))
+    return signedTerm(negative, digits("∞"));
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
+                                 std::chars_format::general, shownDigits)
+                       .ptr;
+  const std::string text(buffer.data(), end);
+  const auto e = text.find('e');
+  return signedTerm(negative, e == std::string::npos
+                                  ? digits(text)
+                                  : scientific(text.substr(0, e), std::stoi(text.substr(e + 1))));
+}
+
+WrittenNumber written(const Real &number) {
+  return number.exact() ? writtenSurd(*number.exact()) : WrittenNumber{rounded(toDouble(number)), false};
+}
+
+bool showsRounded(const Term &term) {
+  if (term->kind == TermKind::Number)
+    return !written(*term->value.number()).exact;
+  return std::any_of(term->parts.begin(), term->parts.end(), showsRounded);
+}
+
+} // namespace halfspace

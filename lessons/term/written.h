@@ -1,0 +1,29 @@
+// How a number is written for a learner.
+#pragma once
+
+#include "lessons/term/term.h"
+
+namespace halfspace {
+
+struct WrittenNumber {
+  /// A term of digits: −10/3 as the negation of a quotient, 5√2 as a product. A fraction has its sign in
+  /// front.
+  Term term;
+  /// False: rounded to `shownDigits` significant digits, because the exact form is too long or unknown.
+  bool exact = true;
+};
+
+/// Exact forms of more characters than this, not counting a sign in front and those of a root, are written
+/// rounded.
+inline constexpr std::size_t longestExactForm = 14;
+inline constexpr int shownDigits = 6;
+
+[[nodiscard]] WrittenNumber written(const Real &number);
+
+/// The value rounded to `shownDigits` significant digits, as a term of digits; ∞ beyond all numbers.
+[[nodiscard]] Term rounded(double value);
+
+/// Whether some number in the term is written rounded.
+[[nodiscard]] bool showsRounded(const Term &term);
+
+} // namespace halfspace
