@@ -6,14 +6,14 @@ namespace halfspace {
 namespace {
 
 Surd exactNumber(const Polynomial &entry) {
-  const auto number = entry.number();
+  const Real *number = entry.number();
   return number && number->exact() ? *number->exact() : Surd(0);
 }
 
 } // namespace
 
 NamedValue listed(std::string name, const Term &term) {
-  const TermValue value = evaluate(term).value_or(Real(0));
+  const TermValue value = term->value.value_or(Real(0));
   NamedValue listed{std::move(name), latexOf(term, LatexMarks::With), Surd(0)};
   if (!value.isList) {
     listed.value = exactNumber(value.entries.at(0));

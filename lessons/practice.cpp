@@ -170,8 +170,7 @@ std::optional<std::string> slipSentence(const Blank &blank, const Answer &answer
   if (!blank.formula)
     return {};
   for (const WrongTerm &mistake : usualMistakes(*blank.formula)) {
-    const auto value = evaluate(mistake.wrong);
-    const auto number = value ? value->number() : std::nullopt;
+    const Real *number = numberOf(mistake.wrong);
     if (number && number->exact() && answer.means(*number->exact()) && !(*number->exact() == blank.answer))
       return mistake.sentence;
   }

@@ -14,7 +14,7 @@ Term droppedFrom(const Term &whole, const Term &rest) {
     std::vector<Term> parts = whole->parts;
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
     const Term left = parts.size() == 1 ? parts.front() : sum(std::move(parts));
-    if (plainText(left) == plainText(rest))
+    if (readAlike(left, rest))
       return whole->parts[i]->kind == TermKind::Negation ? whole->parts[i]->parts[0] : whole->parts[i];
   }
   return whole;

@@ -19,8 +19,7 @@ std::string trimmed(std::string latex) {
 
 /// The number, where it is exactly known.
 std::optional<Surd> exactNumber(const Term &term) {
-  const auto value = evaluate(term);
-  const auto number = value ? value->number() : std::nullopt;
+  const Real *number = numberOf(term);
   return number && number->exact() ? std::optional(*number->exact()) : std::nullopt;
 }
 

@@ -161,7 +161,7 @@ std::vector<WorkingLine> triangleLines(const Letters &at) {
 
 WorkingLine denominatorLine(const Letters &at) {
   const auto &[u, v] = std::pair(at.u, at.v);
-  const bool degenerate = areEqual(at.D->value, Rational(0)) == true;
+  const bool degenerate = sign(*numberOf(at.D)) == 0;
   return asked(line("denominator", {withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v))},
                     degenerate
                         ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")

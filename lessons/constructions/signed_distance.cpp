@@ -46,7 +46,7 @@ struct Letters : PlaneTerms {
 
 Letters lettersOf(const In &in, const Out &out) {
   const Term Q = termOf(in.Q, "Q");
-  const Term theta = name(letter("θ"), {}).marked("theta");
+  const Term theta = name(letter("θ"), std::nullopt).marked("theta");
   return {termsOf(in.E, "E"),
           Q,
           applied(letter("f"), Q, out.measured.f),

@@ -1,6 +1,5 @@
 #include "lessons/term/chain.h"
 
-#include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"
 
@@ -8,8 +7,8 @@ namespace halfspace {
 namespace {
 
 Relation comparisonOf(const Term &a, const Term &b) {
-  const auto difference = evaluate(a - b);
-  const auto number = difference ? difference->number() : std::nullopt;
+  const Term difference = a - b;
+  const Real *number = numberOf(difference);
   const auto side = number ? sign(*number) : std::nullopt;
   if (!side)
     return Relation::Unequal;
@@ -20,9 +19,7 @@ Relation comparisonOf(const Term &a, const Term &b) {
 
 /// Of two terms that should be equal; nothing where that cannot be known.
 std::optional<bool> comeToTheSame(const Term &a, const Term &b) {
-  const auto left = evaluate(a);
-  const auto right = evaluate(b);
-  return left && right ? areEqual(*left, *right) : std::optional(false);
+  return a->value && b->value ? areEqual(*a->value, *b->value) : std::optional(false);
 }
 
 } // namespace
@@ -51,7 +48,7 @@ Chain operator==(Chain chain, Term next) {
 
 Chain Chain::then(Term calculated) const {
   Chain chain = *this;
-  const bool repeats = plainText(calculated) == plainText(chain.last());
+  const bool repeats = readAlike(calculated, chain.last());
   if (!repeats)
     chain.m_sides.push_back(std::move(calculated));
   else if (chain.m_sides.size() > chain.m_symbolic)

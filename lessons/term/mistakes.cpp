@@ -1,8 +1,5 @@
 #include "lessons/term/mistakes.h"
 
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-
 #include <algorithm>
 
 namespace halfspace {
@@ -18,9 +15,10 @@ bool isDifference(const Term &term) {
   return term->kind == TermKind::Sum && term->parts.size() == 2 && term->parts[1]->kind == TermKind::Negation;
 }
 
+bool isLeaf(const Term &term) { return term->parts.empty() || term->kind == TermKind::Number; }
+
 bool isNegative(const Term &term) {
-  const auto value = evaluate(term);
-  const auto number = value ? value->number() : std::nullopt;
+  const Real *number = numberOf(term);
   return number && sign(*number) == -1;
 }
 
@@ -63,7 +61,7 @@ std::vector<Replacement> replacementsOf(const Term &term) {
     found.push_back({Slip::LostSign, term->parts[0]});
     break;
   default:
-    if (term->parts.empty() && isNegative(term))
+    if (isLeaf(term) && isNegative(term))
       found.push_back({Slip::LostSign, -term});
     break;
   }
@@ -75,12 +73,11 @@ using Names = std::vector<Term>;
 bool isName(const Term &term) { return term->kind == TermKind::Name || term->kind == TermKind::Applied; }
 
 void collectNames(const Term &term, Names &names) {
-  const bool known = std::any_of(names.begin(), names.end(), [&](const Term &each) {
-    return each->symbol == term->symbol && plainText(each) == plainText(term);
-  });
+  const bool known =
+      std::any_of(names.begin(), names.end(), [&](const Term &each) { return readAlike(each, term); });
   if (isName(term) && !known)
     names.push_back(term);
-  if (term->kind != TermKind::Applied)
+  if (term->kind != TermKind::Applied && !isLeaf(term))
     for (const Term &part : term->parts)
       collectNames(part, names);
 }
@@ -97,7 +94,7 @@ public:
       found.push_back({each.slip, each.instead, term, each.instead});
     if (isName(term))
       addOtherNames(term, found);
-    if (term->kind == TermKind::Applied)
+    if (term->kind == TermKind::Applied || isLeaf(term))
       return found;
     for (std::size_t i = 0; i < term->parts.size(); ++i)
       for (WrongWay &way : in(term->parts[i])) {
@@ -112,7 +109,8 @@ public:
 private:
   void addOtherNames(const Term &term, std::vector<WrongWay> &found) const {
     for (const Term &other : m_names)
-      if (other->value.isList == term->value.isList && plainText(other) != plainText(term))
+      if (other->value && term->value && other->value->isList == term->value->isList &&
+          !readAlike(other, term))
         found.push_back({Slip::OtherName, other, term, other});
   }
 

@@ -34,26 +34,28 @@ Interval boundsOf(const Surd &value) {
   return sum(boundsOf(value.rationalPart()), product(boundsOf(value.rootFactor()), root(radicand)));
 }
 
-bool haveOneRoot(const Surd &a, const Surd &b) {
-  return a.isRational() || b.isRational() || a.radicand() == b.radicand();
-}
-
-Integer commonRadicand(const Surd &a, const Surd &b) { return a.isRational() ? b.radicand() : a.radicand(); }
-
 Surd made(const Rational &rationalPart, const Rational &rootFactor, const Integer &radicand) {
   return Surd::root(Rational(radicand), rootFactor) + rationalPart;
 }
 
 /// Nothing where the sum has two different roots.
 std::optional<Surd> exactSum(const Surd &a, const Surd &b) {
-  if (!haveOneRoot(a, b))
+  if (b.isRational())
+    return a + b.rationalPart();
+  if (a.isRational())
+    return b + a.rationalPart();
+  if (a.radicand() != b.radicand())
     return {};
-  return made(a.rationalPart() + b.rationalPart(), a.rootFactor() + b.rootFactor(), commonRadicand(a, b));
+  return made(a.rationalPart() + b.rationalPart(), a.rootFactor() + b.rootFactor(), a.radicand());
 }
 
 std::optional<Surd> exactProduct(const Surd &a, const Surd &b) {
-  if (haveOneRoot(a, b)) {
-    const Integer n = commonRadicand(a, b);
+  if (b.isRational())
+    return a * b.rationalPart();
+  if (a.isRational())
+    return b * a.rationalPart();
+  if (a.radicand() == b.radicand()) {
+    const Integer n = a.radicand();
     return made(a.rationalPart() * b.rationalPart() + a.rootFactor() * b.rootFactor() * Rational(n),
                 a.rationalPart() * b.rootFactor() + a.rootFactor() * b.rationalPart(), n);
   }
@@ -64,6 +66,8 @@ std::optional<Surd> exactProduct(const Surd &a, const Surd &b) {
 
 /// 1/(A + B√n) = (A − B√n)/(A² − B²n)
 Surd reciprocal(const Surd &value) {
+  if (value.isRational())
+    return Rational(1 / value.rationalPart());
   const Rational square = value.rationalPart() * value.rationalPart() -
                           value.rootFactor() * value.rootFactor() * Rational(value.radicand());
   const Surd conjugate = made(value.rationalPart(), -value.rootFactor(), value.radicand());
@@ -72,9 +76,11 @@ Surd reciprocal(const Surd &value) {
 
 } // namespace
 
+Real::Real(Interval value) : m_within(std::make_shared<const Interval>(std::move(value))) {}
+
 Interval Real::bounds() const {
   const Surd *surd = exact();
-  return surd ? boundsOf(*surd) : std::get<Interval>(m_value);
+  return surd ? boundsOf(*surd) : *m_within;
 }
 
 Real Real::operator-() const {

@@ -5,8 +5,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <memory>
 #include <optional>
-#include <variant>
 
 namespace halfspace {
 
@@ -20,13 +20,13 @@ struct Interval {
 
 class Real {
 public:
-  Real(Surd value) : m_value(std::move(value)) {} // NOLINT(google-explicit-constructor): every surd is one
+  Real(Surd value) : m_exact(std::move(value)) {} // NOLINT(google-explicit-constructor): every surd is one
   Real(Rational value) : Real(Surd(std::move(value))) {} // NOLINT(google-explicit-constructor)
   Real(int value) : Real(Surd(value)) {}                 // NOLINT(google-explicit-constructor)
-  explicit Real(Interval value) : m_value(std::move(value)) {}
+  explicit Real(Interval value);
 
   /// The value where it is A + B·√n; null where it is only known to lie between bounds.
-  [[nodiscard]] const Surd *exact() const { return std::get_if<Surd>(&m_value); }
+  [[nodiscard]] const Surd *exact() const { return m_within ? nullptr : &m_exact; }
   [[nodiscard]] Interval bounds() const;
 
   [[nodiscard]] Real operator-() const;
@@ -35,7 +35,9 @@ public:
   friend Real operator*(const Real &a, const Real &b);
 
 private:
-  std::variant<Surd, Interval> m_value;
+  Surd m_exact;
+  std::shared_ptr<const Interval>
+      m_within; ///< the bounds of what is not exact; rare, large, and never changed
 };
 
 /// Nothing where the bounds leave it open.

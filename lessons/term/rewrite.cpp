@@ -5,13 +5,6 @@
 namespace halfspace {
 namespace {
 
-Term numberFrom(const Real &value, const Term &origin) {
-  TermNode node;
-  node.value = value;
-  node.origin = origin;
-  return Term(std::move(node));
-}
-
 Term unknownsOf(const Polynomial::Monomial &monomial) {
   std::vector<Term> factors;
   for (std::size_t i = 0; i < monomial.size();) {
@@ -22,51 +15,53 @@ Term unknownsOf(const Polynomial::Monomial &monomial) {
   return factors.size() == 1 ? factors.front() : product(std::move(factors));
 }
 
+Real magnitudeOf(const Real &number) { return sign(number) == -1 ? -number : number; }
+
 /// |factor|·x², without a factor 1.
 Term magnitudeOf(const Polynomial::Summand &summand, const Term &origin) {
-  const bool negative = sign(summand.factor) == -1;
-  const Real magnitude = negative ? -summand.factor : summand.factor;
-  if (summand.monomial.empty())
-    return numberFrom(magnitude, origin);
+  const Real magnitude = magnitudeOf(summand.factor);
   const Term letters = unknownsOf(summand.monomial);
-  return areEqual(magnitude, Real(1)) == true ? letters : product({numberFrom(magnitude, origin), letters});
+  return areEqual(magnitude, Real(1)) == true ? letters : product({number(magnitude, origin), letters});
 }
 
 Term collected(const Polynomial &polynomial, const Term &origin) {
-  if (const auto number = polynomial.number())
-    return numberFrom(*number, origin);
+  if (const Real *constant = polynomial.number())
+    return number(*constant, origin);
   std::vector<Term> summands;
-  for (const Polynomial::Summand &summand : polynomial.summands()) {
-    const Term magnitude = magnitudeOf(summand, origin);
-    summands.push_back(sign(summand.factor) == -1 ? -magnitude : magnitude);
-  }
+  const auto append = [&](const Real &factor, const Term &magnitude) {
+    summands.push_back(sign(factor) == -1 ? -magnitude : magnitude);
+  };
+  for (const Polynomial::Summand &summand : polynomial.summands())
+    append(summand.factor, magnitudeOf(summand, origin));
+  const Real &constant = polynomial.constant();
+  if (areEqual(constant, Real(0)) != true)
+    append(constant, number(magnitudeOf(constant), origin));
   return summands.size() == 1 ? summands.front() : sum(std::move(summands));
 }
 
 /// The component of a coordinate, where the list is one.
-Term withSource(const Term &entry, const Term &whole, std::size_t index) {
-  if (!whole->source || entry->kind != TermKind::Number)
-    return entry;
-  TermNode node = *entry;
-  node.source = whole->source;
-  node.source->component = static_cast<int>(index);
-  return Term(std::move(node));
+std::optional<CoordinateSource> sourceOf(const Term &whole, std::size_t index) {
+  std::optional<CoordinateSource> source = whole->source;
+  if (source)
+    source->component = static_cast<int>(index);
+  return source;
 }
 
 Term valueAsTerm(const TermValue &value, const Term &origin) {
   if (!value.isList)
     return collected(value.entries.front(), origin);
   std::vector<Term> entries;
-  for (std::size_t i = 0; i < value.entries.size(); ++i)
-    entries.push_back(withSource(collected(value.entries[i], origin), origin, i));
-  TermNode node = *list(std::move(entries));
-  node.origin = origin;
-  return Term(std::move(node));
+  for (std::size_t i = 0; i < value.entries.size(); ++i) {
+    const Real *constant = value.entries[i].number();
+    entries.push_back(constant ? number(*constant, origin, sourceOf(origin, i))
+                               : collected(value.entries[i], origin));
+  }
+  return list(std::move(entries));
 }
 
 /// Rewrites the parts. A sum in a sum becomes part of it.
 template <class Rewriting> Term partsBy(Rewriting rewriting, const Term &term) {
-  if (term->parts.empty() || term->kind == TermKind::Applied)
+  if (term->parts.empty() || term->kind == TermKind::Number || term->kind == TermKind::Applied)
     return term;
   std::vector<Term> parts;
   for (const Term &part : term->parts) {
@@ -76,9 +71,7 @@ template <class Rewriting> Term partsBy(Rewriting rewriting, const Term &term) {
     else
       parts.push_back(rewritten);
   }
-  TermNode node = *withParts(term, std::move(parts));
-  node.mark.clear(); // numbers are no part of the figure
-  return Term(std::move(node));
+  return withParts(term, std::move(parts));
 }
 
 bool isNamed(const Term &term) { return term->kind == TermKind::Name || term->kind == TermKind::Applied; }
@@ -114,19 +107,14 @@ Term summed(const Term &dot) {
 
 } // namespace
 
-Term calculated(const Term &term) {
-  const auto value = evaluate(term);
-  return value ? valueAsTerm(*value, term) : term;
-}
+Term calculated(const Term &term) { return term->value ? valueAsTerm(*term->value, term) : term; }
 
 Term multipleOf(const Term &factor, const Term &term) {
-  const auto value = evaluate(factor);
-  const auto number = value ? value->number() : std::nullopt;
-  if (!number)
+  const Real *value = numberOf(factor);
+  if (!value)
     return factor * term;
-  const bool negative = sign(*number) == -1;
-  const Term scaled = numberFrom(negative ? -*number : *number, factor) * term;
-  return negative ? -scaled : scaled;
+  const Term scaled = number(magnitudeOf(*value), factor) * term;
+  return sign(*value) == -1 ? -scaled : scaled;
 }
 
 Term namesPutIn(const Term &term) { return isNamed(term) ? calculated(term) : partsBy(namesPutIn, term); }

@@ -1,21 +1,20 @@
 #include "lessons/term/term.h"
 
-#include <array>
+#include "lessons/term/operate.h"
+#include "lessons/term/written.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
-Term made(TermKind kind, std::vector<Term> parts) {
+Term made(TermKind kind, std::vector<Term> parts, std::size_t columns = 0) {
   TermNode node;
   node.kind = kind;
+  node.value = operate(kind, parts, columns);
   node.parts = std::move(parts);
-  return Term(std::move(node));
-}
-
-Term numberTerm(TermValue value) {
-  TermNode node;
-  node.value = std::move(value);
+  node.columns = columns;
   return Term(std::move(node));
 }
 
@@ -42,7 +41,7 @@ Symbol word(std::string word) { return {.letter = std::move(word), .isWord = tru
 
 Term::Term(int number) : Term(Surd(number)) {}
 Term::Term(const Rational &number) : Term(Surd(number)) {}
-Term::Term(const Surd &number) : Term(numberTerm(number)) {}
+Term::Term(const Surd &number) : Term(halfspace::number(number)) {}
 Term::Term(TermNode node) : m_node(std::make_shared<const TermNode>(std::move(node))) {}
 
 Term Term::marked(std::string mark) const {
@@ -51,7 +50,18 @@ Term Term::marked(std::string mark) const {
   return Term(std::move(node));
 }
 
-Term name(Symbol symbol, TermValue value) {
+Term number(const Real &value, std::optional<Term> origin, std::optional<CoordinateSource> source) {
+  WrittenNumber digits = written(value);
+  TermNode node;
+  node.parts = {std::move(digits.term)};
+  node.isRounded = !digits.exact;
+  node.value = value;
+  node.origin = std::move(origin);
+  node.source = std::move(source);
+  return Term(std::move(node));
+}
+
+Term name(Symbol symbol, std::optional<TermValue> value) {
   TermNode node;
   node.kind = TermKind::Name;
   node.symbol = std::move(symbol);
@@ -68,6 +78,7 @@ Term given(Symbol symbol, const Vec3<Rational> &value, std::string role, std::si
 Term unknown(std::string letter) {
   TermNode node;
   node.kind = TermKind::Unknown;
+  node.value = Polynomial::unknown(letter);
   node.symbol = halfspace::letter(std::move(letter));
   return Term(std::move(node));
 }
@@ -91,17 +102,11 @@ Term sum(std::vector<Term> summands) { return made(TermKind::Sum, std::move(summ
 Term product(std::vector<Term> factors) { return made(TermKind::Product, std::move(factors)); }
 
 Term determinant(std::size_t columns, std::vector<Term> entries) {
-  TermNode node = *made(TermKind::Determinant, std::move(entries));
-  node.columns = columns;
-  return Term(std::move(node));
+  return made(TermKind::Determinant, std::move(entries), columns);
 }
-
 Term matrix(std::size_t columns, std::vector<Term> entries) {
-  TermNode node = *made(TermKind::Matrix, std::move(entries));
-  node.columns = columns;
-  return Term(std::move(node));
+  return made(TermKind::Matrix, std::move(entries), columns);
 }
-
 Term permuted(Term d1, Term m1, Term d2, Term m2) {
   return made(TermKind::Permuted, {std::move(d1), std::move(m1), std::move(d2), std::move(m2)});
 }
@@ -127,9 +132,38 @@ Term operator*(Term a, Term b) {
 Term operator/(Term a, Term b) { return made(TermKind::Quotient, {std::move(a), std::move(b)}); }
 
 Term withParts(const Term &term, std::vector<Term> parts) {
-  TermNode node = *term;
-  node.parts = std::move(parts);
-  return Term(std::move(node));
+  return made(term->kind, std::move(parts), term->columns);
+}
+
+const Real *numberOf(const Term &term) { return term->value ? term->value->number() : nullptr; }
+
+namespace {
+
+const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
+
+/// The term without the minus sign that it is written with in front; null where it has none.
+std::optional<Term> withoutSign(const Term &term) {
+  const Term &looked = shown(term);
+  if (looked->kind == TermKind::Negation)
+    return looked->parts[0];
+  if (looked->kind != TermKind::Quotient)
+    return {};
+  const auto top = withoutSign(looked->parts[0]);
+  return top ? std::optional(*top / looked->parts[1]) : std::nullopt;
+}
+
+} // namespace
+
+bool readAlike(const Term &a, const Term &b) {
+  const auto magnitudeOfA = withoutSign(a);
+  const auto magnitudeOfB = withoutSign(b);
+  if (magnitudeOfA || magnitudeOfB)
+    return magnitudeOfA && magnitudeOfB && readAlike(*magnitudeOfA, *magnitudeOfB);
+  const Term &left = shown(a);
+  const Term &right = shown(b);
+  return left->kind == right->kind && left->digits == right->digits && left->symbol == right->symbol &&
+         std::equal(left->parts.begin(), left->parts.end(), right->parts.begin(), right->parts.end(),
+                    readAlike);
 }
 
 } // namespace halfspace

@@ -59,8 +59,7 @@ enum class TermKind : std::uint8_t {
 
 struct TermNode;
 
-/// A term; cheap to copy, never changed. The operators build terms as the notes write them; they calculate
-/// nothing.
+/// A term; cheap to copy, never changed. The operators build terms as the notes write them.
 class Term {
 public:
   /// Numbers that stand in a formula: the 2 of 2n.
@@ -81,18 +80,25 @@ private:
 
 struct TermNode {
   TermKind kind = TermKind::Number;
+  /// What it is made of. Of a number: the term of digits that is written for it.
   std::vector<Term> parts{};
+  /// What it comes to; nothing where it divides by zero, takes the root of a negative number, or mixes
+  /// numbers and vectors.
+  std::optional<TermValue> value{};
   Symbol symbol{};                          ///< of Name, Unknown, Applied
   std::string digits{};                     ///< of Digits
-  TermValue value{};                        ///< of Number, Name, Applied
+  bool isRounded = false;                   ///< of Number: its digits are not all there are
   std::size_t columns = 0;                  ///< of Matrix, Determinant
   std::string mark{};                       ///< the figure's mark that the term is; empty for none
   std::optional<CoordinateSource> source{}; ///< of Number, Name: the coordinate that it is
   std::optional<Term> origin{};             ///< of Number, List: what was calculated to get here
 };
 
-/// A name and what it stands for.
-[[nodiscard]] Term name(Symbol symbol, TermValue value);
+/// A number, and what was calculated to get it.
+[[nodiscard]] Term number(const Real &value, std::optional<Term> origin = {},
+                          std::optional<CoordinateSource> source = {});
+/// A name and what it stands for: nothing where that is no number, as with an angle.
+[[nodiscard]] Term name(Symbol symbol, std::optional<TermValue> value);
 /// A name of one of the scene's coordinates.
 [[nodiscard]] Term given(Symbol symbol, const Vec3<Rational> &value, std::string role,
                          std::size_t coordinate);
@@ -119,11 +125,13 @@ struct TermNode {
 [[nodiscard]] Term operator*(Term a, Term b);
 [[nodiscard]] Term operator/(Term a, Term b);
 
-/// The same operation on other parts.
+/// The same operation on other parts, which are no part of the figure.
 [[nodiscard]] Term withParts(const Term &term, std::vector<Term> parts);
 
-/// What the term comes to; nothing where it divides by zero, takes the root of a negative number, or mixes
-/// numbers and vectors.
-[[nodiscard]] std::optional<TermValue> evaluate(const Term &term);
+/// The number that the term comes to, where it is one without unknowns; null elsewhere.
+[[nodiscard]] const Real *numberOf(const Term &term);
+
+/// Whether both terms look the same on the page. The sign of a fraction's numerator is that of the fraction.
+[[nodiscard]] bool readAlike(const Term &a, const Term &b);
 
 } // namespace halfspace

@@ -17,14 +17,14 @@ Polynomial::Monomial product(const Polynomial::Monomial &a, const Polynomial::Mo
   return letters;
 }
 
-bool isZero(const Real &number) { return number.exact() && *number.exact() == Surd(0); }
+bool isZero(const Real &number) { return number.exact() && number.exact()->sign() == 0; }
 
-/// False when one is certainly not zero, nothing when one may be.
-std::optional<bool> areAllZero(const std::vector<Polynomial::Summand> &summands) {
-  std::optional<bool> all = true;
-  for (const Polynomial::Summand &summand : summands) {
+/// False where one is certainly unlike zero, nothing where it may be.
+std::optional<bool> isAlwaysZero(const Polynomial &polynomial) {
+  std::optional<bool> all = areEqual(polynomial.constant(), Real(0));
+  for (const Polynomial::Summand &summand : polynomial.summands()) {
     const auto zero = areEqual(summand.factor, Real(0));
-    if (zero == false)
+    if (all == false || zero == false)
       return false;
     if (!zero)
       all.reset();
@@ -34,19 +34,10 @@ std::optional<bool> areAllZero(const std::vector<Polynomial::Summand> &summands)
 
 } // namespace
 
-Polynomial::Polynomial(Real number) { add({}, number); }
-
 Polynomial Polynomial::unknown(const std::string &letter) {
   Polynomial polynomial;
-  polynomial.add({letter}, Real(1));
+  polynomial.m_summands.push_back({{letter}, Real(1)});
   return polynomial;
-}
-
-std::optional<Real> Polynomial::number() const {
-  if (m_summands.empty())
-    return Real(0);
-  return m_summands.size() == 1 && m_summands[0].monomial.empty() ? std::optional(m_summands[0].factor)
-                                                                  : std::nullopt;
 }
 
 void Polynomial::add(const Monomial &monomial, const Real &factor) {
@@ -64,6 +55,7 @@ void Polynomial::add(const Monomial &monomial, const Real &factor) {
 
 Polynomial Polynomial::operator-() const {
   Polynomial negated = *this;
+  negated.m_constant = -negated.m_constant;
   for (Summand &summand : negated.m_summands)
     summand.factor = -summand.factor;
   return negated;
@@ -71,16 +63,21 @@ Polynomial Polynomial::operator-() const {
 
 Polynomial operator+(const Polynomial &a, const Polynomial &b) {
   Polynomial sum = a;
+  sum.m_constant = sum.m_constant + b.m_constant;
   for (const Polynomial::Summand &summand : b.m_summands)
     sum.add(summand.monomial, summand.factor);
   return sum;
 }
 
 Polynomial operator*(const Polynomial &a, const Polynomial &b) {
-  Polynomial all;
-  for (const Polynomial::Summand &left : a.m_summands)
+  Polynomial all = a.m_constant * b.m_constant;
+  for (const Polynomial::Summand &left : a.m_summands) {
+    all.add(left.monomial, left.factor * b.m_constant);
     for (const Polynomial::Summand &right : b.m_summands)
       all.add(product(left.monomial, right.monomial), left.factor * right.factor);
+  }
+  for (const Polynomial::Summand &right : b.m_summands)
+    all.add(right.monomial, a.m_constant * right.factor);
   return all;
 }
 
@@ -99,21 +96,14 @@ TermValue TermValue::list(std::vector<Polynomial> entries) {
   return value;
 }
 
-std::optional<Real> TermValue::number() const {
-  return isList || entries.empty() ? std::nullopt : entries.front().number();
-}
-
-bool TermValue::hasUnknowns() const {
-  return std::any_of(entries.begin(), entries.end(),
-                     [](const Polynomial &each) { return each.hasUnknowns(); });
-}
-
 std::optional<bool> areEqual(const TermValue &a, const TermValue &b) {
   if (a.isList != b.isList || a.entries.size() != b.entries.size())
     return false;
   std::optional<bool> all = true;
   for (std::size_t i = 0; i < a.entries.size(); ++i) {
-    const auto same = areAllZero((a.entries[i] - b.entries[i]).summands());
+    const auto same = a.entries[i].hasUnknowns() || b.entries[i].hasUnknowns()
+                          ? isAlwaysZero(a.entries[i] - b.entries[i])
+                          : areEqual(a.entries[i].constant(), b.entries[i].constant());
     if (same == false)
       return false;
     if (!same)

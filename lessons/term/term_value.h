@@ -11,43 +11,46 @@
 
 namespace halfspace {
 
-/// A sum of powers of unknowns with their factors: 3t² − x + 5. Without unknowns it is a number.
+/// A sum of powers of unknowns with their factors, and a number: 3t² − x + 5.
 class Polynomial {
 public:
-  /// A product of unknowns by their letters, sorted: `t`, `tt`, `xy`; empty for the constant.
+  /// A product of unknowns by their letters, sorted: `t`, `t t`, `x y`; never empty.
   using Monomial = std::vector<std::string>;
   struct Summand {
     Monomial monomial;
     Real factor;
   };
 
-  Polynomial() = default;  ///< 0
-  Polynomial(Real number); // NOLINT(google-explicit-constructor): every number is one
+  Polynomial() = default; ///< 0
+  Polynomial(Real number) // NOLINT(google-explicit-constructor): every number is one
+      : m_constant(std::move(number)) {}
   [[nodiscard]] static Polynomial unknown(const std::string &letter);
 
-  /// Higher powers first, then by letters, the constant last; none of them zero.
+  /// Higher powers first, then by letters; none with a factor 0.
   [[nodiscard]] const std::vector<Summand> &summands() const { return m_summands; }
-  /// The number, or nothing where unknowns are left.
-  [[nodiscard]] std::optional<Real> number() const;
-  [[nodiscard]] bool hasUnknowns() const { return !number(); }
+  /// What is left without the unknowns.
+  [[nodiscard]] const Real &constant() const { return m_constant; }
+  [[nodiscard]] bool hasUnknowns() const { return !m_summands.empty(); }
+  /// The number, or null where unknowns are left.
+  [[nodiscard]] const Real *number() const { return hasUnknowns() ? nullptr : &m_constant; }
 
   [[nodiscard]] Polynomial operator-() const;
   friend Polynomial operator+(const Polynomial &a, const Polynomial &b);
-  [[nodiscard]] friend Polynomial operator-(const Polynomial &a, const Polynomial &b) { return a + -b; }
+  friend Polynomial operator-(const Polynomial &a, const Polynomial &b) { return a + -b; }
   friend Polynomial operator*(const Polynomial &a, const Polynomial &b);
 
 private:
   void add(const Monomial &monomial, const Real &factor);
 
+  Real m_constant = 0;
   std::vector<Summand> m_summands;
 };
 
-/// A number has one entry, a list (a vector or point has three) is told apart from it.
+/// A number has one entry; a list (a vector or point has three) is told apart from it.
 struct TermValue {
   std::vector<Polynomial> entries;
   bool isList = false;
 
-  TermValue() = default;
   TermValue(Polynomial number) : entries{std::move(number)} {}         // NOLINT(google-explicit-constructor)
   TermValue(Real number) : TermValue(Polynomial(std::move(number))) {} // NOLINT(google-explicit-constructor)
   TermValue(const Surd &number) : TermValue(Real(number)) {}           // NOLINT(google-explicit-constructor)
@@ -56,9 +59,11 @@ struct TermValue {
   TermValue(const std::vector<Surd> &list);                            // NOLINT(google-explicit-constructor)
   [[nodiscard]] static TermValue list(std::vector<Polynomial> entries);
 
-  /// The number that it is; nothing for lists, and where unknowns are left.
-  [[nodiscard]] std::optional<Real> number() const;
-  [[nodiscard]] bool hasUnknowns() const;
+  /// The number that it is; null for lists, and where unknowns are left.
+  [[nodiscard]] const Real *number() const { return isList ? nullptr : entries.front().number(); }
+
+private:
+  TermValue() = default;
 };
 
 /// Whether both come to the same for all values of their unknowns; nothing where bounds leave it open.

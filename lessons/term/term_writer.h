@@ -72,9 +72,8 @@ private:
   enum class Binding : std::uint8_t { Sum, Negation, VectorProduct, Product, Fraction, Power, Atom };
 
   /// A number as the term of digits that is written for it.
-  [[nodiscard]] static Term shown(const Term &term) {
-    const auto number = term->kind == TermKind::Number ? term->value.number() : std::nullopt;
-    return number ? written(*number).term : term;
+  [[nodiscard]] static const Term &shown(const Term &term) {
+    return term->kind == TermKind::Number ? term->parts[0] : term;
   }
 
   [[nodiscard]] Binding bindingOf(const Term &term) const {
@@ -100,7 +99,7 @@ private:
   }
 
   [[nodiscard]] static bool isTall(const Term &term) {
-    const Term looked = shown(term);
+    const Term &looked = shown(term);
     switch (looked->kind) {
     case TermKind::Quotient:
     case TermKind::List:
@@ -134,13 +133,13 @@ private:
   }
 
   [[nodiscard]] Text unmarked(const Term &term) {
-    const Term looked = shown(term);
+    const Term &looked = shown(term);
     const auto &parts = looked->parts;
     switch (looked->kind) {
     case TermKind::Digits:
       return digits(looked->digits);
-    case TermKind::Number: // of no value that could be written
-      return digits("?");
+    case TermKind::Number: // shown as its digits
+      break;
     case TermKind::Name:
     case TermKind::Unknown:
       return symbol(looked->symbol);
@@ -174,13 +173,13 @@ private:
     case TermKind::Determinant:
       return matrix(small(parts), looked->columns, looked->kind == TermKind::Determinant);
     }
-    return digits("?");
+    return row({});
   }
 
   [[nodiscard]] Text sum(const std::vector<Term> &summands) {
     std::vector<Text> texts{held(summands.front(), Binding::Negation)};
     for (auto summand = summands.begin() + 1; summand != summands.end(); ++summand) {
-      const Term looked = shown(*summand);
+      const Term &looked = shown(*summand);
       const bool negative = looked->kind == TermKind::Negation;
       texts.push_back(sign(negative ? TermSign::Minus : TermSign::Plus));
       // The sign of a negative number is the sum's, but the number is still one to be touched.
@@ -237,14 +236,14 @@ private:
   }
 
   [[nodiscard]] static bool isInteger(const Term &number) {
-    const Term looked = shown(number);
+    const Term &looked = shown(number);
     return looked->kind == TermKind::Digits && looked->digits.find('.') == std::string::npos;
   }
 
   /// A factor that is rounded to 1 says nothing before an unknown.
   [[nodiscard]] static bool isRoundedOne(const Term &factor) {
-    const Term looked = shown(factor);
-    return looked->kind == TermKind::Digits && looked->digits == "1" && showsRounded(factor);
+    const Term &looked = shown(factor);
+    return looked->kind == TermKind::Digits && looked->digits == "1" && factor->isRounded;
   }
 
   [[nodiscard]] static bool isNumeral(const Term &term) {
@@ -261,7 +260,7 @@ private:
     const Term &bottom = term->parts[1];
     const FractionLook look{m_small, isCompound(top) || isCompound(bottom)};
     const bool smallBefore = std::exchange(m_small, true);
-    const Term above = shown(top);
+    const Term &above = shown(top);
     const bool isNegativeAtom =
         above->kind == TermKind::Negation && bindingOf(above->parts[0]) >= Binding::Power;
     const Binding leastAbove = !isFlat() ? Binding::Sum : isNegativeAtom ? Binding::Negation : Binding::Power;

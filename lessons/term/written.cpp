@@ -42,11 +42,10 @@ std::string decimalText(const Rational &magnitude, int places) {
 
 /// 6.02214·10²³
 Term scientific(const std::string &mantissa, int exponent) {
-  const Term ten = digits("10");
-  const Term times = digits(std::to_string(std::abs(exponent)));
-  TermNode raised = *power(ten, 1);
-  raised.parts = {ten, signedTerm(exponent < 0, times)};
-  return digits(mantissa) * Term(std::move(raised));
+  TermNode power;
+  power.kind = TermKind::Power;
+  power.parts = {digits("10"), signedTerm(exponent < 0, digits(std::to_string(std::abs(exponent))))};
+  return digits(mantissa) * Term(std::move(power));
 }
 
 /// p/q of positive integers, `root` behind p.
@@ -110,9 +109,7 @@ WrittenNumber written(const Real &number) {
 }
 
 bool showsRounded(const Term &term) {
-  if (term->kind == TermKind::Number)
-    return !written(*term->value.number()).exact;
-  return std::any_of(term->parts.begin(), term->parts.end(), showsRounded);
+  return term->isRounded || std::any_of(term->parts.begin(), term->parts.end(), showsRounded);
 }
 
 } // namespace halfspace

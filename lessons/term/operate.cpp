@@ -1,21 +1,19 @@
-// What terms come to.
-#include "lessons/term/term.h"
-
-#include <algorithm>
+#include "lessons/term/operate.h"
 
 namespace halfspace {
 namespace {
 
 using Found = std::optional<TermValue>;
-using Values = std::vector<TermValue>;
+using Values = std::vector<const TermValue *>;
 
 Found sumOf(const Values &values) {
-  TermValue sum = values.front();
+  TermValue sum = *values.front();
   for (auto value = values.begin() + 1; value != values.end(); ++value) {
-    if (value->isList != sum.isList || value->entries.size() != sum.entries.size())
+    const TermValue &next = **value;
+    if (next.isList != sum.isList || next.entries.size() != sum.entries.size())
       return {};
     for (std::size_t i = 0; i < sum.entries.size(); ++i)
-      sum.entries[i] = sum.entries[i] + value->entries[i];
+      sum.entries[i] = sum.entries[i] + next.entries[i];
   }
   return sum;
 }
@@ -27,12 +25,12 @@ TermValue scaled(TermValue value, const Polynomial &factor) {
 }
 
 Found productOf(const Values &values) {
-  TermValue product = values.front();
+  TermValue product = *values.front();
   for (auto value = values.begin() + 1; value != values.end(); ++value) {
-    if (value->isList && product.isList)
+    const TermValue &next = **value;
+    if (next.isList && product.isList)
       return {};
-    product =
-        value->isList ? scaled(*value, product.entries.front()) : scaled(product, value->entries.front());
+    product = next.isList ? scaled(next, product.entries.front()) : scaled(product, next.entries.front());
   }
   return product;
 }
@@ -55,13 +53,13 @@ Found crossOf(const TermValue &left, const TermValue &right) {
 }
 
 Found quotientOf(const TermValue &dividend, const TermValue &divisor) {
-  const auto by = divisor.number();
+  const Real *by = divisor.number();
   const auto reciprocal = by ? quotient(Real(1), *by) : std::nullopt;
   return reciprocal ? Found(scaled(dividend, *reciprocal)) : std::nullopt;
 }
 
 Found powerOf(const TermValue &base, const TermValue &exponent) {
-  const auto times = exponent.number();
+  const Real *times = exponent.number();
   if (base.isList || !times)
     return {};
   Polynomial power = Real(1);
@@ -71,7 +69,7 @@ Found powerOf(const TermValue &base, const TermValue &exponent) {
 }
 
 Found rootOf(const TermValue &square) {
-  const auto number = square.number();
+  const Real *number = square.number();
   const auto root = number ? squareRoot(*number) : std::nullopt;
   return root ? Found(*root) : std::nullopt;
 }
@@ -81,7 +79,7 @@ Found normOf(const TermValue &value) {
     const auto square = dotOf(value, value);
     return square ? rootOf(*square) : std::nullopt;
   }
-  const auto number = value.number();
+  const Real *number = value.number();
   const auto side = number ? sign(*number) : std::nullopt;
   return side ? Found(*side < 0 ? -*number : *number) : std::nullopt;
 }
@@ -105,10 +103,10 @@ Polynomial determinantOf(const std::vector<Polynomial> &entries, std::size_t siz
 /// The entries one after the other; nothing where one is a list itself.
 std::optional<std::vector<Polynomial>> entriesOf(const Values &values) {
   std::vector<Polynomial> entries;
-  for (const TermValue &value : values) {
-    if (value.isList)
+  for (const TermValue *value : values) {
+    if (value->isList)
       return {};
-    entries.push_back(value.entries.front());
+    entries.push_back(value->entries.front());
   }
   return entries;
 }
@@ -121,38 +119,38 @@ Found determinantOf(const Values &values, std::size_t columns) {
 }
 
 Found permutedOf(const Values &values) {
-  const Found first = dotOf(values[0], values[3]);
-  const Found second = dotOf(values[2], values[1]);
-  return first && second ? sumOf({*first, *second}) : std::nullopt;
+  const Found first = dotOf(*values[0], *values[3]);
+  const Found second = dotOf(*values[2], *values[1]);
+  return first && second ? sumOf({&*first, &*second}) : std::nullopt;
 }
 
-Found operated(const TermNode &term, const Values &values) {
-  switch (term.kind) {
+Found operated(TermKind kind, const Values &values, std::size_t columns) {
+  switch (kind) {
   case TermKind::Negation:
-    return scaled(values[0], Real(-1));
+    return scaled(*values[0], Real(-1));
   case TermKind::Sum:
     return sumOf(values);
   case TermKind::Product:
     return productOf(values);
   case TermKind::Dot:
-    return dotOf(values[0], values[1]);
+    return dotOf(*values[0], *values[1]);
   case TermKind::Cross:
-    return crossOf(values[0], values[1]);
+    return crossOf(*values[0], *values[1]);
   case TermKind::Quotient:
-    return quotientOf(values[0], values[1]);
+    return quotientOf(*values[0], *values[1]);
   case TermKind::Power:
-    return powerOf(values[0], values[1]);
+    return powerOf(*values[0], *values[1]);
   case TermKind::Root:
-    return rootOf(values[0]);
+    return rootOf(*values[0]);
   case TermKind::Norm:
-    return normOf(values[0]);
+    return normOf(*values[0]);
   case TermKind::List:
   case TermKind::Matrix: {
     const auto entries = entriesOf(values);
     return entries ? Found(TermValue::list(*entries)) : std::nullopt;
   }
   case TermKind::Determinant:
-    return determinantOf(values, term.columns);
+    return determinantOf(values, columns);
   case TermKind::Permuted:
     return permutedOf(values);
   case TermKind::Digits:
@@ -167,27 +165,14 @@ Found operated(const TermNode &term, const Values &values) {
 
 } // namespace
 
-std::optional<TermValue> evaluate(const Term &term) {
-  switch (term->kind) {
-  case TermKind::Number:
-  case TermKind::Name:
-  case TermKind::Applied:
-    return term->value;
-  case TermKind::Unknown:
-    return TermValue(Polynomial::unknown(term->symbol.letter));
-  case TermKind::Digits:
-    return {};
-  default:
-    break;
-  }
+std::optional<TermValue> operate(TermKind kind, const std::vector<Term> &parts, std::size_t columns) {
   Values values;
-  for (const Term &part : term->parts) {
-    Found value = evaluate(part);
-    if (!value || value->entries.empty())
+  for (const Term &part : parts) {
+    if (!part->value || part->value->entries.empty())
       return {};
-    values.push_back(*std::move(value));
+    values.push_back(&*part->value);
   }
-  return values.empty() ? std::nullopt : operated(*term, values);
+  return values.empty() ? std::nullopt : operated(kind, values, columns);
 }
 
 } // namespace halfspace
