@@ -37,7 +37,8 @@ std::string sentenceOf(const WrongWay &way) {
     return words("{answer} is the fraction upside down: {bottom} goes below.",
                  {{"bottom", plainText(way.right->parts[1])}});
   case Slip::Undivided:
-    return words("{answer} is not divided by {divisor} yet.", {{"divisor", plainText(way.right->parts[1])}});
+    return words("{answer} is only the numerator: it is not divided by {divisor} yet.",
+                 {{"divisor", plainText(way.right->parts[1])}});
   case Slip::NoRoot:
     return words("{answer} takes {instead} for {right}: the root is still to be taken.",
                  {{"instead", instead}, {"right", right}});

@@ -169,7 +169,7 @@ Figure draw(const In &in, const Out &out) {
     figure.marks.push_back(SegmentMark{{"H-backward", Role::Ghost, Subject::Ray, ""}, q, meeting});
   figure.marks.push_back(PointMark{{"H", hit ? Role::Result : Role::Ghost, Subject::Ray, "H"}, meeting});
   const auto &unit = out.facing;
-  figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_{f}"},
+  figure.marks.push_back(ArrowMark{{"facing", Role::Derived, Subject::Measure, "\\vec n_f"},
                                    meeting,
                                    {toDouble(unit[0]), toDouble(unit[1]), toDouble(unit[2])},
                                    false,

@@ -6,6 +6,7 @@
 #include "geometry/surd.h"
 #include "lessons/lesson.h"
 #include "lessons/session.h"
+#include "lessons/term/plain_text.h"
 
 #include <gtest/gtest.h>
 
@@ -136,9 +137,17 @@ private:
       EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
       for (const auto &chain : chainsOf(line.symbols + " " + line.numbers + " " + line.result))
         checkChain(chain);
+      checkRelations(line);
       if (line.blank)
         checkBlank(line);
     }
+  }
+
+  /// What the line claims follows from what its terms come to.
+  static void checkRelations(const WorkingLine &line) {
+    for (const Chain &chain : line.chains)
+      for (const Relation relation : chain.relations())
+        EXPECT_NE(relation, Relation::Unequal) << plainText(chain);
   }
 
   /// What is asked is the line's last number, and no mistake comes to it.

@@ -122,16 +122,6 @@ TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
   EXPECT_NE(judgement.sentence.find("“ten” is not a number"), std::string::npos);
 }
 
-TEST(WithoutRepetitions, LeavesOutNumbersThatAreTheResultAlready) {
-  Working working{{{"a", "a", "= \\frac{23}{3}", "= \\frac{23}{3}", ""},
-                   {"b", "b", "= \\frac{-22}{3}", "= -\\frac{22}{3}", ""},
-                   {"c", "c", "= \\frac{-30}{9}", "= -\\frac{10}{3}", ""}}};
-  working = withoutRepetitions(std::move(working));
-  EXPECT_EQ(working.lines[0].numbers, "");
-  EXPECT_EQ(working.lines[1].numbers, "");
-  EXPECT_EQ(working.lines[2].numbers, "= \\frac{-30}{9}");
-}
-
 TEST(WithTellingMistakes, LeavesOutWhatComesToTheAnswerOrToAnEarlierOne) {
   Working working{{{"a", "a", "= 1", "", "", Blank{1, {{1, "same"}, {2, "first"}, {2, "second"}}}}}};
   working = withTellingMistakes(std::move(working));

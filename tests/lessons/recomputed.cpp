@@ -179,7 +179,7 @@ Recomputed rayPlane(Objects objects) {
   Quantity unit;
   for (int i = 0; i < 3; ++i)
     unit.push_back(quantityOverRoot(facing[i], square)[0]);
-  expected.names["\\vec n_{f}"] = unit;
+  expected.names["\\vec n_f"] = unit;
   return expected;
 }
 
