@@ -1,8 +1,15 @@
 #include "lessons/explanation.h"
 
-#include "lessons/formula.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/spoken.h"
+#include "lessons/term/written.h"
+#include "lessons/text.h"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -40,21 +47,20 @@ struct ValueJson {
 
 /// `= 10`, `≈ 3.16228`, `: positive`: what follows a value's name.
 struct ValueText {
-  std::string operator()(const Surd &number) const {
-    return related([&](Formula &f) { return f(number); });
-  }
-  std::string operator()(const std::vector<Surd> &list) const {
-    return related([&](Formula &f) { return f.list(list); });
+  std::string operator()(const Surd &number) const { return related(number); }
+  std::string operator()(const std::vector<Surd> &numbers) const {
+    std::vector<Term> entries;
+    for (const Surd &number : numbers)
+      entries.emplace_back(number);
+    return related(list(std::move(entries)));
   }
   std::string operator()(const std::string &word) const { return ": " + word; }
-  std::string operator()(int number) const { return (*this)(Surd(number)); }
+  std::string operator()(int number) const { return related(number); }
   std::string operator()(const std::vector<NamedValue> &) const { return {}; }
 
 private:
-  template <class Write> static std::string related(Write write) {
-    Formula f;
-    const std::string body = write(f);
-    return " " + plainText(f.equals(body));
+  static std::string related(const Term &term) {
+    return (showsRounded(term) ? " ≈ " : " = ") + plainText(term);
   }
 };
 
@@ -69,40 +75,69 @@ std::string valueLines(const std::vector<NamedValue> &values) {
   return text;
 }
 
-/// The three pieces read on from one another.
-std::string latexOf(const WorkingLine &line) {
-  std::string latex = line.symbols;
-  for (const std::string *piece : {&line.numbers, &line.result})
-    if (!piece->empty())
-      latex += " " + *piece;
-  return withoutMarks(latex);
-}
-
-/// Puts the alignment mark before the first relation outside of all braces.
-std::string aligned(const std::string &latex) {
-  int depth = 0;
-  for (std::size_t at = 0; at < latex.size(); ++at) {
-    depth += latex[at] == '{' ? 1 : latex[at] == '}' ? -1 : 0;
-    const bool relation =
-        latex[at] == '=' || latex[at] == '<' || latex[at] == '>' || latex.compare(at, 7, "\\approx") == 0;
-    if (depth == 0 && relation)
-      return latex.substr(0, at) + "&" + latex.substr(at);
-  }
-  return "&" + latex;
-}
-
-/// Words in LaTeX: the characters that mean something there are escaped.
-std::string escaped(const std::string &text) {
+/// One line, with the alignment mark before its first relation.
+std::string alignedLatex(const WorkingLine &line) {
   std::string latex;
-  for (const char c : text) {
-    if (c == '\\')
-      latex += "\\textbackslash{}";
-    else if (c == '^' || c == '~')
-      latex += std::string("\\") + c + "{}";
-    else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos)
-      latex += std::string("\\") + c;
-    else
-      latex += c;
+  for (const Chain &chain : line.chains)
+    latex += latex.empty() ? latexOf(chain, 0, 1) + " &" + latexOf(chain, 1, chain.sides().size())
+                           : ",\\quad " + latexOf(chain);
+  return latex;
+}
+
+struct TextLatex {
+  std::string_view text;
+  std::string_view latex;
+};
+
+/// What a sentence of ours may hold that LaTeX reads otherwise, or that pdflatex does not know.
+constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
+                                    TextLatex{"^", "\\^{}"},
+                                    TextLatex{"~", "\\~{}"},
+                                    TextLatex{"&", "\\&"},
+                                    TextLatex{"%", "\\%"},
+                                    TextLatex{"$", "\\$"},
+                                    TextLatex{"#", "\\#"},
+                                    TextLatex{"_", "\\_"},
+                                    TextLatex{"{", "\\{"},
+                                    TextLatex{"}", "\\}"},
+                                    TextLatex{"−", "$-$"},
+                                    TextLatex{"·", "$\\cdot$"},
+                                    TextLatex{"×", "$\\times$"},
+                                    TextLatex{"⊥", "$^{\\perp}$"},
+                                    TextLatex{"√", "$\\surd$"},
+                                    TextLatex{"≈", "$\\approx$"},
+                                    TextLatex{"≠", "$\\neq$"},
+                                    TextLatex{"≤", "$\\leq$"},
+                                    TextLatex{"≥", "$\\geq$"},
+                                    TextLatex{"∞", "$\\infty$"},
+                                    TextLatex{"°", "$^{\\circ}$"},
+                                    TextLatex{"λ", "$\\lambda$"},
+                                    TextLatex{"θ", "$\\theta$"},
+                                    TextLatex{"₀", "$_{0}$"},
+                                    TextLatex{"₁", "$_{1}$"},
+                                    TextLatex{"₂", "$_{2}$"},
+                                    TextLatex{"₃", "$_{3}$"},
+                                    TextLatex{"⁰", "$^{0}$"},
+                                    TextLatex{"¹", "$^{1}$"},
+                                    TextLatex{"²", "$^{2}$"},
+                                    TextLatex{"³", "$^{3}$"},
+                                    TextLatex{"⁴", "$^{4}$"},
+                                    TextLatex{"⁵", "$^{5}$"},
+                                    TextLatex{"⁶", "$^{6}$"},
+                                    TextLatex{"⁷", "$^{7}$"},
+                                    TextLatex{"⁸", "$^{8}$"},
+                                    TextLatex{"⁹", "$^{9}$"},
+                                    TextLatex{"⁻", "$^{-}$"}};
+
+/// Words in LaTeX.
+std::string escaped(std::string_view text) {
+  std::string latex;
+  while (!text.empty()) {
+    const std::string_view character = text.substr(0, characterLength(text));
+    const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
+                                    [&](const TextLatex &each) { return each.text == character; });
+    latex += known == textCharacters.end() ? character : known->latex;
+    text.remove_prefix(character.size());
   }
   return latex;
 }
@@ -116,7 +151,8 @@ std::string explanationJson(const std::string &lesson, const Outcome &outcome) {
                        {"symbols", withoutMarks(line.symbols)},
                        {"numbers", withoutMarks(line.numbers)},
                        {"result", withoutMarks(line.result)},
-                       {"text", plainText(latexOf(line))},
+                       {"text", plainText(line)},
+                       {"spoken", spoken(line)},
                        {"sentence", line.sentence}});
   const Json json{{"lesson", lesson},
                   {"case", outcome.caseName},
@@ -129,7 +165,7 @@ std::string explanationJson(const std::string &lesson, const Outcome &outcome) {
 std::string explanationText(const std::string &title, const Outcome &outcome) {
   std::string text = title + "\n\n";
   for (const WorkingLine &line : outcome.working.lines) {
-    text += plainText(latexOf(line)) + "\n";
+    text += plainText(line) + "\n";
     if (!line.sentence.empty())
       text += "    " + line.sentence + "\n";
   }
@@ -139,7 +175,7 @@ std::string explanationText(const std::string &title, const Outcome &outcome) {
 std::string explanationLatex(const std::string &title, const Outcome &outcome) {
   std::string lines;
   for (const WorkingLine &line : outcome.working.lines)
-    lines += (lines.empty() ? "  " : " \\\\\n  ") + aligned(latexOf(line));
+    lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(line);
   return "\\paragraph{" + escaped(title) + "}\n\\begin{align*}\n" + lines + "\n\\end{align*}\n" +
          escaped(outcome.description) + "\n";
 }

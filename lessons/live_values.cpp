@@ -89,7 +89,7 @@ Outcome shownIn(const LessonStep &step, Outcome outcome) {
     return std::find(step.lines.begin(), step.lines.end(), line.id) == step.lines.end();
   });
   for (const WorkingLine &line : outcome.working.lines)
-    for (const std::string &id : marksNamedIn(line.symbols + line.numbers + line.result))
+    for (const std::string &id : marksIn(line))
       named.insert(id);
   std::erase_if(outcome.figure.marks, [&](const Mark &mark) {
     return baseOf(mark).role != Role::Given && !named.contains(leadingId(baseOf(mark)));

@@ -1,5 +1,8 @@
 #include "lessons/working.h"
 
+#include "lessons/term/plain_text.h"
+#include "lessons/term/spoken.h"
+
 #include <algorithm>
 
 namespace halfspace {
@@ -16,7 +19,37 @@ void keepTelling(Blank &blank) {
   blank.mistakes = std::move(telling);
 }
 
+template <class Write> std::string joined(const std::vector<Chain> &chains, Write write) {
+  std::string text;
+  for (const Chain &chain : chains)
+    text += (text.empty() ? "" : ", ") + write(chain);
+  return text;
+}
+
+void collectMarks(const Term &term, std::vector<std::string> &marks) {
+  if (!term->mark.empty() && std::find(marks.begin(), marks.end(), term->mark) == marks.end())
+    marks.push_back(term->mark);
+  for (const Term &part : term->parts)
+    collectMarks(part, marks);
+}
+
 } // namespace
+
+std::string plainText(const WorkingLine &line) {
+  return joined(line.chains, [](const Chain &chain) { return plainText(chain); });
+}
+
+std::string spoken(const WorkingLine &line) {
+  return joined(line.chains, [](const Chain &chain) { return spoken(chain); });
+}
+
+std::vector<std::string> marksIn(const WorkingLine &line) {
+  std::vector<std::string> marks;
+  for (const Chain &chain : line.chains)
+    for (const Term &side : chain.sides())
+      collectMarks(side, marks);
+  return marks;
+}
 
 Working withTellingMistakes(Working working) {
   for (WorkingLine &line : working.lines)

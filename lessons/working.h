@@ -48,6 +48,13 @@ struct Working {
 /// The working without mistakes that come to the answer, or to what an earlier one of the line comes to.
 [[nodiscard]] Working withTellingMistakes(Working working);
 
+/// The line in plain text, and in words to be read aloud; its sentence is not in it.
+[[nodiscard]] std::string plainText(const WorkingLine &line);
+[[nodiscard]] std::string spoken(const WorkingLine &line);
+
+/// The ids of the marks in the line's terms, in order, each once.
+[[nodiscard]] std::vector<std::string> marksIn(const WorkingLine &line);
+
 /// The ids of the marks that a piece of LaTeX names with `\mark{id}{…}`, in order, each once.
 [[nodiscard]] std::vector<std::string> marksNamedIn(const std::string &latex);
 

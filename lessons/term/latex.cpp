@@ -59,11 +59,14 @@ protected:
     case TermSign::Negative:
       return "-";
     case TermSign::Dot:
+    case TermSign::Times:
       return "\\cdot ";
     case TermSign::Cross:
       return "\\times ";
     case TermSign::Permuted:
       return " * ";
+    case TermSign::Joint:
+      return "";
     case TermSign::Gap:
       break;
     }
@@ -86,8 +89,8 @@ protected:
     return " \\neq ";
   }
 
-  std::string parenthesized(std::string inside, bool tall) override {
-    return tall ? "\\left(" + inside + "\\right)" : "(" + inside + ")";
+  std::string parenthesized(std::string inside, const Term &term) override {
+    return isTall(term) ? "\\left(" + inside + "\\right)" : "(" + inside + ")";
   }
 
   std::string fraction(std::string top, std::string bottom, FractionLook look) override {

@@ -52,11 +52,14 @@ protected:
     case TermSign::Negative:
       return "−";
     case TermSign::Dot:
+    case TermSign::Times:
       return "·";
     case TermSign::Cross:
       return "×";
     case TermSign::Permuted:
       return " ∗ ";
+    case TermSign::Joint:
+      return "";
     case TermSign::Gap:
       break;
     }
@@ -79,7 +82,7 @@ protected:
     return " ≠ ";
   }
 
-  std::string parenthesized(std::string inside, bool) override { return "(" + inside + ")"; }
+  std::string parenthesized(std::string inside, const Term &) override { return "(" + inside + ")"; }
   std::string fraction(std::string top, std::string bottom, FractionLook) override {
     return top + "/" + bottom;
   }

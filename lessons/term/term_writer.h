@@ -13,7 +13,9 @@
 namespace halfspace {
 
 /// Signs and gaps between the parts of a term.
-enum class TermSign : std::uint8_t { Plus, Minus, Negative, Dot, Cross, Permuted, Gap };
+/// `Dot` is that of vectors, `Times` that of numbers. Other products have no sign: their factors stand with a
+/// gap between them, or joined.
+enum class TermSign : std::uint8_t { Plus, Minus, Negative, Dot, Times, Cross, Permuted, Gap, Joint };
 
 /// Walks through a term; a notation says what its pieces look like. `Text` is what it makes of them: a
 /// string, or a node of another tree.
@@ -53,7 +55,8 @@ protected:
   [[nodiscard]] virtual Text symbol(const Symbol &symbol) = 0;
   [[nodiscard]] virtual Text sign(TermSign sign) = 0;
   [[nodiscard]] virtual Text relation(Relation relation) = 0;
-  [[nodiscard]] virtual Text parenthesized(Text inside, bool tall) = 0;
+  /// `term` is what stands inside.
+  [[nodiscard]] virtual Text parenthesized(Text inside, const Term &term) = 0;
   [[nodiscard]] virtual Text fraction(Text top, Text bottom, FractionLook look) = 0;
   [[nodiscard]] virtual Text root(Text square) = 0;
   [[nodiscard]] virtual Text norm(Text vector) = 0;
@@ -67,14 +70,29 @@ protected:
   /// Whether a fraction is written in the line, with a slash, so that it needs parentheses as a product does.
   [[nodiscard]] virtual bool isFlat() const = 0;
 
-private:
-  /// How tightly a term holds together: what holds less than its place asks for stands in parentheses.
-  enum class Binding : std::uint8_t { Sum, Negation, VectorProduct, Product, Fraction, Power, Atom };
-
   /// A number as the term of digits that is written for it.
   [[nodiscard]] static const Term &shown(const Term &term) {
     return term->kind == TermKind::Number ? term->parts[0] : term;
   }
+
+  /// Whether parentheses around it should stretch.
+  [[nodiscard]] static bool isTall(const Term &term) {
+    const Term &looked = shown(term);
+    switch (looked->kind) {
+    case TermKind::Quotient:
+    case TermKind::List:
+    case TermKind::Root:
+    case TermKind::Matrix:
+    case TermKind::Determinant:
+      return true;
+    default:
+      return std::any_of(looked->parts.begin(), looked->parts.end(), isTall);
+    }
+  }
+
+private:
+  /// How tightly a term holds together: what holds less than its place asks for stands in parentheses.
+  enum class Binding : std::uint8_t { Sum, Negation, VectorProduct, Product, Fraction, Power, Atom };
 
   [[nodiscard]] Binding bindingOf(const Term &term) const {
     switch (shown(term)->kind) {
@@ -98,20 +116,6 @@ private:
     }
   }
 
-  [[nodiscard]] static bool isTall(const Term &term) {
-    const Term &looked = shown(term);
-    switch (looked->kind) {
-    case TermKind::Quotient:
-    case TermKind::List:
-    case TermKind::Root:
-    case TermKind::Matrix:
-    case TermKind::Determinant:
-      return true;
-    default:
-      return std::any_of(looked->parts.begin(), looked->parts.end(), isTall);
-    }
-  }
-
   /// A number, or calculated from numbers alone without a vector.
   [[nodiscard]] static bool isNumeric(const Term &term) {
     switch (term->kind) {
@@ -129,7 +133,7 @@ private:
 
   [[nodiscard]] Text held(const Term &term, Binding least) {
     Text text = write(term);
-    return bindingOf(term) < least ? parenthesized(std::move(text), isTall(term)) : std::move(text);
+    return bindingOf(term) < least ? parenthesized(std::move(text), term) : std::move(text);
   }
 
   [[nodiscard]] Text unmarked(const Term &term) {
@@ -202,9 +206,9 @@ private:
       texts.push_back(held(factor, leastInProduct(factors, i, isLast || dotted)));
       m_small = smallBefore;
       if (dotted)
-        texts.push_back(sign(TermSign::Dot));
-      else if (!isLast && standApart(factor, factors[i + 1]))
-        texts.push_back(sign(TermSign::Gap));
+        texts.push_back(sign(TermSign::Times));
+      else if (!isLast && !(isNumeral(factor) && isCoefficient))
+        texts.push_back(sign(standApart(factor, factors[i + 1]) ? TermSign::Gap : TermSign::Joint));
     }
     return row(std::move(texts));
   }
@@ -281,7 +285,7 @@ private:
     case TermKind::Norm:
       return write(term);
     default:
-      return parenthesized(write(term), isTall(term));
+      return parenthesized(write(term), term);
     }
   }
 

@@ -1,0 +1,173 @@
+#include "lessons/term/mathml.h"
+
+#include "lessons/term/term_writer.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace halfspace {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string xml;
+  for (const char c : text)
+    switch (c) {
+    case '&':
+      xml += "&amp;";
+      break;
+    case '<':
+      xml += "&lt;";
+      break;
+    case '>':
+      xml += "&gt;";
+      break;
+    case '"':
+      xml += "&quot;";
+      break;
+    default:
+      xml += c;
+    }
+  return xml;
+}
+
+std::string element(const std::string &name, const std::string &content) {
+  return "<" + name + ">" + content + "</" + name + ">";
+}
+
+std::string operation(std::string_view sign) { return element("mo", escaped(sign)); }
+
+class MathMlWriter : public TermWriter<std::string> {
+public:
+  explicit MathMlWriter(Notation notation) : m_notation(notation) {}
+
+protected:
+  std::string row(std::vector<std::string> parts) override {
+    std::string content;
+    for (const std::string &part : parts)
+      content += part;
+    return parts.size() == 1 ? content : element("mrow", content);
+  }
+
+  std::string digits(const std::string &decimal) override {
+    std::string text = decimal;
+    std::replace(text.begin(), text.end(), '.', m_notation.decimalMark);
+    return element("mn", escaped(text));
+  }
+
+  std::string symbol(const Symbol &symbol) override {
+    std::string text = element("mi", escaped(symbol.letter));
+    if (symbol.isVector)
+      text = "<mover accent=\"true\">" + text + operation("→") + "</mover>";
+    if (!symbol.subscript.empty())
+      text = element("msub", text + subscript(symbol.subscript));
+    return symbol.isPerp ? element("msup", text + operation("⊥")) : text;
+  }
+
+  std::string sign(TermSign sign) override {
+    switch (sign) {
+    case TermSign::Plus:
+      return operation("+");
+    case TermSign::Minus:
+      return operation("−");
+    case TermSign::Negative:
+      return "<mo form=\"prefix\">−</mo>";
+    case TermSign::Dot:
+    case TermSign::Times:
+      return operation("·");
+    case TermSign::Cross:
+      return operation("×");
+    case TermSign::Permuted:
+      return operation("∗");
+    case TermSign::Joint:
+      return operation("\u2062"); // invisible times
+    case TermSign::Gap:
+      break;
+    }
+    return "<mspace width=\"0.17em\"/>";
+  }
+
+  std::string relation(Relation relation) override {
+    switch (relation) {
+    case Relation::Equal:
+      return operation("=");
+    case Relation::Approximately:
+      return operation("≈");
+    case Relation::Less:
+      return operation("<");
+    case Relation::Greater:
+      return operation(">");
+    case Relation::Unequal:
+      break;
+    }
+    return operation("≠");
+  }
+
+  std::string parenthesized(std::string inside, const Term &) override { return fenced("(", inside, ")"); }
+  std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+    const std::string fraction = element("mfrac", top + bottom);
+    return look.small ? "<mstyle displaystyle=\"false\">" + fraction + "</mstyle>" : fraction;
+  }
+  std::string root(std::string square) override { return element("msqrt", square); }
+  std::string norm(std::string vector) override { return fenced("|", vector, "|"); }
+  std::string power(std::string base, std::string exponent) override {
+    return element("msup", base + exponent);
+  }
+
+  std::string list(std::vector<std::string> entries) override {
+    std::string content;
+    for (const std::string &entry : entries)
+      content += (content.empty() ? "" : operation(m_notation.decimalMark == ',' ? ";" : ",")) + entry;
+    return fenced("(", content, ")");
+  }
+
+  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+    std::string rows;
+    for (std::size_t i = 0; i < entries.size(); i += columns) {
+      std::string cells;
+      for (std::size_t column = 0; column < columns; ++column)
+        cells += element("mtd", entries[i + column]);
+      rows += element("mtr", cells);
+    }
+    const std::string table = element("mtable", rows);
+    return isDeterminant ? fenced("|", table, "|") : fenced("(", table, ")");
+  }
+
+  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+    return row({std::move(function), operation("\u2061"), // function application
+                inParentheses ? fenced("(", argument, ")") : argument});
+  }
+
+  std::string touchable(const Term &term, std::string text) override {
+    return term->mark.empty() ? text : "<mrow data-mark=\"" + escaped(term->mark) + "\">" + text + "</mrow>";
+  }
+
+  [[nodiscard]] bool isFlat() const override { return false; }
+
+private:
+  static std::string subscript(const std::string &text) {
+    const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos;
+    return element(isNumber ? "mn" : "mi", escaped(text));
+  }
+
+  static std::string fenced(std::string_view open, const std::string &inside, std::string_view close) {
+    return element("mrow", operation(open) + inside + operation(close));
+  }
+
+  Notation m_notation;
+};
+
+std::string document(const std::string &content) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\">" + content + "</math>";
+}
+
+} // namespace
+
+std::string mathMl(const Term &term, Notation notation) {
+  return document(MathMlWriter(notation).write(term));
+}
+
+std::string mathMl(const Chain &chain, Notation notation) {
+  return document(MathMlWriter(notation).write(chain));
+}
+
+} // namespace halfspace

@@ -1,0 +1,14 @@
+// Terms in words, to be read aloud: "t equals minus 30 over 9".
+#pragma once
+
+#include "lessons/term/chain.h"
+#include "lessons/term/notation.h"
+
+#include <string>
+
+namespace halfspace {
+
+[[nodiscard]] std::string spoken(const Term &term, Notation notation = {});
+[[nodiscard]] std::string spoken(const Chain &chain, Notation notation = {});
+
+} // namespace halfspace
