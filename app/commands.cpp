@@ -98,7 +98,7 @@ int runRender(const RenderCommand &command) {
   request.theme = *findTheme(command.theme);
   request.size = command.size;
   request.transparent = command.transparent;
-  const auto picture = drawOffscreen(request, blockingLabelPainter(typesetter));
+  const auto picture = drawOffscreen(request, labelPainter(typesetter));
   if (!picture)
     return fail(picture.problem());
   if (const auto problem = writePng(*picture, command.output))

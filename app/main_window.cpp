@@ -74,7 +74,6 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
-  connect(m_typesetter.get(), &Typesetter::ready, m_scene, &SceneView::refreshLabels);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);

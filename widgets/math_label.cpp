@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -14,9 +15,8 @@ constexpr double smallestScale = 0.5;
 
 } // namespace
 
-MathLabel::MathLabel(Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_request(typesetter) {
-  connect(&m_typesetter, &Typesetter::ready, this, &MathLabel::takePicture);
+MathLabel::MathLabel(const Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
@@ -24,23 +24,14 @@ void MathLabel::setLatex(const QString &latex) {
   if (latex == m_latex)
     return;
   m_latex = latex;
-  m_request.setWanted({latex});
-  takePicture();
+  const auto before = std::exchange(m_picture, m_typesetter.picture(latex));
+  if (!before || before->box() != m_picture->box())
+    updateGeometry();
+  update();
 }
 
 void MathLabel::setInkOf(MathPicture::InkOf inkOf) {
   m_inkOf = std::move(inkOf);
-  update();
-}
-
-void MathLabel::takePicture() {
-  const auto picture = m_typesetter.known(m_latex);
-  if (!picture || picture == m_picture)
-    return;
-  const bool otherSize = !m_picture || picture->box() != m_picture->box();
-  m_picture = picture;
-  if (otherSize)
-    updateGeometry();
   update();
 }
 

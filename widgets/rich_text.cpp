@@ -213,50 +213,55 @@ void replaceImages(QTextDocument &document) {
   }
 }
 
-void placeMath(QTextDocument &document, const std::vector<Typesetter::Picture> &pictures, const QFont &font) {
+void placeMath(QTextDocument &document, const QStringList &formulas, const Typesetter &typesetter,
+               const QFont &font) {
   const QRegularExpression placeholder(placeholderBegin + QStringLiteral("(\\d+)") + placeholderEnd);
   for (QTextCursor place = document.find(placeholder); !place.isNull();
        place = document.find(placeholder, place)) {
     const QString number = place.selectedText();
-    const std::size_t index = number.mid(1, number.size() - 2).toUInt();
-    if (index >= pictures.size() || !pictures[index])
-      continue;
+    const Typesetter::Picture picture =
+        typesetter.picture(formulas.value(number.mid(1, number.size() - 2).toInt()));
     QTextCharFormat format = place.charFormat();
     format.setFont(font, QTextCharFormat::FontPropertiesSpecifiedOnly);
     format.setObjectType(mathObject);
-    format.setProperty(pictureProperty, QVariant::fromValue(pictures[index]));
-    if (!MathObject::hangs(*pictures[index]))
+    format.setProperty(pictureProperty, QVariant::fromValue(picture));
+    if (!MathObject::hangs(*picture))
       format.setVerticalAlignment(QTextCharFormat::AlignMiddle);
     place.insertText(QString(QChar::ObjectReplacementCharacter), format);
   }
 }
 
-} // namespace
-
-MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
-
-std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
-                                            const std::vector<Typesetter::Picture> &pictures,
-                                            const RichTextStyle &style) {
+/// The document with its placeholders.
+std::unique_ptr<QTextDocument> makeDocument(const QString &markdown, const RichTextStyle &style) {
   auto document = std::make_unique<ClosedDocument>();
   document->setUndoRedoEnabled(false);
   document->setDefaultFont(style.font);
   document->setDocumentMargin(0);
   document->setIndentWidth(QFontInfo(style.font).pixelSize() * 1.4);
   document->documentLayout()->registerHandler(mathObject, new MathObject(document.get()));
-  document->setMarkdown(unbroken(text.markdown),
-                        QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
-                            QTextDocument::MarkdownDialectGitHub);
+  document->setMarkdown(unbroken(markdown), QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
+                                                QTextDocument::MarkdownDialectGitHub);
   replaceImages(*document);
   setInk(*document, style);
   setSpacing(*document, style);
-  placeMath(*document, pictures, style.font);
+  return document;
+}
+
+} // namespace
+
+MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
+
+std::unique_ptr<QTextDocument> makeRichText(const QString &markdown, const Typesetter &typesetter,
+                                            const RichTextStyle &style) {
+  const MarkdownWithMath text = separateMath(markdown);
+  auto document = makeDocument(text.markdown, style);
+  placeMath(*document, text.formulas, typesetter, style.font);
   return document;
 }
 
 QString plainRichText(const QString &markdown) {
   const MarkdownWithMath text = separateMath(markdown);
-  const std::unique_ptr<QTextDocument> document = makeRichText(text, {}, {});
+  const std::unique_ptr<QTextDocument> document = makeDocument(text.markdown, {});
   QString plain = document->toPlainText();
   for (int i = 0; i < text.formulas.size(); ++i) {
     const std::string latex = QString(text.formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();

@@ -6,7 +6,7 @@
 #include <QFont>
 #include <QTextDocument>
 
-#include <vector>
+#include <memory>
 
 namespace halfspace {
 
@@ -30,11 +30,10 @@ struct RichTextStyle {
   QColor ink;
 };
 
-/// The document, on one page without margins. `pictures` are those of the formulas. HTML stands as it is
-/// written, links lead nowhere, and nothing is loaded: an image is its description.
-[[nodiscard]] std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
-                                                          const std::vector<Typesetter::Picture> &pictures,
-                                                          const RichTextStyle &style);
+/// The document, on one page without margins. HTML stands as it is written, links lead nowhere, and nothing
+/// is loaded: an image is its description.
+[[nodiscard]] std::unique_ptr<QTextDocument>
+makeRichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style);
 
 /// The same as plain text, formulas included: for screen readers.
 [[nodiscard]] QString plainRichText(const QString &markdown);

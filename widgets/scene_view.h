@@ -35,11 +35,6 @@ public:
   void setTheme(const Theme &theme);
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
-  /// Draws again when labels that were missing have become ready.
-  void refreshLabels() {
-    if (m_scene.labelsPending())
-      requestFrame();
-  }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   /// Whether the camera glides from view to view and new marks of a step fade in.

@@ -129,7 +129,7 @@ struct Measured {
 class Drag {
 public:
   Drag(const std::string &lesson, TimedApplication &application)
-      : m_application(application), m_fixture(lesson), m_painter(blockingLabelPainter(m_typesetter)) {
+      : m_application(application), m_fixture(lesson), m_painter(labelPainter(m_typesetter)) {
     showMost();
     waitForQuiet();
     m_bare = std::make_unique<BareWindow>(view());
@@ -277,12 +277,11 @@ private:
   /// A working with nothing typeset before, and then, as in a drag, with other numbers.
   void measureTypesetting() {
     for (int round = 0; round < 3; ++round) {
-      Typesetter typesetter;
-      static_cast<void>(typesetter.pictureNow("x")); // loads what it needs
-      Typesetter::Request request(typesetter);
+      const Typesetter typesetter;
+      static_cast<void>(typesetter.picture("x")); // loads what it needs
       for (const int step : {0, 1, 2}) {
         const Scene moved = sceneMoved(Rational(step + 3 * round + 1, 100));
-        const double duration = timeTypesetting(request, evaluate(moved).working);
+        const double duration = timeTypesetting(typesetter, evaluate(moved).working);
         (step == 0 ? m_measured.typesetAll : m_measured.typesetNext).add(duration);
       }
     }
@@ -296,16 +295,12 @@ private:
         .scene;
   }
 
-  static double timeTypesetting(Typesetter::Request &request, const Working &working) {
-    QStringList formulas;
+  static double timeTypesetting(const Typesetter &typesetter, const Working &working) {
+    const auto start = Clock::now();
     for (const WorkingLine &line : working.lines)
       for (const std::string *piece : {&line.symbols, &line.numbers, &line.result})
         if (!piece->empty())
-          formulas << QString::fromStdString(*piece);
-    const auto start = Clock::now();
-    request.setWanted(formulas);
-    while (!request.isComplete() && millisecondsSince(start) < patience)
-      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+          static_cast<void>(typesetter.picture(QString::fromStdString(*piece)));
     return millisecondsSince(start);
   }
 
@@ -336,8 +331,8 @@ void print(const Measured &measured) {
   print("from the mouse's move to the drawn frame", measured.fromMove);
   print("panels, when they are brought up to date", measured.panels);
   print("painting and putting together of the window", measured.paint);
-  print("typesetting a working, all of it (own thread)", measured.typesetAll);
-  print("typesetting a working, new numbers (own thread)", measured.typesetNext);
+  print("typesetting a working, all of it", measured.typesetAll);
+  print("typesetting a working, new numbers", measured.typesetNext);
   std::printf("  %d moves, %d frames, %d renders\n", measured.moves, measured.frames, measured.renders);
 }
 

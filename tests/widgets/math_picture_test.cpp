@@ -15,7 +15,7 @@ class MathPictureTest : public QObject {
 private:
   Typesetter m_typesetter;
 
-  Typesetter::Picture typeset(const char *latex) { return m_typesetter.pictureNow(QString::fromUtf8(latex)); }
+  Typesetter::Picture typeset(const char *latex) { return m_typesetter.picture(QString::fromUtf8(latex)); }
 
 private slots:
   void fractionHasANumeratorABarAndADenominator() {
@@ -43,7 +43,7 @@ private slots:
   }
   void shapesLieWithinTheBoxForTheFormulasOfTheLessons() {
     QFETCH(QString, latex);
-    const auto picture = m_typesetter.pictureNow(latex);
+    const auto picture = m_typesetter.picture(latex);
     QVERIFY2(picture->error().isEmpty(), qPrintable(picture->error()));
     QVERIFY(!picture->items().empty());
     const QRectF room = picture->box().adjusted(-0.5, -0.5, 0.5, 0.5); // letters overhang a little
@@ -110,7 +110,7 @@ private slots:
   }
   void dangerousCommandsAreUnknown() {
     QFETCH(QString, latex);
-    QVERIFY(!m_typesetter.pictureNow(latex)->error().isEmpty());
+    QVERIFY(!m_typesetter.picture(latex)->error().isEmpty());
   }
 
   void hostileSourceIsRefusedQuickly_data() {
@@ -128,7 +128,7 @@ private slots:
     (void)typeset("x"); // MathJax is loaded
     QElapsedTimer clock;
     clock.start();
-    const auto picture = m_typesetter.pictureNow(latex);
+    const auto picture = m_typesetter.picture(latex);
     QVERIFY(!picture->error().isEmpty());
     QVERIFY(picture->width() < MathPicture::largestSide);
     QVERIFY2(clock.elapsed() < 2 * Typesetter::patienceMilliseconds,
@@ -137,7 +137,7 @@ private slots:
   }
 
   void longSumIsTypeset() {
-    const auto picture = m_typesetter.pictureNow(QString("+x_1").repeated(80));
+    const auto picture = m_typesetter.picture(QString("+x_1").repeated(80));
     QVERIFY2(picture->error().isEmpty(), qPrintable(picture->error()));
   }
 

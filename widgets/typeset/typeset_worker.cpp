@@ -1,7 +1,5 @@
 #include "widgets/typeset/typeset_worker.h"
 
-#include "widgets/typeset/label_painter.h"
-
 #include <QFile>
 #include <QJSEngine>
 
@@ -36,17 +34,9 @@ MathPicture pictureOf(const QJSValue &typeset, const QString &latex) {
   return MathPicture::fromSvg(svg.toString(), latex);
 }
 
-TypesetWorker::Made make(const QJSValue &typeset, const TypesetOrder &order) {
-  MathPicture formula = pictureOf(typeset, order.latex);
-  if (order.label)
-    return {order, nullptr, std::make_shared<const LabelPicture>(paintLabel(formula, *order.label))};
-  return {order, std::make_shared<const MathPicture>(std::move(formula)), nullptr};
-}
-
 } // namespace
 
-TypesetWorker::TypesetWorker(std::function<void()> arrived)
-    : m_arrived(std::move(arrived)), m_thread([this] { run(); }) {}
+TypesetWorker::TypesetWorker() : m_thread([this] { run(); }) {}
 
 TypesetWorker::~TypesetWorker() {
   // The formula in work is waited for: interrupting a running script, and at once ending its engine, crashes
@@ -67,17 +57,13 @@ void TypesetWorker::run() {
   }
   const QJSValue typeset = loadMathJax(engine);
   while (takeNext()) {
-    TypesetWorker::Made made = make(typeset, *m_current);
-    bool first = false;
+    auto formula = std::make_shared<const MathPicture>(pictureOf(typeset, *m_current));
     {
       const std::lock_guard lock(m_mutex);
-      first = m_made.empty();
-      m_made.push_back(std::move(made));
+      m_made.push_back({*m_current, std::move(formula)});
       m_current.reset();
     }
     m_result.notify_all();
-    if (first)
-      m_arrived();
   }
   const std::lock_guard lock(m_mutex);
   m_engine = nullptr;
@@ -94,14 +80,14 @@ bool TypesetWorker::takeNext() {
   return true;
 }
 
-void TypesetWorker::setQueue(const QList<TypesetOrder> &orders) {
+void TypesetWorker::setQueue(const QStringList &orders) {
   {
     const std::lock_guard lock(m_mutex);
     m_queue = orders;
     if (m_current)
       m_queue.removeAll(*m_current);
     for (const Made &made : m_made)
-      m_queue.removeAll(made.order);
+      m_queue.removeAll(made.latex);
   }
   m_work.notify_all();
 }
@@ -120,11 +106,6 @@ void TypesetWorker::giveUpAfter(std::chrono::milliseconds patience) {
   const std::lock_guard lock(m_mutex);
   if (m_engine && m_current && Clock::now() - m_started > patience)
     m_engine->setInterrupted(true);
-}
-
-bool TypesetWorker::isIdle() const {
-  const std::lock_guard lock(m_mutex);
-  return m_queue.isEmpty() && !m_current && m_made.empty();
 }
 
 } // namespace halfspace
