@@ -10,6 +10,8 @@ namespace halfspace {
 namespace {
 
 constexpr int margin = 2;
+/// The type's size, as part of the height of the widget's.
+constexpr double typeSize = 0.82;
 /// A formula that is too wide is drawn smaller, but not below this part of its size.
 constexpr double smallestScale = 0.5;
 
@@ -35,14 +37,14 @@ void MathLabel::setInkOf(MathPicture::InkOf inkOf) {
   update();
 }
 
-double MathLabel::exPixels() const { return QFontMetricsF(font()).height() * 0.82 * exPerEm; }
+double MathLabel::emPixels() const { return QFontMetricsF(font()).height() * typeSize; }
 
 QSize MathLabel::sizeHint() const {
   if (!m_picture)
     return {0, fontMetrics().height() + 2 * margin};
-  const double ex = exPixels();
-  return {static_cast<int>(std::ceil(m_picture->width() * ex)) + 2 * margin,
-          std::max(fontMetrics().height(), static_cast<int>(std::ceil(m_picture->height() * ex))) +
+  const double em = emPixels();
+  return {static_cast<int>(std::ceil(m_picture->width() * em)) + 2 * margin,
+          std::max(fontMetrics().height(), static_cast<int>(std::ceil(m_picture->height() * em))) +
               2 * margin};
 }
 
@@ -55,13 +57,13 @@ void MathLabel::paintEvent(QPaintEvent *) {
   if (!m_picture)
     return;
   QPainter painter(this);
-  const double wanted = m_picture->width() * exPixels();
+  const double wanted = m_picture->width() * emPixels();
   const double room = width() - 2 * margin;
-  const double ex = exPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
-  const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * ex / 2;
+  const double em = emPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
+  const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * em / 2;
   const QColor ink = palette().color(QPalette::WindowText);
   m_picture->paint(
-      painter, {double(margin), baseline}, ex, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
+      painter, {double(margin), baseline}, em, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
 }
 
 } // namespace halfspace

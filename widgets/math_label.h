@@ -27,7 +27,7 @@ protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
-  [[nodiscard]] double exPixels() const;
+  [[nodiscard]] double emPixels() const;
 
   const Typesetter &m_typesetter;
   QString m_latex;

@@ -31,7 +31,6 @@ void RichLabel::setMarkdown(const QString &markdown) {
   if (markdown == m_markdown)
     return;
   m_markdown = markdown;
-  setAccessibleName(plainRichText(markdown));
   build();
 }
 
@@ -44,7 +43,9 @@ void RichLabel::setInk(const QColor &ink) {
 
 void RichLabel::build() {
   const int before = heightForWidth(width());
-  m_document = makeRichText(m_markdown, m_typesetter, {font(), m_ink});
+  RichText text = makeRichText(m_markdown, m_typesetter, {font(), m_ink});
+  m_document = std::move(text.document);
+  setAccessibleName(text.plain);
   if (heightForWidth(width()) != before)
     updateGeometry();
   update();

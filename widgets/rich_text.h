@@ -30,12 +30,17 @@ struct RichTextStyle {
   QColor ink;
 };
 
-/// The document, on one page without margins. HTML stands as it is written, links lead nowhere, and nothing
-/// is loaded: an image is its description.
-[[nodiscard]] std::unique_ptr<QTextDocument>
-makeRichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style);
+/// A text ready to be painted, and to be read out.
+struct RichText {
+  std::unique_ptr<QTextDocument> document; ///< on one page without margins
+  QString plain;                           ///< formulas included: for screen readers
+};
 
-/// The same as plain text, formulas included: for screen readers.
+/// HTML stands as it is written, links lead nowhere, and nothing is loaded: an image is its description.
+[[nodiscard]] RichText makeRichText(const QString &markdown, const Typesetter &typesetter,
+                                    const RichTextStyle &style);
+
+/// The plain text alone.
 [[nodiscard]] QString plainRichText(const QString &markdown);
 
 } // namespace halfspace

@@ -296,7 +296,7 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
   for (const PlacedFormula &formula : line.formulas) {
     paintHighlights(painter, formula);
     const bool failed = !formula.picture->error().isEmpty();
-    formula.picture->paint(painter, formula.baseline, formula.exPixels, [&](const QString &mark) {
+    formula.picture->paint(painter, formula.baseline, formula.emPixels, [&](const QString &mark) {
       return failed ? toQColor(m_theme.warning) : inkOf(mark);
     });
   }

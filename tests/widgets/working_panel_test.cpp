@@ -80,7 +80,7 @@ private slots:
     show(panel, 300,
          {{{"a", QString("x+").repeated(60).toStdString() + "x", "", "", ""}, {"b", "x", "", "", ""}}});
     const auto placed = panel.placed();
-    QCOMPARE(placed.lines[0].formulas[0].exPixels, 0.6 * placed.lines[1].formulas[0].exPixels);
+    QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
   }
 

@@ -43,20 +43,20 @@ LabelPicture fromImage(const QImage &image) {
 } // namespace
 
 LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
-  const double ex = exPerEm * style.pixelSize;
-  const double halo = haloWidth * style.pixelSize;
+  const double em = style.pixelSize;
+  const double halo = haloWidth * em;
   const int margin = static_cast<int>(std::ceil(halo)) + 1;
   const auto side = [&](double length) {
-    return std::clamp(static_cast<int>(std::ceil(length * ex)) + 1 + 2 * margin, 1, largestLabelSide);
+    return std::clamp(static_cast<int>(std::ceil(length * em)) + 1 + 2 * margin, 1, largestLabelSide);
   };
   QImage image(side(formula.width()), side(formula.height()), QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
   QPainter painter(&image);
   // The baseline stands on a whole pixel, so that labels in a row are equally crisp.
-  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * ex));
-  formula.paintHalo(painter, baseline, ex, halo, toQColor(style.halo));
+  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * em));
+  formula.paintHalo(painter, baseline, em, halo, toQColor(style.halo));
   const QColor ink = toQColor(style.ink);
-  formula.paint(painter, baseline, ex, [&](const QString &) { return ink; });
+  formula.paint(painter, baseline, em, [&](const QString &) { return ink; });
   painter.end();
   return fromImage(image);
 }
