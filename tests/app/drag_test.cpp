@@ -62,6 +62,12 @@ private:
   std::optional<Scene> m_drawn; ///< what the picture shows
 };
 
+int stepThatShowsNumbers(const Lesson &lesson) {
+  const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                 [](const LessonStep &each) { return !each.prediction && !each.blank; });
+  return static_cast<int>(step - lesson.steps.begin());
+}
+
 } // namespace
 
 class DragTest : public QObject {
@@ -120,6 +126,7 @@ private slots:
   void linesAndPicture_whateverMovesTheScene_areSeenOfOneMoment() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
+    fixture.model().setStep(stepThatShowsNumbers(fixture.model().lesson()));
     MomentWatch watch(fixture);
     const QPoint from = *fixture.scene().handlePosition("Q");
     fixture.press(from);

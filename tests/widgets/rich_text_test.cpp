@@ -72,8 +72,8 @@ private slots:
   void formulaStandsOnTheTextsBaseline_data() {
     QTest::addColumn<QString>("latex");
     QTest::newRow("flat") << "\\rule{1em}{1em}";
-    QTest::newRow("deep") << "\\rule{1em}{1em}\\rule[-2em]{1em}{1em}";
-    QTest::newRow("high and deep") << "\\rule{1em}{1em}\\rule[-2em]{1em}{1em}\\rule[2em]{1em}{2em}";
+    QTest::newRow("deep") << "\\rule{1em}{1em}\\frac{x}{\\rule{1em}{2em}}";
+    QTest::newRow("high and deep") << "\\rule{1em}{1em}\\frac{\\rule{1em}{2em}}{\\rule{1em}{2em}}";
   }
   void formulaStandsOnTheTextsBaseline() {
     QFETCH(QString, latex);

@@ -7,8 +7,6 @@
 namespace halfspace {
 namespace {
 
-/// The fonts are made for fine printing: on a screen they need so many em more in every stroke.
-constexpr double thicker = 0.018;
 /// Of a source that is no formula, so many characters are shown.
 constexpr int longestSource = 60;
 
@@ -50,14 +48,13 @@ void MathPicture::paint(QPainter &painter, QPointF baseline, double emPixels, co
     return ink.color ? QColor(ink.color->red, ink.color->green, ink.color->blue)
                      : inks[static_cast<std::size_t>(ink.tag + 1)];
   };
-  paintFormula(painter, m_layout, *m_typeface, {baseline, emPixels, thicker, colorOf});
+  paintFormula(painter, m_layout, *m_typeface, {baseline, emPixels, 0, colorOf});
 }
 
 void MathPicture::paintHalo(QPainter &painter, QPointF baseline, double emPixels, double width,
                             const QColor &color) const {
-  paintFormula(
-      painter, m_layout, *m_typeface,
-      {baseline, emPixels, thicker + 2 * width / emPixels, [&](const math::Ink &) { return color; }});
+  paintFormula(painter, m_layout, *m_typeface,
+               {baseline, emPixels, width / emPixels, [&](const math::Ink &) { return color; }});
 }
 
 } // namespace halfspace

@@ -14,6 +14,9 @@ namespace {
 /// big.
 constexpr double largestImage = 128;
 
+/// By how much strokes are wider than in the font, in em of the formula; `size` is that of their glyph's em.
+double thicker(const FormulaLook &look, double size = 1) { return screenWeight * size + 2 * look.rim; }
+
 /// How many pixels a unit of the painter has, where what it draws on has pixels and it neither turns nor
 /// distorts.
 std::optional<double> pixelsOf(const QPainter &painter) {
@@ -45,8 +48,8 @@ public:
     const int x = quarters(m_origin.x() + glyph.x * m_em);
     const int y = 4 * static_cast<int>(std::lround(m_origin.y() + glyph.y * m_em));
     const GlyphImage &drawn =
-        m_images.image({glyph.font, glyph.glyph, parts(glyph.size), parts(m_look.thicker), x & 3, y & 3,
-                        m_look.color(glyph.ink).rgba()});
+        m_images.image({glyph.font, glyph.glyph, parts(glyph.size), parts(thicker(m_look, glyph.size)), x & 3,
+                        y & 3, m_look.color(glyph.ink).rgba()});
     if (!drawn.image.isNull())
       m_painter.drawImage(QPoint(x >> 2, y >> 2) + drawn.leftTop, drawn.image);
   }
@@ -64,7 +67,7 @@ private:
   }
   /// From the first pixel to the one behind the last: at least one.
   [[nodiscard]] std::pair<int, int> sharp(double origin, double from, double length) const {
-    const double pixels = (length + m_look.thicker) * m_em;
+    const double pixels = (length + thicker(m_look)) * m_em;
     const int count = std::max(1, static_cast<int>(std::lround(pixels)));
     const int first = static_cast<int>(std::lround(origin + (from + length / 2) * m_em - count / 2.0));
     return {first, first + count};
@@ -84,20 +87,19 @@ void paintOutlines(QPainter &painter, const math::Layout &formula, const MathTyp
   painter.translate(look.baseline);
   painter.scale(look.emPixels, look.emPixels);
   const QTransform toPainter = painter.transform();
-  const auto setColor = [&](const math::Ink &ink, double thicker) {
+  const auto setColor = [&](const math::Ink &ink, double stroke) {
     const QColor color = look.color(ink);
     painter.setBrush(color);
-    painter.setPen(thicker > 0 ? QPen(color, thicker, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
-                               : QPen(Qt::NoPen));
+    painter.setPen(QPen(color, stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   };
   for (const math::PlacedGlyph &glyph : formula.glyphs) {
-    setColor(glyph.ink, look.thicker / glyph.size);
+    setColor(glyph.ink, thicker(look, glyph.size) / glyph.size);
     painter.setTransform(QTransform(glyph.size, 0, 0, glyph.size, glyph.x, glyph.y) * toPainter);
     painter.drawPath(typeface.outlines().outline(glyph.font, glyph.glyph));
   }
   painter.setTransform(toPainter);
   for (const math::Rule &rule : formula.rules) {
-    setColor(rule.ink, look.thicker);
+    setColor(rule.ink, thicker(look));
     painter.drawRect(QRectF(rule.box.x, rule.box.y, rule.box.width, rule.box.height));
   }
   painter.restore();

@@ -17,9 +17,12 @@ namespace halfspace {
 struct FormulaLook {
   QPointF baseline;    ///< its left end
   double emPixels = 0; ///< the painter's units of an em
-  double thicker = 0;  ///< em that are added to the width of every stroke
+  double rim = 0;      ///< em by which every shape reaches farther on all sides
   std::function<QColor(const math::Ink &)> color;
 };
+
+/// The fonts are made for fine printing: on a screen strokes need so much more, in em of the glyph.
+inline constexpr double screenWeight = 0.016;
 
 /// On an image or a widget of which every pixel is a pixel: letters as images on whole rows of pixels, and
 /// sharp rules. Elsewhere (on paper, in vector files, turned, or very large) outlines.
