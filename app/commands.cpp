@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <QGuiApplication>
-
 namespace halfspace {
 namespace {
 
@@ -25,12 +23,6 @@ LessonLibrary openLibrary() {
   for (const Problem &problem : library.problems)
     printError(problem.text());
   return library;
-}
-
-/// What Qt remarks about the surroundings (no XDG_RUNTIME_DIR …) is nothing to somebody who draws a picture.
-void passOverQtRemarks(QtMsgType type, const QMessageLogContext &, const QString &message) {
-  if (type == QtFatalMsg)
-    printError(message.toStdString());
 }
 
 } // namespace
@@ -83,14 +75,7 @@ int runRender(const RenderCommand &command) {
         shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], std::move(outcome));
   }
 
-  // Fonts and images need an application object of Qt's, but no display.
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler(passOverQtRemarks);
-  int argc = 1;
-  char name[] = "halfspace";
-  char *argv[] = {name, nullptr};
-  const QGuiApplication application(argc, argv);
-  Typesetter typesetter;
+  const Typesetter typesetter;
   PictureRequest request;
   request.content.stage = stage;
   request.content.figure = toStage(outcome.figure, stage);
@@ -98,7 +83,7 @@ int runRender(const RenderCommand &command) {
   request.theme = *findTheme(command.theme);
   request.size = command.size;
   request.transparent = command.transparent;
-  const auto picture = drawOffscreen(request, blockingLabelPainter(typesetter));
+  const auto picture = drawOffscreen(request, labelPainter(typesetter));
   if (!picture)
     return fail(picture.problem());
   if (const auto problem = writePng(*picture, command.output))

@@ -26,8 +26,6 @@ namespace halfspace {
 namespace {
 
 // In milliseconds.
-/// The panels are brought up to date at most this often while something is dragged.
-constexpr int panelInterval = 30;
 /// Unsaved work is kept so long after a change.
 constexpr int keepDelay = 800;
 /// Whoever lives so long after the first picture of a session has not ended for it.
@@ -50,7 +48,7 @@ MainWindow::MainWindow(LessonLibrary library)
   m_unkept->hide();
   statusBar()->addPermanentWidget(m_unkept);
 
-  for (QTimer *timer : {&m_panelTimer, &m_keepTimer, &m_openedTimer})
+  for (QTimer *timer : {&m_keepTimer, &m_openedTimer})
     timer->setSingleShot(true);
   m_keepTimer.setInterval(keepDelay);
   m_openedTimer.setInterval(openedDelay);
@@ -61,20 +59,15 @@ MainWindow::MainWindow(LessonLibrary library)
       keepOrForget();
   });
   connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
-  connect(&m_panelTimer, &QTimer::timeout, this, &MainWindow::showOutcome);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
     m_lessonPanel->setStep(m_model.session().step);
     progress().tasks.arrive();
   });
-  connect(&m_model, &SessionModel::outcomeChanged, this, [this] {
-    if (!m_panelTimer.isActive())
-      m_panelTimer.start(m_model.inGesture() ? panelInterval : 0);
-  });
+  connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::showOutcome);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
-  connect(m_typesetter.get(), &Typesetter::ready, m_scene, &SceneView::refreshLabels);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);

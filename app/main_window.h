@@ -153,7 +153,6 @@ private:
   Recovery m_recovery;
   QTimer m_keepTimer;   ///< unsaved work is kept a moment after a change
   QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown
-  QTimer m_panelTimer;  ///< the panels follow a drag at its pace, so that the picture never waits for them
   LessonProgress m_progress;
 };
 

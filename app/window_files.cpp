@@ -115,7 +115,7 @@ std::optional<LabelPicture> MainWindow::pictureOfScene() {
   request.size = {static_cast<int>(size.width * fitting), static_cast<int>(size.height * fitting)};
   // The picture is drawn in a context of its own; two current ones in a thread clash.
   m_scene->doneCurrent();
-  auto picture = drawOffscreen(request, blockingLabelPainter(*m_typesetter));
+  auto picture = drawOffscreen(request, labelPainter(*m_typesetter));
   returnFreeMemory(); // the context that has ended leaves a hundred megabytes
   if (!picture) {
     complain(QString::fromStdString(picture.problem().text()));

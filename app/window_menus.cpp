@@ -174,10 +174,12 @@ void MainWindow::createHelpMenu() {
            "mark lights up in the scene, and the other way round.</p>"));
   });
   addItem(menu, tr("&About Halfspace"), {}, this, [this] {
-    QMessageBox::about(this, tr("About Halfspace"),
-                       tr("<h3>Halfspace %1</h3><p>Drag planes, points, rays and triangles, and read the "
-                          "exact working live.</p>")
-                           .arg(QApplication::applicationVersion()));
+    QMessageBox::about(
+        this, tr("About Halfspace"),
+        tr("<h3>Halfspace %1</h3><p>Drag planes, points, rays and triangles, and read the "
+           "exact working live.</p><p>Formulas are set in Latin Modern Math (GUST Font License) and "
+           "CMU Serif (SIL Open Font License).</p>")
+            .arg(QApplication::applicationVersion()));
   });
 }
 

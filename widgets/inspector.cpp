@@ -86,7 +86,7 @@ QLabel *heading(const QString &text) {
 
 } // namespace
 
-Inspector::Inspector(SessionModel &model, Typesetter &typesetter, QWidget *parent)
+Inspector::Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
     : QScrollArea(parent), m_model(model), m_typesetter(typesetter), m_theme(themes().front()) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);

@@ -20,7 +20,7 @@ class Inspector : public QScrollArea {
   Q_OBJECT
 
 public:
-  Inspector(SessionModel &model, Typesetter &typesetter, QWidget *parent = nullptr);
+  Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
   ~Inspector() override;
 
   /// Writes the rows from the session and its outcome.
@@ -60,7 +60,7 @@ private:
   void applyInk();
 
   SessionModel &m_model;
-  Typesetter &m_typesetter;
+  const Typesetter &m_typesetter;
   Theme m_theme;
   bool m_resultsHidden = false;
   std::vector<GivenRow> m_given;

@@ -2,12 +2,12 @@
 
 #include "widgets/colors.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,8 +23,6 @@ constexpr double titleSize = 1.3;
 /// A panel at least so wide, in letters, has two columns.
 constexpr int twoColumnLetters = 66;
 constexpr QSize usualSize(420, 360);
-/// After so many milliseconds the reason of an answer has its place below the choices.
-constexpr int layoutTime = 100;
 
 void setInk(QWidget &widget, Color color) {
   QPalette palette = widget.palette();
@@ -41,7 +39,7 @@ QLabel *makeTitle() {
 
 } // namespace
 
-LessonPanel::LessonPanel(Typesetter &typesetter, QWidget *parent)
+LessonPanel::LessonPanel(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_theme(themes().front()) {
   setAutoFillBackground(true);
   auto *content = new QWidget;
@@ -161,12 +159,8 @@ void LessonPanel::makeExercises() {
 }
 
 void LessonPanel::showReason() {
-  const bool settled = m_prediction->reason()->isSettled();
-  QTimer::singleShot(layoutTime, m_prediction, [this, settled] {
-    m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin / 2);
-    if (!settled) // it has grown with its formulas
-      showReason();
-  });
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
+  m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin / 2);
 }
 
 void LessonPanel::setMarkdown(const QString &markdown) { m_words->setMarkdown(markdown); }

@@ -19,7 +19,7 @@ class LessonPanel : public QWidget {
   Q_OBJECT
 public:
   /// The typesetter must outlive the panel.
-  explicit LessonPanel(Typesetter &typesetter, QWidget *parent = nullptr);
+  explicit LessonPanel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~LessonPanel() override;
 
   /// Shows the first step of a lesson.
@@ -47,12 +47,12 @@ private:
   void makeHead(QBoxLayout &layout);
   void makeFoot(QBoxLayout &layout);
   void makeExercises();
-  /// Scrolls to the reason of an answer once it has its place.
+  /// Scrolls to the reason of an answer.
   void showReason();
   [[nodiscard]] const LessonStep *step() const;
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
 
-  Typesetter &m_typesetter;
+  const Typesetter &m_typesetter;
   Theme m_theme;
   Lesson m_lesson;
   int m_step = 0;

@@ -4,19 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
 constexpr int margin = 2;
+/// The type's size, as part of the height of the widget's.
+constexpr double typeSize = 0.82;
 /// A formula that is too wide is drawn smaller, but not below this part of its size.
 constexpr double smallestScale = 0.5;
 
 } // namespace
 
-MathLabel::MathLabel(Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_request(typesetter) {
-  connect(&m_typesetter, &Typesetter::ready, this, &MathLabel::takePicture);
+MathLabel::MathLabel(const Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
@@ -24,8 +26,10 @@ void MathLabel::setLatex(const QString &latex) {
   if (latex == m_latex)
     return;
   m_latex = latex;
-  m_request.setWanted({latex});
-  takePicture();
+  const auto before = std::exchange(m_picture, m_typesetter.picture(latex));
+  if (!before || before->box() != m_picture->box())
+    updateGeometry();
+  update();
 }
 
 void MathLabel::setInkOf(MathPicture::InkOf inkOf) {
@@ -33,25 +37,14 @@ void MathLabel::setInkOf(MathPicture::InkOf inkOf) {
   update();
 }
 
-void MathLabel::takePicture() {
-  const auto picture = m_typesetter.known(m_latex);
-  if (!picture || picture == m_picture)
-    return;
-  const bool otherSize = !m_picture || picture->box() != m_picture->box();
-  m_picture = picture;
-  if (otherSize)
-    updateGeometry();
-  update();
-}
-
-double MathLabel::exPixels() const { return QFontMetricsF(font()).height() * 0.82 * exPerEm; }
+double MathLabel::emPixels() const { return QFontMetricsF(font()).height() * typeSize; }
 
 QSize MathLabel::sizeHint() const {
   if (!m_picture)
     return {0, fontMetrics().height() + 2 * margin};
-  const double ex = exPixels();
-  return {static_cast<int>(std::ceil(m_picture->width() * ex)) + 2 * margin,
-          std::max(fontMetrics().height(), static_cast<int>(std::ceil(m_picture->height() * ex))) +
+  const double em = emPixels();
+  return {static_cast<int>(std::ceil(m_picture->width() * em)) + 2 * margin,
+          std::max(fontMetrics().height(), static_cast<int>(std::ceil(m_picture->height() * em))) +
               2 * margin};
 }
 
@@ -64,13 +57,13 @@ void MathLabel::paintEvent(QPaintEvent *) {
   if (!m_picture)
     return;
   QPainter painter(this);
-  const double wanted = m_picture->width() * exPixels();
+  const double wanted = m_picture->width() * emPixels();
   const double room = width() - 2 * margin;
-  const double ex = exPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
-  const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * ex / 2;
+  const double em = emPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
+  const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * em / 2;
   const QColor ink = palette().color(QPalette::WindowText);
   m_picture->paint(
-      painter, {double(margin), baseline}, ex, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
+      painter, {double(margin), baseline}, em, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
 }
 
 } // namespace halfspace

@@ -8,12 +8,13 @@
 
 namespace halfspace {
 
-/// Shows LaTeX in the widget's text colour. While a new formula is being typeset the last one stays.
+/// Shows LaTeX in the widget's text colour.
 class MathLabel : public QWidget {
   Q_OBJECT
 
 public:
-  explicit MathLabel(Typesetter &typesetter, QWidget *parent = nullptr);
+  /// The typesetter must outlive the label.
+  explicit MathLabel(const Typesetter &typesetter, QWidget *parent = nullptr);
 
   void setLatex(const QString &latex);
   [[nodiscard]] const QString &latex() const { return m_latex; }
@@ -26,13 +27,11 @@ protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
-  void takePicture();
-  [[nodiscard]] double exPixels() const;
+  [[nodiscard]] double emPixels() const;
 
-  Typesetter &m_typesetter;
-  Typesetter::Request m_request;
+  const Typesetter &m_typesetter;
   QString m_latex;
-  Typesetter::Picture m_picture; ///< the last good one
+  Typesetter::Picture m_picture; ///< null before the first `setLatex`
   MathPicture::InkOf m_inkOf;
 };
 

@@ -12,7 +12,7 @@ constexpr int nameLetters = 9;
 
 } // namespace
 
-NamedValueRow::NamedValueRow(Typesetter &typesetter, QWidget *parent)
+NamedValueRow::NamedValueRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_name(new MathLabel(typesetter, this)), m_value(new MathLabel(typesetter, this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   policy.setHeightForWidth(true);
@@ -54,7 +54,7 @@ void NamedValueRow::place() {
 }
 
 bool NamedValueRow::event(QEvent *event) {
-  if (event->type() == QEvent::LayoutRequest) { // a formula has come that has another size
+  if (event->type() == QEvent::LayoutRequest) { // a formula has another size
     updateGeometry();
     place();
   }

@@ -11,7 +11,7 @@ class NamedValueRow : public QWidget {
   Q_OBJECT
 
 public:
-  explicit NamedValueRow(Typesetter &typesetter, QWidget *parent = nullptr);
+  explicit NamedValueRow(const Typesetter &typesetter, QWidget *parent = nullptr);
 
   [[nodiscard]] MathLabel &name() { return *m_name; }
   [[nodiscard]] MathLabel &value() { return *m_value; }

@@ -16,7 +16,7 @@ constexpr double cornerRadius = 6;
 
 } // namespace
 
-ChoiceButton::ChoiceButton(Typesetter &typesetter, const QString &words, QWidget *parent)
+ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent)
     : QAbstractButton(parent), m_label(new RichLabel(typesetter)), m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(choiceMargins);
@@ -65,7 +65,7 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
                markRadius * m_theme.textScale, m_verdict, m_theme);
 }
 
-PredictionBox::PredictionBox(Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
+PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
     : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
       m_reason(new RichLabel(typesetter)) {
   auto *layout = new QVBoxLayout(this);

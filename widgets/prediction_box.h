@@ -12,7 +12,7 @@ namespace halfspace {
 class ChoiceButton : public QAbstractButton {
   Q_OBJECT
 public:
-  ChoiceButton(Typesetter &typesetter, const QString &words, QWidget *parent = nullptr);
+  ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent = nullptr);
 
   void setVerdict(Verdict verdict);
   [[nodiscard]] Verdict verdict() const { return m_verdict; }
@@ -31,7 +31,7 @@ private:
 class PredictionBox : public QWidget {
   Q_OBJECT
 public:
-  PredictionBox(Typesetter &typesetter, const Prediction &prediction, QWidget *parent = nullptr);
+  PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent = nullptr);
 
   /// The words of the chosen and of the right choice; nothing chosen: the question is open. `right` may be
   /// empty when no choice is right.

@@ -17,13 +17,11 @@ constexpr int fewestLetters = 16;
 
 } // namespace
 
-RichLabel::RichLabel(Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_request(typesetter),
-      m_ink(palette().color(QPalette::WindowText)) {
+RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter), m_ink(palette().color(QPalette::WindowText)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  connect(&typesetter, &Typesetter::ready, this, &RichLabel::showRequested);
   build();
 }
 
@@ -32,13 +30,8 @@ RichLabel::~RichLabel() = default;
 void RichLabel::setMarkdown(const QString &markdown) {
   if (markdown == m_markdown)
     return;
-  const bool waiting = m_requested != m_shown;
   m_markdown = markdown;
-  setAccessibleName(plainRichText(markdown));
-  // A text that is half typeset is finished first: else nothing would ever be shown while values change all
-  // the time.
-  if (!waiting)
-    request();
+  build();
 }
 
 void RichLabel::setInk(const QColor &ink) {
@@ -48,27 +41,11 @@ void RichLabel::setInk(const QColor &ink) {
   build();
 }
 
-void RichLabel::request() {
-  m_requested = m_markdown;
-  m_request.setWanted(separateMath(m_requested).formulas);
-  showRequested();
-}
-
-void RichLabel::showRequested() {
-  if (m_requested == m_shown || !m_request.isComplete())
-    return;
-  m_shown = m_requested;
-  m_pictures.clear();
-  for (const QString &latex : separateMath(m_shown).formulas)
-    m_pictures.push_back(m_typesetter.known(latex));
-  build();
-  if (m_markdown != m_shown)
-    request();
-}
-
 void RichLabel::build() {
   const int before = heightForWidth(width());
-  m_document = makeRichText(separateMath(m_shown), m_pictures, {font(), m_ink});
+  RichText text = makeRichText(m_markdown, m_typesetter, {font(), m_ink});
+  m_document = std::move(text.document);
+  setAccessibleName(text.plain);
   if (heightForWidth(width()) != before)
     updateGeometry();
   update();

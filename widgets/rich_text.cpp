@@ -26,12 +26,13 @@ constexpr QChar placeholderEnd(0xE001);
 constexpr int mathObject = QTextFormat::UserObject + 1;
 constexpr int pictureProperty = QTextFormat::UserProperty + 1;
 
-/// Formulas that reach deeper below the baseline (in ex) make room for themselves; others hang into the
+/// Formulas that reach deeper below the baseline (in em) make room for themselves; others hang into the
 /// line's own.
-constexpr double hangingDepth = 0.75;
+constexpr double hangingDepth = 0.33;
 
-/// Formulas whose x is as high as the text's look too large beside it.
-constexpr double inlineScale = 0.93;
+/// The size of formulas, in heights of the text's x. Those whose x is as high as the text's (2.26) look too
+/// large beside it.
+constexpr double inlineSize = 2.1;
 
 /// Space between paragraphs and between the items of a list, as part of the type's size.
 constexpr double paragraphGap = 0.55;
@@ -148,9 +149,9 @@ public:
   QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &format) override {
     const Typesetter::Picture picture = pictureOf(format);
     const double x = xHeight(format);
-    const double ascent = picture->ascent() * x * inlineScale;
-    const double depth = picture->depth() * x * inlineScale;
-    const double width = picture->width() * x * inlineScale;
+    const double ascent = picture->ascent() * x * inlineSize;
+    const double depth = picture->depth() * x * inlineSize;
+    const double width = picture->width() * x * inlineSize;
     return hangs(*picture) ? QSizeF(width, ascent)
                            : QSizeF(width, std::max(2 * ascent - x / 2, 2 * depth + x / 2));
   }
@@ -161,7 +162,7 @@ public:
     const double x = xHeight(format);
     const double baseline = hangs(*picture) ? rect.bottom() : rect.center().y() + x / 4;
     const QColor ink = format.foreground().color();
-    picture->paint(*painter, {rect.left(), baseline}, x * inlineScale, [&](const QString &) { return ink; });
+    picture->paint(*painter, {rect.left(), baseline}, x * inlineSize, [&](const QString &) { return ink; });
   }
 
   [[nodiscard]] static bool hangs(const MathPicture &picture) { return picture.depth() <= hangingDepth; }
@@ -213,57 +214,71 @@ void replaceImages(QTextDocument &document) {
   }
 }
 
-void placeMath(QTextDocument &document, const std::vector<Typesetter::Picture> &pictures, const QFont &font) {
+void placeMath(QTextDocument &document, const QStringList &formulas, const Typesetter &typesetter,
+               const QFont &font) {
   const QRegularExpression placeholder(placeholderBegin + QStringLiteral("(\\d+)") + placeholderEnd);
   for (QTextCursor place = document.find(placeholder); !place.isNull();
        place = document.find(placeholder, place)) {
     const QString number = place.selectedText();
-    const std::size_t index = number.mid(1, number.size() - 2).toUInt();
-    if (index >= pictures.size() || !pictures[index])
-      continue;
+    const Typesetter::Picture picture =
+        typesetter.picture(formulas.value(number.mid(1, number.size() - 2).toInt()));
     QTextCharFormat format = place.charFormat();
     format.setFont(font, QTextCharFormat::FontPropertiesSpecifiedOnly);
     format.setObjectType(mathObject);
-    format.setProperty(pictureProperty, QVariant::fromValue(pictures[index]));
-    if (!MathObject::hangs(*pictures[index]))
+    format.setProperty(pictureProperty, QVariant::fromValue(picture));
+    if (!MathObject::hangs(*picture))
       format.setVerticalAlignment(QTextCharFormat::AlignMiddle);
     place.insertText(QString(QChar::ObjectReplacementCharacter), format);
   }
 }
 
-} // namespace
-
-MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
-
-std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
-                                            const std::vector<Typesetter::Picture> &pictures,
-                                            const RichTextStyle &style) {
+/// The document with its placeholders.
+std::unique_ptr<QTextDocument> makeDocument(const QString &markdown, const RichTextStyle &style) {
   auto document = std::make_unique<ClosedDocument>();
   document->setUndoRedoEnabled(false);
   document->setDefaultFont(style.font);
   document->setDocumentMargin(0);
   document->setIndentWidth(QFontInfo(style.font).pixelSize() * 1.4);
   document->documentLayout()->registerHandler(mathObject, new MathObject(document.get()));
-  document->setMarkdown(unbroken(text.markdown),
-                        QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
-                            QTextDocument::MarkdownDialectGitHub);
-  replaceImages(*document);
-  setInk(*document, style);
-  setSpacing(*document, style);
-  placeMath(*document, pictures, style.font);
+  document->setMarkdown(unbroken(markdown), QTextDocument::MarkdownFeatures(QTextDocument::MarkdownNoHTML) |
+                                                QTextDocument::MarkdownDialectGitHub);
   return document;
 }
 
-QString plainRichText(const QString &markdown) {
-  const MarkdownWithMath text = separateMath(markdown);
-  const std::unique_ptr<QTextDocument> document = makeRichText(text, {}, {});
-  QString plain = document->toPlainText();
-  for (int i = 0; i < text.formulas.size(); ++i) {
-    const std::string latex = QString(text.formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();
+/// The text of a document that has placeholders.
+QString plainOf(const QTextDocument &document, const QStringList &formulas) {
+  QString plain = document.toPlainText();
+  for (int i = 0; i < formulas.size(); ++i) {
+    const std::string latex = QString(formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
                   QString::fromStdString(plainText(latex)));
   }
   return plain;
+}
+
+} // namespace
+
+MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
+
+RichText makeRichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style) {
+  const MarkdownWithMath text = separateMath(markdown);
+  auto document = makeDocument(text.markdown, style);
+  QTextCursor changes(document.get());
+  changes.beginEditBlock(); // it is laid out once
+  replaceImages(*document);
+  const QString plain = plainOf(*document, text.formulas);
+  setInk(*document, style);
+  setSpacing(*document, style);
+  placeMath(*document, text.formulas, typesetter, style.font);
+  changes.endEditBlock();
+  return {std::move(document), plain};
+}
+
+QString plainRichText(const QString &markdown) {
+  const MarkdownWithMath text = separateMath(markdown);
+  const auto document = makeDocument(text.markdown, {});
+  replaceImages(*document);
+  return plainOf(*document, text.formulas);
 }
 
 } // namespace halfspace

@@ -6,7 +6,7 @@
 #include <QFont>
 #include <QTextDocument>
 
-#include <vector>
+#include <memory>
 
 namespace halfspace {
 
@@ -30,13 +30,17 @@ struct RichTextStyle {
   QColor ink;
 };
 
-/// The document, on one page without margins. `pictures` are those of the formulas. HTML stands as it is
-/// written, links lead nowhere, and nothing is loaded: an image is its description.
-[[nodiscard]] std::unique_ptr<QTextDocument> makeRichText(const MarkdownWithMath &text,
-                                                          const std::vector<Typesetter::Picture> &pictures,
-                                                          const RichTextStyle &style);
+/// A text ready to be painted, and to be read out.
+struct RichText {
+  std::unique_ptr<QTextDocument> document; ///< on one page without margins
+  QString plain;                           ///< formulas included: for screen readers
+};
 
-/// The same as plain text, formulas included: for screen readers.
+/// HTML stands as it is written, links lead nowhere, and nothing is loaded: an image is its description.
+[[nodiscard]] RichText makeRichText(const QString &markdown, const Typesetter &typesetter,
+                                    const RichTextStyle &style);
+
+/// The plain text alone.
 [[nodiscard]] QString plainRichText(const QString &markdown);
 
 } // namespace halfspace

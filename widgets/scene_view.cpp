@@ -247,6 +247,7 @@ void SceneView::takeOutcome() {
     m_hovered.clear();
   m_fade.show(m_model.session(), m_model.shownOutcome().figure, m_motion && isVisible());
   updateContent();
+  m_outcomeTaken = Clock::now();
 }
 
 void SceneView::updateContent() {
@@ -306,6 +307,8 @@ void SceneView::requestFrame() {
 }
 
 void SceneView::frame() {
+  m_frameTimer.stop();
+  m_frameWanted = false;
   followPointer();
   if (!isValid() || !isVisible())
     return;
@@ -316,8 +319,9 @@ void SceneView::frame() {
   m_awaitingPaint = true;
   renderWindow()->SetMultiSamples(m_restTimer.isActive() ? 0 : restSamples);
   renderWindow()->Render();
-  emit frameDrawn({m_evaluateTime, prepared - start, Clock::now() - prepared});
-  m_evaluateTime = {};
+  m_times.update = prepared - start;
+  m_times.render = Clock::now() - prepared;
+  emit frameDrawn(std::exchange(m_times, {}));
 }
 
 void SceneView::paintGL() {

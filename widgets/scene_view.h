@@ -18,10 +18,13 @@ namespace halfspace {
 /// How long the parts of one frame took on the user-interface thread.
 struct FrameTimes {
   std::chrono::nanoseconds evaluate{}; ///< pointer to new outcome; zero where the scene did not change
-  std::chrono::nanoseconds update{};   ///< outcome to meshes and labels
-  std::chrono::nanoseconds render{};   ///< VTK
+  std::chrono::nanoseconds panels{}; ///< outcome to all others that show it: lines, numbers, words; likewise
+  std::chrono::nanoseconds update{}; ///< outcome to meshes and labels
+  std::chrono::nanoseconds render{}; ///< VTK
 };
 
+/// Whatever else a window shows of the outcome is never seen beside an older picture: what is stale is drawn
+/// before the window is put together.
 class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -35,11 +38,6 @@ public:
   void setTheme(const Theme &theme);
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
-  /// Draws again when labels that were missing have become ready.
-  void refreshLabels() {
-    if (m_scene.labelsPending())
-      requestFrame();
-  }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   /// Whether the camera glides from view to view and new marks of a step fade in.
@@ -80,6 +78,8 @@ signals:
 protected:
   void paintGL() override;
   bool event(QEvent *event) override;
+  bool eventFilter(QObject *watched, QEvent *event) override;
+  void showEvent(QShowEvent *event) override;
   void mousePressEvent(QMouseEvent *event) override;
   void mouseMoveEvent(QMouseEvent *event) override;
   void mouseReleaseEvent(QMouseEvent *event) override;
@@ -171,7 +171,8 @@ private:
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;
   MarkFade m_fade;
-  std::chrono::nanoseconds m_evaluateTime{};
+  FrameTimes m_times; ///< of the next frame, as far as they are known
+  std::chrono::steady_clock::time_point m_outcomeTaken;
 };
 
 } // namespace halfspace

@@ -59,6 +59,17 @@ bool SceneView::event(QEvent *event) {
   return QVTKOpenGLNativeWidget::event(event);
 }
 
+void SceneView::showEvent(QShowEvent *event) {
+  window()->installEventFilter(this);
+  QVTKOpenGLNativeWidget::showEvent(event);
+}
+
+bool SceneView::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() == QEvent::UpdateRequest && m_contentStale)
+    frame();
+  return QVTKOpenGLNativeWidget::eventFilter(watched, event);
+}
+
 void SceneView::mousePressEvent(QMouseEvent *event) {
   if (m_gesture != Gesture::None)
     return;
@@ -137,8 +148,12 @@ void SceneView::followPointer() {
       m_drag->moveTo(devicePixel(m_lastPointer), suspended ? finestStep : m_model.snapStep(), screen());
   if (!move)
     return;
+  m_outcomeTaken = start;
   m_model.moveGesture({m_drag->handle().object, fromStage(move->object, m_stage)});
-  m_evaluateTime = Clock::now() - start;
+  if (m_outcomeTaken != start) {
+    m_times.evaluate = m_outcomeTaken - start;
+    m_times.panels = Clock::now() - m_outcomeTaken;
+  }
   if (move->caught != m_caught) {
     m_caught = move->caught;
     QToolTip::showText(mapToGlobal(m_lastPointer.toPoint()), QString::fromStdString(m_caught), this);

@@ -41,7 +41,7 @@ void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verd
   painter.restore();
 }
 
-TaskRow::TaskRow(Typesetter &typesetter, const QString &instruction, QWidget *parent)
+TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent)
     : QWidget(parent), m_instruction(instruction), m_words(new RichLabel(typesetter)),
       m_theme(themes().front()) {
   auto *layout = new QHBoxLayout(this);

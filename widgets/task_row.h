@@ -14,7 +14,7 @@ void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verd
 class TaskRow : public QWidget {
   Q_OBJECT
 public:
-  TaskRow(Typesetter &typesetter, const QString &instruction, QWidget *parent = nullptr);
+  TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent = nullptr);
 
   void setDone(bool done);
   [[nodiscard]] bool isDone() const { return m_done; }

@@ -36,8 +36,8 @@ constexpr double leastDepth = 0.22;
 class LinePlacer {
 public:
   LinePlacer(const QFont &font, double width)
-      : m_font(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_ex(exPerEm * m_em),
-        m_left(sideMargin * m_em), m_right(width - sideMargin * m_em), m_width(width) {}
+      : m_font(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_left(sideMargin * m_em),
+        m_right(width - sideMargin * m_em), m_width(width) {}
 
   PlacedLine place(const TypesetLine &line, const LineState &state) {
     m_placed = {};
@@ -117,20 +117,20 @@ private:
   void placePiece(const Typesetter::Picture &picture) {
     if (!picture)
       return;
-    makeRoom(picture->width() * m_ex);
+    makeRoom(picture->width() * m_em);
     const double room = std::max(m_right - m_x, 1.0);
-    const double ex = m_ex * std::clamp(room / std::max(picture->width() * m_ex, 1.0), smallestScale, 1.0);
-    m_placed.formulas.push_back({picture, {m_x, 0}, ex});
-    m_ascent = std::max(m_ascent, picture->ascent() * ex);
-    m_depth = std::max(m_depth, picture->depth() * ex);
-    advance(picture->width() * ex);
+    const double em = m_em * std::clamp(room / std::max(picture->width() * m_em, 1.0), smallestScale, 1.0);
+    m_placed.formulas.push_back({picture, {m_x, 0}, em});
+    m_ascent = std::max(m_ascent, picture->ascent() * em);
+    m_depth = std::max(m_depth, picture->depth() * em);
+    advance(picture->width() * em);
   }
 
   void placeBlank(const TypesetLine &line, const LineState &state) {
     const bool hasField = !state.field.isEmpty();
     const QSizeF size = hasField ? state.field : blankSize * m_em;
     if (hasField && line.prompt) {
-      keepTogether(line.prompt->width() * m_ex + relationGap * m_em + size.width());
+      keepTogether(line.prompt->width() * m_em + relationGap * m_em + size.width());
       placePiece(line.prompt);
     }
     makeRoom(size.width());
@@ -160,7 +160,7 @@ private:
   }
 
   QFont m_font;
-  double m_em, m_ex, m_left, m_right, m_width;
+  double m_em, m_left, m_right, m_width;
   double m_x = 0, m_y = 0, m_widest = 0;
   PlacedLine m_placed;
   // The row in work.
@@ -172,7 +172,7 @@ private:
 } // namespace
 
 QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
-  return {baseline + inPicture.topLeft() * exPixels, inPicture.size() * exPixels};
+  return {baseline + inPicture.topLeft() * emPixels, inPicture.size() * emPixels};
 }
 
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,

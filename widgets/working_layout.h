@@ -39,7 +39,7 @@ struct LineState {
 struct PlacedFormula {
   Typesetter::Picture picture;
   QPointF baseline;
-  double exPixels = 0;
+  double emPixels = 0;
 
   /// From the picture's lengths to places in the working.
   [[nodiscard]] QRectF toWorking(const QRectF &inPicture) const;

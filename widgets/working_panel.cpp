@@ -26,18 +26,6 @@ constexpr double currentBarWidth = 3;
 constexpr double remarkMarkRadius = 6.5;
 constexpr QSize usualSize(400, 480);
 
-QStringList formulasOf(const Working &working) {
-  QStringList formulas;
-  for (const WorkingLine &line : working.lines) {
-    for (const std::string *piece : {&line.symbols, &line.numbers, &line.result})
-      if (!piece->empty())
-        formulas << QString::fromStdString(*piece);
-    if (line.blank)
-      formulas << QString::fromStdString(line.blank->prompt);
-  }
-  return formulas;
-}
-
 /// A line as it is asked for: its symbols, and the prompt where that says more than `=`.
 QString questionOf(const WorkingLine &line) {
   const bool hasOwnPrompt = line.blank && line.blank->prompt != Blank().prompt;
@@ -56,15 +44,13 @@ QString plainTextOf(const WorkingLine &line, bool blanked) {
 
 } // namespace
 
-WorkingPanel::WorkingPanel(Typesetter &typesetter, QWidget *parent)
-    : QAbstractScrollArea(parent), m_typesetter(typesetter), m_request(typesetter),
-      m_theme(themes().front()) {
+WorkingPanel::WorkingPanel(const Typesetter &typesetter, QWidget *parent)
+    : QAbstractScrollArea(parent), m_typesetter(typesetter), m_theme(themes().front()) {
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Working"));
   viewport()->setMouseTracking(true);
   viewport()->setAutoFillBackground(false);
-  connect(&typesetter, &Typesetter::ready, this, &WorkingPanel::showTypeset);
   connect(qApp, &QApplication::focusChanged, this,
           [this](QWidget *, QWidget *focused) { followFocus(focused); });
 }
@@ -72,37 +58,18 @@ WorkingPanel::WorkingPanel(Typesetter &typesetter, QWidget *parent)
 WorkingPanel::~WorkingPanel() = default;
 
 void WorkingPanel::setWorking(const Working &working) {
-  // A working that is half typeset is finished first: else nothing would ever be shown during a long drag.
-  if (m_requested)
-    m_waiting = working;
-  else
-    request(working);
-}
-
-void WorkingPanel::request(const Working &working) {
-  m_requested = working;
-  m_request.setWanted(formulasOf(working));
-  showTypeset();
-}
-
-void WorkingPanel::showTypeset() {
-  if (!m_requested || !m_request.isComplete())
-    return;
   const auto pictureOf = [this](const std::string &latex) {
-    return latex.empty() ? nullptr : m_typesetter.known(QString::fromStdString(latex));
+    return latex.empty() ? nullptr : m_typesetter.picture(QString::fromStdString(latex));
   };
   m_lines.clear();
-  for (const WorkingLine &line : m_requested->lines)
+  for (const WorkingLine &line : working.lines)
     m_lines.push_back({line,
                        {pictureOf(line.symbols), pictureOf(line.numbers), pictureOf(line.result)},
                        line.blank ? pictureOf(line.blank->prompt) : nullptr});
-  m_requested.reset();
   if (m_current && *m_current >= m_lines.size())
     m_current.reset();
   placeLines();
   updateAccessibleText();
-  if (m_waiting)
-    request(*std::exchange(m_waiting, std::nullopt));
 }
 
 void WorkingPanel::setTheme(const Theme &theme) {
@@ -329,7 +296,7 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
   for (const PlacedFormula &formula : line.formulas) {
     paintHighlights(painter, formula);
     const bool failed = !formula.picture->error().isEmpty();
-    formula.picture->paint(painter, formula.baseline, formula.exPixels, [&](const QString &mark) {
+    formula.picture->paint(painter, formula.baseline, formula.emPixels, [&](const QString &mark) {
       return failed ? toQColor(m_theme.warning) : inkOf(mark);
     });
   }

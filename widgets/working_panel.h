@@ -15,14 +15,12 @@ namespace halfspace {
 
 class BlankField;
 
-/// Shows a working as a textbook would: formulas, their numbers, a sentence. A working appears only when all
-/// of its formulas are typeset, so lines of different moments never stand together; until then the last one
-/// stays.
+/// Shows a working as a textbook would: formulas, their numbers, a sentence.
 class WorkingPanel : public QAbstractScrollArea {
   Q_OBJECT
 public:
   /// The typesetter must outlive the panel.
-  explicit WorkingPanel(Typesetter &typesetter, QWidget *parent = nullptr);
+  explicit WorkingPanel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~WorkingPanel() override;
 
   void setWorking(const Working &working);
@@ -39,8 +37,6 @@ public:
   /// Gives the focus to the first field, or to the panel where there is none.
   void focusField();
 
-  /// Whether the newest working is shown.
-  [[nodiscard]] bool isSettled() const { return !m_requested && !m_waiting; }
   /// What is shown and where, in coordinates of the viewport.
   [[nodiscard]] PlacedWorking placed() const;
   /// The line as LaTeX, or all lines one below the other.
@@ -69,8 +65,6 @@ protected:
   void scrollContentsBy(int dx, int dy) override;
 
 private:
-  void request(const Working &working);
-  void showTypeset();
   void placeLines();
   [[nodiscard]] bool isBlank(const std::string &lineId) const;
   [[nodiscard]] std::map<std::string, LineState> lineStates() const;
@@ -92,8 +86,7 @@ private:
   void paintBlank(QPainter &painter, const QRectF &blank) const;
   void paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const;
 
-  Typesetter &m_typesetter;
-  Typesetter::Request m_request;
+  const Typesetter &m_typesetter;
   Theme m_theme;
   std::function<QColor(const QString &)> m_inkOf;
   std::set<std::string> m_highlighted;
@@ -101,9 +94,7 @@ private:
   std::set<std::string> m_blanks; ///< that have fields
   std::map<std::string, LineRemark> m_remarks;
   std::map<std::string, BlankField *> m_fields; ///< by the lines' ids
-  std::optional<Working> m_requested;           ///< whose formulas are being made
-  std::optional<Working> m_waiting;             ///< the newest, if newer than that
-  std::vector<TypesetLine> m_lines;             ///< what is shown
+  std::vector<TypesetLine> m_lines;
   PlacedWorking m_placed;
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys

@@ -14,7 +14,7 @@ constexpr QMargins barMargins(12, 0, 12, 4);
 
 } // namespace
 
-WorkingPractice::WorkingPractice(Typesetter &typesetter, QWidget *parent)
+WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)) {
   auto *bar = new QHBoxLayout;
   bar->setContentsMargins(barMargins);

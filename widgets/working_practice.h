@@ -18,7 +18,7 @@ class WorkingPractice : public QWidget {
   Q_OBJECT
 public:
   /// The typesetter must outlive the panel.
-  explicit WorkingPractice(Typesetter &typesetter, QWidget *parent = nullptr);
+  explicit WorkingPractice(const Typesetter &typesetter, QWidget *parent = nullptr);
 
   [[nodiscard]] WorkingPanel &panel() { return *m_panel; }
 

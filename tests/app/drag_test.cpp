@@ -1,6 +1,9 @@
 // Every handle of every lesson, dragged with the mouse in a real window.
 #include "tests/app/window_fixture.h"
 
+#include "lessons/working.h"
+#include "widgets/working_panel.h"
+
 #include <glm/geometric.hpp>
 
 using namespace halfspace;
@@ -23,6 +26,46 @@ bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
   const auto *point = mark ? std::get_if<PointMark>(mark) : nullptr;
   const auto *arrow = mark ? std::get_if<ArrowMark>(mark) : nullptr;
   return (point && point->at == place) || (arrow && arrow->vector == place);
+}
+
+/// Counts how often lines are painted beside a picture of another scene.
+class MomentWatch : public QObject {
+public:
+  explicit MomentWatch(WindowFixture &fixture)
+      : m_fixture(fixture), m_lines(*fixture.window.findChild<WorkingPanel *>()) {
+    m_lines.viewport()->installEventFilter(this);
+    connect(&fixture.scene(), &SceneView::frameDrawn, this,
+            [this] { m_drawn = m_fixture.model().session().scene; });
+  }
+
+  bool eventFilter(QObject *watched, QEvent *event) override {
+    if (event->type() == QEvent::Paint) {
+      ++paintings;
+      const Scene &now = m_fixture.model().session().scene;
+      const QString firstLine =
+          QString::fromStdString(m_fixture.model().shownOutcome().working.lines[0].numbers);
+      mixtures += !m_drawn || !(*m_drawn == now) || !m_lines.latexOfAll().contains(withoutMarksOf(firstLine));
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+  int paintings = 0;
+  int mixtures = 0;
+
+private:
+  static QString withoutMarksOf(const QString &latex) {
+    return QString::fromStdString(withoutMarks(latex.toStdString()));
+  }
+
+  WindowFixture &m_fixture;
+  WorkingPanel &m_lines;
+  std::optional<Scene> m_drawn; ///< what the picture shows
+};
+
+int stepThatShowsNumbers(const Lesson &lesson) {
+  const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                 [](const LessonStep &each) { return !each.prediction && !each.blank; });
+  return static_cast<int>(step - lesson.steps.begin());
 }
 
 } // namespace
@@ -78,6 +121,28 @@ private slots:
     QVERIFY(fixture.model().session().scene == before.scene);
     fixture.model().history().redo();
     QVERIFY(*findObject(fixture.model().session().scene, handle->object) == expected);
+  }
+
+  void linesAndPicture_whateverMovesTheScene_areSeenOfOneMoment() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(stepThatShowsNumbers(fixture.model().lesson()));
+    MomentWatch watch(fixture);
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    for (const QPoint way : {QPoint(60, 30), QPoint(-40, 20), QPoint(0, 0)})
+      fixture.moveTo(from + way);
+    fixture.release();
+    for (int z = 0; z < 20; ++z) { // typed: no frame of the view's own comes first
+      const Object *point = findObject(fixture.model().session().scene, "Q");
+      Object moved = *point;
+      coordinate(moved, 0).z = z;
+      fixture.model().edit({"Q", moved}, "move Q");
+      QTest::qWait(z % 7);
+    }
+    QTest::qWait(50);
+    QVERIFY2(watch.paintings > 15, qPrintable(QString::number(watch.paintings)));
+    QCOMPARE(watch.mixtures, 0);
   }
 
   void escape_duringADrag_restoresWhatWasThere() {

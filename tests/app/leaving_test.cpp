@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -278,7 +279,7 @@ private slots:
     connect(&chooser, &QTimer::timeout, [&] {
       if (auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget())) {
         chooser.stop();
-        dialog->selectFile(file);
+        dialog->findChild<QLineEdit *>()->setText(file); // selectFile does nothing once this has the focus
         QMetaObject::invokeMethod(dialog, "accept");
       }
     });

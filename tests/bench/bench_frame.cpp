@@ -6,6 +6,7 @@
 #include "tests/bench/figure_to_bare.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
+#include "widgets/working_panel.h"
 
 #include <QApplication>
 #include <QOpenGLContext>
@@ -30,42 +31,36 @@ constexpr int burstMoves = 100;
 constexpr int movesPerBurst = 10;
 constexpr int patience = 10000; // milliseconds
 constexpr double offPath = 60;  ///< how far the drag wanders off its straight way, in pixels
-constexpr int panelInterval = 30;
 
 constexpr double shareGoal = 1;    ///< milliseconds
 constexpr double frameGoal = 1.10; ///< times bare VTK
 
-/// Tells how long the panels and the putting together of the window take, apart from the frames.
+/// Tells how long painting takes: of the lines, and of the window with all that is in it.
 class TimedApplication : public QApplication {
 public:
   using QApplication::QApplication;
 
   bool notify(QObject *receiver, QEvent *event) override {
     Durations *durations = durationsFor(receiver, *event);
-    if (!durations || m_isInside)
+    if (!durations)
       return QApplication::notify(receiver, event);
-    m_isInside = true;
     const auto start = Clock::now();
     const bool accepted = QApplication::notify(receiver, event);
     durations->add(millisecondsSince(start));
-    m_isInside = false;
     return accepted;
   }
 
   QWidget *window = nullptr; ///< whose painting is measured
-  Durations panels;
+  QWidget *lines = nullptr;  ///< likewise
   Durations paint;
+  Durations linesPainted;
 
 private:
   Durations *durationsFor(QObject *receiver, const QEvent &event) {
     if (event.type() == QEvent::UpdateRequest && receiver == window)
       return &paint;
-    // Of the window's timers only the panels' has this interval.
-    const auto *timer = event.type() == QEvent::Timer ? qobject_cast<QTimer *>(receiver) : nullptr;
-    return timer && timer->isSingleShot() && timer->interval() == panelInterval ? &panels : nullptr;
+    return event.type() == QEvent::Paint && receiver == lines ? &linesPainted : nullptr;
   }
-
-  bool m_isInside = false;
 };
 
 /// Waits until the drawing is done: VTK only orders it.
@@ -117,8 +112,8 @@ private:
 
 /// Everything measured of one lesson.
 struct Measured {
-  Durations evaluate, update, render, share, frame, fromMove, bare, ratio, panels, paint, typesetAll,
-      typesetNext;
+  Durations evaluate, panels, linesLaidOut, update, render, share, frame, fromMove, bare, ratio, linesPainted,
+      paint;
   int moves = 0;
   int frames = 0;
   int renders = 0;
@@ -129,7 +124,7 @@ struct Measured {
 class Drag {
 public:
   Drag(const std::string &lesson, TimedApplication &application)
-      : m_application(application), m_fixture(lesson), m_painter(blockingLabelPainter(m_typesetter)) {
+      : m_application(application), m_fixture(lesson), m_painter(labelPainter(m_typesetter)) {
     showMost();
     waitForQuiet();
     m_bare = std::make_unique<BareWindow>(view());
@@ -137,7 +132,9 @@ public:
     QObject::connect(&view(), &SceneView::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
     countRenders();
+    m_lines = m_fixture.window.findChild<WorkingPanel *>();
     m_application.window = &m_fixture.window;
+    m_application.lines = m_lines->viewport();
   }
 
   Measured run(int moves) {
@@ -151,10 +148,10 @@ public:
     for (int i = 0; i < moves / 10; ++i)
       moveAndDraw(pathAt(from, to, i / (moves / 10.0)));
     m_measured = {};
-    m_application.panels = m_application.paint = {};
+    m_application.linesPainted = m_application.paint = {};
     for (int i = 0; i < moves; ++i)
       moveAndDraw(pathAt(from, to, double(i) / moves));
-    m_measured.panels = m_application.panels;
+    m_measured.linesPainted = m_application.linesPainted;
     m_measured.paint = m_application.paint;
     burst(from, to);
     m_fixture.model().setSnapStep(1);
@@ -165,7 +162,7 @@ public:
     for (const Handle &handle : handlesOf(scene))
       if (handle.id == m_handle.id)
         m_measured.isKept = handle.at == wanted;
-    measureTypesetting();
+    measureLayout(moves);
     return std::move(m_measured);
   }
 
@@ -217,13 +214,15 @@ private:
       return;
     m_isTimed = false;
     const double evaluate = milliseconds(times.evaluate);
+    const double panels = milliseconds(times.panels);
     const double update = milliseconds(times.update);
     const double render = milliseconds(times.render) + millisecondsSince(drawn);
     m_measured.evaluate.add(evaluate);
+    m_measured.panels.add(panels);
     m_measured.update.add(update);
     m_measured.render.add(render);
-    m_measured.share.add(evaluate + update);
-    m_measured.frame.add(evaluate + update + render);
+    m_measured.share.add(evaluate + panels + update);
+    m_measured.frame.add(evaluate + panels + update + render);
     m_measured.fromMove.add(millisecondsSince(m_moved));
   }
 
@@ -274,17 +273,13 @@ private:
     }
   }
 
-  /// A working with nothing typeset before, and then, as in a drag, with other numbers.
-  void measureTypesetting() {
-    for (int round = 0; round < 3; ++round) {
-      Typesetter typesetter;
-      static_cast<void>(typesetter.pictureNow("x")); // loads what it needs
-      Typesetter::Request request(typesetter);
-      for (const int step : {0, 1, 2}) {
-        const Scene moved = sceneMoved(Rational(step + 3 * round + 1, 100));
-        const double duration = timeTypesetting(request, evaluate(moved).working);
-        (step == 0 ? m_measured.typesetAll : m_measured.typesetNext).add(duration);
-      }
+  /// New lines every time, as in a drag.
+  void measureLayout(int moves) {
+    for (int move = 1; move <= moves; ++move) {
+      const Working working = evaluate(sceneMoved(Rational(move, 100))).working;
+      const auto start = Clock::now();
+      m_lines->setWorking(working);
+      m_measured.linesLaidOut.add(millisecondsSince(start));
     }
   }
 
@@ -296,21 +291,9 @@ private:
         .scene;
   }
 
-  static double timeTypesetting(Typesetter::Request &request, const Working &working) {
-    QStringList formulas;
-    for (const WorkingLine &line : working.lines)
-      for (const std::string *piece : {&line.symbols, &line.numbers, &line.result})
-        if (!piece->empty())
-          formulas << QString::fromStdString(*piece);
-    const auto start = Clock::now();
-    request.setWanted(formulas);
-    while (!request.isComplete() && millisecondsSince(start) < patience)
-      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
-    return millisecondsSince(start);
-  }
-
   TimedApplication &m_application;
   WindowFixture m_fixture;
+  WorkingPanel *m_lines = nullptr;
   Typesetter m_typesetter;
   LabelPainter m_painter;
   std::unique_ptr<BareWindow> m_bare;
@@ -327,17 +310,17 @@ void print(const char *what, const Durations &durations) {
 void print(const Measured &measured) {
   std::printf("  %-52s %8s %8s\n", "milliseconds", "median", "95 %");
   print("evaluate", measured.evaluate);
+  print("panels: lines, numbers and words laid out", measured.panels);
+  print("of these the lines", measured.linesLaidOut);
   print("update of the scene", measured.update);
-  print("our share: evaluate and update", measured.share);
+  print("our share: evaluate, panels and update", measured.share);
   print("render", measured.render);
   print("whole frame", measured.frame);
   print("bare VTK, whole frame", measured.bare);
   print("whole frame / bare VTK, move by move", measured.ratio);
   print("from the mouse's move to the drawn frame", measured.fromMove);
-  print("panels, when they are brought up to date", measured.panels);
   print("painting and putting together of the window", measured.paint);
-  print("typesetting a working, all of it (own thread)", measured.typesetAll);
-  print("typesetting a working, new numbers (own thread)", measured.typesetNext);
+  print("of these painting of the lines", measured.linesPainted);
   std::printf("  %d moves, %d frames, %d renders\n", measured.moves, measured.frames, measured.renders);
 }
 
@@ -373,6 +356,6 @@ int main(int argc, char **argv) {
     print(measured);
     printGoals(measured);
     std::fflush(stdout);
-    application.window = nullptr;
+    application.window = application.lines = nullptr;
   }
 }

@@ -61,19 +61,21 @@ TEST(FigureScene, ALabelIsPartOfItsMark) {
   EXPECT_EQ(scene.markAt(glm::dvec2(*point) + glm::dvec2(-60, 40)), "");
 }
 
-TEST(FigureScene, SaysThatLabelsArePendingUntilTheirPicturesCome) {
-  const PictureRequest request = requestFor(labelledPoint());
-  bool ready = false;
-  FigureScene scene([&](const std::string &latex, const LabelStyle &style) {
-    return ready ? magentaForQ(latex, style) : nullptr;
-  });
-  scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 1);
-  scene.prepare();
-  EXPECT_TRUE(scene.labelsPending());
-  ready = true;
-  scene.prepare();
-  EXPECT_FALSE(scene.labelsPending());
+TEST(FigureScene, ShowsOfALabelWhatItWasGivenLast) {
+  PictureRequest request = requestFor(labelledPoint());
+  FigureScene scene(magentaForQ);
+  const auto point = request.camera.project({11, 15, 8}, request.size);
+  ASSERT_TRUE(point);
+  const auto markAtLabel = [&](const std::string &latex) {
+    std::get<PointMark>(request.content.figure.marks.front()).label = latex;
+    scene.setContent(request.content);
+    scene.setView(request.camera, request.size, 1);
+    scene.prepare();
+    return scene.markAt(glm::dvec2(*point) + glm::dvec2(30, -14));
+  };
+  EXPECT_EQ(markAtLabel("Q"), "point.Q");
+  EXPECT_EQ(markAtLabel("R"), ""); // has no picture
+  EXPECT_EQ(markAtLabel("Q"), "point.Q");
 }
 
 TEST(FigureScene, AsksForTypeInProportionToPixelRatioAndTheme) {

@@ -2,7 +2,6 @@
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 
-#include <QSignalSpy>
 #include <QtTest>
 
 using namespace halfspace;
@@ -28,7 +27,7 @@ class LabelPainterTest : public QObject {
 private slots:
   void labelHasInkHaloAndAClearRim() {
     Typesetter typesetter;
-    const auto label = blockingLabelPainter(typesetter)("\\mark{n}{\\rule{2em}{1em}}", style);
+    const auto label = labelPainter(typesetter)("\\mark{n}{\\rule{2em}{1em}}", style);
     QVERIFY(label);
     QCOMPARE(label->rgba.size(), static_cast<std::size_t>(4 * label->width * label->height));
     const Texel center = at(*label, label->width / 2, label->height / 2);
@@ -43,7 +42,7 @@ private slots:
 
   void twiceTheTypeGivesTwiceThePicture() {
     Typesetter typesetter;
-    const LabelPainter painter = blockingLabelPainter(typesetter);
+    const LabelPainter painter = labelPainter(typesetter);
     LabelStyle large = style;
     large.pixelSize *= 2;
     const auto one = painter("P_0", style);
@@ -54,20 +53,11 @@ private slots:
 
   void sameRequestGivesTheSamePicture() {
     Typesetter typesetter;
-    const LabelPainter painter = blockingLabelPainter(typesetter);
+    const LabelPainter painter = labelPainter(typesetter);
     QCOMPARE(painter("P_1", style), painter("P_1", style));
     LabelStyle other = style;
     other.ink = {0, 0, 1};
     QVERIFY(painter("P_1", style) != painter("P_1", other));
-  }
-
-  void painterOfTheWindowNeverWaits() {
-    Typesetter typesetter;
-    QSignalSpy ready(&typesetter, &Typesetter::ready);
-    const LabelPainter painter = labelPainter(typesetter);
-    QVERIFY(!painter("Q = (11, 15, 8)", style));
-    QVERIFY(ready.wait());
-    QVERIFY(painter("Q = (11, 15, 8)", style));
   }
 };
 

@@ -15,7 +15,7 @@ private slots:
     row.name().setLatex("\\text{signed distance of the origin}");
     row.value().setLatex("= \\frac{-27}{3} = -9");
     row.show();
-    QTRY_VERIFY(row.value().sizeHint().width() > 0 && row.name().sizeHint().width() > 0);
+    QVERIFY(row.value().sizeHint().width() > 0 && row.name().sizeHint().width() > 0);
     row.resize(800, row.heightForWidth(800));
     QVERIFY(row.value().x() >= row.name().sizeHint().width());
     QCOMPARE(row.value().y(), 0);

@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QtTest>
@@ -50,7 +49,6 @@ private:
     panel.resize(width, 500);
     panel.show();
     panel.setWorking(working);
-    QTRY_VERIFY(panel.isSettled());
   }
 
 private slots:
@@ -82,7 +80,7 @@ private slots:
     show(panel, 300,
          {{{"a", QString("x+").repeated(60).toStdString() + "x", "", "", ""}, {"b", "x", "", "", ""}}});
     const auto placed = panel.placed();
-    QCOMPARE(placed.lines[0].formulas[0].exPixels, 0.6 * placed.lines[1].formulas[0].exPixels);
+    QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
   }
 
@@ -148,28 +146,23 @@ private slots:
     QVERIFY(!copied.contains("\\mark"));
   }
 
-  void linesOfDifferentMomentsNeverStandTogether() {
+  void shownLinesAreThoseGivenLastAtOnce() {
     WorkingPanel panel(m_typesetter);
     panel.resize(900, 500);
-    panel.show();
-    int shownChanges = 0;
-    std::string last;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 20; ++i) {
       const std::string number = std::to_string(i);
-      panel.setWorking({{{"a", "a", "= \\sqrt{" + number + "}", "= \\frac{" + number + "}{7}", ""},
-                         {"b", "b", "= \\sqrt{" + number + "}", "= \\frac{7}{" + number + "}", ""}}});
-      QTest::qWait(2);
-      const QStringList lines = panel.latexOfAll().split('\n');
-      if (lines.size() < 2)
-        continue;
-      const QRegularExpression sqrtOf("sqrt\\{(\\d+)\\}");
-      QCOMPARE(sqrtOf.match(lines[0]).captured(1), sqrtOf.match(lines[1]).captured(1));
-      shownChanges += last != lines[0].toStdString() ? 1 : 0;
-      last = lines[0].toStdString();
+      const WorkingLine line{"a", "a", "= \\sqrt{" + number + "}", "= \\frac{" + number + "}{7}", ""};
+      panel.setWorking({{line, line}});
+      const auto placed = panel.placed();
+      QCOMPARE(placed.lines.size(), std::size_t(2));
+      for (const PlacedLine &shown : placed.lines) {
+        QCOMPARE(shown.formulas[1].picture->box(),
+                 m_typesetter.picture(QString::fromStdString(line.numbers))->box());
+        QCOMPARE(shown.formulas[2].picture->box(),
+                 m_typesetter.picture(QString::fromStdString(line.result))->box());
+      }
+      QVERIFY(panel.accessibleDescription().contains(QString::number(i)));
     }
-    QVERIFY2(shownChanges > 5, "a working must keep up during a drag");
-    QTRY_VERIFY(panel.isSettled());
-    QVERIFY(panel.latexOfAll().contains("149"));
   }
 };
 

@@ -61,7 +61,6 @@ private:
     practice.show();
     practice.setStep("lesson", 0, {});
     practice.setWorking(someWorking(), false);
-    QTRY_VERIFY(practice.panel().isSettled());
   }
 
   static PlacedLine line(WorkingPractice &practice, std::size_t index) {
@@ -132,7 +131,6 @@ private slots:
     QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
     answer(fields(practice).first(), "30");
     practice.setWorking(someWorking(60), false);
-    QTRY_VERIFY(practice.panel().isSettled());
     QVERIFY(text(line(practice, 1).remark).isEmpty()); // it was about another number
     QVERIFY(practice.hasBlanks());
     answer(fields(practice).first(), "10");

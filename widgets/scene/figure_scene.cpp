@@ -101,8 +101,7 @@ void FigureScene::Impl::prepare() {
   }
   if (lookChanged || gizmoChanged)
     prepareTools();
-  // Labels whose pictures were not ready are asked for again.
-  if (lookChanged || gizmoChanged || labels.isPending())
+  if (lookChanged || gizmoChanged)
     labels.show(labelTexts(content, labelsOfAxes(), theme, view), obstaclesOf(content, m_axes, theme, view),
                 theme, view);
   themeChanged = contentChanged = gizmoChanged = viewChanged = false;
@@ -230,8 +229,6 @@ void FigureScene::setView(const Camera &camera, PixelSize size, double pixelRati
 void FigureScene::prepare() { m_impl->prepare(); }
 
 void FigureScene::showStrip(int top, int height) { m_impl->showStrip(top, height); }
-
-bool FigureScene::labelsPending() const { return m_impl->labels.isPending(); }
 
 std::string FigureScene::markAt(glm::dvec2 pixel) const {
   const std::string labelled = m_impl->labels.markAt(pixel);

@@ -81,9 +81,6 @@ public:
   /// the pixel row `top` on: for pictures too large to be drawn at once. Holds until the next prepare().
   void showStrip(int top, int height);
 
-  /// Whether labels are missing because their pictures are not ready yet.
-  [[nodiscard]] bool labelsPending() const;
-
   /// The id of the mark whose label or whose drawn shape lies under a pixel (nearest first), or empty.
   [[nodiscard]] std::string markAt(glm::dvec2 pixel) const;
 

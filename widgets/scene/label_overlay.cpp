@@ -98,15 +98,6 @@ LabelOverlay::LabelOverlay(vtkRenderer *renderer, LabelPainter painter)
 
 LabelOverlay::~LabelOverlay() { m_renderer->RemoveActor2D(m_leaders); }
 
-LabelOverlay::Picture LabelOverlay::pictureOf(const LabelText &text) {
-  Picture &last = m_lastPictures[text.id];
-  if (Picture picture = m_painter ? m_painter(text.latex, text.style) : nullptr)
-    last = std::move(picture);
-  else
-    m_pending = true;
-  return last && last->width > 0 && last->height > 0 ? last : nullptr;
-}
-
 LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
   while (m_sprites.size() <= number)
     m_sprites.push_back(std::make_unique<Sprite>(m_renderer));
@@ -115,14 +106,13 @@ LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
 
 void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles,
                         const Theme &theme, const View &view) {
-  m_pending = false;
   std::vector<LabelRequest> requests;
   std::map<std::string, Picture> pictures;
   std::map<std::string, double> opacities;
   std::set<std::string> marks;
   for (const LabelText &text : texts) {
-    const Picture picture = pictureOf(text);
-    if (!picture)
+    const Picture picture = m_painter(text.latex, text.style);
+    if (picture->width == 0 || picture->height == 0)
       continue;
     requests.push_back({text.id, {picture->width, picture->height}, text.anchors, text.isPinned});
     pictures[text.id] = picture;
@@ -130,7 +120,6 @@ void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacle
     if (text.isMark)
       marks.insert(text.id);
   }
-  m_lastPictures = pictures;
 
   const std::vector<PlacedLabel> placed = m_layout.place(requests, obstacles, view.size, view.pixelRatio);
   m_markLabels.clear();

@@ -20,16 +20,12 @@ public:
   LabelOverlay(vtkRenderer *renderer, LabelPainter painter);
   ~LabelOverlay();
 
-  /// Asks for pictures, places them and shows them. A label whose picture is not ready keeps its last one;
-  /// one that never had a picture is left out.
+  /// Has pictures made, places them and shows them; empty ones are left out.
   void show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles, const Theme &theme,
             const View &view);
 
   /// Moves all labels down by so many pixels, off their places in the view.
   void lowerBy(int pixels);
-
-  /// Whether the last `show` missed pictures.
-  [[nodiscard]] bool isPending() const { return m_pending; }
 
   /// The id of the mark whose label covers a pixel, or empty.
   [[nodiscard]] std::string markAt(glm::dvec2 pixel) const;
@@ -38,19 +34,16 @@ private:
   using Picture = std::shared_ptr<const LabelPicture>;
   struct Sprite;
 
-  [[nodiscard]] Picture pictureOf(const LabelText &text);
   [[nodiscard]] Sprite &sprite(std::size_t number);
   void showLeaders(const std::vector<PlacedLabel> &placed, const Theme &theme, const View &view);
 
   vtkRenderer *m_renderer;
   LabelPainter m_painter;
   LabelLayout m_layout;
-  std::map<std::string, Picture> m_lastPictures; ///< by the label's id
   std::vector<std::unique_ptr<Sprite>> m_sprites;
   vtkNew<vtkPolyData> m_leaderLines;
   vtkNew<vtkActor2D> m_leaders;
   std::vector<PlacedLabel> m_markLabels; ///< those on the screen that belong to marks
-  bool m_pending = false;
 };
 
 } // namespace halfspace

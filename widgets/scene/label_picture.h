@@ -25,8 +25,8 @@ struct LabelStyle {
   bool operator==(const LabelStyle &) const = default;
 };
 
-/// Makes the picture of a piece of LaTeX, or gives null while it is not ready yet (the caller asks again
-/// later). The same request gives the same picture object.
+/// Makes the picture of a piece of LaTeX, never null. The same request gives the same picture object again
+/// for as long as it is in use from frame to frame.
 using LabelPainter =
     std::function<std::shared_ptr<const LabelPicture>(const std::string &latex, const LabelStyle &)>;
 

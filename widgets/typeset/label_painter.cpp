@@ -19,6 +19,15 @@ namespace {
 constexpr double haloWidth = 0.11;
 /// Nothing that is to be read is drawn larger.
 constexpr int largestLabelSide = 4096;
+/// How many labels are kept.
+constexpr int mostKept = 400;
+
+struct Label {
+  QString latex;
+  LabelStyle style;
+  bool operator==(const Label &) const = default;
+};
+auto qHash(const Label &label) { return ::qHash(label.latex); }
 
 LabelPicture fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
@@ -34,40 +43,35 @@ LabelPicture fromImage(const QImage &image) {
 } // namespace
 
 LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
-  const double ex = exPerEm * style.pixelSize;
-  const double halo = haloWidth * style.pixelSize;
+  const double em = style.pixelSize;
+  const double halo = haloWidth * em;
   const int margin = static_cast<int>(std::ceil(halo)) + 1;
   const auto side = [&](double length) {
-    return std::clamp(static_cast<int>(std::ceil(length * ex)) + 1 + 2 * margin, 1, largestLabelSide);
+    return std::clamp(static_cast<int>(std::ceil(length * em)) + 1 + 2 * margin, 1, largestLabelSide);
   };
   QImage image(side(formula.width()), side(formula.height()), QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
   QPainter painter(&image);
   // The baseline stands on a whole pixel, so that labels in a row are equally crisp.
-  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * ex));
-  formula.paintHalo(painter, baseline, ex, halo, toQColor(style.halo));
+  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * em));
+  formula.paintHalo(painter, baseline, em, halo, toQColor(style.halo));
   const QColor ink = toQColor(style.ink);
-  formula.paint(painter, baseline, ex, [&](const QString &) { return ink; });
+  formula.paint(painter, baseline, em, [&](const QString &) { return ink; });
   painter.end();
   return fromImage(image);
 }
 
-LabelPainter labelPainter(Typesetter &typesetter) {
-  return [&typesetter](const std::string &latex, const LabelStyle &style) {
-    return typesetter.label(QString::fromStdString(latex), style);
-  };
-}
-
-LabelPainter blockingLabelPainter(Typesetter &typesetter) {
-  using Cache = QCache<TypesetOrder, Typesetter::Label>;
-  return [&typesetter, cache = std::make_shared<Cache>(Typesetter::labelCapacity)](
-             const std::string &latex, const LabelStyle &style) -> Typesetter::Label {
-    const TypesetOrder order{QString::fromStdString(latex), style};
-    if (const Typesetter::Label *kept = cache->object(order))
-      return *kept;
-    auto label = std::make_shared<const LabelPicture>(paintLabel(*typesetter.pictureNow(order.latex), style));
-    cache->insert(order, new Typesetter::Label(label));
-    return label;
+LabelPainter labelPainter(const Typesetter &typesetter) {
+  using Picture = std::shared_ptr<const LabelPicture>;
+  using Cache = QCache<Label, Picture>;
+  return [&typesetter, kept = std::make_shared<Cache>(mostKept)](const std::string &latex,
+                                                                 const LabelStyle &style) -> Picture {
+    const Label label{QString::fromStdString(latex), style};
+    if (const Picture *picture = kept->object(label))
+      return *picture;
+    auto picture = std::make_shared<const LabelPicture>(paintLabel(*typesetter.picture(label.latex), style));
+    kept->insert(label, new Picture(picture));
+    return picture;
   };
 }
 

@@ -8,12 +8,8 @@ namespace halfspace {
 class MathPicture;
 class Typesetter;
 
-/// Never waits: gives null until the formula is typeset, which the typesetter's `ready` tells. The typesetter
-/// must outlive the painter.
-[[nodiscard]] LabelPainter labelPainter(Typesetter &typesetter);
-
-/// Waits for every formula: for pictures drawn without a window. Needs a QGuiApplication.
-[[nodiscard]] LabelPainter blockingLabelPainter(Typesetter &typesetter);
+/// Paints labels, and keeps the latest of them. The typesetter must outlive the painter.
+[[nodiscard]] LabelPainter labelPainter(const Typesetter &typesetter);
 
 /// The picture of a formula in the style's ink on its halo.
 [[nodiscard]] LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style);

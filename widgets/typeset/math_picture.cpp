@@ -1,89 +1,60 @@
 #include "widgets/typeset/math_picture.h"
 
-#include "widgets/typeset/svg_reader.h"
-
-#include <QFont>
-#include <QFontMetricsF>
-#include <QPainter>
+#include "widgets/picture/math/lay_out.h"
+#include "widgets/picture/math/read_latex.h"
+#include "widgets/typeset/paint_formula.h"
 
 namespace halfspace {
+namespace {
 
-MathPicture MathPicture::fromSvg(const QString &svg, const QString &latex) {
-  MathPicture picture = SvgReader(svg).read();
-  return picture.error().isEmpty() ? picture : failed(picture.error(), latex);
-}
+/// Of a source that is no formula, so many characters are shown.
+constexpr int longestSource = 60;
 
-MathPicture MathPicture::failed(const QString &error, const QString &latex) {
-  // A source is cut to what fits on a line.
-  constexpr int longestSource = 60;
-  constexpr double fontPixels = 100; // large, so that hinting does not deform the outlines
-  QFont font(QStringLiteral("monospace"));
-  font.setStyleHint(QFont::TypeWriter);
-  font.setPixelSize(static_cast<int>(fontPixels));
+math::Layout layOutSource(const QString &latex, const MathTypeface &typeface) {
   QString source = latex.left(longestSource).simplified();
   if (latex.size() > longestSource)
     source += QChar(u'…');
-  QPainterPath outlines;
-  outlines.addText({0, 0}, font, source);
-
-  constexpr double smaller = 0.85; // typewriter letters look larger than a formula's
-  constexpr double exPerPixel = smaller / (exPerEm * fontPixels);
-  const QFontMetricsF metrics(font);
-  MathPicture picture;
-  Item item;
-  item.path = QTransform::fromScale(exPerPixel, exPerPixel).map(outlines);
-  item.path.setFillRule(Qt::WindingFill);
-  picture.m_items.push_back(item);
-  picture.m_width = metrics.horizontalAdvance(source) * exPerPixel;
-  picture.m_ascent = metrics.ascent() * exPerPixel;
-  picture.m_depth = metrics.descent() * exPerPixel;
-  picture.m_error = error;
-  return picture;
+  return math::layOut(math::Row{math::words(source.toStdString(), math::Alphabet::Mono)}, typeface.fonts());
 }
 
-namespace {
-
-void prepare(QPainter &painter, QPointF baseline, double exPixels) {
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(baseline);
-  painter.scale(exPixels, exPixels);
+QString sentenceOf(const math::ReadError &error) {
+  return QStringLiteral("%1 (column %2)").arg(QString::fromStdString(error.sentence)).arg(error.column);
 }
 
 } // namespace
 
-void MathPicture::paint(QPainter &painter, QPointF baseline, double exPixels, const InkOf &inkOf) const {
-  painter.save();
-  prepare(painter, baseline, exPixels);
-  for (const Item &item : m_items) {
-    const QColor ink = inkOf(item.mark);
-    painter.save();
-    if (!item.clip.isNull())
-      painter.setClipRect(item.clip, Qt::IntersectClip);
-    if (item.strokeWidth > 0)
-      painter.strokePath(item.path, QPen(ink, item.strokeWidth, item.dash, Qt::FlatCap, Qt::MiterJoin));
-    else
-      painter.fillPath(item.path, ink);
-    painter.restore();
-  }
-  painter.restore();
+MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface)
+    : m_typeface(std::move(typeface)) {
+  const auto read = math::readLatex(latex.toStdString());
+  if (const auto *row = std::get_if<math::Row>(&read))
+    m_layout = math::layOut(*row, m_typeface->fonts());
+  else
+    m_error = sentenceOf(std::get<math::ReadError>(read));
+  const bool fits = width() < largestSide && height() < largestSide;
+  if (m_error.isEmpty() && !fits) // said this way round, so that a size that is no number does not pass
+    m_error = QStringLiteral("The formula is too large");
+  if (!m_error.isEmpty())
+    m_layout = layOutSource(latex, *m_typeface);
+  for (const math::TagBox &tagged : m_layout.tagBoxes)
+    m_markBoxes.emplace_back(QString::fromStdString(m_layout.tags[static_cast<std::size_t>(tagged.tag)].name),
+                             QRectF(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height));
 }
 
-void MathPicture::paintHalo(QPainter &painter, QPointF baseline, double exPixels, double width,
+void MathPicture::paint(QPainter &painter, QPointF baseline, double emPixels, const InkOf &inkOf) const {
+  std::vector<QColor> inks{inkOf({})};
+  for (const math::Tag &tag : m_layout.tags)
+    inks.push_back(inkOf(QString::fromStdString(tag.name)));
+  const auto colorOf = [&](const math::Ink &ink) {
+    return ink.color ? QColor(ink.color->red, ink.color->green, ink.color->blue)
+                     : inks[static_cast<std::size_t>(ink.tag + 1)];
+  };
+  paintFormula(painter, m_layout, *m_typeface, {baseline, emPixels, 0, colorOf});
+}
+
+void MathPicture::paintHalo(QPainter &painter, QPointF baseline, double emPixels, double width,
                             const QColor &color) const {
-  painter.save();
-  prepare(painter, baseline, exPixels);
-  for (const Item &item : m_items) {
-    const QPen pen(color, item.strokeWidth + 2 * width / exPixels, Qt::SolidLine, Qt::RoundCap,
-                   Qt::RoundJoin);
-    painter.save();
-    if (!item.clip.isNull()) {
-      const double margin = width / exPixels;
-      painter.setClipRect(item.clip.adjusted(-margin, -margin, margin, margin), Qt::IntersectClip);
-    }
-    painter.strokePath(item.path, pen);
-    painter.restore();
-  }
-  painter.restore();
+  paintFormula(painter, m_layout, *m_typeface,
+               {baseline, emPixels, width / emPixels, [&](const math::Ink &) { return color; }});
 }
 
 } // namespace halfspace

@@ -1,0 +1,42 @@
+// Reads the mathematics of LaTeX: what a lecturer in linear algebra writes.
+#pragma once
+
+#include "widgets/picture/math/math_tree.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace halfspace::math {
+
+/// Why something is no formula.
+struct ReadError {
+  std::size_t column = 1; ///< of the character where it shows, counted from 1
+  std::string sentence;   ///< for a person: "`\foo` is unknown."
+};
+
+/// An abbreviation: `#1` … `#9` in the body stand for its arguments.
+struct Macro {
+  int arguments = 0;
+  std::string body;
+};
+
+/// By their names, without the backslash. A macro hides a command of the same name.
+using Macros = std::map<std::string, Macro, std::less<>>;
+
+/// What is larger is refused, so that reading takes bounded time whatever it is given.
+inline constexpr std::size_t longestLatex = 65536; ///< bytes
+inline constexpr std::size_t mostNodes = 20000;
+inline constexpr int deepestNesting = 120;
+inline constexpr std::size_t mostExpandedTokens = 100000; ///< that macros may bring
+
+/// The formula, or why it is none. Any bytes may be given. The source is what would stand between dollars.
+/// Beyond LaTeX: `\mark{id}{…}` is a tag, rows may be broken by `\\` without an environment, and what Unicode
+/// has a character for (λ, ⊥, ², ≤, −) may be typed. A macro that uses itself, directly or through others, is
+/// an error.
+[[nodiscard]] std::variant<Row, ReadError> readLatex(std::string_view latex, const Macros &macros = {});
+
+} // namespace halfspace::math
