@@ -24,11 +24,11 @@ ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direc
 void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Place> &covers) {
   const Place point = place(plane.point);
   if (!isZero(plane.normal)) {
-    figure.marks.push_back(
-        PlanePatchMark{{"E", Role::Given, Subject::Plane, "E\\colon\\ {" + latexOf(equationOf(plane)) + "}"},
-                       point,
-                       place(plane.normal),
-                       covers});
+    figure.marks.push_back(PlanePatchMark{
+        {"E", Role::Given, Subject::Plane, "E", "\\colon\\ {" + latexOf(equationOf(plane)) + "}"},
+        point,
+        place(plane.normal),
+        covers});
     figure.marks.push_back(
         ArrowMark{{"n", Role::Given, Subject::Plane, "\\vec n"}, point, place(plane.normal), true});
   }

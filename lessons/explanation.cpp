@@ -45,24 +45,18 @@ struct ValueJson {
   }
 };
 
-/// `= 10`, `≈ 3.16228`, `: positive`: what follows a value's name.
-struct ValueText {
-  std::string operator()(const Surd &number) const { return related(number); }
-  std::string operator()(const std::vector<Surd> &numbers) const {
-    std::vector<Term> entries;
-    for (const Surd &number : numbers)
-      entries.emplace_back(number);
-    return related(list(std::move(entries)));
-  }
-  std::string operator()(const std::string &word) const { return ": " + word; }
-  std::string operator()(int number) const { return related(number); }
-  std::string operator()(const std::vector<NamedValue> &) const { return {}; }
+std::string labelText(const NamedValue &value) {
+  const auto *term = std::get_if<Term>(&value.label);
+  return term ? plainText(*term) : std::get<std::string>(value.label);
+}
 
-private:
-  static std::string related(const Term &term) {
-    return (showsRounded(term) ? " ≈ " : " = ") + plainText(term);
-  }
-};
+/// ` = 10`, ` ≈ 3.16228`, `: positive`: what follows a value's name.
+std::string valueText(const Value &value) {
+  if (const auto term = termOf(value))
+    return relatedText(*term);
+  const auto *word = std::get_if<std::string>(&value);
+  return word ? ": " + *word : "";
+}
 
 /// The values that a learner reads, one to a line, by the names that the worked lines give them.
 std::string valueLines(const std::vector<NamedValue> &values) {
@@ -70,18 +64,16 @@ std::string valueLines(const std::vector<NamedValue> &values) {
   for (const NamedValue &value : values)
     if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value))
       text += valueLines(*group);
-    else if (!value.latex.empty())
-      text += plainText(value.latex) + std::visit(ValueText(), value.value) + "\n";
+    else if (!std::holds_alternative<std::monostate>(value.label))
+      text += labelText(value) + valueText(value.value) + "\n";
   return text;
 }
 
-/// One line, with the alignment mark before its first relation.
+/// One line, with the alignment mark before its first relation, in place of the space there.
 std::string alignedLatex(const WorkingLine &line) {
-  std::string latex;
-  for (const Chain &chain : line.chains)
-    latex += latex.empty() ? latexOf(chain, 0, 1) + " &" + latexOf(chain, 1, chain.sides().size())
-                           : ",\\quad " + latexOf(chain);
-  return latex;
+  std::string latex = latexOf(line);
+  const std::size_t relation = latexOf(line.chains.front(), 0, 1).size();
+  return latex.size() > relation ? latex.replace(relation, 1, " &") : latex + " &";
 }
 
 struct TextLatex {
@@ -148,9 +140,9 @@ std::string explanationJson(const std::string &lesson, const Outcome &outcome) {
   Json working = Json::array();
   for (const WorkingLine &line : outcome.working.lines)
     working.push_back({{"id", line.id},
-                       {"symbols", withoutMarks(line.symbols)},
-                       {"numbers", withoutMarks(line.numbers)},
-                       {"result", withoutMarks(line.result)},
+                       {"symbols", latexOf(line, LinePiece::Symbols)},
+                       {"numbers", latexOf(line, LinePiece::Numbers)},
+                       {"result", latexOf(line, LinePiece::Result)},
                        {"text", plainText(line)},
                        {"spoken", spoken(line)},
                        {"sentence", line.sentence}});

@@ -21,11 +21,8 @@ struct Reach {
 } // namespace
 
 Figure withoutNumbers(Figure figure) {
-  for (Mark &mark : figure.marks) {
-    std::string &label = baseOf(mark).label;
-    for (const char *relation : {"\\colon", " =", " \\approx"})
-      label = label.substr(0, label.find(relation));
-  }
+  for (Mark &mark : figure.marks)
+    baseOf(mark).numbers.clear();
   return figure;
 }
 

@@ -31,7 +31,8 @@ struct MarkBase {
   std::string id;
   Role role = Role::Given;
   Subject subject = Subject::Neutral;
-  std::string label; ///< LaTeX written beside the mark; empty for none
+  std::string label;     ///< LaTeX written beside the mark; empty for none
+  std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
   bool operator==(const MarkBase &) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "lessons/condition.h"
-#include "lessons/formula.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/written.h"
 
 #include <algorithm>
 #include <set>
@@ -14,36 +15,25 @@ constexpr std::string_view noValue = "—";
 constexpr std::size_t longestName = 80;
 
 /// A value as Markdown: numbers as LaTeX, with ≈ when they are rounded, words as they are.
-struct ValueMarkdown {
-  std::string operator()(const Surd &number) const { return inLatex(show(number).latex, show(number).exact); }
-  std::string operator()(int number) const { return (*this)(Surd(number)); }
-  std::string operator()(const std::string &word) const { return word; }
-  std::string operator()(const std::vector<Surd> &list) const {
-    std::string numbers;
-    bool exact = true;
-    for (const Surd &number : list) {
-      const ShownNumber shown = show(number);
-      numbers += (numbers.empty() ? "" : ",\\,") + shown.latex;
-      exact = exact && shown.exact;
-    }
-    return inLatex("\\left(" + numbers + "\\right)", exact);
-  }
-  std::string operator()(const std::vector<NamedValue> &) const { return std::string(noValue); }
-
-private:
-  /// Among words fractions stay small.
-  static std::string inLatex(std::string latex, bool exact) {
-    for (auto at = latex.find("\\frac"); at != std::string::npos; at = latex.find("\\frac", at))
-      latex.insert(at + 1, "t");
-    return "$" + (exact ? latex : "\\approx " + latex) + "$";
-  }
-};
+std::string markdownOf(const Value &value) {
+  if (const auto *word = std::get_if<std::string>(&value))
+    return *word;
+  const auto term = termOf(value);
+  if (!term)
+    return std::string(noValue);
+  Notation amongWords;
+  amongWords.smallFractions = true;
+  return std::string("$") + (showsRounded(*term) ? "\\approx " : "") +
+         latexOf(*term, LatexMarks::Without, amongWords) + "$";
+}
 
 std::string markdownOf(std::string_view name, const Scene &scene, const Outcome &outcome) {
   if (const auto value = findValue(outcome, name))
-    return std::visit(ValueMarkdown(), *value);
-  if (const auto id = findCoordinate(scene, name))
-    return ValueMarkdown()(listOf(coordinate(*findObject(scene, id->object), id->index)));
+    return markdownOf(*value);
+  if (const auto id = findCoordinate(scene, name)) {
+    const ExactVec3 &at = coordinate(*findObject(scene, id->object), id->index);
+    return markdownOf(std::vector<Surd>{at.x, at.y, at.z});
+  }
   return std::string(noValue);
 }
 

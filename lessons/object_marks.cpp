@@ -1,6 +1,7 @@
 #include "lessons/object_marks.h"
 
 #include "lessons/drawing.h"
+#include "lessons/term/latex.h"
 
 namespace halfspace {
 namespace {
@@ -11,7 +12,7 @@ public:
   explicit ObjectMarks(const std::string &name) : m_name(name) {}
 
   std::vector<Mark> operator()(const PointObject &point) const {
-    return {PointMark{whole(Subject::Point, nameLatex(m_name)), place(point.at)}};
+    return {PointMark{whole(Subject::Point, latexOf(symbolOf(m_name))), place(point.at)}};
   }
 
   std::vector<Mark> operator()(const PlaneObject &plane) const {
@@ -19,7 +20,7 @@ public:
     if (isZero(plane.normal))
       return marks;
     marks.push_back(PlanePatchMark{
-        whole(Subject::Plane, nameLatex(m_name)), place(plane.point), place(plane.normal), {}});
+        whole(Subject::Plane, latexOf(symbolOf(m_name))), place(plane.point), place(plane.normal), {}});
     marks.push_back(
         ArrowMark{part("n", "\\vec n", Subject::Plane), place(plane.point), place(plane.normal), true});
     return marks;
@@ -36,7 +37,7 @@ public:
   }
 
   std::vector<Mark> operator()(const TriangleObject &triangle) const {
-    return {PolygonMark{whole(Subject::Triangle, nameLatex(m_name)),
+    return {PolygonMark{whole(Subject::Triangle, latexOf(symbolOf(m_name))),
                         {place(triangle.p0), place(triangle.p1), place(triangle.p2)}},
             PointMark{part("P0", "P_0", Subject::Triangle), place(triangle.p0)},
             PointMark{part("P1", "P_1", Subject::Triangle), place(triangle.p1)},
@@ -57,12 +58,12 @@ private:
 
 } // namespace
 
-std::string nameLatex(std::string_view name) {
+Symbol symbolOf(std::string_view name) {
   const auto lastLetter = name.find_last_not_of("0123456789");
   const std::string letters(name.substr(0, lastLetter + 1));
-  const std::string index(name.substr(letters.size()));
-  return (letters.size() > 1 ? "\\text{" + letters + "}" : letters) +
-         (index.empty() ? "" : "_{" + index + "}");
+  Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
+  symbol.subscript = name.substr(letters.size());
+  return symbol;
 }
 
 std::vector<Mark> marksOf(const std::string &name, const Object &object) {

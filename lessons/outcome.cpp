@@ -1,7 +1,5 @@
 #include "lessons/outcome.h"
 
-#include "lessons/term/latex.h"
-
 namespace halfspace {
 namespace {
 
@@ -12,9 +10,18 @@ Surd exactNumber(const Polynomial &entry) {
 
 } // namespace
 
+std::optional<Term> termOf(const Value &value) {
+  if (const auto *number = std::get_if<Surd>(&value))
+    return *number;
+  if (const auto *index = std::get_if<int>(&value))
+    return *index;
+  const auto *numbers = std::get_if<std::vector<Surd>>(&value);
+  return numbers ? std::optional(list({numbers->begin(), numbers->end()})) : std::nullopt;
+}
+
 NamedValue listed(std::string name, const Term &term) {
   const TermValue value = term->value.value_or(Real(0));
-  NamedValue listed{std::move(name), latexOf(term, LatexMarks::With), Surd(0)};
+  NamedValue listed{std::move(name), term, Surd(0)};
   if (!value.isList) {
     listed.value = exactNumber(value.entries.at(0));
     return listed;

@@ -5,6 +5,7 @@
 #include "lessons/figure.h"
 #include "lessons/working.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,10 +20,14 @@ using Value = std::variant<Surd, std::vector<Surd>, std::string, int, std::vecto
 
 struct NamedValue {
   std::string name; ///< as in the eval format: signed_distance, foot, t, perp …
-  std::string
-      latex; ///< how a learner reads the name, `\mark{…}{…}` included; empty: not shown in the inspector
+  /// How a learner reads the name: a term of the worked lines, or words; nothing for what is for programs
+  /// only.
+  std::variant<std::monostate, Term, std::string> label;
   Value value;
 };
+
+/// A number or a list of numbers as a term; nothing for words and groups.
+[[nodiscard]] std::optional<Term> termOf(const Value &value);
 
 /// A value that stands in the worked lines: what the term comes to, an exact number or a list of them.
 [[nodiscard]] NamedValue listed(std::string name, const Term &term);

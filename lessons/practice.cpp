@@ -1,6 +1,7 @@
 #include "lessons/practice.h"
 
-#include "lessons/formula.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/written.h"
 #include "lessons/text.h"
 #include "lessons/usual_mistakes.h"
 #include "lessons/words.h"
@@ -10,8 +11,6 @@
 
 namespace halfspace {
 namespace {
-
-bool hasNumbers(const WorkingLine &line) { return !line.numbers.empty() || !line.result.empty(); }
 
 std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -160,9 +159,9 @@ std::string withAnswer(const std::string &sentence, std::string_view typed) {
 std::string praise(const Answer &answer, const Surd &truth) {
   if (answer.value == truth)
     return words("Right.");
-  const ShownNumber exact = show(truth);
-  return exact.exact ? words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact.latex)}})
-                     : words("Right, rounded.");
+  const Term exact = truth;
+  return showsRounded(exact) ? words("Right, rounded.")
+                             : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
 }
 
 /// The sentence of the first usual mistake in the line's formula that comes to this.

@@ -1,8 +1,8 @@
 #include "lessons/snap_targets.h"
 
 #include "lessons/object_marks.h"
+#include "lessons/term/plain_text.h"
 #include "lessons/words.h"
-#include "lessons/working.h"
 
 #include <array>
 
@@ -34,7 +34,7 @@ struct Surroundings {
 };
 
 /// P0 as P₀.
-std::string readable(const std::string &name) { return plainText(nameLatex(name)); }
+std::string readable(const std::string &name) { return plainText(symbolOf(name)); }
 
 /// Looks an object over and adds what it has.
 class Surveyor {

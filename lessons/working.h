@@ -24,22 +24,39 @@ struct Blank {
   /// their order. One that comes to the answer itself, or to what an earlier one comes to, is left out by
   /// itself; that only the sign is wrong is noticed without being named here.
   std::vector<Mistake> mistakes{};
-  std::string prompt = "=";       ///< LaTeX between the line's symbols and what is filled in
-  std::optional<Chain> formula{}; ///< how the answer is found: the usual mistakes follow from it
+  /// How the answer is found: the usual mistakes follow from it.
+  std::optional<Chain> formula{};
+  /// Where the answer is one number of the line's last side: that side in letters. The formula's first side
+  /// is the letter that is asked for.
+  std::optional<Term> form{};
 };
 
-/// One line of a working. The three pieces are LaTeX and read on from one another. A term that belongs to a
-/// mark of the figure is written `\mark{id}{…}`: it takes the mark's colour, and hovering one lights up the
-/// other.
+/// One line of a working: a statement in symbols, with the numbers put in, and its result; or several
+/// statements beside each other. A term that is a mark of the figure takes the mark's colour, and hovering
+/// one lights up the other.
 struct WorkingLine {
-  std::string id;       ///< unique in the working; lessons' steps name lines by it
-  std::string symbols;  ///< t = \frac{…}{…}
-  std::string numbers;  ///< the numbers put in, after `=` (exact) or `\approx` (rounded); may be empty
-  std::string result;   ///< likewise; may be empty
-  std::string sentence; ///< plain words, no LaTeX; may be empty
+  std::string id; ///< unique in the working; lessons' steps name lines by it
+  std::vector<Chain> chains;
+  std::string sentence{};       ///< plain words, no LaTeX; may be empty
   std::optional<Blank> blank{}; ///< nothing where one number would not do as an answer
-  std::vector<Chain> chains{};  ///< what the three pieces say
 };
+
+/// What a line is made of, from left to right. A line of several statements has no result of its own.
+enum class LinePiece : std::uint8_t { Symbols, Numbers, Result };
+
+/// Sides of a chain: [begin, end).
+struct ChainPart {
+  const Chain *chain;
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// The parts of a piece, to be parted by commas; empty where the line has no such piece. The line must
+/// outlive them.
+[[nodiscard]] std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece);
+
+/// Whether there is something to leave blank.
+[[nodiscard]] bool hasNumbers(const WorkingLine &line);
 
 struct Working {
   std::vector<WorkingLine> lines;
@@ -51,17 +68,15 @@ struct Working {
 /// The line in plain text, and in words to be read aloud; its sentence is not in it.
 [[nodiscard]] std::string plainText(const WorkingLine &line);
 [[nodiscard]] std::string spoken(const WorkingLine &line);
+/// The line with its numbers left out: f(Q) = n·(Q − P₀), or 0 = ax + by + cz + d, d = where one number is
+/// asked.
+[[nodiscard]] std::string questionText(const WorkingLine &line);
 
 /// The ids of the marks in the line's terms, in order, each once.
 [[nodiscard]] std::vector<std::string> marksIn(const WorkingLine &line);
 
-/// The ids of the marks that a piece of LaTeX names with `\mark{id}{…}`, in order, each once.
-[[nodiscard]] std::vector<std::string> marksNamedIn(const std::string &latex);
-
-/// The piece without its `\mark{id}{…}`, which only this program knows: plain LaTeX.
-[[nodiscard]] std::string withoutMarks(const std::string &latex);
-
-/// The piece as one line of plain text: `t = ((P0 − Q)·n)/(r·n) = −30/9`.
-[[nodiscard]] std::string plainText(const std::string &latex);
+/// A piece of the line as LaTeX; empty where the line has no such piece.
+[[nodiscard]] std::string latexOf(const WorkingLine &line, LinePiece piece);
+[[nodiscard]] std::string latexOf(const WorkingLine &line);
 
 } // namespace halfspace

@@ -60,13 +60,13 @@ CaseWords tell(const In &in, const Out &out) {
 std::vector<NamedValue> list(const In &, const Out &out) {
   const auto &plane = out.plane;
   std::vector<NamedValue> values{
-      {"coefficients", "(a,b,c,d)",
+      {"coefficients", halfspace::list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
        std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
   if (out.zeroNormal)
     return values;
-  values.push_back({"primitive", "\\text{in lowest integers}", out.primitive});
-  values.push_back({"normalized", "\\text{normalized}", out.normalized});
-  values.push_back({"origin_distance", "\\text{signed distance of the origin}", out.originDistance});
+  values.push_back({"primitive", words("in lowest integers"), out.primitive});
+  values.push_back({"normalized", words("normalized"), out.normalized});
+  values.push_back({"origin_distance", words("signed distance of the origin"), out.originDistance});
   return values;
 }
 

@@ -127,16 +127,16 @@ std::vector<NamedValue> list(const In &in, const Out &out) {
   const Letters at = lettersOf(in, out);
   std::vector<NamedValue> values;
   if (out.meet.crosses()) {
-    values.push_back({"location", "\\text{place}", std::string(nameOf(out.meet.place.location))});
+    values.push_back({"location", words("place"), std::string(nameOf(out.meet.place.location))});
     if (out.meet.place.feature >= 0)
-      values.push_back({"feature", "", out.meet.place.feature});
+      values.push_back({"feature", {}, out.meet.place.feature});
     values.push_back(listed("t", at.lambda));
     values.push_back(listed("point", at.I));
     values.push_back(listed("s", at.s));
     values.push_back(listed("t_triangle", at.t));
-    values.push_back({"barycentric", "(1-s-t,\\ s,\\ t)", out.barycentric});
+    values.push_back({"barycentric", halfspace::list({1 - at.s - at.t, at.s, at.t}), out.barycentric});
   }
-  values.push_back({"perp", "", perpValues(at, out)});
+  values.push_back({"perp", {}, perpValues(at, out)});
   return values;
 }
 

@@ -87,7 +87,7 @@ std::vector<NamedValue> list(const In &in, const Out &out) {
   if (out.measured.which == PointPlaneCase::ZeroNormal)
     return values;
   values.push_back(listed("signed_distance", at.dist));
-  values.push_back({"side", "\\text{side}", sideName(out.measured.which)});
+  values.push_back({"side", words("side"), sideName(out.measured.which)});
   values.push_back(listed("foot", at.F));
   if (!out.atP0)
     values.push_back(listed("cos_angle", at.cosine));
@@ -170,8 +170,8 @@ Figure draw(const In &in, const Out &out) {
   if (out.measured.which == PointPlaneCase::On)
     return figure;
   const Term dist = name(word("dist"), out.measured.signedDistance);
-  figure.marks.push_back(
-      SegmentMark{{"distance", Role::Result, Subject::Measure, latexOf(withResult(dist))}, foot, q});
+  figure.marks.push_back(SegmentMark{
+      {"distance", Role::Result, Subject::Measure, latexOf(dist), relatedLatex(calculated(dist))}, foot, q});
   figure.marks.push_back(
       RightAngleMark{{"F-angle", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
   return figure;

@@ -94,7 +94,7 @@ protected:
   }
 
   std::string fraction(std::string top, std::string bottom, FractionLook look) override {
-    return (look.small ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
+    return (look.small || m_notation.smallFractions ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
   }
 
   std::string root(std::string square) override { return "\\sqrt{" + square + "}"; }
@@ -145,14 +145,20 @@ private:
 
 } // namespace
 
+namespace {
+
+std::string wordLatex(const std::string &word) {
+  constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
+  const bool isKnown = std::find(known.begin(), known.end(), word) != known.end();
+  return isKnown ? "\\" + word : "\\operatorname{" + word + "}";
+}
+
+} // namespace
+
 std::string latexOf(const Symbol &symbol) {
-  if (symbol.isWord) {
-    constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
-    const bool isKnown = std::find(known.begin(), known.end(), symbol.letter) != known.end();
-    return isKnown ? "\\" + symbol.letter : "\\operatorname{" + symbol.letter + "}";
-  }
-  const std::string letter = letterLatex(symbol.letter);
-  std::string text = symbol.isVector ? "\\vec " + letter : letter;
+  std::string text = symbol.isWord ? wordLatex(symbol.letter) : letterLatex(symbol.letter);
+  if (symbol.isVector)
+    text = "\\vec " + text;
   if (!symbol.subscript.empty())
     text += symbol.subscript.size() == 1 ? "_" + symbol.subscript : "_{" + symbol.subscript + "}";
   return symbol.isPerp ? text + "^{\\perp}" : text;
@@ -160,6 +166,10 @@ std::string latexOf(const Symbol &symbol) {
 
 std::string latexOf(const Term &term, LatexMarks marks, Notation notation) {
   return LatexWriter(marks, notation).write(term);
+}
+
+std::string relatedLatex(const Term &value, Notation notation) {
+  return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, LatexMarks::Without, notation);
 }
 
 std::string latexOf(const Chain &chain, LatexMarks marks, Notation notation) {

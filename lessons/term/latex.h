@@ -20,4 +20,7 @@ enum class LatexMarks : std::uint8_t { Without, With };
                                   LatexMarks marks = LatexMarks::Without, Notation notation = {});
 [[nodiscard]] std::string latexOf(const Symbol &symbol);
 
+/// The value behind the relation that it allows: ` = 10`, ` \approx 3.16228`.
+[[nodiscard]] std::string relatedLatex(const Term &value, Notation notation = {});
+
 } // namespace halfspace

@@ -136,8 +136,16 @@ std::string plainText(const Symbol &symbol) {
   return symbol.isPerp ? text + "⊥" : text;
 }
 
+std::string relatedText(const Term &value, Notation notation) {
+  return (showsRounded(value) ? " ≈ " : " = ") + plainText(value, notation);
+}
+
 std::string plainText(const Term &term, Notation notation) { return PlainWriter(notation).write(term); }
 
 std::string plainText(const Chain &chain, Notation notation) { return PlainWriter(notation).write(chain); }
+
+std::string plainText(const Chain &chain, std::size_t begin, std::size_t end, Notation notation) {
+  return PlainWriter(notation).write(chain, begin, end);
+}
 
 } // namespace halfspace

@@ -10,6 +10,12 @@ namespace halfspace {
 
 [[nodiscard]] std::string plainText(const Term &term, Notation notation = {});
 [[nodiscard]] std::string plainText(const Chain &chain, Notation notation = {});
+/// The sides from `begin` on, each but the chain's first with the relation before it.
+[[nodiscard]] std::string plainText(const Chain &chain, std::size_t begin, std::size_t end,
+                                    Notation notation = {});
 [[nodiscard]] std::string plainText(const Symbol &symbol);
+
+/// The value behind the relation that it allows: ` = 10`, ` ≈ 3.16228`.
+[[nodiscard]] std::string relatedText(const Term &value, Notation notation = {});
 
 } // namespace halfspace

@@ -99,7 +99,8 @@ private:
   void checkValues(const std::vector<NamedValue> &values, const std::string &group) {
     for (const NamedValue &value : values) {
       const std::string name = group + value.name;
-      checkMarksNamedIn(value.latex);
+      if (const auto *label = std::get_if<Term>(&value.label))
+        checkMarksOf({value.name, {*label}});
       if (const auto *members = std::get_if<std::vector<NamedValue>>(&value.value)) {
         checkValues(*members, name + ".");
         continue;
@@ -126,16 +127,12 @@ private:
   void checkWorking() const {
     std::set<std::string> ids;
     for (const WorkingLine &line : m_outcome.working.lines) {
-      SCOPED_TRACE(line.id + ": " + line.symbols + " | " + line.numbers + " | " + line.result);
+      SCOPED_TRACE(line.id + ": " + latexOf(line));
       EXPECT_TRUE(ids.insert(line.id).second) << "an id stands once";
-      for (const std::string *piece : {&line.numbers, &line.result}) {
-        EXPECT_TRUE(piece->empty() || piece->starts_with("= ") || piece->starts_with("\\approx ")) << *piece;
-        checkMarksNamedIn(*piece);
-      }
-      checkMarksNamedIn(line.symbols);
+      checkMarksOf(line);
       EXPECT_EQ(line.sentence.find('\\'), std::string::npos) << "sentences are plain words";
       EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
-      for (const auto &chain : chainsOf(line.symbols + " " + line.numbers + " " + line.result))
+      for (const auto &chain : chainsOf(latexOf(line)))
         checkChain(chain);
       checkRelations(line);
       if (line.blank)
@@ -153,10 +150,9 @@ private:
   /// What is asked is the line's last number, and no mistake comes to it.
   void checkBlank(const WorkingLine &line) const {
     const Blank &blank = *line.blank;
-    EXPECT_FALSE(line.numbers.empty() && line.result.empty()) << "there is nothing to leave blank";
-    checkMarksNamedIn(blank.prompt);
+    EXPECT_TRUE(hasNumbers(line)) << "there is nothing to leave blank";
     EXPECT_TRUE(std::isfinite(toDouble(blank.answer)));
-    if (blank.prompt == "=")
+    if (!blank.form)
       checkAnswer(line);
     EXPECT_TRUE(!toText(blank.answer) || judge(blank, *toText(blank.answer)).right ||
                 toText(blank.answer)->size() > longestAnswer)
@@ -170,7 +166,7 @@ private:
   }
 
   void checkAnswer(const WorkingLine &line) const {
-    const Side last = chainsOf(line.symbols + " " + line.numbers + " " + line.result).back().back();
+    const Side last = chainsOf(latexOf(line)).back().back();
     const Quantity answer = calculate(last.latex, m_expected.names);
     const Precise asked = mp::sqrt(quantity(abs(signedSquares({line.blank->answer})[0]))[0]) *
                           Precise(line.blank->answer.sign());
@@ -228,10 +224,9 @@ private:
     return latex.find_first_of("xyz+#") == std::string::npos && latex.find("-", 1) == std::string::npos;
   }
 
-  void checkMarksNamedIn(const std::string &latex) const {
-    for (const std::string &id : marksNamedIn(latex))
-      EXPECT_TRUE(findMark(m_outcome.figure, id) || m_expected.vanished.contains(id))
-          << "no mark " << id << " for " << latex;
+  void checkMarksOf(const WorkingLine &line) const {
+    for (const std::string &id : marksIn(line))
+      EXPECT_TRUE(findMark(m_outcome.figure, id) || m_expected.vanished.contains(id)) << "no mark " << id;
   }
 
   static std::vector<Place> placesOf(const Mark &mark) {
@@ -305,8 +300,7 @@ private:
     EXPECT_EQ(again.description, m_outcome.description);
     ASSERT_EQ(again.working.lines.size(), m_outcome.working.lines.size());
     for (std::size_t i = 0; i < again.working.lines.size(); ++i) {
-      EXPECT_EQ(again.working.lines[i].numbers, m_outcome.working.lines[i].numbers);
-      EXPECT_EQ(again.working.lines[i].result, m_outcome.working.lines[i].result);
+      EXPECT_EQ(latexOf(again.working.lines[i]), latexOf(m_outcome.working.lines[i]));
     }
     ASSERT_EQ(again.figure.marks.size(), m_outcome.figure.marks.size());
     for (std::size_t i = 0; i < again.figure.marks.size(); ++i) {
@@ -325,7 +319,7 @@ private:
 
 bool isRounded(const Outcome &outcome) {
   return std::any_of(outcome.working.lines.begin(), outcome.working.lines.end(), [](const WorkingLine &line) {
-    return (line.numbers + line.result).find("\\approx") != std::string::npos;
+    return latexOf(line).find("\\approx") != std::string::npos;
   });
 }
 

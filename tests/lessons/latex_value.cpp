@@ -1,7 +1,5 @@
 #include "latex_value.h"
 
-#include "lessons/working.h"
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -26,7 +24,7 @@ std::string condensed(const std::string &latex) {
                                                                                  {"\\approx", "~"},
                                                                                  {",\\quad", ";"},
                                                                                  {" ", ""}}};
-  std::string text = withoutMarks(latex);
+  std::string text = latex;
   for (const auto &[from, to] : replacements)
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
       text.replace(at, from.size(), to);

@@ -123,17 +123,21 @@ TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
 }
 
 TEST(WithTellingMistakes, LeavesOutWhatComesToTheAnswerOrToAnEarlierOne) {
-  Working working{{{"a", "a", "= 1", "", "", Blank{1, {{1, "same"}, {2, "first"}, {2, "second"}}}}}};
+  Working working{{{"a", {Chain(1)}, "", Blank{1, {{1, "same"}, {2, "first"}, {2, "second"}}}}}};
   working = withTellingMistakes(std::move(working));
   ASSERT_EQ(working.lines[0].blank->mistakes.size(), 1U);
   EXPECT_EQ(working.lines[0].blank->mistakes[0].sentence, "first");
 }
 
+/// a = 1, b = 2, b > 0, c = (2, 2, 2)
 Working fourLines() {
-  return {{{"a", "a", "= 1", "", "", Blank{1}},
-           {"b", "b", "= 2", "", "", Blank{2}},
-           {"side", "b > 0", "", "", ""},
-           {"c", "c", "= (b, b, b)", "", ""}}};
+  const Term a = name(letter("a"), Rational(1));
+  const Term b = name(letter("b"), Rational(2));
+  const Term c = name(letter("c"), ExactVec3(2, 2, 2));
+  return {{{"a", {withResult(a)}, "", Blank{1}},
+           {"b", {withResult(b)}, "", Blank{2}},
+           {"side", {compared(b, 0)}},
+           {"c", {withResult(c)}}}};
 }
 
 TEST(BlankLines, FadeFromNoneToTheLastThatAsksToAll) {

@@ -39,7 +39,7 @@ TEST(Evaluate, APlanesLabel_HasItsEquationAsOneGroup) {
       evaluate(apply({"", 0, distanceScene()}, {"E", PlaneObject{{5, 4, 7}, {-6, 6, 2}}}).scene);
   const Mark *plane = findMark(outcome.figure, "E");
   ASSERT_NE(plane, nullptr);
-  const std::string &label = baseOf(*plane).label;
+  const std::string label = baseOf(*plane).label + baseOf(*plane).numbers;
   EXPECT_TRUE(label.starts_with("E\\colon\\ {-6x") && label.ends_with("}")) << label; // a sign, no difference
 }
 

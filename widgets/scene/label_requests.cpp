@@ -229,8 +229,8 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   for (const Mark *mark : labelledMarks(content)) {
     const MarkBase &base = baseOf(*mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
-    texts.push_back({base.id, base.label, style(ink, markTextSize), anchorsOf(*mark, view), false, true,
-                     content.arrival.presenceOf(base)});
+    texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize), anchorsOf(*mark, view),
+                     false, true, content.arrival.presenceOf(base)});
   }
   if (content.gizmo && !content.gizmo->note.empty()) {
     Anchors anchors(view);

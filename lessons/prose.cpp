@@ -1,9 +1,7 @@
-// LaTeX as plain text: the small part of LaTeX that this program writes itself.
-#include "lessons/working.h"
+#include "lessons/prose.h"
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <string_view>
 
 namespace halfspace {
@@ -291,64 +289,8 @@ std::string tidied(const std::string &text) {
   return tidy;
 }
 
-constexpr std::string_view markCommand = "\\mark{";
-
-/// Where the group that is open before `begin` closes; the text's end when it never does.
-std::size_t closingBrace(std::string_view text, std::size_t begin) {
-  int depth = 1;
-  for (std::size_t at = begin; at < text.size(); ++at) {
-    depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
-    if (depth == 0)
-      return at;
-  }
-  return text.size();
-}
-
-/// Whether a piece put behind this LaTeX needs braces of its own: after ^ or _, and letters after a command,
-/// which they would run into.
-bool needsBraces(std::string_view before, std::string_view piece) {
-  if (before.empty() || piece.empty())
-    return false;
-  if (before.back() == '^' || before.back() == '_')
-    return true;
-  const auto letters = before.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-  return isLetter(piece.front()) && letters != std::string_view::npos && letters + 1 < before.size() &&
-         before[letters] == '\\';
-}
-
 } // namespace
 
-std::vector<std::string> marksNamedIn(const std::string &latex) {
-  std::vector<std::string> ids;
-  std::set<std::string> seen;
-  for (auto at = latex.find(markCommand); at != std::string::npos; at = latex.find(markCommand, at + 1)) {
-    const auto begin = at + markCommand.size();
-    std::string id = latex.substr(begin, closingBrace(latex, begin) - begin);
-    if (seen.insert(id).second)
-      ids.push_back(std::move(id));
-  }
-  return ids;
-}
-
-std::string withoutMarks(const std::string &latex) {
-  std::string plain = latex;
-  // A mark inside another comes later in the text, so it is still ahead when the outer one is taken away.
-  for (auto at = plain.find(markCommand); at != std::string::npos; at = plain.find(markCommand, at)) {
-    const auto idEnd = closingBrace(plain, at + markCommand.size());
-    const auto open = std::min(idEnd + 1, plain.size());
-    if (open == plain.size() || plain[open] != '{') {
-      plain.erase(at, open - at);
-      continue;
-    }
-    const auto close = closingBrace(plain, open + 1);
-    std::string content = plain.substr(open + 1, close - open - 1);
-    if (needsBraces(std::string_view(plain).substr(0, at), content))
-      content.insert(0, "{").append("}");
-    plain.replace(at, std::min(close + 1, plain.size()) - at, content);
-  }
-  return plain;
-}
-
-std::string plainText(const std::string &latex) { return tidied(Converter(latex).convert()); }
+std::string plainProse(const std::string &latex) { return tidied(Converter(latex).convert()); }
 
 } // namespace halfspace
