@@ -87,7 +87,7 @@ constexpr auto byName(auto commands) {
   return commands;
 }
 
-constexpr auto allCommands = byName(std::array{
+constexpr Command listed[]{
     // Small Greek letters
     letter("alpha", U'α'), letter("beta", U'β'), letter("gamma", U'γ'), letter("delta", U'δ'),
     letter("epsilon", U'ϵ'), letter("varepsilon", U'ε'), letter("zeta", U'ζ'), letter("eta", U'η'),
@@ -192,7 +192,9 @@ constexpr auto allCommands = byName(std::array{
     plain("limits", &Reader::readMisplaced), plain("nolimits", &Reader::readMisplaced),
     plain("right", &Reader::readMisplaced), plain("end", &Reader::readMisplaced),
     plain("\\", &Reader::readMisplaced), plain("cr", &Reader::readMisplaced),
-    plain("hline", &Reader::readMisplaced)});
+    plain("hline", &Reader::readMisplaced)};
+
+constexpr auto allCommands = byName(std::to_array(listed));
 
 } // namespace
 
