@@ -40,6 +40,10 @@ constexpr double inlineSize = 2.1;
 constexpr double paragraphGap = 0.55;
 constexpr double itemGap = 0.12;
 
+const QString textStyle = QStringLiteral("\\textstyle ");
+/// Without a space before it, even behind \right).
+const QString closing = QStringLiteral("\\mathclose");
+
 /// Finds the formulas of a Markdown text.
 class MathScanner {
 public:
@@ -90,7 +94,7 @@ private:
     const QString latex = m_text.mid(begin, end - begin).trimmed();
     m_next = end + dollars;
     m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
-    m_found.formulas << (large ? latex : QStringLiteral("\\textstyle ") + latex + takeAttached());
+    m_found.formulas << (large ? latex : textStyle + latex + takeAttached());
     return true;
   }
 
@@ -108,7 +112,7 @@ private:
       m_next = end + 1;
     }
     if (m_next < m_text.size() && QStringLiteral(",.;:!?").contains(m_text[m_next]))
-      attached += "\\text{" + QString(m_text[m_next++]) + "}";
+      attached += closing + "{\\text{" + QString(m_text[m_next++]) + "}}";
     return attached;
   }
 
@@ -232,7 +236,7 @@ std::unique_ptr<QTextDocument> documentOf(const QString &markdown, const RichTex
 /// A plain text with its formulas in the places of the placeholders.
 QString withFormulas(QString plain, const QStringList &formulas) {
   for (int i = 0; i < formulas.size(); ++i) {
-    const std::string latex = QString(formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();
+    const std::string latex = QString(formulas[i]).remove(textStyle).remove(closing).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
                   QString::fromStdString(plainText(latex)));
   }

@@ -37,9 +37,10 @@ private slots:
   }
 
   void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
-    QCOMPARE(separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
-             (QStringList{"\\textstyle t = 3\\text{,}", "\\textstyle u  \\approx 2\\text{;}", "\\textstyle v",
-                          "\\textstyle w"}));
+    QCOMPARE(
+        separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
+        (QStringList{"\\textstyle t = 3\\mathclose{\\text{,}}",
+                     "\\textstyle u  \\approx 2\\mathclose{\\text{;}}", "\\textstyle v", "\\textstyle w"}));
     QCOMPARE(plainRichText("now $t$ = $3$, so"), QString("now t = 3, so"));
     const Typesetter typesetter;
     const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
