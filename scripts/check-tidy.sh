@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-[[ $# != 0 ]] || set -- geometry eval lessons
+[[ $# != 0 ]] || set -- geometry eval lessons widgets/picture
 checked=build/release/checked
 outdated=()
 for folder in "$@"; do

@@ -18,11 +18,11 @@ constexpr int fewestLetters = 16;
 } // namespace
 
 RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_ink(palette().color(QPalette::WindowText)) {
+    : QWidget(parent), m_typesetter(typesetter), m_ink(palette().color(QPalette::WindowText)),
+      m_text({}, typesetter, {font(), m_ink}) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  build();
 }
 
 RichLabel::~RichLabel() = default;
@@ -30,8 +30,13 @@ RichLabel::~RichLabel() = default;
 void RichLabel::setMarkdown(const QString &markdown) {
   if (markdown == m_markdown)
     return;
+  const int before = heightForWidth(width());
   m_markdown = markdown;
-  build();
+  m_text.setMarkdown(markdown);
+  setAccessibleName(m_text.plain());
+  if (heightForWidth(width()) != before)
+    updateGeometry();
+  update();
 }
 
 void RichLabel::setInk(const QColor &ink) {
@@ -42,27 +47,26 @@ void RichLabel::setInk(const QColor &ink) {
 }
 
 void RichLabel::build() {
-  const int before = heightForWidth(width());
-  RichText text = makeRichText(m_markdown, m_typesetter, {font(), m_ink});
-  m_document = std::move(text.document);
-  setAccessibleName(text.plain);
-  if (heightForWidth(width()) != before)
-    updateGeometry();
+  m_text = RichText(m_markdown, m_typesetter, {font(), m_ink});
+  updateGeometry();
   update();
 }
 
+QTextDocument &RichLabel::layOut(double width) const {
+  QTextDocument &document = m_text.document();
+  if (document.textWidth() != width) // else everything would be laid out again
+    document.setTextWidth(width);
+  return document;
+}
+
 int RichLabel::heightForWidth(int width) const {
-  if (!m_document)
-    return 0;
-  m_document->setTextWidth(width);
   const double belowLastLine = (richLineSpacing - 1) * fontMetrics().height();
-  return static_cast<int>(std::ceil(std::max(0.0, m_document->size().height() - belowLastLine)));
+  return static_cast<int>(std::ceil(std::max(0.0, layOut(width).size().height() - belowLastLine)));
 }
 
 QSize RichLabel::sizeHint() const {
-  m_document->setTextWidth(-1);
   const int usual = fontMetrics().averageCharWidth() * usualLetters;
-  const int width = std::min(usual, static_cast<int>(std::ceil(m_document->idealWidth())) + 1);
+  const int width = std::min(usual, static_cast<int>(std::ceil(layOut(-1).idealWidth())) + 1);
   return {width, heightForWidth(width)};
 }
 
@@ -72,8 +76,7 @@ QSize RichLabel::minimumSizeHint() const {
 
 void RichLabel::paintEvent(QPaintEvent *) {
   QPainter painter(this);
-  m_document->setTextWidth(width());
-  m_document->drawContents(&painter);
+  layOut(width()).drawContents(&painter);
 }
 
 void RichLabel::changeEvent(QEvent *event) {

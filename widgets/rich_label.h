@@ -28,11 +28,13 @@ protected:
 
 private:
   void build();
+  /// The text in lines of a width; −1: as long as they like.
+  [[nodiscard]] QTextDocument &layOut(double width) const;
 
   const Typesetter &m_typesetter;
   QColor m_ink;
   QString m_markdown;
-  std::unique_ptr<QTextDocument> m_document;
+  RichText m_text;
 };
 
 } // namespace halfspace

@@ -12,6 +12,7 @@
 #include <QTextObjectInterface>
 
 #include <algorithm>
+#include <utility>
 
 Q_DECLARE_METATYPE(halfspace::Typesetter::Picture)
 
@@ -25,6 +26,7 @@ constexpr QChar placeholderEnd(0xE001);
 
 constexpr int mathObject = QTextFormat::UserObject + 1;
 constexpr int pictureProperty = QTextFormat::UserProperty + 1;
+constexpr int indexProperty = QTextFormat::UserProperty + 2;
 
 /// Formulas that reach deeper below the baseline (in em) make room for themselves; others hang into the
 /// line's own.
@@ -37,6 +39,10 @@ constexpr double inlineSize = 2.1;
 /// Space between paragraphs and between the items of a list, as part of the type's size.
 constexpr double paragraphGap = 0.55;
 constexpr double itemGap = 0.12;
+
+const QString textStyle = QStringLiteral("\\textstyle ");
+/// Without a space before it, even behind \right).
+const QString closing = QStringLiteral("\\mathclose");
 
 /// Finds the formulas of a Markdown text.
 class MathScanner {
@@ -88,7 +94,7 @@ private:
     const QString latex = m_text.mid(begin, end - begin).trimmed();
     m_next = end + dollars;
     m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
-    m_found.formulas << (large ? latex : QStringLiteral("\\textstyle ") + latex + takeAttached());
+    m_found.formulas << (large ? latex : textStyle + latex + takeAttached());
     return true;
   }
 
@@ -106,7 +112,7 @@ private:
       m_next = end + 1;
     }
     if (m_next < m_text.size() && QStringLiteral(",.;:!?").contains(m_text[m_next]))
-      attached += "\\text{" + QString(m_text[m_next++]) + "}";
+      attached += closing + "{\\text{" + QString(m_text[m_next++]) + "}}";
     return attached;
   }
 
@@ -214,26 +220,8 @@ void replaceImages(QTextDocument &document) {
   }
 }
 
-void placeMath(QTextDocument &document, const QStringList &formulas, const Typesetter &typesetter,
-               const QFont &font) {
-  const QRegularExpression placeholder(placeholderBegin + QStringLiteral("(\\d+)") + placeholderEnd);
-  for (QTextCursor place = document.find(placeholder); !place.isNull();
-       place = document.find(placeholder, place)) {
-    const QString number = place.selectedText();
-    const Typesetter::Picture picture =
-        typesetter.picture(formulas.value(number.mid(1, number.size() - 2).toInt()));
-    QTextCharFormat format = place.charFormat();
-    format.setFont(font, QTextCharFormat::FontPropertiesSpecifiedOnly);
-    format.setObjectType(mathObject);
-    format.setProperty(pictureProperty, QVariant::fromValue(picture));
-    if (!MathObject::hangs(*picture))
-      format.setVerticalAlignment(QTextCharFormat::AlignMiddle);
-    place.insertText(QString(QChar::ObjectReplacementCharacter), format);
-  }
-}
-
 /// The document with its placeholders.
-std::unique_ptr<QTextDocument> makeDocument(const QString &markdown, const RichTextStyle &style) {
+std::unique_ptr<QTextDocument> documentOf(const QString &markdown, const RichTextStyle &style) {
   auto document = std::make_unique<ClosedDocument>();
   document->setUndoRedoEnabled(false);
   document->setDefaultFont(style.font);
@@ -245,11 +233,10 @@ std::unique_ptr<QTextDocument> makeDocument(const QString &markdown, const RichT
   return document;
 }
 
-/// The text of a document that has placeholders.
-QString plainOf(const QTextDocument &document, const QStringList &formulas) {
-  QString plain = document.toPlainText();
+/// A plain text with its formulas in the places of the placeholders.
+QString withFormulas(QString plain, const QStringList &formulas) {
   for (int i = 0; i < formulas.size(); ++i) {
-    const std::string latex = QString(formulas[i]).remove(QLatin1String("\\textstyle ")).toStdString();
+    const std::string latex = QString(formulas[i]).remove(textStyle).remove(closing).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
                   QString::fromStdString(plainText(latex)));
   }
@@ -260,25 +247,76 @@ QString plainOf(const QTextDocument &document, const QStringList &formulas) {
 
 MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
 
-RichText makeRichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style) {
-  const MarkdownWithMath text = separateMath(markdown);
-  auto document = makeDocument(text.markdown, style);
-  QTextCursor changes(document.get());
+RichText::RichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style)
+
+    : m_typesetter(&typesetter), m_style(style), m_text(separateMath(markdown)) {
+  makeDocument();
+}
+
+RichText::RichText(RichText &&) noexcept = default;
+RichText &RichText::operator=(RichText &&) noexcept = default;
+RichText::~RichText() = default;
+
+void RichText::setMarkdown(const QString &markdown) {
+  const MarkdownWithMath before = std::exchange(m_text, separateMath(markdown));
+  if (m_text.markdown == before.markdown)
+    replaceFormulas(before.formulas);
+  else
+    makeDocument();
+}
+
+QString RichText::plain() const { return withFormulas(m_plain, m_text.formulas); }
+
+void RichText::makeDocument() {
+  m_document = documentOf(m_text.markdown, m_style);
+  QTextCursor changes(m_document.get());
   changes.beginEditBlock(); // it is laid out once
-  replaceImages(*document);
-  const QString plain = plainOf(*document, text.formulas);
-  setInk(*document, style);
-  setSpacing(*document, style);
-  placeMath(*document, text.formulas, typesetter, style.font);
+  replaceImages(*m_document);
+  m_plain = m_document->toPlainText();
+  setInk(*m_document, m_style);
+  setSpacing(*m_document, m_style);
+  const QRegularExpression placeholder(placeholderBegin + QStringLiteral("(\\d+)") + placeholderEnd);
+  for (QTextCursor place = m_document->find(placeholder); !place.isNull();
+       place = m_document->find(placeholder, place)) {
+    const QString number = place.selectedText();
+    placeFormula(place, number.mid(1, number.size() - 2).toInt());
+  }
   changes.endEditBlock();
-  return {std::move(document), plain};
+}
+
+void RichText::placeFormula(QTextCursor place, int index) {
+  const Typesetter::Picture picture = m_typesetter->picture(m_text.formulas.value(index));
+  QTextCharFormat format = place.charFormat();
+  format.setFont(m_style.font, QTextCharFormat::FontPropertiesSpecifiedOnly);
+  format.setObjectType(mathObject);
+  format.setProperty(pictureProperty, QVariant::fromValue(picture));
+  format.setProperty(indexProperty, index);
+  format.setVerticalAlignment(MathObject::hangs(*picture) ? QTextCharFormat::AlignNormal
+                                                          : QTextCharFormat::AlignMiddle);
+  place.insertText(QString(QChar::ObjectReplacementCharacter), format);
+}
+
+/// Sets those that are not as they were.
+void RichText::replaceFormulas(const QStringList &before) {
+  QTextCursor place(m_document.get());
+  place.beginEditBlock();
+  for (int at = 0; at < m_document->characterCount(); ++at) {
+    if (m_document->characterAt(at) != QChar::ObjectReplacementCharacter)
+      continue;
+    place.setPosition(at);
+    place.setPosition(at + 1, QTextCursor::KeepAnchor);
+    const int index = place.charFormat().intProperty(indexProperty);
+    if (m_text.formulas.value(index) != before.value(index))
+      placeFormula(place, index);
+  }
+  place.endEditBlock();
 }
 
 QString plainRichText(const QString &markdown) {
   const MarkdownWithMath text = separateMath(markdown);
-  const auto document = makeDocument(text.markdown, {});
+  const auto document = documentOf(text.markdown, {});
   replaceImages(*document);
-  return plainOf(*document, text.formulas);
+  return withFormulas(document->toPlainText(), text.formulas);
 }
 
 } // namespace halfspace

@@ -4,6 +4,7 @@
 #include "widgets/typeset/typesetter.h"
 
 #include <QFont>
+#include <QTextCursor>
 #include <QTextDocument>
 
 #include <memory>
@@ -30,17 +31,38 @@ struct RichTextStyle {
   QColor ink;
 };
 
-/// A text ready to be painted, and to be read out.
-struct RichText {
-  std::unique_ptr<QTextDocument> document; ///< on one page without margins
-  QString plain;                           ///< formulas included: for screen readers
+/// A text ready to be painted, and to be read out. HTML stands as it is written, links lead nowhere, and
+/// nothing is loaded: an image is its description.
+class RichText {
+public:
+  /// The typesetter must outlive the text.
+  RichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style);
+  RichText(RichText &&) noexcept;
+  RichText &operator=(RichText &&) noexcept;
+  ~RichText();
+
+  /// Becomes another text. Where only formulas differ, as with new values of the same words, all else stays
+  /// laid out as it is.
+  void setMarkdown(const QString &markdown);
+
+  /// On one page without margins.
+  [[nodiscard]] QTextDocument &document() const { return *m_document; }
+  /// Formulas included: for screen readers.
+  [[nodiscard]] QString plain() const;
+
+private:
+  void makeDocument();
+  void placeFormula(QTextCursor place, int index);
+  void replaceFormulas(const QStringList &before);
+
+  const Typesetter *m_typesetter;
+  RichTextStyle m_style;
+  MarkdownWithMath m_text;
+  QString m_plain; ///< with placeholders
+  std::unique_ptr<QTextDocument> m_document;
 };
 
-/// HTML stands as it is written, links lead nowhere, and nothing is loaded: an image is its description.
-[[nodiscard]] RichText makeRichText(const QString &markdown, const Typesetter &typesetter,
-                                    const RichTextStyle &style);
-
-/// The plain text alone.
+/// The plain text of a Markdown text alone.
 [[nodiscard]] QString plainRichText(const QString &markdown);
 
 } // namespace halfspace

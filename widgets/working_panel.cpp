@@ -284,10 +284,10 @@ void WorkingPanel::paintEvent(QPaintEvent *event) {
 void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
   const PlacedLine &line = m_placed.lines[index];
   if (index > 0) {
-    const double margin = fontMetrics().height();
-    painter.setPen(QPen(toQColor(m_theme.border), 1));
-    const double y = std::floor(line.box.top()) + 0.5; // on whole pixels
-    painter.drawLine(QPointF(margin, y), QPointF(line.box.right() - margin, y));
+    const int margin = fontMetrics().height();
+    const QRect separator(margin, static_cast<int>(line.box.top()),
+                          static_cast<int>(line.box.width()) - 2 * margin, 1);
+    painter.fillRect(separator, toQColor(m_theme.border)); // a line costs as much as all formulas together
   }
   if (m_current == index && hasFocus()) {
     const QRectF bar(0, line.box.top() + termMargin, currentBarWidth, line.box.height() - 2 * termMargin);

@@ -140,6 +140,17 @@ private slots:
              qPrintable(QString("%1 %2").arg(inkOf(turned)).arg(inkOf(upright))));
   }
 
+  void barsOfSigns_areSharpAtEverySize() {
+    for (const char *sign : {"=", "-", "-\\frac{3}{2}"})
+      for (const double em : {15.0, 19.3, 22.0, 24.32, 30.0, 41.7}) {
+        const QImage image = paintedAt(*typeset(sign), em);
+        for (int y = 0; y < image.height(); ++y) {
+          const int gray = qGray(image.pixel(10 + static_cast<int>(0.39 * em), y));
+          QVERIFY2(gray < 60 || gray > 230, qPrintable(QString("%1 %2: %3").arg(sign).arg(em).arg(gray)));
+        }
+      }
+  }
+
   void halo_reachesAroundEveryShape() {
     const auto picture = typeset("\\frac{Q}{|\\vec n|}");
     QImage image(80, 100, QImage::Format_RGB32);

@@ -8,6 +8,18 @@
 
 using namespace halfspace;
 
+namespace {
+
+QImage painted(const RichText &text) {
+  QImage image(300, 200, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  text.document().drawContents(&painter);
+  return image;
+}
+
+} // namespace
+
 class RichTextTest : public QObject {
   Q_OBJECT
 
@@ -25,16 +37,17 @@ private slots:
   }
 
   void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
-    QCOMPARE(separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
-             (QStringList{"\\textstyle t = 3\\text{,}", "\\textstyle u  \\approx 2\\text{;}", "\\textstyle v",
-                          "\\textstyle w"}));
+    QCOMPARE(
+        separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
+        (QStringList{"\\textstyle t = 3\\mathclose{\\text{,}}",
+                     "\\textstyle u  \\approx 2\\mathclose{\\text{;}}", "\\textstyle v", "\\textstyle w"}));
     QCOMPARE(plainRichText("now $t$ = $3$, so"), QString("now t = 3, so"));
     const Typesetter typesetter;
-    const auto [document, plain] = makeRichText("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
-    document->setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
-    document->size(); // lays it out
-    const QTextLine first = document->begin().layout()->lineAt(0);
-    QCOMPARE(document->begin().text().left(first.textLength()), QString("word "));
+    const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
+    rich.document().setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
+    rich.document().size(); // lays it out
+    const QTextLine first = rich.document().begin().layout()->lineAt(0);
+    QCOMPARE(rich.document().begin().text().left(first.textLength()), QString("word "));
   }
 
   void dollarsThatAreNoFormulaStay_data() {
@@ -54,17 +67,16 @@ private slots:
 
   void everyFormulaStandsInTheDocument() {
     const Typesetter typesetter;
-    const auto [document, plain] =
-        makeRichText("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list", typesetter,
-                     {QFont(), Qt::black});
-    QCOMPARE(document->toPlainText().count(QChar::ObjectReplacementCharacter), 3);
-    QVERIFY(plain.contains("in a list"));
+    const RichText rich("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list", typesetter,
+                        {QFont(), Qt::black});
+    QCOMPARE(rich.document().toPlainText().count(QChar::ObjectReplacementCharacter), 3);
+    QVERIFY(rich.plain().contains("in a list"));
   }
 
   void lineGrowsForATallFormula() {
     const Typesetter typesetter;
     const auto heightOf = [&](const QString &markdown) {
-      return makeRichText(markdown, typesetter, {QFont(), Qt::black}).document->size().height();
+      return RichText(markdown, typesetter, {QFont(), Qt::black}).document().size().height();
     };
     QVERIFY(heightOf("a $\\displaystyle\\frac{\\frac12}{\\frac12}$ b") > 1.3 * heightOf("a $x$ b"));
   }
@@ -80,11 +92,11 @@ private slots:
     const Typesetter typesetter;
     QFont font;
     font.setPixelSize(40);
-    const auto [document, plain] = makeRichText("H $" + latex + "$", typesetter, {font, Qt::black});
+    const RichText rich("H $" + latex + "$", typesetter, {font, Qt::black});
     QImage image(400, 400, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
-    document->drawContents(&painter);
+    rich.document().drawContents(&painter);
     painter.end();
     const auto lowestInk = [&](int column) {
       int row = image.height() - 1;
@@ -102,13 +114,12 @@ private slots:
 
   void htmlStandsAsWrittenAndImagesAreNotLoaded() {
     const Typesetter typesetter;
-    const auto [document, plain] =
-        makeRichText("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)",
-                     typesetter, {QFont(), Qt::black});
-    QVERIFY(plain.contains("<b>no</b>"));
-    QVERIFY(plain.contains("a link"));
-    QVERIFY(!document->toPlainText().contains(QChar::ObjectReplacementCharacter));
-    for (QTextBlock block = document->begin(); block.isValid(); block = block.next())
+    const RichText rich("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)",
+                        typesetter, {QFont(), Qt::black});
+    QVERIFY(rich.plain().contains("<b>no</b>"));
+    QVERIFY(rich.plain().contains("a link"));
+    QVERIFY(!rich.document().toPlainText().contains(QChar::ObjectReplacementCharacter));
+    for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next())
       for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
         QVERIFY(!fragment.fragment().charFormat().isImageFormat());
         QVERIFY(!fragment.fragment().charFormat().isAnchor());
@@ -116,6 +127,22 @@ private slots:
   }
 
   void plainTextReadsTheFormulas() { QCOMPARE(plainRichText("Is $P_0$ **here**?"), QString("Is P₀ here?")); }
+
+  void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {
+    const Typesetter typesetter;
+    const QString words("Now $t$ is $%1$, and **so** on:\n\n- one\n- $s = %2$");
+    RichText changed(words.arg("3", "1"), typesetter, {QFont(), Qt::black});
+    for (const char *value : {"\\frac{10}{3}", "4", "\\sqrt{\\frac{1}{\\frac{2}{3}}}"}) {
+      const QString markdown = words.arg("-2", value);
+      changed.setMarkdown(markdown);
+      const RichText fresh(markdown, typesetter, {QFont(), Qt::black});
+      QCOMPARE(changed.plain(), fresh.plain());
+      QCOMPARE(changed.document().size(), fresh.document().size());
+      QCOMPARE(painted(changed), painted(fresh));
+    }
+    changed.setMarkdown("Other words");
+    QCOMPARE(changed.plain(), QString("Other words"));
+  }
 
   void labelIsTallerInANarrowerPlace() {
     const Typesetter typesetter;

@@ -1,5 +1,7 @@
 #include "widgets/typeset/glyph_images.h"
 
+#include "widgets/typeset/sharp_bars.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ GlyphImage draw(const QPainterPath &outline, const GlyphLook &look) {
   const double scale = static_cast<double>(look.size) / GlyphLook::partsPerPixel;
   const double thicker = static_cast<double>(look.thicker) / GlyphLook::partsPerPixel;
   const QPainterPath path =
-      QTransform(scale, 0, 0, scale, look.quarterX / 4.0, look.quarterY / 4.0).map(outline);
+      withSharpBars(QTransform(scale, 0, 0, scale, look.quarter / 4.0, 0).map(outline), scale, thicker);
   if (path.isEmpty())
     return {};
   const QRect room = path.boundingRect().adjusted(-thicker, -thicker, thicker, thicker).toAlignedRect();
@@ -35,8 +37,7 @@ GlyphImage draw(const QPainterPath &outline, const GlyphLook &look) {
 
 uint qHash(const GlyphLook &look, uint seed) {
   const auto mix = [&seed](auto value) { seed = (seed ^ static_cast<uint>(value)) * 0x9E3779B1U; };
-  mix(look.glyph << 5 | static_cast<uint>(look.font) << 4 |
-      static_cast<uint>(look.quarterY << 2 | look.quarterX));
+  mix(look.glyph << 3 | static_cast<uint>(look.font) << 2 | static_cast<uint>(look.quarter));
   mix(look.size);
   mix(look.thicker);
   mix(look.color);

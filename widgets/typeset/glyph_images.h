@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// What tells one glyph's image from another. Places within a pixel are in quarters of it.
+/// What tells one glyph's image from another.
 struct GlyphLook {
   /// Sizes are kept in so many parts of a pixel.
   static constexpr int partsPerPixel = 64;
@@ -17,8 +17,7 @@ struct GlyphLook {
   math::GlyphId glyph = 0;
   int size = 0;    ///< of the em, in parts of a pixel
   int thicker = 0; ///< how much is added to the width of every stroke, likewise
-  int quarterX = 0;
-  int quarterY = 0;
+  int quarter = 0; ///< how many quarters of a pixel right of a pixel's edge its origin lies
   QRgb color = 0;
 
   bool operator==(const GlyphLook &) const = default;

@@ -46,12 +46,12 @@ public:
 
   void paint(const math::PlacedGlyph &glyph) const {
     const int x = quarters(m_origin.x() + glyph.x * m_em);
-    const int y = 4 * static_cast<int>(std::lround(m_origin.y() + glyph.y * m_em));
+    const int y = static_cast<int>(std::lround(m_origin.y() + glyph.y * m_em));
     const GlyphImage &drawn =
         m_images.image({glyph.font, glyph.glyph, parts(glyph.size), parts(thicker(m_look, glyph.size)), x & 3,
-                        y & 3, m_look.color(glyph.ink).rgba()});
+                        m_look.color(glyph.ink).rgba()});
     if (!drawn.image.isNull())
-      m_painter.drawImage(QPoint(x >> 2, y >> 2) + drawn.leftTop, drawn.image);
+      m_painter.drawImage(QPoint(x >> 2, y) + drawn.leftTop, drawn.image);
   }
 
   void paint(const math::Rule &rule) const {

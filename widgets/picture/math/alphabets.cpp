@@ -75,4 +75,15 @@ char32_t inAlphabet(char32_t character, Alphabet alphabet) {
   return withoutHole(to);
 }
 
+char32_t withoutAlphabet(char32_t character) {
+  constexpr std::array<std::pair<char32_t, char32_t>, 5> ranges{
+      {{U'A', U'Z'}, {U'a', U'z'}, {U'0', U'9'}, {0x391, 0x3A9}, {0x3B1, 0x3C9}}};
+  for (std::size_t alphabet = 0; alphabet < starts.size(); ++alphabet)
+    for (const auto &[first, last] : ranges)
+      for (char32_t plain = first; plain <= last; ++plain)
+        if (plain != character && inAlphabet(plain, static_cast<Alphabet>(alphabet)) == character)
+          return plain;
+  return 0;
+}
+
 } // namespace halfspace::math

@@ -22,4 +22,7 @@ enum class Alphabet : std::uint8_t {
 /// digit in italics, a Greek letter in script) stays as it is, as do all other characters.
 [[nodiscard]] char32_t inAlphabet(char32_t character, Alphabet alphabet);
 
+/// The plain letter or digit that a character of an alphabet stands for; 0 for all other characters.
+[[nodiscard]] char32_t withoutAlphabet(char32_t character);
+
 } // namespace halfspace::math

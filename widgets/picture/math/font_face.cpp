@@ -29,11 +29,14 @@ void lineTo(hb_draw_funcs_t * /*functions*/, void *data, hb_draw_state_t * /*sta
   penOf(data).steps.push_back({PathStep::Kind::Line, penOf(data).point(x, y), {}, {}});
 }
 
+// What a pen is told is HarfBuzz's.
+// NOLINTNEXTLINE(readability-function-size)
 void quadTo(hb_draw_funcs_t * /*functions*/, void *data, hb_draw_state_t * /*state*/, float ax, float ay,
             float x, float y, void * /*user*/) {
   penOf(data).steps.push_back({PathStep::Kind::Quad, penOf(data).point(ax, ay), penOf(data).point(x, y), {}});
 }
 
+// NOLINTNEXTLINE(readability-function-size)
 void cubicTo(hb_draw_funcs_t * /*functions*/, void *data, hb_draw_state_t * /*state*/, float ax, float ay,
              float bx, float by, float x, float y, void * /*user*/) {
   const Pen &pen = penOf(data);

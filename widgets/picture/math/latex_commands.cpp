@@ -13,8 +13,9 @@ using Reader = LatexReader;
 /// TeX's unit of spaces in mathematics.
 constexpr double mu = 1.0 / 18;
 constexpr double wordSpace = 1.0 / 3;
-/// The heights of \big, \Big, \bigg and \Bigg.
-constexpr std::array<double, 4> tall{1.2, 1.8, 2.4, 3};
+/// How tall \big, \Big, \bigg and \Bigg are at least. LaTeX's are 1.2, 1.8, 2.4 and 3 em; fonts' differ by a
+/// hair.
+constexpr std::array<double, 4> tall{1.19, 1.79, 2.39, 2.98};
 
 constexpr Command letter(std::string_view name, char32_t character) {
   return {.name = name, .read = &Reader::readLetter, .character = character};
@@ -86,7 +87,7 @@ constexpr auto byName(auto commands) {
   return commands;
 }
 
-constexpr auto allCommands = byName(std::array{
+constexpr Command listed[]{
     // Small Greek letters
     letter("alpha", U'α'), letter("beta", U'β'), letter("gamma", U'γ'), letter("delta", U'δ'),
     letter("epsilon", U'ϵ'), letter("varepsilon", U'ε'), letter("zeta", U'ζ'), letter("eta", U'η'),
@@ -191,7 +192,9 @@ constexpr auto allCommands = byName(std::array{
     plain("limits", &Reader::readMisplaced), plain("nolimits", &Reader::readMisplaced),
     plain("right", &Reader::readMisplaced), plain("end", &Reader::readMisplaced),
     plain("\\", &Reader::readMisplaced), plain("cr", &Reader::readMisplaced),
-    plain("hline", &Reader::readMisplaced)});
+    plain("hline", &Reader::readMisplaced)};
+
+constexpr auto allCommands = byName(std::to_array(listed));
 
 } // namespace
 

@@ -23,7 +23,7 @@ struct Command {
   Alphabet alphabet = Alphabet::Upright;
   Side side = Side::Above;
   std::optional<Style> style = std::nullopt;
-  std::string_view text = ""; ///< of a function, where it differs from the name
+  std::string_view text = {}; ///< of a function, where it differs from the name
 };
 
 /// In the order of their names.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace halfspace::math {
@@ -30,7 +31,7 @@ constexpr auto byName(auto commands) {
 
 /// Several names of one character stand in the order in which the first says the character's class when
 /// typed.
-constexpr std::array listed{
+constexpr SymbolCommand listed[]{
     // Greek capitals stand upright, small letters are in the reader's table of letters.
     ord("Gamma", U'Γ'), ord("Delta", U'Δ'), ord("Theta", U'Θ'), ord("Lambda", U'Λ'), ord("Xi", U'Ξ'),
     ord("Pi", U'Π'), ord("Sigma", U'Σ'), ord("Upsilon", U'Υ'), ord("Phi", U'Φ'), ord("Psi", U'Ψ'),
@@ -55,7 +56,7 @@ constexpr std::array listed{
     bin("ast", U'∗'), bin("star", U'⋆'), bin("circ", U'∘'), bin("bullet", U'∙'), bin("oplus", U'⊕'),
     bin("ominus", U'⊖'), bin("otimes", U'⊗'), bin("oslash", U'⊘'), bin("odot", U'⊙'), bin("wedge", U'∧'),
     bin("land", U'∧'), bin("vee", U'∨'), bin("lor", U'∨'), bin("cap", U'∩'), bin("cup", U'∪'),
-    bin("sqcap", U'⊓'), bin("sqcup", U'⊔'), bin("uplus", U'⊎'), bin("setminus", U'⧵'),
+    bin("sqcap", U'⊓'), bin("sqcup", U'⊔'), bin("uplus", U'⊎'), bin("setminus", U'∖'),
     bin("smallsetminus", U'∖'), bin("ltimes", U'⋉'), bin("rtimes", U'⋊'), bin("dagger", U'†'),
     bin("ddagger", U'‡'), bin("amalg", U'⨿'), bin("wr", U'≀'), bin("diamond", U'⋄'),
     bin("bigtriangleup", U'△'), bin("boxplus", U'⊞'), bin("boxtimes", U'⊠'), bin("barwedge", U'⊼'),
@@ -102,7 +103,7 @@ constexpr std::array listed{
     close("rceil", U'⌉'), open("llbracket", U'⟦'), close("rrbracket", U'⟧'), open("lgroup", U'⟮'),
     close("rgroup", U'⟯'), ord("backslash", U'\\')};
 
-constexpr auto named = byName(listed);
+constexpr auto named = byName(std::to_array(listed));
 
 /// Characters whose meaning no command says, or another one when they are typed.
 constexpr std::array<std::pair<char32_t, TypedSymbol>, 29> typed{{
@@ -125,7 +126,7 @@ constexpr std::array<std::pair<char32_t, TypedSymbol>, 29> typed{{
     {U',', {U',', AtomClass::Punct}},
     {U';', {U';', AtomClass::Punct}},
     {U'∂', {0x1D715}},
-    {U'⊥', {U'⊥'}},
+    {U'⊥', {U'⊥', AtomClass::Rel}},
     {U'‖', {U'‖'}},
     {U'|', {U'|'}},
     {U'⌊', {U'⌊', AtomClass::Open}},
@@ -170,10 +171,10 @@ TypedSymbol typedSymbol(char32_t character) {
   // Letters and digits have no command.
   if (character < 0x80)
     return {character};
-  const auto command = std::find_if(listed.begin(), listed.end(), [character](const SymbolCommand &each) {
-    return each.character == character;
-  });
-  return {character, command == listed.end() ? AtomClass::Ord : command->atomClass};
+  const auto command =
+      std::find_if(std::begin(listed), std::end(listed),
+                   [character](const SymbolCommand &each) { return each.character == character; });
+  return {character, command == std::end(listed) ? AtomClass::Ord : command->atomClass};
 }
 
 std::optional<TypedScript> typedScript(char32_t character) {

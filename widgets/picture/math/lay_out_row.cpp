@@ -50,11 +50,19 @@ struct Entry {
 /// A box around nothing yet.
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
+/// An atom without its scripts: the parenthesis of `)^2`.
+const Node &withoutScripts(const Node &node) {
+  const auto *scripts = std::get_if<Scripts>(&node.content);
+  const Node *base = scripts ? onlyAtom(scripts->base) : nullptr;
+  return base ? *base : node;
+}
+
 bool isParenthesis(const Entry &entry) {
   if (entry.atomClass != AtomClass::Open && entry.atomClass != AtomClass::Close)
     return false;
-  const auto *symbol = std::get_if<Symbol>(&entry.node->content);
-  return symbol ? isFence(symbol->character) : std::holds_alternative<TallFence>(entry.node->content);
+  const Content &content = withoutScripts(*entry.node).content;
+  const auto *symbol = std::get_if<Symbol>(&content);
+  return symbol ? isFence(symbol->character) : std::holds_alternative<TallFence>(content);
 }
 
 /// What may begin a line, by an atom's class and character.
@@ -65,7 +73,7 @@ Break breakBefore(const Entry &entry, int parentheses) {
     return Break::Inside;
   if (entry.atomClass == AtomClass::Rel)
     return Break::Relation;
-  const auto *symbol = std::get_if<Symbol>(&entry.node->content);
+  const auto *symbol = std::get_if<Symbol>(&withoutScripts(*entry.node).content);
   constexpr std::u32string_view signs = U"+−±∓";
   return symbol && signs.find(symbol->character) != std::u32string_view::npos ? Break::Sign : Break::Product;
 }
@@ -99,12 +107,13 @@ private:
   void addPiece(const Entry &entry);
   void closeTag(const Entry &entry);
 
-  /// A tag that is open while the row is placed.
+  /// A tag that is open while the row is placed: the room of its atoms so far, without spaces at its ends.
   struct OpenTag {
-    double x;
-    double ascent;
-    double depth;
-    std::size_t piece;
+    double left;
+    double right;
+    double ascent = nothing;
+    double depth = nothing;
+    std::size_t piece = 0;
   };
 
   Sheet &m_sheet;
@@ -238,7 +247,7 @@ void RowSetter::place() {
       m_followsWideSpace = m_followsWideSpace || entry.width >= spaceBetweenStatements;
       break;
     case Entry::Kind::TagBegin:
-      m_openTags.push_back({m_x, nothing, nothing, m_sheet.layout().pieces.size()});
+      m_openTags.push_back({.left = m_x, .right = m_x, .piece = m_sheet.layout().pieces.size()});
       break;
     case Entry::Kind::TagEnd:
       closeTag(entry);
@@ -274,13 +283,15 @@ void RowSetter::placeAtom(const Entry &entry) {
   if (m_plan.isOutermost)
     addPiece(entry);
   m_sheet.move(entry.box, m_x, 0);
-  const auto reachAround = [&entry](auto &box) {
-    box.ascent = std::max(box.ascent, entry.box.ascent);
-    box.depth = std::max(box.depth, entry.box.depth);
-  };
-  reachAround(m_all);
-  for (OpenTag &tag : m_openTags)
-    reachAround(tag);
+  m_all.ascent = std::max(m_all.ascent, entry.box.ascent);
+  m_all.depth = std::max(m_all.depth, entry.box.depth);
+  for (OpenTag &tag : m_openTags) {
+    if (tag.ascent == nothing)
+      tag.left = m_x;
+    tag.right = m_x + entry.box.fullWidth();
+    tag.ascent = std::max(tag.ascent, entry.box.ascent);
+    tag.depth = std::max(tag.depth, entry.box.depth);
+  }
   m_x += entry.box.fullWidth();
   m_before = entry.atomClass;
 }
@@ -288,7 +299,7 @@ void RowSetter::placeAtom(const Entry &entry) {
 void RowSetter::addPiece(const Entry &entry) {
   Piece piece;
   piece.before =
-      m_followsWideSpace && m_parentheses == 0 ? Break::Relation : breakBefore(entry, m_parentheses);
+      m_followsWideSpace && m_parentheses == 0 ? Break::Statement : breakBefore(entry, m_parentheses);
   m_followsWideSpace = false;
   piece.x = m_x;
   piece.right = m_x + entry.box.fullWidth();
@@ -307,7 +318,7 @@ void RowSetter::closeTag(const Entry &entry) {
   m_openTags.pop_back();
   if (tag.ascent == nothing)
     tag.ascent = tag.depth = 0;
-  m_sheet.setTagBox(entry.tagBox, {tag.x, -tag.ascent, m_x - tag.x, tag.ascent + tag.depth});
+  m_sheet.setTagBox(entry.tagBox, {tag.left, -tag.ascent, tag.right - tag.left, tag.ascent + tag.depth});
   if (m_plan.isOutermost)
     m_sheet.layout().taggedPieces.push_back({entry.tagBox, tag.piece, m_sheet.layout().pieces.size()});
 }

@@ -28,10 +28,25 @@ Box setGlyph(Sheet &sheet, FontIndex font, GlyphId glyph, SetStyle style) {
   return box;
 }
 
-Box setCharacter(Sheet &sheet, char32_t character, SetStyle style) {
+/// Whether a face has a character.
+bool has(const std::optional<FontFace> &face, char32_t character) {
+  return face && face->glyph(character) != 0;
+}
+
+/// The character, or the plain letter where the fonts lack that of an alphabet (script has often no small
+/// ones).
+char32_t inFonts(const MathFonts &fonts, char32_t character) {
+  if (fonts.math.face().glyph(character) != 0 || has(fonts.text, character))
+    return character;
+  const char32_t plain = withoutAlphabet(character);
+  return plain != 0 ? plain : character;
+}
+
+Box setCharacter(Sheet &sheet, char32_t asked, SetStyle style) {
   const MathFont &font = sheet.font();
+  const char32_t character = inFonts(sheet.fonts(), asked);
   GlyphId glyph = font.face().glyph(character);
-  if (glyph == 0 && sheet.fonts().text)
+  if (glyph == 0 && has(sheet.fonts().text, character))
     return setGlyph(sheet, FontIndex::Text, sheet.fonts().text->glyph(character), style);
   if (style.isScript())
     glyph = font.scriptForm(glyph, style.size == Style::ScriptScript ? 2 : 1);
@@ -95,9 +110,9 @@ struct Run {
 std::vector<Run> runsOf(const MathFonts &fonts, const Words &words) {
   std::vector<Run> runs;
   for (std::string_view rest = words.text; !rest.empty();) {
-    const char32_t character = inAlphabet(codePoint(takeCharacter(rest)), words.alphabet);
+    const char32_t character = inFonts(fonts, inAlphabet(codePoint(takeCharacter(rest)), words.alphabet));
     const bool isInMath = fonts.math.face().glyph(character) != 0;
-    const FontIndex font = isInMath || !fonts.text ? FontIndex::Math : FontIndex::Text;
+    const FontIndex font = !isInMath && has(fonts.text, character) ? FontIndex::Text : FontIndex::Math;
     if (runs.empty() || runs.back().font != font)
       runs.push_back({font, {}});
     appendUtf8(runs.back().text, character);

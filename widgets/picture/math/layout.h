@@ -66,10 +66,11 @@ struct TagBox {
 
 /// What may begin a line. The better, the smaller.
 enum class Break : std::uint8_t {
-  Relation, ///< before a relation, or behind a wide space
-  Sign,     ///< before + or −
-  Product,  ///< before · or another operation
-  Inside,   ///< the same three inside parentheses
+  Statement, ///< behind a wide space, which sets statements apart
+  Relation,  ///< before a relation
+  Sign,      ///< before + or −
+  Product,   ///< before · or another operation
+  Inside,    ///< the last three inside parentheses
   Never
 };
 

@@ -10,7 +10,12 @@ constexpr char32_t braceAbove = 0x23DE;
 constexpr char32_t braceBelow = 0x23DF;
 constexpr char32_t vectorArrow = 0x20D7;
 
-/// The only atom of a row, seen through tags and colours; null when there is not exactly one.
+} // namespace
+
+void detail::append(Row &row, Row more) {
+  row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 const Node *onlyAtom(const Row &row) {
   if (row.size() != 1)
     return nullptr;
@@ -20,12 +25,6 @@ const Node *onlyAtom(const Row &row) {
   if (const auto *colored = std::get_if<Colored>(&node.content))
     return onlyAtom(colored->row);
   return &node;
-}
-
-} // namespace
-
-void detail::append(Row &row, Row more) {
-  row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 AtomClass classOf(const Row &row) {

@@ -271,7 +271,9 @@ template <class... Parts> [[nodiscard]] Row row(Parts &&...parts) {
 /// Centred columns between two fences (0: none).
 [[nodiscard]] Node matrix(char32_t open, std::vector<std::vector<Row>> rows, char32_t close);
 
-/// The class of a row that is to be one atom: that of its only atom, seen through tags and colours; else Ord.
+/// A row's only atom, seen through tags and colours; null when there is not exactly one.
+[[nodiscard]] const Node *onlyAtom(const Row &row);
+/// The class of a row that is to be one atom: that of its only atom; else Ord.
 [[nodiscard]] AtomClass classOf(const Row &row);
 /// The same for where scripts go.
 [[nodiscard]] ScriptPlace scriptPlaceOf(const Row &row);

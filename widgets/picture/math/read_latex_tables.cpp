@@ -107,7 +107,7 @@ void LatexReader::readSubstack(Row &row, const Command & /*command*/) {
 void LatexReader::readColumns(Table &table) {
   if (m_tokens.peekMath().is('['))
     (void)m_tokens.takeBetween('[', ']'); // where a table stands: ours stand on the axis
-  const std::size_t column = m_column;
+  const std::size_t column = m_tokens.peekMath().column;
   const std::string columns = readName();
   table.columnRules = {0};
   for (const char letter : columns) {
