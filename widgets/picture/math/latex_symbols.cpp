@@ -178,6 +178,8 @@ TypedSymbol typedSymbol(char32_t character) {
 }
 
 std::optional<TypedScript> typedScript(char32_t character) {
+  if (character < 0x80)
+    return std::nullopt;
   if (const auto at = scriptsAbove.find(character); at != std::u32string_view::npos)
     return TypedScript{plainAbove[at], true};
   if (const auto at = scriptsBelow.find(character); at != std::u32string_view::npos)
