@@ -8,9 +8,7 @@ namespace halfspace::math {
 namespace {
 
 const std::vector<std::string> lines{
-    "\\vec u^{\\perp} = \\vec n\\times\\vec u = (\\vec u\\cdot\\vec u)\\vec v - (\\vec u\\cdot\\vec v)\\vec "
-    "u = "
-    "80(-4,-7,9) - 68(-8,0,4) = (224,-560,448)",
+    "\\vec u^{\\perp} = (\\vec u\\cdot\\vec u)\\vec v - (\\vec u\\cdot\\vec v)\\vec u = 80(-4,-7,9)",
     "a+b+c+d+e+f+g+h+i+j+k+l+m+n+o+p+q+r+s+t+u+v+w+x+y+z",
     "1\\cdot 2\\cdot 3\\cdot 4\\cdot 5\\cdot 6\\cdot 7\\cdot 8\\cdot 9\\cdot 10",
     "s=\\frac 14,\\quad t=\\frac 12,\\quad s+t=\\frac 34",

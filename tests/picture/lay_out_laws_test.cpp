@@ -288,6 +288,15 @@ TEST(Phantom, TakesRoomAndShowsNothing) {
   EXPECT_NEAR(laidOut("\\hphantom{ab}").ascent, 0, rounding);
 }
 
+TEST(Lap, TakesNoRoomAndReachesToItsSide) {
+  for (const char *lap : {"\\mathrlap", "\\mathllap", "\\mathclap"})
+    EXPECT_NEAR(laidOut("a" + std::string(lap) + "{xyz}b").width, laidOut("ab").width, rounding);
+  const double place = laidOut("a").width;
+  EXPECT_NEAR(glyphIn(laidOut("a\\mathrlap{12}"), '1').x, place, rounding);
+  EXPECT_NEAR(glyphIn(laidOut("a\\mathllap{12}"), '1').x, place - laidOut("12").width, rounding);
+  EXPECT_NEAR(glyphIn(laidOut("a\\mathclap{12}"), '1').x, place - laidOut("12").width / 2, rounding);
+}
+
 TEST(Words, LettersThatTheMathFontLacks_AreTheTextFonts) {
   const Layout layout = laidOut("\\text{a длина}");
   ASSERT_EQ(layout.glyphs.size(), 7U);

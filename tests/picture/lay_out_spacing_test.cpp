@@ -50,6 +50,20 @@ TEST(Spacing, ASignThatCombines_StandsOff) {
   }
 }
 
+TEST(Spacing, ASignBehindAnOpeningBar_StandsClose) {
+  for (const char *source : {"|-1|", "x=|-1|", "|x||-1|", "2\\cdot\\|-1\\|", "||-1||", "\\big|-1\\big|"}) {
+    const Layout layout = laidOut(source);
+    EXPECT_NEAR(gapBetween(glyphIn(layout, U'−'), glyphIn(layout, '1')), 0, rounding) << source;
+  }
+}
+
+TEST(Spacing, ASignBehindAClosingBar_StandsOff) {
+  for (const char *source : {"|x|-1", "||x||-1", "\\|x\\|-1", "f|_0-1", "(x|y)-1", "|a+b|-1"}) {
+    const Layout layout = laidOut(source);
+    EXPECT_NEAR(gapBetween(glyphIn(layout, U'−'), glyphIn(layout, '1')), medium, rounding) << source;
+  }
+}
+
 TEST(Spacing, ASignAtTheEnd_StandsClose) {
   const Layout layout = laidOut("0+");
   EXPECT_NEAR(gapBetween(glyphIn(layout, '0'), glyphIn(layout, '+')), 0, rounding);

@@ -41,5 +41,12 @@ TEST(Builders, ATreeDeeperThanTheLayoutGoes_IsLaidOutWithoutItsInside) {
   EXPECT_TRUE(layOut(deep, fonts()).glyphs.empty());
 }
 
+TEST(LayOut, ThousandsOfVeryTallBrackets_AreLeftOutAtTheLimit) {
+  std::string source;
+  for (int i = 0; i < 2000; ++i)
+    source += "\\left(\\rule{1em}{99em}\\right)";
+  EXPECT_EQ(layOut(parsed(source), fonts()).glyphs.size(), mostGlyphs);
+}
+
 } // namespace
 } // namespace halfspace::math

@@ -127,7 +127,7 @@ TEST(ReadLatex, Matrices) {
 TEST(ReadLatex, Arrays_HaveColumnsAndRules) {
   const auto result =
       readLatex("\\begin{array}{r|lc||}\\hline a&b\\\\[2pt] \\hline\\hline c\\\\\\hline\\end{array}");
-  const Table &table = std::get<Table>(std::get<Row>(result).front().content);
+  const auto &table = std::get<Table>(std::get<Row>(result).front().content);
   EXPECT_EQ(table.columns, (std::vector{Align::Right, Align::Left, Align::Center}));
   EXPECT_EQ(table.columnRules, (std::vector{0, 1, 0, 2}));
   ASSERT_EQ(table.rows.size(), 2U);

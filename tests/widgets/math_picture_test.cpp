@@ -146,7 +146,7 @@ private slots:
         const QImage image = paintedAt(*typeset(sign), em);
         for (int y = 0; y < image.height(); ++y) {
           const int gray = qGray(image.pixel(10 + static_cast<int>(0.39 * em), y));
-          QVERIFY2(gray < 60 || gray > 230, qPrintable(QString("%1 %2: %3").arg(sign).arg(em).arg(gray)));
+          QVERIFY2(gray < 70 || gray > 220, qPrintable(QString("%1 %2: %3").arg(sign).arg(em).arg(gray)));
         }
       }
   }

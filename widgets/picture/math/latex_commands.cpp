@@ -75,6 +75,9 @@ constexpr Command classed(std::string_view name, AtomClass atomClass) {
           .atomClass = atomClass,
           .scriptPlace = atomClass == AtomClass::Op ? ScriptPlace::LimitsInDisplay : ScriptPlace::Beside};
 }
+constexpr Command lap(std::string_view name, Align align) {
+  return {.name = name, .read = &Reader::readLap, .align = align};
+}
 constexpr Command plain(std::string_view name, void (Reader::*read)(Row &, const Command &)) {
   return {.name = name, .read = read};
 }
@@ -106,7 +109,8 @@ constexpr Command listed[]{
     named("arccos"), named("arctan"), named("sinh"), named("cosh"), named("tanh"), named("coth"),
     named("exp"), named("log"), named("ln"), named("lg"), named("dim"), named("ker"), named("deg"),
     named("arg"), named("hom"), limit("lim"), limit("max"), limit("min"), limit("sup"), limit("inf"),
-    limit("det"), limit("gcd"), limit("Pr"), limit("limsup", "lim sup"), limit("liminf", "lim inf"),
+    limit("det"), limit("gcd"), limit("Pr"), limit("limsup", "lim sup"), limit("injlim", "inj lim"),
+    limit("projlim", "proj lim"), limit("liminf", "lim inf"),
     Command{.name = "bmod", .read = &Reader::readFunction, .atomClass = AtomClass::Bin, .text = "mod"},
     plain("operatorname", &Reader::readOperatorName), plain("pmod", &Reader::readModulo),
     // Dots
@@ -114,7 +118,9 @@ constexpr Command listed[]{
     Command{.name = "dotsc", .read = &Reader::readDots, .character = U'.'},
     Command{.name = "cdots", .read = &Reader::readDots, .character = U'⋅'},
     Command{.name = "dotsb", .read = &Reader::readDots, .character = U'⋅'},
-    Command{.name = "dotsm", .read = &Reader::readDots, .character = U'⋅'}, plain("dots", &Reader::readDots),
+    Command{.name = "dotsm", .read = &Reader::readDots, .character = U'⋅'},
+    Command{.name = "dotsi", .read = &Reader::readDots, .character = U'⋅'},
+    Command{.name = "dotso", .read = &Reader::readDots, .character = U'.'}, plain("dots", &Reader::readDots),
     plain("ddots", &Reader::readDiagonalDots),
     // Accents, bars, braces, what stands above and below
     accented("vec", 0x20D7), accented("hat", 0x302), accented("bar", 0x304), accented("tilde", 0x303),
@@ -179,12 +185,14 @@ constexpr Command listed[]{
     plain("boxed", &Reader::readBoxed), plain("fbox", &Reader::readBoxed),
     plain("phantom", &Reader::readPhantom), plain("vphantom", &Reader::readPhantom),
     plain("hphantom", &Reader::readPhantom), plain("smash", &Reader::readPhantom),
-    plain("rule", &Reader::readBlock), classed("mathord", AtomClass::Ord), classed("mathop", AtomClass::Op),
-    classed("mathbin", AtomClass::Bin), classed("mathrel", AtomClass::Rel),
-    classed("mathopen", AtomClass::Open), classed("mathclose", AtomClass::Close),
-    classed("mathpunct", AtomClass::Punct), classed("mathinner", AtomClass::Inner),
-    plain("mark", &Reader::readMark), plain("color", &Reader::readColor),
-    plain("textcolor", &Reader::readColor), plain("tag", &Reader::readTag),
+    lap("mathrlap", Align::Left), lap("rlap", Align::Left), lap("mathclap", Align::Center),
+    lap("mathllap", Align::Right), lap("llap", Align::Right), plain("rule", &Reader::readBlock),
+    classed("mathord", AtomClass::Ord), classed("mathop", AtomClass::Op), classed("mathbin", AtomClass::Bin),
+    classed("mathrel", AtomClass::Rel), classed("mathopen", AtomClass::Open),
+    classed("mathclose", AtomClass::Close), classed("mathpunct", AtomClass::Punct),
+    classed("mathinner", AtomClass::Inner), plain("mark", &Reader::readMark),
+    plain("color", &Reader::readColor), plain("textcolor", &Reader::readColor),
+    plain("tag", &Reader::readTag),
     // What changes nothing here, and what has its place elsewhere
     plain("nonumber", &Reader::readNothing), plain("notag", &Reader::readNothing),
     plain("label", &Reader::readLabel), plain("displaylimits", &Reader::readNothing),

@@ -22,6 +22,7 @@ struct Command {
   ScriptPlace scriptPlace = ScriptPlace::Beside;
   Alphabet alphabet = Alphabet::Upright;
   Side side = Side::Above;
+  Align align = Align::Left;
   std::optional<Style> style = std::nullopt;
   std::string_view text = {}; ///< of a function, where it differs from the name
 };

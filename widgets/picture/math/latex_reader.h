@@ -50,6 +50,7 @@ public:
   void readOver(Row &row, const Command &command);
   void readBoxed(Row &row, const Command &command);
   void readPhantom(Row &row, const Command &command);
+  void readLap(Row &row, const Command &command);
   void readBlock(Row &row, const Command &command);
   void readStrut(Row &row, const Command &command);
   void readModulo(Row &row, const Command &command);

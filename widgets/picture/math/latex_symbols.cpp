@@ -76,8 +76,9 @@ constexpr SymbolCommand listed[]{
     rel("prec", U'≺'), rel("preceq", U'⪯'), rel("succ", U'≻'), rel("succeq", U'⪰'), rel("models", U'⊨'),
     rel("vDash", U'⊨'), rel("vdash", U'⊢'), rel("dashv", U'⊣'), rel("Vdash", U'⊩'), rel("lt", U'<'),
     rel("gt", U'>'), rel("triangleleft", U'⊲'), rel("triangleright", U'⊳'), rel("trianglelefteq", U'⊴'),
-    rel("trianglerighteq", U'⊵'), rel("bowtie", U'⋈'), rel("therefore", U'∴'), rel("because", U'∵'),
-    rel("vcentcolon", U':'),
+    rel("trianglerighteq", U'⊵'), rel("gtrless", U'≷'), rel("lessgtr", U'≶'), rel("smile", U'⌣'),
+    rel("frown", U'⌢'), rel("upharpoonright", U'↾'), rel("restriction", U'↾'), rel("bowtie", U'⋈'),
+    rel("therefore", U'∴'), rel("because", U'∵'), rel("vcentcolon", U':'),
     // Arrows
     rel("to", U'→'), rel("rightarrow", U'→'), rel("leftarrow", U'←'), rel("gets", U'←'),
     rel("leftrightarrow", U'↔'), rel("Rightarrow", U'⇒'), rel("Leftarrow", U'⇐'), rel("Leftrightarrow", U'⇔'),
@@ -178,6 +179,8 @@ TypedSymbol typedSymbol(char32_t character) {
 }
 
 std::optional<TypedScript> typedScript(char32_t character) {
+  if (character < 0x80)
+    return std::nullopt;
   if (const auto at = scriptsAbove.find(character); at != std::u32string_view::npos)
     return TypedScript{plainAbove[at], true};
   if (const auto at = scriptsBelow.find(character); at != std::u32string_view::npos)

@@ -10,6 +10,9 @@ namespace halfspace::math {
 
 /// Rows nested deeper than this are left out.
 inline constexpr int deepestLayout = 400;
+/// Further glyphs are left out: a short source can ask for many tall brackets, each put together from
+/// hundreds.
+inline constexpr std::size_t mostGlyphs = 200000;
 
 /// Lays out a formula on one line. An empty row gives an empty layout; a character that no face has becomes
 /// the glyph 0.

@@ -1,5 +1,5 @@
 // A row: which signs combine, what stands between the atoms, where tags begin and end.
-#include "widgets/picture/math/latex_symbols.h"
+#include "widgets/picture/math/row_atoms.h"
 #include "widgets/picture/math/set.h"
 
 #include <algorithm>
@@ -38,8 +38,7 @@ double spaceBetween(AtomClass left, AtomClass right, SetStyle style) {
 struct Entry {
   enum class Kind : std::uint8_t { Atom, Space, TagBegin, TagEnd };
   Kind kind = Kind::Atom;
-  AtomClass atomClass = AtomClass::Ord;
-  const Node *node = nullptr; ///< of an Atom
+  std::size_t atom = 0; ///< index of an Atom
   SetStyle style;
   Ink ink;
   Box box;                ///< of an Atom
@@ -50,42 +49,15 @@ struct Entry {
 /// A box around nothing yet.
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// An atom without its scripts: the parenthesis of `)^2`.
-const Node &withoutScripts(const Node &node) {
-  const auto *scripts = std::get_if<Scripts>(&node.content);
-  const Node *base = scripts ? onlyAtom(scripts->base) : nullptr;
-  return base ? *base : node;
-}
-
-bool isParenthesis(const Entry &entry) {
-  if (entry.atomClass != AtomClass::Open && entry.atomClass != AtomClass::Close)
-    return false;
-  const Content &content = withoutScripts(*entry.node).content;
-  const auto *symbol = std::get_if<Symbol>(&content);
-  return symbol ? isFence(symbol->character) : std::holds_alternative<TallFence>(content);
-}
-
-/// What may begin a line, by an atom's class and character.
-Break breakBefore(const Entry &entry, int parentheses) {
-  if (entry.atomClass != AtomClass::Rel && entry.atomClass != AtomClass::Bin)
-    return Break::Never;
-  if (parentheses > 0)
-    return Break::Inside;
-  if (entry.atomClass == AtomClass::Rel)
-    return Break::Relation;
-  const auto *symbol = std::get_if<Symbol>(&withoutScripts(*entry.node).content);
-  constexpr std::u32string_view signs = U"+−±∓";
-  return symbol && signs.find(symbol->character) != std::u32string_view::npos ? Break::Sign : Break::Product;
-}
-
 class RowSetter {
 public:
   RowSetter(Sheet &sheet, const RowPlan &plan) : m_sheet(sheet), m_plan(plan), m_all(sheet.begin()) {}
 
   Box set(const Row &row, SetStyle style) {
     const Ink around = m_sheet.ink();
+    m_entries.reserve(row.size());
     collect(row, style);
-    settleSigns();
+    settle(m_atoms, m_plan.before);
     setMiddleFences(style);
     place();
     m_sheet.setInk(around);
@@ -98,7 +70,6 @@ private:
   void collectTagged(const Tagged &tagged, SetStyle style);
   void collectColored(const Colored &colored, SetStyle style);
   void collectAtom(const Node &node, SetStyle style);
-  void settleSigns();
   void setMiddleFences(SetStyle style);
   [[nodiscard]] double fenceHeight(SetStyle style) const;
   void place();
@@ -120,7 +91,7 @@ private:
   RowPlan m_plan;
   Box m_all;
   std::vector<Entry> m_entries;
-  std::size_t m_atoms = 0;
+  std::vector<RowAtom> m_atoms;
   double m_x = 0;
   std::optional<AtomClass> m_before;
   std::vector<OpenTag> m_openTags;
@@ -172,40 +143,14 @@ void RowSetter::collectColored(const Colored &colored, SetStyle style) {
 
 void RowSetter::collectAtom(const Node &node, SetStyle style) {
   Entry entry;
-  entry.atomClass = node.atomClass;
-  entry.node = &node;
+  entry.atom = m_atoms.size();
   entry.style = style;
   entry.ink = m_sheet.ink();
   // How tall a middle fence is, the other atoms say.
   if (!std::holds_alternative<MiddleFence>(node.content) || m_plan.fenceHeight == nullptr)
     entry.box = setNode(m_sheet, node, style);
   m_entries.push_back(entry);
-  ++m_atoms;
-}
-
-/// TeX's rules 5 and 6: a sign with nothing to combine is an ordinary symbol.
-void RowSetter::settleSigns() {
-  const auto combinesNoLeft = [](AtomClass left) {
-    return left == AtomClass::Bin || left == AtomClass::Op || left == AtomClass::Rel ||
-           left == AtomClass::Open || left == AtomClass::Punct;
-  };
-  const auto combinesNoRight = [](AtomClass right) {
-    return right == AtomClass::Rel || right == AtomClass::Close || right == AtomClass::Punct;
-  };
-  AtomClass before = m_plan.before.value_or(AtomClass::Open);
-  Entry *last = nullptr;
-  for (Entry &entry : m_entries) {
-    if (entry.kind != Entry::Kind::Atom)
-      continue;
-    if (entry.atomClass == AtomClass::Bin && combinesNoLeft(before))
-      entry.atomClass = AtomClass::Ord;
-    if (combinesNoRight(entry.atomClass) && before == AtomClass::Bin && last)
-      last->atomClass = AtomClass::Ord;
-    before = entry.atomClass;
-    last = &entry;
-  }
-  if (last && last->atomClass == AtomClass::Bin)
-    last->atomClass = AtomClass::Ord;
+  m_atoms.push_back({&node, node.atomClass});
 }
 
 /// TeX's rule 19: fences cover at least 90 % of what they enclose, and lack at most 5 pt.
@@ -225,7 +170,9 @@ void RowSetter::setMiddleFences(SetStyle style) {
     return;
   *m_plan.fenceHeight = fenceHeight(style);
   for (Entry &entry : m_entries) {
-    const auto *middle = entry.node ? std::get_if<MiddleFence>(&entry.node->content) : nullptr;
+    if (entry.kind != Entry::Kind::Atom)
+      continue;
+    const auto *middle = std::get_if<MiddleFence>(&m_atoms[entry.atom].node->content);
     if (!middle)
       continue;
     m_sheet.setInk(entry.ink);
@@ -235,7 +182,7 @@ void RowSetter::setMiddleFences(SetStyle style) {
 
 void RowSetter::place() {
   m_before = m_plan.before;
-  if (m_atoms > 0)
+  if (!m_atoms.empty())
     m_all.ascent = m_all.depth = nothing;
   for (const Entry &entry : m_entries) {
     switch (entry.kind) {
@@ -265,7 +212,7 @@ void RowSetter::place() {
 
 /// The row's only atom, when nothing else takes room in it.
 const Entry *RowSetter::onlyAtom() const {
-  if (m_atoms != 1 || m_plan.before)
+  if (m_atoms.size() != 1 || m_plan.before)
     return nullptr;
   const Entry *only = nullptr;
   for (const Entry &entry : m_entries) {
@@ -279,7 +226,7 @@ const Entry *RowSetter::onlyAtom() const {
 
 void RowSetter::placeAtom(const Entry &entry) {
   if (m_before)
-    m_x += spaceBetween(*m_before, entry.atomClass, entry.style) * m_sheet.em(entry.style);
+    m_x += spaceBetween(*m_before, m_atoms[entry.atom].atomClass, entry.style) * m_sheet.em(entry.style);
   if (m_plan.isOutermost)
     addPiece(entry);
   m_sheet.move(entry.box, m_x, 0);
@@ -293,13 +240,13 @@ void RowSetter::placeAtom(const Entry &entry) {
     tag.depth = std::max(tag.depth, entry.box.depth);
   }
   m_x += entry.box.fullWidth();
-  m_before = entry.atomClass;
+  m_before = m_atoms[entry.atom].atomClass;
 }
 
 void RowSetter::addPiece(const Entry &entry) {
   Piece piece;
-  piece.before =
-      m_followsWideSpace && m_parentheses == 0 ? Break::Statement : breakBefore(entry, m_parentheses);
+  piece.before = m_followsWideSpace && m_parentheses == 0 ? Break::Statement
+                                                          : breakBefore(m_atoms[entry.atom], m_parentheses);
   m_followsWideSpace = false;
   piece.x = m_x;
   piece.right = m_x + entry.box.fullWidth();
@@ -309,8 +256,7 @@ void RowSetter::addPiece(const Entry &entry) {
   piece.rules = entry.box.begin.rules;
   piece.tagBoxes = entry.box.begin.tagBoxes;
   m_sheet.layout().pieces.push_back(piece);
-  if (isParenthesis(entry))
-    m_parentheses = std::max(0, m_parentheses + (entry.atomClass == AtomClass::Open ? 1 : -1));
+  m_parentheses = std::max(0, m_parentheses + m_atoms[entry.atom].nesting);
 }
 
 void RowSetter::closeTag(const Entry &entry) {

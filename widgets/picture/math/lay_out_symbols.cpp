@@ -183,8 +183,11 @@ Box set(Sheet &sheet, const Phantom &phantom, SetStyle style) {
     sheet.forget(box);
     box.end = box.begin;
   }
-  if (!phantom.keepsWidth)
+  if (!phantom.keepsWidth) {
+    const double back = phantom.align == Align::Left ? 0 : phantom.align == Align::Right ? 1 : 0.5;
+    sheet.move(box, -back * box.width, 0);
     box.width = 0;
+  }
   if (!phantom.keepsHeight)
     box.ascent = box.depth = 0;
   box.character.reset();

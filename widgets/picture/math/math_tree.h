@@ -178,6 +178,8 @@ struct Phantom {
   bool isShown = false;
   bool keepsWidth = true;
   bool keepsHeight = true;
+  Align align = Align::Left; ///< without width: what of it stands at its place, the left end, the middle or
+                             ///< the right end
 };
 
 /// A black box, in em, standing on the baseline.

@@ -315,6 +315,10 @@ void LatexReader::readPhantom(Row &row, const Command &command) {
   add(row, {Phantom{readArgument(), isSmash, command.name != "vphantom", keepsHeight}});
 }
 
+void LatexReader::readLap(Row &row, const Command &command) {
+  add(row, {Phantom{readArgument(), true, false, true, command.align}});
+}
+
 void LatexReader::readBlock(Row &row, const Command & /*command*/) {
   const std::size_t column = m_column;
   const double width = lengthOf(readName(), column);

@@ -52,7 +52,8 @@ void Sheet::forget(const Box &box) {
 }
 
 void Sheet::putGlyph(FontIndex font, GlyphId glyph, double x, double up, SetStyle style) {
-  m_layout.glyphs.push_back({glyph, font, x, -up, em(style), m_ink});
+  if (m_layout.glyphs.size() < mostGlyphs)
+    m_layout.glyphs.push_back({glyph, font, x, -up, em(style), m_ink});
 }
 
 void Sheet::putRule(double x, double top, double width, double height) {
