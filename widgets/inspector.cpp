@@ -1,10 +1,12 @@
 #include "widgets/inspector.h"
 
-#include "lessons/formula.h"
 #include "lessons/object_marks.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/written.h"
 #include "widgets/mark_ink.h"
 #include "widgets/named_value_row.h"
 #include "widgets/number_field.h"
+#include "widgets/picture/term_formula.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -14,12 +16,12 @@ namespace halfspace {
 namespace {
 
 /// `E.P0` as a learner reads it.
-QString coordinateLatex(const std::string &name) {
+math::Row coordinateFormula(const std::string &name) {
   const auto dot = name.find('.');
-  const std::string latex = dot == std::string::npos ? nameLatex(name)
-                                                     : nameLatex(name.substr(0, dot)) + "\\colon " +
-                                                           nameLatex(name.substr(dot + 1));
-  return QString::fromStdString(latex);
+  if (dot == std::string::npos)
+    return formulaOf(symbolOf(name));
+  return math::row(formulaOf(symbolOf(name.substr(0, dot))), math::symbol(':', math::AtomClass::Punct),
+                   formulaOf(symbolOf(name.substr(dot + 1))));
 }
 
 /// The values a learner sees, groups opened.
@@ -29,49 +31,48 @@ std::vector<const NamedValue *> shownValues(const std::vector<NamedValue> &value
     if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value)) {
       const auto inner = shownValues(*group);
       shown.insert(shown.end(), inner.begin(), inner.end());
-    } else if (!value.latex.empty()) {
+    } else if (!std::holds_alternative<std::monostate>(value.label)) {
       shown.push_back(&value);
     }
   }
   return shown;
 }
 
-/// `= 10`, `\approx 3.16228`; a word as it is.
-std::string valueLatex(const Value &value) {
-  Formula f;
-  if (const auto *number = std::get_if<Surd>(&value)) {
-    const std::string latex = f(*number);
-    return f.equals(latex);
-  }
-  if (const auto *list = std::get_if<std::vector<Surd>>(&value)) {
-    const std::string latex = f.list(*list);
-    return f.equals(latex);
-  }
-  if (const auto *word = std::get_if<std::string>(&value))
-    return "\\text{" + *word + "}";
-  return {};
+void showName(MathLabel &label, const NamedValue &value) {
+  if (const auto *term = std::get_if<Term>(&value.label))
+    return label.setFormula(formulaOf(*term), QString::fromStdString(plainText(*term)));
+  const auto &words = std::get<std::string>(value.label);
+  label.setFormula({math::words(words)}, QString::fromStdString(words));
 }
 
-/// A rounded text as parseRational reads it: 3e-5 for 3 \cdot 10^{-5}.
-std::string plainSpelling(const std::string &rounded) {
-  const auto power = rounded.find(" \\cdot 10^{");
-  if (power == std::string::npos)
-    return rounded;
-  const auto exponent = rounded.find('{') + 1;
-  return rounded.substr(0, power) + "e" + rounded.substr(exponent, rounded.size() - exponent - 1);
-}
-
-/// A single number's decimal behind its exact form: after = only where the decimal is exact too.
-std::string decimalLatex(const Value &value) {
+/// A single number's decimal, where it is written otherwise.
+std::optional<WrittenNumber> otherDecimal(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
-  if (!number || !show(*number).exact || (number->isRational() && number->rationalPart().denominator() == 1))
+  if (!number)
     return {};
-  const std::string decimal = roundedText(toDouble(*number));
-  const auto same = parseRational(plainSpelling(decimal));
-  const bool exact = same && Surd(*same) == *number;
-  if (exact && parseRational(show(*number).latex))
-    return {}; // written as a decimal already
-  return (exact ? "\\;=\\;" : "\\;\\approx\\;") + decimal;
+  const WrittenNumber shown = written(*number);
+  const WrittenNumber decimal = decimalOf(*number);
+  return shown.exact && !readAlike(shown.term, decimal.term) ? std::optional(decimal) : std::nullopt;
+}
+
+/// = 10, ≈ 3.16228, = 1/3 ≈ 0.333333; a word as it is. In one formula, so that the exact form and its decimal
+/// are always of the same number.
+void showValue(MathLabel &label, const Value &value) {
+  const auto term = termOf(value);
+  if (!term) {
+    const auto *word = std::get_if<std::string>(&value);
+    const std::string text = word ? *word : "";
+    return label.setFormula({math::words(text)}, QString::fromStdString(text));
+  }
+  math::Row formula = relatedFormula(*term);
+  std::string text = relatedText(*term);
+  if (const auto decimal = otherDecimal(value)) {
+    const char32_t relation = decimal->exact ? U'=' : U'≈';
+    formula =
+        math::row(std::move(formula), math::symbol(relation, math::AtomClass::Rel), formulaOf(decimal->term));
+    text += (decimal->exact ? " = " : " ≈ ") + plainText(decimal->term);
+  }
+  label.setFormula(formula, QString::fromStdString(text).trimmed());
 }
 
 /// More rows than this nobody looks through, and each costs time and memory.
@@ -179,7 +180,8 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   given.id = id;
   given.name = fullName(m_model.session().scene, id);
   auto *label = new MathLabel(m_typesetter);
-  label->setLatex(coordinateLatex(shortName(m_model.session().scene, id)));
+  const std::string name = shortName(m_model.session().scene, id);
+  label->setFormula(coordinateFormula(name), QString::fromStdString(name));
   m_givenLabels.push_back(label);
   grid.addWidget(label, row, 0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -194,7 +196,7 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
 
 void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
   auto *row = new NamedValueRow(m_typesetter);
-  row->name().setLatex(QString::fromStdString(value.latex));
+  showName(row->name(), value);
   column.addWidget(row);
   m_resultLabels.push_back(&row->name());
   m_results.push_back({value.name, &row->value()});
@@ -280,11 +282,8 @@ void Inspector::showSession() {
     for (int axis = 0; axis < 3; ++axis)
       row.fields[axis]->setValue(value[axis]);
   }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    // In one formula, so that the exact form and its decimal are always of the same number.
-    m_results[i].value->setLatex(
-        QString::fromStdString(valueLatex(values[i]->value) + decimalLatex(values[i]->value)));
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    showValue(*m_results[i].value, values[i]->value);
   m_resultsBox->setVisible(!m_resultsHidden);
 }
 

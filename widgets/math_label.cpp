@@ -22,11 +22,9 @@ MathLabel::MathLabel(const Typesetter &typesetter, QWidget *parent)
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
-void MathLabel::setLatex(const QString &latex) {
-  if (latex == m_latex)
-    return;
-  m_latex = latex;
-  const auto before = std::exchange(m_picture, m_typesetter.picture(latex));
+void MathLabel::setFormula(const math::Row &formula, const QString &plainText) {
+  setAccessibleName(plainText);
+  const auto before = std::exchange(m_picture, m_typesetter.picture(formula));
   if (!before || before->box() != m_picture->box())
     updateGeometry();
   update();

@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// Shows LaTeX in the widget's text colour.
+/// Shows a formula in the widget's text colour.
 class MathLabel : public QWidget {
   Q_OBJECT
 
@@ -16,8 +16,8 @@ public:
   /// The typesetter must outlive the label.
   explicit MathLabel(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  void setLatex(const QString &latex);
-  [[nodiscard]] const QString &latex() const { return m_latex; }
+  /// `plainText` is what a screen reader says.
+  void setFormula(const math::Row &formula, const QString &plainText);
   void setInkOf(MathPicture::InkOf inkOf);
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -30,8 +30,7 @@ private:
   [[nodiscard]] double emPixels() const;
 
   const Typesetter &m_typesetter;
-  QString m_latex;
-  Typesetter::Picture m_picture; ///< null before the first `setLatex`
+  Typesetter::Picture m_picture; ///< null before the first `setFormula`
   MathPicture::InkOf m_inkOf;
 };
 

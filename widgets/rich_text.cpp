@@ -1,6 +1,6 @@
 #include "widgets/rich_text.h"
 
-#include "lessons/working.h"
+#include "lessons/prose.h"
 #include "widgets/unbroken.h"
 
 #include <QFontMetricsF>
@@ -238,7 +238,7 @@ QString withFormulas(QString plain, const QStringList &formulas) {
   for (int i = 0; i < formulas.size(); ++i) {
     const std::string latex = QString(formulas[i]).remove(textStyle).remove(closing).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
-                  QString::fromStdString(plainText(latex)));
+                  QString::fromStdString(plainProse(latex)));
   }
   return plain;
 }

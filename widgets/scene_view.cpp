@@ -1,7 +1,7 @@
 #include "widgets/scene_view.h"
 
 #include "geometry/decide.h"
-#include "lessons/formula.h"
+#include "lessons/term/latex.h"
 #include "widgets/scene/gizmo_shape.h"
 #include "widgets/scene/render_window.h"
 
@@ -282,10 +282,9 @@ std::optional<Gizmo> SceneView::gizmo() const {
     if (dragMode == *mode)
       gizmo.mode = gizmoMode;
   if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate) {
-    Formula f;
     const CoordinateRole role = isZero(handle->base) ? CoordinateRole::Position : CoordinateRole::Direction;
     const Rational z = fromStage(handle->at - handle->base, role, m_stage).z;
-    gizmo.note = "z " + f.equals(f(z)) + "\\text{ fixed}";
+    gizmo.note = "z" + relatedLatex(Term(z)) + "\\text{ fixed}";
   }
   return gizmo;
 }

@@ -2,6 +2,7 @@
 
 #include "widgets/blank_field.h"
 #include "widgets/colors.h"
+#include "widgets/picture/term_formula.h"
 #include "widgets/task_row.h"
 
 #include <QApplication>
@@ -26,18 +27,12 @@ constexpr double currentBarWidth = 3;
 constexpr double remarkMarkRadius = 6.5;
 constexpr QSize usualSize(400, 480);
 
-/// A line as it is asked for: its symbols, and the prompt where that says more than `=`.
-QString questionOf(const WorkingLine &line) {
-  const bool hasOwnPrompt = line.blank && line.blank->prompt != Blank().prompt;
-  return QString::fromStdString(plainText(line.symbols + (hasOwnPrompt ? " " + line.blank->prompt : "")));
-}
-
-QString plainTextOf(const WorkingLine &line, bool blanked) {
-  std::string formula = line.symbols;
-  if (!blanked)
-    formula += " " + line.numbers + " " + line.result;
-  QString text = QString::fromStdString(plainText(formula)).trimmed();
-  if (!blanked && !line.sentence.empty())
+/// What a screen reader says of a line.
+QString spokenOf(const WorkingLine &line, bool blanked) {
+  if (blanked)
+    return QString::fromStdString(questionText(line));
+  QString text = QString::fromStdString(plainText(line));
+  if (!line.sentence.empty())
     text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
   return text;
 }
@@ -58,14 +53,16 @@ WorkingPanel::WorkingPanel(const Typesetter &typesetter, QWidget *parent)
 WorkingPanel::~WorkingPanel() = default;
 
 void WorkingPanel::setWorking(const Working &working) {
-  const auto pictureOf = [this](const std::string &latex) {
-    return latex.empty() ? nullptr : m_typesetter.picture(QString::fromStdString(latex));
+  const auto pictureOf = [this](const math::Row &formula) {
+    return formula.empty() ? nullptr : m_typesetter.picture(formula);
   };
   m_lines.clear();
   for (const WorkingLine &line : working.lines)
-    m_lines.push_back({line,
-                       {pictureOf(line.symbols), pictureOf(line.numbers), pictureOf(line.result)},
-                       line.blank ? pictureOf(line.blank->prompt) : nullptr});
+    m_lines.push_back(
+        {line,
+         {pictureOf(formulaOf(line, LinePiece::Symbols)), pictureOf(formulaOf(line, LinePiece::Numbers)),
+          pictureOf(formulaOf(line, LinePiece::Result))},
+         line.blank ? pictureOf(promptOf(*line.blank)) : nullptr});
   if (m_current && *m_current >= m_lines.size())
     m_current.reset();
   placeLines();
@@ -179,7 +176,8 @@ void WorkingPanel::followFocus(QWidget *focused) {
 }
 
 void WorkingPanel::addField(const WorkingLine &line) {
-  auto *field = new BlankField(questionOf(line), line.blank.has_value(), viewport());
+  auto *field =
+      new BlankField(QString::fromStdString(questionText(line)), line.blank.has_value(), viewport());
   const QString id = QString::fromStdString(line.id);
   connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
@@ -202,7 +200,7 @@ void WorkingPanel::scrollContentsBy(int, int) {
 void WorkingPanel::updateAccessibleText() {
   QStringList texts;
   for (const TypesetLine &line : m_lines)
-    texts << plainTextOf(line.source, isBlank(line.source.id));
+    texts << spokenOf(line.source, isBlank(line.source.id));
   setAccessibleDescription(texts.join(u'\n'));
 }
 
@@ -222,11 +220,8 @@ PlacedWorking WorkingPanel::placed() const {
 }
 
 QString WorkingPanel::latexOf(const WorkingLine &line) const {
-  std::string latex = line.symbols;
-  if (!isBlank(line.id))
-    for (const std::string *piece : {&line.numbers, &line.result})
-      latex += (piece->empty() ? "" : " ") + *piece;
-  return QString::fromStdString(withoutMarks(latex));
+  return QString::fromStdString(isBlank(line.id) ? halfspace::latexOf(line, LinePiece::Symbols)
+                                                 : halfspace::latexOf(line));
 }
 
 QString WorkingPanel::latexOfAll() const {

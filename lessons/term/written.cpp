@@ -89,19 +89,34 @@ WrittenNumber writtenSurd(const Surd &value) {
 
 } // namespace
 
+namespace {
+
+/// 31.4159, 6.02214e23; for a finite number ≥ 0.
+std::string shortDecimal(double magnitude) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), magnitude,
+                                 std::chars_format::general, shownDigits)
+                       .ptr;
+  return {buffer.data(), end};
+}
+
+} // namespace
+
 Term rounded(double value) {
   const bool negative = value < 0;
   if (!std::isfinite(value))
     return signedTerm(negative, digits("∞"));
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                 std::chars_format::general, shownDigits)
-                       .ptr;
-  const std::string text(buffer.data(), end);
+  const std::string text = shortDecimal(std::abs(value));
   const auto e = text.find('e');
   return signedTerm(negative, e == std::string::npos
                                   ? digits(text)
                                   : scientific(text.substr(0, e), std::stoi(text.substr(e + 1))));
+}
+
+WrittenNumber decimalOf(const Surd &number) {
+  const double value = toDouble(number);
+  const auto same = std::isfinite(value) ? parseDecimal(shortDecimal(std::abs(value))) : std::nullopt;
+  return {rounded(value), same && number.isRational() && abs(number.rationalPart()) == *same};
 }
 
 WrittenNumber written(const Real &number) {

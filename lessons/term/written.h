@@ -23,6 +23,9 @@ inline constexpr int shownDigits = 6;
 /// The value rounded to `shownDigits` significant digits, as a term of digits; ∞ beyond all numbers.
 [[nodiscard]] Term rounded(double value);
 
+/// The number as a decimal of at most `shownDigits` significant digits.
+[[nodiscard]] WrittenNumber decimalOf(const Surd &number);
+
 /// Whether some number in the term is written rounded.
 [[nodiscard]] bool showsRounded(const Term &term);
 

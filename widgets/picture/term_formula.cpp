@@ -188,4 +188,29 @@ math::Row formulaOf(const Chain &chain, std::size_t begin, std::size_t end, Nota
   return FormulaWriter(notation).write(chain, begin, end);
 }
 
+math::Row relatedFormula(const Term &value, Notation notation) {
+  const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
+  return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, notation));
+}
+
+math::Row formulaOf(const Symbol &symbol) { return FormulaWriter({}).write(name(symbol, std::nullopt)); }
+
+math::Row formulaOf(const WorkingLine &line, LinePiece piece) {
+  Row formula;
+  for (const ChainPart &part : partsOf(line, piece)) {
+    if (!formula.empty())
+      formula = math::row(std::move(formula), math::symbol(',', AtomClass::Punct), math::space(1));
+    formula = math::row(std::move(formula), formulaOf(*part.chain, part.begin, part.end));
+  }
+  return formula;
+}
+
+math::Row promptOf(const Blank &blank) {
+  const auto equals = [] { return math::symbol('=', AtomClass::Rel); };
+  if (!blank.form)
+    return {equals()};
+  return math::row(equals(), formulaOf(*blank.form), math::symbol(',', AtomClass::Punct), math::space(1),
+                   formulaOf(blank.formula->sides().front()), equals());
+}
+
 } // namespace halfspace

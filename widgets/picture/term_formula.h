@@ -3,6 +3,7 @@
 
 #include "lessons/term/chain.h"
 #include "lessons/term/notation.h"
+#include "lessons/working.h"
 #include "widgets/picture/math/math_tree.h"
 
 namespace halfspace {
@@ -13,5 +14,17 @@ namespace halfspace {
 /// The sides from `begin` on, each but the chain's first with the relation before it.
 [[nodiscard]] math::Row formulaOf(const Chain &chain, std::size_t begin, std::size_t end,
                                   Notation notation = {});
+
+/// The value behind the relation that it allows: = 10, ≈ 3.16228.
+[[nodiscard]] math::Row relatedFormula(const Term &value, Notation notation = {});
+
+[[nodiscard]] math::Row formulaOf(const Symbol &symbol);
+
+/// A piece of a worked line; empty where the line has no such piece.
+[[nodiscard]] math::Row formulaOf(const WorkingLine &line, LinePiece piece);
+
+/// What stands between a line's symbols and a blank: `=`, or `= ax + by + cz + d, d =` where one number is
+/// asked.
+[[nodiscard]] math::Row promptOf(const Blank &blank);
 
 } // namespace halfspace

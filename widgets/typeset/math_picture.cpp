@@ -27,14 +27,30 @@ MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypefac
     : m_typeface(std::move(typeface)) {
   const auto read = math::readLatex(latex.toStdString());
   if (const auto *row = std::get_if<math::Row>(&read))
-    m_layout = math::layOut(*row, m_typeface->fonts());
+    layOut(*row);
   else
     m_error = sentenceOf(std::get<math::ReadError>(read));
-  const bool fits = width() < largestSide && height() < largestSide;
-  if (m_error.isEmpty() && !fits) // said this way round, so that a size that is no number does not pass
-    m_error = QStringLiteral("The formula is too large");
   if (!m_error.isEmpty())
     m_layout = layOutSource(latex, *m_typeface);
+  takeMarkBoxes();
+}
+
+MathPicture::MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface)
+    : m_typeface(std::move(typeface)) {
+  layOut(formula);
+  if (!m_error.isEmpty())
+    m_layout = layOutSource(QStringLiteral("…"), *m_typeface);
+  takeMarkBoxes();
+}
+
+void MathPicture::layOut(const math::Row &formula) {
+  m_layout = math::layOut(formula, m_typeface->fonts());
+  const bool fits = width() < largestSide && height() < largestSide;
+  if (!fits) // said this way round, so that a size that is no number does not pass
+    m_error = QStringLiteral("The formula is too large");
+}
+
+void MathPicture::takeMarkBoxes() {
   for (const math::TagBox &tagged : m_layout.tagBoxes)
     m_markBoxes.emplace_back(QString::fromStdString(m_layout.tags[static_cast<std::size_t>(tagged.tag)].name),
                              QRectF(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/picture/math/layout.h"
+#include "widgets/picture/math/math_tree.h"
 
 #include <QColor>
 #include <QRectF>
@@ -29,6 +30,8 @@ public:
 
   /// The formula; or, where the LaTeX cannot be read, its source with an error.
   MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface);
+  /// A formula that did not come from LaTeX.
+  MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface);
 
   /// Why there is no formula, and at which column; empty when there is one.
   [[nodiscard]] const QString &error() const { return m_error; }
@@ -51,6 +54,10 @@ public:
                  const QColor &color) const;
 
 private:
+  /// Lays the formula out, or says that it is too large.
+  void layOut(const math::Row &formula);
+  void takeMarkBoxes();
+
   std::shared_ptr<const MathTypeface> m_typeface;
   math::Layout m_layout;
   std::vector<std::pair<QString, QRectF>> m_markBoxes;

@@ -10,4 +10,8 @@ Typesetter::Picture Typesetter::picture(const QString &latex) const {
   return std::make_shared<const MathPicture>(latex, m_typeface);
 }
 
+Typesetter::Picture Typesetter::picture(const math::Row &formula) const {
+  return std::make_shared<const MathPicture>(formula, m_typeface);
+}
+
 } // namespace halfspace

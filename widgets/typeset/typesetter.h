@@ -1,4 +1,4 @@
-// LaTeX to pictures.
+// Formulas to pictures.
 #pragma once
 
 #include "widgets/typeset/math_picture.h"
@@ -15,6 +15,8 @@ public:
 
   /// The formula, never null: LaTeX that cannot be read gives a picture of its source, with an error.
   [[nodiscard]] Picture picture(const QString &latex) const;
+  /// A formula that did not come from LaTeX; never null.
+  [[nodiscard]] Picture picture(const math::Row &formula) const;
 
 private:
   std::shared_ptr<const MathTypeface> m_typeface;
