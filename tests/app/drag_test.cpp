@@ -42,9 +42,9 @@ public:
     if (event->type() == QEvent::Paint) {
       ++paintings;
       const Scene &now = m_fixture.model().session().scene;
-      const QString firstLine =
-          QString::fromStdString(m_fixture.model().shownOutcome().working.lines[0].numbers);
-      mixtures += !m_drawn || !(*m_drawn == now) || !m_lines.latexOfAll().contains(withoutMarksOf(firstLine));
+      const auto &firstLine = m_fixture.model().shownOutcome().working.lines[0];
+      const bool sameLines = m_lines.latexOfAll().contains(QString::fromStdString(latexOf(firstLine)));
+      mixtures += !m_drawn || !(*m_drawn == now) || !sameLines;
     }
     return QObject::eventFilter(watched, event);
   }
@@ -53,10 +53,6 @@ public:
   int mixtures = 0;
 
 private:
-  static QString withoutMarksOf(const QString &latex) {
-    return QString::fromStdString(withoutMarks(latex.toStdString()));
-  }
-
   WindowFixture &m_fixture;
   WorkingPanel &m_lines;
   std::optional<Scene> m_drawn; ///< what the picture shows

@@ -290,7 +290,7 @@ private slots:
     QVERIFY(!words->text().contains("10"));
     const auto isShown = [&] {
       for (const MathLabel *label : fixture.window.findChild<Inspector *>()->findChildren<MathLabel *>())
-        if (label->latex() == "= 10" && label->isVisible())
+        if (label->accessibleName() == "= 10" && label->isVisible())
           return true;
       return false;
     };

@@ -12,8 +12,8 @@ private slots:
   void value_besideALongName_goesBelowItWhereThePanelIsNarrow() {
     Typesetter typesetter;
     NamedValueRow row(typesetter);
-    row.name().setLatex("\\text{signed distance of the origin}");
-    row.value().setLatex("= \\frac{-27}{3} = -9");
+    row.name().setFormula({math::words("signed distance of the origin")}, "");
+    row.value().setFormula(math::row(math::number("-27"), math::words(" divided by three")), "");
     row.show();
     QVERIFY(row.value().sizeHint().width() > 0 && row.name().sizeHint().width() > 0);
     row.resize(800, row.heightForWidth(800));

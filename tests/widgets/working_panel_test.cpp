@@ -1,6 +1,10 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
 #include "widgets/working_panel.h"
 
+#include "lessons/object.h"
+#include "lessons/worked_lines.h"
+#include "widgets/picture/term_formula.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QScrollBar>
@@ -11,15 +15,22 @@ using namespace halfspace;
 
 namespace {
 
+/// t = ((P0 − Q)·n)/(r·n) = −30/9 = −10/3, and the point H = Q + t r
 Working someWorking() {
+  const Term P0 = name(letter("P", "0"), ExactVec3(5, 4, 7)).marked("P0");
+  const Term Q = name(letter("Q"), ExactVec3(11, 15, 8)).marked("Q");
+  const Term n = name(vectorLetter("n"), ExactVec3(1, 2, 2)).marked("n");
+  const Term r = name(vectorLetter("r"), ExactVec3(-1, 3, 2)).marked("r");
+  const Term t = name(letter("t"), Rational(-10, 3));
+  const Term H = name(letter("H"), ExactVec3(Rational(43, 3), 5, Rational(4, 3)));
   return {
-      {{"t",
-        "t = \\frac{(\\mark{P0}{P_0}-\\mark{Q}{Q})\\cdot\\mark{n}{\\vec n}}{\\mark{r}{\\vec "
-        "r}\\cdot\\mark{n}{\\vec n}}",
-        "= \\frac{-30}{9}", "= -\\frac{10}{3}", "So many steps r lead from Q to the plane."},
-       {"H", "H = \\mark{Q}{Q} + t\\,\\mark{r}{\\vec r}", "= (11,\\,15,\\,8) - \\frac{10}{3}(1,\\,2,\\,2)",
-        "= \\left(\\tfrac{23}{3},\\,\\tfrac{25}{3},\\,\\tfrac{4}{3}\\right)",
-        "The point where the ray meets the plane."}}};
+      {line("t", {withNumbers(t == dot(P0 - Q, n) / dot(r, n))}, "So many steps r lead from Q to the plane."),
+       line("H", {withNumbers(H == Q + t * r)}, "The point where the ray meets the plane.")}};
+}
+
+/// x + x + … , nowhere to break.
+Term longSum(int summands) {
+  return sum(std::vector<Term>(static_cast<std::size_t>(summands), unknown("x")));
 }
 
 /// QTest::mouseMove delivers nothing on the offscreen platform.
@@ -77,8 +88,7 @@ private slots:
 
   void formulaThatFitsNowhereIsSmallerButReadableAndCanBeScrolledTo() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 300,
-         {{{"a", QString("x+").repeated(60).toStdString() + "x", "", "", ""}, {"b", "x", "", "", ""}}});
+    show(panel, 300, {{line("a", {longSum(60)}), line("b", {unknown("x")})}});
     const auto placed = panel.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
@@ -150,16 +160,17 @@ private slots:
     WorkingPanel panel(m_typesetter);
     panel.resize(900, 500);
     for (int i = 0; i < 20; ++i) {
-      const std::string number = std::to_string(i);
-      const WorkingLine line{"a", "a", "= \\sqrt{" + number + "}", "= \\frac{" + number + "}{7}", ""};
-      panel.setWorking({{line, line}});
+      const Term a = name(letter("a"), Rational(i * i, 7));
+      const WorkingLine shownLine =
+          line("a", {withNumbers(a == power(name(letter("b"), Rational(i)), 2) / 7)});
+      panel.setWorking({{shownLine, shownLine}});
       const auto placed = panel.placed();
       QCOMPARE(placed.lines.size(), std::size_t(2));
       for (const PlacedLine &shown : placed.lines) {
         QCOMPARE(shown.formulas[1].picture->box(),
-                 m_typesetter.picture(QString::fromStdString(line.numbers))->box());
-        QCOMPARE(shown.formulas[2].picture->box(),
-                 m_typesetter.picture(QString::fromStdString(line.result))->box());
+                 m_typesetter.picture(formulaOf(shownLine, LinePiece::Numbers))->box());
+        QCOMPARE(shown.formulas.back().picture->box(),
+                 m_typesetter.picture(formulaOf(shownLine, LinePiece::Result))->box());
       }
       QVERIFY(panel.accessibleDescription().contains(QString::number(i)));
     }

@@ -1,6 +1,10 @@
 // Worked lines that the learner fills in, with real keys and clicks.
 #include "widgets/working_practice.h"
 
+#include "lessons/object.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/worked_lines.h"
+
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -11,12 +15,15 @@ using namespace halfspace;
 
 namespace {
 
-Working someWorking(int f = 30) {
-  return {{{"f", "f(Q)", "= 2\\cdot 15", "= " + std::to_string(f), "", Blank{f}},
-           {"distance", "h = \\frac{f(Q)}{3}", "= \\frac{" + std::to_string(f) + "}{3}",
-            "= " + std::to_string(f / 3), "Divided by the length.",
-            Blank{Rational(f, 3), {{f, "{answer} is f(Q)."}}}},
-           {"foot", "F", "= (1,\\,2,\\,3)", "", ""}}};
+/// f(Q) = 2·15 = 30, h = f(Q)/3 = 10, F = (1, 2, 3)
+Working someWorking(int value = 30) {
+  const Term f = applied(letter("f"), name(letter("Q"), ExactVec3(1, 0, 0)), Rational(value));
+  const Term h = name(letter("h"), Rational(value, 3));
+  const Term F = name(letter("F"), ExactVec3(1, 2, 3));
+  return {{asked(line("f", {Chain(f).then(2 * Term(Rational(value, 2))).then(calculated(f))})),
+           asked(line("distance", {withNumbers(h == f / 3)}, "Divided by the length."),
+                 {{f, "{answer} is f(Q)."}}),
+           line("foot", {withResult(F)})}};
 }
 
 QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
