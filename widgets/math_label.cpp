@@ -59,9 +59,9 @@ void MathLabel::paintEvent(QPaintEvent *) {
   const double room = width() - 2 * margin;
   const double em = emPixels() * (wanted > room ? std::max(smallestScale, room / wanted) : 1);
   const double baseline = height() / 2.0 + (m_picture->ascent() - m_picture->depth()) * em / 2;
-  const QColor ink = palette().color(QPalette::WindowText);
   m_picture->paint(
-      painter, {double(margin), baseline}, em, m_inkOf ? m_inkOf : [ink](const QString &) { return ink; });
+      painter, {double(margin), baseline}, em,
+      m_inkOf ? m_inkOf : [this](const QString &) { return palette().color(QPalette::WindowText); });
 }
 
 } // namespace halfspace

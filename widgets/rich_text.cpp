@@ -167,8 +167,8 @@ public:
     const Typesetter::Picture picture = pictureOf(format);
     const double x = xHeight(format);
     const double baseline = hangs(*picture) ? rect.bottom() : rect.center().y() + x / 4;
-    const QColor ink = format.foreground().color();
-    picture->paint(*painter, {rect.left(), baseline}, x * inlineSize, [&](const QString &) { return ink; });
+    picture->paint(*painter, {rect.left(), baseline}, x * inlineSize,
+                   [&](const QString &) { return format.foreground().color(); });
   }
 
   [[nodiscard]] static bool hangs(const MathPicture &picture) { return picture.depth() <= hangingDepth; }
@@ -247,9 +247,8 @@ QString withFormulas(QString plain, const QStringList &formulas) {
 
 MarkdownWithMath separateMath(const QString &markdown) { return MathScanner(markdown).scan(); }
 
-RichText::RichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style)
-
-    : m_typesetter(&typesetter), m_style(style), m_text(separateMath(markdown)) {
+RichText::RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style)
+    : m_typesetter(&typesetter), m_style(std::move(style)), m_text(separateMath(markdown)) {
   makeDocument();
 }
 

@@ -36,7 +36,7 @@ struct RichTextStyle {
 class RichText {
 public:
   /// The typesetter must outlive the text.
-  RichText(const QString &markdown, const Typesetter &typesetter, const RichTextStyle &style);
+  RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style);
   RichText(RichText &&) noexcept;
   RichText &operator=(RichText &&) noexcept;
   ~RichText();

@@ -55,8 +55,7 @@ LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
   // The baseline stands on a whole pixel, so that labels in a row are equally crisp.
   const QPointF baseline(margin, margin + std::ceil(formula.ascent() * em));
   formula.paintHalo(painter, baseline, em, halo, toQColor(style.halo));
-  const QColor ink = toQColor(style.ink);
-  formula.paint(painter, baseline, em, [&](const QString &) { return ink; });
+  formula.paint(painter, baseline, em, [&](const QString &) { return toQColor(style.ink); });
   painter.end();
   return fromImage(image);
 }

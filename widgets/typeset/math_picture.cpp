@@ -57,12 +57,14 @@ void MathPicture::takeMarkBoxes() {
 }
 
 void MathPicture::paint(QPainter &painter, QPointF baseline, double emPixels, const InkOf &inkOf) const {
-  std::vector<QColor> inks{inkOf({})};
+  const QColor plain = inkOf({});
+  std::vector<QColor> marked;
   for (const math::Tag &tag : m_layout.tags)
-    inks.push_back(inkOf(QString::fromStdString(tag.name)));
+    marked.push_back(inkOf(QString::fromStdString(tag.name)));
   const auto colorOf = [&](const math::Ink &ink) {
-    return ink.color ? QColor(ink.color->red, ink.color->green, ink.color->blue)
-                     : inks[static_cast<std::size_t>(ink.tag + 1)];
+    if (ink.color)
+      return QColor(ink.color->red, ink.color->green, ink.color->blue);
+    return ink.tag == math::noTag ? plain : marked[static_cast<std::size_t>(ink.tag)];
   };
   paintFormula(painter, m_layout, *m_typeface, {baseline, emPixels, 0, colorOf});
 }

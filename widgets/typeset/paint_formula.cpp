@@ -21,7 +21,7 @@ double thicker(const FormulaLook &look, double size = 1) { return screenWeight *
 /// distorts.
 std::optional<double> pixelsOf(const QPainter &painter) {
   const QPaintEngine *engine = painter.paintEngine();
-  const QTransform device = painter.deviceTransform();
+  const QTransform &device = painter.deviceTransform();
   const bool isUpright =
       device.type() <= QTransform::TxScale && device.m11() > 0 && qFuzzyCompare(device.m11(), device.m22());
   return engine && engine->type() == QPaintEngine::Raster && isUpright ? std::optional(device.m11())

@@ -1,10 +1,10 @@
 // A formula as a tree of atoms, the way TeX sees it. The reader of LaTeX makes it, and so may any code, with
 // the small functions at the end; `layOut` says where its glyphs go.
 //
-//   // t = (P₀ − Q)·n / 3, with n tagged
+//   // t = d·n / 3, with d tagged
 //   const Row formula = row(letter('t'), symbol('=', AtomClass::Rel),
-//                           fraction(row(symbol('(', AtomClass::Open), scripts(letter('P'), {}, number("0")),
-//                           …
+//                           fraction(row(tagged("d", row(letter('d'))), symbol(U'⋅', AtomClass::Bin),
+//                                        vector(row(letter('n')))), number("3")));
 #pragma once
 
 #include "widgets/picture/math/alphabets.h"
