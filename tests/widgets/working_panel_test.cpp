@@ -151,7 +151,7 @@ private slots:
                       panel.placed().lines[0].box.center().toPoint());
     QTest::keyClick(&panel, Qt::Key_C, Qt::ControlModifier);
     const QString copied = QApplication::clipboard()->text();
-    QVERIFY(copied.startsWith("t = \\frac{(P_0-Q)"));
+    QVERIFY(copied.startsWith("t = \\frac{(P_0 - Q)"));
     QVERIFY(copied.endsWith("= -\\frac{10}{3}"));
     QVERIFY(!copied.contains("\\mark"));
   }
