@@ -1,5 +1,6 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
+#include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
 
 #include <QActionGroup>
@@ -58,7 +59,10 @@ void MainWindow::createEditMenu() {
   menu.addAction(undo);
   menu.addAction(redo);
   menu.addSeparator();
-  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { m_model.resetScene(); });
+  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] {
+    m_inspector->dropTyped(); // what was refused is gone too
+    m_model.resetScene();
+  });
   createSnapMenu(*menu.addMenu(tr("S&nap To")));
 }
 

@@ -3,6 +3,7 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/term/written.h"
 #include "lessons/text.h"
+#include "lessons/typed_number.h"
 #include "lessons/usual_mistakes.h"
 #include "lessons/words.h"
 
@@ -221,6 +222,8 @@ std::set<std::string> blankLines(const Working &working, Fading fading, const st
 std::optional<Surd> parseAnswer(std::string_view text) {
   if (text.size() > longestAnswer)
     return {};
+  if (const auto mixed = parseMixed(text))
+    return *mixed;
   return AnswerReader(condensed(text)).read();
 }
 

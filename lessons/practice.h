@@ -19,8 +19,8 @@ enum class Fading { None, Last, All };
 [[nodiscard]] std::set<std::string> blankLines(const Working &working, Fading fading,
                                                const std::set<std::string> &opened);
 
-/// The number that a learner's answer means: 10, -10/3, 3.33, 2*sqrt(43)/3, 2√43/3, 30/√43, 1 + √2. Nothing
-/// for any other text and for texts of more than `longestAnswer` bytes.
+/// The number that a learner's answer means: 10, -10/3, -3 1/3, 3.33, 2*sqrt(43)/3, 2√43/3, 30/√43, 1 + √2.
+/// Nothing for any other text and for texts of more than `longestAnswer` bytes.
 [[nodiscard]] std::optional<Surd> parseAnswer(std::string_view text);
 inline constexpr std::size_t longestAnswer = 60;
 

@@ -3,6 +3,7 @@
 #include "lessons/files/read_file.h"
 #include "lessons/scene_reader.h"
 #include "lessons/text.h"
+#include "lessons/typed_number.h"
 #include "lessons/words.h"
 
 #include <nlohmann/json.hpp>
@@ -139,7 +140,7 @@ Result<Session> withValue(Session session, std::string_view assignment) {
     return Problem{words("{name} takes three numbers, as {name}=1,2,3.", {{"name", name}}), "", 0, name};
   ExactVec3 &target = coordinate(*findObject(session.scene, id->object), id->index);
   for (int i = 0; i < 3; ++i) {
-    const auto value = readCoordinate(numbers[static_cast<std::size_t>(i)]);
+    const auto value = readCoordinate(plainSpelling(numbers[static_cast<std::size_t>(i)]));
     if (!value)
       return Problem{value.problem().sentence, "", 0, name};
     target[i] = *value;

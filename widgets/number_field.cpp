@@ -2,6 +2,7 @@
 
 #include "lessons/scene_reader.h"
 #include "lessons/session.h"
+#include "lessons/typed_number.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -49,23 +50,14 @@ bool isDecimalOf(int digits, const Rational &value) {
 }
 
 /// What was typed, in the one spelling that files have too.
-std::string plainSpelling(const QString &text, const QLocale &locale) {
-  QString plain = text.trimmed();
-  plain.replace(QChar(0x2212), '-'); // the typographic minus
-  if (plain.startsWith('+'))
-    plain.remove(0, 1);
-  if (decimalPoint(locale) == ',')
-    plain.replace(',', '.');
-  if (plain.startsWith('.') || plain.startsWith("-."))
-    plain.insert(plain.indexOf('.'), '0');
-  plain.remove(' ');
-  return plain.toStdString();
+std::string fileSpelling(const QString &text, const QLocale &locale) {
+  return plainSpelling(text.toStdString(), decimalPoint(locale).toLatin1());
 }
 
 } // namespace
 
 std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
-  return parseRational(plainSpelling(text, locale));
+  return parseRational(fileSpelling(text, locale));
 }
 
 QString typedText(const Rational &value, const QLocale &locale) {
@@ -132,7 +124,7 @@ QString NumberField::enter() {
   }
   const auto value = parseTyped(text(), locale());
   if (!value)
-    return refuse(QString::fromStdString(sentenceForNotRead(plainSpelling(text(), locale()))));
+    return refuse(QString::fromStdString(sentenceForNotRead(fileSpelling(text(), locale()))));
   if (const auto why = refuseCoordinate(*value))
     return refuse(QString::fromStdString(*why));
   m_value = *value;
@@ -225,25 +217,27 @@ void NumberField::paintEvent(QPaintEvent *event) {
 
 void NumberField::endScrub(bool keep) {
   m_scrubbing = false;
-  m_pressedUnfocused = false;
+  m_mayScrub = false;
   releaseKeyboard();
   emit scrubEnded(keep);
 }
 
 void NumberField::mousePressEvent(QMouseEvent *event) {
-  m_pressedUnfocused = event->button() == Qt::LeftButton && !hasFocus();
+  // In what is being typed, the mouse chooses letters.
+  const bool isTyping = text() != typedText(m_value, locale());
+  m_mayScrub = event->button() == Qt::LeftButton && !isTyping;
   m_pressedAt = event->pos();
-  if (!m_pressedUnfocused)
+  if (!m_mayScrub)
     QLineEdit::mousePressEvent(event);
 }
 
 void NumberField::mouseMoveEvent(QMouseEvent *event) {
-  if (!m_pressedUnfocused)
+  if (!m_mayScrub)
     return QLineEdit::mouseMoveEvent(event);
   const int moved = event->pos().x() - m_pressedAt.x();
   if (!m_scrubbing && std::abs(moved) > scrubSlop) {
     m_scrubbing = true;
-    grabKeyboard(); // the field has no focus, but Escape is meant for it
+    grabKeyboard(); // the field may have no focus, but Escape is meant for it
     emit scrubStarted();
   }
   if (m_scrubbing)
@@ -253,13 +247,16 @@ void NumberField::mouseMoveEvent(QMouseEvent *event) {
 void NumberField::mouseReleaseEvent(QMouseEvent *event) {
   if (m_scrubbing) {
     endScrub(true);
-  } else if (m_pressedUnfocused) {
+  } else if (m_mayScrub && hasFocus()) {
+    deselect();
+    setCursorPosition(cursorPositionAt(event->pos()));
+  } else if (m_mayScrub) {
     setFocus(Qt::MouseFocusReason);
     selectAll();
   } else {
     QLineEdit::mouseReleaseEvent(event);
   }
-  m_pressedUnfocused = false;
+  m_mayScrub = false;
 }
 
 } // namespace halfspace

@@ -56,12 +56,11 @@ private:
 
   Rational m_value = 0;
   bool m_scrubbing = false;
-  bool m_pressedUnfocused = false;
+  bool m_mayScrub = false;
   QPoint m_pressedAt;
 };
 
-/// A number as a user types it: as parseRational, and besides with a plus sign, a typographic minus, spaces
-/// anywhere, no digit before the decimal point, and the decimal comma where the language has it.
+/// A number as a user types it, with the decimal comma where the language has it: see plainSpelling.
 [[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
 
 /// The exact text of a number for typing: a decimal where it ends soon, else p/q.

@@ -139,6 +139,38 @@ private slots:
     QCOMPARE(fixture.model().history().count(), 1);
   }
 
+  void number_thatHasTheFocus_isScrubbedTooUntilItIsTypedIn() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    field->setFocus();
+    const auto drag = [&] {
+      QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
+      QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal({60, 8}), Qt::NoButton,
+                       Qt::LeftButton, {});
+      QCoreApplication::sendEvent(field, &move);
+      QTest::mouseRelease(field, Qt::LeftButton, {}, {60, 8});
+    };
+    drag();
+    QVERIFY(fixture.value("Q").x == 16);
+    QTest::keyClicks(field, "7");
+    drag();
+    QVERIFY(fixture.value("Q").x == 16);
+  }
+
+  void refusedText_isGoneAfterStartOver() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "seven");
+    QTest::keyClick(field, Qt::Key_Return);
+    fixture.action("Start Over")->trigger();
+    QCOMPARE(field->text(), QString("11"));
+    QVERIFY(!field->property("wrong").toBool());
+  }
+
   void number_scrubbedThroughACaseWithOtherResults_staysOneGesture() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
