@@ -151,6 +151,15 @@ private slots:
       }
   }
 
+  void cornersOfABox_areFlush() {
+    for (const double em : {15.0, 19.3, 22.0, 24.32, 30.0, 41.7}) {
+      const QImage image = paintedAt(*typeset("\\boxed{x}"), em);
+      const QRect box = inkBox(image);
+      for (const QPoint &corner : {box.topLeft(), box.topRight(), box.bottomLeft(), box.bottomRight()})
+        QVERIFY2(qGray(image.pixel(corner)) < 128, qPrintable(QString::number(em)));
+    }
+  }
+
   void halo_reachesAroundEveryShape() {
     const auto picture = typeset("\\frac{Q}{|\\vec n|}");
     QImage image(80, 100, QImage::Format_RGB32);

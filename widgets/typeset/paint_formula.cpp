@@ -54,10 +54,19 @@ public:
       m_painter.drawImage(QPoint(x >> 2, y) + drawn.leftTop, drawn.image);
   }
 
+  /// Whole pixels thick, and ending where a rule across, as thick and flush with it, has its outer edge.
   void paint(const math::Rule &rule) const {
-    const auto [left, right] = sharp(m_origin.x(), rule.box.x, rule.box.width);
-    const auto [top, bottom] = sharp(m_origin.y(), rule.box.y, rule.box.height);
-    m_painter.fillRect(QRect(left, top, right - left, bottom - top), m_look.color(rule.ink));
+    const double thickness = std::min(rule.box.width, rule.box.height);
+    const int pixels = std::max(1, static_cast<int>(std::lround((thickness + thicker(m_look)) * m_em)));
+    const double inset = (thickness * m_em - pixels) / 2;
+    const auto first = [&](double place) { return static_cast<int>(std::lround(place + inset)); };
+    const auto behind = [&](double place) {
+      return static_cast<int>(std::lround(place - inset - pixels)) + pixels;
+    };
+    const QPoint leftTop(first(m_origin.x() + rule.box.x * m_em), first(m_origin.y() + rule.box.y * m_em));
+    const QPoint rightBottom(behind(m_origin.x() + rule.box.right() * m_em) - 1,
+                             behind(m_origin.y() + rule.box.bottom() * m_em) - 1);
+    m_painter.fillRect(QRect(leftTop, rightBottom), m_look.color(rule.ink));
   }
 
 private:
@@ -65,14 +74,6 @@ private:
   [[nodiscard]] int parts(double em) const {
     return static_cast<int>(std::lround(em * m_em * GlyphLook::partsPerPixel));
   }
-  /// From the first pixel to the one behind the last: at least one.
-  [[nodiscard]] std::pair<int, int> sharp(double origin, double from, double length) const {
-    const double pixels = (length + thicker(m_look)) * m_em;
-    const int count = std::max(1, static_cast<int>(std::lround(pixels)));
-    const int first = static_cast<int>(std::lround(origin + (from + length / 2) * m_em - count / 2.0));
-    return {first, first + count};
-  }
-
   QPainter &m_painter;
   const GlyphImages &m_images;
   const FormulaLook &m_look;
