@@ -54,7 +54,7 @@ std::string plainText(const WorkingLine &line) {
 
 std::string questionText(const WorkingLine &line) {
   const Chain &chain = line.chains.front();
-  const std::string symbols = plainText(chain, 0, chain.symbolic());
+  std::string symbols = plainText(chain, 0, chain.symbolic());
   if (!line.blank || !line.blank->form)
     return symbols;
   return symbols + " = " + plainText(*line.blank->form) + ", " +

@@ -119,11 +119,14 @@ private:
       return;
     makeRoom(picture->width() * m_em);
     const double room = std::max(m_right - m_x, 1.0);
-    const double em = m_em * std::clamp(room / std::max(picture->width() * m_em, 1.0), smallestScale, 1.0);
-    m_placed.formulas.push_back({picture, {m_x, 0}, em});
-    m_ascent = std::max(m_ascent, picture->ascent() * em);
-    m_depth = std::max(m_depth, picture->depth() * em);
-    advance(picture->width() * em);
+    const Typesetter::Picture shown =
+        picture->width() * m_em > room ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_em))
+                                       : picture;
+    const double em = m_em * std::clamp(room / std::max(shown->width() * m_em, 1.0), smallestScale, 1.0);
+    m_placed.formulas.push_back({shown, {m_x, 0}, em});
+    m_ascent = std::max(m_ascent, shown->ascent() * em);
+    m_depth = std::max(m_depth, shown->depth() * em);
+    advance(shown->width() * em);
   }
 
   void placeBlank(const TypesetLine &line, const LineState &state) {

@@ -66,8 +66,8 @@ struct PlacedWorking {
 };
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
-/// and go on in an indented row where they do not fit; a piece wider than that is drawn smaller, but not
-/// beyond reading. `states` are by the lines' ids.
+/// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
+/// broken is drawn smaller, but not beyond reading. `states` are by the lines' ids.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                                          const std::map<std::string, LineState> &states, const QFont &font,
                                          double width);

@@ -28,7 +28,7 @@ Working someWorking() {
        line("H", {withNumbers(H == Q + t * r)}, "The point where the ray meets the plane.")}};
 }
 
-/// x + x + … , nowhere to break.
+/// x + x + …
 Term longSum(int summands) {
   return sum(std::vector<Term>(static_cast<std::size_t>(summands), unknown("x")));
 }
@@ -86,9 +86,20 @@ private slots:
     QVERIFY(formulas[1].box().left() > formulas[0].box().left());
   }
 
-  void formulaThatFitsNowhereIsSmallerButReadableAndCanBeScrolledTo() {
+  void formulaThatFitsNowhereIsBrokenBetweenItsSummands() {
     WorkingPanel panel(m_typesetter);
     show(panel, 300, {{line("a", {longSum(60)}), line("b", {unknown("x")})}});
+    const auto placed = panel.placed();
+    const PlacedFormula &broken = placed.lines[0].formulas[0];
+    QCOMPARE(broken.emPixels, placed.lines[1].formulas[0].emPixels);
+    QVERIFY(broken.box().right() <= 300);
+    QVERIFY(broken.box().height() > 5 * placed.lines[1].formulas[0].box().height());
+    QVERIFY(placed.lines[0].box.bottom() >= broken.box().bottom());
+  }
+
+  void formulaThatCannotBeBrokenIsSmallerButReadableAndCanBeScrolledTo() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 300, {{line("a", {root(longSum(60))}), line("b", {unknown("x")})}});
     const auto placed = panel.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);

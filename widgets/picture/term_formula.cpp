@@ -41,7 +41,7 @@ Row subscript(const std::string &text) {
 }
 
 /// Digits with the decimal mark; it is no punctuation, behind which a space would stand.
-Row decimalOf(std::string digits, char decimalMark) {
+Row decimalOf(const std::string &digits, char decimalMark) {
   const auto point = digits.find('.');
   if (decimalMark == '.' || point == std::string::npos)
     return math::number(digits);

@@ -1,5 +1,6 @@
 #include "widgets/typeset/math_picture.h"
 
+#include "widgets/picture/math/break_lines.h"
 #include "widgets/picture/math/lay_out.h"
 #include "widgets/picture/math/read_latex.h"
 #include "widgets/typeset/paint_formula.h"
@@ -50,7 +51,17 @@ void MathPicture::layOut(const math::Row &formula) {
     m_error = QStringLiteral("The formula is too large");
 }
 
+MathPicture MathPicture::brokenTo(double widthInEm) const {
+  MathPicture broken = *this;
+  math::LineRules rules;
+  rules.width = widthInEm;
+  broken.m_layout = math::breakLines(m_layout, rules);
+  broken.takeMarkBoxes();
+  return broken;
+}
+
 void MathPicture::takeMarkBoxes() {
+  m_markBoxes.clear();
   for (const math::TagBox &tagged : m_layout.tagBoxes)
     m_markBoxes.emplace_back(QString::fromStdString(m_layout.tags[static_cast<std::size_t>(tagged.tag)].name),
                              QRectF(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height));

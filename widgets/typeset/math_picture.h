@@ -33,6 +33,9 @@ public:
   /// A formula that did not come from LaTeX.
   MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface);
 
+  /// The formula on lines of at most this width, where it can be broken.
+  [[nodiscard]] MathPicture brokenTo(double widthInEm) const;
+
   /// Why there is no formula, and at which column; empty when there is one.
   [[nodiscard]] const QString &error() const { return m_error; }
   [[nodiscard]] double width() const { return m_layout.width; }
