@@ -1,15 +1,6 @@
 #include "lessons/outcome.h"
 
 namespace halfspace {
-namespace {
-
-Surd exactNumber(const Polynomial &entry) {
-  const Real *number = entry.number();
-  return number && number->exact() ? *number->exact() : Surd(0);
-}
-
-} // namespace
-
 std::optional<Term> termOf(const Value &value) {
   if (const auto *number = std::get_if<Surd>(&value))
     return *number;
@@ -20,17 +11,10 @@ std::optional<Term> termOf(const Value &value) {
 }
 
 NamedValue listed(std::string name, const Term &term) {
-  const TermValue value = term->value.value_or(Real(0));
-  NamedValue listed{std::move(name), term, Surd(0)};
-  if (!value.isList) {
-    listed.value = exactNumber(value.entries.at(0));
-    return listed;
-  }
-  std::vector<Surd> entries;
-  for (const Polynomial &entry : value.entries)
-    entries.push_back(exactNumber(entry));
-  listed.value = std::move(entries);
-  return listed;
+  std::vector<Surd> numbers = exactNumbers(term->value.value()).value();
+  if (term->value->isList)
+    return {std::move(name), term, std::move(numbers)};
+  return {std::move(name), term, std::move(numbers.front())};
 }
 
 } // namespace halfspace

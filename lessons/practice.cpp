@@ -139,7 +139,7 @@ std::optional<Rational> roundingOf(const std::string &text) {
 }
 
 /// A typed number, which may stand for all numbers that round to it.
-struct Answer {
+struct TypedNumber {
   Surd value;
   std::optional<Rational> rounding;
 
@@ -152,15 +152,58 @@ struct Answer {
   }
 };
 
+/// What a learner typed: one number or several.
+using Answer = std::vector<TypedNumber>;
+
+bool means(const Answer &answer, const std::vector<Surd> &numbers) {
+  return std::equal(answer.begin(), answer.end(), numbers.begin(), numbers.end(),
+                    [](const TypedNumber &typed, const Surd &number) { return typed.means(number); });
+}
+
+bool isExactly(const Answer &answer, const std::vector<Surd> &numbers) {
+  return std::equal(answer.begin(), answer.end(), numbers.begin(), numbers.end(),
+                    [](const TypedNumber &typed, const Surd &number) { return typed.value == number; });
+}
+
+/// The pieces of a list, without its parentheses.
+std::vector<std::string_view> piecesOf(std::string_view text) {
+  text = trimmed(text);
+  const char separator = text.find(';') == std::string_view::npos ? ',' : ';';
+  if (text.find(separator) != std::string_view::npos && text.starts_with('(') && text.ends_with(')'))
+    text = text.substr(1, text.size() - 2);
+  std::vector<std::string_view> pieces;
+  for (auto end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    pieces.push_back(trimmed(text.substr(0, end)));
+    text.remove_prefix(end + 1);
+  }
+  pieces.push_back(trimmed(text));
+  return pieces;
+}
+
+std::optional<Answer> readAnswer(std::string_view text) {
+  Answer answer;
+  for (const std::string_view piece : piecesOf(text)) {
+    const auto value = parseAnswer(piece);
+    if (!value)
+      return {};
+    answer.push_back({*value, roundingOf(condensed(piece))});
+  }
+  return answer;
+}
+
 /// `{answer}` in a sentence as the learner wrote it.
 std::string withAnswer(const std::string &sentence, std::string_view typed) {
   return replacedAll(sentence, "{answer}", replacedAll(std::string(trimmed(typed)), "-", "−"));
 }
 
-std::string praise(const Answer &answer, const Surd &truth) {
-  if (answer.value == truth)
+Term termOf(const std::vector<Surd> &numbers) {
+  return numbers.size() == 1 ? Term(numbers.front()) : list({numbers.begin(), numbers.end()});
+}
+
+std::string praise(const Answer &answer, const std::vector<Surd> &truth) {
+  if (isExactly(answer, truth))
     return words("Right.");
-  const Term exact = truth;
+  const Term exact = termOf(truth);
   return showsRounded(exact) ? words("Right, rounded.")
                              : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
 }
@@ -170,22 +213,38 @@ std::optional<std::string> slipSentence(const Blank &blank, const Answer &answer
   if (!blank.formula)
     return {};
   for (const WrongTerm &mistake : usualMistakes(*blank.formula)) {
-    const Real *number = numberOf(mistake.wrong);
-    if (number && number->exact() && answer.means(*number->exact()) && !(*number->exact() == blank.answer))
+    const auto numbers = mistake.wrong->value ? exactNumbers(*mistake.wrong->value) : std::nullopt;
+    if (numbers && means(answer, *numbers) && *numbers != blank.answer)
       return mistake.sentence;
   }
   return {};
 }
 
+std::vector<Surd> opposite(std::vector<Surd> numbers) {
+  for (Surd &number : numbers)
+    number = -number;
+  return numbers;
+}
+
 std::string diagnosis(const Blank &blank, const Answer &answer) {
+  if (answer.size() != blank.answer.size())
+    return blank.answer.size() == 1 ? words("One number is asked for here.")
+                                    : words("{count} numbers are asked for here: write them as (1, 2, 3).",
+                                            {{"count", std::to_string(blank.answer.size())}});
   for (const Mistake &mistake : blank.mistakes)
-    if (answer.means(mistake.value))
+    if (means(answer, mistake.value))
       return mistake.sentence;
   if (const auto slip = slipSentence(blank, answer))
     return *slip;
-  if (blank.answer.sign() != 0 && answer.means(-blank.answer))
+  if (means(answer, opposite(blank.answer)))
     return words("{answer} has the right size and the wrong sign.");
   return words("{answer} is not right. Put the numbers into the symbols once more.");
+}
+
+std::string sentenceForNoAnswer(const Blank &blank) {
+  return blank.answer.size() == 1
+             ? words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.")
+             : words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).");
 }
 
 } // namespace
@@ -227,15 +286,23 @@ std::optional<Surd> parseAnswer(std::string_view text) {
   return AnswerReader(condensed(text)).read();
 }
 
+std::optional<std::vector<Surd>> parseAnswers(std::string_view text) {
+  const auto answer = readAnswer(text);
+  if (!answer)
+    return {};
+  std::vector<Surd> numbers;
+  for (const TypedNumber &typed : *answer)
+    numbers.push_back(typed.value);
+  return numbers;
+}
+
 Judgement judge(const Blank &blank, std::string_view typed) {
-  const auto value = parseAnswer(typed);
-  if (!value)
-    return {false, withAnswer(words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3."),
-                              typed.substr(0, longestAnswer))};
-  const Answer answer{*value, roundingOf(condensed(typed))};
-  if (answer.means(blank.answer))
-    return {true, praise(answer, blank.answer)};
-  return {false, withAnswer(diagnosis(blank, answer), typed)};
+  const auto answer = readAnswer(typed);
+  if (!answer)
+    return {false, withAnswer(sentenceForNoAnswer(blank), typed.substr(0, longestAnswer))};
+  if (means(*answer, blank.answer))
+    return {true, praise(*answer, blank.answer)};
+  return {false, withAnswer(diagnosis(blank, *answer), typed)};
 }
 
 } // namespace halfspace

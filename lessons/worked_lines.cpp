@@ -5,16 +5,14 @@
 namespace halfspace {
 namespace {
 
-/// The number, where it is exactly known.
-std::optional<Surd> exactNumber(const Term &term) {
-  const Real *number = numberOf(term);
-  return number && number->exact() ? std::optional(*number->exact()) : std::nullopt;
+std::optional<std::vector<Surd>> exactNumbersOf(const Term &term) {
+  return term->value ? exactNumbers(*term->value) : std::nullopt;
 }
 
 std::vector<Mistake> valuesOf(const std::vector<WrongTerm> &wrongTerms) {
   std::vector<Mistake> mistakes;
   for (const WrongTerm &each : wrongTerms)
-    if (const auto value = exactNumber(each.wrong))
+    if (const auto value = exactNumbersOf(each.wrong))
       mistakes.push_back({*value, each.sentence});
   return mistakes;
 }
@@ -27,22 +25,22 @@ WorkingLine line(std::string id, std::vector<Chain> chains, std::string sentence
 
 WorkingLine asked(WorkingLine line, const std::vector<WrongTerm> &mistakes) {
   const Chain &chain = line.chains.back();
-  if (const auto answer = exactNumber(chain.last()))
+  if (const auto answer = exactNumbersOf(chain.last()))
     line.blank = Blank{*answer, valuesOf(mistakes), chain};
   return line;
 }
 
 WorkingLine askedFor(const Chain &sought, const Term &form, WorkingLine line,
                      const std::vector<WrongTerm> &mistakes) {
-  if (const auto answer = exactNumber(sought.sides().front()))
+  if (const auto answer = exactNumbersOf(sought.sides().front()))
     line.blank = Blank{*answer, valuesOf(mistakes), sought, form};
   return line;
 }
 
 WrongTerm wrongSignOf(const Term &parameter) {
-  const auto value = exactNumber(parameter);
+  const Real *value = numberOf(parameter);
   return {-parameter,
-          value && value->sign() < 0
+          value && sign(*value) == -1
               ? words("{answer} has lost its sign: numerator and denominator have different signs.")
               : words("{answer} has the wrong sign: the numerator goes from the start to the plane, "
                       "P₀ minus the start.")};

@@ -10,8 +10,8 @@ namespace halfspace {
 /// A line of one statement, or of several beside each other: s = 1/4, t = 1/2.
 [[nodiscard]] WorkingLine line(std::string id, std::vector<Chain> chains, std::string sentence = {});
 
-/// The line, whose result a learner is to find: the last side of its last chain. `mistakes` say more than
-/// those that follow from the formula by themselves, and go before them.
+/// The line, whose result a learner is to find: the last side of its last chain, a number or a list of them.
+/// `mistakes` say more than those that follow from the formula by themselves, and go before them.
 [[nodiscard]] WorkingLine asked(WorkingLine line, const std::vector<WrongTerm> &mistakes = {});
 
 /// The line, of which a learner is to find one number: `sought`, a name and how it is found. `form` is the

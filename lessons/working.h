@@ -10,16 +10,16 @@
 
 namespace halfspace {
 
-/// A usual mistake: the number that it leads to, and a sentence that says what went wrong, with `{answer}`
+/// A usual mistake: what it leads to, and a sentence that says what went wrong, with `{answer}`
 /// for that number as the learner wrote it.
 struct Mistake {
-  Surd value;
+  std::vector<Surd> value;
   std::string sentence;
 };
 
 /// What a learner fills in where a line's numbers are blank.
 struct Blank {
-  Surd answer;
+  std::vector<Surd> answer; ///< a number, or the coordinates of a vector or a point
   /// Written for the line, because they say more than what the formula tells by itself. Looked through in
   /// their order. One that comes to the answer itself, or to what an earlier one comes to, is left out by
   /// itself; that only the sign is wrong is noticed without being named here.
@@ -38,7 +38,7 @@ struct WorkingLine {
   std::string id; ///< unique in the working; lessons' steps name lines by it
   std::vector<Chain> chains;
   std::string sentence{};       ///< plain words, no LaTeX; may be empty
-  std::optional<Blank> blank{}; ///< nothing where one number would not do as an answer
+  std::optional<Blank> blank{}; ///< nothing where numbers would not do as an answer
 };
 
 /// What a line is made of, from left to right. A line of several statements has no result of its own.

@@ -39,7 +39,9 @@ BlankField::BlankField(const QString &question, bool asksForNumber, QWidget *par
 void BlankField::ask(QLineEdit &edit, const QString &question) {
   m_edit = &edit;
   edit.setAccessibleName(tr("Fill in: %1").arg(question));
-  edit.setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3). Enter checks it."));
+  edit.setToolTip(
+      tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as (1, 2, 3). "
+         "Enter checks it."));
   connect(&edit, &QLineEdit::returnPressed, this, &BlankField::answer);
   connect(&edit, &QLineEdit::textEdited, this, [this] { mark(false); });
 }

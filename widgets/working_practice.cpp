@@ -72,10 +72,13 @@ void WorkingPractice::refresh() {
     const Blank *blank = blankOf(told.first);
     return !blank || !(blank->answer == told.second.answer);
   });
+  // New numbers are to be worked out anew.
+  std::erase_if(practice().opened,
+                [this](const auto &opened) { return textOf(opened.first) != opened.second; });
   for (QAbstractButton *button : m_choices->buttons())
     button->setEnabled(!m_hidden);
   m_choices->button(static_cast<int>(fading()))->setChecked(true);
-  m_blank = m_hidden ? std::set<std::string>() : blankLines(m_working, fading(), practice().opened);
+  m_blank = m_hidden ? std::set<std::string>() : blankLines(m_working, fading(), openedLines());
   if (m_hidden)
     m_panel->hideNumbers();
   else
@@ -89,6 +92,20 @@ std::map<std::string, LineRemark> WorkingPractice::remarks() const {
     for (const auto &[line, told] : here->second.told)
       remarks[line] = told.remark;
   return remarks;
+}
+
+std::set<std::string> WorkingPractice::openedLines() {
+  std::set<std::string> lines;
+  for (const auto &[line, text] : practice().opened)
+    lines.insert(line);
+  return lines;
+}
+
+std::string WorkingPractice::textOf(const std::string &lineId) const {
+  for (const WorkingLine &line : m_working.lines)
+    if (line.id == lineId)
+      return plainText(line);
+  return {};
 }
 
 const Blank *WorkingPractice::blankOf(const std::string &lineId) const {
@@ -113,13 +130,14 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
   const Judgement judgement = judge(*blank, text.toStdString());
   practice().told[line] = {blank->answer, {QString::fromStdString(judgement.sentence), judgement.right}};
   if (judgement.right)
-    practice().opened.insert(line);
+    practice().opened[line] = textOf(line);
   refresh();
   emit blanksChanged();
 }
 
 void WorkingPractice::open(const QString &lineId) {
-  practice().opened.insert(lineId.toStdString());
+  const std::string line = lineId.toStdString();
+  practice().opened[line] = textOf(line);
   refresh();
   emit blanksChanged();
 }

@@ -35,14 +35,14 @@ signals:
   void blanksChanged();
 
 private:
-  /// What was said about a line, and the number that it was about.
+  /// What was said about a line, and the numbers that it was about.
   struct Told {
-    Surd answer;
+    std::vector<Surd> answer;
     LineRemark remark;
   };
   struct StepPractice {
-    std::optional<Fading> fading; ///< the learner's choice here
-    std::set<std::string> opened;
+    std::optional<Fading> fading;              ///< the learner's choice here
+    std::map<std::string, std::string> opened; ///< the lines, and what they said then
     std::map<std::string, Told> told;
   };
 
@@ -52,6 +52,9 @@ private:
   void open(const QString &lineId);
   void refresh();
   [[nodiscard]] Fading fading() const;
+  [[nodiscard]] std::set<std::string> openedLines();
+  /// What a line says with the present numbers; empty where there is no such line.
+  [[nodiscard]] std::string textOf(const std::string &lineId) const;
   [[nodiscard]] const Blank *blankOf(const std::string &lineId) const;
   [[nodiscard]] std::map<std::string, LineRemark> remarks() const;
   [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }

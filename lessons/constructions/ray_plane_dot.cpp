@@ -126,21 +126,22 @@ WorkingLine tLine(const Letters &at) {
 }
 
 WorkingLine hitLine(const Letters &at, const Out &out) {
-  return line("hit", {withNumbers(at.H == at.Q + at.t * at.r)},
-              out.meet.which == RayPlaneCase::Hit
-                  ? words("The point where the ray meets the plane.")
-                  : words("Here the line through the ray meets the plane, behind the start: the ray "
-                          "itself never gets there."));
+  return asked(line("hit", {withNumbers(at.H == at.Q + at.t * at.r)},
+                    out.meet.which == RayPlaneCase::Hit
+                        ? words("The point where the ray meets the plane.")
+                        : words("Here the line through the ray meets the plane, behind the start: the ray "
+                                "itself never gets there.")));
 }
 
 WorkingLine facingLine(const Letters &at, const Out &out) {
   const Term unit = at.n / norm(at.n);
   const bool flipped = out.meet.denominator > 0;
-  return line("facing", {withResult(at.facing == (flipped ? -unit : unit))},
-              flipped ? words("r·n is positive, so n points away from where the ray comes from: the facing "
-                              "normal is −n, made one unit long.")
-                      : words("r·n is negative, so n already points to where the ray comes from: the facing "
-                              "normal is n, made one unit long."));
+  return asked(
+      line("facing", {withResult(at.facing == (flipped ? -unit : unit))},
+           flipped ? words("r·n is positive, so n points away from where the ray comes from: the facing "
+                           "normal is −n, made one unit long.")
+                   : words("r·n is negative, so n already points to where the ray comes from: the facing "
+                           "normal is n, made one unit long.")));
 }
 
 Working explain(const In &in, const Out &out) {

@@ -147,16 +147,16 @@ WorkingLine productLine(const char *id, const Term &a, const Term &b, std::strin
 std::vector<WorkingLine> triangleLines(const Letters &at) {
   const auto &[u, v] = std::pair(at.u, at.v);
   return {
-      line("u", {withNumbers(u == at.P1 - at.P0)}),
-      line("v", {withNumbers(v == at.P2 - at.P0)}, words("Two sides of the triangle, both from P₀.")),
-      line("normal", {withResult(at.n == cross(u, v))}, words("Perpendicular to both sides.")),
+      asked(line("u", {withNumbers(u == at.P1 - at.P0)})),
+      asked(line("v", {withNumbers(v == at.P2 - at.P0)}, words("Two sides of the triangle, both from P₀."))),
+      asked(line("normal", {withResult(at.n == cross(u, v))}, words("Perpendicular to both sides."))),
       productLine("uu", u, u),
       productLine("uv", u, v),
       productLine("vv", v, v, words("Three of the five dot products: they belong to the triangle alone.")),
-      line("uperp", {withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u)},
-           words("u perp: in the plane of the triangle and perpendicular to u.")),
-      line("vperp", {withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u)},
-           words("v perp likewise: perpendicular to v."))};
+      asked(line("uperp", {withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u)},
+                 words("u perp: in the plane of the triangle and perpendicular to u."))),
+      asked(line("vperp", {withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u)},
+                 words("v perp likewise: perpendicular to v.")))};
 }
 
 WorkingLine denominatorLine(const Letters &at) {
@@ -176,8 +176,9 @@ WorkingLine lambdaLine(const Letters &at) {
 }
 
 WorkingLine hitLine(const Letters &at) {
-  return line("hit", {withNumbers(at.I == at.Q + at.lambda * at.r)},
-              words("The point of the plane that the ray's line goes through. Is it in the triangle?"));
+  return asked(
+      line("hit", {withNumbers(at.I == at.Q + at.lambda * at.r)},
+           words("The point of the plane that the ray's line goes through. Is it in the triangle?")));
 }
 
 /// s or t, dotted with a perp that takes the other one away; the mistake of taking the other comes first.
@@ -233,8 +234,8 @@ std::vector<WorkingLine> crossingLines(const Letters &at, const Out &out) {
   std::vector<WorkingLine> lines{
       lambdaLine(at),
       hitLine(at),
-      line("w", {withNumbers(at.w == at.I - at.P0)},
-           words("From P₀ to that point. We look for w = s·u + t·v.")),
+      asked(line("w", {withNumbers(at.w == at.I - at.P0)},
+                 words("From P₀ to that point. We look for w = s·u + t·v."))),
       productLine("wu", at.w, at.u),
       productLine("wv", at.w, at.v, words("The last two of the five dot products.")),
       denominatorLine(at),

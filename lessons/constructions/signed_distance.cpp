@@ -145,8 +145,9 @@ Working explain(const In &in, const Out &out) {
   working.lines.push_back(distanceLine(at, out));
   if (!out.atP0)
     working.lines.push_back(cosineLine(at, out));
-  working.lines.push_back(line("foot", {withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n)},
-                               words("The foot: from Q straight along n to the plane, its nearest point.")));
+  working.lines.push_back(
+      asked(line("foot", {withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n)},
+                 words("The foot: from Q straight along n to the plane, its nearest point."))));
   return working;
 }
 

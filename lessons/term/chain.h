@@ -15,7 +15,7 @@ enum class Relation : std::uint8_t {
   Unequal, ///< the chain claims what does not hold: a defect of whoever built it
 };
 
-/// Terms that are claimed to be equal, from left to right. Immutable relations are derived, never written.
+/// Terms that are claimed to be equal, from left to right; its relations are derived, never written.
 class Chain {
 public:
   Chain(Term first)
@@ -25,9 +25,7 @@ public:
   [[nodiscard]] const Term &last() const { return m_sides.back(); }
   /// How many sides stand there in symbols; those behind them were calculated from them.
   [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
-  /// The relation before the side at `index` ≥ 1.
-  [[nodiscard]] Relation relationBefore(std::size_t index) const { return relations().at(index - 1); }
-  /// Between all sides.
+  /// The relation before each side but the first.
   [[nodiscard]] std::vector<Relation> relations() const;
 
   /// The chain goes on in symbols.

@@ -96,6 +96,17 @@ TermValue TermValue::list(std::vector<Polynomial> entries) {
   return value;
 }
 
+std::optional<std::vector<Surd>> exactNumbers(const TermValue &value) {
+  std::vector<Surd> numbers;
+  for (const Polynomial &entry : value.entries) {
+    const Real *number = entry.number();
+    if (!number || !number->exact())
+      return {};
+    numbers.push_back(*number->exact());
+  }
+  return numbers;
+}
+
 std::optional<bool> areEqual(const TermValue &a, const TermValue &b) {
   if (a.isList != b.isList || a.entries.size() != b.entries.size())
     return false;

@@ -66,6 +66,9 @@ private:
   TermValue() = default;
 };
 
+/// The number, or the numbers of the list; nothing where one has unknowns or is not exactly known.
+[[nodiscard]] std::optional<std::vector<Surd>> exactNumbers(const TermValue &value);
+
 /// Whether both come to the same for all values of their unknowns; nothing where bounds leave it open.
 [[nodiscard]] std::optional<bool> areEqual(const TermValue &a, const TermValue &b);
 

@@ -72,7 +72,7 @@ TEST(Judge, OfTheDistanceBehindThePlane_NoticesTheLostSignOfF) {
 }
 
 TEST(Judge, OfARoot_TakesADecimalThatRoundsRightAndSaysSo) {
-  const Blank blank{root(43, Rational(2, 3))}; // 4.3716…
+  const Blank blank{{root(43, Rational(2, 3))}}; // 4.3716…
   EXPECT_EQ(judge(blank, "2√43/3").sentence, "Right.");
   const Judgement rounded = judge(blank, "4.37");
   EXPECT_TRUE(rounded.right);
@@ -80,7 +80,7 @@ TEST(Judge, OfARoot_TakesADecimalThatRoundsRightAndSaysSo) {
   EXPECT_NE(rounded.sentence.find("√43"), std::string::npos);
   EXPECT_FALSE(judge(blank, "4.38").right);
   EXPECT_FALSE(judge(blank, "4").right) << "a whole number is no rounded one";
-  EXPECT_FALSE(judge({Rational(1, 30)}, "0.0").right) << "too few digits";
+  EXPECT_FALSE(judge({{Rational(1, 30)}}, "0.0").right) << "too few digits";
 }
 
 TEST(Judge, OfTheRaysParameter_TellsSignInverseAndNumerator) {
@@ -105,25 +105,38 @@ TEST(Judge, OfThePlanesConstant_TellsSignAndNormalization) {
 TEST(Judge, OfTheTrianglesShares_TellsSwapSignAndNumerator) {
   const WorkingLine s = lineOf("ray-triangle-perp", "s");
   const WorkingLine t = lineOf("ray-triangle-perp", "t");
-  const std::string sText = *toText(s.blank->answer);
-  const std::string tText = *toText(t.blank->answer);
+  const std::string sText = *toText(s.blank->answer.front());
+  const std::string tText = *toText(t.blank->answer.front());
   EXPECT_TRUE(judged(s, sText).right);
   EXPECT_NE(judged(s, tText).sentence.find("is t"), std::string::npos);
   EXPECT_NE(judged(t, sText).sentence.find("is s"), std::string::npos);
   EXPECT_NE(judged(s, "-" + sText).sentence.find("D = "), std::string::npos);
-  const Surd denominator = lineOf("ray-triangle-perp", "denominator").blank->answer;
-  const Surd numerator = s.blank->answer * denominator.rationalPart();
+  const Surd denominator = lineOf("ray-triangle-perp", "denominator").blank->answer.front();
+  const Surd numerator = s.blank->answer.front() * denominator.rationalPart();
   EXPECT_NE(judged(s, *toText(numerator)).sentence.find("only the numerator"), std::string::npos);
 }
 
+TEST(Judge, OfAPoint_TakesItsCoordinatesAndNamesMistakesOfTheWholePoint) {
+  const WorkingLine u = lineOf("ray-triangle-perp", "u"); // P1 − P0 = (−8, 0, 4)
+  EXPECT_TRUE(judged(u, "(-8, 0, 4)").right);
+  EXPECT_TRUE(judged(u, " -8 , 0; 4").sentence.find("no list") != std::string::npos);
+  EXPECT_TRUE(judged(u, "-8; 0; 4").right);
+  EXPECT_NE(judged(u, "(8, 0, -4)").sentence.find("the other way"), std::string::npos);
+  EXPECT_NE(judged(u, "(1, 9, 4)").sentence.find("P₀ is left out"), std::string::npos);
+  EXPECT_NE(judged(u, "(1, 1, 1)").sentence.find("not right"), std::string::npos);
+  EXPECT_NE(judged(u, "4").sentence.find("3 numbers"), std::string::npos);
+  EXPECT_NE(judged(lineOf("ray-triangle-perp", "uu"), "(1, 2, 3)").sentence.find("One number"),
+            std::string::npos);
+}
+
 TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
-  const Judgement judgement = judge({10}, "ten");
+  const Judgement judgement = judge({{10}}, "ten");
   EXPECT_FALSE(judgement.right);
   EXPECT_NE(judgement.sentence.find("“ten” is not a number"), std::string::npos);
 }
 
 TEST(WithTellingMistakes, LeavesOutWhatComesToTheAnswerOrToAnEarlierOne) {
-  Working working{{{"a", {Chain(1)}, "", Blank{1, {{1, "same"}, {2, "first"}, {2, "second"}}}}}};
+  Working working{{{"a", {Chain(1)}, "", Blank{{1}, {{{1}, "same"}, {{2}, "first"}, {{2}, "second"}}}}}};
   working = withTellingMistakes(std::move(working));
   ASSERT_EQ(working.lines[0].blank->mistakes.size(), 1U);
   EXPECT_EQ(working.lines[0].blank->mistakes[0].sentence, "first");
@@ -134,8 +147,8 @@ Working fourLines() {
   const Term a = name(letter("a"), Rational(1));
   const Term b = name(letter("b"), Rational(2));
   const Term c = name(letter("c"), ExactVec3(2, 2, 2));
-  return {{{"a", {withResult(a)}, "", Blank{1}},
-           {"b", {withResult(b)}, "", Blank{2}},
+  return {{{"a", {withResult(a)}, "", Blank{{1}}},
+           {"b", {withResult(b)}, "", Blank{{2}}},
            {"side", {compared(b, 0)}},
            {"c", {withResult(c)}}}};
 }
