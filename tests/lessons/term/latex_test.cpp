@@ -146,7 +146,7 @@ void expectReadAsMeant(const Term &term) {
 void expectReadAsMeant(std::uint64_t seed, bool withUnknowns) {
   RandomTerms random(seed, withUnknowns);
   int read = 0;
-  for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
+  for (int i = 0; i < 1200 && !testing::Test::HasFailure(); ++i) {
     const Term term = i % 3 == 0 ? random.vector(4) : random.number(4);
     if (!term->value || showsRounded(term))
       continue;
@@ -156,7 +156,7 @@ void expectReadAsMeant(std::uint64_t seed, bool withUnknowns) {
       if (const Term rewritten = rewriting(term); !showsRounded(rewritten))
         expectReadAsMeant(rewritten);
   }
-  EXPECT_GT(read, 800) << "most terms come to something";
+  EXPECT_GT(read, 500) << "most terms come to something";
 }
 
 TEST(Latex, OfAnyTermOfNumbers_IsReadAsItIsMeant) { expectReadAsMeant(3, false); }
