@@ -315,6 +315,7 @@ private:
   [[nodiscard]] std::vector<Text> small(const std::vector<Term> &entries) {
     const bool smallBefore = std::exchange(m_small, true);
     std::vector<Text> texts;
+    texts.reserve(entries.size());
     for (const Term &entry : entries)
       texts.push_back(write(entry));
     m_small = smallBefore;

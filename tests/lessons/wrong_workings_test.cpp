@@ -61,6 +61,7 @@ template <class Use> void forScenes(const Construction &construction, Use use) {
     for (int i = 0; i < scenesPerConstruction / 2; ++i) {
       const std::vector<Object> objects = random.objectsFor(construction, writing);
       std::vector<const Object *> pointers;
+      pointers.reserve(objects.size());
       for (const Object &object : objects)
         pointers.push_back(&object);
       use(pointers);

@@ -59,29 +59,37 @@ TEST(Real, OfFractionsAndOneRoot_IsCalculatedExactly) {
   }
 }
 
+/// A number and what it should come to.
+struct Checked {
+  Real value;
+  Truth truth;
+};
+
+/// One of the four operations; a product where it would divide by zero.
+Checked operated(int operation, const Checked &a, const Checked &b) {
+  const auto ratio = quotient(a.value, b.value);
+  if (operation == 0)
+    return {a.value + b.value, a.truth + b.truth};
+  if (operation == 1)
+    return {a.value - b.value, a.truth - b.truth};
+  if (operation == 2 && ratio)
+    return {*ratio, a.truth / b.truth};
+  return {a.value * b.value, a.truth * b.truth};
+}
+
 TEST(Real, OfSeveralRoots_LiesBetweenItsBounds) {
   RandomSurds random(2);
+  const auto next = [&](int radicand) {
+    const Real value = random.over(radicand);
+    return Checked{value, truthOf(value)};
+  };
   for (int i = 0; i < 200; ++i) {
-    Real value = random.over(2);
-    Truth truth = truthOf(value);
-    for (const int radicand : {3, 5, 6}) {
-      const Real next = random.over(radicand);
-      const int operation = random.integer(0, 3);
-      const auto ratio = quotient(value, next);
-      const Truth by = truthOf(next);
-      truth = operation == 0             ? Truth(truth + by)
-              : operation == 1 || !ratio ? Truth(truth * by)
-              : operation == 2           ? Truth(truth / by)
-                                         : Truth(truth - by);
-      value = operation == 0             ? value + next
-              : operation == 1 || !ratio ? value * next
-              : operation == 2           ? *ratio
-                                         : value - next;
-    }
+    Checked result = next(2);
+    for (const int radicand : {3, 5, 6})
+      result = operated(random.integer(0, 3), result, next(radicand));
+    const auto &[value, truth] = result;
     EXPECT_TRUE(value.exact() || contains(value, truth)) << truth;
-    if (const auto side = sign(value); side && *side != 0) {
-      EXPECT_EQ(*side > 0, truth > 0) << truth;
-    }
+    EXPECT_EQ(sign(value), truth == 0 ? 0 : truth > 0 ? 1 : -1) << truth;
     EXPECT_NEAR(toDouble(value), truth.convert_to<double>(), 1e-12 * (1 + std::abs(toDouble(value))));
   }
 }

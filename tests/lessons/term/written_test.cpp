@@ -17,7 +17,7 @@ using namespace test;
 std::string text(const WrittenNumber &number) { return (number.exact ? "" : "≈ ") + plainText(number.term); }
 std::string text(const Real &number) { return text(written(number)); }
 
-Rational fraction(std::int64_t p, std::int64_t q) { return Rational(p, q); }
+Rational fraction(std::int64_t p, std::int64_t q) { return {p, q}; }
 
 TEST(Written, OfFractions_HasTheSignInFront) {
   EXPECT_EQ(text(7), "7");
