@@ -25,13 +25,16 @@ std::optional<bool> comeToTheSame(const Term &a, const Term &b) {
 } // namespace
 
 std::vector<Relation> Chain::relations() const {
-  if (m_claim == Claim::Comparison)
-    return {comparisonOf(m_sides[0], m_sides[1])};
-  const std::size_t first = m_claim == Claim::Condition ? 1 : 0;
+  // What the first side is not equal to by demand, the others are compared with.
+  const std::size_t first = m_claim == Claim::Identity ? 0 : 1;
   std::vector<Relation> relations;
   bool rounded = showsRounded(m_sides[0]);
   for (std::size_t i = 1; i < m_sides.size(); ++i) {
     rounded = rounded || showsRounded(m_sides[i]);
+    if (i == first && m_claim == Claim::Comparison) {
+      relations.push_back(comparisonOf(m_sides[0], m_sides[1]));
+      continue;
+    }
     const auto same = i == first ? std::optional(true) : comeToTheSame(m_sides[first], m_sides[i]);
     relations.push_back(same == false      ? Relation::Unequal
                         : rounded || !same ? Relation::Approximately

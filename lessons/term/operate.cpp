@@ -1,5 +1,7 @@
 #include "lessons/term/operate.h"
 
+#include <cstdlib>
+
 namespace halfspace {
 namespace {
 
@@ -59,13 +61,14 @@ Found quotientOf(const TermValue &dividend, const TermValue &divisor) {
 }
 
 Found powerOf(const TermValue &base, const TermValue &exponent) {
-  const Real *times = exponent.number();
-  if (base.isList || !times)
+  const Real *number = exponent.number();
+  if (base.isList || !number)
     return {};
+  const int times = static_cast<int>(toDouble(*number));
   Polynomial power = Real(1);
-  for (int i = 0; i < static_cast<int>(toDouble(*times)); ++i)
+  for (int i = 0; i < std::abs(times); ++i)
     power = power * base.entries.front();
-  return power;
+  return times < 0 ? quotientOf(Real(1), power) : Found(power);
 }
 
 Found rootOf(const TermValue &square) {

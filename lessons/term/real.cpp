@@ -29,9 +29,24 @@ Interval product(const Interval &a, const Interval &b) {
 
 Interval root(const Interval &square) { return widened(mp::sqrt(square.low), mp::sqrt(square.high)); }
 
+/// 1/divisor, for bounds of the same sign.
+Interval reciprocal(const Interval &divisor) { return widened(1 / divisor.high, 1 / divisor.low); }
+
+/// A² − B²n, which is (A + B√n)(A − B√n)
+Rational normOf(const Surd &value) {
+  return value.rationalPart() * value.rationalPart() -
+         value.rootFactor() * value.rootFactor() * Rational(value.radicand());
+}
+
 Interval boundsOf(const Surd &value) {
-  const Interval radicand = boundsOf(Rational(value.radicand()));
-  return sum(boundsOf(value.rationalPart()), product(boundsOf(value.rootFactor()), root(radicand)));
+  const Rational &a = value.rationalPart();
+  const Rational &b = value.rootFactor();
+  const Interval radicand = root(boundsOf(Rational(value.radicand())));
+  if (a.sign() * b.sign() >= 0)
+    return sum(boundsOf(a), product(boundsOf(b), radicand));
+  // As (A² − B²n)/(A − B√n): the difference itself would lose all digits that both parts have in common.
+  return product(boundsOf(normOf(value)),
+                 reciprocal(sum(boundsOf(a), product(boundsOf(Rational(-b)), radicand))));
 }
 
 Surd made(const Rational &rationalPart, const Rational &rootFactor, const Integer &radicand) {
@@ -68,10 +83,8 @@ std::optional<Surd> exactProduct(const Surd &a, const Surd &b) {
 Surd reciprocal(const Surd &value) {
   if (value.isRational())
     return Rational(1 / value.rationalPart());
-  const Rational square = value.rationalPart() * value.rationalPart() -
-                          value.rootFactor() * value.rootFactor() * Rational(value.radicand());
   const Surd conjugate = made(value.rationalPart(), -value.rootFactor(), value.radicand());
-  return conjugate * Rational(1 / square);
+  return conjugate * Rational(1 / normOf(value));
 }
 
 } // namespace
@@ -119,8 +132,7 @@ std::optional<Real> quotient(const Real &a, const Real &b) {
     return {};
   if (const Surd *exact = b.exact())
     return a * Real(reciprocal(*exact));
-  const Interval divisor = b.bounds();
-  return a * Real(widened(1 / divisor.high, 1 / divisor.low));
+  return a * Real(reciprocal(b.bounds()));
 }
 
 std::optional<Real> squareRoot(const Real &value) {

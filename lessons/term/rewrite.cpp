@@ -5,14 +5,12 @@
 namespace halfspace {
 namespace {
 
-Term unknownsOf(const Polynomial::Monomial &monomial) {
-  std::vector<Term> factors;
+void appendUnknowns(std::vector<Term> &factors, const Polynomial::Monomial &monomial) {
   for (std::size_t i = 0; i < monomial.size();) {
     const auto same = static_cast<int>(std::count(monomial.begin(), monomial.end(), monomial[i]));
     factors.push_back(same == 1 ? unknown(monomial[i]) : power(unknown(monomial[i]), same));
     i += static_cast<std::size_t>(same);
   }
-  return factors.size() == 1 ? factors.front() : product(std::move(factors));
 }
 
 Real magnitudeOf(const Real &number) { return sign(number) == -1 ? -number : number; }
@@ -20,8 +18,11 @@ Real magnitudeOf(const Real &number) { return sign(number) == -1 ? -number : num
 /// |factor|·x², without a factor 1.
 Term magnitudeOf(const Polynomial::Summand &summand, const Term &origin) {
   const Real magnitude = magnitudeOf(summand.factor);
-  const Term letters = unknownsOf(summand.monomial);
-  return areEqual(magnitude, Real(1)) == true ? letters : product({number(magnitude, origin), letters});
+  std::vector<Term> factors;
+  if (areEqual(magnitude, Real(1)) != true)
+    factors.push_back(number(magnitude, origin));
+  appendUnknowns(factors, summand.monomial);
+  return factors.size() == 1 ? factors.front() : product(std::move(factors));
 }
 
 Term collected(const Polynomial &polynomial, const Term &origin) {

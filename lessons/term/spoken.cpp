@@ -101,8 +101,13 @@ protected:
   }
 
   std::string parenthesized(std::string inside, const Term &term) override {
-    if (term->kind == TermKind::Number) // a minus is heard as that of the number
-      return inside;
+    if (term->kind == TermKind::Number && shown(term)->kind == TermKind::Negation)
+      return inside; // a minus is heard as that of the number
+    return parenthesizedBase(std::move(inside), term);
+  }
+
+  /// Minus three squared would be another number.
+  std::string parenthesizedBase(std::string inside, const Term &) override {
     return row({words("open parenthesis"), std::move(inside), words("close parenthesis")});
   }
 

@@ -162,6 +162,7 @@ bool readAlike(const Term &a, const Term &b) {
   const Term &left = shown(a);
   const Term &right = shown(b);
   return left->kind == right->kind && left->digits == right->digits && left->symbol == right->symbol &&
+         left->columns == right->columns &&
          std::equal(left->parts.begin(), left->parts.end(), right->parts.begin(), right->parts.end(),
                     readAlike);
 }

@@ -63,6 +63,10 @@ protected:
   [[nodiscard]] virtual Text power(Text base, Text exponent) = 0;
   [[nodiscard]] virtual Text list(std::vector<Text> entries) = 0;
   [[nodiscard]] virtual Text matrix(std::vector<Text> entries, std::size_t columns, bool isDeterminant) = 0;
+  /// A term that is raised to a power, where it needs parentheses.
+  [[nodiscard]] virtual Text parenthesizedBase(Text inside, const Term &term) {
+    return parenthesized(std::move(inside), term);
+  }
   /// f(Q), or cos θ for a word before a name.
   [[nodiscard]] virtual Text applied(Text function, Text argument, bool inParentheses) = 0;
   /// A term that has a mark or is a number that can be traced. Notations without a hand pass it through.
@@ -107,13 +111,29 @@ private:
     case TermKind::Product:
       return Binding::Product;
     case TermKind::Quotient:
+      return !isFlat()                               ? Binding::Atom
+             : isNegativeAtom(shown(term)->parts[0]) ? Binding::Negation
+                                                     : Binding::Fraction;
     case TermKind::Root:
       return isFlat() ? Binding::Fraction : Binding::Atom;
+    case TermKind::Applied:
+      return isWordBeforeName(term) ? Binding::Fraction : Binding::Atom;
     case TermKind::Power:
       return Binding::Power;
     default:
       return Binding::Atom;
     }
+  }
+
+  /// −3 or −x, which may stand above a slash as it is.
+  [[nodiscard]] bool isNegativeAtom(const Term &term) const {
+    const Term &looked = shown(term);
+    return looked->kind == TermKind::Negation && bindingOf(looked->parts[0]) >= Binding::Power;
+  }
+
+  /// cos θ, where all that follows would seem to belong to the angle.
+  [[nodiscard]] static bool isWordBeforeName(const Term &term) {
+    return term->symbol.isWord && term->parts[0]->kind == TermKind::Name;
   }
 
   /// A number, or calculated from numbers alone without a vector.
@@ -148,8 +168,7 @@ private:
     case TermKind::Unknown:
       return symbol(looked->symbol);
     case TermKind::Applied:
-      return applied(symbol(looked->symbol), write(parts[0]),
-                     !looked->symbol.isWord || parts[0]->kind != TermKind::Name);
+      return applied(symbol(looked->symbol), write(parts[0]), !isWordBeforeName(looked));
     case TermKind::Negation:
       return row({sign(TermSign::Negative), held(parts[0], Binding::VectorProduct)});
     case TermKind::Sum:
@@ -157,9 +176,10 @@ private:
     case TermKind::Product:
       return product(parts);
     case TermKind::Dot:
-      return row({held(parts[0], Binding::Product), sign(TermSign::Dot), held(parts[1], Binding::Product)});
+      return row({held(parts[0], Binding::Product), sign(TermSign::Dot), held(parts[1], Binding::Fraction)});
     case TermKind::Cross:
-      return row({held(parts[0], Binding::Product), sign(TermSign::Cross), held(parts[1], Binding::Product)});
+      return row(
+          {held(parts[0], Binding::Product), sign(TermSign::Cross), held(parts[1], Binding::Fraction)});
     case TermKind::Permuted:
       return row({list({write(parts[0]), write(parts[1])}), sign(TermSign::Permuted),
                   list({write(parts[2]), write(parts[3])})});
@@ -255,8 +275,11 @@ private:
   }
 
   [[nodiscard]] static bool isCompound(const Term &term) {
-    const TermKind kind = shown(term)->kind;
-    return kind != TermKind::Digits && kind != TermKind::Name && kind != TermKind::Unknown;
+    const Term &looked = shown(term);
+    if (looked->kind == TermKind::Negation)
+      return isCompound(looked->parts[0]);
+    return looked->kind != TermKind::Digits && looked->kind != TermKind::Name &&
+           looked->kind != TermKind::Unknown;
   }
 
   [[nodiscard]] Text quotient(const Term &term) {
@@ -264,10 +287,9 @@ private:
     const Term &bottom = term->parts[1];
     const FractionLook look{m_small, isCompound(top) || isCompound(bottom)};
     const bool smallBefore = std::exchange(m_small, true);
-    const Term &above = shown(top);
-    const bool isNegativeAtom =
-        above->kind == TermKind::Negation && bindingOf(above->parts[0]) >= Binding::Power;
-    const Binding leastAbove = !isFlat() ? Binding::Sum : isNegativeAtom ? Binding::Negation : Binding::Power;
+    const Binding leastAbove = !isFlat()             ? Binding::Sum
+                               : isNegativeAtom(top) ? Binding::Negation
+                                                     : Binding::Power;
     Text topText = held(top, leastAbove);
     Text bottomText = held(bottom, isFlat() ? Binding::Power : Binding::Sum);
     m_small = smallBefore;
@@ -280,12 +302,13 @@ private:
     case TermKind::Digits:
     case TermKind::Name:
     case TermKind::Unknown:
-    case TermKind::Applied:
     case TermKind::List:
     case TermKind::Norm:
       return write(term);
     default:
-      return parenthesized(write(term), term);
+      return bindingOf(term) == Binding::Atom && term->kind == TermKind::Applied
+                 ? write(term)
+                 : parenthesizedBase(write(term), term);
     }
   }
 

@@ -65,11 +65,11 @@ WrittenNumber writtenFraction(const Rational &value) {
   const auto words = value.words();
   if (!words || lengthOf(toText(value)) > longestExactForm)
     return {rounded(toDouble(value)), false};
-  const std::int64_t q = words->denominator;
-  const int places = q > largestFractionDenominator ? decimalPlaces(q) : -1;
   const Rational magnitude = abs(value);
-  return {signedTerm(value<0, places> 0 ? digits(decimalText(magnitude, places)) : fraction(magnitude, {})),
-          true};
+  const int places = words->denominator > largestFractionDenominator ? decimalPlaces(words->denominator) : -1;
+  const std::string decimal = places > 0 ? decimalText(magnitude, places) : "";
+  const bool isDecimal = !decimal.empty() && decimal.size() <= longestExactForm;
+  return {signedTerm(value.sign() < 0, isDecimal ? digits(decimal) : fraction(magnitude, {})), true};
 }
 
 WrittenNumber writtenSurd(const Surd &value) {

@@ -118,7 +118,7 @@ private:
     Quantity value = primary();
     if (!take("^"))
       return value;
-    const Quantity exponent = take("{") ? braced() : Quantity{number()};
+    const Quantity exponent = take("{") ? braced() : Quantity{digit()};
     // As in TeX: a second exponent would be an error.
     if (value.size() != 1 || exponent.size() != 1 || take("^"))
       complain();
@@ -130,6 +130,13 @@ private:
     Quantity value = sum();
     require("}");
     return value;
+  }
+
+  /// As in TeX: without braces the exponent is one character.
+  Precise digit() {
+    if (m_at == m_text.size() || m_text[m_at] < '0' || m_text[m_at] > '9')
+      complain();
+    return m_text[m_at++] - '0';
   }
 
   Precise number() {

@@ -39,11 +39,11 @@ private:
     case Writing::SmallIntegers:
       return integer(-9, 9);
     case Writing::Halves:
-      return Rational(integer(-18, 18), 2);
+      return {integer(-18, 18), 2};
     case Writing::Decimals:
-      return Rational(integer(-999, 999), 100);
+      return {integer(-999, 999), 100};
     case Writing::Fractions:
-      return Rational(integer(-99, 99), integer(1, 12));
+      return {integer(-99, 99), integer(1, 12)};
     case Writing::LargeIntegers:
       return integer(-999'999'999, 999'999'999);
     case Writing::LongFractions:
@@ -52,7 +52,7 @@ private:
     const auto longInteger = [&] {
       return Integer(integer(1, 999)) * 1'000'000'000 + integer(0, twelveDigits);
     };
-    return Rational(Integer(longInteger() * (integer(0, 1) == 0 ? 1 : -1)), longInteger());
+    return {Integer(longInteger() * (integer(0, 1) == 0 ? 1 : -1)), longInteger()};
   }
 
   ExactVec3 vector() { return {number(), number(), number()}; }
