@@ -22,6 +22,11 @@ bool isNegative(const Term &term) {
   return number && sign(*number) == -1;
 }
 
+/// v·v
+bool isSquare(const Term &term) {
+  return term->kind == TermKind::Dot && readAlike(term->parts[0], term->parts[1]);
+}
+
 void addOfSum(const Term &term, std::vector<Replacement> &found) {
   if (isDifference(term)) {
     const Term &to = term->parts[0];
@@ -45,7 +50,7 @@ std::vector<Replacement> replacementsOf(const Term &term) {
   case TermKind::Quotient:
     found.push_back({Slip::UpsideDown, term->parts[1] / term->parts[0]});
     found.push_back({Slip::Undivided, term->parts[0]});
-    if (term->parts[1]->kind == TermKind::Dot)
+    if (isSquare(term->parts[1]))
       found.push_back({Slip::RootOfDivisor, term->parts[0] / root(term->parts[1])});
     break;
   case TermKind::Root:

@@ -91,7 +91,8 @@ TEST(Judge, OfTheRightAnswer_NamesNoMistake) {
   for (const Construction &construction : constructions())
     forScenes(construction, [&](const std::vector<const Object *> &objects) {
       for (const WorkingLine &line : construction.evaluate(objects).working.lines) {
-        const auto text = line.blank ? typed(line.blank->answer) : std::nullopt;
+        const bool asksForOne = line.blank && line.blank->answer.size() == 1;
+        const auto text = asksForOne ? typed(line.blank->answer.front()) : std::nullopt;
         if (text) {
           EXPECT_EQ(judge(*line.blank, *text).sentence, "Right.") << line.id << ": " << *text;
         }
