@@ -9,22 +9,27 @@
 namespace halfspace {
 namespace {
 
-/// The field's width, in letters.
-constexpr int fieldLetters = 12;
+/// The field's width, in letters: for one number, for several, and where nothing can be typed.
+constexpr int numberLetters = 12;
+constexpr int listLetters = 20;
 constexpr int blankLetters = 5;
+
+int lettersFor(std::size_t numbers) {
+  return numbers == 0 ? blankLetters : numbers == 1 ? numberLetters : listLetters;
+}
 
 } // namespace
 
-BlankField::BlankField(const QString &question, bool asksForNumber, QWidget *parent) : QWidget(parent) {
+BlankField::BlankField(const QString &question, std::size_t numbers, QWidget *parent) : QWidget(parent) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   auto *edit = new QLineEdit;
   edit->setPlaceholderText(QStringLiteral("?"));
-  edit->setFixedWidth((asksForNumber ? fieldLetters : blankLetters) * fontMetrics().averageCharWidth());
-  edit->setEnabled(asksForNumber);
+  edit->setFixedWidth(lettersFor(numbers) * fontMetrics().averageCharWidth());
+  edit->setEnabled(numbers > 0);
   layout->addWidget(edit);
-  if (asksForNumber)
+  if (numbers > 0)
     ask(*edit, question);
   auto *show = new QToolButton;
   show->setText(tr("Show"));

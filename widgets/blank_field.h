@@ -7,12 +7,12 @@ class QLineEdit;
 
 namespace halfspace {
 
-/// A field for the learner's answer, and the button that shows the line instead. Where one number would be no
-/// answer, nothing can be typed.
+/// A field for the learner's answer, and the button that shows the line instead.
 class BlankField : public QWidget {
   Q_OBJECT
 public:
-  BlankField(const QString &question, bool asksForNumber, QWidget *parent = nullptr);
+  /// `numbers` is how many are asked for: 0 where nothing can be typed.
+  BlankField(const QString &question, std::size_t numbers, QWidget *parent = nullptr);
 
   /// What was said about the last answer; empty while nothing is.
   void setRemark(const QString &remark);

@@ -176,8 +176,8 @@ void WorkingPanel::followFocus(QWidget *focused) {
 }
 
 void WorkingPanel::addField(const WorkingLine &line) {
-  auto *field =
-      new BlankField(QString::fromStdString(questionText(line)), line.blank.has_value(), viewport());
+  auto *field = new BlankField(QString::fromStdString(questionText(line)),
+                               line.blank ? line.blank->answer.size() : 0, viewport());
   const QString id = QString::fromStdString(line.id);
   connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });

@@ -232,16 +232,13 @@ std::vector<WorkingLine> similarLines(const Letters &at) {
 
 std::vector<WorkingLine> crossingLines(const Letters &at, const Out &out) {
   std::vector<WorkingLine> lines{
-      lambdaLine(at),
-      hitLine(at),
-      asked(line("w", {withNumbers(at.w == at.I - at.P0)},
-                 words("From P₀ to that point. We look for w = s·u + t·v."))),
+      lambdaLine(at), hitLine(at),
+      // Not asked: I may be hidden.
+      line("w", {withNumbers(at.w == at.I - at.P0)},
+           words("From P₀ to that point. We look for w = s·u + t·v.")),
       productLine("wu", at.w, at.u),
-      productLine("wv", at.w, at.v, words("The last two of the five dot products.")),
-      denominatorLine(at),
-      sLine(at),
-      tLine(at),
-      placeLine(at, out)};
+      productLine("wv", at.w, at.v, words("The last two of the five dot products.")), denominatorLine(at),
+      sLine(at), tLine(at), placeLine(at, out)};
   for (WorkingLine &line : similarLines(at))
     lines.push_back(std::move(line));
   return lines;
