@@ -125,7 +125,7 @@ constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
 std::string escaped(std::string_view text) {
   std::string latex;
   while (!text.empty()) {
-    const std::string_view character = text.substr(0, characterLength(text));
+    const std::string_view character = text.substr(0, std::max<std::size_t>(characterLength(text), 1));
     const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
                                     [&](const TextLatex &each) { return each.text == character; });
     latex += known == textCharacters.end() ? character : known->latex;
