@@ -13,12 +13,6 @@
 namespace halfspace {
 namespace {
 
-std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 /// One character for each sign of an answer: `r` for a root.
 std::string condensed(std::string_view typed) {
   std::string text(typed);
@@ -284,16 +278,6 @@ std::optional<Surd> parseAnswer(std::string_view text) {
   if (const auto mixed = parseMixed(text))
     return *mixed;
   return AnswerReader(condensed(text)).read();
-}
-
-std::optional<std::vector<Surd>> parseAnswers(std::string_view text) {
-  const auto answer = readAnswer(text);
-  if (!answer)
-    return {};
-  std::vector<Surd> numbers;
-  for (const TypedNumber &typed : *answer)
-    numbers.push_back(typed.value);
-  return numbers;
 }
 
 Judgement judge(const Blank &blank, std::string_view typed) {

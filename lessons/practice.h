@@ -29,13 +29,10 @@ struct Judgement {
   std::string sentence;
 };
 
-/// The numbers of a list in parentheses or without: (1, -3 1/3, √2). They are parted by commas, or by
-/// semicolons where the comma is a decimal mark; a number alone is a list of one.
-[[nodiscard]] std::optional<std::vector<Surd>> parseAnswers(std::string_view text);
-
-/// Compares a typed answer with what is asked, then with what the usual mistakes come to. A decimal is right
-/// when the number rounds to it, if it has at least `fewestDigits` digits; the sentence says that it is
-/// rounded.
+/// Several numbers are typed as (1, -3 1/3, √2), in parentheses or without, parted by commas, or by
+/// semicolons where the comma is a decimal mark. Compares a typed answer with what is asked, then with what
+/// the usual mistakes come to. A decimal is right when the number rounds to it, if it has at least
+/// `fewestDigits` digits; the sentence says that it is rounded.
 [[nodiscard]] Judgement judge(const Blank &blank, std::string_view typed);
 inline constexpr std::size_t fewestDigits = 2;
 

@@ -32,6 +32,12 @@ bool turnsDirection(unsigned code) {
 
 } // namespace
 
+std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 std::size_t characterLength(std::string_view text) {
   if (text.empty())
     return 0;

@@ -17,6 +17,9 @@ namespace halfspace {
   return text.substr(begin, text.find_last_not_of(space) - begin + 1);
 }
 
+/// The text with `to` in every place of `from`, which is not empty.
+[[nodiscard]] std::string replacedAll(std::string text, std::string_view from, std::string_view to);
+
 /// How many bytes the character takes that a text begins with: 1 to 4, or 0 where it is not UTF-8 (overlong
 /// forms and halves of surrogate pairs are not).
 [[nodiscard]] std::size_t characterLength(std::string_view text);

@@ -7,12 +7,6 @@
 namespace halfspace {
 namespace {
 
-std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 /// With a plain minus, and without a plus sign in front.
 std::string plainSigns(std::string_view typed) {
   std::string text = replacedAll(std::string(trimmed(typed)), "−", "-");

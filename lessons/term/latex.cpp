@@ -28,6 +28,12 @@ std::string letterLatex(const std::string &letter) {
   return greek == greekLetters.end() ? letter : std::string(greek->command);
 }
 
+std::string wordLatex(const std::string &word) {
+  constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
+  const bool isKnown = std::find(known.begin(), known.end(), word) != known.end();
+  return isKnown ? "\\" + word : "\\operatorname{" + word + "}";
+}
+
 class LatexWriter : public TermWriter<std::string> {
 public:
   LatexWriter(LatexMarks marks, Notation notation) : m_marks(marks), m_notation(notation) {}
@@ -142,16 +148,6 @@ private:
   LatexMarks m_marks;
   Notation m_notation;
 };
-
-} // namespace
-
-namespace {
-
-std::string wordLatex(const std::string &word) {
-  constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
-  const bool isKnown = std::find(known.begin(), known.end(), word) != known.end();
-  return isKnown ? "\\" + word : "\\operatorname{" + word + "}";
-}
 
 } // namespace
 

@@ -26,6 +26,19 @@ void appendFlat(std::vector<Term> &parts, TermKind kind, Term term) {
     parts.push_back(std::move(term));
 }
 
+const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
+
+/// The term without the minus sign that it is written with in front; null where it has none.
+std::optional<Term> withoutSign(const Term &term) {
+  const Term &looked = shown(term);
+  if (looked->kind == TermKind::Negation)
+    return looked->parts[0];
+  if (looked->kind != TermKind::Quotient)
+    return {};
+  const auto top = withoutSign(looked->parts[0]);
+  return top ? std::optional(*top / looked->parts[1]) : std::nullopt;
+}
+
 } // namespace
 
 Symbol letter(std::string letter, std::string subscript) {
@@ -136,23 +149,6 @@ Term withParts(const Term &term, std::vector<Term> parts) {
 }
 
 const Real *numberOf(const Term &term) { return term->value ? term->value->number() : nullptr; }
-
-namespace {
-
-const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
-
-/// The term without the minus sign that it is written with in front; null where it has none.
-std::optional<Term> withoutSign(const Term &term) {
-  const Term &looked = shown(term);
-  if (looked->kind == TermKind::Negation)
-    return looked->parts[0];
-  if (looked->kind != TermKind::Quotient)
-    return {};
-  const auto top = withoutSign(looked->parts[0]);
-  return top ? std::optional(*top / looked->parts[1]) : std::nullopt;
-}
-
-} // namespace
 
 bool readAlike(const Term &a, const Term &b) {
   const auto magnitudeOfA = withoutSign(a);

@@ -87,10 +87,6 @@ WrittenNumber writtenSurd(const Surd &value) {
   return {signedTerm(part < 0, fraction(abs(part), {})) + root, true};
 }
 
-} // namespace
-
-namespace {
-
 /// 31.4159, 6.02214e23; for a finite number ≥ 0.
 std::string shortDecimal(double magnitude) {
   std::array<char, 32> buffer{};
