@@ -76,11 +76,19 @@ struct Letters : PlaneTerms {
   Term left; ///< of the equation: n·(P − P0)
 };
 
+/// `vectorInPlane` as it follows from n.
+Term inPlane(const ExactVec3 &normal, const Term &n) {
+  if (normal.x == 0 && normal.y == 0)
+    return halfspace::list({2, 0, 0});
+  return cross(n, halfspace::list({0, 0, 1}));
+}
+
 Letters lettersOf(const In &in, const Out &out) {
   const PlaneTerms E = termsOf(in.E, "E");
   const Term P = anyPoint();
-  return {E, P, name(letter("P", "1"), out.otherPoint).marked("P1"), name(letter("d"), out.plane.offset),
-          dot(E.n, P - E.P0)};
+  return {E, P,
+          name(letter("P", "1"), out.otherPoint).standingFor(E.P0 + inPlane(in.E.normal, E.n)).marked("P1"),
+          name(letter("d"), out.plane.offset).standingFor(-dot(E.n, E.P0)), dot(E.n, P - E.P0)};
 }
 
 /// ax + by + cz + d, in letters only.

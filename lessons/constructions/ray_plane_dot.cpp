@@ -47,8 +47,8 @@ Letters lettersOf(const In &in, const Out &out) {
   const RayTerms L = termsOf(in.L, "L");
   return {E,
           L,
-          name(letter("d"), out.plane.offset),
-          applied(letter("f"), L.Q, out.f),
+          name(letter("d"), out.plane.offset).standingFor(-dot(E.n, E.P0)),
+          applied(letter("f"), L.Q, out.f).standingFor(dot(E.n, L.Q - E.P0)),
           name(letter("t"), out.meet.t),
           name(letter("H"), out.meet.point).marked("H"),
           name(vectorLetter("n", "f"), out.facing).marked("facing"),

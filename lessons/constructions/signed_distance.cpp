@@ -45,12 +45,13 @@ struct Letters : PlaneTerms {
 };
 
 Letters lettersOf(const In &in, const Out &out) {
+  const PlaneTerms E = termsOf(in.E, "E");
   const Term Q = termOf(in.Q, "Q");
   const Term theta = name(letter("θ"), std::nullopt).marked("theta");
-  return {termsOf(in.E, "E"),
+  return {E,
           Q,
           applied(letter("f"), Q, out.measured.f),
-          name(vectorLetter("w"), out.w).marked("w"),
+          name(vectorLetter("w"), out.w).standingFor(Q - E.P0).marked("w"),
           name(word("dist"), out.measured.signedDistance).marked("distance"),
           applied(word("cos"), theta, out.cosine),
           name(letter("F"), out.measured.foot).marked("F")};

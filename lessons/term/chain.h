@@ -25,6 +25,8 @@ public:
   [[nodiscard]] const Term &last() const { return m_sides.back(); }
   /// How many sides stand there in symbols; those behind them were calculated from them.
   [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
+  /// Whether its sides are the same whatever the unknowns are: neither a condition nor a comparison.
+  [[nodiscard]] bool isIdentity() const { return m_claim == Claim::Identity; }
   /// The relation before each side but the first.
   [[nodiscard]] std::vector<Relation> relations() const;
 

@@ -63,6 +63,12 @@ Term Term::marked(std::string mark) const {
   return Term(std::move(node));
 }
 
+Term Term::standingFor(Term meaning) const {
+  TermNode node = *m_node;
+  node.origin = std::move(meaning);
+  return Term(std::move(node));
+}
+
 Term number(const Real &value, std::optional<Term> origin, std::optional<CoordinateSource> source) {
   WrittenNumber digits = written(value);
   TermNode node;

@@ -73,6 +73,8 @@ public:
 
   /// The same term as part of the figure: the id of the mark that it is.
   [[nodiscard]] Term marked(std::string mark) const;
+  /// The same name with what it stands for, where no worked line says that.
+  [[nodiscard]] Term standingFor(Term meaning) const;
 
 private:
   std::shared_ptr<const TermNode> m_node;
@@ -91,7 +93,8 @@ struct TermNode {
   std::size_t columns = 0;                  ///< of Matrix, Determinant
   std::string mark{};                       ///< the figure's mark that the term is; empty for none
   std::optional<CoordinateSource> source{}; ///< of Number, Name: the coordinate that it is
-  std::optional<Term> origin{};             ///< of Number, List: what was calculated to get here
+  /// Of Number, List: what was calculated to get here; of a name: what it stands for.
+  std::optional<Term> origin{};
 };
 
 /// A number, and what was calculated to get it.
