@@ -88,7 +88,8 @@ QLabel *heading(const QString &text) {
 } // namespace
 
 Inspector::Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QScrollArea(parent), m_model(model), m_typesetter(typesetter), m_theme(themes().front()) {
+    : QScrollArea(parent), m_model(model), m_editor(model), m_typesetter(typesetter),
+      m_theme(themes().front()) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
 }
@@ -187,7 +188,7 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   for (int axis = 0; axis < 3; ++axis) {
     auto *field = new NumberField;
     field->setAccessibleName(QString::fromStdString(given.name) + " " + axes[axis]);
-    connectField(*field, id, axis);
+    connectField(*field, {id, axis});
     grid.addWidget(field, row, axis + 1);
     given.fields[axis] = field;
   }
@@ -202,59 +203,17 @@ void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
   m_results.push_back({value.name, &row->value()});
 }
 
-void Inspector::connectField(NumberField &field, const CoordinateId &id, int axis) {
+void Inspector::connectField(NumberField &field, const CoordinateNumber &number) {
   connect(&field, &NumberField::valueTyped, this,
-          [=, this](const Rational &value) { change(id, axis, value); });
-  connect(&field, &NumberField::stepped, this,
-          [=, this, &field](int steps) { change(id, axis, Rational(field.value() + stepOf(id) * steps)); });
+          [=, this](const Rational &value) { m_editor.change(number, value); });
+  connect(&field, &NumberField::stepped, this, [=, this](int steps) { m_editor.step(number, steps); });
   connect(&field, &NumberField::refused, this, [this](const QString &sentence) {
     m_complaint->setText(sentence);
     m_complaint->setVisible(!sentence.isEmpty());
   });
-  connect(&field, &NumberField::scrubStarted, this, [=, this, &field] {
-    m_scrubStart = field.value();
-    m_scrubStep = stepOf(id);
-    m_model.beginGesture();
-  });
-  connect(&field, &NumberField::scrubbed, this, [=, this](int steps) { scrub(id, axis, steps); });
-  connect(&field, &NumberField::scrubEnded, this,
-          [this, name = fullName(m_model.session().scene, id)](bool keep) {
-            if (keep)
-              m_model.endGesture(tr("change %1").arg(QString::fromStdString(name)));
-            else
-              m_model.cancelGesture();
-          });
-}
-
-Rational Inspector::stepOf(const CoordinateId &id) const {
-  const Object *object = findObject(m_model.session().scene, id.object);
-  if (!object)
-    return m_model.snapStep();
-  if (coordinatesOf(*object)[id.index].role == CoordinateRole::Position)
-    return m_model.snapStep() * m_model.stage().unit();
-  const ExactVec3 &direction = coordinate(*object, id.index);
-  const Rational longest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
-  return m_model.snapStep() * powerOfTen(suitingExponent(toDouble(longest)));
-}
-
-void Inspector::change(const CoordinateId &id, int axis, const Rational &value) {
-  const Object *object = findObject(m_model.session().scene, id.object);
-  if (!object || refuseCoordinate(value))
-    return;
-  Object changed = *object;
-  coordinate(changed, id.index)[axis] = value;
-  const std::string name = fullName(m_model.session().scene, id);
-  m_model.edit({id.object, changed}, tr("change %1").arg(QString::fromStdString(name)));
-}
-
-void Inspector::scrub(const CoordinateId &id, int axis, int steps) {
-  const Object *object = findObject(m_model.session().scene, id.object);
-  const Rational value = m_scrubStart + m_scrubStep * steps;
-  if (!object || refuseCoordinate(value))
-    return;
-  Object changed = *object;
-  coordinate(changed, id.index)[axis] = value;
-  m_model.moveGesture({id.object, changed});
+  connect(&field, &NumberField::scrubStarted, this, [=, this] { m_editor.beginScrub(number); });
+  connect(&field, &NumberField::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(&field, &NumberField::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
 }
 
 void Inspector::showSession() {

@@ -1,8 +1,8 @@
 // Every number of the session: what is given, to be changed, and what comes out of it.
 #pragma once
 
+#include "widgets/coordinate_editor.h"
 #include "widgets/scene/theme.h"
-#include "widgets/session_model.h"
 
 #include <QScrollArea>
 
@@ -52,14 +52,11 @@ private:
   void buildResultRows();
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
   void addResultRow(QVBoxLayout &column, const NamedValue &value);
-  void connectField(NumberField &field, const CoordinateId &id, int axis);
-  void change(const CoordinateId &id, int axis, const Rational &value);
-  void scrub(const CoordinateId &id, int axis, int steps);
-  /// The step that suits a coordinate: of a position the stage's, of a direction its own size's.
-  [[nodiscard]] Rational stepOf(const CoordinateId &id) const;
+  void connectField(NumberField &field, const CoordinateNumber &number);
   void applyInk();
 
   SessionModel &m_model;
+  CoordinateEditor m_editor;
   const Typesetter &m_typesetter;
   Theme m_theme;
   bool m_resultsHidden = false;
@@ -70,8 +67,6 @@ private:
   QVBoxLayout *m_layout = nullptr;
   QWidget *m_resultsBox = nullptr;
   QLabel *m_complaint = nullptr;
-  Rational m_scrubStart; ///< the number where a scrub began
-  Rational m_scrubStep;
 };
 
 } // namespace halfspace

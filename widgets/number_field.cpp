@@ -14,9 +14,6 @@
 namespace halfspace {
 namespace {
 
-/// One step of a scrub for so many pixels.
-constexpr int pixelsPerStep = 8;
-constexpr int scrubSlop = 4;
 constexpr int manySteps = 10;
 
 /// Decimals that end within so many places are shown as decimals.
@@ -73,12 +70,15 @@ QString typedText(const Rational &value, const QLocale &locale) {
   return (value < 0 ? "-" : "") + digits;
 }
 
-NumberField::NumberField(QWidget *parent) : QLineEdit(parent) {
+NumberField::NumberField(QWidget *parent) : QLineEdit(parent), m_scrub(*this) {
   setAlignment(Qt::AlignRight);
   setCursor(Qt::SizeHorCursor);
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
   connect(this, &QLineEdit::returnPressed, this, &NumberField::enter);
+  connect(&m_scrub, &Scrub::started, this, &NumberField::scrubStarted);
+  connect(&m_scrub, &Scrub::moved, this, &NumberField::scrubbed);
+  connect(&m_scrub, &Scrub::ended, this, &NumberField::scrubEnded);
   showValue();
 }
 
@@ -116,8 +116,7 @@ void NumberField::mark(bool wrong) {
 }
 
 QString NumberField::enter() {
-  if (m_scrubbing)
-    endScrub(true);
+  m_scrub.end(true);
   if (text() == typedText(m_value, locale())) {
     showValue();
     return {};
@@ -168,10 +167,12 @@ void NumberField::keyPressEvent(QKeyEvent *event) {
     emit stepped(-times);
     return;
   case Qt::Key_Escape:
-    if (m_scrubbing)
-      endScrub(false);
-    else
+    if (m_scrub.isScrubbing()) {
+      m_scrub.end(false);
+    } else {
       showValue();
+      emit dropped();
+    }
     return;
   default:
     QLineEdit::keyPressEvent(event);
@@ -215,48 +216,34 @@ void NumberField::paintEvent(QPaintEvent *event) {
   painter.drawText(room(), Qt::AlignRight | Qt::AlignVCenter, shown);
 }
 
-void NumberField::endScrub(bool keep) {
-  m_scrubbing = false;
-  m_mayScrub = false;
-  releaseKeyboard();
-  emit scrubEnded(keep);
-}
-
 void NumberField::mousePressEvent(QMouseEvent *event) {
   // In what is being typed, the mouse chooses letters.
   const bool isTyping = text() != typedText(m_value, locale());
-  m_mayScrub = event->button() == Qt::LeftButton && !isTyping;
-  m_pressedAt = event->pos();
-  if (!m_mayScrub)
+  if (event->button() == Qt::LeftButton && !isTyping)
+    m_scrub.press(*event);
+  else
     QLineEdit::mousePressEvent(event);
 }
 
 void NumberField::mouseMoveEvent(QMouseEvent *event) {
-  if (!m_mayScrub)
-    return QLineEdit::mouseMoveEvent(event);
-  const int moved = event->pos().x() - m_pressedAt.x();
-  if (!m_scrubbing && std::abs(moved) > scrubSlop) {
-    m_scrubbing = true;
-    grabKeyboard(); // the field may have no focus, but Escape is meant for it
-    emit scrubStarted();
-  }
-  if (m_scrubbing)
-    emit scrubbed(moved / pixelsPerStep);
+  if (m_scrub.isPressed())
+    m_scrub.move(*event);
+  else
+    QLineEdit::mouseMoveEvent(event);
 }
 
 void NumberField::mouseReleaseEvent(QMouseEvent *event) {
-  if (m_scrubbing) {
-    endScrub(true);
-  } else if (m_mayScrub && hasFocus()) {
+  const bool wasClicked = m_scrub.isPressed() && !m_scrub.isScrubbing();
+  if (!m_scrub.isPressed()) {
+    QLineEdit::mouseReleaseEvent(event);
+  } else if (wasClicked && hasFocus()) {
     deselect();
     setCursorPosition(cursorPositionAt(event->pos()));
-  } else if (m_mayScrub) {
+  } else if (wasClicked) {
     setFocus(Qt::MouseFocusReason);
     selectAll();
-  } else {
-    QLineEdit::mouseReleaseEvent(event);
   }
-  m_mayScrub = false;
+  m_scrub.end(true);
 }
 
 } // namespace halfspace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/rational.h"
+#include "widgets/scrub.h"
 
 #include <QLineEdit>
 
@@ -33,6 +34,7 @@ public:
 signals:
   void valueTyped(const halfspace::Rational &value);
   void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
+  void dropped();                        ///< Escape: what was typed is not wanted
   void stepped(int steps);               ///< by keys: so many snapping steps up or down
   void scrubStarted();
   void scrubbed(int steps);   ///< from where the scrub started
@@ -50,14 +52,11 @@ protected:
 private:
   QString refuse(const QString &sentence);
   [[nodiscard]] QRect room() const;
-  void endScrub(bool keep);
   void showValue();
   void mark(bool wrong);
 
   Rational m_value = 0;
-  bool m_scrubbing = false;
-  bool m_mayScrub = false;
-  QPoint m_pressedAt;
+  Scrub m_scrub;
 };
 
 /// A number as a user types it, with the decimal comma where the language has it: see plainSpelling.
