@@ -37,7 +37,8 @@ constexpr int usualFrameHeight = 40;
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
+    : m_model(std::move(library)), m_editor(m_model), m_typesetter(std::make_unique<Typesetter>()),
+      m_theme(themes().front()) {
   setObjectName("main");
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
@@ -68,8 +69,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
-  connect(m_scene, &SceneView::markHovered, this, &MainWindow::highlight);
-  connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::highlight);
+  connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_scene, &SceneView::hint, this, [this](const QString &words) { statusBar()->showMessage(words); });
 
@@ -174,10 +174,15 @@ void MainWindow::choose(const QString &answer) {
   showOutcome();
 }
 
-void MainWindow::highlight(const QString &markId) {
-  std::set<std::string> marks;
-  if (!markId.isEmpty())
-    marks.insert(markId.toStdString());
+void MainWindow::hoverMark(const QString &markId) {
+  m_hoveredMark = markId;
+  showHighlights();
+}
+
+void MainWindow::showHighlights() {
+  std::set<std::string> marks = m_working->traced().marks;
+  if (!m_hoveredMark.isEmpty())
+    marks.insert(m_hoveredMark.toStdString());
   m_working->setHighlighted(marks);
   m_scene->setHighlighted(std::move(marks));
 }

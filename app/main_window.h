@@ -5,6 +5,7 @@
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
+#include "widgets/coordinate_editor.h"
 #include "widgets/scene_view.h"
 #include "widgets/session_model.h"
 
@@ -70,6 +71,9 @@ protected:
 private:
   void createPanels();
   void createLessonList();
+  void connectWorking();
+  /// The scene's number that a number in the working is.
+  [[nodiscard]] std::optional<CoordinateNumber> numberOf(const CoordinateSource &source) const;
   void arrangePanels();
   void createMenus();
   void createFileMenu();
@@ -86,7 +90,9 @@ private:
   void showLesson();
   void showOutcome();
   void showStepWords();
-  void highlight(const QString &markId);
+  void hoverMark(const QString &markId);
+  /// The mark under the pointer, and those that the traced number came from.
+  void showHighlights();
   void showCase();
   void updateTitle();
   void applyLook();
@@ -134,6 +140,7 @@ private:
   void storeSettings();
 
   SessionModel m_model;
+  CoordinateEditor m_editor; ///< for the numbers in the working
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
   WorkingPractice *m_practice = nullptr;
@@ -141,6 +148,7 @@ private:
   Inspector *m_inspector = nullptr;
   LessonPanel *m_lessonPanel = nullptr;
   QListWidget *m_lessonList = nullptr;
+  QString m_hoveredMark;
   QLabel *m_caseLabel = nullptr;
   QLabel *m_unkept = nullptr; ///< in the status bar: that unsaved work cannot be kept
   QAction *m_larger = nullptr;

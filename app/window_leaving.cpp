@@ -4,6 +4,7 @@
 #include "app/standard_streams.h"
 #include "lessons/session_file.h"
 #include "widgets/inspector.h"
+#include "widgets/working_panel.h"
 
 #include <QCloseEvent>
 #include <QFileInfo>
@@ -20,7 +21,9 @@ namespace halfspace {
 
 QString MainWindow::finishInput() {
   m_scene->finishDrag();
-  return m_inspector->enterTyped();
+  const QString refused = m_working->enterTyped();
+  const QString alsoRefused = m_inspector->enterTyped();
+  return refused.isEmpty() ? alsoRefused : refused;
 }
 
 bool MainWindow::hasChanges() const {
@@ -92,6 +95,7 @@ bool MainWindow::askToGoWithout(const QString &refused) {
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Yes)
     return false;
+  m_working->dropTyped();
   m_inspector->dropTyped();
   return true;
 }

@@ -2,6 +2,7 @@
 #include "app/main_window.h"
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
+#include "widgets/working_panel.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -60,7 +61,8 @@ void MainWindow::createEditMenu() {
   menu.addAction(redo);
   menu.addSeparator();
   addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] {
-    m_inspector->dropTyped(); // what was refused is gone too
+    m_working->dropTyped(); // what was refused is gone too
+    m_inspector->dropTyped();
     m_model.resetScene();
   });
   createSnapMenu(*menu.addMenu(tr("S&nap To")));
@@ -175,7 +177,9 @@ void MainWindow::createHelpMenu() {
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
            "orthographic, <b>1</b>–<b>5</b> are views. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
            "larger and smaller.</p><p><b>Point at a term</b> of the working and its "
-           "mark lights up in the scene, and the other way round.</p>"));
+           "mark lights up in the scene, and the other way round. <b>Click a number</b> to see where it "
+           "comes "
+           "from; drag one that is a coordinate sideways, or double-click it to type.</p>"));
   });
   addItem(menu, tr("&About Halfspace"), {}, this, [this] {
     QMessageBox::about(

@@ -71,6 +71,7 @@ void MainWindow::createPanels() {
   m_inspector = new Inspector(m_model, *m_typesetter);
   m_lessonPanel = new LessonPanel(*m_typesetter);
   createLessonList();
+  connectWorking();
   connect(m_lessonPanel, &LessonPanel::stepRequested, this, [this](int step) { m_model.setStep(step); });
   connect(m_lessonPanel, &LessonPanel::predictionChosen, this, &MainWindow::choose);
 
@@ -79,6 +80,34 @@ void MainWindow::createPanels() {
   addPanel(tr("Numbers"), "numbersDock", m_inspector, Qt::RightDockWidgetArea);
   addPanel(tr("Lessons"), "lessonsDock", m_lessonList, Qt::BottomDockWidgetArea);
   addPanel(tr("Lesson"), "lessonDock", m_lessonPanel, Qt::BottomDockWidgetArea);
+}
+
+void MainWindow::connectWorking() {
+  m_working->setWholeWorking([this] { return m_model.outcome().working; });
+  connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::hoverMark);
+  connect(m_scene, &SceneView::dismissed, m_working, &WorkingPanel::endTrace);
+  connect(m_working, &WorkingPanel::traceChanged, this, &MainWindow::showHighlights);
+  connect(m_working, &WorkingPanel::coordinateTyped, this,
+          [this](const CoordinateSource &source, const Rational &value) {
+            if (const auto number = numberOf(source))
+              m_editor.change(*number, value);
+          });
+  connect(m_working, &WorkingPanel::coordinateStepped, this,
+          [this](const CoordinateSource &source, int steps) {
+            if (const auto number = numberOf(source))
+              m_editor.step(*number, steps);
+          });
+  connect(m_working, &WorkingPanel::scrubStarted, this, [this](const CoordinateSource &source) {
+    if (const auto number = numberOf(source))
+      m_editor.beginScrub(*number);
+  });
+  connect(m_working, &WorkingPanel::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(m_working, &WorkingPanel::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+}
+
+std::optional<CoordinateNumber> MainWindow::numberOf(const CoordinateSource &source) const {
+  const auto id = coordinateOf(m_model.session().scene, source);
+  return id ? std::optional(CoordinateNumber{*id, source.component.value_or(0)}) : std::nullopt;
 }
 
 void MainWindow::createLessonList() {

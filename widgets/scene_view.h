@@ -73,6 +73,7 @@ public:
 signals:
   void markHovered(const QString &markId); ///< empty: none
   void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
+  void dismissed();                        ///< Escape, while nothing is dragged
   void frameDrawn(const halfspace::FrameTimes &times);
 
 protected:
@@ -122,6 +123,7 @@ private:
   void frame();
   void followPointer();
   void cancelDrag();
+  void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
   /// From the direction of a view, on the stage.

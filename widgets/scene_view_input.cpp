@@ -248,7 +248,7 @@ void SceneView::keyPressEvent(QKeyEvent *event) {
     if (m_gesture == Gesture::Handle)
       cancelDrag();
     else
-      selectHandle({});
+      dismiss();
     return;
   }
   if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Horizontal)
@@ -256,6 +256,11 @@ void SceneView::keyPressEvent(QKeyEvent *event) {
   if ((event->modifiers() == Qt::NoModifier && lockAxis(event->key())) || stepSelected(*event))
     return;
   QVTKOpenGLNativeWidget::keyPressEvent(event);
+}
+
+void SceneView::dismiss() {
+  selectHandle({});
+  emit dismissed();
 }
 
 void SceneView::keyReleaseEvent(QKeyEvent *event) {

@@ -46,12 +46,12 @@ public:
     m_x = m_left;
     m_rowIsEmpty = true;
     startRow();
-    placePiece(line.pieces[0]);
+    placePiece(line.pieces[0], LinePiece::Symbols);
     if (state.blank)
       placeBlank(line, state);
     else
       for (std::size_t piece = 1; piece < line.pieces.size(); ++piece)
-        placePiece(line.pieces[piece]);
+        placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
     endRow();
     const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
     m_placed.remark = placeText(state.remark, m_left + markRoom);
@@ -114,7 +114,7 @@ private:
     m_rowIsEmpty = false;
   }
 
-  void placePiece(const Typesetter::Picture &picture) {
+  void placePiece(const Typesetter::Picture &picture, std::optional<LinePiece> piece = {}) {
     if (!picture)
       return;
     makeRoom(picture->width() * m_em);
@@ -123,7 +123,7 @@ private:
         picture->width() * m_em > room ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_em))
                                        : picture;
     const double em = m_em * std::clamp(room / std::max(shown->width() * m_em, 1.0), smallestScale, 1.0);
-    m_placed.formulas.push_back({shown, {m_x, 0}, em});
+    m_placed.formulas.push_back({shown, {m_x, 0}, em, piece});
     m_ascent = std::max(m_ascent, shown->ascent() * em);
     m_depth = std::max(m_depth, shown->depth() * em);
     advance(shown->width() * em);

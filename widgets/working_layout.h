@@ -17,8 +17,9 @@ namespace halfspace {
 /// A worked line with its pieces typeset.
 struct TypesetLine {
   WorkingLine source;
-  std::array<Typesetter::Picture, 3> pieces; ///< symbols, numbers, result; null where the source is empty
-  Typesetter::Picture prompt;                ///< of its blank; null where it has none
+  std::array<Typesetter::Picture, 3> pieces;  ///< symbols, numbers, result; null where the source is empty
+  Typesetter::Picture prompt;                 ///< of its blank; null where it has none
+  std::array<std::vector<Term>, 3> numbers{}; ///< of each piece, by the indices of its picture
 };
 
 /// What is said about a line to the learner who filled it in.
@@ -40,6 +41,7 @@ struct PlacedFormula {
   Typesetter::Picture picture;
   QPointF baseline;
   double emPixels = 0;
+  std::optional<LinePiece> piece{}; ///< which of its line it is; nothing for a prompt
 
   /// From the picture's lengths to places in the working.
   [[nodiscard]] QRectF toWorking(const QRectF &inPicture) const;

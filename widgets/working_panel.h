@@ -1,8 +1,10 @@
 // The worked lines beside the picture.
 #pragma once
 
+#include "lessons/provenance.h"
 #include "widgets/scene/theme.h"
-#include "widgets/working_layout.h"
+#include "widgets/scrub.h"
+#include "widgets/working_numbers.h"
 
 #include <QAbstractScrollArea>
 
@@ -14,8 +16,11 @@
 namespace halfspace {
 
 class BlankField;
+class NumberField;
 
-/// Shows a working as a textbook would: formulas, their numbers, a sentence.
+/// Shows a working as a textbook would: formulas, their numbers, a sentence. A click on a number lights up
+/// the lines and terms that it came from; one that is a coordinate can be scrubbed, and typed after a double
+/// click.
 class WorkingPanel : public QAbstractScrollArea {
   Q_OBJECT
 public:
@@ -27,6 +32,9 @@ public:
   void setTheme(const Theme &theme);
   /// The colour of marked terms, asked for at every painting.
   void setInkOf(std::function<QColor(const QString &markId)> inkOf);
+  /// The working with all its lines, of which only some may be shown: numbers are followed through it. It is
+  /// asked for when they are; without it they are followed through the lines that are shown.
+  void setWholeWorking(std::function<Working()> working);
   /// The terms of these marks stand out.
   void setHighlighted(std::set<std::string> markIds);
   /// All lines show a blank instead of numbers and result, to the eye, in copies and to screen readers.
@@ -34,9 +42,21 @@ public:
   /// These lines, and no others, do so, and have a field to be filled in; and what is said about some lines.
   void setBlanks(std::set<std::string> lineIds, std::map<std::string, LineRemark> remarks = {});
 
+  /// Lets go of the number that was traced or chosen.
+  void endTrace();
+  /// What the traced number came from; empty when there is none, or it is not shown.
+  [[nodiscard]] const Provenance &traced() const { return m_traced; }
+
+  /// Ends a scrub, and enters the number that is typed and not entered yet. Why it is refused; else empty.
+  [[nodiscard]] QString enterTyped();
+  /// Takes back what is typed and refused.
+  void dropTyped() { closeNumberField(); }
+
   /// Gives the focus to the first field, or to the panel where there is none.
   void focusField();
 
+  /// The numbers that can be touched, in the coordinates of the whole working.
+  [[nodiscard]] ShownNumbers shownNumbers() const { return {m_lines, m_placed}; }
   /// What is shown and where, in coordinates of the viewport.
   [[nodiscard]] PlacedWorking placed() const;
   /// The line as LaTeX, or all lines one below the other.
@@ -52,6 +72,15 @@ signals:
   void answered(const QString &lineId, const QString &text);
   /// … or wants to see it.
   void showRequested(const QString &lineId);
+  /// Another number is traced, or it came from something else; see traced().
+  void traceChanged();
+
+  // A number in a formula that is a coordinate is changed, as the signals of NumberField say.
+  void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
+  void coordinateStepped(const halfspace::CoordinateSource &number, int steps);
+  void scrubStarted(const halfspace::CoordinateSource &number);
+  void scrubbed(int steps);
+  void scrubEnded(bool keep);
 
 protected:
   void paintEvent(QPaintEvent *event) override;
@@ -59,12 +88,15 @@ protected:
   void changeEvent(QEvent *event) override;
   void mouseMoveEvent(QMouseEvent *event) override;
   void mousePressEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void mouseDoubleClickEvent(QMouseEvent *event) override;
   bool viewportEvent(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
   void contextMenuEvent(QContextMenuEvent *event) override;
   void scrollContentsBy(int dx, int dy) override;
 
 private:
+  [[nodiscard]] TypesetLine typesetLine(const WorkingLine &line) const;
   void placeLines();
   [[nodiscard]] bool isBlank(const std::string &lineId) const;
   [[nodiscard]] std::map<std::string, LineState> lineStates() const;
@@ -75,12 +107,36 @@ private:
   void addField(const WorkingLine &line);
   void updateAccessibleText();
   void hover(const QString &markId);
+  void hoverNumber(std::optional<NumberPlace> number);
   void setCurrentLine(std::optional<std::size_t> line);
+  void scrollTo(const QRectF &box);
+  // Whether the key had a meaning.
+  bool stepByKey(int key);
+  bool stepLine(int way);
   void copy(const QString &text) const;
   [[nodiscard]] QPointF scrolled() const;
   [[nodiscard]] std::optional<std::size_t> lineAt(QPointF position) const;
   [[nodiscard]] QString markAt(QPointF position) const;
   [[nodiscard]] QColor inkOf(const QString &markId) const;
+
+  void connectScrub();
+  void pressNumber(const NumberPlace &number, const QMouseEvent &event);
+  void trace(const NumberPlace &number);
+  /// What depends on where the numbers stand and what they are: the trace, and the field over one.
+  void followNumbers();
+  [[nodiscard]] Working wholeWorking() const;
+  /// Chooses the number beside the one that is chosen in the current line; false where it has none.
+  bool chooseBeside(int way);
+  bool useChosen();
+  void openNumberField(const NumberPlace &number);
+  void closeNumberField();
+  void connectNumberField(NumberField &field, const CoordinateSource &number);
+  void moveNumberField();
+  void showTip(const QPoint &at);
+  [[nodiscard]] std::optional<LineRemark> remarkOf(const std::string &lineId) const;
+
+  void paintBackground(QPainter &painter, std::size_t index) const;
+  void paintNumbers(QPainter &painter, std::size_t index) const;
   void paintLine(QPainter &painter, std::size_t index) const;
   void paintHighlights(QPainter &painter, const PlacedFormula &formula) const;
   void paintBlank(QPainter &painter, const QRectF &blank) const;
@@ -98,6 +154,21 @@ private:
   PlacedWorking m_placed;
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys
+
+  std::function<Working()> m_wholeWorking;
+  std::optional<NumberPlace> m_hoveredNumber;
+  std::optional<NumberPlace> m_pressedNumber; ///< from the press until the button is up
+  std::optional<NumberPlace> m_chosenNumber;  ///< by the keys
+  std::optional<NumberPlace> m_tracedNumber;
+  Provenance m_traced;
+  Scrub m_scrub;
+  /// A coordinate that is typed in its formula.
+  struct TypedNumber {
+    NumberPlace place;
+    NumberField *field;
+    QString refusal; ///< why the text is not taken; empty when it may be
+  };
+  std::optional<TypedNumber> m_typed;
 };
 
 } // namespace halfspace

@@ -47,8 +47,10 @@ void WorkingPractice::addChoice(QBoxLayout &layout, Fading fading, const QString
 }
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
-  if (m_step != std::pair(lesson, step))
+  if (m_step != std::pair(lesson, step)) {
     m_panel->setBlanks({}); // what was typed elsewhere does not come along
+    m_panel->endTrace();
+  }
   m_step = {lesson, step};
   m_asked = asked;
 }

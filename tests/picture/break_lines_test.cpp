@@ -131,7 +131,7 @@ TEST(BreakLines, ATagAcrossLines_HasABoxOnEach) {
                    tagBox.box.right() >= ink.right() - 0.06 && tagBox.box.y <= ink.y + rounding &&
                    tagBox.box.bottom() >= ink.bottom() - rounding;
           });
-      EXPECT_TRUE(isCovered) << broken.tags[static_cast<std::size_t>(tag)].name;
+      EXPECT_TRUE(isCovered) << "tag " << tag;
     }
   const auto boxesOfOuter = std::count_if(broken.tagBoxes.begin(), broken.tagBoxes.end(),
                                           [](const TagBox &tagBox) { return tagBox.tag == 0; });
@@ -144,7 +144,7 @@ TEST(BreakLines, ATagWithinALine_KeepsItsSize) {
   const Layout broken = breakLines(whole, width(9));
   const auto sizeOf = [](const Layout &layout, const std::string &name) {
     for (const TagBox &tagBox : layout.tagBoxes)
-      if (layout.tags[static_cast<std::size_t>(tagBox.tag)].name == name)
+      if (layout.tags[static_cast<std::size_t>(tagBox.tag)].id == TagId(name))
         return std::pair(tagBox.box.width, tagBox.box.height);
     return std::pair(0.0, 0.0);
   };

@@ -51,7 +51,7 @@ struct Describe {
   std::string operator()(const Words &words) const { return "\"" + words.text + "\""; }
   std::string operator()(const Group &group) const { return "{" + described(group.row) + "}"; }
   std::string operator()(const Tagged &tagged) const {
-    return call("tag", {tagged.tag, described(tagged.row)});
+    return call("tag", {std::get<std::string>(tagged.tag), described(tagged.row)});
   }
   std::string operator()(const Colored &colored) const {
     const Color &color = colored.color;

@@ -9,7 +9,7 @@ namespace {
 Rectangle boxOf(const Layout &layout, const std::string &name) {
   std::vector<Rectangle> boxes;
   for (const TagBox &tagBox : layout.tagBoxes)
-    if (layout.tags[static_cast<std::size_t>(tagBox.tag)].name == name)
+    if (layout.tags[static_cast<std::size_t>(tagBox.tag)].id == TagId(name))
       boxes.push_back(tagBox.box);
   EXPECT_EQ(boxes.size(), 1U) << name;
   return boxes.empty() ? Rectangle() : boxes.front();
@@ -65,10 +65,10 @@ TEST(Tags, ABox_IsNoLargerThanWhatIsTagged) {
 TEST(Tags, Inner_ComeAfterOuterAndKnowThem) {
   const Layout layout = laidOut("\\mark{a}{x+\\frac{\\mark{b}{y}}{\\mark{c}{z}}}\\mark{d}{w}");
   ASSERT_EQ(layout.tags.size(), 4U);
-  EXPECT_EQ(layout.tags[0].name, "a");
-  EXPECT_EQ(layout.tags[1].name, "b");
-  EXPECT_EQ(layout.tags[2].name, "c");
-  EXPECT_EQ(layout.tags[3].name, "d");
+  EXPECT_EQ(layout.tags[0].id, TagId("a"));
+  EXPECT_EQ(layout.tags[1].id, TagId("b"));
+  EXPECT_EQ(layout.tags[2].id, TagId("c"));
+  EXPECT_EQ(layout.tags[3].id, TagId("d"));
   EXPECT_EQ(layout.tags[0].parent, noTag);
   EXPECT_EQ(layout.tags[1].parent, 0);
   EXPECT_EQ(layout.tags[2].parent, 0);
@@ -79,6 +79,20 @@ TEST(Tags, TheSameNameTwice_IsTwoTags) {
   const Layout layout = laidOut("\\mark{a}{x}+\\mark{a}{y}");
   EXPECT_EQ(layout.tags.size(), 2U);
   EXPECT_EQ(layout.tagBoxes.size(), 2U);
+}
+
+TEST(Tags, ByIndex_StandAmongThoseByNameAndChangeNoPlace) {
+  const auto formulaWith = [](Row number) {
+    return row(tagged("outer", row(letter('x'), symbol('+', AtomClass::Bin), std::move(number))));
+  };
+  const Layout plain = layOut(formulaWith(number("12")), fonts());
+  const Layout layout = layOut(formulaWith(row(tagged(std::size_t{7}, number("12")))), fonts());
+  ASSERT_EQ(layout.tags.size(), 2U);
+  EXPECT_EQ(layout.tags[1].id, TagId(std::size_t{7}));
+  EXPECT_EQ(layout.tags[1].parent, 0);
+  ASSERT_EQ(layout.glyphs.size(), plain.glyphs.size());
+  for (std::size_t i = 0; i < plain.glyphs.size(); ++i)
+    EXPECT_EQ(layout.glyphs[i].x, plain.glyphs[i].x);
 }
 
 TEST(Tags, RulesOfATaggedFraction_AreTagged) {

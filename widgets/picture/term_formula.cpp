@@ -1,5 +1,6 @@
 #include "widgets/picture/term_formula.h"
 
+#include "lessons/provenance.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
 
@@ -68,7 +69,9 @@ char32_t signOf(Relation relation) {
 
 class FormulaWriter : public TermWriter<Row> {
 public:
-  explicit FormulaWriter(Notation notation) : m_notation(notation) {}
+  /// The numbers that can be traced are tagged and put behind `numbers`, unless that is null.
+  explicit FormulaWriter(Notation notation, std::vector<Term> *numbers = nullptr)
+      : m_notation(notation), m_numbers(numbers) {}
 
 protected:
   Row row(std::vector<Row> parts) override {
@@ -169,6 +172,10 @@ protected:
   }
 
   Row touchable(const Term &term, Row text) override {
+    if (m_numbers && isTraceable(term)) {
+      text = {math::tagged(m_numbers->size(), std::move(text))};
+      m_numbers->push_back(term);
+    }
     return term->mark.empty() ? text : Row{math::tagged(term->mark, std::move(text))};
   }
 
@@ -176,6 +183,7 @@ protected:
 
 private:
   Notation m_notation;
+  std::vector<Term> *m_numbers;
 };
 
 } // namespace
@@ -195,12 +203,14 @@ math::Row relatedFormula(const Term &value, Notation notation) {
 
 math::Row formulaOf(const Symbol &symbol) { return FormulaWriter({}).write(name(symbol, std::nullopt)); }
 
-math::Row formulaOf(const WorkingLine &line, LinePiece piece) {
-  Row formula;
+TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece) {
+  TraceableFormula formula;
+  FormulaWriter writer({}, &formula.numbers);
+  Row &row = formula.row;
   for (const ChainPart &part : partsOf(line, piece)) {
-    if (!formula.empty())
-      formula = math::row(std::move(formula), math::symbol(',', AtomClass::Punct), math::space(1));
-    formula = math::row(std::move(formula), formulaOf(*part.chain, part.begin, part.end));
+    if (!row.empty())
+      row = math::row(std::move(row), math::symbol(',', AtomClass::Punct), math::space(1));
+    row = math::row(std::move(row), writer.write(*part.chain, part.begin, part.end));
   }
   return formula;
 }

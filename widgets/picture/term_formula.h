@@ -20,8 +20,14 @@ namespace halfspace {
 
 [[nodiscard]] math::Row formulaOf(const Symbol &symbol);
 
+/// A formula with the numbers of which it can be asked where they come from: each is tagged with its index.
+struct TraceableFormula {
+  math::Row row;
+  std::vector<Term> numbers{};
+};
+
 /// A piece of a worked line; empty where the line has no such piece.
-[[nodiscard]] math::Row formulaOf(const WorkingLine &line, LinePiece piece);
+[[nodiscard]] TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece);
 
 /// What stands between a line's symbols and a blank: `=`, or `= ax + by + cz + d, d =` where one number is
 /// asked.

@@ -33,7 +33,7 @@ MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypefac
     m_error = sentenceOf(std::get<math::ReadError>(read));
   if (!m_error.isEmpty())
     m_layout = layOutSource(latex, *m_typeface);
-  takeMarkBoxes();
+  takeTagBoxes();
 }
 
 MathPicture::MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface)
@@ -41,7 +41,7 @@ MathPicture::MathPicture(const math::Row &formula, std::shared_ptr<const MathTyp
   layOut(formula);
   if (!m_error.isEmpty())
     m_layout = layOutSource(QStringLiteral("…"), *m_typeface);
-  takeMarkBoxes();
+  takeTagBoxes();
 }
 
 void MathPicture::layOut(const math::Row &formula) {
@@ -56,22 +56,38 @@ MathPicture MathPicture::brokenTo(double widthInEm) const {
   math::LineRules rules;
   rules.width = widthInEm;
   broken.m_layout = math::breakLines(m_layout, rules);
-  broken.takeMarkBoxes();
+  broken.takeTagBoxes();
   return broken;
 }
 
-void MathPicture::takeMarkBoxes() {
+void MathPicture::takeTagBoxes() {
   m_markBoxes.clear();
-  for (const math::TagBox &tagged : m_layout.tagBoxes)
-    m_markBoxes.emplace_back(QString::fromStdString(m_layout.tags[static_cast<std::size_t>(tagged.tag)].name),
-                             QRectF(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height));
+  m_indexBoxes.clear();
+  for (const math::TagBox &tagged : m_layout.tagBoxes) {
+    const math::TagId &id = m_layout.tags[static_cast<std::size_t>(tagged.tag)].id;
+    const QRectF box(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height);
+    if (const auto *index = std::get_if<std::size_t>(&id))
+      m_indexBoxes.emplace_back(*index, box);
+    else
+      m_markBoxes.emplace_back(QString::fromStdString(std::get<std::string>(id)), box);
+  }
+}
+
+std::vector<QColor> MathPicture::inksOfTags(const InkOf &inkOf, const QColor &plain) const {
+  std::vector<QColor> inks;
+  inks.reserve(m_layout.tags.size());
+  for (const math::Tag &tag : m_layout.tags) {
+    if (const auto *mark = std::get_if<std::string>(&tag.id))
+      inks.push_back(inkOf(QString::fromStdString(*mark)));
+    else // an index has no colour of its own
+      inks.push_back(tag.parent == math::noTag ? plain : inks[static_cast<std::size_t>(tag.parent)]);
+  }
+  return inks;
 }
 
 void MathPicture::paint(QPainter &painter, QPointF baseline, double emPixels, const InkOf &inkOf) const {
   const QColor plain = inkOf({});
-  std::vector<QColor> marked;
-  for (const math::Tag &tag : m_layout.tags)
-    marked.push_back(inkOf(QString::fromStdString(tag.name)));
+  const std::vector<QColor> marked = inksOfTags(inkOf, plain);
   const auto colorOf = [&](const math::Ink &ink) {
     if (ink.color)
       return QColor(ink.color->red, ink.color->green, ink.color->blue);

@@ -49,6 +49,8 @@ public:
 
   /// The box of each marked term, in the order of reading; a term inside another comes after it.
   [[nodiscard]] const std::vector<std::pair<QString, QRectF>> &markBoxes() const { return m_markBoxes; }
+  /// The box of each piece that is tagged with an index, likewise.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, QRectF>> &indexBoxes() const { return m_indexBoxes; }
 
   /// Paints with the origin at `baseline`, one em being `emPixels` of the painter's units.
   void paint(QPainter &painter, QPointF baseline, double emPixels, const InkOf &inkOf) const;
@@ -59,11 +61,13 @@ public:
 private:
   /// Lays the formula out, or says that it is too large.
   void layOut(const math::Row &formula);
-  void takeMarkBoxes();
+  void takeTagBoxes();
+  [[nodiscard]] std::vector<QColor> inksOfTags(const InkOf &inkOf, const QColor &plain) const;
 
   std::shared_ptr<const MathTypeface> m_typeface;
   math::Layout m_layout;
   std::vector<std::pair<QString, QRectF>> m_markBoxes;
+  std::vector<std::pair<std::size_t, QRectF>> m_indexBoxes;
   QString m_error;
 };
 

@@ -54,7 +54,7 @@ struct Rule {
 
 /// One use of a tag.
 struct Tag {
-  std::string name;
+  TagId id;
   int parent = noTag; ///< index of the tag around it, which stands before it
 };
 

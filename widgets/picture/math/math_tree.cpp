@@ -60,7 +60,7 @@ Node function(std::string name, ScriptPlace scriptPlace) {
 
 Node group(Row content) { return {Group{std::move(content)}}; }
 
-Node tagged(std::string tag, Row content) { return {Tagged{std::move(tag), std::move(content)}}; }
+Node tagged(TagId tag, Row content) { return {Tagged{std::move(tag), std::move(content)}}; }
 
 Node colored(Color color, Row content) { return {Colored{color, std::move(content)}}; }
 

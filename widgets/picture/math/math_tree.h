@@ -70,9 +70,14 @@ struct Group {
   bool isInline = false; ///< display style becomes text style
 };
 
-/// A named piece of the formula. For spaces and line breaks it is as if its atoms stood in the row around it.
+/// By what a piece of the formula is found again: a name, or an index into what was kept beside the formula
+/// when it was built.
+using TagId = std::variant<std::string, std::size_t>;
+
+/// A piece of the formula to be found again. For spaces and line breaks it is as if its atoms stood in the
+/// row around it.
 struct Tagged {
-  std::string tag;
+  TagId tag;
   Row row;
 };
 
@@ -250,7 +255,7 @@ template <class... Parts> [[nodiscard]] Row row(Parts &&...parts) {
 /// The name of a function, as cos or max.
 [[nodiscard]] Node function(std::string name, ScriptPlace scriptPlace = ScriptPlace::Beside);
 [[nodiscard]] Node group(Row content);
-[[nodiscard]] Node tagged(std::string tag, Row content);
+[[nodiscard]] Node tagged(TagId tag, Row content);
 [[nodiscard]] Node colored(Color color, Row content);
 [[nodiscard]] Node space(double em);
 [[nodiscard]] Node styleSwitch(Style style);

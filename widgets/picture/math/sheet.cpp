@@ -60,8 +60,8 @@ void Sheet::putRule(double x, double top, double width, double height) {
   m_layout.rules.push_back({{x, -top, width, height}, m_ink});
 }
 
-std::size_t Sheet::openTag(const std::string &name) {
-  m_layout.tags.push_back({name, m_ink.tag});
+std::size_t Sheet::openTag(const TagId &id) {
+  m_layout.tags.push_back({id, m_ink.tag});
   m_ink.tag = static_cast<int>(m_layout.tags.size()) - 1;
   m_layout.tagBoxes.push_back({m_ink.tag, {}});
   return m_layout.tagBoxes.size() - 1;

@@ -87,7 +87,7 @@ public:
   void putRule(double x, double top, double width, double height);
 
   /// Opens a tag and makes it the current one; returns the index of its box, which is still empty.
-  std::size_t openTag(const std::string &name);
+  std::size_t openTag(const TagId &id);
   void setTagBox(std::size_t tagBox, const Rectangle &box) { m_layout.tagBoxes[tagBox].box = box; }
   [[nodiscard]] Ink ink() const { return m_ink; }
   void setInk(const Ink &ink) { m_ink = ink; }

@@ -1,0 +1,62 @@
+// The fields in blank lines.
+#include "widgets/blank_field.h"
+#include "widgets/working_panel.h"
+
+#include <QApplication>
+
+namespace halfspace {
+
+bool WorkingPanel::matchFields() {
+  std::set<std::string> wanted;
+  for (const TypesetLine &line : m_lines)
+    if (m_blanks.contains(line.source.id)) {
+      wanted.insert(line.source.id);
+      if (!m_fields.contains(line.source.id))
+        addField(line.source);
+    }
+  bool lostFocus = false;
+  std::erase_if(m_fields, [&](const auto &each) {
+    if (wanted.contains(each.first))
+      return false;
+    lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
+    each.second->hide();
+    each.second->deleteLater(); // its own signal may have led here
+    return true;
+  });
+  for (const auto &[line, field] : m_fields)
+    field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
+  return lostFocus;
+}
+
+void WorkingPanel::focusField() {
+  for (const TypesetLine &line : m_lines)
+    if (const auto field = m_fields.find(line.source.id); field != m_fields.end())
+      return field->second->setFocus();
+  setFocus();
+}
+
+void WorkingPanel::followFocus(QWidget *focused) {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id);
+        field != m_fields.end() && field->second->isAncestorOf(focused))
+      setCurrentLine(i);
+}
+
+void WorkingPanel::addField(const WorkingLine &line) {
+  auto *field = new BlankField(QString::fromStdString(questionText(line)),
+                               line.blank ? line.blank->answer.size() : 0, viewport());
+  const QString id = QString::fromStdString(line.id);
+  connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
+  connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
+  m_fields[line.id] = field;
+}
+
+void WorkingPanel::moveFields() {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id); field != m_fields.end()) {
+      field->second->setGeometry(m_placed.lines[i].blank.translated(-scrolled()).toRect());
+      field->second->show();
+    }
+}
+
+} // namespace halfspace
