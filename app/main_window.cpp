@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QRandomGenerator>
 #include <QScreen>
 #include <QStatusBar>
 
@@ -71,6 +72,10 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
+  connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
+    m_inspector->dropTyped(); // it was about the numbers that go
+    m_model.renewNumbers(QRandomGenerator::global()->generate64());
+  });
   connect(m_scene, &SceneView::hint, this, [this](const QString &words) { statusBar()->showMessage(words); });
 
   restoreSettings();

@@ -57,6 +57,10 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
+    showAll();
+    requestFrame();
+  });
   takeOutcome();
 }
 

@@ -1,5 +1,7 @@
 #include "widgets/session_model.h"
 
+#include "lessons/short_numbers.h"
+
 #include <QUndoCommand>
 
 #include <algorithm>
@@ -10,8 +12,11 @@ namespace halfspace {
 /// Two sessions of a lesson, before and after. Going from one to the other keeps the step that is shown.
 class SessionCommand : public QUndoCommand {
 public:
-  SessionCommand(SessionModel &model, Session before, Session after, const QString &description)
-      : QUndoCommand(description), m_model(model), m_before(std::move(before)), m_after(std::move(after)) {}
+  /// `replaces`: what was in view may be somewhere else altogether.
+  SessionCommand(SessionModel &model, Session before, Session after, const QString &description,
+                 bool replaces)
+      : QUndoCommand(description), m_model(model), m_before(std::move(before)), m_after(std::move(after)),
+        m_replaces(replaces) {}
 
   void undo() override { go(m_before); }
   void redo() override { go(m_after); }
@@ -20,11 +25,14 @@ private:
   void go(Session session) {
     session.step = m_model.session().step;
     m_model.show(session);
+    if (m_replaces)
+      emit m_model.sceneReplaced();
   }
 
   SessionModel &m_model;
   Session m_before;
   Session m_after;
+  bool m_replaces;
 };
 
 namespace {
@@ -65,13 +73,21 @@ void SessionModel::openLesson(const std::string &id) {
 }
 
 void SessionModel::resetScene() {
-  if (!isChanged())
-    return;
+  if (isChanged())
+    replaceScene(m_lesson->scene, tr("start over"));
+}
+
+void SessionModel::renewNumbers(std::uint64_t seed) {
+  replaceScene(withShortNumbers(m_session.scene, seed), tr("new numbers"));
+}
+
+void SessionModel::replaceScene(Scene scene, const QString &description) {
   const Session before = m_session;
   Session after = m_session;
-  after.scene = m_lesson->scene;
+  after.scene = std::move(scene);
   show(after);
-  record(before, tr("start over"));
+  if (!(m_session == before))
+    record(before, description, true);
 }
 
 int SessionModel::lastStep() const { return std::max(0, static_cast<int>(m_lesson->steps.size()) - 1); }
@@ -128,9 +144,9 @@ bool SessionModel::takeStage() {
   return !(m_stage == before);
 }
 
-void SessionModel::record(const Session &before, const QString &description) {
+void SessionModel::record(const Session &before, const QString &description, bool replaces) {
   // Pushing runs redo, which shows the session that is shown already.
-  m_history.push(new SessionCommand(*this, before, m_session, description));
+  m_history.push(new SessionCommand(*this, before, m_session, description, replaces));
 }
 
 void SessionModel::show(const Session &session) {

@@ -50,6 +50,8 @@ public:
   void startWith(Session session);
   /// Puts the current lesson's scene back to its start, as one undo step.
   void resetScene();
+  /// Gives the scene other short numbers, as one undo step; see short_numbers.h.
+  void renewNumbers(std::uint64_t seed);
   void setStep(int step);
 
   /// An edit that stands on its own: one undo step.
@@ -67,15 +69,18 @@ signals:
   void outcomeChanged(); ///< after every change of scene, stage or step
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
   void stepChanged();    ///< before outcomeChanged, when another step or lesson is shown
+  void sceneReplaced();  ///< after outcomeChanged, when all of the lesson's scene is another one at once
 
 private:
   friend class SessionCommand;
   void show(const Session &session);
   [[nodiscard]] int lastStep() const;
-  void record(const Session &before, const QString &description);
+  void record(const Session &before, const QString &description, bool replaces = false);
   /// True where the stage is another one now.
   bool takeStage();
   void finishGesture();
+  /// Another scene for the same lesson and step, as one undo step.
+  void replaceScene(Scene scene, const QString &description);
 
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have

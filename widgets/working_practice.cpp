@@ -1,7 +1,8 @@
 #include "widgets/working_practice.h"
 
+#include "widgets/flow_layout.h"
+
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -12,17 +13,23 @@ namespace {
 
 constexpr QMargins barMargins(12, 0, 12, 4);
 
+QToolButton *barButton(const QString &text, const QString &explanation) {
+  auto *button = new QToolButton;
+  button->setText(text);
+  button->setToolTip(explanation);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
 } // namespace
 
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)) {
-  auto *bar = new QHBoxLayout;
-  bar->setContentsMargins(barMargins);
-  bar->setSpacing(2);
-  addChoice(*bar, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
-  addChoice(*bar, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
-  addChoice(*bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
-  bar->addStretch(1);
+    : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)),
+      m_newNumbers(
+          barButton(tr("New numbers"), tr("Work with other short numbers; the case stays the same."))) {
+  auto *bar = new FlowLayout;
+  createBar(*bar);
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -33,17 +40,23 @@ WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
   connect(m_panel, &WorkingPanel::showRequested, this, &WorkingPractice::open);
 }
 
-void WorkingPractice::addChoice(QBoxLayout &layout, Fading fading, const QString &text,
+void WorkingPractice::createBar(QLayout &bar) {
+  bar.setContentsMargins(barMargins);
+  bar.setSpacing(2);
+  addChoice(bar, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
+  addChoice(bar, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
+  addChoice(bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
+  bar.addWidget(m_newNumbers);
+  connect(m_newNumbers, &QToolButton::clicked, this, &WorkingPractice::renewNumbers);
+}
+
+void WorkingPractice::addChoice(QLayout &bar, Fading fading, const QString &text,
                                 const QString &explanation) {
-  auto *button = new QToolButton;
-  button->setText(text);
-  button->setToolTip(explanation);
+  QToolButton *button = barButton(text, explanation);
   button->setCheckable(true);
   button->setChecked(fading == m_usual);
-  button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::StrongFocus);
   m_choices->addButton(button, static_cast<int>(fading));
-  layout.addWidget(button);
+  bar.addWidget(button);
 }
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
@@ -79,6 +92,7 @@ void WorkingPractice::refresh() {
                 [this](const auto &opened) { return textOf(opened.first) != opened.second; });
   for (QAbstractButton *button : m_choices->buttons())
     button->setEnabled(!m_hidden);
+  m_newNumbers->setEnabled(!m_hidden);
   m_choices->button(static_cast<int>(fading()))->setChecked(true);
   m_blank = m_hidden ? std::set<std::string>() : blankLines(m_working, fading(), openedLines());
   if (m_hidden)
@@ -122,6 +136,16 @@ void WorkingPractice::choose(Fading fading) {
   refresh();
   m_panel->focusField();
   emit blanksChanged();
+}
+
+void WorkingPractice::renewNumbers() {
+  practice().opened.clear();
+  practice().told.clear();
+  m_panel->setBlanks({}); // what was typed was about the other numbers
+  emit newNumbersRequested();
+  refresh();
+  if (hasBlanks())
+    m_panel->focusField();
 }
 
 void WorkingPractice::answer(const QString &lineId, const QString &text) {

@@ -7,13 +7,13 @@
 #include <map>
 
 class QButtonGroup;
-class QBoxLayout;
+class QToolButton;
 
 namespace halfspace {
 
 /// Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
-/// when the scene changes, and choosing how much is blank makes them blank anew. Lines that are blank stay so
-/// and ask for the new number.
+/// when the scene changes, and choosing how much is blank makes them blank anew, as do new numbers. Lines
+/// that are blank stay so and ask for the new number.
 class WorkingPractice : public QWidget {
   Q_OBJECT
 public:
@@ -33,6 +33,8 @@ public:
 signals:
   /// The learner has chosen, completed a line, or had one shown.
   void blanksChanged();
+  /// The learner wants to work with other numbers. Whoever has the scene gives it some at once.
+  void newNumbersRequested();
 
 private:
   /// What was said about a line, and the numbers that it was about.
@@ -46,8 +48,10 @@ private:
     std::map<std::string, Told> told;
   };
 
-  void addChoice(QBoxLayout &layout, Fading fading, const QString &text, const QString &explanation);
+  void createBar(QLayout &bar);
+  void addChoice(QLayout &bar, Fading fading, const QString &text, const QString &explanation);
   void choose(Fading fading);
+  void renewNumbers();
   void answer(const QString &lineId, const QString &text);
   void open(const QString &lineId);
   void refresh();
@@ -61,6 +65,7 @@ private:
 
   WorkingPanel *m_panel;
   QButtonGroup *m_choices;
+  QToolButton *m_newNumbers;
   Fading m_usual = Fading::None; ///< the learner's last choice
   std::optional<Fading> m_asked; ///< by the step
   std::pair<std::string, int> m_step;

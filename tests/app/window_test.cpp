@@ -5,6 +5,7 @@
 #include "widgets/math_label.h"
 #include "widgets/number_field.h"
 #include "widgets/task_row.h"
+#include "widgets/views.h"
 #include "widgets/working_practice.h"
 
 #include <QAction>
@@ -12,6 +13,7 @@
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
+#include <QHash>
 #include <QImage>
 #include <QLabel>
 #include <QMessageBox>
@@ -334,6 +336,40 @@ private slots:
     QTest::keyClick(field, Qt::Key_Return);
     QTRY_VERIFY(words->text().contains("10"));
     QTRY_VERIFY(isShown());
+  }
+
+  void newNumbers_clicked_areOneUndoStep_inView_andToBeFilledIn_data() {
+    QTest::addColumn<QString>("lesson");
+    for (const char *lesson : {"plane-implicit", "signed-distance", "ray-plane-dot", "ray-triangle-perp"})
+      QTest::newRow(lesson) << lesson;
+  }
+
+  void newNumbers_clicked_areOneUndoStep_inView_andToBeFilledIn() {
+    QFETCH(QString, lesson);
+    WindowFixture fixture(lesson.toStdString());
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(1);
+    auto *practice = fixture.window.findChild<WorkingPractice *>();
+    QHash<QString, QToolButton *> buttons;
+    for (QToolButton *button : practice->findChildren<QToolButton *>())
+      buttons[button->text()] = button;
+    QTest::mouseClick(buttons["All blank"], Qt::LeftButton);
+    const Session before = fixture.model().session();
+    const std::string caseBefore = fixture.model().outcome().caseName;
+    for (int i = 1; i <= 5; ++i) {
+      QTest::mouseClick(buttons["New numbers"], Qt::LeftButton);
+      QCOMPARE(fixture.model().history().count(), i);
+      QVERIFY(!(fixture.model().session() == before));
+      QCOMPARE(fixture.model().outcome().caseName, caseBefore);
+      QVERIFY(practice->hasBlanks());
+      QVERIFY(practice->panel().isAncestorOf(fixture.window.focusWidget()));
+      const QRect view = fixture.scene().rect();
+      for (const Place &place : placesOf(fixture.model().outcome().figure))
+        QVERIFY(view.contains(fixture.pixelOf(place)));
+    }
+    while (fixture.model().history().canUndo())
+      fixture.model().history().undo();
+    QVERIFY(fixture.model().session() == before);
   }
 
   void task_trueOnArrival_isDoneOnlyAfterItWasBroughtAbout() {

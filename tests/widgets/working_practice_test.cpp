@@ -152,6 +152,53 @@ private slots:
     QVERIFY(!practice.hasBlanks());
   }
 
+  void newNumbersBlankAllLinesAgainAndGiveTheFocusToTheFirst() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    practice.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&practice));
+    int asked = 0;
+    connect(&practice, &WorkingPractice::newNumbersRequested, this, [&] {
+      ++asked;
+      practice.setWorking(someWorking(60), false);
+    });
+    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
+    QCOMPARE(asked, 1);
+    QVERIFY(fields(practice).isEmpty());
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "60");
+    answer(fields(practice).first(), "7"); // wrong
+    QTest::mouseClick(button(practice, "Show", 1), Qt::LeftButton);
+    QCOMPARE(fields(practice).size(), 1);
+    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
+    QCOMPARE(asked, 2);
+    QCOMPARE(fields(practice).size(), 2);
+    for (const QLineEdit *field : fields(practice))
+      QVERIFY(field->text().isEmpty());
+    QVERIFY(!line(practice, 2).blank.isNull()); // it had been shown, and is the same as before
+    QVERIFY(text(line(practice, 1).remark).isEmpty());
+    QTRY_VERIFY(fields(practice).first()->hasFocus());
+  }
+
+  void barIsNeverCutOff() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    for (const int width : {700, 400, 300, 200}) {
+      practice.resize(width, 500);
+      QCOMPARE(practice.width(), width);
+      QRect last;
+      for (const char *name : {"All lines", "Last blank", "All blank", "New numbers"}) {
+        const QToolButton *shown = button(practice, name);
+        QVERIFY(practice.rect().contains(shown->geometry()));
+        QVERIFY(shown->width() >= shown->sizeHint().width());
+        QVERIFY(!shown->geometry().intersects(practice.panel().geometry()));
+        QVERIFY(!shown->geometry().intersects(last));
+        last = shown->geometry();
+      }
+    }
+  }
+
   void stepMayAskForBlanksAndTheLearnersChoiceGoesBefore() {
     WorkingPractice practice(m_typesetter);
     show(practice);
@@ -187,12 +234,13 @@ private slots:
     QVERIFY(!practice.hasBlanks());
     QVERIFY(!practice.panel().latexOfAll().contains("30"));
     QVERIFY(!button(practice, "All blank")->isEnabled());
+    QVERIFY(!button(practice, "New numbers")->isEnabled());
   }
 
   void fieldThatGetsTheFocusComesIntoView() {
     WorkingPractice practice(m_typesetter);
     show(practice);
-    practice.resize(300, 150);
+    practice.resize(300, 180);
     practice.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&practice));
     QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
