@@ -255,6 +255,7 @@ void MainWindow::restoreSettings() {
   setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
   setThemeNamed(settings.theme);
   m_motion->setChecked(settings.motion);
+  m_practice->setUsual(settings.blank);
   if (!restoreGeometry(settings.window))
     resize((usualSize * sizeScale()).boundedTo(screen()->availableSize()));
   if (!restoreState(settings.panels))
@@ -265,6 +266,7 @@ void MainWindow::storeSettings() {
   Settings settings;
   settings.theme = QString::fromStdString(m_theme.name);
   settings.motion = m_motion->isChecked();
+  settings.blank = m_practice->usual();
   if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
     settings.sizeScale = m_sizeScale;
   settings.window = saveGeometry();

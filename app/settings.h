@@ -1,6 +1,7 @@
 // What a user has chosen, kept between starts.
 #pragma once
 
+#include "lessons/practice.h"
 #include "lessons/problem.h"
 
 #include <QByteArray>
@@ -13,6 +14,7 @@ namespace halfspace {
 struct Settings {
   QString theme = "light";
   bool motion = true;
+  Fading blank = Fading::None;     ///< which worked lines the user fills in
   std::optional<double> sizeScale; ///< nothing: what suits the screen; always finite
   QByteArray window;               ///< size and place, as Qt saves them
   QByteArray panels;               ///< their arrangement, as Qt saves it

@@ -251,6 +251,10 @@ std::optional<Fading> fadingNamed(std::string_view word) {
   return word == "all" ? std::optional(Fading::All) : std::nullopt;
 }
 
+std::string_view nameOf(Fading fading) {
+  return fading == Fading::None ? "none" : fading == Fading::Last ? "last" : "all";
+}
+
 std::set<std::string> blankLines(const Working &working, Fading fading, const std::set<std::string> &opened) {
   if (fading == Fading::None)
     return {};
@@ -283,7 +287,7 @@ std::optional<Surd> parseAnswer(std::string_view text) {
 Judgement judge(const Blank &blank, std::string_view typed) {
   const auto answer = readAnswer(typed);
   if (!answer)
-    return {false, withAnswer(sentenceForNoAnswer(blank), typed.substr(0, longestAnswer))};
+    return {false, withAnswer(sentenceForNoAnswer(blank), typed.substr(0, longestAnswer)), false};
   if (means(*answer, blank.answer))
     return {true, praise(*answer, blank.answer)};
   return {false, withAnswer(diagnosis(blank, *answer), typed)};

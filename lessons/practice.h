@@ -13,6 +13,7 @@ enum class Fading { None, Last, All };
 
 /// The fading that a lesson's word means: none, last, all.
 [[nodiscard]] std::optional<Fading> fadingNamed(std::string_view word);
+[[nodiscard]] std::string_view nameOf(Fading fading);
 
 /// The ids of the lines whose numbers are blank. `opened` are those that the learner has completed or had
 /// shown. Lines below the last one that asks, which would give its result away, wait for it.
@@ -27,6 +28,7 @@ inline constexpr std::size_t longestAnswer = 60;
 struct Judgement {
   bool right = false;
   std::string sentence;
+  bool isAnswer = true; ///< false: what was typed cannot be read as one
 };
 
 /// Several numbers are typed as (1, -3 1/3, √2), in parentheses or without, parted by commas, or by

@@ -28,22 +28,25 @@ QLayoutItem *FlowLayout::takeAt(int index) {
 }
 
 std::vector<QRect> FlowLayout::placesIn(int width) const {
-  std::vector<QRect> places;
+  std::vector<QRect> places(m_items.size());
   QPoint next;
+  std::size_t rowBegin = 0;
   int rowHeight = 0;
-  for (const auto &item : m_items) {
-    if (item->isEmpty()) {
-      places.emplace_back();
+  for (std::size_t i = 0; i < m_items.size(); ++i) {
+    if (m_items[i]->isEmpty())
       continue;
-    }
-    const QSize size = item->sizeHint().boundedTo({std::max(width, 0), QWIDGETSIZE_MAX});
+    const QSize size = m_items[i]->sizeHint().boundedTo({std::max(width, 0), QWIDGETSIZE_MAX});
     if (next.x() > 0 && next.x() + size.width() > width) {
       next = {0, next.y() + rowHeight + spacing()};
+      rowBegin = i;
       rowHeight = 0;
     }
-    places.emplace_back(next, size);
+    places[i] = {next, size};
     next.rx() += size.width() + spacing();
     rowHeight = std::max(rowHeight, size.height());
+    for (std::size_t inRow = rowBegin; inRow <= i; ++inRow)
+      if (!places[inRow].isNull())
+        places[inRow].setHeight(rowHeight);
   }
   return places;
 }

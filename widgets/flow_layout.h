@@ -9,7 +9,8 @@
 namespace halfspace {
 
 /// Lays its items out as words in a paragraph: from left to right (or from right to left, as the language
-/// writes), each as large as its hint, in rows from top to bottom. What is hidden takes no room.
+/// writes), each as wide as its hint and as high as its
+/// row, from top to bottom. What is hidden takes no room.
 class FlowLayout : public QLayout {
   Q_OBJECT
 public:

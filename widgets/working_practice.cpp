@@ -3,6 +3,7 @@
 #include "widgets/flow_layout.h"
 
 #include <QButtonGroup>
+#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -12,6 +13,7 @@ namespace halfspace {
 namespace {
 
 constexpr QMargins barMargins(12, 0, 12, 4);
+constexpr QMargins scoreMargins(8, 0, 8, 0); // as the text of a button
 
 QToolButton *barButton(const QString &text, const QString &explanation) {
   auto *button = new QToolButton;
@@ -27,7 +29,8 @@ QToolButton *barButton(const QString &text, const QString &explanation) {
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)),
       m_newNumbers(
-          barButton(tr("New numbers"), tr("Work with other short numbers; the case stays the same."))) {
+          barButton(tr("New numbers"), tr("Work with other short numbers; the case stays the same."))),
+      m_score(new QLabel) {
   auto *bar = new FlowLayout;
   createBar(*bar);
   auto *layout = new QVBoxLayout(this);
@@ -48,6 +51,12 @@ void WorkingPractice::createBar(QLayout &bar) {
   addChoice(bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
   bar.addWidget(m_newNumbers);
   connect(m_newNumbers, &QToolButton::clicked, this, &WorkingPractice::renewNumbers);
+  m_score->setObjectName("score");
+  m_score->setForegroundRole(QPalette::PlaceholderText);
+  m_score->setContentsMargins(scoreMargins);
+  m_score->setToolTip(tr("What you filled in right at the first try. A line that was shown does not count."));
+  m_score->hide();
+  bar.addWidget(m_score);
 }
 
 void WorkingPractice::addChoice(QLayout &bar, Fading fading, const QString &text,
@@ -57,6 +66,11 @@ void WorkingPractice::addChoice(QLayout &bar, Fading fading, const QString &text
   button->setChecked(fading == m_usual);
   m_choices->addButton(button, static_cast<int>(fading));
   bar.addWidget(button);
+}
+
+void WorkingPractice::setUsual(Fading fading) {
+  m_usual = fading;
+  refresh();
 }
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
@@ -90,6 +104,8 @@ void WorkingPractice::refresh() {
   // New numbers are to be worked out anew.
   std::erase_if(practice().opened,
                 [this](const auto &opened) { return textOf(opened.first) != opened.second; });
+  std::erase_if(practice().firstTries,
+                [this](const auto &tried) { return textOf(tried.first) != tried.second.text; });
   for (QAbstractButton *button : m_choices->buttons())
     button->setEnabled(!m_hidden);
   m_newNumbers->setEnabled(!m_hidden);
@@ -100,6 +116,25 @@ void WorkingPractice::refresh() {
   else
     m_panel->setBlanks(m_blank, remarks());
   m_panel->setWorking(m_working);
+  showScore();
+}
+
+void WorkingPractice::showScore() {
+  int asked = 0;
+  int right = 0;
+  for (const std::string &line : blankLines(m_working, fading(), {}))
+    if (blankOf(line)) {
+      ++asked;
+      const auto tried = practice().firstTries.find(line);
+      right += tried != practice().firstTries.end() && tried->second.right ? 1 : 0;
+    }
+  constexpr QChar figureSpace(0x2007); // as wide as a digit: nothing moves from 9 to 10
+  const int digits = static_cast<int>(QString::number(asked).size());
+  m_score->setText(
+      tr("%1 of %n right", "lines that were filled in", asked).arg(right, digits, 10, figureSpace));
+  m_score->setAccessibleName(
+      tr("%1 of %n right at the first try", "lines that were filled in", asked).arg(right));
+  m_score->setVisible(asked > 0 && !m_hidden);
 }
 
 std::map<std::string, LineRemark> WorkingPractice::remarks() const {
@@ -132,7 +167,7 @@ const Blank *WorkingPractice::blankOf(const std::string &lineId) const {
 
 void WorkingPractice::choose(Fading fading) {
   m_usual = fading;
-  practice() = {fading, {}, {}};
+  practice() = {fading, {}, {}, {}};
   refresh();
   m_panel->focusField();
   emit blanksChanged();
@@ -141,6 +176,7 @@ void WorkingPractice::choose(Fading fading) {
 void WorkingPractice::renewNumbers() {
   practice().opened.clear();
   practice().told.clear();
+  practice().firstTries.clear();
   m_panel->setBlanks({}); // what was typed was about the other numbers
   emit newNumbersRequested();
   refresh();
@@ -155,6 +191,8 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
     return;
   const Judgement judgement = judge(*blank, text.toStdString());
   practice().told[line] = {blank->answer, {QString::fromStdString(judgement.sentence), judgement.right}};
+  if (judgement.isAnswer)
+    practice().firstTries.try_emplace(line, FirstTry{textOf(line), judgement.right});
   if (judgement.right)
     practice().opened[line] = textOf(line);
   refresh();
@@ -164,6 +202,7 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
 void WorkingPractice::open(const QString &lineId) {
   const std::string line = lineId.toStdString();
   practice().opened[line] = textOf(line);
+  practice().firstTries.try_emplace(line, FirstTry{textOf(line), false});
   refresh();
   emit blanksChanged();
 }

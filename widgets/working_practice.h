@@ -7,6 +7,7 @@
 #include <map>
 
 class QButtonGroup;
+class QLabel;
 class QToolButton;
 
 namespace halfspace {
@@ -27,6 +28,11 @@ public:
   /// Shows a working. `hidden`: no line shows numbers or asks for them, because a question goes before.
   void setWorking(const Working &working, bool hidden);
 
+  /// How much is blank where neither the step nor the learner has said anything else: the learner's last
+  /// choice.
+  [[nodiscard]] Fading usual() const { return m_usual; }
+  void setUsual(Fading fading);
+
   /// Whether some lines ask to be filled in.
   [[nodiscard]] bool hasBlanks() const { return !m_blank.empty(); }
 
@@ -42,10 +48,16 @@ private:
     std::vector<Surd> answer;
     LineRemark remark;
   };
+  /// The first answer to a line, and what the line said then.
+  struct FirstTry {
+    std::string text;
+    bool right = false;
+  };
   struct StepPractice {
     std::optional<Fading> fading;              ///< the learner's choice here
     std::map<std::string, std::string> opened; ///< the lines, and what they said then
     std::map<std::string, Told> told;
+    std::map<std::string, FirstTry> firstTries; ///< or that the line was shown instead
   };
 
   void createBar(QLayout &bar);
@@ -55,6 +67,7 @@ private:
   void answer(const QString &lineId, const QString &text);
   void open(const QString &lineId);
   void refresh();
+  void showScore();
   [[nodiscard]] Fading fading() const;
   [[nodiscard]] std::set<std::string> openedLines();
   /// What a line says with the present numbers; empty where there is no such line.
@@ -66,6 +79,7 @@ private:
   WorkingPanel *m_panel;
   QButtonGroup *m_choices;
   QToolButton *m_newNumbers;
+  QLabel *m_score;
   Fading m_usual = Fading::None; ///< the learner's last choice
   std::optional<Fading> m_asked; ///< by the step
   std::pair<std::string, int> m_step;

@@ -21,7 +21,7 @@ protected:
     written.close();
     const auto settings = readSettings(file);
     EXPECT_TRUE(settings) << text.toStdString();
-    return settings ? *settings : Settings{"not read", {}, {}, {}, {}};
+    return settings ? *settings : Settings{"not read", {}, {}, {}, {}, {}};
   }
 
   void expectProblem(const std::string &sentence) const {
@@ -38,7 +38,8 @@ protected:
 };
 
 TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
-  const Settings settings{"dark", false, 1.75, QByteArray("\0\xFFgeometry", 10), QByteArray("panels")};
+  const Settings settings{
+      "dark", false, Fading::All, 1.75, QByteArray("\0\xFFgeometry", 10), QByteArray("panels")};
   ASSERT_FALSE(writeSettings(settings, file));
   auto again = readSettings(file);
   ASSERT_TRUE(again) << again.problem().text();
@@ -67,7 +68,7 @@ TEST_F(SettingsFile, ThatIsMissing_GivesTheUsualOnes) {
 TEST_F(SettingsFile, WithASizeThatIsNoNumber_PassesOverIt) {
   for (const char *size : {"null", "\"x\"", "\"2\"", "true", "[2]", "{}"})
     EXPECT_EQ(readFrom(R"({"theme":"dark","sizeScale":)" + QByteArray(size) + "}"),
-              (Settings{"dark", true, {}, {}, {}}))
+              (Settings{"dark", true, {}, {}, {}, {}}))
         << size;
   EXPECT_EQ(readFrom(R"({"sizeScale":1.5})").sizeScale, 1.5);
 }

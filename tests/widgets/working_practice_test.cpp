@@ -5,6 +5,7 @@
 #include "lessons/term/rewrite.h"
 #include "lessons/worked_lines.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -39,6 +40,11 @@ QList<QLineEdit *> fields(const QWidget &widget) {
     if (field->isVisibleTo(&widget) && field->isEnabled())
       shown << field;
   return shown;
+}
+
+QString score(const QWidget &practice) {
+  const auto *label = practice.findChild<QLabel *>("score");
+  return label->isVisibleTo(&practice) ? label->text() : QString();
 }
 
 QString text(const std::vector<PlacedText> &pieces) {
@@ -180,6 +186,59 @@ private slots:
     QTRY_VERIFY(fields(practice).first()->hasFocus());
   }
 
+  void scoreCountsWhatIsRightAtTheFirstTry() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QCOMPARE(score(practice), QString());
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    QCOMPARE(score(practice), QString("0 of 2 right")); // the vector asks for nothing
+    answer(fields(practice).first(), "abc");            // no answer
+    answer(fields(practice).first(), "30");
+    QCOMPARE(score(practice), QString("1 of 2 right"));
+    answer(fields(practice).first(), "30"); // wrong
+    answer(fields(practice).first(), "10");
+    QCOMPARE(score(practice), QString("1 of 2 right"));
+    QCOMPARE(practice.findChild<QLabel *>("score")->accessibleName(),
+             QString("1 of 2 right at the first try"));
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    QCOMPARE(score(practice), QString("0 of 1 right"));
+    QTest::mouseClick(button(practice, "All lines"), Qt::LeftButton);
+    QCOMPARE(score(practice), QString());
+  }
+
+  void scoreLeavesOutWhatWasShown_andBeginsAnewWithNewNumbers() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "30");
+    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
+    QCOMPARE(score(practice), QString("1 of 2 right"));
+    practice.setStep("lesson", 1, Fading::All);
+    practice.setWorking(someWorking(), false);
+    QCOMPARE(score(practice), QString("0 of 2 right"));
+    practice.setStep("lesson", 0, {});
+    practice.setWorking(someWorking(), false);
+    QCOMPARE(score(practice), QString("1 of 2 right"));
+    practice.setWorking(someWorking(), true);
+    QCOMPARE(score(practice), QString()); // a question goes before
+    practice.setWorking(someWorking(60), false);
+    QCOMPARE(score(practice), QString("0 of 2 right"));
+    answer(fields(practice).first(), "60");
+    QCOMPARE(score(practice), QString("1 of 2 right"));
+    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
+    QCOMPARE(score(practice), QString("0 of 2 right")); // even where they are the same
+  }
+
+  void choiceOfAnEarlierStartHoldsWhereTheStepAsksForNothingElse() {
+    WorkingPractice practice(m_typesetter);
+    practice.setUsual(Fading::Last);
+    show(practice);
+    QVERIFY(button(practice, "Last blank")->isChecked());
+    QCOMPARE(fields(practice).size(), 1);
+    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    QVERIFY(practice.usual() == Fading::All);
+  }
+
   void barIsNeverCutOff() {
     WorkingPractice practice(m_typesetter);
     show(practice);
@@ -196,6 +255,10 @@ private slots:
         QVERIFY(!shown->geometry().intersects(last));
         last = shown->geometry();
       }
+      const auto *score = practice.findChild<QLabel *>("score");
+      QVERIFY(practice.rect().contains(score->geometry()));
+      QVERIFY(score->width() >= score->sizeHint().width());
+      QVERIFY(!score->geometry().intersects(practice.panel().geometry()));
     }
   }
 
@@ -240,7 +303,7 @@ private slots:
   void fieldThatGetsTheFocusComesIntoView() {
     WorkingPractice practice(m_typesetter);
     show(practice);
-    practice.resize(300, 180);
+    practice.resize(300, 220);
     practice.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&practice));
     QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
