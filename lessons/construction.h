@@ -31,6 +31,10 @@ struct CaseWords {
   bool degenerate = false;
 };
 
+/// Cases that several constructions have.
+[[nodiscard]] CaseWords zeroNormalWords();
+[[nodiscard]] CaseWords zeroDirectionWords();
+
 /// A role typed: its name and the member of In that holds it.
 template <class In, class Kind> struct TypedRole {
   const char *name;
@@ -38,16 +42,14 @@ template <class In, class Kind> struct TypedRole {
 };
 
 /// Puts a construction together from its pure functions:
-///   Out compute(const In &), CaseWords tell(const In &, const Out &),
-///   std::vector<NamedValue> list(const In &, const Out &),
-///   Working explain(const In &, const Out &), Figure draw(const In &, const Out &).
-/// Only compute does arithmetic.
+///   Out compute(const In &), CaseWords tell(const In &, const Out &), std::vector<NamedValue> list(const Out
+///   &), Working explain(const Out &), Figure draw(const In &, const Out &).
+/// Out has the letters of the lines, as terms that know their numbers.
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
 makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*tell)(const In &, const Out &),
-                 std::vector<NamedValue> (*list)(const In &, const Out &),
-                 Working (*explain)(const In &, const Out &), Figure (*draw)(const In &, const Out &),
-                 TypedRole<In, Kinds>... roles) {
+                 std::vector<NamedValue> (*list)(const Out &), Working (*explain)(const Out &),
+                 Figure (*draw)(const In &, const Out &), TypedRole<In, Kinds>... roles) {
   Construction construction;
   construction.id = id;
   construction.roles = {ConstructionRole{roles.name, kindOf(Kinds{})}...};
@@ -57,9 +59,8 @@ makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*te
     ((in.*roles.member = std::get<Kinds>(*objects[next++])), ...);
     const Out out = compute(in);
     CaseWords words = tell(in, out);
-    return Outcome{
-        std::move(words.name),        list(in, out),   withTellingMistakes(explain(in, out)), draw(in, out),
-        std::move(words.description), words.degenerate};
+    return Outcome{std::move(words.name),        list(out),       explain(out), draw(in, out),
+                   std::move(words.description), words.degenerate};
   };
   return construction;
 }

@@ -3,11 +3,21 @@
 
 #include "lessons/figure.h"
 #include "lessons/object.h"
+#include "lessons/term/term.h"
 
 namespace halfspace {
 
 /// Where exact coordinates are drawn.
 [[nodiscard]] inline Place place(const ExactVec3 &exact) { return toDouble(exact); }
+
+/// The same of a term that comes to a point or a vector.
+[[nodiscard]] Place place(const Term &term);
+
+/// What the mark has that draws a letter: its id is the mark that the term says it is, its label the letter.
+[[nodiscard]] MarkBase drawn(const Term &letter, Role role, Subject subject);
+/// The same where a point is, and from where a vector starts.
+[[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
+[[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 
 /// The unit vector of a direction ≠ 0, however short it is.
 [[nodiscard]] Place unitOf(const ExactVec3 &direction);

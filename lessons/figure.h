@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct MarkBase {
   std::string id;
   Role role = Role::Given;
   Subject subject = Subject::Neutral;
-  std::string label;     ///< LaTeX written beside the mark; empty for none
+  std::string label{};   ///< LaTeX written beside the mark; empty for none
   std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
   bool operator==(const MarkBase &) const = default;
 };
@@ -103,6 +104,8 @@ using Mark = std::variant<PointMark, SegmentMark, RayMark, ArrowMark, PlanePatch
 
 struct Figure {
   std::vector<Mark> marks;
+
+  void add(Mark mark) { marks.push_back(std::move(mark)); }
 };
 
 /// For std::visit with one lambda a kind: a kind without one does not compile.

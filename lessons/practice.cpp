@@ -1,9 +1,10 @@
 #include "lessons/practice.h"
 
 #include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"
 #include "lessons/text.h"
-#include "lessons/typed_number.h"
+#include "lessons/typed_answer.h"
 #include "lessons/usual_mistakes.h"
 #include "lessons/words.h"
 
@@ -13,284 +14,226 @@
 namespace halfspace {
 namespace {
 
-/// One character for each sign of an answer: `r` for a root.
-std::string condensed(std::string_view typed) {
-  std::string text(typed);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{
-      {{" ", ""}, {"−", "-"}, {"·", "*"}, {"×", "*"}, {"√", "r"}, {"sqrt", "r"}}};
-  for (const auto &[from, to] : signs)
-    text = replacedAll(std::move(text), from, to);
-  return text;
-}
-
-/// Reads sums of fractions with one root.
-class AnswerReader {
-public:
-  explicit AnswerReader(std::string text) : m_text(std::move(text)) {}
-
-  std::optional<Surd> read() {
-    const Surd value = sum();
-    return m_failed || m_at != m_text.size() ? std::nullopt : std::optional(value);
-  }
-
-private:
-  /// factor · √square
-  struct Product {
-    Rational factor = 1;
-    Rational square = 1;
-  };
-
-  bool take(char c) {
-    if (m_at == m_text.size() || m_text[m_at] != c)
-      return false;
-    ++m_at;
-    return true;
-  }
-
-  Surd sum() {
-    Rational rational = 0;
-    Surd root;
-    int sign = 1;
-    do {
-      const Product term = product();
-      const Surd value = Surd::root(term.square, Rational(term.factor * sign));
-      if (value.isRational())
-        rational += value.rationalPart();
-      else if (root.isRational())
-        root = value;
-      else
-        m_failed = true;
-      sign = m_at < m_text.size() && m_text[m_at] == '-' ? -1 : 1;
-    } while (take('+') || take('-'));
-    return root + rational;
-  }
-
-  Product product() {
-    Product result = factor();
-    while (m_at < m_text.size() && std::string_view("+-)").find(m_text[m_at]) == std::string_view::npos) {
-      const bool divides = take('/');
-      if (!divides)
-        take('*');
-      const Product next = factor();
-      if (divides && (next.factor == 0 || next.square == 0)) {
-        m_failed = true;
-        return {};
-      }
-      result.factor *= divides ? Rational(1 / next.factor) : next.factor;
-      result.square *= divides ? Rational(1 / next.square) : next.square;
-    }
-    return result;
-  }
-
-  Product factor() {
-    if (take('-')) {
-      const Product positive = factor();
-      return {Rational(-positive.factor), positive.square};
-    }
-    if (take('('))
-      return bracketed();
-    if (!take('r'))
-      return {number(), 1};
-    const Product under = take('(') ? bracketed() : Product{number(), 1};
-    if (under.square != 1 || under.factor < 0)
-      m_failed = true;
-    return m_failed ? Product{} : Product{1, under.factor};
-  }
-
-  /// What follows an open bracket.
-  Product bracketed() {
-    const Surd inside = sum();
-    if (!take(')') || (!inside.isRational() && inside.rationalPart() != 0))
-      m_failed = true;
-    return inside.isRational() ? Product{inside.rationalPart(), 1}
-                               : Product{inside.rootFactor(), Rational(inside.radicand())};
-  }
-
-  Rational number() {
-    const auto end = std::min(m_text.find_first_not_of("0123456789.", m_at), m_text.size());
-    const auto value = parseRational(std::string_view(m_text).substr(m_at, end - m_at));
-    m_failed = m_failed || !value;
-    m_at = value ? end : m_text.size(); // nothing behind what cannot be read
-    return value.value_or(0);
-  }
-
-  std::string m_text;
-  std::size_t m_at = 0;
-  bool m_failed = false;
-};
-
-/// Half a unit in the last place of a decimal; nothing for what is no decimal, or too short to be rounded.
-std::optional<Rational> roundingOf(const std::string &text) {
-  const auto point = text.find('.');
-  if (point == std::string::npos || text.find_first_not_of("-0123456789.") != std::string::npos)
-    return {};
-  const auto first = text.find_first_of("123456789");
-  const auto digits = first == std::string::npos ? 0 : text.size() - first - (first < point ? 1 : 0);
-  if (digits < fewestDigits)
-    return {};
-  const auto places = static_cast<unsigned>(text.size() - point - 1);
-  return Rational(1, Integer(2 * mp::pow(Integer(10), places)));
-}
-
-/// A typed number, which may stand for all numbers that round to it.
-struct TypedNumber {
-  Surd value;
-  std::optional<Rational> rounding;
-
-  [[nodiscard]] bool means(const Surd &number) const { return value == number || roundsTo(number); }
-  [[nodiscard]] bool roundsTo(const Surd &number) const {
-    if (!rounding || !value.isRational())
-      return false;
-    const Surd apart = number + Rational(-value.rationalPart());
-    return (apart + *rounding).sign() >= 0 && (apart + Rational(-*rounding)).sign() <= 0;
-  }
-};
-
-/// What a learner typed: one number or several.
-using Answer = std::vector<TypedNumber>;
-
-bool means(const Answer &answer, const std::vector<Surd> &numbers) {
-  return std::equal(answer.begin(), answer.end(), numbers.begin(), numbers.end(),
-                    [](const TypedNumber &typed, const Surd &number) { return typed.means(number); });
-}
-
-bool isExactly(const Answer &answer, const std::vector<Surd> &numbers) {
-  return std::equal(answer.begin(), answer.end(), numbers.begin(), numbers.end(),
-                    [](const TypedNumber &typed, const Surd &number) { return typed.value == number; });
-}
-
-/// The pieces of a list, without its parentheses.
-std::vector<std::string_view> piecesOf(std::string_view text) {
-  text = trimmed(text);
-  const char separator = text.find(';') == std::string_view::npos ? ',' : ';';
-  if (text.find(separator) != std::string_view::npos && text.starts_with('(') && text.ends_with(')'))
-    text = text.substr(1, text.size() - 2);
-  std::vector<std::string_view> pieces;
-  for (auto end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
-    pieces.push_back(trimmed(text.substr(0, end)));
-    text.remove_prefix(end + 1);
-  }
-  pieces.push_back(trimmed(text));
-  return pieces;
-}
-
-std::optional<Answer> readAnswer(std::string_view text) {
-  Answer answer;
-  for (const std::string_view piece : piecesOf(text)) {
-    const auto value = parseAnswer(piece);
-    if (!value)
-      return {};
-    answer.push_back({*value, roundingOf(condensed(piece))});
-  }
-  return answer;
-}
+/// In the order of Fading.
+constexpr std::array<std::string_view, 4> fadingNames{"none", "gaps", "last", "all"};
 
 /// `{answer}` in a sentence as the learner wrote it.
 std::string withAnswer(const std::string &sentence, std::string_view typed) {
   return replacedAll(sentence, "{answer}", replacedAll(std::string(trimmed(typed)), "-", "−"));
 }
 
-Term termOf(const std::vector<Surd> &numbers) {
-  return numbers.size() == 1 ? Term(numbers.front()) : list({numbers.begin(), numbers.end()});
+std::set<std::string> lettersIn(const std::vector<Polynomial> &entries) {
+  std::set<std::string> letters;
+  for (const Polynomial &entry : entries)
+    for (const Polynomial::Summand &summand : entry.summands())
+      letters.insert(summand.monomial.begin(), summand.monomial.end());
+  return letters;
 }
 
-std::string praise(const Answer &answer, const std::vector<Surd> &truth) {
-  if (isExactly(answer, truth))
-    return words("Right.");
-  const Term exact = termOf(truth);
-  return showsRounded(exact) ? words("Right, rounded.")
-                             : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
+/// x, y, z
+std::string listed(const std::set<std::string> &letters) {
+  std::string list;
+  for (const std::string &letter : letters)
+    list += (list.empty() ? "" : ", ") + letter;
+  return list;
 }
 
-/// The sentence of the first usual mistake in the line's formula that comes to this.
-std::optional<std::string> slipSentence(const Blank &blank, const Answer &answer) {
-  if (!blank.formula)
-    return {};
-  for (const WrongTerm &mistake : usualMistakes(*blank.formula)) {
-    const auto numbers = mistake.wrong->value ? exactNumbers(*mistake.wrong->value) : std::nullopt;
-    if (numbers && means(answer, *numbers) && *numbers != blank.answer)
-      return mistake.sentence;
+/// What is asked for in a gap, and how answers are compared with it.
+class Question {
+public:
+  Question(const WorkingLine &line, const Gap &gap)
+      : m_gap(gap), m_truth(gap.hidden->value.value()),
+        m_isEquation(gap.isResult && line.asked == Asked::Equation) {
+    if (gap.isResult)
+      m_mistakes = line.mistakes;
+    const auto formula = gap.isResult ? std::optional(line.chains.back()) : gap.hidden->origin;
+    if (formula)
+      for (WrongTerm &mistake : usualMistakes(*formula))
+        m_mistakes.push_back(std::move(mistake));
   }
-  return {};
+
+  [[nodiscard]] bool isRight(const TypedAnswer &answer) const { return isMeant(answer, m_truth); }
+
+  [[nodiscard]] std::string praise(const TypedAnswer &answer) const {
+    if (areEqual(answer.value(), m_truth) == true)
+      return words("Right.");
+    if (m_isEquation)
+      return words("Right: the same equation, all its numbers multiplied by the same factor.");
+    const Term exact = calculated(m_gap.hidden);
+    return showsRounded(exact) ? words("Right, rounded.")
+                               : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
+  }
+
+  [[nodiscard]] std::string diagnosis(const TypedAnswer &answer) const {
+    if (answer.entries.size() != m_truth.entries.size())
+      return m_truth.isList ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
+                                    {{"count", std::to_string(m_truth.entries.size())}})
+                            : words("One number is asked for here.");
+    for (const WrongTerm &mistake : m_mistakes)
+      if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
+        return mistake.sentence;
+    if (!m_isEquation && answer.means(opposite(m_truth)))
+      return words("{answer} has the right size and the wrong sign.");
+    return words("{answer} is not right. Put the numbers into the symbols once more.");
+  }
+
+  [[nodiscard]] std::string sentenceForNoAnswer() const {
+    const std::set<std::string> letters = lettersIn(m_truth.entries);
+    if (!letters.empty())
+      return words("“{answer}” cannot be read: write it with {letters} and numbers, as 2{letter} − 1/3 = 0.",
+                   {{"letters", listed(letters)}, {"letter", *letters.begin()}});
+    return m_truth.isList ? words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).")
+                          : words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.");
+  }
+
+  /// Whether the answer is of the kind that is asked for: no letters but those that are there.
+  [[nodiscard]] bool canBe(const TypedAnswer &answer) const {
+    const std::set<std::string> letters = lettersIn(m_truth.entries);
+    const std::set<std::string> typed = lettersIn(answer.value().entries);
+    return (!answer.isEquation || !letters.empty()) &&
+           std::includes(letters.begin(), letters.end(), typed.begin(), typed.end());
+  }
+
+private:
+  [[nodiscard]] bool isMeant(const TypedAnswer &answer, const TermValue &value) const {
+    return m_isEquation ? answer.meansEquation(value) : answer.means(value);
+  }
+  [[nodiscard]] bool isTruth(const TermValue &value) const {
+    return m_isEquation ? TypedAnswer{{{value.entries.front()}}}.meansEquation(m_truth)
+                        : areEqual(value, m_truth) != false;
+  }
+
+  /// What a mistake comes to; of a number in a list, its entry.
+  [[nodiscard]] std::optional<TermValue> valueOf(const WrongTerm &mistake) const {
+    const auto &value = mistake.wrong->value;
+    if (!value || !m_gap.entry)
+      return value;
+    return value->isList && *m_gap.entry < value->entries.size()
+               ? std::optional(TermValue(value->entries[*m_gap.entry]))
+               : std::nullopt;
+  }
+
+  static TermValue opposite(TermValue value) {
+    for (Polynomial &entry : value.entries)
+      entry = -entry;
+    return value;
+  }
+
+  const Gap &m_gap;
+  TermValue m_truth;
+  bool m_isEquation;
+  std::vector<WrongTerm> m_mistakes;
+};
+
+/// Gaps in a term that is calculated; `entry`: it stands there in a list.
+void collectGaps(const Term &term, std::optional<std::size_t> entry, std::vector<Gap> &gaps) {
+  const bool isNumber = term->kind == TermKind::Number;
+  if (term->value && isExact(*term->value) && (isNumber || term->kind == TermKind::List))
+    gaps.push_back({term, false, entry});
+  if (isNumber)
+    return;
+  for (std::size_t i = 0; i < term->parts.size(); ++i)
+    collectGaps(term->parts[i], term->kind == TermKind::List ? std::optional(i) : std::nullopt, gaps);
 }
 
-std::vector<Surd> opposite(std::vector<Surd> numbers) {
-  for (Surd &number : numbers)
-    number = -number;
-  return numbers;
+/// One of the numbers to be worked out, by turns from line to line. While the scene moves it stays the same.
+std::optional<Gap> oneGap(const WorkingLine &line) {
+  std::vector<Gap> gaps = numberGaps(line);
+  std::erase_if(gaps, [](const Gap &gap) { return !gap.hidden->origin || gap.hidden->source; });
+  if (gaps.empty())
+    return {};
+  std::size_t sum = 0;
+  for (const char c : line.id)
+    sum += static_cast<unsigned char>(c);
+  return gaps[sum % gaps.size()];
 }
 
-std::string diagnosis(const Blank &blank, const Answer &answer) {
-  if (answer.size() != blank.answer.size())
-    return blank.answer.size() == 1 ? words("One number is asked for here.")
-                                    : words("{count} numbers are asked for here: write them as (1, 2, 3).",
-                                            {{"count", std::to_string(blank.answer.size())}});
-  for (const Mistake &mistake : blank.mistakes)
-    if (means(answer, mistake.value))
-      return mistake.sentence;
-  if (const auto slip = slipSentence(blank, answer))
-    return *slip;
-  if (means(answer, opposite(blank.answer)))
-    return words("{answer} has the right size and the wrong sign.");
-  return words("{answer} is not right. Put the numbers into the symbols once more.");
+using Lines = std::vector<WorkingLine>;
+
+Lines::const_iterator firstFaded(const Lines &lines, Fading fading) {
+  if (fading != Fading::Last)
+    return fading == Fading::All ? lines.begin() : lines.end();
+  const auto last = std::find_if(lines.rbegin(), lines.rend(),
+                                 [](const WorkingLine &line) { return line.asked != Asked::Nothing; });
+  return last == lines.rend() ? lines.end() : last.base() - 1;
 }
 
-std::string sentenceForNoAnswer(const Blank &blank) {
-  return blank.answer.size() == 1
-             ? words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.")
-             : words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).");
+/// Whether the chain begins with the term: `n·n` or `f(Q)`, the value of which it says.
+bool says(const WorkingLine &line, const Term &term) {
+  return std::any_of(line.chains.begin(), line.chains.end(),
+                     [&](const Chain &chain) { return readAlike(chain.sides().front(), term); });
+}
+
+void collectNames(const Term &term, std::vector<Term> &names) {
+  if (term->kind == TermKind::Applied || (term->kind == TermKind::Name && !term->source)) {
+    if (std::none_of(names.begin(), names.end(), [&](const Term &each) { return readAlike(each, term); }))
+      names.push_back(term);
+    return;
+  }
+  for (const Term &part : term->parts)
+    collectNames(part, names);
 }
 
 } // namespace
 
 std::optional<Fading> fadingNamed(std::string_view word) {
-  if (word == "none")
-    return Fading::None;
-  if (word == "last")
-    return Fading::Last;
-  return word == "all" ? std::optional(Fading::All) : std::nullopt;
+  const auto found = std::find(fadingNames.begin(), fadingNames.end(), word);
+  return found == fadingNames.end() ? std::nullopt
+                                    : std::optional(static_cast<Fading>(found - fadingNames.begin()));
 }
 
-std::string_view nameOf(Fading fading) {
-  return fading == Fading::None ? "none" : fading == Fading::Last ? "last" : "all";
+std::string_view nameOf(Fading fading) { return fadingNames.at(static_cast<std::size_t>(fading)); }
+
+Gap resultGap(const WorkingLine &line) { return {line.chains.back().last()}; }
+
+std::vector<Gap> numberGaps(const WorkingLine &line) {
+  const Chain &chain = line.chains.back();
+  std::vector<Gap> gaps;
+  for (std::size_t side = chain.symbolic(); side < chain.sides().size(); ++side)
+    collectGaps(chain.sides()[side], {}, gaps);
+  return gaps;
 }
 
-std::set<std::string> blankLines(const Working &working, Fading fading, const std::set<std::string> &opened) {
-  if (fading == Fading::None)
-    return {};
-  const auto &lines = working.lines;
-  auto from = lines.begin();
-  if (fading == Fading::Last) {
-    auto last =
-        std::find_if(lines.rbegin(), lines.rend(), [](const WorkingLine &line) { return line.blank; });
-    if (last == lines.rend())
-      last = std::find_if(lines.rbegin(), lines.rend(), hasNumbers);
-    if (last == lines.rend() || opened.contains(last->id))
-      return {};
-    from = last.base() - 1;
+Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened) {
+  Fade faded;
+  if (fading == Fading::Gaps) {
+    for (const WorkingLine &line : working.lines)
+      if (const auto gap = oneGap(line); gap && !opened.contains(line.id))
+        faded.gaps.emplace(line.id, *gap);
+    return faded;
   }
-  std::set<std::string> blank;
-  for (auto line = from; line != lines.end(); ++line)
-    if (hasNumbers(*line) && !opened.contains(line->id))
-      blank.insert(line->id);
-  return blank;
+  const auto &lines = working.lines;
+  for (auto line = firstFaded(lines, fading); line != lines.end(); ++line)
+    if (line->asked != Asked::Nothing && !opened.contains(line->id))
+      faded.gaps.emplace(line->id, resultGap(*line));
+    else if (line->asked == Asked::Nothing && !faded.gaps.empty() && hasNumbers(*line))
+      faded.waiting.insert(line->id);
+  return faded;
 }
 
-std::optional<Surd> parseAnswer(std::string_view text) {
-  if (text.size() > longestAnswer)
-    return {};
-  if (const auto mixed = parseMixed(text))
-    return *mixed;
-  return AnswerReader(condensed(text)).read();
+std::string questionText(const WorkingLine &line, const Gap &gap) {
+  return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, line.chains.back());
 }
 
-Judgement judge(const Blank &blank, std::string_view typed) {
+std::vector<Chain> toldFor(const WorkingLine &line, const Working &shown) {
+  std::vector<Term> names;
+  collectNames(line.chains.back().formula(), names);
+  std::vector<Chain> told;
+  for (const Term &name : names)
+    if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),
+                                    [&](const WorkingLine &each) { return says(each, name); }))
+      told.push_back(withResult(name));
+  return told;
+}
+
+Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed) {
+  const Question question(line, gap);
   const auto answer = readAnswer(typed);
-  if (!answer)
-    return {false, withAnswer(sentenceForNoAnswer(blank), typed.substr(0, longestAnswer)), false};
-  if (means(*answer, blank.answer))
-    return {true, praise(*answer, blank.answer)};
-  return {false, withAnswer(diagnosis(blank, *answer), typed)};
+  if (!answer || !question.canBe(*answer))
+    return {false, withAnswer(question.sentenceForNoAnswer(), typed.substr(0, longestAnswer)), false};
+  if (question.isRight(*answer))
+    return {true, question.praise(*answer)};
+  return {false, withAnswer(question.diagnosis(*answer), typed)};
 }
 
 } // namespace halfspace

@@ -1,29 +1,55 @@
-// Worked lines that a learner completes: which of them are blank, and what an answer is worth.
+// Worked lines that a learner completes: what is left out of them, and what an answer is worth.
 #pragma once
 
 #include "lessons/working.h"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 
 namespace halfspace {
 
-/// How much of a working is left to the learner: nothing, the last line that asks for a number, all lines.
-enum class Fading { None, Last, All };
+/// How much of a working is left to the learner: nothing, a number of each line, the last result that is
+/// asked for, all results.
+enum class Fading { None, Gaps, Last, All };
 
-/// The fading that a lesson's word means: none, last, all.
+/// The fading that a lesson's word means: none, gaps, last, all.
 [[nodiscard]] std::optional<Fading> fadingNamed(std::string_view word);
 [[nodiscard]] std::string_view nameOf(Fading fading);
 
-/// The ids of the lines whose numbers are blank. `opened` are those that the learner has completed or had
-/// shown. Lines below the last one that asks, which would give its result away, wait for it.
-[[nodiscard]] std::set<std::string> blankLines(const Working &working, Fading fading,
-                                               const std::set<std::string> &opened);
+/// What is left out of a line.
+struct Gap {
+  Term hidden; ///< a number or a list in the line's chain; or the chain's last side, see `isResult`
+  /// The chain ends in symbols: everything calculated is hidden along with the result.
+  bool isResult = true;
+  /// Of a number in a list: which one of those that its origin comes to.
+  std::optional<std::size_t> entry{};
+};
 
-/// The number that a learner's answer means: 10, -10/3, -3 1/3, 3.33, 2*sqrt(43)/3, 2√43/3, 30/√43, 1 + √2.
-/// Nothing for any other text and for texts of more than `longestAnswer` bytes.
-[[nodiscard]] std::optional<Surd> parseAnswer(std::string_view text);
-inline constexpr std::size_t longestAnswer = 60;
+/// The line's result left out.
+[[nodiscard]] Gap resultGap(const WorkingLine &line);
+
+/// Every number and every list in the sides that are calculated, each of which can be left out alone.
+[[nodiscard]] std::vector<Gap> numberGaps(const WorkingLine &line);
+
+/// What the lines of a working leave out, by their ids.
+struct Fade {
+  std::map<std::string, Gap> gaps;
+  /// Lines that ask for nothing but would give a result above them away: they show symbols only, until those
+  /// are found.
+  std::set<std::string> waiting;
+};
+
+/// `opened` are the lines that the learner has completed or had shown.
+[[nodiscard]] Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened);
+
+/// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
+[[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
+
+/// The names in the line's formula that no line of this working says the value of, and that are no
+/// coordinates of the scene: to be told where the line is to be worked out.
+[[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Working &shown);
 
 struct Judgement {
   bool right = false;
@@ -31,11 +57,8 @@ struct Judgement {
   bool isAnswer = true; ///< false: what was typed cannot be read as one
 };
 
-/// Several numbers are typed as (1, -3 1/3, √2), in parentheses or without, parted by commas, or by
-/// semicolons where the comma is a decimal mark. Compares a typed answer with what is asked, then with what
-/// the usual mistakes come to. A decimal is right when the number rounds to it, if it has at least
-/// `fewestDigits` digits; the sentence says that it is rounded.
-[[nodiscard]] Judgement judge(const Blank &blank, std::string_view typed);
-inline constexpr std::size_t fewestDigits = 2;
+/// Compares a typed answer with what is left out, then with what the usual mistakes come to. A decimal is
+/// right when the number rounds to it; the sentence says that it is rounded.
+[[nodiscard]] Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed);
 
 } // namespace halfspace

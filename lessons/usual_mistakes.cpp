@@ -29,6 +29,9 @@ std::string sentenceOf(const WrongWay &way) {
                  {{"instead", instead}, {"right", right}});
   case Slip::AddedInstead:
     return words("{answer} adds where {right} subtracts.", {{"right", right}});
+  case Slip::SubtractedInstead:
+    return words("{answer} takes {instead} for {right}: a part is subtracted that is to be added.",
+                 {{"instead", instead}, {"right", right}});
   case Slip::DroppedPart:
     return words(
         "{answer} takes {instead} for {right}: {part} is left out.",
@@ -58,7 +61,7 @@ std::string sentenceOf(const WrongWay &way) {
 } // namespace
 
 std::vector<WrongTerm> usualMistakes(const Chain &chain) {
-  const Term &formula = chain.sides()[chain.symbolic() - 1];
+  const Term &formula = chain.formula();
   std::vector<WrongTerm> mistakes;
   for (const Term &way : {formula, multipliedOut(formula)})
     for (const WrongWay &wrong : wrongWays(way))

@@ -5,36 +5,34 @@
 namespace halfspace {
 namespace {
 
-std::optional<std::vector<Surd>> exactNumbersOf(const Term &term) {
-  return term->value ? exactNumbers(*term->value) : std::nullopt;
-}
-
-std::vector<Mistake> valuesOf(const std::vector<WrongTerm> &wrongTerms) {
-  std::vector<Mistake> mistakes;
-  for (const WrongTerm &each : wrongTerms)
-    if (const auto value = exactNumbersOf(each.wrong))
-      mistakes.push_back({*value, each.sentence});
-  return mistakes;
+WorkingLine asking(Asked what, std::string id, const Chain &chain, std::string sentence,
+                   std::vector<WrongTerm> mistakes) {
+  WorkingLine asked = line(std::move(id), chain, std::move(sentence));
+  const auto &answer = chain.last()->value;
+  if (!answer || !isExact(*answer) || (what == Asked::Equation && !answer->entries.front().hasUnknowns()))
+    return asked; // nobody could type it
+  asked.asked = what;
+  asked.mistakes = std::move(mistakes);
+  return asked;
 }
 
 } // namespace
+
+WorkingLine line(std::string id, const Chain &chain, std::string sentence) {
+  return line(std::move(id), std::vector{chain}, std::move(sentence));
+}
 
 WorkingLine line(std::string id, std::vector<Chain> chains, std::string sentence) {
   return {std::move(id), std::move(chains), std::move(sentence)};
 }
 
-WorkingLine asked(WorkingLine line, const std::vector<WrongTerm> &mistakes) {
-  const Chain &chain = line.chains.back();
-  if (const auto answer = exactNumbersOf(chain.last()))
-    line.blank = Blank{*answer, valuesOf(mistakes), chain};
-  return line;
+WorkingLine asked(std::string id, const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
+  return asking(Asked::Value, std::move(id), chain, std::move(sentence), std::move(mistakes));
 }
 
-WorkingLine askedFor(const Chain &sought, const Term &form, WorkingLine line,
-                     const std::vector<WrongTerm> &mistakes) {
-  if (const auto answer = exactNumbersOf(sought.sides().front()))
-    line.blank = Blank{*answer, valuesOf(mistakes), sought, form};
-  return line;
+WorkingLine askedEquation(std::string id, const Chain &chain, std::string sentence,
+                          std::vector<WrongTerm> mistakes) {
+  return asking(Asked::Equation, std::move(id), chain, std::move(sentence), std::move(mistakes));
 }
 
 WrongTerm wrongSignOf(const Term &parameter) {

@@ -5,20 +5,10 @@
 #include "lessons/term/spoken.h"
 
 #include <algorithm>
+#include <span>
 
 namespace halfspace {
 namespace {
-
-void keepTelling(Blank &blank) {
-  std::vector<Mistake> telling;
-  for (Mistake &mistake : blank.mistakes) {
-    const bool known = std::any_of(telling.begin(), telling.end(),
-                                   [&](const Mistake &other) { return other.value == mistake.value; });
-    if (!known && !(mistake.value == blank.answer))
-      telling.push_back(std::move(mistake));
-  }
-  blank.mistakes = std::move(telling);
-}
 
 template <class Write> std::string joined(const std::vector<Chain> &chains, Write write) {
   std::string text;
@@ -39,6 +29,20 @@ std::string trimmedLatex(std::string latex) {
   return latex;
 }
 
+bool areAlike(const ChainPart &a, const ChainPart &b) {
+  const auto sidesOf = [](const ChainPart &part) {
+    return std::span(part.chain->sides()).subspan(part.begin, part.end - part.begin);
+  };
+  const auto left = sidesOf(a);
+  const auto right = sidesOf(b);
+  // What relates the sides of an identity follows from how they are written.
+  const bool areRelatedAlike =
+      a.chain->isIdentity() ? b.chain->isIdentity() : a.chain->relations() == b.chain->relations();
+  return areRelatedAlike && (a.begin == 0) == (b.begin == 0) &&
+         std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                    [](const Term &x, const Term &y) { return areInterchangeable(x, y); });
+}
+
 void collectMarks(const Term &term, std::vector<std::string> &marks) {
   if (!term->mark.empty() && std::find(marks.begin(), marks.end(), term->mark) == marks.end())
     marks.push_back(term->mark);
@@ -52,13 +56,9 @@ std::string plainText(const WorkingLine &line) {
   return joined(line.chains, [](const Chain &chain) { return plainText(chain); });
 }
 
-std::string questionText(const WorkingLine &line) {
+std::string symbolsText(const WorkingLine &line) {
   const Chain &chain = line.chains.front();
-  std::string symbols = plainText(chain, 0, chain.symbolic());
-  if (!line.blank || !line.blank->form)
-    return symbols;
-  return symbols + " = " + plainText(*line.blank->form) + ", " +
-         plainText(line.blank->formula->sides().front()) + " =";
+  return plainText(chain, 0, chain.symbolic());
 }
 
 std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece) {
@@ -83,6 +83,12 @@ std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece) {
     break;
   }
   return parts;
+}
+
+bool areInterchangeable(const WorkingLine &a, const WorkingLine &b, LinePiece piece) {
+  const auto partsOfA = partsOf(a, piece);
+  const auto partsOfB = partsOf(b, piece);
+  return std::equal(partsOfA.begin(), partsOfA.end(), partsOfB.begin(), partsOfB.end(), areAlike);
 }
 
 bool hasNumbers(const WorkingLine &line) {
@@ -115,11 +121,10 @@ std::vector<std::string> marksIn(const WorkingLine &line) {
   return marks;
 }
 
-Working withTellingMistakes(Working working) {
-  for (WorkingLine &line : working.lines)
-    if (line.blank)
-      keepTelling(*line.blank);
-  return working;
+const WorkingLine *findLine(const Working &working, std::string_view id) {
+  const auto line = std::find_if(working.lines.begin(), working.lines.end(),
+                                 [&](const WorkingLine &each) { return each.id == id; });
+  return line == working.lines.end() ? nullptr : &*line;
 }
 
 } // namespace halfspace

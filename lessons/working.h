@@ -1,48 +1,44 @@
 // Worked lines: a formula in symbols, with the numbers put in, its result, and a sentence in plain words.
 #pragma once
 
-#include "geometry/surd.h"
 #include "lessons/term/chain.h"
 
-#include <optional>
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halfspace {
 
-/// A usual mistake: what it leads to, and a sentence that says what went wrong, with `{answer}`
-/// for that number as the learner wrote it.
-struct Mistake {
-  std::vector<Surd> value;
+/// A mistake: what it calculates, and a sentence that says what went wrong, with `{answer}` for what the
+/// learner wrote.
+struct WrongTerm {
+  Term wrong;
   std::string sentence;
 };
 
-/// What a learner fills in where a line's numbers are blank.
-struct Blank {
-  std::vector<Surd> answer; ///< a number, or the coordinates of a vector or a point
-  /// Written for the line, because they say more than what the formula tells by itself. Looked through in
-  /// their order. One that comes to the answer itself, or to what an earlier one comes to, is left out by
-  /// itself; that only the sign is wrong is noticed without being named here.
-  std::vector<Mistake> mistakes{};
-  /// How the answer is found: the usual mistakes follow from it.
-  std::optional<Chain> formula{};
-  /// Where the answer is one number of the line's last side: that side in letters. The formula's first side
-  /// is the letter that is asked for.
-  std::optional<Term> form{};
-};
+/// What a learner can be asked for in a line: what its chain comes to, or, where that is zero for the right
+/// points, the equation, which may be any multiple.
+enum class Asked : std::uint8_t { Nothing, Value, Equation };
 
 /// One line of a working: a statement in symbols, with the numbers put in, and its result; or several
-/// statements beside each other. A term that is a mark of the figure takes the mark's colour, and hovering
-/// one lights up the other.
+/// statements beside each other, none of which is asked for. A term that is a mark of the figure takes the
+/// mark's colour, and hovering one lights up the other.
 struct WorkingLine {
   std::string id; ///< unique in the working; lessons' steps name lines by it
   std::vector<Chain> chains;
-  std::string sentence{};       ///< plain words, no LaTeX; may be empty
-  std::optional<Blank> blank{}; ///< nothing where numbers would not do as an answer
+  std::string sentence{}; ///< plain words, no LaTeX; may be empty
+  Asked asked = Asked::Nothing;
+  /// Written for the line, because they say more than what its formula tells by itself. Looked through in
+  /// their order; those that come to the right answer are passed over.
+  std::vector<WrongTerm> mistakes{};
 };
 
 /// What a line is made of, from left to right. A line of several statements has no result of its own.
 enum class LinePiece : std::uint8_t { Symbols, Numbers, Result };
+inline constexpr std::array linePieces{LinePiece::Symbols, LinePiece::Numbers, LinePiece::Result};
 
 /// Sides of a chain: [begin, end).
 struct ChainPart {
@@ -55,22 +51,27 @@ struct ChainPart {
 /// outlive them.
 [[nodiscard]] std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece);
 
-/// Whether there is something to leave blank.
+/// Whether a piece of one line can stand for that of the other, to the eye and to the hand.
+[[nodiscard]] bool areInterchangeable(const WorkingLine &a, const WorkingLine &b, LinePiece piece);
+
+/// Whether there is something to hide.
 [[nodiscard]] bool hasNumbers(const WorkingLine &line);
 
 struct Working {
   std::vector<WorkingLine> lines;
+
+  void add(WorkingLine line) { lines.push_back(std::move(line)); }
+  void add(const std::vector<WorkingLine> &more) { lines.insert(lines.end(), more.begin(), more.end()); }
 };
 
-/// The working without mistakes that come to the answer, or to what an earlier one of the line comes to.
-[[nodiscard]] Working withTellingMistakes(Working working);
+/// The line with this id, or null.
+[[nodiscard]] const WorkingLine *findLine(const Working &working, std::string_view id);
 
 /// The line in plain text, and in words to be read aloud; its sentence is not in it.
 [[nodiscard]] std::string plainText(const WorkingLine &line);
 [[nodiscard]] std::string spoken(const WorkingLine &line);
-/// The line with its numbers left out: f(Q) = n·(Q − P₀), or 0 = ax + by + cz + d, d = where one number is
-/// asked.
-[[nodiscard]] std::string questionText(const WorkingLine &line);
+/// The line with its numbers left out: f(Q) = n·(Q − P₀).
+[[nodiscard]] std::string symbolsText(const WorkingLine &line);
 
 /// The ids of the marks in the line's terms, in order, each once.
 [[nodiscard]] std::vector<std::string> marksIn(const WorkingLine &line);

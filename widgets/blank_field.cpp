@@ -9,50 +9,44 @@
 namespace halfspace {
 namespace {
 
-/// The field's width, in letters: for one number, for several, and where nothing can be typed.
+// The field's width, in letters.
 constexpr int numberLetters = 12;
-constexpr int listLetters = 20;
-constexpr int blankLetters = 5;
-
-int lettersFor(std::size_t numbers) {
-  return numbers == 0 ? blankLetters : numbers == 1 ? numberLetters : listLetters;
-}
+constexpr int longLetters = 20;
 
 } // namespace
 
-BlankField::BlankField(const QString &question, std::size_t numbers, QWidget *parent) : QWidget(parent) {
+BlankField::BlankField(bool isLong, QWidget *parent)
+    : QWidget(parent), m_edit(new QLineEdit), m_show(new QToolButton) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  auto *edit = new QLineEdit;
-  edit->setPlaceholderText(QStringLiteral("?"));
-  edit->setFixedWidth(lettersFor(numbers) * fontMetrics().averageCharWidth());
-  edit->setEnabled(numbers > 0);
-  layout->addWidget(edit);
-  if (numbers > 0)
-    ask(*edit, question);
-  auto *show = new QToolButton;
-  show->setText(tr("Show"));
-  show->setAutoRaise(true);
-  show->setFocusPolicy(Qt::StrongFocus);
-  show->setAccessibleName(tr("Show: %1").arg(question));
-  connect(show, &QToolButton::clicked, this, &BlankField::showRequested);
-  layout->addWidget(show);
-  setFocusProxy(m_edit ? static_cast<QWidget *>(m_edit) : show);
+  m_edit->setPlaceholderText(QStringLiteral("?"));
+  m_edit->setFixedWidth((isLong ? longLetters : numberLetters) * fontMetrics().averageCharWidth());
+  m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
+                        "(1, 2, 3); an equation as x + 2y = 3. Enter checks it."));
+  connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
+  connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
+  layout->addWidget(m_edit);
+  m_show->setText(tr("Show"));
+  m_show->setAutoRaise(true);
+  m_show->setFocusPolicy(Qt::StrongFocus);
+  connect(m_show, &QToolButton::clicked, this, &BlankField::showRequested);
+  layout->addWidget(m_show);
+  setFocusProxy(m_edit);
 }
 
-void BlankField::ask(QLineEdit &edit, const QString &question) {
-  m_edit = &edit;
-  edit.setAccessibleName(tr("Fill in: %1").arg(question));
-  edit.setToolTip(
-      tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as (1, 2, 3). "
-         "Enter checks it."));
-  connect(&edit, &QLineEdit::returnPressed, this, &BlankField::answer);
-  connect(&edit, &QLineEdit::textEdited, this, [this] { mark(false); });
+void BlankField::setQuestion(const QString &question) {
+  m_edit->setAccessibleName(tr("Fill in: %1").arg(question));
+  m_show->setAccessibleName(tr("Show: %1").arg(question));
+}
+
+void BlankField::clear() {
+  m_edit->clear();
+  mark(false);
 }
 
 void BlankField::setRemark(const QString &remark) {
-  if (!m_edit || m_edit->accessibleDescription() == remark)
+  if (m_edit->accessibleDescription() == remark)
     return;
   m_edit->setAccessibleDescription(remark);
   mark(!remark.isEmpty());

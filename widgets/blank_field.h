@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QLineEdit;
+class QToolButton;
 
 namespace halfspace {
 
@@ -11,8 +12,13 @@ namespace halfspace {
 class BlankField : public QWidget {
   Q_OBJECT
 public:
-  /// `numbers` is how many are asked for: 0 where nothing can be typed.
-  BlankField(const QString &question, std::size_t numbers, QWidget *parent = nullptr);
+  /// `isLong`: not for one number, but for several or for an equation.
+  explicit BlankField(bool isLong, QWidget *parent = nullptr);
+
+  /// What is asked for, for screen readers.
+  void setQuestion(const QString &question);
+
+  void clear();
 
   /// What was said about the last answer; empty while nothing is.
   void setRemark(const QString &remark);
@@ -22,11 +28,11 @@ signals:
   void showRequested();
 
 private:
-  void ask(QLineEdit &edit, const QString &question);
   void answer();
   void mark(bool wrong);
 
-  QLineEdit *m_edit = nullptr; ///< null where nothing can be typed
+  QLineEdit *m_edit;
+  QToolButton *m_show;
 };
 
 } // namespace halfspace

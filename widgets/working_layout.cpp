@@ -19,13 +19,11 @@ constexpr double smallestScale = 0.6;
 
 // Space, in em of the formulas' type.
 constexpr double sideMargin = 1.0;
-constexpr double lineMargin = 0.8;   // above and below a line
-constexpr double rowGap = 0.5;       // between the rows of a line
-constexpr double sentenceGap = 0.5;  // between formulas and sentence
-constexpr double relationGap = 0.28; // before `=`: TeX's thick space
-constexpr double indent = 1.6;       // of further rows
-constexpr QSizeF blankSize(4.0, 1.5);
-constexpr double blankDepth = 0.4;         // below the baseline
+constexpr double lineMargin = 0.8;         // above and below a line
+constexpr double rowGap = 0.5;             // between the rows of a line
+constexpr double sentenceGap = 0.5;        // between formulas and sentence
+constexpr double relationGap = 0.28;       // before `=`: TeX's thick space
+constexpr double indent = 1.6;             // of further rows
 constexpr double sentenceLineHeight = 1.2; // as part of the font's
 constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
 // Every row has at least the room of ordinary letters.
@@ -36,8 +34,8 @@ constexpr double leastDepth = 0.22;
 class LinePlacer {
 public:
   LinePlacer(const QFont &font, double width)
-      : m_font(font), m_em(formulaScale * QFontInfo(font).pixelSize()), m_left(sideMargin * m_em),
-        m_right(width - sideMargin * m_em), m_width(width) {}
+      : m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em), m_right(width - sideMargin * m_em),
+        m_width(width) {}
 
   PlacedLine place(const TypesetLine &line, const LineState &state) {
     m_placed = {};
@@ -46,17 +44,16 @@ public:
     m_x = m_left;
     m_rowIsEmpty = true;
     startRow();
-    placePiece(line.pieces[0], LinePiece::Symbols);
-    if (state.blank)
-      placeBlank(line, state);
-    else
-      for (std::size_t piece = 1; piece < line.pieces.size(); ++piece)
-        placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
+    for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
+      placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
+    if (line.told) {
+      breakRow();
+      placePiece(line.told);
+    }
     endRow();
     const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
     m_placed.remark = placeText(state.remark, m_left + markRoom);
-    // The sentence may tell what the blank hides.
-    if (!state.blank)
+    if (state.hasSentence)
       m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
     m_placed.box = QRectF(0, top, m_width, m_y - top);
@@ -70,16 +67,17 @@ private:
     m_rowBegin = m_placed.formulas.size();
     m_ascent = leastAscent * m_em;
     m_depth = leastDepth * m_em;
-    m_blankInRow = false;
   }
 
   /// Now that the row's height is known, everything in it comes down to its baseline.
   void endRow() {
     const double baseline = m_y + m_ascent;
-    for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i)
-      m_placed.formulas[i].baseline.setY(baseline);
-    if (m_blankInRow)
-      m_placed.blank.moveTop(baseline - m_placed.blank.height() + blankDepth * m_em);
+    for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i) {
+      PlacedFormula &formula = m_placed.formulas[i];
+      formula.baseline.setY(baseline);
+      if (const auto &leftOut = formula.picture->leftOut())
+        m_placed.blank = formula.toWorking(*leftOut);
+    }
     m_y = baseline + m_depth;
   }
 
@@ -101,13 +99,6 @@ private:
       m_x += relationGap * m_em;
   }
 
-  /// Begins a new row for what fits into one, but not into the rest of this one.
-  void keepTogether(double width) {
-    const double room = m_right - m_left - indent * m_em;
-    if (!m_rowIsEmpty && width <= room && m_x + relationGap * m_em + width > m_right)
-      breakRow();
-  }
-
   void advance(double width) {
     m_x += width;
     m_widest = std::max(m_widest, m_x);
@@ -127,21 +118,6 @@ private:
     m_ascent = std::max(m_ascent, shown->ascent() * em);
     m_depth = std::max(m_depth, shown->depth() * em);
     advance(shown->width() * em);
-  }
-
-  void placeBlank(const TypesetLine &line, const LineState &state) {
-    const bool hasField = !state.field.isEmpty();
-    const QSizeF size = hasField ? state.field : blankSize * m_em;
-    if (hasField && line.prompt) {
-      keepTogether(line.prompt->width() * m_em + relationGap * m_em + size.width());
-      placePiece(line.prompt);
-    }
-    makeRoom(size.width());
-    m_placed.blank = QRectF(QPointF(m_x, m_y), size);
-    m_blankInRow = true;
-    m_ascent = std::max(m_ascent, size.height() - blankDepth * m_em);
-    m_depth = std::max(m_depth, blankDepth * m_em);
-    advance(size.width());
   }
 
   std::vector<PlacedText> placeText(const QString &words, double left) {
@@ -169,10 +145,12 @@ private:
   // The row in work.
   std::size_t m_rowBegin = 0;
   double m_ascent = 0, m_depth = 0;
-  bool m_rowIsEmpty = true, m_blankInRow = false;
+  bool m_rowIsEmpty = true;
 };
 
 } // namespace
+
+double emPixelsOf(const QFont &font) { return formulaScale * QFontInfo(font).pixelSize(); }
 
 QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
   return {baseline + inPicture.topLeft() * emPixels, inPicture.size() * emPixels};

@@ -17,9 +17,10 @@ namespace halfspace {
 /// A worked line with its pieces typeset.
 struct TypesetLine {
   WorkingLine source;
-  std::array<Typesetter::Picture, 3> pieces;  ///< symbols, numbers, result; null where the source is empty
-  Typesetter::Picture prompt;                 ///< of its blank; null where it has none
+  std::array<Typesetter::Picture, 3> pieces{}; ///< symbols, numbers, result; null where the source is empty
+  Typesetter::Picture told{}; ///< what is told to fill its blank in; null where there is nothing
   std::array<std::vector<Term>, 3> numbers{}; ///< of each piece, by the indices of its picture
+  bool isPartial = false;                     ///< something of the line is not shown
 };
 
 /// What is said about a line to the learner who filled it in.
@@ -31,8 +32,7 @@ struct LineRemark {
 
 /// What is not as usual in a line.
 struct LineState {
-  bool blank = false; ///< its numbers are hidden
-  QSizeF field;       ///< the room for a field in their place; empty: there is none
+  bool hasSentence = true; ///< not where it may tell what is hidden
   QString remark;
 };
 
@@ -41,7 +41,7 @@ struct PlacedFormula {
   Typesetter::Picture picture;
   QPointF baseline;
   double emPixels = 0;
-  std::optional<LinePiece> piece{}; ///< which of its line it is; nothing for a prompt
+  std::optional<LinePiece> piece{}; ///< which of its line it is; nothing for what is told
 
   /// From the picture's lengths to places in the working.
   [[nodiscard]] QRectF toWorking(const QRectF &inPicture) const;
@@ -57,7 +57,7 @@ struct PlacedText {
 struct PlacedLine {
   QRectF box; ///< with the space around it, across the whole width
   std::vector<PlacedFormula> formulas;
-  QRectF blank; ///< stands for the numbers that are hidden; null when none are
+  QRectF blank; ///< the room of what is left out; null when nothing is
   std::vector<PlacedText> remark;
   std::vector<PlacedText> sentence;
 };
@@ -66,6 +66,9 @@ struct PlacedWorking {
   std::vector<PlacedLine> lines;
   QSizeF size; ///< wider than asked for where a formula does not fit
 };
+
+/// The size of formulas beside a font, in pixels.
+[[nodiscard]] double emPixelsOf(const QFont &font);
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be

@@ -18,15 +18,11 @@ namespace {
 
 constexpr QSize usualSize(400, 480);
 
-/// What a screen reader says of a line.
-QString spokenOf(const WorkingLine &line, bool blanked) {
-  if (blanked)
-    return QString::fromStdString(questionText(line));
-  QString text = QString::fromStdString(plainText(line));
-  if (!line.sentence.empty())
-    text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
-  return text;
-}
+// The room of a blank without a field, in em of the formulas.
+constexpr double blankWidth = 4;
+constexpr double blankAscent = 1.1;
+/// A field or a blank reaches so far below the baseline, likewise.
+constexpr double blankDepth = 0.4;
 
 } // namespace
 
@@ -48,28 +44,92 @@ WorkingPanel::~WorkingPanel() {
     m_typed->field->disconnect(this);
 }
 
-void WorkingPanel::setWorking(const Working &working) {
-  m_lines.clear();
+void WorkingPanel::setWorking(const Working &working, Fade fade, std::map<std::string, LineRemark> remarks) {
+  m_fade = std::move(fade);
+  m_asks = true;
+  const bool saysMore = remarks != m_remarks;
+  m_remarks = std::move(remarks);
+  showLines(working);
+  if (saysMore)
+    followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
+}
+
+void WorkingPanel::setWorkingWithoutNumbers(const Working &working) {
+  m_fade = {};
   for (const WorkingLine &line : working.lines)
-    m_lines.push_back(typesetLine(line));
+    if (hasNumbers(line))
+      m_fade.gaps.emplace(line.id, resultGap(line));
+  m_asks = false;
+  m_remarks.clear();
+  showLines(working);
+}
+
+void WorkingPanel::showLines(const Working &working) {
+  m_working = working;
+  const bool lostFocus = matchFields();
+  typesetLines();
   if (m_current && *m_current >= m_lines.size())
     m_current.reset();
   placeLines();
   updateAccessibleText();
+  if (lostFocus)
+    focusField();
 }
 
-TypesetLine WorkingPanel::typesetLine(const WorkingLine &line) const {
-  const auto pictureOf = [this](const math::Row &formula) {
-    return formula.empty() ? nullptr : m_typesetter.picture(formula);
-  };
-  TypesetLine typeset{line, {}, line.blank ? pictureOf(promptOf(*line.blank)) : nullptr};
-  for (const LinePiece piece : {LinePiece::Symbols, LinePiece::Numbers, LinePiece::Result}) {
-    TraceableFormula formula = formulaOf(line, piece);
+void WorkingPanel::typesetLines() {
+  std::vector<TypesetLine> lines;
+  for (const WorkingLine &line : m_working.lines)
+    lines.push_back(hides(line.id) ? typesetPartially(line) : typeset(line));
+  m_lines = std::move(lines);
+}
+
+Typesetter::Picture WorkingPanel::pictureOf(const math::Row &formula) const {
+  return formula.empty() ? nullptr : m_typesetter.picture(formula);
+}
+
+TypesetLine WorkingPanel::typeset(const WorkingLine &line) const {
+  const auto before = std::find_if(m_lines.begin(), m_lines.end(),
+                                   [&](const TypesetLine &each) { return each.source.id == line.id; });
+  const bool hasBefore = before != m_lines.end() && !before->isPartial;
+  TypesetLine typeset{line};
+  for (const LinePiece piece : linePieces) {
+    const auto index = static_cast<std::size_t>(piece);
+    if (hasBefore && areInterchangeable(before->source, line, piece)) {
+      typeset.pieces[index] = before->pieces[index];
+      typeset.numbers[index] = before->numbers[index];
+    } else {
+      TraceableFormula formula = formulaOf(line, piece);
+      typeset.pieces[index] = pictureOf(formula.row);
+      typeset.numbers[index] = std::move(formula.numbers);
+    }
+  }
+  return typeset;
+}
+
+TypesetLine WorkingPanel::typesetPartially(const WorkingLine &line) const {
+  TypesetLine typeset{line};
+  typeset.isPartial = true;
+  const Gap *gap = gapOf(line.id);
+  for (const LinePiece piece : linePieces) {
+    if (!gap && piece != LinePiece::Symbols)
+      break;
+    TraceableFormula formula =
+        gap ? formulaOf(line, piece, *gap, roomOfGap(line.id)) : formulaOf(line, piece);
     const auto index = static_cast<std::size_t>(piece);
     typeset.pieces[index] = pictureOf(formula.row);
     typeset.numbers[index] = std::move(formula.numbers);
   }
+  if (gap && m_asks)
+    typeset.told = pictureOf(formulaOf(toldFor(line, m_working)));
   return typeset;
+}
+
+math::Room WorkingPanel::roomOfGap(const std::string &lineId) const {
+  const auto field = m_fields.find(lineId);
+  if (field == m_fields.end())
+    return {blankWidth, blankAscent, blankDepth};
+  const QSizeF size = QSizeF(field->second->sizeHint()) / emPixelsOf(font());
+  return {size.width(), size.height() - blankDepth, blankDepth};
 }
 
 void WorkingPanel::setTheme(const Theme &theme) {
@@ -91,46 +151,27 @@ void WorkingPanel::setHighlighted(std::set<std::string> markIds) {
   viewport()->update();
 }
 
-void WorkingPanel::hideNumbers() {
-  if (m_numbersHidden)
-    return;
-  m_numbersHidden = true;
-  m_blanks.clear();
-  m_remarks.clear();
-  placeLines();
-  updateAccessibleText();
+const Gap *WorkingPanel::gapOf(const std::string &lineId) const {
+  const auto gap = m_fade.gaps.find(lineId);
+  return gap == m_fade.gaps.end() ? nullptr : &gap->second;
 }
 
-void WorkingPanel::setBlanks(std::set<std::string> lineIds, std::map<std::string, LineRemark> remarks) {
-  if (!m_numbersHidden && lineIds == m_blanks && remarks == m_remarks)
-    return;
-  m_numbersHidden = false;
-  m_blanks = std::move(lineIds);
-  m_remarks = std::move(remarks);
-  placeLines();
-  updateAccessibleText();
-  followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
-}
-
-bool WorkingPanel::isBlank(const std::string &lineId) const {
-  return m_numbersHidden || m_blanks.contains(lineId);
+bool WorkingPanel::hides(const std::string &lineId) const {
+  return gapOf(lineId) || m_fade.waiting.contains(lineId);
 }
 
 std::map<std::string, LineState> WorkingPanel::lineStates() const {
   std::map<std::string, LineState> states;
   for (const TypesetLine &line : m_lines) {
     LineState &state = states[line.source.id];
-    state.blank = isBlank(line.source.id);
+    state.hasSentence = !hides(line.source.id);
     if (const auto remark = remarkOf(line.source.id))
       state.remark = remark->text;
   }
-  for (const auto &[line, field] : m_fields)
-    states[line].field = field->sizeHint();
   return states;
 }
 
 void WorkingPanel::placeLines() {
-  const bool lostFocus = matchFields();
   const QSize room = viewport()->size();
   m_placed = placeWorking(m_lines, lineStates(), font(), room.width());
   const QSize content(static_cast<int>(std::ceil(m_placed.size.width())),
@@ -143,8 +184,6 @@ void WorkingPanel::placeLines() {
   moveFields();
   followNumbers();
   viewport()->update();
-  if (lostFocus)
-    focusField();
 }
 
 std::optional<LineRemark> WorkingPanel::remarkOf(const std::string &lineId) const {
@@ -164,9 +203,20 @@ void WorkingPanel::updateAccessibleText() {
   if (const Term *chosen = m_chosenNumber ? shownNumbers().numberAt(*m_chosenNumber) : nullptr)
     return setAccessibleDescription(spokenWithOrigin(*chosen));
   QStringList texts;
-  for (const TypesetLine &line : m_lines)
-    texts << spokenOf(line.source, isBlank(line.source.id));
+  for (const WorkingLine &line : m_working.lines)
+    texts << textOf(line);
   setAccessibleDescription(texts.join(u'\n'));
+}
+
+QString WorkingPanel::textOf(const WorkingLine &line) const {
+  if (const Gap *gap = gapOf(line.id))
+    return QString::fromStdString(questionText(line, *gap));
+  if (hides(line.id))
+    return QString::fromStdString(symbolsText(line));
+  QString text = QString::fromStdString(plainText(line));
+  if (!line.sentence.empty())
+    text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
+  return text;
 }
 
 PlacedWorking WorkingPanel::placed() const {
@@ -185,8 +235,8 @@ PlacedWorking WorkingPanel::placed() const {
 }
 
 QString WorkingPanel::latexOf(const WorkingLine &line) const {
-  return QString::fromStdString(isBlank(line.id) ? halfspace::latexOf(line, LinePiece::Symbols)
-                                                 : halfspace::latexOf(line));
+  return QString::fromStdString(hides(line.id) ? halfspace::latexOf(line, LinePiece::Symbols)
+                                               : halfspace::latexOf(line));
 }
 
 QString WorkingPanel::latexOfAll() const {

@@ -1,6 +1,7 @@
 // The worked lines beside the picture.
 #pragma once
 
+#include "lessons/practice.h"
 #include "lessons/provenance.h"
 #include "widgets/scene/theme.h"
 #include "widgets/scrub.h"
@@ -28,7 +29,12 @@ public:
   explicit WorkingPanel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~WorkingPanel() override;
 
-  void setWorking(const Working &working);
+  /// Shows the lines, some of them with a field for what is left out, and what is said about some.
+  void setWorking(const Working &working, Fade fade = {}, std::map<std::string, LineRemark> remarks = {});
+  /// Shows the lines with a blank instead of numbers and result, to the eye, in copies and to screen readers.
+  void setWorkingWithoutNumbers(const Working &working);
+  /// What was typed into fields was about other lines.
+  void forgetAnswers();
   void setTheme(const Theme &theme);
   /// The colour of marked terms, asked for at every painting.
   void setInkOf(std::function<QColor(const QString &markId)> inkOf);
@@ -37,11 +43,6 @@ public:
   void setWholeWorking(std::function<Working()> working);
   /// The terms of these marks stand out.
   void setHighlighted(std::set<std::string> markIds);
-  /// All lines show a blank instead of numbers and result, to the eye, in copies and to screen readers.
-  void hideNumbers();
-  /// These lines, and no others, do so, and have a field to be filled in; and what is said about some lines.
-  void setBlanks(std::set<std::string> lineIds, std::map<std::string, LineRemark> remarks = {});
-
   /// Lets go of the number that was traced or chosen.
   void endTrace();
   /// What the traced number came from; empty when there is none, or it is not shown.
@@ -96,15 +97,26 @@ protected:
   void scrollContentsBy(int dx, int dy) override;
 
 private:
-  [[nodiscard]] TypesetLine typesetLine(const WorkingLine &line) const;
+  void showLines(const Working &working);
+  void typesetLines();
+  [[nodiscard]] Typesetter::Picture pictureOf(const math::Row &formula) const;
+  /// Takes what looks as it did before from before.
+  [[nodiscard]] TypesetLine typeset(const WorkingLine &line) const;
+  [[nodiscard]] TypesetLine typesetPartially(const WorkingLine &line) const;
   void placeLines();
-  [[nodiscard]] bool isBlank(const std::string &lineId) const;
+  /// What is left out of the line; null when nothing is.
+  [[nodiscard]] const Gap *gapOf(const std::string &lineId) const;
+  /// Whether the line does not tell all that it says.
+  [[nodiscard]] bool hides(const std::string &lineId) const;
+  /// The room of a field, or of the blank where there is none.
+  [[nodiscard]] math::Room roomOfGap(const std::string &lineId) const;
+  [[nodiscard]] QString textOf(const WorkingLine &line) const;
   [[nodiscard]] std::map<std::string, LineState> lineStates() const;
   /// Makes and removes fields; whether the one that had the focus is gone.
   bool matchFields();
   void followFocus(QWidget *focused);
   void moveFields();
-  void addField(const WorkingLine &line);
+  void addField(const WorkingLine &line, const Gap &gap);
   void updateAccessibleText();
   void hover(const QString &markId);
   void hoverNumber(std::optional<NumberPlace> number);
@@ -146,8 +158,9 @@ private:
   Theme m_theme;
   std::function<QColor(const QString &)> m_inkOf;
   std::set<std::string> m_highlighted;
-  bool m_numbersHidden = false;
-  std::set<std::string> m_blanks; ///< that have fields
+  Working m_working;
+  Fade m_fade;
+  bool m_asks = true; ///< whether gaps have fields
   std::map<std::string, LineRemark> m_remarks;
   std::map<std::string, BlankField *> m_fields; ///< by the lines' ids
   std::vector<TypesetLine> m_lines;

@@ -6,23 +6,28 @@
 
 namespace halfspace {
 
+void WorkingPanel::forgetAnswers() {
+  for (const auto &[line, field] : m_fields)
+    field->clear();
+}
+
 bool WorkingPanel::matchFields() {
-  std::set<std::string> wanted;
-  for (const TypesetLine &line : m_lines)
-    if (m_blanks.contains(line.source.id)) {
-      wanted.insert(line.source.id);
-      if (!m_fields.contains(line.source.id))
-        addField(line.source);
-    }
+  if (m_asks)
+    for (const WorkingLine &line : m_working.lines)
+      if (const Gap *gap = gapOf(line.id); gap && !m_fields.contains(line.id))
+        addField(line, *gap);
   bool lostFocus = false;
   std::erase_if(m_fields, [&](const auto &each) {
-    if (wanted.contains(each.first))
+    if (m_asks && gapOf(each.first))
       return false;
     lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
     each.second->hide();
     each.second->deleteLater(); // its own signal may have led here
     return true;
   });
+  for (const WorkingLine &line : m_working.lines)
+    if (const auto field = m_fields.find(line.id); field != m_fields.end())
+      field->second->setQuestion(QString::fromStdString(questionText(line, *gapOf(line.id))));
   for (const auto &[line, field] : m_fields)
     field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
   return lostFocus;
@@ -42,9 +47,10 @@ void WorkingPanel::followFocus(QWidget *focused) {
       setCurrentLine(i);
 }
 
-void WorkingPanel::addField(const WorkingLine &line) {
-  auto *field = new BlankField(QString::fromStdString(questionText(line)),
-                               line.blank ? line.blank->answer.size() : 0, viewport());
+void WorkingPanel::addField(const WorkingLine &line, const Gap &gap) {
+  const TermValue &truth = *gap.hidden->value;
+  const bool isLong = truth.isList || truth.entries.front().hasUnknowns();
+  auto *field = new BlankField(isLong, viewport());
   const QString id = QString::fromStdString(line.id);
   connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });

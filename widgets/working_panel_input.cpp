@@ -17,7 +17,7 @@ void WorkingPanel::resizeEvent(QResizeEvent *) { placeLines(); }
 
 void WorkingPanel::changeEvent(QEvent *event) {
   if (event->type() == QEvent::FontChange)
-    placeLines();
+    showLines(m_working); // the room of fields depends on it
   QAbstractScrollArea::changeEvent(event);
 }
 

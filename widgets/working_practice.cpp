@@ -47,6 +47,7 @@ void WorkingPractice::createBar(QLayout &bar) {
   bar.setContentsMargins(barMargins);
   bar.setSpacing(2);
   addChoice(bar, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
+  addChoice(bar, Fading::Gaps, tr("Gaps"), tr("Find one number of every line."));
   addChoice(bar, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
   addChoice(bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
   bar.addWidget(m_newNumbers);
@@ -75,7 +76,7 @@ void WorkingPractice::setUsual(Fading fading) {
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
   if (m_step != std::pair(lesson, step)) {
-    m_panel->setBlanks({}); // what was typed elsewhere does not come along
+    m_panel->forgetAnswers(); // what was typed elsewhere does not come along
     m_panel->endTrace();
   }
   m_step = {lesson, step};
@@ -96,38 +97,35 @@ Fading WorkingPractice::fading() const {
 }
 
 void WorkingPractice::refresh() {
-  // What was said about a number that has changed since is not true any more.
-  std::erase_if(practice().told, [this](const auto &told) {
-    const Blank *blank = blankOf(told.first);
-    return !blank || !(blank->answer == told.second.answer);
-  });
-  // New numbers are to be worked out anew.
+  // What was said, tried and opened is of no use for new numbers.
+  const auto isOfOthers = [this](const std::string &line, const std::string &text) {
+    return textOf(line) != text;
+  };
+  std::erase_if(practice().told, [&](const auto &told) { return isOfOthers(told.first, told.second.text); });
   std::erase_if(practice().opened,
-                [this](const auto &opened) { return textOf(opened.first) != opened.second; });
+                [&](const auto &opened) { return isOfOthers(opened.first, opened.second); });
   std::erase_if(practice().firstTries,
-                [this](const auto &tried) { return textOf(tried.first) != tried.second.text; });
+                [&](const auto &tried) { return isOfOthers(tried.first, tried.second.text); });
   for (QAbstractButton *button : m_choices->buttons())
     button->setEnabled(!m_hidden);
   m_newNumbers->setEnabled(!m_hidden);
   m_choices->button(static_cast<int>(fading()))->setChecked(true);
-  m_blank = m_hidden ? std::set<std::string>() : blankLines(m_working, fading(), openedLines());
+  m_fade = m_hidden ? Fade() : fade(m_working, fading(), openedLines());
   if (m_hidden)
-    m_panel->hideNumbers();
+    m_panel->setWorkingWithoutNumbers(m_working);
   else
-    m_panel->setBlanks(m_blank, remarks());
-  m_panel->setWorking(m_working);
+    m_panel->setWorking(m_working, m_fade, remarks());
   showScore();
 }
 
 void WorkingPractice::showScore() {
-  int asked = 0;
+  const Fade all = fade(m_working, fading(), {});
+  const auto asked = static_cast<int>(all.gaps.size());
   int right = 0;
-  for (const std::string &line : blankLines(m_working, fading(), {}))
-    if (blankOf(line)) {
-      ++asked;
-      const auto tried = practice().firstTries.find(line);
-      right += tried != practice().firstTries.end() && tried->second.right ? 1 : 0;
-    }
+  for (const auto &[line, gap] : all.gaps) {
+    const auto tried = practice().firstTries.find(line);
+    right += tried != practice().firstTries.end() && tried->second.right ? 1 : 0;
+  }
   constexpr QChar figureSpace(0x2007); // as wide as a digit: nothing moves from 9 to 10
   const int digits = static_cast<int>(QString::number(asked).size());
   m_score->setText(
@@ -153,16 +151,8 @@ std::set<std::string> WorkingPractice::openedLines() {
 }
 
 std::string WorkingPractice::textOf(const std::string &lineId) const {
-  for (const WorkingLine &line : m_working.lines)
-    if (line.id == lineId)
-      return plainText(line);
-  return {};
-}
-
-const Blank *WorkingPractice::blankOf(const std::string &lineId) const {
-  const auto line = std::find_if(m_working.lines.begin(), m_working.lines.end(),
-                                 [&](const WorkingLine &each) { return each.id == lineId; });
-  return line != m_working.lines.end() && line->blank ? &*line->blank : nullptr;
+  const WorkingLine *line = findLine(m_working, lineId);
+  return line ? plainText(*line) : std::string();
 }
 
 void WorkingPractice::choose(Fading fading) {
@@ -177,7 +167,7 @@ void WorkingPractice::renewNumbers() {
   practice().opened.clear();
   practice().told.clear();
   practice().firstTries.clear();
-  m_panel->setBlanks({}); // what was typed was about the other numbers
+  m_panel->forgetAnswers(); // they were about the other numbers
   emit newNumbersRequested();
   refresh();
   if (hasBlanks())
@@ -186,11 +176,12 @@ void WorkingPractice::renewNumbers() {
 
 void WorkingPractice::answer(const QString &lineId, const QString &text) {
   const std::string line = lineId.toStdString();
-  const Blank *blank = blankOf(line);
-  if (!blank)
+  const WorkingLine *asking = findLine(m_working, line);
+  const auto gap = m_fade.gaps.find(line);
+  if (!asking || gap == m_fade.gaps.end())
     return;
-  const Judgement judgement = judge(*blank, text.toStdString());
-  practice().told[line] = {blank->answer, {QString::fromStdString(judgement.sentence), judgement.right}};
+  const Judgement judgement = judge(*asking, gap->second, text.toStdString());
+  practice().told[line] = {textOf(line), {QString::fromStdString(judgement.sentence), judgement.right}};
   if (judgement.isAnswer)
     practice().firstTries.try_emplace(line, FirstTry{textOf(line), judgement.right});
   if (judgement.right)

@@ -34,7 +34,7 @@ public:
   void setUsual(Fading fading);
 
   /// Whether some lines ask to be filled in.
-  [[nodiscard]] bool hasBlanks() const { return !m_blank.empty(); }
+  [[nodiscard]] bool hasBlanks() const { return !m_fade.gaps.empty(); }
 
 signals:
   /// The learner has chosen, completed a line, or had one shown.
@@ -43,9 +43,9 @@ signals:
   void newNumbersRequested();
 
 private:
-  /// What was said about a line, and the numbers that it was about.
+  /// What was said about a line.
   struct Told {
-    std::vector<Surd> answer;
+    std::string text; ///< of the line then
     LineRemark remark;
   };
   /// The first answer to a line, and what the line said then.
@@ -72,7 +72,6 @@ private:
   [[nodiscard]] std::set<std::string> openedLines();
   /// What a line says with the present numbers; empty where there is no such line.
   [[nodiscard]] std::string textOf(const std::string &lineId) const;
-  [[nodiscard]] const Blank *blankOf(const std::string &lineId) const;
   [[nodiscard]] std::map<std::string, LineRemark> remarks() const;
   [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }
 
@@ -86,7 +85,7 @@ private:
   std::map<std::pair<std::string, int>, StepPractice> m_practice;
   Working m_working;
   bool m_hidden = false;
-  std::set<std::string> m_blank;
+  Fade m_fade;
 };
 
 } // namespace halfspace

@@ -22,45 +22,37 @@ struct In {
   PointObject Q;
 };
 
-struct Out {
-  PointPlane<Rational> measured; // f, signed distance, foot
-  ExactVec3 w;                   // Q − P0
-  bool atP0 = false;             // w is zero: there is no angle
-  Surd cosine;                   // of the angle θ between n and w
+struct Out : PlaneTerms {
+  PointPlaneCase which;
+  bool atP0; ///< w is zero: there is no angle
+  Term Q, f, w, dist, F;
+  Term theta, cosine; ///< of the angle between n and w, where there is one
 };
 
 Out compute(const In &in) {
-  Out out;
-  out.measured = measurePointPlane(in.Q.at, planeThrough(in.E.point, in.E.normal));
-  out.w = in.Q.at - in.E.point;
-  out.atP0 = isZero(out.w);
-  if (out.measured.which != PointPlaneCase::ZeroNormal && !out.atP0)
-    out.cosine = overRoot(out.measured.f, Rational(out.measured.normalSquared * dot(out.w, out.w)));
-  return out;
-}
-
-/// The letters of the lines.
-struct Letters : PlaneTerms {
-  Term Q, f, w, dist, cosine, F;
-};
-
-Letters lettersOf(const In &in, const Out &out) {
   const PlaneTerms E = termsOf(in.E, "E");
   const Term Q = termOf(in.Q, "Q");
+  const auto measured = measurePointPlane(in.Q.at, planeThrough(in.E.point, in.E.normal));
+  const ExactVec3 w = in.Q.at - in.E.point;
+  const bool hasAngle = measured.which != PointPlaneCase::ZeroNormal && !isZero(w);
   const Term theta = name(letter("θ"), std::nullopt).marked("theta");
   return {E,
+          measured.which,
+          isZero(w),
           Q,
-          applied(letter("f"), Q, out.measured.f),
-          name(vectorLetter("w"), out.w).standingFor(Q - E.P0).marked("w"),
-          name(word("dist"), out.measured.signedDistance).marked("distance"),
-          applied(word("cos"), theta, out.cosine),
-          name(letter("F"), out.measured.foot).marked("F")};
+          applied(letter("f"), Q, measured.f),
+          name(vectorLetter("w"), w).standingFor(Q - E.P0).marked("w"),
+          name(word("dist"), measured.signedDistance).marked("distance"),
+          name(letter("F"), measured.foot).marked("F"),
+          theta,
+          applied(word("cos"), theta,
+                  hasAngle ? overRoot(measured.f, Rational(measured.normalSquared * dot(w, w))) : Surd())};
 }
 
-CaseWords tell(const In &in, const Out &out) {
-  const std::string f = equation(lettersOf(in, out).f);
-  const std::string distance = equation(name(word("signed distance"), out.measured.signedDistance));
-  switch (out.measured.which) {
+CaseWords tell(const In &, const Out &at) {
+  const std::string f = equation(at.f);
+  const std::string distance = equation(name(word("signed distance"), at.dist->value));
+  switch (at.which) {
   case PointPlaneCase::Positive:
     return {"positive", words("{f} is positive: Q lies on the side that n points to, {distance}.",
                               {{"f", f}, {"distance", distance}})};
@@ -72,8 +64,7 @@ CaseWords tell(const In &in, const Out &out) {
   case PointPlaneCase::ZeroNormal:
     break;
   }
-  return {"zero-normal", words("The normal n is the zero vector: it points nowhere, so there is no plane."),
-          true};
+  return zeroNormalWords();
 }
 
 std::string sideName(PointPlaneCase which) {
@@ -82,15 +73,14 @@ std::string sideName(PointPlaneCase which) {
                                              : "on";
 }
 
-std::vector<NamedValue> list(const In &in, const Out &out) {
-  const Letters at = lettersOf(in, out);
+std::vector<NamedValue> list(const Out &at) {
   std::vector<NamedValue> values{listed("f", at.f)};
-  if (out.measured.which == PointPlaneCase::ZeroNormal)
+  if (at.which == PointPlaneCase::ZeroNormal)
     return values;
   values.push_back(listed("signed_distance", at.dist));
-  values.push_back({"side", words("side"), sideName(out.measured.which)});
+  values.push_back({"side", words("side"), sideName(at.which)});
   values.push_back(listed("foot", at.F));
-  if (!out.atP0)
+  if (!at.atP0)
     values.push_back(listed("cos_angle", at.cosine));
   return values;
 }
@@ -106,76 +96,71 @@ std::string sideWords(PointPlaneCase which) {
   }
 }
 
-std::string distanceWords(const Letters &at, const Out &out) {
-  if (out.measured.normalSquared == 1)
-    return words("Because |n| = 1, f(Q) is the signed distance already.");
-  return words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
-               {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
-}
-
-WorkingLine distanceLine(const Letters &at, const Out &out) {
-  return asked(line("distance", {withNumbers(at.dist == at.f / norm(at.n))}, distanceWords(at, out)),
+WorkingLine distanceLine(const Out &at) {
+  const Term length = calculated(norm(at.n));
+  return asked("distance", withNumbers(at.dist == at.f / norm(at.n)),
+               areEqual(*numberOf(length), 1) == true
+                   ? words("Because |n| = 1, f(Q) is the signed distance already.")
+                   : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
+                           {{"f", equation(at.f)}, {"length", plainText(length)}}),
                {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
                 {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
                 {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")},
                 {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")}});
 }
 
-WorkingLine cosineLine(const Letters &at, const Out &out) {
-  const double degrees = std::acos(std::clamp(toDouble(out.cosine), -1.0, 1.0)) * 180 / std::numbers::pi;
-  return asked(line("cosine", {withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w)))},
-                    words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the "
-                          "part of w that runs along n.",
-                          {{"degrees", plainText(rounded(degrees))}})),
-               {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
-                {dot(at.n, at.w), words("{answer} is n·w: divide by both lengths.")}});
+WorkingLine cosineLine(const Out &at) {
+  const double cosine = toDouble(*numberOf(at.cosine));
+  const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+  return asked(
+      "cosine", withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
+      words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of "
+            "w that runs along n.",
+            {{"degrees", plainText(rounded(degrees))}}),
+      {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
+       {dot(at.n, at.w), words("{answer} is n·w: divide by both lengths.")}});
 }
 
-Working explain(const In &in, const Out &out) {
-  const Letters at = lettersOf(in, out);
+Working explain(const Out &at) {
   Working working{
-      {asked(line("f", {withNumbers(at.f == dot(at.n, at.Q - at.P0))},
-                  words("Q put into the left side of the plane's equation.")),
+      {asked("f", withNumbers(at.f == dot(at.n, at.Q - at.P0)),
+             words("Q put into the left side of the plane's equation."),
              {{dot(at.n, at.Q), words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}})}};
-  if (out.measured.which == PointPlaneCase::ZeroNormal)
+  if (at.which == PointPlaneCase::ZeroNormal)
     return working;
-  working.lines.push_back(line("side", {compared(at.f, 0)}, sideWords(out.measured.which)));
-  working.lines.push_back(asked(
-      line("length", {withProducts(norm(at.n) == root(dot(at.n, at.n)))}, words("The length of the normal.")),
-      {{dot(at.n, at.n), words("{answer} is n·n: its root is still to be taken.")}}));
-  working.lines.push_back(distanceLine(at, out));
-  if (!out.atP0)
-    working.lines.push_back(cosineLine(at, out));
-  working.lines.push_back(
-      asked(line("foot", {withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n)},
-                 words("The foot: from Q straight along n to the plane, its nearest point."))));
+  working.add(line("side", compared(at.f, 0), sideWords(at.which)));
+  working.add(asked("length", withProducts(norm(at.n) == root(dot(at.n, at.n))),
+                    words("The length of the normal."),
+                    {{dot(at.n, at.n), words("{answer} is n·n: its root is still to be taken.")}}));
+  working.add(distanceLine(at));
+  if (!at.atP0)
+    working.add(cosineLine(at));
+  working.add(asked("foot", withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n),
+                    words("The foot: from Q straight along n to the plane, its nearest point.")));
   return working;
 }
 
-Figure draw(const In &in, const Out &out) {
+Figure draw(const In &in, const Out &at) {
   Figure figure;
-  const Place q = place(in.Q.at);
-  const Place p0 = place(in.E.point);
-  const Place normal = place(in.E.normal);
-  const bool hasPlane = out.measured.which != PointPlaneCase::ZeroNormal;
-  const Place foot = hasPlane ? place(out.measured.foot) : p0;
+  const Place q = place(at.Q);
+  const Place p0 = place(at.P0);
+  const bool hasPlane = at.which != PointPlaneCase::ZeroNormal;
+  const Place foot = hasPlane ? place(at.F) : p0;
   drawPlane(figure, in.E, {foot});
-  figure.marks.push_back(PointMark{{"Q", Role::Given, Subject::Point, "Q"}, q});
-  if (!out.atP0)
-    figure.marks.push_back(ArrowMark{{"w", Role::Derived, Subject::Point, "\\vec w"}, p0, q - p0});
+  figure.add(pointOf(at.Q, Role::Given, Subject::Point));
+  if (!at.atP0)
+    figure.add(arrowOf(at.w, p0, Role::Derived, Subject::Point));
   if (!hasPlane)
     return figure;
-  if (!out.atP0)
-    figure.marks.push_back(
-        ArcMark{{"theta", Role::Derived, Subject::Neutral, "\\theta"}, p0, normal, q - p0});
-  figure.marks.push_back(PointMark{{"F", Role::Result, Subject::Measure, "F"}, foot});
-  if (out.measured.which == PointPlaneCase::On)
+  if (!at.atP0)
+    figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.n), q - p0});
+  figure.add(pointOf(at.F, Role::Result, Subject::Measure));
+  if (at.which == PointPlaneCase::On)
     return figure;
-  const Term dist = name(word("dist"), out.measured.signedDistance);
-  figure.marks.push_back(SegmentMark{
-      {"distance", Role::Result, Subject::Measure, latexOf(dist), relatedLatex(calculated(dist))}, foot, q});
-  figure.marks.push_back(
-      RightAngleMark{{"F-angle", Role::Helper, Subject::Measure, ""}, foot, q - foot, p0 - foot});
+  MarkBase distance = drawn(at.dist, Role::Result, Subject::Measure);
+  distance.numbers = relatedLatex(calculated(at.dist));
+  figure.add(SegmentMark{std::move(distance), foot, q});
+  figure.add(RightAngleMark{{"F-angle", Role::Helper, Subject::Measure}, foot, q - foot, p0 - foot});
   return figure;
 }
 

@@ -69,6 +69,7 @@ Chain condition(Chain chain) {
 Chain compared(Term a, Term b) {
   Chain chain = std::move(a) == std::move(b);
   chain.m_claim = Chain::Claim::Comparison;
+  chain.m_symbolic = 1; // the relation says what the first side is like
   return chain;
 }
 

@@ -27,6 +27,11 @@ public:
   [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
   /// Whether its sides are the same whatever the unknowns are: neither a condition nor a comparison.
   [[nodiscard]] bool isIdentity() const { return m_claim == Claim::Identity; }
+  /// How what it comes to is found: its last side in symbols; of a condition, the first that is demanded to
+  /// be equal.
+  [[nodiscard]] const Term &formula() const {
+    return m_sides[m_claim == Claim::Condition && m_symbolic == 1 ? 1 : m_symbolic - 1];
+  }
   /// The relation before each side but the first.
   [[nodiscard]] std::vector<Relation> relations() const;
 
@@ -48,7 +53,8 @@ private:
 
 [[nodiscard]] Chain operator==(Term a, Term b);
 
-/// `0 = …`, which its unknowns fulfil or not: the first side is equal to the second by demand.
+/// `0 = …`, of two sides and more, which its unknowns fulfil or not: the first side is equal to the second by
+/// demand.
 [[nodiscard]] Chain condition(Chain chain);
 
 /// a < b, a = b or a > b, whichever holds.

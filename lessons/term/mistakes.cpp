@@ -35,6 +35,11 @@ void addOfSum(const Term &term, std::vector<Replacement> &found) {
     found.push_back({Slip::AddedInstead, to + from});
   }
   for (std::size_t i = 0; i < term->parts.size(); ++i) {
+    if (i > 0 && term->parts[i]->kind != TermKind::Negation) {
+      std::vector<Term> parts = term->parts;
+      parts[i] = -parts[i];
+      found.push_back({Slip::SubtractedInstead, sum(std::move(parts))});
+    }
     std::vector<Term> rest = term->parts;
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
     found.push_back({Slip::DroppedPart, rest.size() == 1 ? rest.front() : sum(std::move(rest))});

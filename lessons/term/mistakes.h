@@ -11,6 +11,7 @@ enum class Slip : std::uint8_t {
   ReversedDifference, ///< b − a for a − b
   DroppedPart,        ///< a summand left out
   AddedInstead,       ///< a + b for a − b
+  SubtractedInstead,  ///< a − b for a + b
   UpsideDown,         ///< q/p for p/q
   Undivided,          ///< p for p/q
   NoRoot,             ///< x for √x, n·n for |n|

@@ -148,4 +148,10 @@ std::string plainText(const Chain &chain, std::size_t begin, std::size_t end, No
   return PlainWriter(notation).write(chain, begin, end);
 }
 
+std::string plainTextWithout(const Term &part, const Chain &chain) {
+  PlainWriter writer({});
+  writer.leaveOut(part);
+  return writer.write(chain);
+}
+
 } // namespace halfspace

@@ -13,6 +13,8 @@ namespace halfspace {
 /// The sides from `begin` on, each but the chain's first with the relation before it.
 [[nodiscard]] std::string plainText(const Chain &chain, std::size_t begin, std::size_t end,
                                     Notation notation = {});
+/// The whole chain with a question mark in place of a part of it.
+[[nodiscard]] std::string plainTextWithout(const Term &part, const Chain &chain);
 [[nodiscard]] std::string plainText(const Symbol &symbol);
 
 /// The value behind the relation that it allows: ` = 10`, ` ≈ 3.16228`.

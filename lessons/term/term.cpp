@@ -10,12 +10,12 @@ namespace halfspace {
 namespace {
 
 Term made(TermKind kind, std::vector<Term> parts, std::size_t columns = 0) {
-  TermNode node;
-  node.kind = kind;
-  node.value = operate(kind, parts, columns);
-  node.parts = std::move(parts);
-  node.columns = columns;
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->kind = kind;
+  node->value = operate(kind, parts, columns);
+  node->parts = std::move(parts);
+  node->columns = columns;
+  return Term(node);
 }
 
 /// The parts of a term that is of this kind, else the term: a + b + c is one sum.
@@ -55,60 +55,59 @@ Symbol word(std::string word) { return {.letter = std::move(word), .isWord = tru
 Term::Term(int number) : Term(Surd(number)) {}
 Term::Term(const Rational &number) : Term(Surd(number)) {}
 Term::Term(const Surd &number) : Term(halfspace::number(number)) {}
-Term::Term(TermNode node) : m_node(std::make_shared<const TermNode>(std::move(node))) {}
 
 Term Term::marked(std::string mark) const {
-  TermNode node = *m_node;
-  node.mark = std::move(mark);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>(*m_node);
+  node->mark = std::move(mark);
+  return Term(node);
 }
 
 Term Term::standingFor(Term meaning) const {
-  TermNode node = *m_node;
-  node.origin = std::move(meaning);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>(*m_node);
+  node->origin = std::move(meaning);
+  return Term(node);
 }
 
 Term number(const Real &value, std::optional<Term> origin, std::optional<CoordinateSource> source) {
   WrittenNumber digits = written(value);
-  TermNode node;
-  node.parts = {std::move(digits.term)};
-  node.isRounded = !digits.exact;
-  node.value = value;
-  node.origin = std::move(origin);
-  node.source = std::move(source);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->parts = {std::move(digits.term)};
+  node->isRounded = !digits.exact;
+  node->value = value;
+  node->origin = std::move(origin);
+  node->source = std::move(source);
+  return Term(node);
 }
 
 Term name(Symbol symbol, std::optional<TermValue> value) {
-  TermNode node;
-  node.kind = TermKind::Name;
-  node.symbol = std::move(symbol);
-  node.value = std::move(value);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->kind = TermKind::Name;
+  node->symbol = std::move(symbol);
+  node->value = std::move(value);
+  return Term(node);
 }
 
 Term given(Symbol symbol, const Vec3<Rational> &value, std::string role, std::size_t coordinate) {
-  TermNode node = *name(std::move(symbol), value);
-  node.source = CoordinateSource{std::move(role), coordinate, std::nullopt};
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>(*name(std::move(symbol), value));
+  node->source = CoordinateSource{std::move(role), coordinate, std::nullopt};
+  return Term(node);
 }
 
 Term unknown(std::string letter) {
-  TermNode node;
-  node.kind = TermKind::Unknown;
-  node.value = Polynomial::unknown(letter);
-  node.symbol = halfspace::letter(std::move(letter));
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->kind = TermKind::Unknown;
+  node->value = Polynomial::unknown(letter);
+  node->symbol = halfspace::letter(std::move(letter));
+  return Term(node);
 }
 
 Term applied(Symbol function, Term argument, TermValue value) {
-  TermNode node;
-  node.kind = TermKind::Applied;
-  node.symbol = std::move(function);
-  node.parts = {std::move(argument)};
-  node.value = std::move(value);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->kind = TermKind::Applied;
+  node->symbol = std::move(function);
+  node->parts = {std::move(argument)};
+  node->value = std::move(value);
+  return Term(node);
 }
 
 Term dot(Term a, Term b) { return made(TermKind::Dot, {std::move(a), std::move(b)}); }
@@ -155,6 +154,17 @@ Term withParts(const Term &term, std::vector<Term> parts) {
 }
 
 const Real *numberOf(const Term &term) { return term->value ? term->value->number() : nullptr; }
+
+bool areInterchangeable(const Term &a, const Term &b) {
+  if (&*a == &*b)
+    return true;
+  const bool haveAlikeOrigins = a->origin && b->origin ? readAlike(*a->origin, *b->origin)
+                                                       : a->origin.has_value() == b->origin.has_value();
+  return haveAlikeOrigins && a->kind == b->kind && a->digits == b->digits && a->symbol == b->symbol &&
+         a->columns == b->columns && a->isRounded == b->isRounded && a->mark == b->mark &&
+         a->source == b->source &&
+         std::equal(a->parts.begin(), a->parts.end(), b->parts.begin(), b->parts.end(), areInterchangeable);
+}
 
 bool readAlike(const Term &a, const Term &b) {
   const auto magnitudeOfA = withoutSign(a);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halfspace {
@@ -66,7 +67,7 @@ public:
   Term(int number);             // NOLINT(google-explicit-constructor): every number is a term
   Term(const Rational &number); // NOLINT(google-explicit-constructor)
   Term(const Surd &number);     // NOLINT(google-explicit-constructor)
-  explicit Term(TermNode node);
+  explicit Term(std::shared_ptr<const TermNode> node) : m_node(std::move(node)) {}
 
   [[nodiscard]] const TermNode &operator*() const { return *m_node; }
   [[nodiscard]] const TermNode *operator->() const { return m_node.get(); }
@@ -133,6 +134,10 @@ struct TermNode {
 
 /// The number that the term comes to, where it is one without unknowns; null elsewhere.
 [[nodiscard]] const Real *numberOf(const Term &term);
+
+/// Whether one can stand for the other wherever they are written: they read alike, are the same marks and
+/// coordinates, and their numbers come from terms that read alike.
+[[nodiscard]] bool areInterchangeable(const Term &a, const Term &b);
 
 /// Whether both terms look the same on the page. The sign of a fraction's numerator is that of the fraction.
 [[nodiscard]] bool readAlike(const Term &a, const Term &b);

@@ -96,6 +96,17 @@ TermValue TermValue::list(std::vector<Polynomial> entries) {
   return value;
 }
 
+bool isExact(const Polynomial &value) {
+  return value.constant().exact() &&
+         std::all_of(value.summands().begin(), value.summands().end(),
+                     [](const Polynomial::Summand &each) { return each.factor.exact(); });
+}
+
+bool isExact(const TermValue &value) {
+  return std::all_of(value.entries.begin(), value.entries.end(),
+                     [](const Polynomial &entry) { return isExact(entry); });
+}
+
 std::optional<std::vector<Surd>> exactNumbers(const TermValue &value) {
   std::vector<Surd> numbers;
   for (const Polynomial &entry : value.entries) {

@@ -66,6 +66,10 @@ private:
   TermValue() = default;
 };
 
+/// Whether every number in it is known as A + B·√n.
+[[nodiscard]] bool isExact(const Polynomial &value);
+[[nodiscard]] bool isExact(const TermValue &value);
+
 /// The number, or the numbers of the list; nothing where one has unknowns or is not exactly known.
 [[nodiscard]] std::optional<std::vector<Surd>> exactNumbers(const TermValue &value);
 

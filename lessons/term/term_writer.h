@@ -23,7 +23,12 @@ template <class Text> class TermWriter {
 public:
   virtual ~TermWriter() = default;
 
-  [[nodiscard]] Text write(const Term &term) { return marked(term, unmarked(term)); }
+  [[nodiscard]] Text write(const Term &term) {
+    return isLeftOut(term) ? blank() : touchable(term, unmarked(term));
+  }
+
+  /// From now on a blank stands for this very term wherever it is a part of what is written.
+  void leaveOut(const Term &term) { m_leftOut = &*term; }
 
   /// The sides with the relations between them.
   [[nodiscard]] Text write(const Chain &chain) { return write(chain, 0, chain.sides().size()); }
@@ -74,6 +79,9 @@ protected:
   /// Whether a fraction is written in the line, with a slash, so that it needs parentheses as a product does.
   [[nodiscard]] virtual bool isFlat() const = 0;
 
+  /// What stands for a term that is left out.
+  [[nodiscard]] virtual Text blank() { return symbol(letter("?")); }
+
   /// A number as the term of digits that is written for it.
   [[nodiscard]] static const Term &shown(const Term &term) {
     return term->kind == TermKind::Number ? term->parts[0] : term;
@@ -99,6 +107,8 @@ private:
   enum class Binding : std::uint8_t { Sum, Negation, VectorProduct, Product, Fraction, Power, Atom };
 
   [[nodiscard]] Binding bindingOf(const Term &term) const {
+    if (isLeftOut(term))
+      return Binding::Atom;
     switch (shown(term)->kind) {
     case TermKind::Sum:
       return Binding::Sum;
@@ -149,7 +159,7 @@ private:
     }
   }
 
-  [[nodiscard]] Text marked(const Term &term, Text text) { return touchable(term, std::move(text)); }
+  [[nodiscard]] bool isLeftOut(const Term &term) const { return &*term == m_leftOut; }
 
   [[nodiscard]] Text held(const Term &term, Binding least) {
     Text text = write(term);
@@ -204,7 +214,7 @@ private:
     std::vector<Text> texts{held(summands.front(), Binding::Negation)};
     for (auto summand = summands.begin() + 1; summand != summands.end(); ++summand) {
       const Term &looked = shown(*summand);
-      const bool negative = looked->kind == TermKind::Negation;
+      const bool negative = looked->kind == TermKind::Negation && !isLeftOut(*summand);
       texts.push_back(sign(negative ? TermSign::Minus : TermSign::Plus));
       // The sign of a negative number is the sum's, but the number is still one to be touched.
       texts.push_back(negative ? touchable(*summand, held(looked->parts[0], Binding::VectorProduct))
@@ -323,6 +333,7 @@ private:
   }
 
   bool m_small = false;
+  const TermNode *m_leftOut = nullptr;
 };
 
 } // namespace halfspace

@@ -13,10 +13,10 @@ namespace {
 constexpr std::int64_t largestFractionDenominator = 12;
 
 Term digits(std::string text) {
-  TermNode node;
-  node.kind = TermKind::Digits;
-  node.digits = std::move(text);
-  return Term(std::move(node));
+  const auto node = std::make_shared<TermNode>();
+  node->kind = TermKind::Digits;
+  node->digits = std::move(text);
+  return Term(node);
 }
 
 Term signedTerm(bool negative, Term term) { return negative ? -std::move(term) : std::move(term); }
@@ -42,10 +42,10 @@ std::string decimalText(const Rational &magnitude, int places) {
 
 /// 6.02214·10²³
 Term scientific(const std::string &mantissa, int exponent) {
-  TermNode power;
-  power.kind = TermKind::Power;
-  power.parts = {digits("10"), signedTerm(exponent < 0, digits(std::to_string(std::abs(exponent))))};
-  return digits(mantissa) * Term(std::move(power));
+  const auto power = std::make_shared<TermNode>();
+  power->kind = TermKind::Power;
+  power->parts = {digits("10"), signedTerm(exponent < 0, digits(std::to_string(std::abs(exponent))))};
+  return digits(mantissa) * Term(power);
 }
 
 /// p/q of positive integers, `root` behind p.

@@ -5,8 +5,10 @@
 
 #include "geometry/surd.h"
 #include "lessons/lesson.h"
+#include "lessons/practice.h"
 #include "lessons/session.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/typed_answer.h"
 
 #include <gtest/gtest.h>
 
@@ -135,8 +137,9 @@ private:
       for (const auto &chain : chainsOf(latexOf(line)))
         checkChain(chain);
       checkRelations(line);
-      if (line.blank)
-        checkBlank(line);
+      if (line.asked != Asked::Nothing)
+        checkAsked(line);
+      checkGaps(line);
     }
   }
 
@@ -147,54 +150,74 @@ private:
         EXPECT_NE(relation, Relation::Unequal) << plainText(chain);
   }
 
-  /// What is asked is the line's last number, and no mistake comes to it.
-  void checkBlank(const WorkingLine &line) const {
-    const Blank &blank = *line.blank;
-    EXPECT_TRUE(hasNumbers(line)) << "there is nothing to leave blank";
-    for (const Surd &number : blank.answer)
-      EXPECT_TRUE(std::isfinite(toDouble(number)));
-    if (!blank.form)
-      checkAnswer(line);
-    if (const auto typed = typedText(blank.answer)) {
-      EXPECT_TRUE(judge(blank, *typed).right) << *typed;
+  /// What is asked can be answered, and no mistake is praised.
+  void checkAsked(const WorkingLine &line) const {
+    EXPECT_TRUE(hasNumbers(line)) << "there is nothing to leave out";
+    const Gap gap = resultGap(line);
+    const TermValue &truth = *gap.hidden->value;
+    if (const auto typed = typedText(truth)) {
+      EXPECT_TRUE(judge(line, gap, *typed).right) << *typed;
     }
-    for (const Mistake &mistake : blank.mistakes) {
-      EXPECT_FALSE(mistake.value == blank.answer) << mistake.sentence;
+    if (!truth.entries.front().hasUnknowns())
+      checkAnswer(line, truth);
+    for (const WrongTerm &mistake : line.mistakes) {
       EXPECT_NE(mistake.sentence.find("{answer}"), std::string::npos) << mistake.sentence;
-      checkMistake(blank, mistake);
+      checkMistake(line, gap, mistake);
     }
   }
 
-  /// (1, 2/3, 2*sqrt(3)): the numbers as a learner may type them; nothing where one is too long.
-  static std::optional<std::string> typedText(const std::vector<Surd> &numbers) {
+  /// Every number of a line can be left out and be answered.
+  static void checkGaps(const WorkingLine &line) {
+    for (const Gap &gap : numberGaps(line))
+      if (const auto typed = typedText(*gap.hidden->value)) {
+        EXPECT_TRUE(judge(line, gap, *typed).right) << *typed;
+      }
+  }
+
+  /// 2/3 x + 2*sqrt(3), (1, 2): the value as a learner may type it; nothing where it is too long.
+  static std::optional<std::string> typedText(const TermValue &value) {
     std::string list;
-    for (const Surd &number : numbers) {
-      const auto text = toText(number);
-      if (!text || text->size() > longestAnswer)
+    for (const Polynomial &entry : value.entries) {
+      const auto text = typedText(entry);
+      if (!text)
         return {};
       list += (list.empty() ? "" : ", ") + *text;
     }
-    return numbers.size() == 1 ? list : "(" + list + ")";
+    list = value.isList ? "(" + list + ")" : list;
+    return list.size() <= longestAnswer ? std::optional(list) : std::nullopt;
   }
 
-  void checkAnswer(const WorkingLine &line) const {
+  static std::optional<std::string> typedText(const Polynomial &value) {
+    auto text = toText(*value.constant().exact());
+    for (const Polynomial::Summand &summand : value.summands())
+      if (const auto factor = toText(*summand.factor.exact()); factor && text)
+        *text += " + (" + *factor + ")" + summand.monomial.front();
+      else
+        return {};
+    return text;
+  }
+
+  void checkAnswer(const WorkingLine &line, const TermValue &truth) const {
     const Side last = chainsOf(latexOf(line)).back().back();
     const Quantity answer = calculate(last.latex, m_expected.names);
     Quantity asked;
-    for (const Surd &number : line.blank->answer)
+    for (const Polynomial &entry : truth.entries) {
+      const Surd &number = *entry.constant().exact();
       asked.push_back(mp::sqrt(quantity(abs(signedSquares({number})[0]))[0]) * Precise(number.sign()));
+    }
     EXPECT_TRUE(agree(answer, asked, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
   }
 
-  /// A mistake that can be typed is told by its own sentence.
-  static void checkMistake(const Blank &blank, const Mistake &mistake) {
-    const auto typed = typedText(mistake.value);
-    if (!typed)
+  /// A mistake that can be typed is told by its own sentence, or by an earlier one that comes to the same.
+  static void checkMistake(const WorkingLine &line, const Gap &gap, const WrongTerm &mistake) {
+    const auto &wrong = mistake.wrong->value;
+    const auto typed = wrong && isExact(*wrong) ? typedText(*wrong) : std::nullopt;
+    if (!typed || areEqual(*wrong, *gap.hidden->value) == true)
       return;
-    const Judgement judgement = judge(blank, *typed);
-    EXPECT_FALSE(judgement.right) << *typed;
-    const std::string behindAnswer = mistake.sentence.substr(mistake.sentence.rfind("{answer}") + 8);
-    EXPECT_TRUE(judgement.sentence.ends_with(behindAnswer)) << *typed << ": " << judgement.sentence;
+    const Judgement judgement = judge(line, gap, *typed);
+    EXPECT_TRUE(!judgement.right || line.asked == Asked::Equation) << *typed << " is no multiple";
+    EXPECT_FALSE(judgement.sentence.ends_with("once more."))
+        << *typed << " is not told: " << judgement.sentence;
   }
 
   /// Calculates every side of `a = b = c`. An equation `0 = …` holds at its solution, and its sides say the

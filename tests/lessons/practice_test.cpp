@@ -2,6 +2,8 @@
 
 #include "lessons/lesson.h"
 #include "lessons/session.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
 
 #include <gtest/gtest.h>
 
@@ -12,32 +14,8 @@ using Ids = std::set<std::string>;
 
 Surd root(int square, const Rational &factor = 1) { return Surd::root(square, factor); }
 
-TEST(ParseAnswer, OfNumbersAsLearnersWriteThem_IsExact) {
-  const std::vector<std::pair<const char *, Surd>> cases{{"10", 10},
-                                                         {" -10 / 3 ", Rational(-10, 3)},
-                                                         {"−10/3", Rational(-10, 3)},
-                                                         {"10/-3", Rational(-10, 3)},
-                                                         {"3.25", Rational(13, 4)},
-                                                         {"2*sqrt(43)/3", root(43, Rational(2, 3))},
-                                                         {"(2√43)/3", root(43, Rational(2, 3))},
-                                                         {"2/3·√43", root(43, Rational(2, 3))},
-                                                         {"-sqrt43", root(43, -1)},
-                                                         {"30/√43", root(43, Rational(30, 43))},
-                                                         {"√(4/9)", Rational(2, 3)},
-                                                         {"√2√3", root(6)},
-                                                         {"1 - 2√2", root(2, -2) + Rational(1)}};
-  for (const auto &[text, value] : cases) {
-    const auto parsed = parseAnswer(text);
-    ASSERT_TRUE(parsed) << text;
-    EXPECT_TRUE(*parsed == value) << text;
-  }
-}
-
-TEST(ParseAnswer, OfAnythingElse_IsNothing) {
-  for (const char *text : {"", "-", "x", "1/0", "1/√0", "√-2", "√", "3..5", "2*", "(2", "2)", "1+", "√2+√3",
-                           "√√2", "(1+√2)*2", "1e5", "nan"})
-    EXPECT_FALSE(parseAnswer(text)) << text;
-  EXPECT_FALSE(parseAnswer(std::string(longestAnswer + 1, '1')));
+Working workingOf(const std::string &lesson) {
+  return evaluate(readLessons(LESSON_FOLDER).find(lesson)->scene).working;
 }
 
 /// The line of a lesson's start, after some coordinates were given values.
@@ -51,7 +29,20 @@ WorkingLine lineOf(const std::string &lesson, const std::string &id, const std::
   throw std::out_of_range(id);
 }
 
-Judgement judged(const WorkingLine &line, std::string_view typed) { return judge(line.blank.value(), typed); }
+/// An answer to what the line asks for.
+Judgement judged(const WorkingLine &line, std::string_view typed) {
+  return judge(line, resultGap(line), typed);
+}
+
+/// A line that comes to a number.
+WorkingLine lineTo(const Surd &number) {
+  return {"x", {withResult(name(letter("x"), number))}, "", Asked::Value};
+}
+
+/// The number that the line comes to.
+Surd exactOf(const WorkingLine &line) {
+  return exactNumbers(line.chains.back().last()->value.value()).value().front();
+}
 
 TEST(Judge, OfTheSignedDistance_TellsTheUsualMistakesApart) {
   const WorkingLine line = lineOf("signed-distance", "distance");
@@ -72,15 +63,15 @@ TEST(Judge, OfTheDistanceBehindThePlane_NoticesTheLostSignOfF) {
 }
 
 TEST(Judge, OfARoot_TakesADecimalThatRoundsRightAndSaysSo) {
-  const Blank blank{{root(43, Rational(2, 3))}}; // 4.3716…
-  EXPECT_EQ(judge(blank, "2√43/3").sentence, "Right.");
-  const Judgement rounded = judge(blank, "4.37");
+  const WorkingLine line = lineTo(root(43, Rational(2, 3))); // 4.3716…
+  EXPECT_EQ(judged(line, "2√43/3").sentence, "Right.");
+  const Judgement rounded = judged(line, "4.37");
   EXPECT_TRUE(rounded.right);
   EXPECT_NE(rounded.sentence.find("rounded"), std::string::npos);
   EXPECT_NE(rounded.sentence.find("√43"), std::string::npos);
-  EXPECT_FALSE(judge(blank, "4.38").right);
-  EXPECT_FALSE(judge(blank, "4").right) << "a whole number is no rounded one";
-  EXPECT_FALSE(judge({{Rational(1, 30)}}, "0.0").right) << "too few digits";
+  EXPECT_FALSE(judged(line, "4.38").right);
+  EXPECT_FALSE(judged(line, "4").right) << "a whole number is no rounded one";
+  EXPECT_FALSE(judged(lineTo(Rational(1, 30)), "0.0").right) << "too few digits";
 }
 
 TEST(Judge, OfTheRaysParameter_TellsSignInverseAndNumerator) {
@@ -91,28 +82,52 @@ TEST(Judge, OfTheRaysParameter_TellsSignInverseAndNumerator) {
   EXPECT_NE(judged(line, "-30").sentence.find("only the numerator"), std::string::npos);
 }
 
-TEST(Judge, OfThePlanesConstant_TellsSignAndNormalization) {
+TEST(Judge, OfThePlanesEquation_TakesAnyMultipleOfIt) {
   const WorkingLine line = lineOf("plane-implicit", "collect");
-  EXPECT_TRUE(judged(line, "-27").right);
-  EXPECT_NE(judged(line, "27").sentence.find("minus sign"), std::string::npos);
-  EXPECT_NE(judged(line, "16").sentence.find("adds up"), std::string::npos);
-  EXPECT_NE(judged(line, "-9").sentence.find("normalized"), std::string::npos);
-  const WorkingLine normalized = lineOf("plane-implicit", "normalized");
-  EXPECT_TRUE(judged(normalized, "-9").right);
-  EXPECT_NE(judged(normalized, "-27").sentence.find("not normalized"), std::string::npos);
+  for (const char *right :
+       {"x + 2y + 2z - 27", "x+2y+2z=27", "0 = x + 2*y + 2*z - 27", "27 = x+2y+2z", "-x - 2y - 2z + 27 = 0",
+        "x/3 + 2/3 y + 2z/3 = 9", "2(x+2y+2z) = 54", "x+2(y+z)-27"})
+    EXPECT_TRUE(judged(line, right).right) << right;
+  EXPECT_EQ(judged(line, "x + 2y + 2z - 27").sentence, "Right.");
+  EXPECT_NE(judged(line, "2x + 4y + 4z = 54").sentence.find("the same factor"), std::string::npos);
+  for (const char *wrong : {"x + 2y + 2z", "x + 2y + 3z - 27", "xx + 2y + 2z - 27", "0 = 0"})
+    EXPECT_FALSE(judged(line, wrong).right) << wrong;
+  EXPECT_NE(judged(line, "x + 2y + 2z + 27 = 0").sentence.find("minus sign"), std::string::npos);
+  EXPECT_NE(judged(line, "-x - 2y - 2z = 27").sentence.find("minus sign"), std::string::npos) << "a multiple";
+  EXPECT_NE(judged(line, "x + 2y + 2z - 16").sentence.find("added up"), std::string::npos);
+  EXPECT_NE(judged(line, "plane").sentence.find("cannot be read"), std::string::npos)
+      << "p·l·a·n·e is no sum";
+  EXPECT_NE(judged(line, "(1, 2, 2)").sentence.find("One number"), std::string::npos);
+}
+
+TEST(Judge, OfTheNormalizedEquation_TakesNoOtherMultiple) {
+  const WorkingLine line = lineOf("plane-implicit", "normalized");
+  EXPECT_TRUE(judged(line, "(x + 2y + 2z - 27)/3").right);
+  EXPECT_TRUE(judged(line, "x/3 + 2y/3 + 2z/3 - 9 = 0").right);
+  EXPECT_NE(judged(line, "x + 2y + 2z - 27").sentence.find("not normalized"), std::string::npos);
+  EXPECT_NE(judged(line, "(x + 2y + 2z - 27)/9").sentence.find("n·n"), std::string::npos);
+  EXPECT_NE(judged(line, "-(x + 2y + 2z - 27)/3").sentence.find("the other way"), std::string::npos);
+}
+
+TEST(Judge, OfTheEquationInT_ReadsItsLetter) {
+  const WorkingLine line = lineOf("ray-plane-dot", "collect"); // 0 = 9t + 30
+  EXPECT_TRUE(judged(line, "9t + 30").right);
+  EXPECT_TRUE(judged(line, "3t = -10").right);
+  EXPECT_NE(judged(line, "9x + 30").sentence.find("write it with t and numbers"), std::string::npos);
+  EXPECT_NE(judged(line, "9t - 30").sentence.find("to be added"), std::string::npos);
 }
 
 TEST(Judge, OfTheTrianglesShares_TellsSwapSignAndNumerator) {
   const WorkingLine s = lineOf("ray-triangle-perp", "s");
   const WorkingLine t = lineOf("ray-triangle-perp", "t");
-  const std::string sText = *toText(s.blank->answer.front());
-  const std::string tText = *toText(t.blank->answer.front());
+  const std::string sText = *toText(exactOf(s));
+  const std::string tText = *toText(exactOf(t));
   EXPECT_TRUE(judged(s, sText).right);
   EXPECT_NE(judged(s, tText).sentence.find("is t"), std::string::npos);
   EXPECT_NE(judged(t, sText).sentence.find("is s"), std::string::npos);
   EXPECT_NE(judged(s, "-" + sText).sentence.find("D = "), std::string::npos);
-  const Surd denominator = lineOf("ray-triangle-perp", "denominator").blank->answer.front();
-  const Surd numerator = s.blank->answer.front() * denominator.rationalPart();
+  const Surd denominator = exactOf(lineOf("ray-triangle-perp", "denominator"));
+  const Surd numerator = exactOf(s) * denominator.rationalPart();
   EXPECT_NE(judged(s, *toText(numerator)).sentence.find("only the numerator"), std::string::npos);
 }
 
@@ -130,47 +145,117 @@ TEST(Judge, OfAPoint_TakesItsCoordinatesAndNamesMistakesOfTheWholePoint) {
 }
 
 TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
-  const Judgement judgement = judge({{10}}, "ten");
+  const Judgement judgement = judged(lineTo(10), "ten");
   EXPECT_FALSE(judgement.right);
   EXPECT_NE(judgement.sentence.find("“ten” is not a number"), std::string::npos);
 }
 
-TEST(WithTellingMistakes, LeavesOutWhatComesToTheAnswerOrToAnEarlierOne) {
-  Working working{{{"a", {Chain(1)}, "", Blank{{1}, {{{1}, "same"}, {{2}, "first"}, {{2}, "second"}}}}}};
-  working = withTellingMistakes(std::move(working));
-  ASSERT_EQ(working.lines[0].blank->mistakes.size(), 1U);
-  EXPECT_EQ(working.lines[0].blank->mistakes[0].sentence, "first");
+TEST(Judge, OfLettersWhereANumberIsAsked_SaysHowToWriteOne) {
+  EXPECT_NE(judged(lineTo(10), "10x").sentence.find("is not a number"), std::string::npos);
+  EXPECT_NE(judged(lineTo(10), "x = 10").sentence.find("is not a number"), std::string::npos);
 }
 
-/// a = 1, b = 2, b > 0, c = (2, 2, 2)
+TEST(Judge, OfMistakesThatComeToTheAnswer_PassesThemOver) {
+  WorkingLine line = lineTo(3);
+  line.mistakes = {{3, "same"}, {4, "first"}, {4, "second"}};
+  EXPECT_EQ(judged(line, "3").sentence, "Right.");
+  EXPECT_EQ(judged(line, "4").sentence, "first");
+}
+
+/// a = 1, b = 2, b > 0, c = 1 + 2·b = 1 + 2·2 = 5
 Working fourLines() {
   const Term a = name(letter("a"), Rational(1));
   const Term b = name(letter("b"), Rational(2));
-  const Term c = name(letter("c"), ExactVec3(2, 2, 2));
-  return {{{"a", {withResult(a)}, "", Blank{{1}}},
-           {"b", {withResult(b)}, "", Blank{{2}}},
+  const Term c = name(letter("c"), Rational(5));
+  return {{{"a", {withResult(a)}, "", Asked::Value},
+           {"b", {withResult(b)}, "", Asked::Value},
            {"side", {compared(b, 0)}},
-           {"c", {withResult(c)}}}};
+           {"c", {withNumbers(c == 1 + 2 * b)}}}};
 }
 
-TEST(BlankLines, FadeFromNoneToTheLastThatAsksToAll) {
-  EXPECT_EQ(blankLines(fourLines(), Fading::None, {}), Ids{});
-  EXPECT_EQ(blankLines(fourLines(), Fading::Last, {}), (Ids{"b", "c"})) << "c would give b away";
-  EXPECT_EQ(blankLines(fourLines(), Fading::All, {}), (Ids{"a", "b", "c"}))
-      << "without numbers nothing is blank";
+Ids gapsOf(const Fade &fade) {
+  Ids ids;
+  for (const auto &[line, gap] : fade.gaps)
+    ids.insert(line);
+  return ids;
 }
 
-TEST(BlankLines, ThatAreOpenedStayOpen) {
-  EXPECT_EQ(blankLines(fourLines(), Fading::Last, {"b"}), Ids{});
-  EXPECT_EQ(blankLines(fourLines(), Fading::All, {"b"}), (Ids{"a", "c"}));
+TEST(Fade, GoesFromNoneToTheLastThatAsksToAll) {
+  EXPECT_EQ(gapsOf(fade(fourLines(), Fading::None, {})), Ids{});
+  EXPECT_EQ(gapsOf(fade(fourLines(), Fading::Last, {})), Ids{"b"});
+  EXPECT_EQ(gapsOf(fade(fourLines(), Fading::All, {})), (Ids{"a", "b"}))
+      << "what cannot be answered is no gap";
 }
 
-TEST(BlankLines, WhereNoneAsks_AreTheLastWithNumbers) {
+TEST(Fade, OfLinesThatWouldGiveAResultAway_LetsThemWait) {
+  EXPECT_EQ(fade(fourLines(), Fading::Last, {}).waiting, (Ids{"c", "side"}));
+  EXPECT_EQ(fade(fourLines(), Fading::Last, {"b"}).waiting, Ids{});
+  EXPECT_EQ(fade(fourLines(), Fading::None, {}).waiting, Ids{});
+}
+
+TEST(Fade, OfLinesThatAreOpened_LeavesNothingOut) {
+  EXPECT_EQ(gapsOf(fade(fourLines(), Fading::Last, {"b"})), Ids{});
+  EXPECT_EQ(gapsOf(fade(fourLines(), Fading::All, {"b"})), Ids{"a"});
+}
+
+TEST(Fade, WhereNoLineAsks_LeavesNothingOut) {
   Working working = fourLines();
-  working.lines[0].blank.reset();
-  working.lines[1].blank.reset();
-  EXPECT_EQ(blankLines(working, Fading::Last, {}), Ids{"c"});
-  EXPECT_EQ(blankLines({}, Fading::Last, {}), Ids{});
+  for (WorkingLine &line : working.lines)
+    line.asked = Asked::Nothing;
+  EXPECT_EQ(gapsOf(fade(working, Fading::Last, {})), Ids{});
+  EXPECT_EQ(gapsOf(fade({}, Fading::Last, {})), Ids{});
+}
+
+TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
+  const Working working = workingOf("signed-distance");
+  const Fade faded = fade(working, Fading::Gaps, {});
+  EXPECT_TRUE(faded.waiting.empty());
+  for (const auto &[id, gap] : faded.gaps) {
+    const WorkingLine &line = *findLine(working, id);
+    EXPECT_FALSE(gap.isResult);
+    EXPECT_TRUE(gap.hidden->origin && !gap.hidden->source) << "a coordinate is no calculation";
+    const std::string truth = *toText(*numberOf(gap.hidden)->exact());
+    EXPECT_TRUE(judge(line, gap, truth).right) << id << ": " << truth;
+    EXPECT_FALSE(judge(line, gap, truth + "+1").right) << id;
+  }
+  EXPECT_TRUE(gapsOf(faded).contains("f"));
+  EXPECT_FALSE(gapsOf(fade(working, Fading::Gaps, {"f"})).contains("f"));
+}
+
+TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
+  const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
+  const WorkingLine &f = *findLine(working, "f");
+  for (const Gap &gap : numberGaps(f))
+    if (gap.hidden->kind == TermKind::Number && plainText(gap.hidden) == "11") {
+      EXPECT_TRUE(judge(f, gap, "11").right);
+      EXPECT_NE(judge(f, gap, "19").sentence.find("adds where Q − P₀ subtracts"), std::string::npos);
+      EXPECT_NE(judge(f, gap, "-11").sentence.find("the other way"), std::string::npos);
+      return;
+    }
+  FAIL() << "there is no 11";
+}
+
+TEST(NumberGaps, OfALine_AreAllItsNumbersAndLists) {
+  const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
+  std::vector<std::string> texts;
+  for (const Gap &gap : numberGaps(*findLine(working, "f")))
+    texts.push_back(plainText(gap.hidden));
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"(1, 2, 2)", "1", "2", "2", "(6, 11, 1)", "6", "11", "1", "30"}));
+}
+
+TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
+  const Working plane = workingOf("plane-implicit");
+  const WorkingLine &constant = *findLine(plane, "constant");
+  const auto told = toldFor(constant, {{constant}});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(plainText(told.front()), "P₁ = (7, 3, 7)");
+
+  const Working distance = workingOf("signed-distance");
+  const WorkingLine &last = *findLine(distance, "distance");
+  ASSERT_EQ(toldFor(last, {{last}}).size(), 1U);
+  EXPECT_EQ(plainText(toldFor(last, {{last}}).front()), "f(Q) = 30");
+  EXPECT_TRUE(toldFor(last, distance).empty()) << "the line of f says it, or asks for it";
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "lessons/typed_number.h"
 
-#include "lessons/practice.h"
 #include "lessons/session_file.h"
+#include "lessons/typed_answer.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(PlainSpelling, OfWhatPeopleType_IsThatOfFiles) {
 }
 
 TEST(MixedNumbers, InBlanksAndSetValues_AreMixedNumbers) {
-  EXPECT_TRUE(parseAnswer("-3 1/3") == Surd(Rational(-10, 3)));
+  EXPECT_TRUE(readAnswer("-3 1/3")->means(Surd(Rational(-10, 3))));
   const Session session{"", 0, {{{"Q", PointObject{}}}}};
   const auto moved = withValue(session, "Q=1 1/2,-3 1/3,2");
   ASSERT_TRUE(moved);

@@ -31,12 +31,14 @@ ExactVec3 swapped(ExactVec3 a, int i, int j) {
 /// The wrong answers to one line.
 class Line {
 public:
-  Line(std::string id, Surd right, std::vector<WrongAnswer> &all)
-      : m_id(std::move(id)), m_right(std::move(right)), m_all(all) {}
+  /// `before`: what is typed before the number, where it is part of an equation.
+  Line(std::string id, Surd right, std::vector<WrongAnswer> &all, std::string before = {})
+      : m_id(std::move(id)), m_right(std::move(right)), m_all(all), m_before(std::move(before)) {}
 
   void add(const char *how, const Surd &value) {
-    if (!(value == m_right))
-      m_all.push_back({m_id, how, value});
+    const auto text = toText(value);
+    if (text && !(value == m_right))
+      m_all.push_back({m_id, how, m_before.empty() ? *text : m_before + "+(" + *text + ")"});
   }
   /// top/bottom, where that is a number.
   void addRatio(const char *how, const Rational &top, const Rational &bottom) {
@@ -53,7 +55,14 @@ private:
   std::string m_id;
   Surd m_right;
   std::vector<WrongAnswer> &m_all;
+  std::string m_before;
 };
+
+/// (1)x+(2)y+(2)z
+std::string variablePart(const ExactVec3 &n) {
+  const auto factor = [](const Rational &number) { return "(" + toText(number) + ")"; };
+  return factor(n.x) + "x+" + factor(n.y) + "y+" + factor(n.z) + "z";
+}
 
 /// Numbers that a dot product comes to when one thing is done wrongly, by how.
 using Slips = std::vector<std::pair<const char *, Rational>>;
@@ -178,7 +187,7 @@ std::vector<WrongAnswer> planeImplicit(Objects objects) {
   if (square == 0)
     return all;
   const Rational d = -times(n, E.point);
-  Line collect("collect", d, all);
+  Line collect("collect", d, all, variablePart(n));
   for (const auto &[how, value] : dotSlips(n, E.point))
     collect.add(how, Rational(-value));
   for (const auto &[how, value] : dotSlips(n, E.point))
@@ -189,7 +198,8 @@ std::vector<WrongAnswer> planeImplicit(Objects objects) {
   // Any second point will do: the number is the same. The program's own is not known here.
   const ExactVec3 along = n.x == 0 && n.y == 0 ? ExactVec3{2, 0, 0} : ExactVec3{n.y, Rational(-n.x), 0};
   addProduct(all, "constant", n, ExactVec3(E.point + along));
-  Line normalized("normalized", Surd::root(square, Rational(d / square)), all);
+  Line normalized("normalized", Surd::root(square, Rational(d / square)), all,
+                  "(" + variablePart(n) + ")/sqrt(" + toText(square) + ")");
   normalized.add("not divided", d);
   normalized.addOverRoot("the sign lost", Rational(-d), square);
   normalized.addRatio("divided by n·n", d, square);

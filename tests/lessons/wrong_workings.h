@@ -14,7 +14,7 @@ namespace halfspace::test {
 struct WrongAnswer {
   std::string line; ///< the id of the worked line
   std::string how;  ///< what was done wrongly, in a few words: the same for all scenes
-  Surd value;
+  std::string typed;
 };
 
 /// The wrong answers to the lines of a construction that ask for a number, without those that come to the

@@ -4,6 +4,7 @@
 #include "random_objects.h"
 
 #include "lessons/practice.h"
+#include "lessons/typed_answer.h"
 
 #include <gtest/gtest.h>
 
@@ -24,12 +25,6 @@ struct Named {
   [[nodiscard]] double share() const { return static_cast<double>(named) / all; }
 };
 
-const Blank &blankOf(const Working &working, const std::string &id) {
-  const auto line = std::find_if(working.lines.begin(), working.lines.end(),
-                                 [&](const WorkingLine &each) { return each.id == id; });
-  return line->blank.value();
-}
-
 std::optional<std::string> typed(const Surd &number) {
   const auto text = toText(number);
   return text && text->size() <= longestAnswer ? text : std::nullopt;
@@ -44,11 +39,11 @@ void judgeWrongAnswers(const Construction &construction, const std::vector<const
   const Working working = construction.evaluate(objects).working;
   std::set<std::pair<std::string, std::string>> judged;
   for (const WrongAnswer &wrong : wrongAnswers(construction.id, objects)) {
-    const auto text = typed(wrong.value);
-    if (!text || !judged.emplace(wrong.line, *text).second)
+    if (wrong.typed.size() > longestAnswer || !judged.emplace(wrong.line, wrong.typed).second)
       continue;
-    const Judgement judgement = judge(blankOf(working, wrong.line), *text);
-    EXPECT_FALSE(judgement.right) << wrong.line << ": " << wrong.how << ", " << *text;
+    const WorkingLine &line = *findLine(working, wrong.line);
+    const Judgement judgement = judge(line, resultGap(line), wrong.typed);
+    EXPECT_FALSE(judgement.right) << wrong.line << ": " << wrong.how << ", " << wrong.typed;
     count.named += isNamed(judgement.sentence) ? 1 : 0;
     ++count.all;
   }
@@ -91,10 +86,9 @@ TEST(Judge, OfTheRightAnswer_NamesNoMistake) {
   for (const Construction &construction : constructions())
     forScenes(construction, [&](const std::vector<const Object *> &objects) {
       for (const WorkingLine &line : construction.evaluate(objects).working.lines) {
-        const bool asksForOne = line.blank && line.blank->answer.size() == 1;
-        const auto text = asksForOne ? typed(line.blank->answer.front()) : std::nullopt;
-        if (text) {
-          EXPECT_EQ(judge(*line.blank, *text).sentence, "Right.") << line.id << ": " << *text;
+        const Real *number = line.asked == Asked::Value ? numberOf(line.chains.back().last()) : nullptr;
+        if (const auto text = number ? typed(*number->exact()) : std::nullopt) {
+          EXPECT_EQ(judge(line, resultGap(line), *text).sentence, "Right.") << line.id << ": " << *text;
         }
       }
     });

@@ -48,6 +48,11 @@ Working tracedWorking(int x = 1, const Rational &b = 3) {
            line("b", {withNumbers(name(letter("b"), abs(b)) == norm(w))})}};
 }
 
+/// The result of one line left out.
+Fade blankIn(const Working &working, const std::string &line) {
+  return {{{line, resultGap(*findLine(working, line))}}, {}};
+}
+
 /// The first of the line's shown numbers that reads so.
 NumberPlace numberIn(const WorkingPanel &panel, std::size_t line, const std::string &text) {
   for (const NumberPlace &place : panel.shownNumbers().inLine(line))
@@ -136,7 +141,7 @@ private slots:
 
   void formulaThatFitsNowhereIsBrokenBetweenItsSummands() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 300, {{line("a", {longSum(60)}), line("b", {unknown("x")})}});
+    show(panel, 300, {{line("a", longSum(60)), line("b", unknown("x"))}});
     const auto placed = panel.placed();
     const PlacedFormula &broken = placed.lines[0].formulas[0];
     QCOMPARE(broken.emPixels, placed.lines[1].formulas[0].emPixels);
@@ -147,7 +152,7 @@ private slots:
 
   void formulaThatCannotBeBrokenIsSmallerButReadableAndCanBeScrolledTo() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 300, {{line("a", {root(longSum(60))}), line("b", {unknown("x")})}});
+    show(panel, 300, {{line("a", root(longSum(60))), line("b", unknown("x"))}});
     const auto placed = panel.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
@@ -191,15 +196,16 @@ private slots:
   void blankedLineShowsNoNumbersAnywhere() {
     WorkingPanel panel(m_typesetter);
     show(panel, 900);
-    panel.setBlanks({"t"});
-    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(1));
+    panel.setWorking(someWorking(), blankIn(someWorking(), "t"));
+    // The symbols, = with the field, and what is told of their names.
+    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(3));
     QVERIFY(!panel.placed().lines[0].blank.isNull());
     QCOMPARE(panel.placed().lines[1].formulas.size(), std::size_t(3));
     const QString firstLine = panel.accessibleDescription().split('\n').front();
     QVERIFY(!firstLine.contains("30"));
     QVERIFY(!firstLine.contains("So many steps"));
     QVERIFY(!panel.latexOfAll().split('\n').front().contains("30"));
-    panel.setBlanks({});
+    panel.setWorking(someWorking());
     QVERIFY(panel.accessibleDescription().split('\n').front().contains("30"));
   }
 
@@ -288,12 +294,12 @@ private slots:
     const NumberPlace result = numberIn(panel, 1, "10");
     const QPoint at = middleOf(panel, result);
     click(panel, result);
-    panel.setBlanks({"a"});
+    panel.setWorking(tracedWorking(), blankIn(tracedWorking(), "a"));
     QVERIFY(panel.traced() == Provenance());
     QVERIFY(panel.shownNumbers().inLine(1).empty());
     QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, at);
     QVERIFY(panel.traced() == Provenance());
-    panel.hideNumbers();
+    panel.setWorkingWithoutNumbers(tracedWorking());
     for (std::size_t i = 0; i < 3; ++i)
       QVERIFY(panel.shownNumbers().inLine(i).empty());
   }
@@ -341,7 +347,7 @@ private slots:
     std::vector<Term> summands;
     for (int i = 0; i < 40; ++i)
       summands.push_back(calculated(name(letter("a", std::to_string(i)), Rational(100 + i))));
-    show(panel, 300, {{line("a", {sum(summands)})}});
+    show(panel, 300, {{line("a", sum(summands))}});
     const auto places = panel.shownNumbers().inLine(0);
     QCOMPARE(places.size(), std::size_t(40));
     for (const NumberPlace &place : places) {

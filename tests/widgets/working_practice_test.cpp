@@ -12,6 +12,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace halfspace;
 
 namespace {
@@ -21,10 +23,9 @@ Working someWorking(int value = 30) {
   const Term f = applied(letter("f"), name(letter("Q"), ExactVec3(1, 0, 0)), Rational(value));
   const Term h = name(letter("h"), Rational(value, 3));
   const Term F = name(letter("F"), ExactVec3(1, 2, 3));
-  return {{asked(line("f", {Chain(f).then(2 * Term(Rational(value, 2))).then(calculated(f))})),
-           asked(line("distance", {withNumbers(h == f / 3)}, "Divided by the length."),
-                 {{f, "{answer} is f(Q)."}}),
-           line("foot", {withResult(F)})}};
+  return {{asked("f", Chain(f).then(2 * Term(Rational(value, 2))).then(calculated(f))),
+           asked("distance", withNumbers(h == f / 3), "Divided by the length.", {{f, "{answer} is f(Q)."}}),
+           line("foot", withResult(F))}};
 }
 
 QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
@@ -39,6 +40,9 @@ QList<QLineEdit *> fields(const QWidget &widget) {
   for (QLineEdit *field : widget.findChildren<QLineEdit *>())
     if (field->isVisibleTo(&widget) && field->isEnabled())
       shown << field;
+  std::sort(shown.begin(), shown.end(), [](const QLineEdit *a, const QLineEdit *b) {
+    return a->parentWidget()->y() < b->parentWidget()->y();
+  });
   return shown;
 }
 
@@ -94,7 +98,8 @@ private slots:
     QCOMPARE(fields(practice).size(), 1);
     QVERIFY(line(practice, 0).blank.isNull());
     QVERIFY(!line(practice, 1).blank.isNull());
-    QVERIFY(!line(practice, 2).blank.isNull()); // it comes after
+    QVERIFY(line(practice, 2).blank.isNull());                   // it asks for nothing …
+    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(1)); // … but waits with its numbers
     QVERIFY(!practice.panel().latexOfAll().contains("10"));
     QVERIFY(text(line(practice, 1).sentence).isEmpty());
   }
@@ -131,11 +136,47 @@ private slots:
     WorkingPractice practice(m_typesetter);
     show(practice);
     QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    QTest::mouseClick(button(practice, "Show", 2), Qt::LeftButton); // the vector has nothing but this
-    QVERIFY(line(practice, 2).blank.isNull());
+    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(1));
     QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
     QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
     QVERIFY(!practice.hasBlanks());
+    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(2)); // it has waited
+  }
+
+  void gapStandsInTheFormulaAndAsksForThatNumber() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    QTest::mouseClick(button(practice, "Gaps"), Qt::LeftButton);
+    QVERIFY(practice.hasBlanks());
+    const PlacedLine distance = line(practice, 1); // h = f(Q)/3 = 30/3 = 10, without one of its numbers
+    QVERIFY(!distance.blank.isNull());
+    QCOMPARE(distance.formulas.size(), std::size_t(3));
+    const auto holder = std::find_if(distance.formulas.begin(), distance.formulas.end(),
+                                     [](const PlacedFormula &formula) { return formula.picture->leftOut(); });
+    QVERIFY(holder != distance.formulas.end());
+    QVERIFY(holder->box().adjusted(-1, -1, 1, 1).contains(distance.blank));
+    QLineEdit *field = fields(practice).last();
+    QVERIFY(distance.blank.toAlignedRect()
+                .adjusted(-1, -1, 1, 1)
+                .contains(QRect(field->mapTo(practice.panel().viewport(), QPoint()), field->size())));
+    QVERIFY(text(distance.sentence).isEmpty());
+    const QString question = field->accessibleName();
+    QVERIFY2(question.contains('?'), qPrintable(question));
+    answer(field, question.contains("?/3") ? "30" : "10");
+    QVERIFY(line(practice, 1).blank.isNull());
+    QCOMPARE(text(line(practice, 1).remark), QString("Right."));
+  }
+
+  void whatNoLineSaysIsToldWhereItIsNeeded() {
+    WorkingPractice practice(m_typesetter);
+    show(practice);
+    const Working all = someWorking();
+    practice.setWorking({{all.lines[1]}}, false);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    QCOMPARE(line(practice, 0).formulas.size(), std::size_t(3)); // h = f(Q)/3, = and the field, f(Q) = 30
+    QVERIFY(line(practice, 0).formulas.back().box().top() > line(practice, 0).blank.top());
+    practice.setWorking({{all.lines[0], all.lines[1]}}, false);
+    QCOMPARE(line(practice, 1).formulas.size(), std::size_t(2));
   }
 
   void changedSceneKeepsTheBlankAndAsksForTheNewNumber() {
@@ -174,14 +215,12 @@ private slots:
     QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
     answer(fields(practice).first(), "60");
     answer(fields(practice).first(), "7"); // wrong
-    QTest::mouseClick(button(practice, "Show", 1), Qt::LeftButton);
     QCOMPARE(fields(practice).size(), 1);
     QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
     QCOMPARE(asked, 2);
     QCOMPARE(fields(practice).size(), 2);
     for (const QLineEdit *field : fields(practice))
       QVERIFY(field->text().isEmpty());
-    QVERIFY(!line(practice, 2).blank.isNull()); // it had been shown, and is the same as before
     QVERIFY(text(line(practice, 1).remark).isEmpty());
     QTRY_VERIFY(fields(practice).first()->hasFocus());
   }
@@ -247,7 +286,7 @@ private slots:
       practice.resize(width, 500);
       QCOMPARE(practice.width(), width);
       QRect last;
-      for (const char *name : {"All lines", "Last blank", "All blank", "New numbers"}) {
+      for (const char *name : {"All lines", "Gaps", "Last blank", "All blank", "New numbers"}) {
         const QToolButton *shown = button(practice, name);
         QVERIFY(practice.rect().contains(shown->geometry()));
         QVERIFY(shown->width() >= shown->sizeHint().width());

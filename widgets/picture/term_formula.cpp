@@ -67,11 +67,14 @@ char32_t signOf(Relation relation) {
   return 0x2260;
 }
 
+Row leftOut(const math::Room &room) { return {math::tagged(math::LeftOut{}, Row{math::Node{room}})}; }
+
 class FormulaWriter : public TermWriter<Row> {
 public:
   /// The numbers that can be traced are tagged and put behind `numbers`, unless that is null.
-  explicit FormulaWriter(Notation notation, std::vector<Term> *numbers = nullptr)
-      : m_notation(notation), m_numbers(numbers) {}
+  explicit FormulaWriter(Notation notation, std::vector<Term> *numbers = nullptr,
+                         const math::Room &roomOfBlank = {})
+      : m_notation(notation), m_numbers(numbers), m_roomOfBlank(roomOfBlank) {}
 
 protected:
   Row row(std::vector<Row> parts) override {
@@ -179,12 +182,25 @@ protected:
     return term->mark.empty() ? text : Row{math::tagged(term->mark, std::move(text))};
   }
 
+  Row blank() override { return leftOut(m_roomOfBlank); }
+
   [[nodiscard]] bool isFlat() const override { return false; }
 
 private:
   Notation m_notation;
   std::vector<Term> *m_numbers;
+  math::Room m_roomOfBlank;
 };
+
+Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
+  Row row;
+  for (const ChainPart &part : parts) {
+    if (!row.empty())
+      row = math::row(std::move(row), math::symbol(',', AtomClass::Punct), math::space(1));
+    row = math::row(std::move(row), writer.write(*part.chain, part.begin, part.end));
+  }
+  return row;
+}
 
 } // namespace
 
@@ -206,21 +222,26 @@ math::Row formulaOf(const Symbol &symbol) { return FormulaWriter({}).write(name(
 TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece) {
   TraceableFormula formula;
   FormulaWriter writer({}, &formula.numbers);
-  Row &row = formula.row;
-  for (const ChainPart &part : partsOf(line, piece)) {
-    if (!row.empty())
-      row = math::row(std::move(row), math::symbol(',', AtomClass::Punct), math::space(1));
-    row = math::row(std::move(row), writer.write(*part.chain, part.begin, part.end));
-  }
+  formula.row = written(partsOf(line, piece), writer);
   return formula;
 }
 
-math::Row promptOf(const Blank &blank) {
-  const auto equals = [] { return math::symbol('=', AtomClass::Rel); };
-  if (!blank.form)
-    return {equals()};
-  return math::row(equals(), formulaOf(*blank.form), math::symbol(',', AtomClass::Punct), math::space(1),
-                   formulaOf(blank.formula->sides().front()), equals());
+TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &gap, const math::Room &room) {
+  if (gap.isResult && piece != LinePiece::Symbols)
+    return {piece == LinePiece::Result ? math::row(math::symbol('=', AtomClass::Rel), leftOut(room)) : Row()};
+  TraceableFormula formula;
+  FormulaWriter writer({}, &formula.numbers, room);
+  writer.leaveOut(gap.hidden);
+  formula.row = written(partsOf(line, piece), writer);
+  return formula;
+}
+
+math::Row formulaOf(const std::vector<Chain> &statements) {
+  std::vector<ChainPart> parts;
+  for (const Chain &chain : statements)
+    parts.push_back({&chain, 0, chain.sides().size()});
+  FormulaWriter writer({});
+  return written(parts, writer);
 }
 
 } // namespace halfspace

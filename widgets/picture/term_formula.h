@@ -1,9 +1,9 @@
 // Terms as formulas to be laid out.
 #pragma once
 
+#include "lessons/practice.h"
 #include "lessons/term/chain.h"
 #include "lessons/term/notation.h"
-#include "lessons/working.h"
 #include "widgets/picture/math/math_tree.h"
 
 namespace halfspace {
@@ -29,8 +29,11 @@ struct TraceableFormula {
 /// A piece of a worked line; empty where the line has no such piece.
 [[nodiscard]] TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece);
 
-/// What stands between a line's symbols and a blank: `=`, or `= ax + by + cz + d, d =` where one number is
-/// asked.
-[[nodiscard]] math::Row promptOf(const Blank &blank);
+/// The same with room for a field in place of what is left out: of a result, behind the symbols.
+[[nodiscard]] TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &gap,
+                                         const math::Room &room);
+
+/// Statements, parted by commas; empty for none.
+[[nodiscard]] math::Row formulaOf(const std::vector<Chain> &statements);
 
 } // namespace halfspace

@@ -63,13 +63,16 @@ MathPicture MathPicture::brokenTo(double widthInEm) const {
 void MathPicture::takeTagBoxes() {
   m_markBoxes.clear();
   m_indexBoxes.clear();
+  m_leftOut.reset();
   for (const math::TagBox &tagged : m_layout.tagBoxes) {
     const math::TagId &id = m_layout.tags[static_cast<std::size_t>(tagged.tag)].id;
     const QRectF box(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height);
     if (const auto *index = std::get_if<std::size_t>(&id))
       m_indexBoxes.emplace_back(*index, box);
+    else if (const auto *mark = std::get_if<std::string>(&id))
+      m_markBoxes.emplace_back(QString::fromStdString(*mark), box);
     else
-      m_markBoxes.emplace_back(QString::fromStdString(std::get<std::string>(id)), box);
+      m_leftOut = box;
   }
 }
 

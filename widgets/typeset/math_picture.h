@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,9 @@ public:
   /// The box of each piece that is tagged with an index, likewise.
   [[nodiscard]] const std::vector<std::pair<std::size_t, QRectF>> &indexBoxes() const { return m_indexBoxes; }
 
+  /// The room of what is left out of the formula.
+  [[nodiscard]] const std::optional<QRectF> &leftOut() const { return m_leftOut; }
+
   /// Paints with the origin at `baseline`, one em being `emPixels` of the painter's units.
   void paint(QPainter &painter, QPointF baseline, double emPixels, const InkOf &inkOf) const;
   /// Paints a rim around all shapes, `width` wide (in painter's units): a halo to paint the formula onto.
@@ -68,6 +72,7 @@ private:
   math::Layout m_layout;
   std::vector<std::pair<QString, QRectF>> m_markBoxes;
   std::vector<std::pair<std::size_t, QRectF>> m_indexBoxes;
+  std::optional<QRectF> m_leftOut;
   QString m_error;
 };
 

@@ -203,4 +203,12 @@ Box set(Sheet &sheet, const Block &block, SetStyle style) {
   return box;
 }
 
+Box set(Sheet &sheet, const Room &room, SetStyle /*style*/) {
+  Box box = sheet.begin();
+  box.width = room.width;
+  box.ascent = room.ascent;
+  box.depth = room.depth;
+  return box;
+}
+
 } // namespace halfspace::math

@@ -70,9 +70,14 @@ struct Group {
   bool isInline = false; ///< display style becomes text style
 };
 
+/// Tags what is left out of the formula, for something else to stand in its place.
+struct LeftOut {
+  bool operator==(const LeftOut &) const = default;
+};
+
 /// By what a piece of the formula is found again: a name, or an index into what was kept beside the formula
 /// when it was built.
-using TagId = std::variant<std::string, std::size_t>;
+using TagId = std::variant<std::string, std::size_t, LeftOut>;
 
 /// A piece of the formula to be found again. For spaces and line breaks it is as if its atoms stood in the
 /// row around it.
@@ -193,6 +198,13 @@ struct Block {
   double height = 0;
 };
 
+/// Nothing, in em of the formula, whatever the style: room for what is not part of it.
+struct Room {
+  double width = 0;
+  double ascent = 0;
+  double depth = 0;
+};
+
 /// What a table is for: spaces between its rows and columns follow from it.
 enum class TableKind : std::uint8_t {
   Matrix,
@@ -221,7 +233,7 @@ struct Table {
 
 using Content = std::variant<Symbol, Words, Group, Tagged, Colored, StyleSwitch, Space, Scripts, Fraction,
                              Root, Fenced, MiddleFence, TallFence, Accent, Bar, Brace, Stack, LongArrow,
-                             Negated, Boxed, Phantom, Block, Table>;
+                             Negated, Boxed, Phantom, Block, Room, Table>;
 
 /// One atom of a row.
 struct Node {

@@ -47,6 +47,7 @@ struct RowPlan {
 [[nodiscard]] Box set(Sheet &sheet, const Boxed &boxed, SetStyle style);
 [[nodiscard]] Box set(Sheet &sheet, const Phantom &phantom, SetStyle style);
 [[nodiscard]] Box set(Sheet &sheet, const Block &block, SetStyle style);
+[[nodiscard]] Box set(Sheet &sheet, const Room &room, SetStyle style);
 [[nodiscard]] Box set(Sheet &sheet, const Table &table, SetStyle style);
 
 /// A fence as tall as asked for, centred on the axis; 0: a little room.

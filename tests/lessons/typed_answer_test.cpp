@@ -1,0 +1,65 @@
+#include "lessons/typed_answer.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+Surd root(int square, const Rational &factor = 1) { return Surd::root(square, factor); }
+
+TEST(ReadAnswer, OfNumbersAsLearnersWriteThem_IsExact) {
+  const std::vector<std::pair<const char *, Surd>> cases{{"10", 10},
+                                                         {" -10 / 3 ", Rational(-10, 3)},
+                                                         {"−10/3", Rational(-10, 3)},
+                                                         {"10/-3", Rational(-10, 3)},
+                                                         {"3.25", Rational(13, 4)},
+                                                         {"2*sqrt(43)/3", root(43, Rational(2, 3))},
+                                                         {"(2√43)/3", root(43, Rational(2, 3))},
+                                                         {"2/3·√43", root(43, Rational(2, 3))},
+                                                         {"-sqrt43", root(43, -1)},
+                                                         {"30/√43", root(43, Rational(30, 43))},
+                                                         {"√(4/9)", Rational(2, 3)},
+                                                         {"√2√3", root(6)},
+                                                         {"1 - 2√2", root(2, -2) + Rational(1)},
+                                                         {"(1+√2)*2", root(2, 2) + Rational(2)}};
+  for (const auto &[text, value] : cases) {
+    const auto parsed = readAnswer(text);
+    ASSERT_TRUE(parsed) << text;
+    EXPECT_TRUE(parsed->means(value)) << text;
+  }
+}
+
+TEST(ReadAnswer, OfAnythingElse_IsNothing) {
+  for (const char *text : {"", "-", "1/0", "1/x", "1/√0", "√-2", "√", "3..5", "2*", "(2", "2)", "1+", "√2+√3",
+                           "√√2", "√x", "1,,2", "_"})
+    EXPECT_FALSE(readAnswer(text)) << text;
+  EXPECT_FALSE(readAnswer(std::string(longestAnswer + 1, '1')));
+}
+
+TEST(ReadAnswer, OfNestedParentheses_EndsAtTheBoundOfItsLength) {
+  const std::string deep = std::string(59, '(') + "1" + std::string(59, ')');
+  EXPECT_TRUE(readAnswer(deep)->means(Surd(1)));
+  EXPECT_TRUE(readAnswer(std::string(longestAnswer - 1, '-') + "1"));
+}
+
+TEST(ReadAnswer, OfAnEquation_IsItsLeftSideLessItsRight) {
+  const auto answer = readAnswer("2x = y - 3");
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->isEquation);
+  const Polynomial x = Polynomial::unknown("x");
+  const Polynomial y = Polynomial::unknown("y");
+  EXPECT_TRUE(answer->means(x + x - y + Polynomial(Real(3))));
+  EXPECT_TRUE(answer->meansEquation(y - x - x - Polynomial(Real(3)))) << "its negative";
+  EXPECT_FALSE(answer->meansEquation(y - x - Polynomial(Real(3))));
+  EXPECT_FALSE(readAnswer("x = y = 1"));
+  EXPECT_FALSE(readAnswer("= 1"));
+}
+
+TEST(ReadAnswer, OfADecimal_MeansWhatRoundsToIt) {
+  EXPECT_TRUE(readAnswer("3.33")->means(Surd(Rational(10, 3))));
+  EXPECT_FALSE(readAnswer("3.34")->means(Surd(Rational(10, 3))));
+  EXPECT_FALSE(readAnswer("0.3")->means(Surd(Rational(1, 3)))) << "too short to be rounded";
+}
+
+} // namespace
+} // namespace halfspace
