@@ -38,6 +38,7 @@ public:
   void setTheme(const Theme &theme);
   /// Marks that stand out beside the hovered one, as when their terms are hovered.
   void setHighlighted(std::set<std::string> markIds);
+  [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
   /// Hides the numbers in labels, while a question asks for them.
   void setNumbersHidden(bool hidden);
   /// Whether the camera glides from view to view and new marks of a step fade in.

@@ -143,6 +143,7 @@ private:
   void openNumberField(const NumberPlace &number);
   void closeNumberField();
   void connectNumberField(NumberField &field, const CoordinateSource &number);
+  void followNumberField();
   void moveNumberField();
   void showTip(const QPoint &at);
   [[nodiscard]] std::optional<LineRemark> remarkOf(const std::string &lineId) const;

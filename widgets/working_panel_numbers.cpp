@@ -17,6 +17,14 @@ Rational valueOf(const Term &number) {
   return value && value->exact() ? value->exact()->rationalPart() : Rational(0);
 }
 
+/// As wide as its text needs it, and a little for the next letter: the neighbours are to be seen.
+QSize sizeOf(const NumberField &field) {
+  const QFontMetrics metrics = field.fontMetrics();
+  const int width =
+      metrics.horizontalAdvance(field.text()) + 2 * metrics.averageCharWidth() + metrics.height();
+  return {width, field.sizeHint().height()};
+}
+
 } // namespace
 
 // --- traced ---------------------------------------------------------------------------------------------
@@ -56,7 +64,7 @@ void WorkingPanel::endTrace() {
 }
 
 void WorkingPanel::followNumbers() {
-  moveNumberField();
+  followNumberField();
   const Term *number = m_tracedNumber ? shownNumbers().numberAt(*m_tracedNumber) : nullptr;
   Provenance traced = number ? provenanceOf(*number, wholeWorking()) : Provenance();
   if (traced == m_traced)
@@ -154,6 +162,7 @@ void WorkingPanel::connectNumberField(NumberField &field, const CoordinateSource
     field.setAccessibleDescription(sentence);
     placeLines(); // the sentence takes its room
   });
+  connect(&field, &NumberField::textChanged, this, &WorkingPanel::moveNumberField);
   connect(&field, &NumberField::dropped, this, &WorkingPanel::closeNumberField);
   connect(&field, &NumberField::editingFinished, this, [this] {
     if (m_typed && m_typed->refusal.isEmpty())
@@ -161,21 +170,24 @@ void WorkingPanel::connectNumberField(NumberField &field, const CoordinateSource
   });
 }
 
-void WorkingPanel::moveNumberField() {
+void WorkingPanel::followNumberField() {
   if (!m_typed)
     return;
   const Term *number = shownNumbers().numberAt(m_typed->place);
   if (!number)
     return closeNumberField();
-  NumberField &field = *m_typed->field;
-  field.setValue(valueOf(*number));
-  const QRectF room = shownNumbers().boxesOf(m_typed->place).front().translated(-scrolled());
-  const QSize size(std::max(field.minimumSizeHint().width(), qRound(room.width())),
-                   field.sizeHint().height());
-  QRect box(QPoint(), size);
-  box.moveCenter(room.center().toPoint());
+  m_typed->field->setValue(valueOf(*number));
+  moveNumberField();
+}
+
+void WorkingPanel::moveNumberField() {
+  const auto boxes = m_typed ? shownNumbers().boxesOf(m_typed->place) : std::vector<QRectF>();
+  if (boxes.empty())
+    return;
+  QRect box(QPoint(), sizeOf(*m_typed->field));
+  box.moveCenter(boxes.front().translated(-scrolled()).center().toPoint());
   box.moveLeft(std::max(0, std::min(box.left(), viewport()->width() - box.width())));
-  field.setGeometry(box);
+  m_typed->field->setGeometry(box);
 }
 
 void WorkingPanel::closeNumberField() {

@@ -14,8 +14,9 @@ namespace {
 constexpr double highlightRadius = 4;
 constexpr double barWidth = 3;
 constexpr double remarkMarkRadius = 6.5;
+constexpr double numberMargin = 2;
 constexpr double ringWidth = 1.5;
-constexpr double underlineGap = 1.5; // below a number
+constexpr double underlineWidth = 1;
 
 constexpr double highlightOpacity = 0.20;
 /// Of lines that a traced number came from: a whole line needs less than a term.
@@ -25,6 +26,11 @@ constexpr double hoverOpacity = 0.10;
 QColor translucent(QColor color, double opacity) {
   color.setAlphaF(opacity);
   return color;
+}
+
+/// Numbers stand closer to each other than terms do.
+QRectF numberRoom(const QRectF &box) {
+  return box.adjusted(-numberMargin, -numberMargin, numberMargin, numberMargin);
 }
 
 QRectF touchedRoom(const QRectF &box) {
@@ -88,7 +94,7 @@ void WorkingPanel::paintNumbers(QPainter &painter, std::size_t index) const {
   const auto forEachBox = [&](const std::optional<NumberPlace> &number, const auto &paintBox) {
     if (number && number->line == m_lines[index].source.id)
       for (const QRectF &box : shownNumbers().boxesOf(*number))
-        paintBox(touchedRoom(box));
+        paintBox(numberRoom(box));
   };
   const auto fillWith = [&](double opacity) {
     painter.setPen(Qt::NoPen);
@@ -101,9 +107,8 @@ void WorkingPanel::paintNumbers(QPainter &painter, std::size_t index) const {
   forEachBox(m_hoveredNumber, [&](const QRectF &room) {
     fillWith(hoverOpacity);
     painter.drawRoundedRect(room, highlightRadius, highlightRadius);
-    painter.fillRect(
-        QRectF(room.left() + touchMargin, room.bottom() - underlineGap, room.width() - 2 * touchMargin, 1),
-        accent);
+    painter.fillRect(QRectF(room.left(), room.bottom() - underlineWidth, room.width(), underlineWidth),
+                     accent);
   });
   for (const auto *ringed : {&m_tracedNumber, &m_chosenNumber})
     forEachBox(*ringed, [&](const QRectF &room) {

@@ -1,4 +1,5 @@
 // Formulas as pictures: their sizes, their marks, and how they are painted.
+#include "widgets/picture/math/read_latex.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QElapsedTimer>
@@ -110,6 +111,26 @@ private slots:
     QCOMPARE(image.pixelColor(10, 35), QColor(Qt::red));
     QCOMPARE(image.pixelColor(30, 35), QColor(Qt::blue));
     QCOMPARE(image.pixelColor(60, 35), QColor(Qt::white));
+  }
+
+  void piecesTaggedWithAnIndexHaveTheInkAroundThem() {
+    const auto square = [](std::size_t index) {
+      return math::row(math::tagged(index, std::get<math::Row>(math::readLatex("\\rule{1em}{1em}"))));
+    };
+    const auto picture =
+        m_typesetter.picture(math::row(math::tagged("red", square(3)), math::row(square(5))));
+    QCOMPARE(picture->markBoxes().size(), std::size_t(1));
+    QCOMPARE(picture->indexBoxes().size(), std::size_t(2));
+    QCOMPARE(picture->indexBoxes()[0].first, std::size_t(3));
+    QCOMPARE(picture->indexBoxes()[0].second, picture->markBoxes()[0].second);
+    QImage image(100, 50, QImage::Format_ARGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    picture->paint(painter, {0, 45}, 20,
+                   [](const QString &mark) { return mark == "red" ? Qt::red : Qt::blue; });
+    painter.end();
+    QCOMPARE(image.pixelColor(10, 35), QColor(Qt::red));
+    QCOMPARE(image.pixelColor(30, 35), QColor(Qt::blue));
   }
 
   void finerScreen_showsTheSamePixelsAsLargerType() {

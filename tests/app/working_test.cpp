@@ -1,0 +1,182 @@
+// The numbers in the worked lines, in the window: where they come from, and how they change the scene.
+#include "tests/app/window_fixture.h"
+
+#include "lessons/term/plain_text.h"
+#include "widgets/number_field.h"
+#include "widgets/working_practice.h"
+
+#include <QScrollBar>
+#include <QToolButton>
+
+using namespace halfspace;
+
+namespace {
+
+using Ids = std::set<std::string>;
+
+/// The lesson on the signed distance at a step with the lines f, length and distance.
+class LinesFixture : public WindowFixture {
+public:
+  LinesFixture() : WindowFixture("signed-distance"), panel(*window.findChild<WorkingPanel *>()) {
+    model().setStep(2);
+  }
+
+  /// Where the line's first number that reads so stands in the viewport.
+  [[nodiscard]] QPoint at(const std::string &line, const std::string &text) const {
+    const ShownNumbers numbers = panel.shownNumbers();
+    for (std::size_t i = 0; i < panel.placed().lines.size(); ++i)
+      for (const NumberPlace &place : numbers.inLine(i))
+        if (place.line == line && plainText(place.number) == text)
+          return numbers.boxesOf(place).front().center().toPoint() -
+                 QPoint(0, panel.verticalScrollBar()->value());
+    QTest::qFail(("no " + text + " in " + line).c_str(), __FILE__, __LINE__);
+    return {};
+  }
+  void click(const QPoint &place) { QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, place); }
+  void press(const QPoint &place) { QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, place); }
+  void release(const QPoint &place) { QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, place); }
+  void drag(const QPoint &to) {
+    QMouseEvent move(QEvent::MouseMove, to, panel.viewport()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     {});
+    QCoreApplication::sendEvent(panel.viewport(), &move);
+    QTest::qWait(20);
+  }
+  NumberField *openField(const QPoint &place) {
+    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, place);
+    return panel.findChild<NumberField *>();
+  }
+
+  WorkingPanel &panel;
+};
+
+} // namespace
+
+class WorkingTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+  void number_clicked_lightsUpItsLinesAndMarksUntilEscape() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.click(fixture.at("distance", "10"));
+    QCOMPARE(fixture.panel.traced().lines, (Ids{"f", "length"}));
+    QCOMPARE(fixture.scene().highlighted(), (Ids{"P0", "Q", "n"}));
+    QTest::keyClick(&fixture.panel, Qt::Key_Escape);
+    QCOMPARE(fixture.scene().highlighted(), Ids());
+    fixture.click(fixture.at("length", "3"));
+    QCOMPARE(fixture.scene().highlighted(), Ids{"n"});
+    fixture.scene().setFocus();
+    QTest::keyClick(&fixture.scene(), Qt::Key_Escape);
+    QCOMPARE(fixture.scene().highlighted(), Ids());
+  }
+
+  void traceOfANumber_endsWithItsStep() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.click(fixture.at("distance", "10"));
+    fixture.model().setStep(3);
+    QCOMPARE(fixture.scene().highlighted(), Ids());
+    fixture.model().setStep(2);
+    QCOMPARE(fixture.panel.traced().lines, Ids());
+  }
+
+  void traceOfANumber_staysWhileTheSceneIsDragged() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.click(fixture.at("distance", "10"));
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.WindowFixture::drag(from, from + QPoint(40, 10));
+    QVERIFY(fixture.value("Q") != ExactVec3(11, 15, 8));
+    QCOMPARE(fixture.panel.traced().lines, (Ids{"f", "length"}));
+    QVERIFY(fixture.scene().highlighted().contains("n"));
+  }
+
+  void coordinate_scrubbedInAFormula_movesTheSceneAsOneUndoStep() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint from = fixture.at("length", "1");
+    fixture.press(from);
+    for (int x = 8; x <= 40; x += 8)
+      fixture.drag(from + QPoint(x, 0));
+    QVERIFY(fixture.model().inGesture());
+    fixture.release(from + QPoint(40, 0));
+    QVERIFY(fixture.value("E.n") == ExactVec3(6, 2, 2));
+    QCOMPARE(fixture.model().history().count(), 1);
+    fixture.model().history().undo();
+    QVERIFY(fixture.value("E.n") == ExactVec3(1, 2, 2));
+  }
+
+  void scrubInAFormula_escaped_restoresTheNumber() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint from = fixture.at("length", "1");
+    fixture.press(from);
+    fixture.drag(from + QPoint(40, 0));
+    QVERIFY(fixture.value("E.n").x == 6);
+    QTest::keyClick(&fixture.panel, Qt::Key_Escape);
+    QVERIFY(fixture.value("E.n").x == 1);
+    QCOMPARE(fixture.model().history().count(), 0);
+    fixture.release(from + QPoint(40, 0));
+  }
+
+  void scrubInAFormula_throughAZeroNormal_goesOn() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    const QPoint from = fixture.at("length", "1");
+    fixture.press(from);
+    fixture.drag(from - QPoint(8, 0));
+    QVERIFY(fixture.model().outcome().degenerate); // the line is gone
+    fixture.drag(from - QPoint(16, 0));
+    fixture.release(from - QPoint(16, 0));
+    QVERIFY(fixture.value("E.n") == ExactVec3(-1, 0, 0));
+    QCOMPARE(fixture.model().history().count(), 2);
+  }
+
+  void coordinate_typedInAFormula_isTakenExactlyAsOneUndoStep() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    QVERIFY(field);
+    QTest::keyClicks(field, "-10/3");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(fixture.value("E.n").x == Rational(-10, 3));
+    QCOMPARE(fixture.model().history().count(), 1);
+    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
+  }
+
+  void numberThatIsNone_typedInAFormula_isRefusedWithASentence() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    QVERIFY(field);
+    QTest::keyClicks(field, "1e999");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(fixture.model().session() == before);
+    bool isSaid = false;
+    for (const PlacedLine &line : fixture.panel.placed().lines)
+      isSaid = isSaid || !line.remark.empty();
+    QVERIFY(isSaid);
+    QTest::keyClick(field, Qt::Key_Escape);
+    QVERIFY(fixture.model().session() == before);
+  }
+
+  void numbersOfBlankLines_cannotBeClicked() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint result = fixture.at("distance", "10");
+    for (QToolButton *choice : fixture.window.findChild<WorkingPractice *>()->findChildren<QToolButton *>())
+      if (choice->text() == "All blank")
+        QTest::mouseClick(choice, Qt::LeftButton);
+    for (std::size_t i = 0; i < fixture.panel.placed().lines.size(); ++i)
+      QVERIFY(fixture.panel.shownNumbers().inLine(i).empty());
+    fixture.click(result);
+    QCOMPARE(fixture.scene().highlighted(), Ids());
+  }
+};
+
+QTEST_MAIN(WorkingTest)
+#include "working_test.moc"
