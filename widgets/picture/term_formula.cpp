@@ -126,17 +126,17 @@ protected:
 
   Row parenthesized(Row inside, const Term &term) override {
     if (isTall(term))
-      return {math::fenced('(', std::move(inside), ')')};
+      return math::row(math::fenced('(', std::move(inside), ')'));
     return math::row(math::symbol('(', AtomClass::Open), std::move(inside),
                      math::symbol(')', AtomClass::Close));
   }
 
   Row fraction(Row top, Row bottom, FractionLook look) override {
-    return {math::fraction(std::move(top), std::move(bottom),
-                           look.small ? std::optional(math::Style::Text) : std::nullopt)};
+    return math::row(math::fraction(std::move(top), std::move(bottom),
+                                    look.small ? std::optional(math::Style::Text) : std::nullopt));
   }
 
-  Row root(Row square) override { return {math::root(std::move(square))}; }
+  Row root(Row square) override { return math::row(math::root(std::move(square))); }
 
   Row norm(Row vector) override {
     return math::row(math::symbol('|', AtomClass::Open), std::move(vector),
@@ -144,7 +144,7 @@ protected:
   }
 
   Row power(Row base, Row exponent) override {
-    return {math::scripts(std::move(base), std::move(exponent), {})};
+    return math::row(math::scripts(std::move(base), std::move(exponent), {}));
   }
 
   Row list(std::vector<Row> entries) override {
@@ -154,7 +154,7 @@ protected:
       content = content.empty() ? std::move(entry)
                                 : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
                                             math::space(thinSpace), std::move(entry));
-    return {math::fenced('(', std::move(content), ')')};
+    return math::row(math::fenced('(', std::move(content), ')'));
   }
 
   Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {
@@ -164,8 +164,8 @@ protected:
         rows.emplace_back();
       rows.back().push_back(std::move(entries[i]));
     }
-    return {isDeterminant ? math::matrix('|', std::move(rows), '|')
-                          : math::matrix('(', std::move(rows), ')')};
+    return math::row(isDeterminant ? math::matrix('|', std::move(rows), '|')
+                                   : math::matrix('(', std::move(rows), ')'));
   }
 
   Row applied(Row function, Row argument, bool inParentheses) override {
@@ -176,10 +176,12 @@ protected:
 
   Row touchable(const Term &term, Row text) override {
     if (m_numbers && isTraceable(term)) {
-      text = {math::tagged(m_numbers->size(), std::move(text))};
+      text = math::row(math::tagged(m_numbers->size(), std::move(text)));
       m_numbers->push_back(term);
     }
-    return term->mark.empty() ? text : Row{math::tagged(term->mark, std::move(text))};
+    if (!term->mark.empty())
+      text = math::row(math::tagged(term->mark, std::move(text)));
+    return text;
   }
 
   Row blank() override { return leftOut(m_roomOfBlank); }
