@@ -249,7 +249,7 @@ QString WorkingPanel::latexOfAll() const {
 QSize WorkingPanel::sizeHint() const { return usualSize; }
 
 QPointF WorkingPanel::scrolled() const {
-  return QPointF(horizontalScrollBar()->value(), verticalScrollBar()->value());
+  return {double(horizontalScrollBar()->value()), double(verticalScrollBar()->value())};
 }
 
 std::optional<std::size_t> WorkingPanel::lineAt(QPointF position) const {

@@ -207,7 +207,7 @@ QString WorkingPanel::enterTyped() {
   m_scrub.end(true);
   if (!m_typed)
     return {};
-  const QString why = m_typed->field->enter();
+  QString why = m_typed->field->enter();
   if (why.isEmpty())
     closeNumberField();
   return why;

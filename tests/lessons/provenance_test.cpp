@@ -130,19 +130,22 @@ TEST(Provenance, OfNumbersThatStandInTheFormula_IsNotAsked) {
   EXPECT_TRUE(isTraceable(calculated(name(letter("a"), Rational(3)))));
 }
 
+void expectWithin(const Provenance &found, const Scene &scene, const Working &working,
+                  const std::string &place) {
+  EXPECT_FALSE(found.coordinates.empty()) << place;
+  for (const CoordinateSource &coordinate : found.coordinates)
+    EXPECT_TRUE(coordinateOf(scene, coordinate)) << place;
+  for (const std::string &id : found.lines)
+    EXPECT_NO_THROW((void)lineOf(working, id)) << place;
+}
+
 /// Every number that was calculated reaches a coordinate of the scene.
 void expectAllReachCoordinates(const Scene &scene, const std::string &where) {
-  const Outcome outcome = evaluate(scene);
-  for (const WorkingLine &line : outcome.working.lines)
-    for (const Term &number : numbersOf(outcome.working, line.id)) {
-      const Provenance found = provenanceOf(number, outcome.working);
-      const std::string place = where + ", line " + line.id + ", " + plainText(number);
-      EXPECT_FALSE(found.coordinates.empty()) << place;
-      for (const CoordinateSource &coordinate : found.coordinates)
-        EXPECT_TRUE(coordinateOf(scene, coordinate)) << place;
-      for (const std::string &id : found.lines)
-        EXPECT_NO_THROW((void)lineOf(outcome.working, id)) << place;
-    }
+  const Working working = evaluate(scene).working;
+  for (const WorkingLine &line : working.lines)
+    for (const Term &number : numbersOf(working, line.id))
+      expectWithin(provenanceOf(number, working), scene, working,
+                   where + ", line " + line.id + ", " + plainText(number));
 }
 
 TEST(Provenance, OfEveryNumberOfEveryLesson_ReachesACoordinate) {

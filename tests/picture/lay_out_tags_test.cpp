@@ -83,10 +83,10 @@ TEST(Tags, TheSameNameTwice_IsTwoTags) {
 
 TEST(Tags, ByIndex_StandAmongThoseByNameAndChangeNoPlace) {
   const auto formulaWith = [](Row number) {
-    return row(tagged("outer", row(letter('x'), symbol('+', AtomClass::Bin), std::move(number))));
+    return row(math::tagged("outer", row(letter('x'), symbol('+', AtomClass::Bin), std::move(number))));
   };
   const Layout plain = layOut(formulaWith(number("12")), fonts());
-  const Layout layout = layOut(formulaWith(row(tagged(std::size_t{7}, number("12")))), fonts());
+  const Layout layout = layOut(formulaWith(row(math::tagged(std::size_t{7}, number("12")))), fonts());
   ASSERT_EQ(layout.tags.size(), 2U);
   EXPECT_EQ(layout.tags[1].id, TagId(std::size_t{7}));
   EXPECT_EQ(layout.tags[1].parent, 0);
