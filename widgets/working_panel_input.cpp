@@ -93,11 +93,9 @@ void WorkingPanel::setCurrentLine(std::optional<std::size_t> line) {
 }
 
 void WorkingPanel::scrollTo(const QRectF &box) {
-  const auto show = [](QScrollBar &bar, double begin, double end, int room) {
-    const int lowest = static_cast<int>(std::ceil(end)) - room;
-    bar.setValue(std::min(std::max(bar.value(), lowest), static_cast<int>(begin)));
-  };
-  show(*verticalScrollBar(), box.top(), box.bottom(), viewport()->height());
+  QScrollBar &bar = *verticalScrollBar();
+  const int lowest = static_cast<int>(std::ceil(box.bottom())) - viewport()->height();
+  bar.setValue(std::min(std::max(bar.value(), lowest), static_cast<int>(box.top())));
 }
 
 void WorkingPanel::keyPressEvent(QKeyEvent *event) {
