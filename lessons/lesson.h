@@ -1,4 +1,4 @@
-// A lesson: a Markdown file with YAML front matter (id, title, sources, scene, camera), its steps as
+// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera), its steps as
 // second-level headings.
 //
 //   ---
@@ -6,6 +6,7 @@
 //   title: How far is a point from a plane?
 //   order: 2
 //   sources: [PG 3.4, PG 3.5]
+//   macros: {length: '\lvert #1\rvert'}
 //   scene:
 //     - {name: E, plane: {P0: [5, 4, 7], n: [1, 2, 2]}}
 //     - {name: Q, point: [11, 15, 8]}
@@ -32,6 +33,7 @@
 //   ```
 #pragma once
 
+#include "lessons/macros.h"
 #include "lessons/outcome.h"
 #include "lessons/practice.h"
 #include "lessons/problem.h"
@@ -89,6 +91,7 @@ struct Lesson {
   std::string title;
   int order = 0; ///< its place in the list of lessons
   std::vector<std::string> sources;
+  Macros macros; ///< of the LaTeX in its words
   Scene scene;
   CameraView camera;
   std::vector<LessonStep> steps;
@@ -100,6 +103,8 @@ struct Lesson {
 /// Reads a lesson file of at most `maxLessonBytes`.
 [[nodiscard]] Result<Lesson> readLesson(const std::filesystem::path &file);
 inline constexpr std::size_t maxLessonBytes = 1 << 20;
+inline constexpr std::size_t mostMacros = 100;
+inline constexpr std::size_t longestMacro = 500; ///< bytes
 
 /// The lessons of a folder in their order, and what kept others from being read.
 struct LessonLibrary {

@@ -5,6 +5,9 @@
 #include "lessons/text.h"
 #include "lessons/words.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace halfspace {
 namespace {
 
@@ -59,6 +62,70 @@ CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
   return camera;
 }
 
+bool isMacroName(const std::string &name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  });
+}
+
+void readMacro(const DocumentNode &node, FieldReader &fields, Macros &macros) {
+  const std::string field = "macros." + node.key;
+  if (!isMacroName(node.key))
+    return fields.complain(node, field,
+                           words("“{name}” cannot be the name of a macro: write letters from a to z without "
+                                 "the backslash.",
+                                 {{"name", shortened(node.key)}}));
+  if (node.kind != DocumentNode::Kind::Text || node.text.empty())
+    return fields.complain(node, field, words("Here LaTeX in single quotes is expected, as '\\mathbb{R}'."));
+  if (node.text.size() > longestMacro)
+    return fields.complain(node, field,
+                           words("This macro is too long: at most {limit} bytes are read.",
+                                 {{"limit", std::to_string(longestMacro)}}));
+  auto macro = macroOf(node.text);
+  if (!macro)
+    return fields.complain(node, field,
+                           words("A # in a macro stands before the number of an argument: #1 to #9."));
+  macros[node.key] = std::move(*macro);
+}
+
+std::size_t parametersIn(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at + 1 < text.size(); ++at)
+    if (text[at] == '#' && text[at + 1] >= '1' && text[at + 1] <= '9')
+      ++count;
+  return count;
+}
+
+/// Outside quotes YAML takes ` #1` for the beginning of a comment, and nobody would notice.
+void refuseLostArguments(const DocumentNode &node, const TextBlock &block, FieldReader &fields) {
+  std::map<int, std::size_t> read; // by line
+  for (const DocumentNode &macro : node.children)
+    read[macro.line] += parametersIn(macro.text);
+  std::istringstream lines(block.text);
+  std::string text;
+  for (int line = block.firstLine; std::getline(lines, text); ++line)
+    for (const DocumentNode &macro : node.children)
+      if (macro.line == line && parametersIn(text) > read[line])
+        return fields.complain(macro, "macros." + macro.key,
+                               words("What follows # is not read here: put the macro in single quotes."));
+}
+
+Macros readMacros(const DocumentNode &node, const TextBlock &block, FieldReader &fields) {
+  Macros macros;
+  if (node.kind != DocumentNode::Kind::Map || node.children.size() > mostMacros) {
+    fields.complain(node, "macros",
+                    words("Here at most {limit} macros are expected, each as `name: 'LaTeX'`.",
+                          {{"limit", std::to_string(mostMacros)}}));
+    return macros;
+  }
+  refuseLostArguments(node, block, fields);
+  for (const DocumentNode &child : node.children)
+    readMacro(child, fields, macros);
+  if (const auto name = findRecursion(macros))
+    fields.complain(*node.find(*name), "macros." + *name, words("This macro uses itself."));
+  return macros;
+}
+
 std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReader &fields) {
   std::vector<Prediction::Choice> choices;
   for (const DocumentNode &child : node.children) {
@@ -78,13 +145,15 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"id", "title", "order", "sources", "scene", "camera"});
+  fields.allowOnly({"id", "title", "order", "sources", "macros", "scene", "camera"});
   Lesson lesson;
   lesson.id = fields.lessonId("id");
   lesson.title = fields.text("title");
   lesson.order = fields.integer("order", 0, highestOrder, 0);
   if (const DocumentNode *sources = fields.optional("sources"))
     lesson.sources = readTexts(*sources, "sources", fields);
+  if (const DocumentNode *macros = fields.optional("macros"))
+    lesson.macros = readMacros(*macros, block, fields);
   if (const DocumentNode *camera = fields.optional("camera"))
     lesson.camera = readCamera(*camera, fields);
   const DocumentNode *list = fields.required("scene");

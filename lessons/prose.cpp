@@ -291,6 +291,9 @@ std::string tidied(const std::string &text) {
 
 } // namespace
 
-std::string plainProse(const std::string &latex) { return tidied(Converter(latex).convert()); }
+std::string plainProse(const std::string &latex, const Macros &macros) {
+  const std::string known = expanded(latex, macros);
+  return tidied(Converter(known).convert());
+}
 
 } // namespace halfspace

@@ -47,7 +47,7 @@ LessonPanel::LessonPanel(const Typesetter &typesetter, QWidget *parent)
   page->setContentsMargins(margin, margin / 2, margin, margin / 2);
   page->setSpacing(4);
   makeHead(*page);
-  m_words = new RichLabel(typesetter);
+  m_words = new RichLabel(m_typesetter);
   m_columns = new QBoxLayout(QBoxLayout::TopToBottom);
   m_columns->setSpacing(14);
   m_columns->addWidget(m_words, 3, Qt::AlignTop);
@@ -70,7 +70,7 @@ LessonPanel::LessonPanel(const Typesetter &typesetter, QWidget *parent)
   setTheme(m_theme);
 }
 
-LessonPanel::~LessonPanel() = default;
+LessonPanel::~LessonPanel() { delete m_scroll; } // its words look at the typesetter
 
 void LessonPanel::makeHead(QBoxLayout &layout) {
   m_stepTitle = makeTitle();
@@ -101,6 +101,8 @@ const LessonStep *LessonPanel::step() const {
 
 void LessonPanel::setLesson(const Lesson &lesson) {
   m_lesson = lesson;
+  m_words->setMarkdown({}); // the same words may mean something else
+  m_typesetter = m_typesetter.with(lesson.macros);
   QStringList titles;
   for (const LessonStep &step : lesson.steps)
     titles << QString::fromStdString(step.title);

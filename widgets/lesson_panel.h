@@ -18,7 +18,7 @@ namespace halfspace {
 class LessonPanel : public QWidget {
   Q_OBJECT
 public:
-  /// The typesetter must outlive the panel.
+  /// What it sets has the macros of the lesson that is shown.
   explicit LessonPanel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~LessonPanel() override;
 
@@ -52,7 +52,7 @@ private:
   [[nodiscard]] const LessonStep *step() const;
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
 
-  const Typesetter &m_typesetter;
+  Typesetter m_typesetter; ///< with the lesson's macros
   Theme m_theme;
   Lesson m_lesson;
   int m_step = 0;

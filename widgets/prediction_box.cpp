@@ -23,7 +23,7 @@ ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, Q
   layout->addWidget(m_label);
   m_label->setMarkdown(words);
   m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAccessibleName(plainRichText(words));
+  setAccessibleName(m_label->accessibleName());
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_Hover);
   setCursor(Qt::PointingHandCursor);

@@ -234,11 +234,11 @@ std::unique_ptr<QTextDocument> documentOf(const QString &markdown, const RichTex
 }
 
 /// A plain text with its formulas in the places of the placeholders.
-QString withFormulas(QString plain, const QStringList &formulas) {
+QString withFormulas(QString plain, const QStringList &formulas, const Macros &macros) {
   for (int i = 0; i < formulas.size(); ++i) {
     const std::string latex = QString(formulas[i]).remove(textStyle).remove(closing).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
-                  QString::fromStdString(plainProse(latex)));
+                  QString::fromStdString(plainProse(latex, macros)));
   }
   return plain;
 }
@@ -264,7 +264,7 @@ void RichText::setMarkdown(const QString &markdown) {
     makeDocument();
 }
 
-QString RichText::plain() const { return withFormulas(m_plain, m_text.formulas); }
+QString RichText::plain() const { return withFormulas(m_plain, m_text.formulas, m_typesetter->macros()); }
 
 void RichText::makeDocument() {
   m_document = documentOf(m_text.markdown, m_style);
@@ -309,13 +309,6 @@ void RichText::replaceFormulas(const QStringList &before) {
       placeFormula(place, index);
   }
   place.endEditBlock();
-}
-
-QString plainRichText(const QString &markdown) {
-  const MarkdownWithMath text = separateMath(markdown);
-  const auto document = documentOf(text.markdown, {});
-  replaceImages(*document);
-  return withFormulas(document->toPlainText(), text.formulas);
 }
 
 } // namespace halfspace

@@ -62,7 +62,4 @@ private:
   std::unique_ptr<QTextDocument> m_document;
 };
 
-/// The plain text of a Markdown text alone.
-[[nodiscard]] QString plainRichText(const QString &markdown);
-
 } // namespace halfspace

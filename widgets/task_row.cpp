@@ -42,8 +42,7 @@ void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verd
 }
 
 TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent)
-    : QWidget(parent), m_instruction(instruction), m_words(new RichLabel(typesetter)),
-      m_theme(themes().front()) {
+    : QWidget(parent), m_words(new RichLabel(typesetter)), m_theme(themes().front()) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(roomForMark(m_theme), 3, 0, 3);
   layout->addWidget(m_words);
@@ -68,7 +67,7 @@ void TaskRow::setTheme(const Theme &theme) {
 }
 
 void TaskRow::tellAccessibly() {
-  setAccessibleName((m_done ? tr("Done: %1") : tr("To do: %1")).arg(plainRichText(m_instruction)));
+  setAccessibleName((m_done ? tr("Done: %1") : tr("To do: %1")).arg(m_words->accessibleName()));
 }
 
 void TaskRow::paintEvent(QPaintEvent *) {

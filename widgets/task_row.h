@@ -26,7 +26,6 @@ protected:
 private:
   void tellAccessibly();
 
-  QString m_instruction;
   RichLabel *m_words;
   bool m_done = false;
   Theme m_theme;

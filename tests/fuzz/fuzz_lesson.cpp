@@ -1,5 +1,6 @@
 // Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
 #include "lessons/lesson.h"
+#include "lessons/prose.h"
 #include "lessons/session.h"
 
 #include <cstdint>
@@ -19,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   const Outcome outcome = evaluate(lesson->scene);
   for (const LessonStep &step : lesson->steps) {
     (void)withLiveValues(step.markdown, lesson->scene, outcome);
+    (void)plainProse(step.markdown, lesson->macros);
     (void)shownIn(step, outcome);
     for (const Task &task : step.tasks)
       (void)isDone(task, outcome);

@@ -45,6 +45,42 @@ TEST(Lesson, FrontMatter_IsReadExactly) {
   EXPECT_EQ(lesson->camera.height, 12);
 }
 
+std::string withMacros(const std::string &macros) {
+  return replaced(frontMatter, "scene:\n", "macros:" + macros + "\nscene:\n") + "## One\nWords.\n";
+}
+
+TEST(Lesson, Macros_AreReadWithTheirArguments) {
+  const auto lesson =
+      parseLesson(withMacros("\n  R: \\mathbb{R}\n  inner: '\\langle #1, #2\\rangle'"), "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->macros, (Macros{{"R", {0, "\\mathbb{R}"}}, {"inner", {2, "\\langle #1, #2\\rangle"}}}));
+  EXPECT_TRUE(parseLesson(frontMatter + "## One\n", "a.md")->macros.empty());
+}
+
+TEST(Lesson, MacrosThatAreNone_AreToldWithTheirLine) {
+  const auto expect = [](const std::string &macros, int line, const std::string &field,
+                         const std::string &words) {
+    const Problem problem = problemOf(withMacros(macros));
+    EXPECT_EQ(problem.line, line) << problem.text();
+    EXPECT_EQ(problem.field, field);
+    EXPECT_NE(problem.sentence.find(words), std::string::npos) << problem.sentence;
+  };
+  expect("\n  R: x\n  \\S: x", 8, "macros.\\S", "cannot be the name");
+  expect("\n  R2: x", 7, "macros.R2", "cannot be the name");
+  expect("\n  R: [x]", 7, "macros.R", "in single quotes is expected");
+  expect("\n  R: ''", 7, "macros.R", "in single quotes is expected");
+  expect("\n  R: 'a # b'", 7, "macros.R", "number of an argument");
+  expect("\n  R: '" + std::string(longestMacro + 1, 'x') + "'", 7, "macros.R", "too long");
+  expect("\n  R: \\vec #1", 7, "macros.R", "put the macro in single quotes");
+  expect("\n  R: x\n  S: x\\T\n  T: '\\S'", 8, "macros.S", "uses itself");
+  expect(" x", 6, "macros", "at most 100 macros");
+  std::string many;
+  for (char a = 'a'; a <= 'z'; ++a)
+    for (char b = 'a'; b <= 'e'; ++b)
+      many += "\n  " + std::string{a, b} + ": x";
+  expect(many, 7, "macros", "at most 100 macros");
+}
+
 TEST(Lesson, Steps_KeepTheirWordsApartFromTheirBlocks) {
   const auto lesson = parseLesson(frontMatter + R"(## First
 Some $f(Q)$ words.

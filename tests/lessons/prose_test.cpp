@@ -12,6 +12,11 @@ TEST(PlainProse, OfAWholeLine_ReadsLikeTheFormula) {
       "t = ((P₀ − Q)·n)/(r·n) = −10/3");
 }
 
+TEST(PlainProse, OfMacros_ReadsWhatTheyStandFor) {
+  const Macros macros{{"len", {1, "\\lvert #1\\rvert"}}, {"n", {0, "\\vec n"}}};
+  EXPECT_EQ(plainProse("\\frac{1}{\\len\\n}", macros), "1/|n|");
+}
+
 TEST(PlainProse, OfSigns_TellsMinusFromNegative) {
   EXPECT_EQ(plainProse("-1 - 2\\cdot (-3) + \\left(-4,\\,-5\\right)"), "−1 − 2·(−3) + (−4, −5)");
 }

@@ -82,6 +82,25 @@ private slots:
     QVERIFY(rows[1]->accessibleName().contains("Done"));
   }
 
+  void macrosOfTheLessonAreKnownInAllItsWords() {
+    LessonPanel panel(m_typesetter);
+    Lesson lesson = someLesson();
+    lesson.steps[1].tasks[0].instruction = "Make $\\it = 0$.";
+    lesson.steps[2].prediction->choices[0].text = "$\\it > 0$";
+    for (const std::string meaning : {"f(Q)", "g(Q)"}) { // the next lesson may mean something else
+      const QString read = QString::fromStdString(meaning);
+      lesson.macros = {{"it", {0, meaning}}};
+      panel.setLesson(lesson);
+      panel.setMarkdown("Here $\\it$ is.");
+      QVERIFY(!shown<RichLabel>(panel).empty());
+      QCOMPARE(shown<RichLabel>(panel).first()->accessibleName(), "Here " + read + " is.");
+      panel.setStep(1);
+      QCOMPARE(shown<TaskRow>(panel).first()->accessibleName(), "To do: Make " + read + " = 0.");
+      panel.setStep(2);
+      QCOMPARE(shown<ChoiceButton>(panel).first()->accessibleName(), read + " > 0");
+    }
+  }
+
   void chosenAnswerIsToldByItsWordAndThenJudged() {
     LessonPanel panel(m_typesetter);
     panel.resize(420, 500);

@@ -10,6 +10,10 @@ using namespace halfspace;
 
 namespace {
 
+QString plain(const QString &markdown, const Typesetter &typesetter) {
+  return RichText(markdown, typesetter, {QFont(), Qt::black}).plain();
+}
+
 QImage painted(const RichText &text) {
   QImage image(300, 200, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -41,8 +45,8 @@ private slots:
         separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
         (QStringList{"\\textstyle t = 3\\mathclose{\\text{,}}",
                      "\\textstyle u  \\approx 2\\mathclose{\\text{;}}", "\\textstyle v", "\\textstyle w"}));
-    QCOMPARE(plainRichText("now $t$ = $3$, so"), QString("now t = 3, so"));
     const Typesetter typesetter;
+    QCOMPARE(plain("now $t$ = $3$, so", typesetter), QString("now t = 3, so"));
     const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
     rich.document().setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
     rich.document().size(); // lays it out
@@ -126,7 +130,17 @@ private slots:
       }
   }
 
-  void plainTextReadsTheFormulas() { QCOMPARE(plainRichText("Is $P_0$ **here**?"), QString("Is P₀ here?")); }
+  void plainTextReadsTheFormulas() {
+    QCOMPARE(plain("Is $P_0$ **here**?", Typesetter()), QString("Is P₀ here?"));
+  }
+
+  void macrosAreKnownToTheEyeAndToTheEar() {
+    const Typesetter typesetter = Typesetter().with({{"len", {1, "\\lvert #1\\rvert"}}});
+    const RichText rich("So $\\len n$ is", typesetter, {QFont(), Qt::black});
+    const RichText same("So $\\lvert n\\rvert$ is", typesetter, {QFont(), Qt::black});
+    QCOMPARE(painted(rich), painted(same));
+    QCOMPARE(rich.plain(), QString("So |n| is"));
+  }
 
   void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {
     const Typesetter typesetter;

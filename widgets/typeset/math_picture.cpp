@@ -24,9 +24,10 @@ QString sentenceOf(const math::ReadError &error) {
 
 } // namespace
 
-MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface)
+MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface,
+                         const Macros &macros)
     : m_typeface(std::move(typeface)) {
-  const auto read = math::readLatex(latex.toStdString());
+  const auto read = math::readLatex(latex.toStdString(), macros);
   if (const auto *row = std::get_if<math::Row>(&read))
     layOut(*row);
   else

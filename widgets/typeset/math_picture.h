@@ -1,6 +1,7 @@
 // A formula, laid out and ready to be painted: sharp at every size, on screens, in images and in PDF files.
 #pragma once
 
+#include "lessons/macros.h"
 #include "widgets/picture/math/layout.h"
 #include "widgets/picture/math/math_tree.h"
 
@@ -30,7 +31,7 @@ public:
   static constexpr double largestSide = 400;
 
   /// The formula; or, where the LaTeX cannot be read, its source with an error.
-  MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface);
+  MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface, const Macros &macros = {});
   /// A formula that did not come from LaTeX.
   MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface);
 

@@ -6,8 +6,14 @@ namespace halfspace {
 
 Typesetter::Typesetter() : m_typeface(std::make_shared<const MathTypeface>()) {}
 
+Typesetter Typesetter::with(Macros macros) const {
+  Typesetter other = *this;
+  other.m_macros = std::move(macros);
+  return other;
+}
+
 Typesetter::Picture Typesetter::picture(const QString &latex) const {
-  return std::make_shared<const MathPicture>(latex, m_typeface);
+  return std::make_shared<const MathPicture>(latex, m_typeface, m_macros);
 }
 
 Typesetter::Picture Typesetter::picture(const math::Row &formula) const {

@@ -1,6 +1,7 @@
 // Formulas to pictures.
 #pragma once
 
+#include "lessons/macros.h"
 #include "widgets/typeset/math_picture.h"
 
 namespace halfspace {
@@ -12,6 +13,9 @@ public:
   using Picture = std::shared_ptr<const MathPicture>;
 
   Typesetter();
+  /// The same for LaTeX with abbreviations.
+  [[nodiscard]] Typesetter with(Macros macros) const;
+  [[nodiscard]] const Macros &macros() const { return m_macros; }
 
   /// The formula, never null: LaTeX that cannot be read gives a picture of its source, with an error.
   [[nodiscard]] Picture picture(const QString &latex) const;
@@ -20,6 +24,7 @@ public:
 
 private:
   std::shared_ptr<const MathTypeface> m_typeface;
+  Macros m_macros;
 };
 
 } // namespace halfspace

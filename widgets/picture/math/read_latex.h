@@ -1,11 +1,10 @@
 // Reads the mathematics of LaTeX: what a lecturer in linear algebra writes.
 #pragma once
 
+#include "lessons/macros.h"
 #include "widgets/picture/math/math_tree.h"
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,14 +17,8 @@ struct ReadError {
   std::string sentence;   ///< for a person: "`\foo` is unknown."
 };
 
-/// An abbreviation: `#1` … `#9` in the body stand for its arguments.
-struct Macro {
-  int arguments = 0;
-  std::string body;
-};
-
-/// By their names, without the backslash. A macro hides a command of the same name.
-using Macros = std::map<std::string, Macro, std::less<>>;
+using halfspace::Macro;
+using halfspace::Macros;
 
 /// What is larger is refused, so that reading takes bounded time whatever it is given.
 inline constexpr std::size_t longestLatex = 65536; ///< bytes
