@@ -53,6 +53,7 @@ std::string themeNames() {
 struct Arguments {
   WindowCommand window;
   LessonsCommand lessons;
+  CheckCommand check;
   ExplainCommand explain;
   RenderCommand render;
   EvalCommand eval;
@@ -121,6 +122,9 @@ Command parseCommandLine(int argc, const char *const *argv) {
       ->type_name("LESSON|FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
+  auto *check = app.add_subcommand("check", "Say what is wrong in lesson files, and where");
+  check->add_option("paths", arguments.check.paths,
+                    "Files, or folders of them; without any, the lessons of this program");
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
   auto *eval = app.add_subcommand("eval", "Answer geometry questions, one JSON object a line");
@@ -142,6 +146,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
                      "” stands before a command: the lesson or file comes after it.");
   if (lessons->parsed())
     return arguments.lessons;
+  if (check->parsed())
+    return arguments.check;
   if (explain->parsed())
     return arguments.explain;
   if (eval->parsed())

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include "app/check.h"
 #include "app/lesson_files.h"
 #include "app/standard_streams.h"
 #include "app/subject.h"
@@ -16,6 +17,9 @@
 
 namespace halfspace {
 namespace {
+
+/// What was asked for was done, and found something.
+constexpr int exitProblems = 1;
 
 /// A library with problems still serves the lessons that could be read; the others are told about.
 LessonLibrary openLibrary() {
@@ -41,6 +45,24 @@ int runLessons(const LessonsCommand &command) {
     lines += lesson.id + "  " + title + "\n";
   }
   return printOut(command.json ? list.dump(2) + "\n" : lines);
+}
+
+int runCheck(const CheckCommand &command) {
+  std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
+  if (paths.empty())
+    paths.push_back(lessonsFolder());
+  std::size_t lessons = 0;
+  std::string lines;
+  for (const auto &path : paths) {
+    const Checked checked = checkLessons(path);
+    lessons += checked.lessons;
+    for (const Problem &problem : checked.problems)
+      lines += printable(problem.text()) + "\n";
+  }
+  if (lines.empty())
+    return printOut(words("Nothing is wrong. Lessons: {count}", {{"count", std::to_string(lessons)}}) + "\n");
+  const int printed = printOut(lines);
+  return printed == 0 ? exitProblems : printed;
 }
 
 int runExplain(const ExplainCommand &command) {

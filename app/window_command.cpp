@@ -24,7 +24,7 @@ void sayWhyQtGivesUp(QtMsgType type, const QMessageLogContext &, const QString &
   if (type != QtFatalMsg)
     return;
   printError(words("The window needs a display, and none could be opened (DISPLAY or WAYLAND_DISPLAY). The "
-                   "commands lessons, explain and render work without one."));
+                   "commands lessons, check, explain and render work without one."));
   std::_Exit(exitRefused);
 }
 
@@ -99,7 +99,7 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   if (!displayNamed())
     return fail(
         {words("The window needs a display, and none is named (DISPLAY or WAYLAND_DISPLAY). The commands "
-               "lessons, explain and render work without one."),
+               "lessons, check, explain and render work without one."),
          "", 0, ""});
 
   // Writing to a pipe that nobody reads any more is a failure to be told, not the end of the window.

@@ -106,6 +106,9 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
       return prediction.problem();
     step.prediction = std::move(*prediction);
   } else {
+    const auto count = std::count(fence.whole.begin(), fence.whole.end(), '\n');
+    for (int line = fence.content.firstLine - 1, end = line + static_cast<int>(count); line < end; ++line)
+      step.markdownLines.push_back(line);
     step.markdown += fence.whole;
   }
   return {};
@@ -138,10 +141,23 @@ std::optional<std::string> stepTitle(std::string_view line) {
   return std::string(trimmed(line.substr(heading.size())));
 }
 
-void trimEnds(std::string &markdown) {
-  const auto begin = markdown.find_first_not_of(" \t\n");
-  const auto end = markdown.find_last_not_of(" \t\n");
-  markdown = begin == std::string::npos ? "" : markdown.substr(begin, end - begin + 1);
+/// Takes away empty lines before and behind the words, and what is empty at their ends.
+void trimEnds(LessonStep &step) {
+  std::string &markdown = step.markdown;
+  const auto begin = std::min(markdown.find_first_not_of(" \t\n"), markdown.size());
+  const auto end = markdown.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
+  const auto linesBefore = [&](std::size_t place) {
+    return std::count(markdown.begin(), markdown.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  };
+  step.markdownLines.erase(step.markdownLines.begin(), step.markdownLines.begin() + linesBefore(begin));
+  markdown = begin < end ? markdown.substr(begin, end - begin) : "";
+  if (!markdown.empty())
+    step.markdownLines.resize(static_cast<std::size_t>(linesBefore(markdown.size())) + 1);
+}
+
+void addLine(LessonStep &step, std::string_view line, int number) {
+  step.markdown += std::string(line) + "\n";
+  step.markdownLines.push_back(number);
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -173,7 +189,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
       continue;
     }
     if (fenceOf(lines.line()).empty()) {
-      steps.back().markdown += std::string(lines.line()) + "\n";
+      addLine(steps.back(), lines.line(), lines.number());
       continue;
     }
     const auto fence = readFence(lines, file);
@@ -186,7 +202,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
     return Problem{words("The lesson has no steps. Each begins with a heading ##."), file, lines.number(),
                    ""};
   for (LessonStep &step : steps)
-    trimEnds(step.markdown);
+    trimEnds(step);
   return steps;
 }
 
@@ -205,12 +221,34 @@ Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
   if (!steps)
     return steps.problem();
   lesson->steps = std::move(*steps);
+  lesson->file = file;
   return lesson;
 }
 
 Result<Lesson> readLesson(const std::filesystem::path &file) {
   const auto text = readFile(file, maxLessonBytes);
   return text ? parseLesson(*text, file.string()) : Result<Lesson>(text.problem());
+}
+
+int LessonWords::lineAt(std::size_t place) const {
+  const auto passed = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
+}
+
+std::vector<LessonWords> wordsOf(const Lesson &lesson) {
+  std::vector<LessonWords> words;
+  for (const LessonStep &step : lesson.steps) {
+    words.push_back({step.markdown, step.markdownLines, ""});
+    for (const Task &task : step.tasks)
+      words.push_back({task.instruction, {task.line}, "do"});
+    if (!step.prediction)
+      continue;
+    words.push_back({step.prediction->question, {step.prediction->questionLine}, "ask"});
+    for (const Prediction::Choice &choice : step.prediction->choices)
+      words.push_back({choice.text, {choice.line}, "choices"});
+    words.push_back({step.prediction->reason, {step.prediction->reasonLine}, "why"});
+  }
+  return words;
 }
 
 const Lesson *LessonLibrary::find(std::string_view id) const {

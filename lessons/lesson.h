@@ -55,6 +55,7 @@ struct Condition {
 struct Task {
   std::string instruction;
   std::vector<Condition> conditions;
+  int line = 0; ///< of the instruction in the file
 };
 
 /// A question that hides the numbers until the learner has chosen an answer.
@@ -62,11 +63,15 @@ struct Prediction {
   struct Choice {
     std::string word; ///< what the value must be for this choice to be right
     std::string text;
+    int line = 0; ///< in the file
   };
   std::string question;
   std::string value; ///< the name of the value that decides, or `case`
   std::vector<Choice> choices;
   std::string reason;
+  // In the file:
+  int questionLine = 0;
+  int reasonLine = 0;
 };
 
 struct LessonStep {
@@ -75,7 +80,8 @@ struct LessonStep {
   std::vector<std::string> lines; ///< ids of the worked lines shown; empty: all
   std::vector<Task> tasks;
   std::optional<Prediction> prediction;
-  std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
+  std::optional<Fading> blank{};    ///< which lines the step leaves to the learner; nothing: as it was before
+  std::vector<int> markdownLines{}; ///< where each line of the words stands in the file
 };
 
 /// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units
@@ -89,13 +95,27 @@ struct CameraView {
 struct Lesson {
   std::string id;
   std::string title;
-  int order = 0; ///< its place in the list of lessons
+  int order = 0;    ///< its place in the list of lessons
+  std::string file; ///< that it was read from
   std::vector<std::string> sources;
   Macros macros; ///< of the LaTeX in its words
   Scene scene;
   CameraView camera;
   std::vector<LessonStep> steps;
 };
+
+/// A piece of a lesson's words, with `$…$` LaTeX.
+struct LessonWords {
+  std::string text;
+  std::vector<int> lines; ///< where its lines stand in the file; one for all where YAML has folded them
+  std::string field;      ///< of a block; empty for the words of a step
+
+  /// The line of the file that a place in the text is of.
+  [[nodiscard]] int lineAt(std::size_t place) const;
+};
+
+/// All words that are set with their formulas, from top to bottom within a step.
+[[nodiscard]] std::vector<LessonWords> wordsOf(const Lesson &lesson);
 
 /// Reads a lesson from the text of a file; `file` is only named in problems.
 [[nodiscard]] Result<Lesson> parseLesson(std::string_view text, const std::string &file);

@@ -131,7 +131,7 @@ std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReade
   for (const DocumentNode &child : node.children) {
     if (child.kind != DocumentNode::Kind::Text || child.key.empty() || child.text.empty())
       fields.complain(child, "choices", words("Each choice is written as `value: what the learner reads`."));
-    choices.push_back({child.key, child.text});
+    choices.push_back({child.key, child.text, child.line});
   }
   if (choices.size() < 2)
     fields.complain(node, "choices", words("A question needs at least two choices."));
@@ -180,6 +180,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   if (fields.problem())
     return *fields.problem();
   task.conditions = std::move(*conditions);
+  task.line = root->find("do")->line;
   return task;
 }
 
@@ -200,6 +201,8 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
                     words("Here the name of a value is expected, as side or case."));
   if (fields.problem())
     return *fields.problem();
+  prediction.questionLine = root->find("ask")->line;
+  prediction.reasonLine = root->find("why")->line;
   return prediction;
 }
 

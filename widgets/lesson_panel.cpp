@@ -187,7 +187,7 @@ void LessonPanel::setTheme(const Theme &theme) {
   titleFont.setPointSizeF(titleFont.pointSizeF() * titleSize);
   titleFont.setBold(true);
   m_stepTitle->setFont(titleFont);
-  m_words->setInk(toQColor(theme.ink));
+  m_words->setInk(toQColor(theme.ink), toQColor(theme.warning));
   m_dots->setTheme(theme);
   for (TaskRow *task : m_tasks)
     task->setTheme(theme);

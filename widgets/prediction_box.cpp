@@ -2,6 +2,8 @@
 
 #include "widgets/colors.h"
 
+#include <QCoreApplication>
+#include <QHelpEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -43,8 +45,16 @@ void ChoiceButton::setVerdict(Verdict verdict) {
 void ChoiceButton::setTheme(const Theme &theme) {
   m_theme = theme;
   layout()->setContentsMargins(choiceMargins * theme.textScale);
-  m_label->setInk(toQColor(theme.ink));
+  m_label->setInk(toQColor(theme.ink), toQColor(theme.warning));
   update();
+}
+
+bool ChoiceButton::event(QEvent *event) {
+  if (event->type() != QEvent::ToolTip)
+    return QAbstractButton::event(event);
+  const auto *help = static_cast<QHelpEvent *>(event); // the label gets none: the pointer is on the button
+  QHelpEvent forLabel(QEvent::ToolTip, m_label->mapFromParent(help->pos()), help->globalPos());
+  return QCoreApplication::sendEvent(m_label, &forLabel);
 }
 
 void ChoiceButton::paintEvent(QPaintEvent *) {
@@ -103,8 +113,8 @@ void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const st
 }
 
 void PredictionBox::setTheme(const Theme &theme) {
-  m_question->setInk(toQColor(theme.ink));
-  m_reason->setInk(toQColor(theme.ink));
+  m_question->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  m_reason->setInk(toQColor(theme.ink), toQColor(theme.warning));
   for (ChoiceButton *button : m_buttons)
     button->setTheme(theme);
 }

@@ -19,6 +19,7 @@ public:
   void setTheme(const Theme &theme);
 
 protected:
+  bool event(QEvent *event) override;
   void paintEvent(QPaintEvent *event) override;
 
 private:

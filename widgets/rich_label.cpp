@@ -1,8 +1,9 @@
 #include "widgets/rich_label.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QEvent>
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +40,16 @@ void RichLabel::setMarkdown(const QString &markdown) {
   update();
 }
 
-void RichLabel::setInk(const QColor &ink) {
-  if (ink == m_ink)
+void RichLabel::setInk(const QColor &ink, const QColor &warning) {
+  if (ink == m_ink && warning == m_warning)
     return;
   m_ink = ink;
+  m_warning = warning;
   build();
 }
 
 void RichLabel::build() {
-  m_text = RichText(m_markdown, m_typesetter, {font(), m_ink});
+  m_text = RichText(m_markdown, m_typesetter, {font(), m_ink, m_warning});
   updateGeometry();
   update();
 }
@@ -72,6 +74,23 @@ QSize RichLabel::sizeHint() const {
 
 QSize RichLabel::minimumSizeHint() const {
   return {std::min(sizeHint().width(), fontMetrics().averageCharWidth() * fewestLetters), 0};
+}
+
+QString RichLabel::problemAt(QPoint place) const {
+  (void)layOut(width());
+  return m_text.problemAt(place);
+}
+
+bool RichLabel::event(QEvent *event) {
+  if (event->type() != QEvent::ToolTip)
+    return QWidget::event(event);
+  const auto *help = static_cast<QHelpEvent *>(event);
+  const QString problem = problemAt(help->pos());
+  if (problem.isEmpty())
+    QToolTip::hideText();
+  else
+    QToolTip::showText(help->globalPos(), Qt::convertFromPlainText(problem, Qt::WhiteSpaceNormal), this);
+  return true;
 }
 
 void RichLabel::paintEvent(QPaintEvent *) {

@@ -15,7 +15,10 @@ public:
   ~RichLabel() override;
 
   void setMarkdown(const QString &markdown);
-  void setInk(const QColor &ink);
+  /// `warning` is for formulas that cannot be read.
+  void setInk(const QColor &ink, const QColor &warning);
+  /// Why the formula at a place of the label cannot be read; empty where there is nothing to say.
+  [[nodiscard]] QString problemAt(QPoint place) const;
 
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override;
@@ -23,6 +26,7 @@ public:
   [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
+  bool event(QEvent *event) override;
   void paintEvent(QPaintEvent *event) override;
   void changeEvent(QEvent *event) override;
 
@@ -33,6 +37,7 @@ private:
 
   const Typesetter &m_typesetter;
   QColor m_ink;
+  QColor m_warning;
   QString m_markdown;
   RichText m_text;
 };

@@ -91,11 +91,17 @@ private:
     if (end <= begin)
       return false;
     const bool large = dollars == 2 || isAlone(m_next, end + dollars);
-    const QString latex = m_text.mid(begin, end - begin).trimmed();
+    const QString latex = takeSource(begin, end);
     m_next = end + dollars;
     m_found.markdown += placeholderBegin + QString::number(m_found.formulas.size()) + placeholderEnd;
     m_found.formulas << (large ? latex : textStyle + latex + takeAttached());
     return true;
+  }
+
+  QString takeSource(int begin, int end) {
+    const QString latex = m_text.mid(begin, end - begin).trimmed();
+    m_found.sources.push_back({m_text.indexOf(latex, begin), latex});
+    return latex;
   }
 
   /// What the end of a line would tear off a formula, as lines may break behind every object: the rest of
@@ -108,7 +114,7 @@ private:
     const int begin = match.capturedEnd();
     const int end = match.hasMatch() ? closingDollar(begin, 1) : -1;
     if (end > begin) {
-      attached = " " + match.captured(1) + " " + m_text.mid(begin, end - begin).trimmed();
+      attached = " " + match.captured(1) + " " + takeSource(begin, end);
       m_next = end + 1;
     }
     if (m_next < m_text.size() && QStringLiteral(",.;:!?").contains(m_text[m_next]))
@@ -142,6 +148,15 @@ private:
   MarkdownWithMath m_found;
   int m_next = 0;
 };
+
+/// A formula without what was put around it.
+QString asWritten(QString formula) {
+  static const QRegularExpression attached(QRegularExpression::escape(closing) +
+                                           QStringLiteral("\\{\\\\text\\{(.)\\}\\}$"));
+  if (formula.startsWith(textStyle))
+    formula.remove(0, textStyle.size());
+  return formula.replace(attached, QStringLiteral("\\1"));
+}
 
 /// Draws the formulas of a document.
 class MathObject : public QObject, public QTextObjectInterface {
@@ -233,10 +248,32 @@ std::unique_ptr<QTextDocument> documentOf(const QString &markdown, const RichTex
   return document;
 }
 
+/// The formula that a character of the document is, if it is one.
+QTextCharFormat formatAt(QTextDocument &document, int position) {
+  QTextCursor cursor(&document);
+  cursor.setPosition(position + 1); // its format is that of the character before
+  return cursor.charFormat();
+}
+
+/// The character under a place of the document; −1: none.
+int characterAt(const QTextDocument &document, QPointF place) {
+  constexpr double overhang = 0.2; // letters reach beyond their line by so much of its height
+  const QTextBlock block =
+      document.findBlock(std::max(document.documentLayout()->hitTest(place, Qt::FuzzyHit), 0));
+  const QPointF inBlock = place - block.layout()->position();
+  for (int i = 0; i < block.layout()->lineCount(); ++i) {
+    const QTextLine line = block.layout()->lineAt(i);
+    const double more = overhang * line.height();
+    if (line.naturalTextRect().adjusted(0, -more, 0, more).contains(inBlock))
+      return block.position() + line.xToCursor(inBlock.x(), QTextLine::CursorOnCharacter);
+  }
+  return -1;
+}
+
 /// A plain text with its formulas in the places of the placeholders.
 QString withFormulas(QString plain, const QStringList &formulas, const Macros &macros) {
   for (int i = 0; i < formulas.size(); ++i) {
-    const std::string latex = QString(formulas[i]).remove(textStyle).remove(closing).toStdString();
+    const std::string latex = asWritten(formulas[i]).toStdString();
     plain.replace(placeholderBegin + QString::number(i) + placeholderEnd,
                   QString::fromStdString(plainProse(latex, macros)));
   }
@@ -264,10 +301,35 @@ void RichText::setMarkdown(const QString &markdown) {
     makeDocument();
 }
 
-QString RichText::plain() const { return withFormulas(m_plain, m_text.formulas, m_typesetter->macros()); }
+QString RichText::plain() const {
+  QString plain = m_plain;
+  for (const auto &[index, picture] : m_failed) {
+    const QString placeholder = placeholderBegin + QString::number(index) + placeholderEnd;
+    plain.replace(placeholder,
+                  tr("%1 (a formula that cannot be read: %2)").arg(placeholder, problemOf(index)));
+  }
+  return withFormulas(plain, m_text.formulas, m_typesetter->macros());
+}
+
+QString RichText::problemOf(int formula) const {
+  const auto failed = m_failed.find(formula);
+  if (failed == m_failed.end())
+    return {};
+  const int column = failed->second->errorColumn();
+  const QString sentence = failed->second->error();
+  return column > 0 ? tr("Column %1: %2").arg(column).arg(sentence) : sentence;
+}
+
+QString RichText::problemAt(QPointF place) const {
+  const int character = m_failed.empty() ? -1 : characterAt(*m_document, place);
+  if (character < 0 || m_document->characterAt(character) != QChar::ObjectReplacementCharacter)
+    return {};
+  return problemOf(formatAt(*m_document, character).intProperty(indexProperty));
+}
 
 void RichText::makeDocument() {
   m_document = documentOf(m_text.markdown, m_style);
+  m_failed.clear();
   QTextCursor changes(m_document.get());
   changes.beginEditBlock(); // it is laid out once
   replaceImages(*m_document);
@@ -284,8 +346,15 @@ void RichText::makeDocument() {
 }
 
 void RichText::placeFormula(QTextCursor place, int index) {
-  const Typesetter::Picture picture = m_typesetter->picture(m_text.formulas.value(index));
+  Typesetter::Picture picture = m_typesetter->picture(m_text.formulas.value(index));
+  if (!picture->error().isEmpty())
+    picture = m_typesetter->picture(asWritten(m_text.formulas.value(index)));
+  m_failed.erase(index);
+  if (!picture->error().isEmpty())
+    m_failed[index] = picture;
   QTextCharFormat format = place.charFormat();
+  format.setForeground(picture->error().isEmpty() || !m_style.warning.isValid() ? m_style.ink
+                                                                                : m_style.warning);
   format.setFont(m_style.font, QTextCharFormat::FontPropertiesSpecifiedOnly);
   format.setObjectType(mathObject);
   format.setProperty(pictureProperty, QVariant::fromValue(picture));

@@ -54,7 +54,7 @@ void TaskRow::setDone(bool done) {
   if (done == m_done)
     return;
   m_done = done;
-  m_words->setInk(toQColor(done ? m_theme.mutedInk : m_theme.ink));
+  m_words->setInk(toQColor(done ? m_theme.mutedInk : m_theme.ink), toQColor(m_theme.warning));
   tellAccessibly();
   update();
 }
@@ -62,7 +62,7 @@ void TaskRow::setDone(bool done) {
 void TaskRow::setTheme(const Theme &theme) {
   m_theme = theme;
   layout()->setContentsMargins(roomForMark(theme), 3, 0, 3);
-  m_words->setInk(toQColor(m_done ? m_theme.mutedInk : m_theme.ink));
+  m_words->setInk(toQColor(m_done ? m_theme.mutedInk : m_theme.ink), toQColor(m_theme.warning));
   update();
 }
 

@@ -1,10 +1,13 @@
 // The words of a lesson: steps, tasks and questions.
 #include "widgets/lesson_panel.h"
 
+#include <QHelpEvent>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QToolTip>
 #include <QtTest>
 
 using namespace halfspace;
@@ -99,6 +102,23 @@ private slots:
       panel.setStep(2);
       QCOMPARE(shown<ChoiceButton>(panel).first()->accessibleName(), read + " > 0");
     }
+  }
+
+  void choiceShowsWhyItsFormulaCannotBeRead() {
+    LessonPanel panel(m_typesetter);
+    Lesson lesson = someLesson();
+    lesson.steps[2].prediction->choices[0].text = "$\\foo$";
+    panel.setLesson(lesson);
+    panel.setStep(2);
+    panel.resize(500, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    auto *choice = shown<ChoiceButton>(panel).first();
+    const QPoint place = choice->findChild<RichLabel *>()->geometry().topLeft() + QPoint(10, 8);
+    QHelpEvent help(QEvent::ToolTip, place, choice->mapToGlobal(place));
+    QCoreApplication::sendEvent(choice, &help);
+    QCOMPARE(QToolTip::text().remove(QRegularExpression("<[^>]*>")),
+             QString("Column 1: `\\foo` is unknown."));
   }
 
   void chosenAnswerIsToldByItsWordAndThenJudged() {

@@ -1,9 +1,11 @@
 // Markdown with formulas as documents.
 #include "widgets/rich_label.h"
 
+#include <QHelpEvent>
 #include <QImage>
 #include <QPainter>
 #include <QTextBlock>
+#include <QToolTip>
 #include <QtTest>
 
 using namespace halfspace;
@@ -142,6 +144,41 @@ private slots:
     QCOMPARE(rich.plain(), QString("So |n| is"));
   }
 
+  void formulaThatCannotBeReadStandsOutAndSaysWhyToEyeAndEar() {
+    const Typesetter typesetter;
+    RichText rich("Words, $x$ and $\\foo$.", typesetter, {QFont(), Qt::black, Qt::red});
+    rich.document().setTextWidth(300);
+    const QString why("Column 1: `\\foo` is unknown.");
+    QCOMPARE(rich.plain(), QString("Words, x and foo. (a formula that cannot be read: " + why + ")"));
+    const QImage image = painted(rich);
+    int told = 0;
+    for (int x = 0; x < image.width(); ++x)
+      for (int y = 0; y < image.height(); ++y) {
+        const QString problem = rich.problemAt(QPointF(x, y));
+        QVERIFY(problem.isEmpty() || problem == why);
+        told += problem.isEmpty() ? 0 : 1;
+        const QColor color = image.pixelColor(x, y);
+        if (color.red() - color.green() > 100)
+          QVERIFY2(!problem.isEmpty(), qPrintable(QString("red at %1, %2").arg(x).arg(y)));
+        if (color.red() < 100 && color.green() < 100)
+          QVERIFY2(problem.isEmpty(), qPrintable(QString("black at %1, %2").arg(x).arg(y)));
+      }
+    QVERIFY(told > 50);
+    rich.setMarkdown("Words, $x$ and $y$.");
+    QCOMPARE(rich.plain(), QString("Words, x and y."));
+    QVERIFY(rich.problemAt(QPointF(120, 10)).isEmpty());
+  }
+
+  void sourcesAreKeptAsTheyWereWritten() {
+    const auto sources = separateMath("now $ t$ = $\\frac{1}$, $$b$$").sources;
+    QCOMPARE(sources.size(), 3);
+    QCOMPARE(sources[0].place, 6);
+    QCOMPARE(sources[0].latex, QString("t"));
+    QCOMPARE(sources[1].place, 12);
+    QCOMPARE(sources[1].latex, QString("\\frac{1}"));
+    QCOMPARE(sources[2].latex, QString("b"));
+  }
+
   void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {
     const Typesetter typesetter;
     const QString words("Now $t$ is $%1$, and **so** on:\n\n- one\n- $s = %2$");
@@ -156,6 +193,24 @@ private slots:
     }
     changed.setMarkdown("Other words");
     QCOMPARE(changed.plain(), QString("Other words"));
+  }
+
+  void labelShowsWhyAFormulaCannotBeReadAsAToolTip() {
+    const Typesetter typesetter;
+    RichLabel label(typesetter);
+    label.setMarkdown("$\\foo$ and more");
+    label.resize(300, 100);
+    label.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&label));
+    const auto rest = [&](const QPoint &place) {
+      QHelpEvent help(QEvent::ToolTip, place, label.mapToGlobal(place));
+      QCoreApplication::sendEvent(&label, &help);
+    };
+    rest({10, 8});
+    QVERIFY2(QToolTip::text().contains("is unknown"), qPrintable(QToolTip::text()));
+    rest({200, 80});
+    QTRY_VERIFY(!QToolTip::isVisible());
+    QVERIFY(label.accessibleName().contains("is unknown"));
   }
 
   void labelIsTallerInANarrowerPlace() {

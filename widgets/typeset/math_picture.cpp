@@ -18,20 +18,19 @@ math::Layout layOutSource(const QString &latex, const MathTypeface &typeface) {
   return math::layOut(math::Row{math::words(source.toStdString(), math::Alphabet::Mono)}, typeface.fonts());
 }
 
-QString sentenceOf(const math::ReadError &error) {
-  return QStringLiteral("%1 (column %2)").arg(QString::fromStdString(error.sentence)).arg(error.column);
-}
-
 } // namespace
 
 MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface,
                          const Macros &macros)
     : m_typeface(std::move(typeface)) {
   const auto read = math::readLatex(latex.toStdString(), macros);
-  if (const auto *row = std::get_if<math::Row>(&read))
+  if (const auto *row = std::get_if<math::Row>(&read)) {
     layOut(*row);
-  else
-    m_error = sentenceOf(std::get<math::ReadError>(read));
+  } else {
+    const auto &error = std::get<math::ReadError>(read);
+    m_error = QString::fromStdString(error.sentence);
+    m_errorColumn = static_cast<int>(error.column);
+  }
   if (!m_error.isEmpty())
     m_layout = layOutSource(latex, *m_typeface);
   takeTagBoxes();
@@ -49,7 +48,7 @@ void MathPicture::layOut(const math::Row &formula) {
   m_layout = math::layOut(formula, m_typeface->fonts());
   const bool fits = width() < largestSide && height() < largestSide;
   if (!fits) // said this way round, so that a size that is no number does not pass
-    m_error = QStringLiteral("The formula is too large");
+    m_error = QStringLiteral("The formula is too large.");
 }
 
 MathPicture MathPicture::brokenTo(double widthInEm) const {

@@ -38,8 +38,10 @@ public:
   /// The formula on lines of at most this width, where it can be broken.
   [[nodiscard]] MathPicture brokenTo(double widthInEm) const;
 
-  /// Why there is no formula, and at which column; empty when there is one.
+  /// Why there is no formula; empty when there is one.
   [[nodiscard]] const QString &error() const { return m_error; }
+  /// … and at which character of the LaTeX it shows, counted from 1; 0: at none.
+  [[nodiscard]] int errorColumn() const { return m_errorColumn; }
   [[nodiscard]] double width() const { return m_layout.width; }
   [[nodiscard]] double ascent() const { return m_layout.ascent; } ///< above the baseline
   [[nodiscard]] double depth() const {
@@ -75,6 +77,7 @@ private:
   std::vector<std::pair<std::size_t, QRectF>> m_indexBoxes;
   std::optional<QRectF> m_leftOut;
   QString m_error;
+  int m_errorColumn = 0;
 };
 
 } // namespace halfspace

@@ -1,0 +1,57 @@
+#include "app/check.h"
+
+#include "lessons/document.h"
+#include "lessons/words.h"
+#include "widgets/picture/math/read_latex.h"
+#include "widgets/rich_text.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace halfspace {
+namespace {
+
+LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
+  std::error_code error;
+  if (std::filesystem::is_directory(fileOrFolder, error))
+    return readLessons(fileOrFolder);
+  auto lesson = readLesson(fileOrFolder);
+  if (!lesson)
+    return {{}, {lesson.problem()}};
+  return {{std::move(*lesson)}, {}};
+}
+
+/// The formulas in a lesson's words that cannot be read, each with its line and the column within it.
+void addUnreadableFormulas(const Lesson &lesson, std::vector<Problem> &problems) {
+  for (const LessonWords &piece : wordsOf(lesson)) {
+    const QString text = QString::fromStdString(piece.text);
+    for (const MarkdownWithMath::Source &formula : separateMath(text).sources) {
+      const std::string latex = formula.latex.toStdString();
+      const auto read = math::readLatex(latex, lesson.macros);
+      const auto *error = std::get_if<math::ReadError>(&read);
+      if (!error)
+        continue;
+      const auto place = static_cast<std::size_t>(text.left(formula.place).toUtf8().size());
+      problems.push_back(
+          {words("In “{formula}”, column {column}: {sentence}", {{"formula", shortened(latex)},
+                                                                 {"column", std::to_string(error->column)},
+                                                                 {"sentence", error->sentence}}),
+           lesson.file, piece.lineAt(place), piece.field});
+    }
+  }
+}
+
+} // namespace
+
+Checked checkLessons(const std::filesystem::path &fileOrFolder) {
+  LessonLibrary library = libraryOf(fileOrFolder);
+  Checked checked{library.lessons.size(), std::move(library.problems)};
+  for (const Lesson &lesson : library.lessons)
+    addUnreadableFormulas(lesson, checked.problems);
+  std::stable_sort(checked.problems.begin(), checked.problems.end(), [](const Problem &a, const Problem &b) {
+    return std::tie(a.file, a.line) < std::tie(b.file, b.line);
+  });
+  return checked;
+}
+
+} // namespace halfspace
