@@ -113,13 +113,25 @@ protected:
 
   std::string fraction(std::string top, std::string bottom, FractionLook look) override {
     std::string text = row({std::move(top), words("over"), std::move(bottom)});
-    return look.compound ? row({words("the fraction"), std::move(text), words("end of fraction")}) : text;
+    return look.compound || look.nested
+               ? row({words("the fraction"), std::move(text), words("end of fraction")})
+               : text;
   }
 
   std::string root(std::string square) override {
     return row({words("the square root of"), std::move(square), words("end of root")});
   }
   std::string norm(std::string vector) override { return row({words("the length of"), std::move(vector)}); }
+
+  /// The length of n plus w might be that of the sum.
+  std::string normOf(std::string inside, const Term &term) override {
+    const bool isNumber = term->value && !term->value->isList;
+    std::string text =
+        isNumber ? row({words("the magnitude of"), std::move(inside)}) : norm(std::move(inside));
+    if (!isCompound(term))
+      return text;
+    return row({std::move(text), isNumber ? words("end of magnitude") : words("end of length")});
+  }
 
   std::string power(std::string base, std::string exponent) override {
     return exponent == "2" ? row({std::move(base), words("squared")})

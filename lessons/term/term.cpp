@@ -4,6 +4,7 @@
 #include "lessons/term/written.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace halfspace {
@@ -116,13 +117,19 @@ Term power(Term base, int exponent) { return made(TermKind::Power, {std::move(ba
 Term root(Term square) { return made(TermKind::Root, {std::move(square)}); }
 Term norm(Term vector) { return made(TermKind::Norm, {std::move(vector)}); }
 Term list(std::vector<Term> entries) { return made(TermKind::List, std::move(entries)); }
-Term sum(std::vector<Term> summands) { return made(TermKind::Sum, std::move(summands)); }
-Term product(std::vector<Term> factors) { return made(TermKind::Product, std::move(factors)); }
+Term sum(std::vector<Term> summands) {
+  return summands.empty() ? Term(0) : made(TermKind::Sum, std::move(summands));
+}
+Term product(std::vector<Term> factors) {
+  return factors.empty() ? Term(1) : made(TermKind::Product, std::move(factors));
+}
 
 Term determinant(std::size_t columns, std::vector<Term> entries) {
+  assert(columns > 0 && entries.size() == columns * columns);
   return made(TermKind::Determinant, std::move(entries), columns);
 }
 Term matrix(std::size_t columns, std::vector<Term> entries) {
+  assert(columns > 0 && !entries.empty() && entries.size() % columns == 0);
   return made(TermKind::Matrix, std::move(entries), columns);
 }
 Term permuted(Term d1, Term m1, Term d2, Term m2) {

@@ -116,9 +116,13 @@ struct TermNode {
 [[nodiscard]] Term root(Term square);
 [[nodiscard]] Term norm(Term vector);
 [[nodiscard]] Term list(std::vector<Term> entries);
+/// 0 without summands.
 [[nodiscard]] Term sum(std::vector<Term> summands);
+/// 1 without factors.
 [[nodiscard]] Term product(std::vector<Term> factors);
+/// Requires as many rows as columns, at least one.
 [[nodiscard]] Term determinant(std::size_t columns, std::vector<Term> entries);
+/// Requires whole rows, at least one, of at least one column.
 [[nodiscard]] Term matrix(std::size_t columns, std::vector<Term> entries);
 /// The permuted inner product of two lines with directions d and moments m.
 [[nodiscard]] Term permuted(Term d1, Term m1, Term d2, Term m2);

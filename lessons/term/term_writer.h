@@ -53,6 +53,7 @@ protected:
   struct FractionLook {
     bool small = false;    ///< in a row of numbers, where a tall one would tear the line apart
     bool compound = false; ///< more than a number or a name above or below
+    bool nested = false;   ///< itself above or below a bar
   };
 
   [[nodiscard]] virtual Text row(std::vector<Text> parts) = 0;
@@ -65,6 +66,8 @@ protected:
   [[nodiscard]] virtual Text fraction(Text top, Text bottom, FractionLook look) = 0;
   [[nodiscard]] virtual Text root(Text square) = 0;
   [[nodiscard]] virtual Text norm(Text vector) = 0;
+  /// `term` is what stands between the bars.
+  [[nodiscard]] virtual Text normOf(Text inside, const Term & /*term*/) { return norm(std::move(inside)); }
   [[nodiscard]] virtual Text power(Text base, Text exponent) = 0;
   [[nodiscard]] virtual Text list(std::vector<Text> entries) = 0;
   [[nodiscard]] virtual Text matrix(std::vector<Text> entries, std::size_t columns, bool isDeterminant) = 0;
@@ -85,6 +88,15 @@ protected:
   /// A number as the term of digits that is written for it.
   [[nodiscard]] static const Term &shown(const Term &term) {
     return term->kind == TermKind::Number ? term->parts[0] : term;
+  }
+
+  /// Whether it is more than a number or a name, with or without a minus.
+  [[nodiscard]] static bool isCompound(const Term &term) {
+    const Term &looked = shown(term);
+    if (looked->kind == TermKind::Negation)
+      return isCompound(looked->parts[0]);
+    return looked->kind != TermKind::Digits && looked->kind != TermKind::Name &&
+           looked->kind != TermKind::Unknown;
   }
 
   /// Whether parentheses around it should stretch.
@@ -200,7 +212,7 @@ private:
     case TermKind::Root:
       return root(held(parts[0], isFlat() ? Binding::Atom : Binding::Sum));
     case TermKind::Norm:
-      return norm(write(parts[0]));
+      return normOf(write(parts[0]), parts[0]);
     case TermKind::List:
       return list(small(parts));
     case TermKind::Matrix:
@@ -284,25 +296,19 @@ private:
     return term->kind == TermKind::Number || term->kind == TermKind::Digits;
   }
 
-  [[nodiscard]] static bool isCompound(const Term &term) {
-    const Term &looked = shown(term);
-    if (looked->kind == TermKind::Negation)
-      return isCompound(looked->parts[0]);
-    return looked->kind != TermKind::Digits && looked->kind != TermKind::Name &&
-           looked->kind != TermKind::Unknown;
-  }
-
   [[nodiscard]] Text quotient(const Term &term) {
     const Term &top = term->parts[0];
     const Term &bottom = term->parts[1];
-    const FractionLook look{m_small, isCompound(top) || isCompound(bottom)};
+    const FractionLook look{m_small, isCompound(top) || isCompound(bottom), m_inFraction};
     const bool smallBefore = std::exchange(m_small, true);
+    const bool inFractionBefore = std::exchange(m_inFraction, true);
     const Binding leastAbove = !isFlat()             ? Binding::Sum
                                : isNegativeAtom(top) ? Binding::Negation
                                                      : Binding::Power;
     Text topText = held(top, leastAbove);
     Text bottomText = held(bottom, isFlat() ? Binding::Power : Binding::Sum);
     m_small = smallBefore;
+    m_inFraction = inFractionBefore;
     return fraction(std::move(topText), std::move(bottomText), look);
   }
 
@@ -334,6 +340,7 @@ private:
 
   bool m_small = false;
   const TermNode *m_leftOut = nullptr;
+  bool m_inFraction = false;
 };
 
 } // namespace halfspace

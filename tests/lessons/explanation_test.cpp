@@ -50,8 +50,9 @@ TEST(ExplanationJson, OfValues_FollowsTheEvalFormatInOrder) {
   EXPECT_EQ(line["numbers"], "= \\frac{\\tfrac{2}{7}}{\\tfrac{3}{1000000007}}");
   EXPECT_EQ(line["result"], "= \\frac{2000000014}{21}");
   EXPECT_EQ(line["text"], "t = a/b = (2/7)/(3/1000000007) = 2000000014/21");
-  EXPECT_EQ(line["spoken"], "t equals a over b equals the fraction 2 over 7 over 3 over 1000000007 end of "
-                            "fraction equals 2000000014 over 21");
+  EXPECT_EQ(line["spoken"],
+            "t equals a over b equals the fraction the fraction 2 over 7 end of fraction over the "
+            "fraction 3 over 1000000007 end of fraction end of fraction equals 2000000014 over 21");
 }
 
 TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {

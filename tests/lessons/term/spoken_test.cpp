@@ -30,6 +30,25 @@ TEST(Spoken, OfParts_SaysWhereTheyEnd) {
   EXPECT_EQ(spoken(root(a + b)), "the square root of a plus b end of root");
 }
 
+TEST(Spoken, OfFractionsInFractions_SaysWhereEachEnds) {
+  const Term c = unknown("c");
+  EXPECT_EQ(spoken(a / b), "a over b");
+  EXPECT_EQ(spoken(a / b / c), "the fraction the fraction a over b end of fraction over c end of fraction");
+  EXPECT_EQ(spoken(a / (b / c)), "the fraction a over the fraction b over c end of fraction end of fraction");
+  EXPECT_EQ(spoken(Term(Rational(10, 3)) / 2),
+            "the fraction the fraction 10 over 3 end of fraction over 2 end of fraction");
+  EXPECT_EQ(spoken(a / b + a / c), "a over b plus a over c");
+}
+
+TEST(Spoken, OfLengths_SaysWhereTheyEndUnlessANameIsAllThereIs) {
+  EXPECT_EQ(spoken(norm(at.n)), "the length of n");
+  EXPECT_EQ(spoken(norm(at.Q - at.P0) + a), "the length of Q minus P 0 end of length plus a");
+  EXPECT_EQ(spoken(norm(at.Q) - at.P0), "the length of Q minus P 0");
+  EXPECT_EQ(spoken(norm(Term(-3))), "the magnitude of minus 3");
+  EXPECT_EQ(spoken(norm(3 * a)), "the magnitude of 3 times a end of magnitude");
+  EXPECT_EQ(spoken(norm(at.n) / 3), "the fraction the length of n over 3 end of fraction");
+}
+
 TEST(Spoken, OfNegativeNumbers_NeedsNoParentheses) {
   EXPECT_EQ(spoken(Term(2) * -3), "2 times minus 3");
   EXPECT_EQ(spoken(Term(2) - -3), "2 minus minus 3");

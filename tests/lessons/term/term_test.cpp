@@ -2,6 +2,8 @@
 
 #include "term_samples.h"
 
+#include "lessons/term/plain_text.h"
+
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -83,6 +85,19 @@ TEST(TermValueOf, PartsWithoutAValue_IsNothing) {
   const Term theta = name(letter("θ"), std::nullopt);
   EXPECT_EQ(valueText(theta + 1), "nothing");
   EXPECT_EQ(valueText(list({theta, 1})), "nothing");
+}
+
+TEST(TermValueOf, NothingToAddOrMultiply_IsWhatChangesNothing) {
+  EXPECT_EQ(valueText(sum({})), "0");
+  EXPECT_EQ(valueText(product({})), "1");
+  EXPECT_EQ(plainText(sum({}) + product({})), "0 + 1");
+}
+
+TEST(TermRows, ThatAreNotWhole_AreADefectOfTheCaller) {
+  EXPECT_DEBUG_DEATH((void)determinant(2, {1, 2, 3}), "entries");
+  EXPECT_DEBUG_DEATH((void)determinant(0, {}), "columns");
+  EXPECT_DEBUG_DEATH((void)matrix(2, {1, 2, 3}), "entries");
+  EXPECT_DEBUG_DEATH((void)matrix(0, {1}), "columns");
 }
 
 TEST(NumberOf, ATerm_IsNullForListsAndUnknowns) {
