@@ -105,6 +105,39 @@ constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
                                     TextLatex{"°", "$^{\\circ}$"},
                                     TextLatex{"λ", "$\\lambda$"},
                                     TextLatex{"θ", "$\\theta$"},
+                                    TextLatex{"α", "$\\alpha$"},
+                                    TextLatex{"β", "$\\beta$"},
+                                    TextLatex{"γ", "$\\gamma$"},
+                                    TextLatex{"δ", "$\\delta$"},
+                                    TextLatex{"ε", "$\\varepsilon$"},
+                                    TextLatex{"ζ", "$\\zeta$"},
+                                    TextLatex{"η", "$\\eta$"},
+                                    TextLatex{"ι", "$\\iota$"},
+                                    TextLatex{"κ", "$\\kappa$"},
+                                    TextLatex{"μ", "$\\mu$"},
+                                    TextLatex{"ν", "$\\nu$"},
+                                    TextLatex{"ξ", "$\\xi$"},
+                                    TextLatex{"π", "$\\pi$"},
+                                    TextLatex{"ρ", "$\\rho$"},
+                                    TextLatex{"σ", "$\\sigma$"},
+                                    TextLatex{"τ", "$\\tau$"},
+                                    TextLatex{"φ", "$\\varphi$"},
+                                    TextLatex{"χ", "$\\chi$"},
+                                    TextLatex{"ψ", "$\\psi$"},
+                                    TextLatex{"ω", "$\\omega$"},
+                                    TextLatex{"Γ", "$\\Gamma$"},
+                                    TextLatex{"Δ", "$\\Delta$"},
+                                    TextLatex{"Θ", "$\\Theta$"},
+                                    TextLatex{"Λ", "$\\Lambda$"},
+                                    TextLatex{"Π", "$\\Pi$"},
+                                    TextLatex{"Σ", "$\\Sigma$"},
+                                    TextLatex{"Φ", "$\\Phi$"},
+                                    TextLatex{"Ψ", "$\\Psi$"},
+                                    TextLatex{"Ω", "$\\Omega$"},
+                                    TextLatex{"∈", "$\\in$"},
+                                    TextLatex{"⇒", "$\\Rightarrow$"},
+                                    TextLatex{"→", "$\\to$"},
+                                    TextLatex{"′", "$^{\\prime}$"},
                                     TextLatex{"₀", "$_{0}$"},
                                     TextLatex{"₁", "$_{1}$"},
                                     TextLatex{"₂", "$_{2}$"},
@@ -121,14 +154,27 @@ constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
                                     TextLatex{"⁹", "$^{9}$"},
                                     TextLatex{"⁻", "$^{-}$"}};
 
-/// Words in LaTeX.
+/// Whether pdflatex can set a character that is not in the table: Latin letters (some of them in the T1
+/// encoding alone) and the usual punctuation.
+bool isKnownToPdflatex(std::string_view character) {
+  constexpr std::string_view firstOther = "\u0180";
+  constexpr std::string_view firstPunctuation = "\u2013";
+  constexpr std::string_view lastPunctuation = "\u2026";
+  // Bytes in UTF-8 are in the order of the characters.
+  return character < firstOther || (character >= firstPunctuation && character <= lastPunctuation);
+}
+
+/// Words in LaTeX. A character that pdflatex would stop at becomes a question mark.
 std::string escaped(std::string_view text) {
   std::string latex;
   while (!text.empty()) {
     const std::string_view character = text.substr(0, std::max<std::size_t>(characterLength(text), 1));
     const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
                                     [&](const TextLatex &each) { return each.text == character; });
-    latex += known == textCharacters.end() ? character : known->latex;
+    if (known != textCharacters.end())
+      latex += known->latex;
+    else
+      latex += isKnownToPdflatex(character) ? character : "?";
     text.remove_prefix(character.size());
   }
   return latex;

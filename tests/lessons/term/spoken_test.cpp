@@ -45,7 +45,7 @@ TEST(Spoken, OfLengths_SaysWhereTheyEndUnlessANameIsAllThereIs) {
   EXPECT_EQ(spoken(norm(at.Q - at.P0) + a), "the length of Q minus P 0 end of length plus a");
   EXPECT_EQ(spoken(norm(at.Q) - at.P0), "the length of Q minus P 0");
   EXPECT_EQ(spoken(norm(Term(-3))), "the magnitude of minus 3");
-  EXPECT_EQ(spoken(norm(3 * a)), "the magnitude of 3 times a end of magnitude");
+  EXPECT_EQ(spoken(norm(3 * a)), "the magnitude of 3 a end of magnitude");
   EXPECT_EQ(spoken(norm(at.n) / 3), "the fraction the length of n over 3 end of fraction");
 }
 
