@@ -99,9 +99,9 @@ private:
       m_text += taken;
       return;
     }
-    std::vector<std::string> arguments;
-    for (int i = 0; i < macro->second.arguments; ++i)
-      arguments.push_back(takeArgument());
+    std::vector<std::string> arguments(static_cast<std::size_t>(macro->second.arguments));
+    for (std::string &argument : arguments)
+      argument = takeArgument();
     bring(macro->second.body, arguments);
   }
 
