@@ -99,7 +99,7 @@ private:
   }
 
   QString takeSource(int begin, int end) {
-    const QString latex = m_text.mid(begin, end - begin).trimmed();
+    QString latex = m_text.mid(begin, end - begin).trimmed();
     m_found.sources.push_back({m_text.indexOf(latex, begin), latex});
     return latex;
   }
