@@ -126,8 +126,8 @@ Working explain(const Out &at) {
             words("The numbers put in, with P = (x, y, z)."))}};
   if (at.zeroNormal)
     return working;
-  working.add(line("expand", condition(Chain(0).then(multipliedOut(at.left))),
-                   words("The dot product multiplied out, coordinate by coordinate.")));
+  working.add(askedEquation("expand", condition(Chain(0).then(multipliedOut(at.left))),
+                            words("The dot product multiplied out, coordinate by coordinate.")));
   working.add(collectLine(at));
   working.add(asked("constant", withProducts(dot(at.n, at.P1)),
                     words("{point} is another point of the plane. It gives the same number as P₀, so the "

@@ -100,6 +100,9 @@ struct Describe {
   std::string operator()(const Block &block) const {
     return call("block", {number(block.width), number(block.height)});
   }
+  std::string operator()(const Room &room) const {
+    return call("room", {number(room.width), number(room.ascent), number(room.depth)});
+  }
   std::string operator()(const Table &table) const {
     std::string text = "table";
     for (const TableRow &row : table.rows) {

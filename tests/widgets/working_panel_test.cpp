@@ -307,10 +307,10 @@ private slots:
   void blankLineIsLitUpWithoutItsNumbers() {
     WorkingPanel panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    panel.setBlanks({"uu"});
+    panel.setWorking(tracedWorking(), blankIn(tracedWorking(), "uu"));
     click(panel, numberIn(panel, 1, "10"));
     QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(1));
+    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(2)); // the symbols, and = with the field
     QVERIFY(panel.shownNumbers().inLine(0).empty());
   }
 

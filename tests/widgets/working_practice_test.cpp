@@ -155,7 +155,7 @@ private slots:
                                      [](const PlacedFormula &formula) { return formula.picture->leftOut(); });
     QVERIFY(holder != distance.formulas.end());
     QVERIFY(holder->box().adjusted(-1, -1, 1, 1).contains(distance.blank));
-    QLineEdit *field = fields(practice).last();
+    QLineEdit *field = fields(practice).at(1);
     QVERIFY(distance.blank.toAlignedRect()
                 .adjusted(-1, -1, 1, 1)
                 .contains(QRect(field->mapTo(practice.panel().viewport(), QPoint()), field->size())));
