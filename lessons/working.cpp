@@ -57,8 +57,14 @@ std::string plainText(const WorkingLine &line) {
 }
 
 std::string symbolsText(const WorkingLine &line) {
-  const Chain &chain = line.chains.front();
-  return plainText(chain, 0, chain.symbolic());
+  return joined(line.chains, [](const Chain &chain) { return plainText(chain, 0, chain.symbolic()); });
+}
+
+std::vector<ChainPart> symbolsOf(const WorkingLine &line) {
+  std::vector<ChainPart> parts;
+  for (const Chain &chain : line.chains)
+    parts.push_back({&chain, 0, chain.symbolic()});
+  return parts;
 }
 
 std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece) {

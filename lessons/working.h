@@ -51,6 +51,9 @@ struct ChainPart {
 /// outlive them.
 [[nodiscard]] std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece);
 
+/// The symbols of all statements.
+[[nodiscard]] std::vector<ChainPart> symbolsOf(const WorkingLine &line);
+
 /// Whether a piece of one line can stand for that of the other, to the eye and to the hand.
 [[nodiscard]] bool areInterchangeable(const WorkingLine &a, const WorkingLine &b, LinePiece piece);
 
@@ -70,7 +73,7 @@ struct Working {
 /// The line in plain text, and in words to be read aloud; its sentence is not in it.
 [[nodiscard]] std::string plainText(const WorkingLine &line);
 [[nodiscard]] std::string spoken(const WorkingLine &line);
-/// The line with its numbers left out: f(Q) = n·(Q − P₀).
+/// The line with its numbers left out: f(Q) = n·(Q − P₀); or s, t, s + t.
 [[nodiscard]] std::string symbolsText(const WorkingLine &line);
 
 /// The ids of the marks in the line's terms, in order, each once.

@@ -7,21 +7,13 @@
 #include <QToolButton>
 
 namespace halfspace {
-namespace {
-
-// The field's width, in letters.
-constexpr int numberLetters = 12;
-constexpr int longLetters = 20;
-
-} // namespace
-
-BlankField::BlankField(bool isLong, QWidget *parent)
+BlankField::BlankField(int letters, QWidget *parent)
     : QWidget(parent), m_edit(new QLineEdit), m_show(new QToolButton) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   m_edit->setPlaceholderText(QStringLiteral("?"));
-  m_edit->setFixedWidth((isLong ? longLetters : numberLetters) * fontMetrics().averageCharWidth());
+  m_edit->setFixedWidth(letters * fontMetrics().averageCharWidth());
   m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
                         "(1, 2, 3); an equation as x + 2y = 3. Enter checks it."));
   connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);

@@ -12,8 +12,8 @@ namespace halfspace {
 class BlankField : public QWidget {
   Q_OBJECT
 public:
-  /// `isLong`: not for one number, but for several or for an equation.
-  explicit BlankField(bool isLong, QWidget *parent = nullptr);
+  /// As wide as so many letters.
+  explicit BlankField(int letters, QWidget *parent = nullptr);
 
   /// What is asked for, for screen readers.
   void setQuestion(const QString &question);

@@ -110,16 +110,17 @@ TypesetLine WorkingPanel::typesetPartially(const WorkingLine &line) const {
   TypesetLine typeset{line};
   typeset.isPartial = true;
   const Gap *gap = gapOf(line.id);
+  if (!gap) {
+    typeset.pieces[0] = pictureOf(formulaOf(symbolsOf(line)));
+    return typeset;
+  }
   for (const LinePiece piece : linePieces) {
-    if (!gap && piece != LinePiece::Symbols)
-      break;
-    TraceableFormula formula =
-        gap ? formulaOf(line, piece, *gap, roomOfGap(line.id)) : formulaOf(line, piece);
+    TraceableFormula formula = formulaOf(line, piece, *gap, roomOfGap(line.id));
     const auto index = static_cast<std::size_t>(piece);
     typeset.pieces[index] = pictureOf(formula.row);
     typeset.numbers[index] = std::move(formula.numbers);
   }
-  if (gap && m_asks)
+  if (m_asks)
     typeset.told = pictureOf(formulaOf(toldFor(line, m_working)));
   return typeset;
 }

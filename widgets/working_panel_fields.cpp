@@ -5,6 +5,23 @@
 #include <QApplication>
 
 namespace halfspace {
+namespace {
+
+/// The width of a gap's field.
+int lettersFor(const Gap &gap) {
+  constexpr int partOfFormula = 7;
+  constexpr int number = 12;
+  constexpr int list = 20;
+  constexpr int equation = 26;
+  const TermValue &truth = *gap.hidden->value;
+  if (truth.isList)
+    return list;
+  if (truth.entries.front().hasUnknowns())
+    return equation;
+  return gap.isResult ? number : partOfFormula;
+}
+
+} // namespace
 
 void WorkingPanel::forgetAnswers() {
   for (const auto &[line, field] : m_fields)
@@ -48,9 +65,7 @@ void WorkingPanel::followFocus(QWidget *focused) {
 }
 
 void WorkingPanel::addField(const WorkingLine &line, const Gap &gap) {
-  const TermValue &truth = *gap.hidden->value;
-  const bool isLong = truth.isList || truth.entries.front().hasUnknowns();
-  auto *field = new BlankField(isLong, viewport());
+  auto *field = new BlankField(lettersFor(gap), viewport());
   const QString id = QString::fromStdString(line.id);
   connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });

@@ -242,6 +242,10 @@ math::Row formulaOf(const std::vector<Chain> &statements) {
   std::vector<ChainPart> parts;
   for (const Chain &chain : statements)
     parts.push_back({&chain, 0, chain.sides().size()});
+  return formulaOf(parts);
+}
+
+math::Row formulaOf(const std::vector<ChainPart> &parts) {
   FormulaWriter writer({});
   return written(parts, writer);
 }

@@ -33,7 +33,8 @@ struct TraceableFormula {
 [[nodiscard]] TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &gap,
                                          const math::Room &room);
 
-/// Statements, parted by commas; empty for none.
+/// Statements, or parts of them, parted by commas; empty for none.
 [[nodiscard]] math::Row formulaOf(const std::vector<Chain> &statements);
+[[nodiscard]] math::Row formulaOf(const std::vector<ChainPart> &parts);
 
 } // namespace halfspace
