@@ -1,6 +1,7 @@
 #include "app/check.h"
 
 #include "lessons/document.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
 #include "widgets/rich_text.h"

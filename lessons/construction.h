@@ -48,7 +48,7 @@ template <class In, class Kind> struct TypedRole {
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
 makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*tell)(const In &, const Out &),
-                 std::vector<NamedValue> (*list)(const Out &), Working (*explain)(const Out &),
+                 std::vector<NamedValue> (*valuesOf)(const Out &), Working (*explain)(const Out &),
                  Figure (*draw)(const In &, const Out &), TypedRole<In, Kinds>... roles) {
   Construction construction;
   construction.id = id;
@@ -59,7 +59,7 @@ makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*te
     ((in.*roles.member = std::get<Kinds>(*objects[next++])), ...);
     const Out out = compute(in);
     CaseWords words = tell(in, out);
-    return Outcome{std::move(words.name),        list(out),       explain(out), draw(in, out),
+    return Outcome{std::move(words.name),        valuesOf(out),   explain(out), draw(in, out),
                    std::move(words.description), words.degenerate};
   };
   return construction;

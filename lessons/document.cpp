@@ -1,5 +1,6 @@
 #include "lessons/document.h"
 
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -97,17 +98,6 @@ int lineAt(std::string_view text, std::size_t place) {
 
 std::string notText() {
   return words("The file holds bytes here that are no text in UTF-8: it is damaged, or of another kind.");
-}
-
-std::string shortened(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  if (text.size() <= longest)
-    return std::string(text);
-  std::size_t end = longest;
-  // Never in the middle of a UTF-8 character.
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-    --end;
-  return std::string(text.substr(0, end)) + "…";
 }
 
 } // namespace halfspace

@@ -78,7 +78,4 @@ private:
 /// The longest text of one field, in bytes.
 inline constexpr std::size_t maxFieldText = 4000;
 
-/// A text cut to a length that fits a sentence, for showing what was found.
-[[nodiscard]] std::string shortened(std::string_view text);
-
 } // namespace halfspace

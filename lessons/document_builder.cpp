@@ -1,5 +1,6 @@
 #include "lessons/document_builder.h"
 
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 namespace halfspace {

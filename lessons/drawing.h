@@ -15,7 +15,7 @@ namespace halfspace {
 
 /// What the mark has that draws a letter: its id is the mark that the term says it is, its label the letter.
 [[nodiscard]] MarkBase drawn(const Term &letter, Role role, Subject subject);
-/// The same where a point is, and from where a vector starts.
+/// A letter that is a point, drawn where it is; and one that is a vector, drawn from a place.
 [[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
 [[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 

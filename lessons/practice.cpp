@@ -46,7 +46,7 @@ public:
         m_isEquation(gap.isResult && line.asked == Asked::Equation) {
     if (gap.isResult)
       m_mistakes = line.mistakes;
-    const auto formula = gap.isResult ? std::optional(line.chains.back()) : gap.hidden->origin;
+    const auto formula = gap.isResult ? std::optional(askedChain(line)) : gap.hidden->origin;
     if (formula)
       for (WrongTerm &mistake : usualMistakes(*formula))
         m_mistakes.push_back(std::move(mistake));
@@ -55,7 +55,7 @@ public:
   [[nodiscard]] bool isRight(const TypedAnswer &answer) const { return isMeant(answer, m_truth); }
 
   [[nodiscard]] std::string praise(const TypedAnswer &answer) const {
-    if (areEqual(answer.value(), m_truth) == true)
+    if (areEqual(answer.value(), m_truth) == true || (answer.isEquation && !m_isEquation))
       return words("Right.");
     if (m_isEquation)
       return words("Right: the same equation, all its numbers multiplied by the same factor.");
@@ -68,7 +68,8 @@ public:
     if (answer.entries.size() != m_truth.entries.size())
       return m_truth.isList ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
                                     {{"count", std::to_string(m_truth.entries.size())}})
-                            : words("One number is asked for here.");
+             : lettersIn(m_truth.entries).empty() ? words("One number is asked for here.")
+                                                  : words("One equation is asked for here.");
     for (const WrongTerm &mistake : m_mistakes)
       if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
         return mistake.sentence;
@@ -96,7 +97,10 @@ public:
 
 private:
   [[nodiscard]] bool isMeant(const TypedAnswer &answer, const TermValue &value) const {
-    return m_isEquation ? answer.meansEquation(value) : answer.means(value);
+    if (m_isEquation)
+      return answer.meansEquation(value);
+    // Either side of an equation may be the one with the zero.
+    return answer.means(value) || (answer.isEquation && answer.means(opposite(value)));
   }
   [[nodiscard]] bool isTruth(const TermValue &value) const {
     return m_isEquation ? TypedAnswer{{{value.entries.front()}}}.meansEquation(m_truth)
@@ -136,8 +140,11 @@ void collectGaps(const Term &term, std::optional<std::size_t> entry, std::vector
     collectGaps(term->parts[i], term->kind == TermKind::List ? std::optional(i) : std::nullopt, gaps);
 }
 
-/// One of the numbers to be worked out, by turns from line to line. While the scene moves it stays the same.
+/// One of the numbers to be worked out: not the same of all lines, but always the same of a line that is
+/// built alike, so that it stays where it is while the scene moves.
 std::optional<Gap> oneGap(const WorkingLine &line) {
+  if (line.chains.size() > 1)
+    return {};
   std::vector<Gap> gaps = numberGaps(line);
   std::erase_if(gaps, [](const Gap &gap) { return !gap.hidden->origin || gap.hidden->source; });
   if (gaps.empty())
@@ -184,10 +191,10 @@ std::optional<Fading> fadingNamed(std::string_view word) {
 
 std::string_view nameOf(Fading fading) { return fadingNames.at(static_cast<std::size_t>(fading)); }
 
-Gap resultGap(const WorkingLine &line) { return {line.chains.back().last()}; }
+Gap resultGap(const WorkingLine &line) { return {askedChain(line).last()}; }
 
 std::vector<Gap> numberGaps(const WorkingLine &line) {
-  const Chain &chain = line.chains.back();
+  const Chain &chain = askedChain(line);
   std::vector<Gap> gaps;
   for (std::size_t side = chain.symbolic(); side < chain.sides().size(); ++side)
     collectGaps(chain.sides()[side], {}, gaps);
@@ -212,12 +219,12 @@ Fade fade(const Working &working, Fading fading, const std::set<std::string> &op
 }
 
 std::string questionText(const WorkingLine &line, const Gap &gap) {
-  return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, line.chains.back());
+  return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, askedChain(line));
 }
 
 std::vector<Chain> toldFor(const WorkingLine &line, const Working &shown) {
   std::vector<Term> names;
-  collectNames(line.chains.back().formula(), names);
+  collectNames(askedChain(line).formula(), names);
   std::vector<Chain> told;
   for (const Term &name : names)
     if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),
@@ -230,7 +237,7 @@ Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed)
   const Question question(line, gap);
   const auto answer = readAnswer(typed);
   if (!answer || !question.canBe(*answer))
-    return {false, withAnswer(question.sentenceForNoAnswer(), typed.substr(0, longestAnswer)), false};
+    return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
   if (question.isRight(*answer))
     return {true, question.praise(*answer)};
   return {false, withAnswer(question.diagnosis(*answer), typed)};

@@ -27,10 +27,12 @@ struct Gap {
   std::optional<std::size_t> entry{};
 };
 
+// Of lines of one statement:
+
 /// The line's result left out.
 [[nodiscard]] Gap resultGap(const WorkingLine &line);
 
-/// Every number and every list in the sides that are calculated, each of which can be left out alone.
+/// Every number and every list in the sides that are calculated: each can be left out alone.
 [[nodiscard]] std::vector<Gap> numberGaps(const WorkingLine &line);
 
 /// What the lines of a working leave out, by their ids.

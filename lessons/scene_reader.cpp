@@ -2,6 +2,7 @@
 
 #include "lessons/construction.h"
 #include "lessons/session_file.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>

@@ -83,4 +83,15 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string shortened(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  if (text.size() <= longest)
+    return std::string(text);
+  std::size_t end = longest;
+  // Never in the middle of a UTF-8 character.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    --end;
+  return std::string(text.substr(0, end)) + "…";
+}
+
 } // namespace halfspace

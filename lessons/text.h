@@ -32,4 +32,7 @@ namespace halfspace {
 /// instead of being read, and for each byte that is not UTF-8. Tabs and ends of lines stay.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// A text cut to a length that fits a sentence, for showing what was found.
+[[nodiscard]] std::string shortened(std::string_view text);
+
 } // namespace halfspace

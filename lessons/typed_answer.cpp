@@ -25,6 +25,8 @@ std::string condensed(std::string_view typed) {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// Reads sums and products of numbers, roots and letters.
 class AnswerReader {
 public:
@@ -74,6 +76,8 @@ private:
       if (divides && !inverse)
         return fail();
       result = result * (divides ? Polynomial(*inverse) : next);
+      if (result.summands().size() > mostSummands)
+        return fail();
     }
     return result;
   }
@@ -81,6 +85,8 @@ private:
   Polynomial factor() {
     if (take('-'))
       return -factor();
+    if (take('+'))
+      return factor();
     if (take('('))
       return bracketed();
     if (take(rootSign))
@@ -106,7 +112,7 @@ private:
 
   Polynomial number() {
     const auto end = std::min(m_text.find_first_not_of("0123456789.", m_at), m_text.size());
-    const auto value = parseRational(m_text.substr(m_at, end - m_at));
+    const auto value = parseRational(plainSpelling(m_text.substr(m_at, end - m_at)));
     m_at = end;
     return value ? Polynomial(Real(*value)) : fail();
   }
@@ -116,15 +122,31 @@ private:
   bool m_failed = false;
 };
 
-std::optional<Polynomial> readSide(std::string_view condensedText) {
-  const auto value = AnswerReader(condensedText).read();
+/// 10 3: a mixed number without its fraction, or a slip.
+bool hasNumbersApart(std::string_view text) {
+  for (std::size_t space = text.find(' '); space != std::string_view::npos;
+       space = text.find(' ', space + 1)) {
+    const std::size_t next = text.find_first_not_of(' ', space);
+    if (space > 0 && isDigit(text[space - 1]) && next != std::string_view::npos && isDigit(text[next]))
+      return true;
+  }
+  return false;
+}
+
+std::optional<Polynomial> readSide(std::string_view text) {
+  if (hasNumbersApart(text))
+    return {};
+  const std::string signs = condensed(text);
+  const auto value = AnswerReader(signs).read();
   return value && isExact(*value) ? value : std::nullopt;
 }
 
 /// Half a unit in the last place of a decimal; nothing for what is no decimal, or too short to be rounded.
 std::optional<Rational> roundingOf(const std::string &text) {
   const auto point = text.find('.');
-  if (point == std::string::npos || text.find_first_not_of("-0123456789.") != std::string::npos)
+  const bool isDecimal =
+      text.find_first_not_of("0123456789.", text.starts_with('-') ? 1 : 0) == std::string::npos;
+  if (point == std::string::npos || !isDecimal)
     return {};
   const auto first = text.find_first_of("123456789");
   const auto digits = first == std::string::npos ? 0 : text.size() - first - (first < point ? 1 : 0);
@@ -138,7 +160,7 @@ std::optional<TypedEntry> readEntry(std::string_view piece) {
   if (const auto mixed = parseMixed(piece))
     return TypedEntry{Real(*mixed)};
   const std::string text = condensed(piece);
-  const auto value = readSide(text);
+  const auto value = readSide(piece);
   return value ? std::optional(TypedEntry{*value, roundingOf(text)}) : std::nullopt;
 }
 
@@ -158,8 +180,8 @@ std::vector<std::string_view> piecesOf(std::string_view text) {
 }
 
 std::optional<TypedAnswer> readEquation(std::string_view text, std::size_t sign) {
-  const auto left = readSide(condensed(text.substr(0, sign)));
-  const auto right = readSide(condensed(text.substr(sign + 1)));
+  const auto left = readSide(text.substr(0, sign));
+  const auto right = readSide(text.substr(sign + 1));
   return left && right ? std::optional(TypedAnswer{{{*left - *right}}, false, true}) : std::nullopt;
 }
 

@@ -31,11 +31,14 @@ struct TypedAnswer {
 };
 
 /// Numbers are 10, -10/3, -3 1/3, 3.33, 2*sqrt(43)/3, 2√43/3, 30/√43, 1 + √2, and whatever sums and products
-/// make of them. Several are typed as (1, -3 1/3, √2), in parentheses or without, parted by commas, or by
-/// semicolons where the comma is a decimal mark. Equations have letters: x + 2y + 2z = 27. Nothing for any
-/// other text, for numbers that leave A + B√n, and for texts of more than `longestAnswer` bytes.
+/// make of them; 10 3 is none. Several are typed as (1, -3 1/3, √2), in parentheses or without, parted by
+/// commas, or by semicolons where the comma is a decimal mark. Equations have letters: x + 2y + 2z = 27.
+/// Nothing for any other text, for numbers that leave A + B√n, and for texts of more than `longestAnswer`
+/// bytes.
 [[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text);
 inline constexpr std::size_t longestAnswer = 120;
+/// Products of sums of letters grow without end: an answer with more summands is none.
+inline constexpr std::size_t mostSummands = 64;
 
 /// A decimal with fewer digits than this is taken for the number itself: it is too short to be rounded.
 inline constexpr std::size_t fewestDigits = 2;

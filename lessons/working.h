@@ -57,6 +57,9 @@ struct ChainPart {
 /// Whether a piece of one line can stand for that of the other, to the eye and to the hand.
 [[nodiscard]] bool areInterchangeable(const WorkingLine &a, const WorkingLine &b, LinePiece piece);
 
+/// The chain of a line of one statement, of which something can be asked.
+[[nodiscard]] inline const Chain &askedChain(const WorkingLine &line) { return line.chains.front(); }
+
 /// Whether there is something to hide.
 [[nodiscard]] bool hasNumbers(const WorkingLine &line);
 

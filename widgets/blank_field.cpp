@@ -32,11 +32,6 @@ void BlankField::setQuestion(const QString &question) {
   m_show->setAccessibleName(tr("Show: %1").arg(question));
 }
 
-void BlankField::clear() {
-  m_edit->clear();
-  mark(false);
-}
-
 void BlankField::setRemark(const QString &remark) {
   if (m_edit->accessibleDescription() == remark)
     return;

@@ -18,8 +18,6 @@ public:
   /// What is asked for, for screen readers.
   void setQuestion(const QString &question);
 
-  void clear();
-
   /// What was said about the last answer; empty while nothing is.
   void setRemark(const QString &remark);
 

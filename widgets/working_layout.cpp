@@ -1,10 +1,7 @@
 #include "widgets/working_layout.h"
 
-#include "widgets/unbroken.h"
-
 #include <QFontInfo>
 #include <QFontMetricsF>
-#include <QTextLayout>
 
 #include <algorithm>
 
@@ -33,9 +30,9 @@ constexpr double leastDepth = 0.22;
 /// Lays out one line at a time below the last.
 class LinePlacer {
 public:
-  LinePlacer(const QFont &font, double width)
-      : m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em), m_right(width - sideMargin * m_em),
-        m_width(width) {}
+  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
+      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em),
+        m_right(width - sideMargin * m_em), m_width(width) {}
 
   PlacedLine place(const TypesetLine &line, const LineState &state) {
     m_placed = {};
@@ -121,23 +118,20 @@ private:
   }
 
   std::vector<PlacedText> placeText(const QString &words, double left) {
-    const QString text = unbroken(words);
     std::vector<PlacedText> placed;
-    if (text.isEmpty())
+    if (words.isEmpty())
       return placed;
     m_y += sentenceGap * m_em;
-    QTextLayout layout(text, m_font);
-    layout.beginLayout();
-    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-      line.setLineWidth(std::max(m_right - left, 1.0));
-      placed.push_back({text.mid(line.textStart(), line.textLength()), {left, m_y + line.ascent()}});
-      m_y += sentenceLineHeight * line.height();
+    for (const SentenceBreaker::Line &line :
+         m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
+      placed.push_back({line.text, {left, m_y + line.ascent}});
+      m_y += sentenceLineHeight * line.height;
     }
-    layout.endLayout();
     m_y -= (sentenceLineHeight - 1) * QFontMetricsF(m_font).height(); // nothing below the last
     return placed;
   }
 
+  SentenceBreaker &m_sentences;
   QFont m_font;
   double m_em, m_left, m_right, m_width;
   double m_x = 0, m_y = 0, m_widest = 0;
@@ -157,8 +151,9 @@ QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
 }
 
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
-                           const std::map<std::string, LineState> &states, const QFont &font, double width) {
-  LinePlacer placer(font, width);
+                           const std::map<std::string, LineState> &states, SentenceBreaker &sentences,
+                           const QFont &font, double width) {
+  LinePlacer placer(sentences, font, width);
   PlacedWorking placed;
   for (const TypesetLine &line : lines) {
     const auto state = states.find(line.source.id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/working.h"
+#include "widgets/sentence_breaker.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QFont>
@@ -74,7 +75,7 @@ struct PlacedWorking {
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
 /// broken is drawn smaller, but not beyond reading. `states` are by the lines' ids.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
-                                         const std::map<std::string, LineState> &states, const QFont &font,
-                                         double width);
+                                         const std::map<std::string, LineState> &states,
+                                         SentenceBreaker &sentences, const QFont &font, double width);
 
 } // namespace halfspace

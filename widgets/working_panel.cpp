@@ -174,7 +174,7 @@ std::map<std::string, LineState> WorkingPanel::lineStates() const {
 
 void WorkingPanel::placeLines() {
   const QSize room = viewport()->size();
-  m_placed = placeWorking(m_lines, lineStates(), font(), room.width());
+  m_placed = placeWorking(m_lines, lineStates(), m_sentences, font(), room.width());
   const QSize content(static_cast<int>(std::ceil(m_placed.size.width())),
                       static_cast<int>(std::ceil(m_placed.size.height())));
   verticalScrollBar()->setRange(0, std::max(0, content.height() - room.height()));

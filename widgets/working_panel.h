@@ -33,7 +33,7 @@ public:
   void setWorking(const Working &working, Fade fade = {}, std::map<std::string, LineRemark> remarks = {});
   /// Shows the lines with a blank instead of numbers and result, to the eye, in copies and to screen readers.
   void setWorkingWithoutNumbers(const Working &working);
-  /// What was typed into fields was about other lines.
+  /// Takes the fields away, with what was typed: it was about other lines. Followed by setWorking.
   void forgetAnswers();
   void setTheme(const Theme &theme);
   /// The colour of marked terms, asked for at every painting.
@@ -117,6 +117,7 @@ private:
   void followFocus(QWidget *focused);
   void moveFields();
   void addField(const WorkingLine &line, const Gap &gap);
+  static void dropField(BlankField &field);
   void updateAccessibleText();
   void hover(const QString &markId);
   void hoverNumber(std::optional<NumberPlace> number);
@@ -165,6 +166,7 @@ private:
   std::map<std::string, LineRemark> m_remarks;
   std::map<std::string, BlankField *> m_fields; ///< by the lines' ids
   std::vector<TypesetLine> m_lines;
+  SentenceBreaker m_sentences;
   PlacedWorking m_placed;
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys

@@ -25,7 +25,13 @@ int lettersFor(const Gap &gap) {
 
 void WorkingPanel::forgetAnswers() {
   for (const auto &[line, field] : m_fields)
-    field->clear();
+    dropField(*field);
+  m_fields.clear();
+}
+
+void WorkingPanel::dropField(BlankField &field) {
+  field.hide();
+  field.deleteLater(); // its own signal may have led here
 }
 
 bool WorkingPanel::matchFields() {
@@ -38,8 +44,7 @@ bool WorkingPanel::matchFields() {
     if (m_asks && gapOf(each.first))
       return false;
     lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
-    each.second->hide();
-    each.second->deleteLater(); // its own signal may have led here
+    dropField(*each.second);
     return true;
   });
   for (const WorkingLine &line : m_working.lines)

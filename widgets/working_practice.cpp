@@ -97,15 +97,9 @@ Fading WorkingPractice::fading() const {
 }
 
 void WorkingPractice::refresh() {
-  // What was said, tried and opened is of no use for new numbers.
-  const auto isOfOthers = [this](const std::string &line, const std::string &text) {
-    return textOf(line) != text;
-  };
-  std::erase_if(practice().told, [&](const auto &told) { return isOfOthers(told.first, told.second.text); });
-  std::erase_if(practice().opened,
-                [&](const auto &opened) { return isOfOthers(opened.first, opened.second); });
-  std::erase_if(practice().firstTries,
-                [&](const auto &tried) { return isOfOthers(tried.first, tried.second.text); });
+  // What was done with other numbers is of no use for these.
+  std::erase_if(practice().lines,
+                [this](const auto &each) { return textOf(each.first) != each.second.text; });
   for (QAbstractButton *button : m_choices->buttons())
     button->setEnabled(!m_hidden);
   m_newNumbers->setEnabled(!m_hidden);
@@ -123,8 +117,8 @@ void WorkingPractice::showScore() {
   const auto asked = static_cast<int>(all.gaps.size());
   int right = 0;
   for (const auto &[line, gap] : all.gaps) {
-    const auto tried = practice().firstTries.find(line);
-    right += tried != practice().firstTries.end() && tried->second.right ? 1 : 0;
+    const auto record = practice().lines.find(line);
+    right += record != practice().lines.end() && record->second.wasRight == true ? 1 : 0;
   }
   constexpr QChar figureSpace(0x2007); // as wide as a digit: nothing moves from 9 to 10
   const int digits = static_cast<int>(QString::number(asked).size());
@@ -135,19 +129,25 @@ void WorkingPractice::showScore() {
   m_score->setVisible(asked > 0 && !m_hidden);
 }
 
-std::map<std::string, LineRemark> WorkingPractice::remarks() const {
+std::map<std::string, LineRemark> WorkingPractice::remarks() {
   std::map<std::string, LineRemark> remarks;
-  if (const auto here = m_practice.find(m_step); here != m_practice.end())
-    for (const auto &[line, told] : here->second.told)
-      remarks[line] = told.remark;
+  for (const auto &[line, record] : practice().lines)
+    remarks[line] = record.remark;
   return remarks;
 }
 
 std::set<std::string> WorkingPractice::openedLines() {
   std::set<std::string> lines;
-  for (const auto &[line, text] : practice().opened)
-    lines.insert(line);
+  for (const auto &[line, record] : practice().lines)
+    if (record.isOpen)
+      lines.insert(line);
   return lines;
+}
+
+WorkingPractice::LineRecord &WorkingPractice::recordOf(const std::string &lineId) {
+  LineRecord &record = practice().lines[lineId];
+  record.text = textOf(lineId);
+  return record;
 }
 
 std::string WorkingPractice::textOf(const std::string &lineId) const {
@@ -157,16 +157,15 @@ std::string WorkingPractice::textOf(const std::string &lineId) const {
 
 void WorkingPractice::choose(Fading fading) {
   m_usual = fading;
-  practice() = {fading, {}, {}, {}};
+  practice() = {fading, {}};
+  m_panel->forgetAnswers(); // they were to other questions
   refresh();
   m_panel->focusField();
   emit blanksChanged();
 }
 
 void WorkingPractice::renewNumbers() {
-  practice().opened.clear();
-  practice().told.clear();
-  practice().firstTries.clear();
+  practice().lines.clear();
   m_panel->forgetAnswers(); // they were about the other numbers
   emit newNumbersRequested();
   refresh();
@@ -181,19 +180,21 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
   if (!asking || gap == m_fade.gaps.end())
     return;
   const Judgement judgement = judge(*asking, gap->second, text.toStdString());
-  practice().told[line] = {textOf(line), {QString::fromStdString(judgement.sentence), judgement.right}};
-  if (judgement.isAnswer)
-    practice().firstTries.try_emplace(line, FirstTry{textOf(line), judgement.right});
-  if (judgement.right)
-    practice().opened[line] = textOf(line);
+  LineRecord &record = recordOf(line);
+  record.remark = {QString::fromStdString(judgement.sentence), judgement.right};
+  record.isOpen = judgement.right;
+  if (judgement.isAnswer && !record.wasRight)
+    record.wasRight = judgement.right;
   refresh();
   emit blanksChanged();
 }
 
 void WorkingPractice::open(const QString &lineId) {
   const std::string line = lineId.toStdString();
-  practice().opened[line] = textOf(line);
-  practice().firstTries.try_emplace(line, FirstTry{textOf(line), false});
+  LineRecord &record = recordOf(line);
+  record.isOpen = true;
+  record.remark = {};
+  record.wasRight = record.wasRight.value_or(false);
   refresh();
   emit blanksChanged();
 }

@@ -43,21 +43,16 @@ signals:
   void newNumbersRequested();
 
 private:
-  /// What was said about a line.
-  struct Told {
-    std::string text; ///< of the line then
-    LineRemark remark;
-  };
-  /// The first answer to a line, and what the line said then.
-  struct FirstTry {
-    std::string text;
-    bool right = false;
+  /// What the learner did with a line. New numbers end it.
+  struct LineRecord {
+    std::string text;               ///< of the line then
+    bool isOpen = false;            ///< completed, or shown
+    LineRemark remark{};            ///< said about the last answer
+    std::optional<bool> wasRight{}; ///< the first answer; false where the line was shown instead
   };
   struct StepPractice {
-    std::optional<Fading> fading;              ///< the learner's choice here
-    std::map<std::string, std::string> opened; ///< the lines, and what they said then
-    std::map<std::string, Told> told;
-    std::map<std::string, FirstTry> firstTries; ///< or that the line was shown instead
+    std::optional<Fading> fading; ///< the learner's choice here
+    std::map<std::string, LineRecord> lines;
   };
 
   void createBar(QLayout &bar);
@@ -72,7 +67,9 @@ private:
   [[nodiscard]] std::set<std::string> openedLines();
   /// What a line says with the present numbers; empty where there is no such line.
   [[nodiscard]] std::string textOf(const std::string &lineId) const;
-  [[nodiscard]] std::map<std::string, LineRemark> remarks() const;
+  [[nodiscard]] std::map<std::string, LineRemark> remarks();
+  /// What the learner did with the line, whose numbers are the present ones.
+  [[nodiscard]] LineRecord &recordOf(const std::string &lineId);
   [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }
 
   WorkingPanel *m_panel;

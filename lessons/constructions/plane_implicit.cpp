@@ -19,18 +19,11 @@ struct In {
 struct Out : PlaneTerms {
   Plane<Rational> plane;
   bool zeroNormal;
-  Term P, P1, d; ///< any point of space, a second one of the plane, the constant
-  Term left;     ///< of the equation: n·(P − P0)
+  Term P, P1; ///< any point of space, a second one of the plane
+  Term left;  ///< of the equation: n·(P − P0)
 };
 
 /// A vector in the plane with short coordinates, for n ≠ 0.
-ExactVec3 vectorInPlane(const ExactVec3 &n) {
-  if (n.x == 0 && n.y == 0)
-    return {2, 0, 0};
-  return {n.y, Rational(-n.x), 0};
-}
-
-/// The same as it follows from n.
 Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
   if (normal.x == 0 && normal.y == 0)
     return list({2, 0, 0});
@@ -40,13 +33,12 @@ Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
 Out compute(const In &in) {
   const PlaneTerms E = termsOf(in.E, "E");
   const auto plane = planeThrough(in.E.point, in.E.normal);
-  const ExactVec3 second = in.E.point + vectorInPlane(in.E.normal);
+  const Term second = E.P0 + vectorInPlane(in.E.normal, E.n);
   return {E,
           plane,
           isZero(in.E.normal),
           anyPoint(),
-          name(letter("P", "1"), second).standingFor(E.P0 + vectorInPlane(in.E.normal, E.n)).marked("P1"),
-          name(letter("d"), plane.offset).standingFor(-dot(E.n, E.P0)),
+          name(letter("P", "1"), second->value).standingFor(second).marked("P1"),
           dot(E.n, anyPoint() - E.P0)};
 }
 
@@ -57,10 +49,10 @@ CaseWords tell(const In &in, const Out &at) {
                          {{"equation", plainText(equationOf(in.E))}})};
 }
 
-std::vector<NamedValue> list(const Out &at) {
+std::vector<NamedValue> valuesOf(const Out &at) {
   const auto &plane = at.plane;
   std::vector<NamedValue> values{
-      {"coefficients", halfspace::list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
+      {"coefficients", list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
        std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
   if (at.zeroNormal)
     return values;
@@ -156,7 +148,7 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction plane_implicit() {
-  return makeConstruction<In, Out>("plane-implicit", compute, tell, list, explain, draw,
+  return makeConstruction<In, Out>("plane-implicit", compute, tell, valuesOf, explain, draw,
                                    TypedRole<In, PlaneObject>{"E", &In::E});
 }
 

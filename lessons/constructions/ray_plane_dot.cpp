@@ -70,7 +70,7 @@ CaseWords tell(const In &, const Out &at) {
   return zeroNormalWords();
 }
 
-std::vector<NamedValue> list(const Out &at) {
+std::vector<NamedValue> valuesOf(const Out &at) {
   std::vector<NamedValue> values{listed("numerator", at.numerator), listed("denominator", at.denominator)};
   if (!at.meet.crosses())
     return values;
@@ -150,7 +150,7 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction ray_plane_dot() {
-  return makeConstruction<In, Out>("ray-plane-dot", compute, tell, list, explain, draw,
+  return makeConstruction<In, Out>("ray-plane-dot", compute, tell, valuesOf, explain, draw,
                                    TypedRole<In, PlaneObject>{"E", &In::E},
                                    TypedRole<In, RayObject>{"L", &In::L});
 }

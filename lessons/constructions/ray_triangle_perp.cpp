@@ -98,7 +98,7 @@ std::vector<NamedValue> perpValues(const Out &at) {
   return values;
 }
 
-std::vector<NamedValue> list(const Out &at) {
+std::vector<NamedValue> valuesOf(const Out &at) {
   std::vector<NamedValue> values;
   if (at.meet.crosses()) {
     values.push_back({"location", words("place"), std::string(nameOf(at.meet.place.location))});
@@ -108,7 +108,7 @@ std::vector<NamedValue> list(const Out &at) {
     values.push_back(listed("point", at.I));
     values.push_back(listed("s", at.s));
     values.push_back(listed("t_triangle", at.t));
-    values.push_back(listed("barycentric", halfspace::list({1 - at.s - at.t, at.s, at.t})));
+    values.push_back(listed("barycentric", list({1 - at.s - at.t, at.s, at.t})));
   }
   values.push_back({"perp", {}, perpValues(at)});
   return values;
@@ -281,7 +281,7 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction ray_triangle_perp() {
-  return makeConstruction<In, Out>("ray-triangle-perp", compute, tell, list, explain, draw,
+  return makeConstruction<In, Out>("ray-triangle-perp", compute, tell, valuesOf, explain, draw,
                                    TypedRole<In, TriangleObject>{"T", &In::T},
                                    TypedRole<In, RayObject>{"L", &In::L});
 }

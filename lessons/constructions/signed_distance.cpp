@@ -73,7 +73,7 @@ std::string sideName(PointPlaneCase which) {
                                              : "on";
 }
 
-std::vector<NamedValue> list(const Out &at) {
+std::vector<NamedValue> valuesOf(const Out &at) {
   std::vector<NamedValue> values{listed("f", at.f)};
   if (at.which == PointPlaneCase::ZeroNormal)
     return values;
@@ -104,9 +104,9 @@ WorkingLine distanceLine(const Out &at) {
                    : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
                            {{"f", equation(at.f)}, {"length", plainText(length)}}),
                {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
+                {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")},
                 {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
-                {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")},
-                {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")}});
+                {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")}});
 }
 
 WorkingLine cosineLine(const Out &at) {
@@ -167,7 +167,7 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction signed_distance() {
-  return makeConstruction<In, Out>("signed-distance", compute, tell, list, explain, draw,
+  return makeConstruction<In, Out>("signed-distance", compute, tell, valuesOf, explain, draw,
                                    TypedRole<In, PlaneObject>{"E", &In::E},
                                    TypedRole<In, PointObject>{"Q", &In::Q});
 }

@@ -168,7 +168,7 @@ bool areInterchangeable(const Term &a, const Term &b) {
   const bool haveAlikeOrigins = a->origin && b->origin ? readAlike(*a->origin, *b->origin)
                                                        : a->origin.has_value() == b->origin.has_value();
   return haveAlikeOrigins && a->kind == b->kind && a->digits == b->digits && a->symbol == b->symbol &&
-         a->columns == b->columns && a->isRounded == b->isRounded && a->mark == b->mark &&
+         a->columns == b->columns && !a->isRounded && !b->isRounded && a->mark == b->mark &&
          a->source == b->source &&
          std::equal(a->parts.begin(), a->parts.end(), b->parts.begin(), b->parts.end(), areInterchangeable);
 }

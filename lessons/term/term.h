@@ -140,7 +140,8 @@ struct TermNode {
 [[nodiscard]] const Real *numberOf(const Term &term);
 
 /// Whether one can stand for the other wherever they are written: they read alike, are the same marks and
-/// coordinates, and their numbers come from terms that read alike.
+/// coordinates, and their numbers come from terms that read alike. Never where a number is rounded: another
+/// may be behind the same digits.
 [[nodiscard]] bool areInterchangeable(const Term &a, const Term &b);
 
 /// Whether both terms look the same on the page. The sign of a fraction's numerator is that of the fraction.

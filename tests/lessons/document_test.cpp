@@ -55,10 +55,5 @@ TEST(Json, Numbers_KeepTheirSpelling) {
   EXPECT_EQ(document->children[2].text, "-3");
 }
 
-TEST(Shortened, InsideOfACharacter_CutsBeforeIt) {
-  const std::string text = std::string(39, 'a') + "ü" + std::string(10, 'b');
-  EXPECT_EQ(shortened(text), std::string(39, 'a') + "…");
-}
-
 } // namespace
 } // namespace halfspace

@@ -97,13 +97,15 @@ TEST(Judge, OfThePlanesEquation_TakesAnyMultipleOfIt) {
   EXPECT_NE(judged(line, "x + 2y + 2z - 16").sentence.find("added up"), std::string::npos);
   EXPECT_NE(judged(line, "plane").sentence.find("cannot be read"), std::string::npos)
       << "p·l·a·n·e is no sum";
-  EXPECT_NE(judged(line, "(1, 2, 2)").sentence.find("One number"), std::string::npos);
+  EXPECT_NE(judged(line, "(1, 2, 2)").sentence.find("One equation"), std::string::npos);
 }
 
 TEST(Judge, OfTheNormalizedEquation_TakesNoOtherMultiple) {
   const WorkingLine line = lineOf("plane-implicit", "normalized");
   EXPECT_TRUE(judged(line, "(x + 2y + 2z - 27)/3").right);
   EXPECT_TRUE(judged(line, "x/3 + 2y/3 + 2z/3 - 9 = 0").right);
+  EXPECT_TRUE(judged(line, "0 = x/3 + 2y/3 + 2z/3 - 9").right);
+  EXPECT_TRUE(judged(line, "9 = (x + 2y + 2z)/3").right);
   EXPECT_NE(judged(line, "x + 2y + 2z - 27").sentence.find("not normalized"), std::string::npos);
   EXPECT_NE(judged(line, "(x + 2y + 2z - 27)/9").sentence.find("n·n"), std::string::npos);
   EXPECT_NE(judged(line, "-(x + 2y + 2z - 27)/3").sentence.find("the other way"), std::string::npos);

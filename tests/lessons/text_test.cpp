@@ -83,5 +83,10 @@ TEST(Printable, WhateverItIsGiven_GivesText) {
     }
 }
 
+TEST(Shortened, InsideOfACharacter_CutsBeforeIt) {
+  const std::string text = std::string(39, 'a') + "ü" + std::string(10, 'b');
+  EXPECT_EQ(shortened(text), std::string(39, 'a') + "…");
+}
+
 } // namespace
 } // namespace halfspace

@@ -42,6 +42,26 @@ TEST(ReadAnswer, OfNestedParentheses_EndsAtTheBoundOfItsLength) {
   EXPECT_TRUE(readAnswer(std::string(longestAnswer - 1, '-') + "1"));
 }
 
+TEST(ReadAnswer, OfProductsThatGrowWithoutEnd_IsNothing) {
+  std::string sums;
+  for (char letter = 'a'; letter < 'x'; letter = static_cast<char>(letter + 2))
+    sums += std::string("(") + letter + "+" + static_cast<char>(letter + 1) + ")";
+  ASSERT_LT(sums.size(), longestAnswer);
+  EXPECT_FALSE(readAnswer(sums));
+}
+
+TEST(ReadAnswer, OfNumbersAsFieldsTakeThem_IsTheSame) {
+  EXPECT_TRUE(readAnswer(".5")->means(Surd(Rational(1, 2))));
+  EXPECT_TRUE(readAnswer("+5")->means(Surd(5)));
+  EXPECT_FALSE(readAnswer("10 3")) << "103, 10·3 or 10 and 3?";
+  EXPECT_FALSE(readAnswer("x + 3 1/3 = 0")) << "not 31/3";
+}
+
+TEST(ReadAnswer, OfADifference_IsNotRounded) {
+  EXPECT_FALSE(readAnswer("1-0.5")->means(Surd(Rational(47, 100))));
+  EXPECT_TRUE(readAnswer("-0.33")->means(Surd(Rational(-1, 3))));
+}
+
 TEST(ReadAnswer, OfAnEquation_IsItsLeftSideLessItsRight) {
   const auto answer = readAnswer("2x = y - 3");
   ASSERT_TRUE(answer);
