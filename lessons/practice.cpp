@@ -22,12 +22,24 @@ std::string withAnswer(const std::string &sentence, std::string_view typed) {
   return replacedAll(sentence, "{answer}", replacedAll(std::string(trimmed(typed)), "-", "−"));
 }
 
-std::set<std::string> lettersIn(const std::vector<Polynomial> &entries) {
-  std::set<std::string> letters;
+void addLetters(const std::vector<Polynomial> &entries, std::set<std::string> &letters) {
   for (const Polynomial &entry : entries)
     for (const Polynomial::Summand &summand : entry.summands())
       letters.insert(summand.monomial.begin(), summand.monomial.end());
+}
+
+std::set<std::string> lettersIn(const std::vector<Polynomial> &entries) {
+  std::set<std::string> letters;
+  addLetters(entries, letters);
   return letters;
+}
+
+/// The unknowns of a formula, those included that drop out when it is calculated.
+void addLetters(const Term &formula, std::set<std::string> &letters) {
+  if (formula->value)
+    addLetters(formula->value->entries, letters);
+  for (const Term &part : formula->parts)
+    addLetters(part, letters);
 }
 
 /// x, y, z
@@ -46,6 +58,9 @@ public:
         m_isEquation(gap.isResult && line.asked == Asked::Equation) {
     if (gap.isResult)
       m_mistakes = line.mistakes;
+    addLetters(m_truth.entries, m_letters);
+    if (gap.isResult && !m_letters.empty())
+      addLetters(askedChain(line).formula(), m_letters);
     const auto formula = gap.isResult ? std::optional(askedChain(line)) : gap.hidden->origin;
     if (formula)
       for (WrongTerm &mistake : usualMistakes(*formula))
@@ -66,10 +81,10 @@ public:
 
   [[nodiscard]] std::string diagnosis(const TypedAnswer &answer) const {
     if (answer.entries.size() != m_truth.entries.size())
-      return m_truth.isList ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
-                                    {{"count", std::to_string(m_truth.entries.size())}})
-             : lettersIn(m_truth.entries).empty() ? words("One number is asked for here.")
-                                                  : words("One equation is asked for here.");
+      return m_truth.isList      ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
+                                         {{"count", std::to_string(m_truth.entries.size())}})
+             : m_letters.empty() ? words("One number is asked for here.")
+                                 : words("One equation is asked for here.");
     for (const WrongTerm &mistake : m_mistakes)
       if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
         return mistake.sentence;
@@ -79,7 +94,7 @@ public:
   }
 
   [[nodiscard]] std::string sentenceForNoAnswer() const {
-    const std::set<std::string> letters = lettersIn(m_truth.entries);
+    const std::set<std::string> &letters = m_letters;
     if (!letters.empty())
       return words("“{answer}” cannot be read: write it with {letters} and numbers, as 2{letter} − 1/3 = 0.",
                    {{"letters", listed(letters)}, {"letter", *letters.begin()}});
@@ -89,10 +104,9 @@ public:
 
   /// Whether the answer is of the kind that is asked for: no letters but those that are there.
   [[nodiscard]] bool canBe(const TypedAnswer &answer) const {
-    const std::set<std::string> letters = lettersIn(m_truth.entries);
     const std::set<std::string> typed = lettersIn(answer.value().entries);
-    return (!answer.isEquation || !letters.empty()) &&
-           std::includes(letters.begin(), letters.end(), typed.begin(), typed.end());
+    return (!answer.isEquation || !m_letters.empty()) &&
+           std::includes(m_letters.begin(), m_letters.end(), typed.begin(), typed.end());
   }
 
 private:
@@ -126,6 +140,7 @@ private:
   const Gap &m_gap;
   TermValue m_truth;
   bool m_isEquation;
+  std::set<std::string> m_letters; ///< that the answer may have
   std::vector<WrongTerm> m_mistakes;
 };
 
@@ -140,13 +155,47 @@ void collectGaps(const Term &term, std::optional<std::size_t> entry, std::vector
     collectGaps(term->parts[i], term->kind == TermKind::List ? std::optional(i) : std::nullopt, gaps);
 }
 
+/// Whether the term stands somewhere in the symbols of a line.
+bool isPartOf(const Term &term, const Term &whole) {
+  return readAlike(term, whole) || std::any_of(whole->parts.begin(), whole->parts.end(),
+                                               [&](const Term &part) { return isPartOf(term, part); });
+}
+
+bool isUsedIn(const WorkingLine &line, const Term &term) {
+  return std::any_of(line.chains.begin(), line.chains.end(),
+                     [&](const Chain &chain) { return isPartOf(term, chain.formula()); });
+}
+
+bool isPartOfResult(const Gap &gap, const Chain &chain) {
+  const std::vector<Term> &entries = chain.last()->parts;
+  return &*gap.hidden == &*chain.last() ||
+         (chain.last()->kind == TermKind::List &&
+          std::any_of(entries.begin(), entries.end(),
+                      [&](const Term &entry) { return &*entry == &*gap.hidden; }));
+}
+
+/// Whether the number is worked out by a formula that stands in the line, and by no name or coordinate alone.
+bool isWorkedOut(const Gap &gap) {
+  const auto &origin = gap.hidden->origin;
+  return origin && !gap.hidden->source && (*origin)->kind != TermKind::Name &&
+         (*origin)->kind != TermKind::Applied;
+}
+
 /// One of the numbers to be worked out: not the same of all lines, but always the same of a line that is
-/// built alike, so that it stays where it is while the scene moves.
-std::optional<Gap> oneGap(const WorkingLine &line) {
+/// built alike, so that it stays where it is while the scene moves. Not a result that another line puts in:
+/// it would stand there.
+std::optional<Gap> oneGap(const WorkingLine &line, const Working &working) {
   if (line.chains.size() > 1)
     return {};
+  const Chain &chain = askedChain(line);
+  const bool resultIsUsed =
+      std::any_of(working.lines.begin(), working.lines.end(), [&](const WorkingLine &other) {
+        return other.id != line.id && isUsedIn(other, chain.sides().front());
+      });
   std::vector<Gap> gaps = numberGaps(line);
-  std::erase_if(gaps, [](const Gap &gap) { return !gap.hidden->origin || gap.hidden->source; });
+  std::erase_if(gaps, [&](const Gap &gap) {
+    return !isWorkedOut(gap) || (resultIsUsed && isPartOfResult(gap, chain));
+  });
   if (gaps.empty())
     return {};
   std::size_t sum = 0;
@@ -205,7 +254,7 @@ Fade fade(const Working &working, Fading fading, const std::set<std::string> &op
   Fade faded;
   if (fading == Fading::Gaps) {
     for (const WorkingLine &line : working.lines)
-      if (const auto gap = oneGap(line); gap && !opened.contains(line.id))
+      if (const auto gap = oneGap(line, working); gap && !opened.contains(line.id))
         faded.gaps.emplace(line.id, *gap);
     return faded;
   }
@@ -222,9 +271,12 @@ std::string questionText(const WorkingLine &line, const Gap &gap) {
   return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, askedChain(line));
 }
 
-std::vector<Chain> toldFor(const WorkingLine &line, const Working &shown) {
+std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown) {
   std::vector<Term> names;
-  collectNames(askedChain(line).formula(), names);
+  if (gap.isResult)
+    collectNames(askedChain(line).formula(), names);
+  else if (gap.hidden->origin)
+    collectNames(*gap.hidden->origin, names);
   std::vector<Chain> told;
   for (const Term &name : names)
     if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),

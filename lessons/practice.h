@@ -49,9 +49,9 @@ struct Fade {
 /// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
 [[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
 
-/// The names in the line's formula that no line of this working says the value of, and that are no
-/// coordinates of the scene: to be told where the line is to be worked out.
-[[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Working &shown);
+/// The names by which what is left out is found that no line of this working says the value of, and that are
+/// no coordinates of the scene: to be told beside the gap.
+[[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown);
 
 struct Judgement {
   bool right = false;

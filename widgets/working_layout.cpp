@@ -64,6 +64,7 @@ private:
     m_rowBegin = m_placed.formulas.size();
     m_ascent = leastAscent * m_em;
     m_depth = leastDepth * m_em;
+    m_rowIsFull = false;
   }
 
   /// Now that the row's height is known, everything in it comes down to its baseline.
@@ -90,7 +91,8 @@ private:
   void makeRoom(double width) {
     if (m_rowIsEmpty)
       return;
-    if (m_x + relationGap * m_em + width > m_right)
+    // Beside a formula on several lines nothing could be read in its order.
+    if (m_rowIsFull || m_x + relationGap * m_em + width > m_right)
       breakRow();
     else
       m_x += relationGap * m_em;
@@ -115,6 +117,7 @@ private:
     m_ascent = std::max(m_ascent, shown->ascent() * em);
     m_depth = std::max(m_depth, shown->depth() * em);
     advance(shown->width() * em);
+    m_rowIsFull = shown->isBroken();
   }
 
   std::vector<PlacedText> placeText(const QString &words, double left) {
@@ -139,7 +142,7 @@ private:
   // The row in work.
   std::size_t m_rowBegin = 0;
   double m_ascent = 0, m_depth = 0;
-  bool m_rowIsEmpty = true;
+  bool m_rowIsEmpty = true, m_rowIsFull = false;
 };
 
 } // namespace

@@ -121,7 +121,7 @@ TypesetLine WorkingPanel::typesetPartially(const WorkingLine &line) const {
     typeset.numbers[index] = std::move(formula.numbers);
   }
   if (m_asks)
-    typeset.told = pictureOf(formulaOf(toldFor(line, m_working)));
+    typeset.told = pictureOf(formulaOf(toldFor(line, *gap, m_working)));
   return typeset;
 }
 

@@ -68,7 +68,7 @@ std::vector<NamedValue> valuesOf(const Out &at) {
 }
 
 WorkingLine collectLine(const Out &at) {
-  const Chain collected = Chain(0)
+  const Chain collected = (0 == at.left)
                               .then(calculated(dot(at.n, at.P)) - multipliedOut(dot(at.n, at.P0)))
                               .then(calculated(at.left).marked("E"));
   const Term onlyAdded = sum(calculated(at.P0)->parts);
@@ -118,7 +118,7 @@ Working explain(const Out &at) {
             words("The numbers put in, with P = (x, y, z)."))}};
   if (at.zeroNormal)
     return working;
-  working.add(askedEquation("expand", condition(Chain(0).then(multipliedOut(at.left))),
+  working.add(askedEquation("expand", condition((0 == at.left).then(multipliedOut(at.left))),
                             words("The dot product multiplied out, coordinate by coordinate.")));
   working.add(collectLine(at));
   working.add(asked("constant", withProducts(dot(at.n, at.P1)),

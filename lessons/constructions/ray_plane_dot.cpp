@@ -80,6 +80,14 @@ std::vector<NamedValue> valuesOf(const Out &at) {
   return values;
 }
 
+std::string collectWords(const Out &at) {
+  if (at.meet.denominator != 0)
+    return words("Collected by t: r·n stands before t, and f(Q) is left over.");
+  return at.meet.numerator == 0
+             ? words("r·n is 0, and so is f(Q): t drops out, and every t fulfils 0 = 0.")
+             : words("r·n is 0: t drops out, and f(Q) is not 0, so no t fulfils the equation.");
+}
+
 /// The lines before it is known whether the ray crosses the plane.
 std::vector<WorkingLine> equationLines(const Out &at) {
   const Term inserted = dot(at.n, at.Q + unknown("t") * at.r) + at.d;
@@ -87,16 +95,18 @@ std::vector<WorkingLine> equationLines(const Out &at) {
   return {
       askedEquation("substitute", condition((0 == inserted).then(multipliedOut(inserted))),
                     words("The ray's points Q + t·r put into the plane's equation. One unknown is left: t.")),
-      askedEquation("collect", condition((0 == collected).then(calculated(collected))),
-                    words("Collected by t: r·n stands before t, and f(Q) is left over.")),
+      askedEquation("collect", condition((0 == collected).then(calculated(collected))), collectWords(at)),
       asked(
           "numerator", withNumbers(at.numerator),
-          words("The same by dot products. The numerator is −f(Q): how far the plane is from Q, measured "
-                "along n."),
+          words("The same by dot products. The numerator is −f(Q): the signed distance from Q to the plane "
+                "along n, "
+                "times |n|."),
           {{at.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}}),
-      asked("denominator", withNumbers(at.denominator),
-            words("The denominator: how far one step r goes along n. Zero means that no step along r comes "
-                  "nearer to the plane."))};
+      asked(
+          "denominator", withNumbers(at.denominator),
+          words(
+              "The denominator: how far one step r goes along n, times |n|. Zero means that no step along r "
+              "comes nearer to the plane."))};
 }
 
 WorkingLine facingLine(const Out &at) {

@@ -96,13 +96,18 @@ std::string sideWords(PointPlaneCase which) {
   }
 }
 
-WorkingLine distanceLine(const Out &at) {
+std::string distanceWords(const Out &at) {
   const Term length = calculated(norm(at.n));
-  return asked("distance", withNumbers(at.dist == at.f / norm(at.n)),
-               areEqual(*numberOf(length), 1) == true
-                   ? words("Because |n| = 1, f(Q) is the signed distance already.")
-                   : words("{f} is not the distance: n is {length} long, so f(Q) is so many times as large.",
-                           {{"f", equation(at.f)}, {"length", plainText(length)}}),
+  if (at.which == PointPlaneCase::On)
+    return words("f(Q) is 0, and so is the distance: 0 divided by any length is 0.");
+  if (areEqual(*numberOf(length), 1) == true)
+    return words("Because |n| = 1, f(Q) is the signed distance already.");
+  return words("{f} is not the distance: n is {length} long, so f(Q) is {length} times the distance.",
+               {{"f", equation(at.f)}, {"length", plainText(length)}});
+}
+
+WorkingLine distanceLine(const Out &at) {
+  return asked("distance", withNumbers(at.dist == at.f / norm(at.n)), distanceWords(at),
                {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
                 {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")},
                 {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},

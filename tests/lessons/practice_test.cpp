@@ -95,6 +95,10 @@ TEST(Judge, OfThePlanesEquation_TakesAnyMultipleOfIt) {
   EXPECT_NE(judged(line, "x + 2y + 2z + 27 = 0").sentence.find("minus sign"), std::string::npos);
   EXPECT_NE(judged(line, "-x - 2y - 2z = 27").sentence.find("minus sign"), std::string::npos) << "a multiple";
   EXPECT_NE(judged(line, "x + 2y + 2z - 16").sentence.find("added up"), std::string::npos);
+  EXPECT_TRUE(judged(lineOf("plane-implicit", "collect", {{"E", PlaneObject{{1, 2, 3}, {0, 0, 2}}}}),
+                     "0x + 0y + z = 3")
+                  .right)
+      << "letters that drop out may be written";
   EXPECT_NE(judged(line, "plane").sentence.find("cannot be read"), std::string::npos)
       << "p·l·a·n·e is no sum";
   EXPECT_NE(judged(line, "(1, 2, 2)").sentence.find("One equation"), std::string::npos);
@@ -224,6 +228,14 @@ TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
   EXPECT_FALSE(gapsOf(fade(working, Fading::Gaps, {"f"})).contains("f"));
 }
 
+TEST(Fade, ByGaps_HidesNothingThatStandsInAnotherLine) {
+  const Working working = workingOf("signed-distance");
+  const Fade faded = fade(working, Fading::Gaps, {});
+  EXPECT_FALSE(faded.gaps.contains("length")) << "the next line divides by it";
+  const Gap &distance = faded.gaps.at("distance");
+  EXPECT_NE(plainText(distance.hidden), "30") << "f(Q) is told by its own line";
+}
+
 TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
   const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
   const WorkingLine &f = *findLine(working, "f");
@@ -249,15 +261,15 @@ TEST(NumberGaps, OfALine_AreAllItsNumbersAndLists) {
 TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
   const Working plane = workingOf("plane-implicit");
   const WorkingLine &constant = *findLine(plane, "constant");
-  const auto told = toldFor(constant, {{constant}});
+  const auto told = toldFor(constant, resultGap(constant), {{constant}});
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(plainText(told.front()), "P₁ = (7, 3, 7)");
 
   const Working distance = workingOf("signed-distance");
   const WorkingLine &last = *findLine(distance, "distance");
-  ASSERT_EQ(toldFor(last, {{last}}).size(), 1U);
-  EXPECT_EQ(plainText(toldFor(last, {{last}}).front()), "f(Q) = 30");
-  EXPECT_TRUE(toldFor(last, distance).empty()) << "the line of f says it, or asks for it";
+  ASSERT_EQ(toldFor(last, resultGap(last), {{last}}).size(), 1U);
+  EXPECT_EQ(plainText(toldFor(last, resultGap(last), {{last}}).front()), "f(Q) = 30");
+  EXPECT_TRUE(toldFor(last, resultGap(last), distance).empty()) << "the line of f says it, or asks for it";
 }
 
 } // namespace

@@ -38,6 +38,9 @@ public:
   /// The formula on lines of at most this width, where it can be broken.
   [[nodiscard]] MathPicture brokenTo(double widthInEm) const;
 
+  /// Whether it stands on several lines.
+  [[nodiscard]] bool isBroken() const { return m_layout.lines.size() > 1; }
+
   /// Why there is no formula; empty when there is one.
   [[nodiscard]] const QString &error() const { return m_error; }
   /// … and at which character of the LaTeX it shows, counted from 1; 0: at none.
