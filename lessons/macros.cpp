@@ -15,6 +15,14 @@ std::size_t parameterAt(std::string_view body, std::size_t at) {
   return isOne ? static_cast<std::size_t>(body[at + 1] - '0') : 0;
 }
 
+/// Where the first `#` stands; \# is a sign of its own. At the end where there is none.
+std::size_t firstParameter(std::string_view body) {
+  std::size_t at = 0;
+  while (at < body.size() && body[at] != '#')
+    at += body[at] == '\\' ? std::size_t{2} : std::size_t{1};
+  return std::min(at, body.size());
+}
+
 /// The name of the command whose backslash stands here: letters or one other character.
 std::string_view commandAt(std::string_view text, std::size_t backslash) {
   std::size_t end = backslash + 1;
@@ -108,10 +116,13 @@ private:
   void bring(std::string_view body, const std::vector<std::string> &arguments) {
     std::string filled;
     while (!body.empty() && filled.size() <= longestExpansion) {
-      const std::size_t parameter = parameterAt(body, 0);
-      const std::size_t next = std::min(body.find('#', 1), body.size());
-      join(filled, parameter > 0 ? std::string_view(arguments[parameter - 1]) : body.substr(0, next));
-      body.remove_prefix(parameter > 0 ? 2 : next);
+      const std::size_t written = firstParameter(body);
+      join(filled, body.substr(0, written));
+      body.remove_prefix(written);
+      if (body.empty())
+        break;
+      join(filled, arguments.at(parameterAt(body, 0) - 1));
+      body.remove_prefix(2);
     }
     if (endsInCommand(filled))
       filled += ' ';
@@ -171,15 +182,13 @@ private:
 
 std::optional<Macro> macroOf(std::string body) {
   Macro macro;
-  for (std::size_t at = 0; at < body.size(); ++at) {
-    if (body[at] == '\\') {
-      ++at; // \# is a sign of its own
-    } else if (body[at] == '#') {
-      const auto parameter = static_cast<int>(parameterAt(body, at));
-      if (parameter == 0)
-        return {};
-      macro.arguments = std::max(macro.arguments, parameter);
-    }
+  std::string_view rest = body;
+  for (rest.remove_prefix(firstParameter(rest)); !rest.empty(); rest.remove_prefix(firstParameter(rest))) {
+    const auto parameter = static_cast<int>(parameterAt(rest, 0));
+    if (parameter == 0)
+      return {};
+    macro.arguments = std::max(macro.arguments, parameter);
+    rest.remove_prefix(2);
   }
   macro.body = std::move(body);
   return macro;

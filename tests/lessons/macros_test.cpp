@@ -9,6 +9,8 @@ TEST(Macro, OfABody_HasAsManyArgumentsAsItNames) {
   EXPECT_EQ(macroOf("\\mathbb{R}"), (Macro{0, "\\mathbb{R}"}));
   EXPECT_EQ(macroOf("#2+#1#2"), (Macro{2, "#2+#1#2"}));
   EXPECT_EQ(macroOf("\\#x"), (Macro{0, "\\#x"}));
+  EXPECT_EQ(macroOf("\\#1"), (Macro{0, "\\#1"}));
+  EXPECT_EQ(macroOf("\\\\#1"), (Macro{1, "\\\\#1"})) << "behind a backslash of its own";
   EXPECT_FALSE(macroOf("#"));
   EXPECT_FALSE(macroOf("a#b"));
   EXPECT_FALSE(macroOf("#0"));
@@ -31,6 +33,12 @@ TEST(Macro, BehindACommand_DoesNotBecomePartOfIt) {
   EXPECT_EQ(expanded("\\b\\a", macros), "\\beta x");
   EXPECT_EQ(expanded("\\v x", macros), "\\vec xy");
   EXPECT_EQ(expanded("\\v\\pi", macros), "\\vec\\pi y");
+}
+
+TEST(Macro, WithASignOfNumber_KeepsIt) {
+  EXPECT_EQ(expanded("\\n 2", {{"n", *macroOf("\\#1")}}), "\\#1 2");
+  EXPECT_EQ(expanded("\\n 2", {{"n", *macroOf("\\##1")}}), "\\#2");
+  EXPECT_EQ(expanded("\\n", {{"n", *macroOf("a\\")}}), "a\\");
 }
 
 TEST(Macro, ThatLacksAnArgument_GetsNone) {
