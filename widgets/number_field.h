@@ -20,6 +20,7 @@ public:
 
   void setValue(const Rational &value);
   [[nodiscard]] const Rational &value() const { return m_value; }
+  [[nodiscard]] bool isScrubbing() const { return m_scrub.isScrubbing(); }
 
   /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
   QString enter();

@@ -156,7 +156,10 @@ void WorkingPanel::connectNumberField(NumberField &field, const CoordinateSource
           [=, this](int steps) { emit coordinateStepped(number, steps); });
   connect(&field, &NumberField::scrubStarted, this, [=, this] { emit scrubStarted(number); });
   connect(&field, &NumberField::scrubbed, this, &WorkingPanel::scrubbed);
-  connect(&field, &NumberField::scrubEnded, this, &WorkingPanel::scrubEnded);
+  connect(&field, &NumberField::scrubEnded, this, [this](bool keep) {
+    emit scrubEnded(keep);
+    followNumberField(); // it may have outlived its number
+  });
   connect(&field, &NumberField::refused, this, [this, &field](const QString &sentence) {
     m_typed->refusal = sentence;
     field.setAccessibleDescription(sentence);
@@ -174,8 +177,11 @@ void WorkingPanel::followNumberField() {
   if (!m_typed)
     return;
   const Term *number = shownNumbers().numberAt(m_typed->place);
-  if (!number)
-    return closeNumberField();
+  if (!number) {
+    if (!m_typed->field->isScrubbing()) // else it is to tell of its end, and the number may come back
+      closeNumberField();
+    return;
+  }
   m_typed->field->setValue(valueOf(*number));
   moveNumberField();
 }

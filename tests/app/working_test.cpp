@@ -35,10 +35,10 @@ public:
   void click(const QPoint &place) { QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, place); }
   void press(const QPoint &place) { QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, place); }
   void release(const QPoint &place) { QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, place); }
-  void drag(const QPoint &to) {
-    QMouseEvent move(QEvent::MouseMove, to, panel.viewport()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     {});
-    QCoreApplication::sendEvent(panel.viewport(), &move);
+  void drag(const QPoint &to) { dragOn(*panel.viewport(), to); }
+  static void dragOn(QWidget &widget, const QPoint &to) {
+    QMouseEvent move(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&widget, &move);
     QTest::qWait(20);
   }
   NumberField *openField(const QPoint &place) {
@@ -133,6 +133,41 @@ private slots:
     fixture.release(from - QPoint(16, 0));
     QVERIFY(fixture.value("E.n") == ExactVec3(-1, 0, 0));
     QCOMPARE(fixture.model().history().count(), 2);
+  }
+
+  void scrubInAField_throughAZeroNormal_goesOn() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    QVERIFY(field);
+    const QPoint from = field->rect().center();
+    QTest::mousePress(field, Qt::LeftButton, {}, from);
+    LinesFixture::dragOn(*field, from - QPoint(8, 0));
+    QVERIFY(fixture.model().outcome().degenerate); // the line is gone
+    QCOMPARE(fixture.panel.findChild<NumberField *>(), field);
+    QVERIFY(field->isVisible());
+    LinesFixture::dragOn(*field, from - QPoint(16, 0));
+    QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(16, 0));
+    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(fixture.value("E.n") == ExactVec3(-1, 0, 0));
+    QCOMPARE(fixture.model().history().count(), 2);
+  }
+
+  void fieldThatIsScrubbedToAZeroNormal_goesWithItsLineAtTheEnd() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    QVERIFY(field);
+    const QPoint from = field->rect().center();
+    QTest::mousePress(field, Qt::LeftButton, {}, from);
+    LinesFixture::dragOn(*field, from - QPoint(8, 0));
+    QCOMPARE(fixture.panel.findChild<NumberField *>(), field);
+    QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(8, 0));
+    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(fixture.value("E.n") == ExactVec3(0, 0, 0));
+    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
   }
 
   void coordinate_typedInAFormula_isTakenExactlyAsOneUndoStep() {
