@@ -173,7 +173,7 @@ private:
 
   std::function<Working()> m_wholeWorking;
   std::optional<NumberPlace> m_hoveredNumber;
-  std::optional<NumberPlace> m_pressedNumber; ///< from the press until the button is up
+  std::optional<NumberPlace> m_pressedNumber; ///< until the button is up, or its scrub ends
   std::optional<NumberPlace> m_chosenNumber;  ///< by the keys
   std::optional<NumberPlace> m_tracedNumber;
   Provenance m_traced;

@@ -118,7 +118,10 @@ bool WorkingPanel::useChosen() {
 void WorkingPanel::connectScrub() {
   connect(&m_scrub, &Scrub::started, this, [this] { emit scrubStarted(*m_pressedNumber->coordinate()); });
   connect(&m_scrub, &Scrub::moved, this, &WorkingPanel::scrubbed);
-  connect(&m_scrub, &Scrub::ended, this, &WorkingPanel::scrubEnded);
+  connect(&m_scrub, &Scrub::ended, this, [this](bool keep) {
+    m_pressedNumber.reset(); // it was no click, even if the button goes up over it
+    emit scrubEnded(keep);
+  });
 }
 
 void WorkingPanel::pressNumber(const NumberPlace &number, const QMouseEvent &event) {

@@ -406,6 +406,21 @@ private slots:
     QCOMPARE(ended.count(), 1);
   }
 
+  void scrubThatEndsBeforeTheButtonIsUpIsNoClick() {
+    WorkingPanel panel(m_typesetter);
+    show(panel, 900, tracedWorking());
+    const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
+    const auto endedBy = [&](const auto &end) {
+      QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
+      dragPointer(panel, at + QPoint(40, 0));
+      end();
+      QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, at);
+      return panel.traced() == Provenance();
+    };
+    QVERIFY(endedBy([&] { QTest::keyClick(&panel, Qt::Key_Escape); }));
+    QVERIFY(endedBy([&] { QCOMPARE(panel.enterTyped(), QString()); }));
+  }
+
   void clickedCoordinateIsTracedToItsMark() {
     WorkingPanel panel(m_typesetter);
     show(panel, 900, tracedWorking());
