@@ -37,6 +37,8 @@ constexpr std::size_t lengthOfZero = 3;
 /// What has no short form is longer than all that has.
 constexpr std::size_t lengthOfLong = 1000;
 
+/// One roll in a statement, or several in braces: elsewhere C++ leaves their order to the compiler, and a
+/// seed would not give the same numbers everywhere.
 class Dice {
 public:
   explicit Dice(std::uint64_t seed) : m_engine(seed) {}
@@ -164,8 +166,11 @@ private:
   /// At random, or straight above, in or below what it looks for.
   void draw(PointObject &point) {
     point.at = m_dice.position();
-    if (const Net *net = aim(); net && !m_dice.once(freelyOnceIn))
-      point.at = pointOf(*net) + net->normal * Rational(m_dice.between(-2, 2));
+    const Net *net = aim();
+    if (!net || m_dice.once(freelyOnceIn))
+      return;
+    const ExactVec3 foot = pointOf(*net);
+    point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
   }
 
   /// At random, in what it looks for, along it, or towards a point of it.
@@ -186,7 +191,9 @@ private:
   /// Behind one time in three; after steps, or half steps.
   void aimAt(const ExactVec3 &point, RayObject &ray) {
     const ExactVec3 step = ray.direction;
-    ray.origin = point - step * Rational(m_dice.between(1, 4) * (m_dice.once(3) ? -1 : 1));
+    const int steps = m_dice.between(1, 4);
+    const bool isBehind = m_dice.once(3);
+    ray.origin = point - step * Rational(isBehind ? -steps : steps);
     ray.direction = step * Rational(m_dice.between(1, 2));
   }
 

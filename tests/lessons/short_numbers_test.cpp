@@ -123,6 +123,15 @@ TEST(ShortNumbers, sameSeed_givesTheSameNumbers) {
   EXPECT_NE(withShortNumbers(distanceScene(), 5), withShortNumbers(distanceScene(), 6));
 }
 
+TEST(ShortNumbers, seed_givesTheSameNumbersEverywhere) {
+  EXPECT_EQ(textOf(withShortNumbers(distanceScene(), 5)),
+            "E.P0 = (-1, 1, -1) E.n = (1, -2, 2) Q = (-4, -1, 3) ");
+  const Scene rays{{planeE(), rayL(), triangleT()}};
+  EXPECT_EQ(textOf(withShortNumbers(rays, 5)),
+            "E.P0 = (-1, 5, -3) E.n = (2, 3, -6) L.Q = (-1, 3, -1) L.r = (-1, -3, 2) "
+            "T.P0 = (-2, 6, 0) T.P1 = (-5, 9, 6) T.P2 = (-2, 9, 3) ");
+}
+
 TEST(ShortNumbers, degenerateScene_becomesAnOrdinaryOne) {
   Scene scene = distanceScene();
   coordinate(*findObject(scene, "E"), 1) = {0, 0, 0};
