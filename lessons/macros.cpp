@@ -61,21 +61,23 @@ std::vector<std::string_view> usedIn(std::string_view body, const Macros &macros
   return used;
 }
 
-/// Follows what macros use, and remembers those that lead to no end.
+/// Follows what macros use, and remembers those that come to an end.
 class RecursionFinder {
 public:
   explicit RecursionFinder(const Macros &macros) : m_macros(macros) {}
 
-  bool usesItself(std::string_view name) {
+  /// The first one that is come upon again; empty where all comes to an end.
+  std::string_view findFrom(std::string_view name) {
     if (m_harmless.contains(name))
-      return false;
+      return {};
     if (!m_around.insert(name).second)
-      return true;
-    const auto used = usedIn(m_macros.find(name)->second.body, m_macros);
-    const bool found =
-        std::any_of(used.begin(), used.end(), [this](std::string_view each) { return usesItself(each); });
+      return name;
+    std::string_view found;
+    for (const std::string_view used : usedIn(m_macros.find(name)->second.body, m_macros))
+      if (found.empty())
+        found = findFrom(used);
     m_around.erase(name);
-    if (!found)
+    if (found.empty())
       m_harmless.insert(name);
     return found;
   }
@@ -197,8 +199,8 @@ std::optional<Macro> macroOf(std::string body) {
 std::optional<std::string> findRecursion(const Macros &macros) {
   RecursionFinder finder(macros);
   for (const auto &[name, macro] : macros)
-    if (finder.usesItself(name))
-      return name;
+    if (const std::string_view found = finder.findFrom(name); !found.empty())
+      return std::string(found);
   return {};
 }
 

@@ -21,7 +21,7 @@ using Macros = std::map<std::string, Macro, std::less<>>;
 /// With as many arguments as the highest number behind a `#` says; nothing where a `#` stands for none.
 [[nodiscard]] std::optional<Macro> macroOf(std::string body);
 
-/// A macro that uses itself, directly or through others.
+/// A macro that uses itself, directly or through others, not one that only uses such a macro.
 [[nodiscard]] std::optional<std::string> findRecursion(const Macros &macros);
 
 /// The formula without macros. As it is where it would become longer than `longestExpansion` bytes.

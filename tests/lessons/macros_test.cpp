@@ -49,6 +49,7 @@ TEST(Macro, ThatLacksAnArgument_GetsNone) {
 TEST(Macros, ThatUseThemselves_AreFound) {
   EXPECT_EQ(findRecursion({{"a", {0, "x\\a"}}}), "a");
   EXPECT_EQ(findRecursion({{"a", {0, "\\b"}}, {"b", {0, "\\c"}}, {"c", {0, "\\a"}}}), "a");
+  EXPECT_EQ(findRecursion({{"a", {0, "\\b"}}, {"b", {0, "\\b"}}}), "b") << "a only leads there";
   EXPECT_EQ(findRecursion({{"a", {0, "\\ab\\\\a"}}, {"b", {0, "\\a\\a"}}}), std::nullopt);
 }
 

@@ -47,10 +47,10 @@ TEST(Macros, AMissingArgument_IsTold) {
 }
 
 TEST(Macros, AMacroThatUsesItself_IsRefused) {
-  EXPECT_EQ(read("a\\a", {{"a", {0, "x\\a"}}}), "error 2: The macro `\\a` uses itself.");
+  EXPECT_EQ(read("a\\a", {{"a", {0, "x\\a"}}}), "error 2: This formula is too long.");
   EXPECT_EQ(read("\\a", {{"a", {0, "\\b"}}, {"b", {0, "\\c"}}, {"c", {0, "\\a"}}}),
-            "error 1: The macro `\\a` uses itself.");
-  EXPECT_EQ(read("\\d", {{"d", {0, "\\a"}}, {"a", {0, "\\a"}}}), "error 1: The macro `\\a` uses itself.");
+            "error 1: `\\c` becomes too long.");
+  EXPECT_EQ(read("\\d", {{"d", {0, "\\a"}}, {"a", {0, "\\a"}}}), "error 1: `\\a` becomes too long.");
 }
 
 TEST(Macros, AnUnusedMacroThatUsesItself_HarmsNobody) { EXPECT_EQ(read("x", {{"a", {0, "\\a"}}}), "x"); }

@@ -28,8 +28,8 @@ inline constexpr std::size_t mostExpandedTokens = 100000; ///< that macros may b
 
 /// The formula, or why it is none. Any bytes may be given. The source is what would stand between dollars.
 /// Beyond LaTeX: `\mark{id}{…}` is a tag, rows may be broken by `\\` without an environment, and what Unicode
-/// has a character for (λ, ⊥, ², ≤, −) may be typed. A macro that uses itself, directly or through others, is
-/// an error.
+/// has a character for (λ, ⊥, ², ≤, −) may be typed. A macro that uses itself, directly or through others,
+/// makes the formula too long, which is an error (findRecursion tells beforehand which one does).
 [[nodiscard]] std::variant<Row, ReadError> readLatex(std::string_view latex, const Macros &macros = {});
 
 } // namespace halfspace::math

@@ -100,13 +100,11 @@ const std::vector<Token> &TokenStream::bodyOf(const Token &call, std::string_vie
 }
 
 void TokenStream::expand(const Token &call) {
-  std::vector<std::string_view> around;
-  refuseRecursion(call, call.name, around);
   std::vector<std::vector<Token>> arguments;
   for (int i = 0; i < m_macros.find(call.name)->second.arguments; ++i)
     arguments.push_back(takeMacroArgument(call));
   const std::vector<Token> tokens = filled(call, arguments);
-  // An empty body counts too, so that the work of many is bounded.
+  // An empty body counts too, so that the work of many is bounded, and of one that uses itself.
   m_expanded += tokens.size() + 1;
   if (m_expanded > mostExpandedTokens)
     throw ReadError{call.column, "`" + sourceOf(call) + "` becomes too long."};
@@ -138,22 +136,6 @@ std::vector<Token> TokenStream::takeMacroArgument(const Token &call) {
   if (m_upcoming.back().is('{'))
     return takeBetween('{', '}');
   return {takeRaw()};
-}
-
-void TokenStream::refuseRecursion(const Token &call, std::string_view name,
-                                  std::vector<std::string_view> &around) {
-  if (m_checked.contains(name))
-    return;
-  if (std::find(around.begin(), around.end(), name) != around.end())
-    throw ReadError{call.column, "The macro `\\" + std::string(name) + "` uses itself."};
-  if (around.size() >= static_cast<std::size_t>(deepestNesting))
-    throw ReadError{call.column, "The macros that `" + sourceOf(call) + "` uses are nested too deeply."};
-  around.push_back(name);
-  for (const Token &token : bodyOf(call, name))
-    if (token.kind == Token::Kind::Command && m_macros.contains(token.name))
-      refuseRecursion(call, token.name, around);
-  around.pop_back();
-  m_checked.insert(name);
 }
 
 } // namespace halfspace::math

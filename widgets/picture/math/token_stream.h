@@ -5,7 +5,6 @@
 #include "widgets/picture/math/read_latex.h"
 
 #include <map>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -41,15 +40,12 @@ private:
                                           const std::vector<std::vector<Token>> &arguments);
   [[nodiscard]] std::vector<Token> takeMacroArgument(const Token &call);
   [[nodiscard]] Token takeRaw();
-  /// Follows the macros that a macro uses, and theirs.
-  void refuseRecursion(const Token &call, std::string_view name, std::vector<std::string_view> &around);
 
   const Macros &m_macros;
   std::vector<Token> m_upcoming; ///< the next one is the last
   Token m_end;
   std::size_t m_expanded = 0;
   std::map<std::string_view, std::vector<Token>> m_bodies;
-  std::set<std::string_view> m_checked; ///< macros known not to use themselves
 };
 
 } // namespace halfspace::math
