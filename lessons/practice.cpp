@@ -285,9 +285,9 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
   return told;
 }
 
-Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed) {
+Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed, char decimalMark) {
   const Question question(line, gap);
-  const auto answer = readAnswer(typed);
+  const auto answer = readAnswer(typed, decimalMark);
   if (!answer || !question.canBe(*answer))
     return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
   if (question.isRight(*answer))

@@ -195,6 +195,29 @@ bool roundsTo(const TypedEntry &typed, const Polynomial &number) {
          sign(apart - Real(*typed.rounding)).value_or(1) <= 0;
 }
 
+/// Points for decimal marks: those that a digit follows, for in `1, 2` one parts two numbers.
+std::string withPoints(std::string_view typed, char decimalMark) {
+  std::string text(typed);
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
+    if (text[i] == decimalMark && text[i + 1] >= '0' && text[i + 1] <= '9')
+      text[i] = '.';
+  return text;
+}
+
+std::optional<TypedAnswer> readPlain(std::string_view text) {
+  if (const auto sign = text.find('='); sign != std::string_view::npos)
+    return readEquation(text, sign);
+  TypedAnswer answer;
+  for (const std::string_view piece : piecesOf(text)) {
+    const auto entry = readEntry(piece);
+    if (!entry)
+      return {};
+    answer.entries.push_back(*entry);
+  }
+  answer.isList = answer.entries.size() > 1;
+  return answer;
+}
+
 } // namespace
 
 TermValue TypedAnswer::value() const {
@@ -223,20 +246,11 @@ bool TypedAnswer::meansEquation(const TermValue &left) const {
   return areEqual(typed * meant.summands().front().factor, meant * typed.summands().front().factor) == true;
 }
 
-std::optional<TypedAnswer> readAnswer(std::string_view text) {
+std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark) {
   if (text.size() > longestAnswer)
     return {};
-  if (const auto sign = text.find('='); sign != std::string_view::npos)
-    return readEquation(text, sign);
-  TypedAnswer answer;
-  for (const std::string_view piece : piecesOf(text)) {
-    const auto entry = readEntry(piece);
-    if (!entry)
-      return {};
-    answer.entries.push_back(*entry);
-  }
-  answer.isList = answer.entries.size() > 1;
-  return answer;
+  auto answer = readPlain(withPoints(text, decimalMark));
+  return answer ? answer : readPlain(text); // (1,2,3) is a list whatever the mark
 }
 
 } // namespace halfspace

@@ -34,8 +34,8 @@ struct TypedAnswer {
 /// make of them; 10 3 is none. Several are typed as (1, -3 1/3, √2), in parentheses or without, parted by
 /// commas, or by semicolons where the comma is a decimal mark. Equations have letters: x + 2y + 2z = 27.
 /// Nothing for any other text, for numbers that leave A + B√n, and for texts of more than `longestAnswer`
-/// bytes.
-[[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text);
+/// bytes. Where the comma is the decimal mark, 1,5 is 3/2, and (1, 2, 3) and (1,2,3) are lists still.
+[[nodiscard]] std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark = '.');
 inline constexpr std::size_t longestAnswer = 120;
 /// Products of sums of letters grow without end: an answer with more summands is none.
 inline constexpr std::size_t mostSummands = 64;

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QLocale>
 #include <QStyle>
 #include <QToolButton>
 
@@ -42,11 +41,8 @@ void BlankField::setRemark(const QString &remark) {
 void BlankField::answer() {
   if (m_edit->text().trimmed().isEmpty())
     return;
-  QString text = m_edit->text();
-  if (locale().decimalPoint() == ',')
-    text.replace(',', '.');
   m_edit->selectAll();
-  emit answered(text);
+  emit answered(m_edit->text());
 }
 
 void BlankField::mark(bool wrong) {

@@ -22,7 +22,7 @@ public:
   void setRemark(const QString &remark);
 
 signals:
-  void answered(const QString &text); ///< with a decimal point, whatever the language writes
+  void answered(const QString &text); ///< as it was typed
   void showRequested();
 
 private:

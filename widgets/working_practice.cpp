@@ -4,6 +4,7 @@
 
 #include <QButtonGroup>
 #include <QLabel>
+#include <QLocale>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -179,7 +180,8 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
   const auto gap = m_fade.gaps.find(line);
   if (!asking || gap == m_fade.gaps.end())
     return;
-  const Judgement judgement = judge(*asking, gap->second, text.toStdString());
+  const char decimalMark = QString(locale().decimalPoint()).at(0).toLatin1();
+  const Judgement judgement = judge(*asking, gap->second, text.toStdString(), decimalMark);
   LineRecord &record = recordOf(line);
   record.remark = {QString::fromStdString(judgement.sentence), judgement.right};
   record.isOpen = judgement.right;

@@ -29,6 +29,22 @@ TEST(ReadAnswer, OfNumbersAsLearnersWriteThem_IsExact) {
   }
 }
 
+TEST(ReadAnswer, WithADecimalComma_TellsItFromOneThatParts) {
+  const auto list = [](std::vector<Polynomial> entries) { return TermValue::list(std::move(entries)); };
+  const Polynomial half(Real(Rational(3, 2)));
+  const Polynomial two(Real(2));
+  const Polynomial three(Real(3));
+  EXPECT_TRUE(readAnswer("1,5", ',')->means(Surd(Rational(3, 2))));
+  EXPECT_TRUE(readAnswer("1.5", ',')->means(Surd(Rational(3, 2))));
+  EXPECT_TRUE(readAnswer("(3, 2)", ',')->means(list({three, two})));
+  for (const char *text : {"(2, 3, 2)", "(2,3,2)", "(2; 3; 2)", "2, 3, 2"})
+    EXPECT_TRUE(readAnswer(text, ',')->means(list({two, three, two}))) << text;
+  for (const char *text : {"(1,5; 3; 2)", "(1,5, 3, 2)"})
+    EXPECT_TRUE(readAnswer(text, ',')->means(list({half, three, two}))) << text;
+  EXPECT_TRUE(readAnswer("x + 1,5y = 2", ',')->isEquation);
+  EXPECT_FALSE(readAnswer("1,,5", ','));
+}
+
 TEST(ReadAnswer, OfAnythingElse_IsNothing) {
   for (const char *text : {"", "-", "1/0", "1/x", "1/√0", "√-2", "√", "3..5", "2*", "(2", "2)", "1+", "√2+√3",
                            "√√2", "√x", "1,,2", "_"})

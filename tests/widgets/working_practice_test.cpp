@@ -119,6 +119,22 @@ private slots:
     QVERIFY(practice.panel().latexOfAll().contains("= 10"));
   }
 
+  void answerIsReadAndToldInTheLanguageOfTheLearner() {
+    WorkingPractice practice(m_typesetter);
+    practice.setLocale(QLocale(QLocale::German));
+    Working working = someWorking();
+    working.lines.push_back(asked("G", withResult(name(letter("G"), ExactVec3(Rational(3, 2), 2, 3)))));
+    show(practice);
+    practice.setWorking(working, false);
+    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    answer(fields(practice).first(), "1,25");
+    QVERIFY(text(line(practice, 3).remark).contains("(1, 2, 3)")); // so many are asked for …
+    answer(fields(practice).first(), "(1, 2, 3)");
+    QVERIFY(text(line(practice, 3).remark).contains("(1, 2, 3) is not right")); // … and these can be typed
+    answer(fields(practice).first(), "(1,5; 2; 3)");
+    QCOMPARE(text(line(practice, 3).remark), QString("Right."));
+  }
+
   void rightAnswerHandsTheKeysToTheNextField() {
     WorkingPractice practice(m_typesetter);
     show(practice);
