@@ -73,7 +73,8 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
-    m_inspector->dropTyped(); // it was about the numbers that go
+    m_working->dropTyped(); // it was about the numbers that go
+    m_inspector->dropTyped();
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
   });
   connect(m_scene, &SceneView::hint, this, [this](const QString &words) { statusBar()->showMessage(words); });

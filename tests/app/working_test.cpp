@@ -199,6 +199,21 @@ private slots:
     QVERIFY(fixture.model().session() == before);
   }
 
+  void newNumbers_dropWhatIsTypedInAFormula() {
+    LinesFixture fixture;
+    QVERIFY(fixture.ready);
+    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    QVERIFY(field);
+    QTest::keyClicks(field, "seven");
+    QTest::keyClick(field, Qt::Key_Return);
+    for (QToolButton *choice : fixture.window.findChild<WorkingPractice *>()->findChildren<QToolButton *>())
+      if (choice->text() == "New numbers")
+        QTest::mouseClick(choice, Qt::LeftButton);
+    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
+    for (const PlacedLine &line : fixture.panel.placed().lines)
+      QVERIFY(line.remark.empty());
+  }
+
   void numbersOfBlankLines_cannotBeClicked() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
