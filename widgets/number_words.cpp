@@ -21,7 +21,9 @@ struct NumberWords {
 QString componentOf(const Term &number, const QString &name) {
   static constexpr std::array axes{'x', 'y', 'z'};
   const int axis = number->source->component.value_or(0);
-  return NumberWords::tr("%1 of %2").arg(QChar(axes.at(static_cast<std::size_t>(axis)))).arg(name);
+  return NumberWords::tr("%1 of %2", "a coordinate: x of n")
+      .arg(QChar(axes.at(static_cast<std::size_t>(axis))))
+      .arg(name);
 }
 
 QString nameOf(const Term &number, std::string (*write)(const Term &, Notation)) {
@@ -45,7 +47,8 @@ QString tipOf(const Term &number) {
 QString spokenWithOrigin(const Term &number) {
   const QString value = QString::fromStdString(spoken(number));
   const QString origin = nameOf(number, spoken);
-  return number->source ? NumberWords::tr("%1, %2").arg(value, componentOf(number, origin))
+  return number->source ? NumberWords::tr("%1, %2", "spoken: a number, and the coordinate that it is")
+                              .arg(value, componentOf(number, origin))
                         : NumberWords::tr("%1, from %2").arg(value, origin);
 }
 

@@ -5,11 +5,17 @@
 #include "widgets/picture/math/read_latex.h"
 #include "widgets/typeset/paint_formula.h"
 
+#include <QCoreApplication>
+
 namespace halfspace {
 namespace {
 
 /// Of a source that is no formula, so many characters are shown.
 constexpr int longestSource = 60;
+
+struct MathPictureWords {
+  Q_DECLARE_TR_FUNCTIONS(halfspace::MathPicture)
+};
 
 math::Layout layOutSource(const QString &latex, const MathTypeface &typeface) {
   QString source = latex.left(longestSource).simplified();
@@ -48,7 +54,7 @@ void MathPicture::layOut(const math::Row &formula) {
   m_layout = math::layOut(formula, m_typeface->fonts());
   const bool fits = width() < largestSide && height() < largestSide;
   if (!fits) // said this way round, so that a size that is no number does not pass
-    m_error = QStringLiteral("The formula is too large.");
+    m_error = MathPictureWords::tr("The formula is too large.");
 }
 
 MathPicture MathPicture::brokenTo(double widthInEm) const {
