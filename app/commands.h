@@ -7,9 +7,11 @@ namespace halfspace {
 
 /// Each returns the program's exit status: 0, or exitRefused after one sentence on standard error.
 [[nodiscard]] int runLessons(const LessonsCommand &command);
-/// A line on standard output for each problem; the exit status is 1 where there are any.
-int runCheck(const CheckCommand &command);
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);
+
+/// Writes a line on standard output for each problem; the exit status is then exitProblems, where there is
+/// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
+[[nodiscard]] int runCheck(const CheckCommand &command);
 
 } // namespace halfspace

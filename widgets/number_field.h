@@ -10,7 +10,7 @@ namespace halfspace {
 
 /// Shows a fraction exactly. Typing takes `-10/3`, `1.5`, and `1,5` where the language writes it so. Up and
 /// Down step it; a number too long for the field is shown rounded after ≈ until the field has the focus.
-/// Pressing on a field without the focus and dragging sideways scrubs it. A text that is no
+/// Pressing on a field in which nothing is half typed and dragging sideways scrubs it. A text that is no
 /// number stays, marked, until it is mended or Escape takes it back.
 class NumberField : public QLineEdit {
   Q_OBJECT

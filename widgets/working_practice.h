@@ -13,7 +13,7 @@ class QToolButton;
 namespace halfspace {
 
 /// Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
-/// when the scene changes, and choosing how much is blank makes them blank anew, as do new numbers. Lines
+/// until their numbers change, and choosing how much is blank makes them blank anew, as do new numbers. Lines
 /// that are blank stay so and ask for the new number.
 class WorkingPractice : public QWidget {
   Q_OBJECT
