@@ -5,6 +5,7 @@
 #include "widgets/inspector.h"
 #include "widgets/lesson_panel.h"
 #include "widgets/mark_ink.h"
+#include "widgets/repolish.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/unbroken.h"

@@ -5,7 +5,6 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyle>
 #include <QWidget>
 
 namespace halfspace {
@@ -69,11 +68,6 @@ void applyStyle(QApplication &application, const Theme &theme) {
   font.setPointSizeF(usualPointSize * theme.textScale);
   application.setFont(font);
   application.setStyleSheet(styleSheetOf(theme));
-}
-
-void repolish(QWidget &widget) {
-  widget.style()->unpolish(&widget);
-  widget.style()->polish(&widget);
 }
 
 } // namespace halfspace

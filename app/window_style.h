@@ -4,14 +4,10 @@
 #include "widgets/scene/theme.h"
 
 class QApplication;
-class QWidget;
 
 namespace halfspace {
 
 /// Gives the whole program the theme's palette, sizes and hairlines.
 void applyStyle(QApplication &application, const Theme &theme);
-
-/// Applies the style anew to a widget one of whose properties has changed.
-void repolish(QWidget &widget);
 
 } // namespace halfspace

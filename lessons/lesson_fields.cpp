@@ -63,9 +63,7 @@ CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
 }
 
 bool isMacroName(const std::string &name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  });
+  return !name.empty() && std::all_of(name.begin(), name.end(), isLetter);
 }
 
 void readMacro(const DocumentNode &node, FieldReader &fields, Macros &macros) {
@@ -90,8 +88,8 @@ void readMacro(const DocumentNode &node, FieldReader &fields, Macros &macros) {
 
 std::size_t parametersIn(std::string_view text) {
   std::size_t count = 0;
-  for (std::size_t at = 0; at + 1 < text.size(); ++at)
-    if (text[at] == '#' && text[at + 1] >= '1' && text[at + 1] <= '9')
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (parameterAt(text, at) > 0)
       ++count;
   return count;
 }

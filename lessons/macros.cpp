@@ -1,19 +1,13 @@
 #include "lessons/macros.h"
 
+#include "lessons/text.h"
+
 #include <algorithm>
 #include <set>
 #include <vector>
 
 namespace halfspace {
 namespace {
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// The number behind the `#` at a place; 0: none from 1 to 9.
-std::size_t parameterAt(std::string_view body, std::size_t at) {
-  const bool isOne = body[at] == '#' && at + 1 < body.size() && body[at + 1] >= '1' && body[at + 1] <= '9';
-  return isOne ? static_cast<std::size_t>(body[at + 1] - '0') : 0;
-}
 
 /// Where the first `#` stands; \# is a sign of its own. At the end where there is none.
 std::size_t firstParameter(std::string_view body) {
@@ -181,6 +175,11 @@ private:
 };
 
 } // namespace
+
+std::size_t parameterAt(std::string_view body, std::size_t at) {
+  const bool isOne = body[at] == '#' && at + 1 < body.size() && body[at + 1] >= '1' && body[at + 1] <= '9';
+  return isOne ? static_cast<std::size_t>(body[at + 1] - '0') : 0;
+}
 
 std::optional<Macro> macroOf(std::string body) {
   Macro macro;

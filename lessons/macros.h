@@ -1,6 +1,7 @@
 // Abbreviations in the LaTeX of a lesson's words: `\R` for `\mathbb{R}`.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@ struct Macro {
 
 /// By their names, without the backslash. A macro hides a command of the same name.
 using Macros = std::map<std::string, Macro, std::less<>>;
+
+/// The number from 1 to 9 behind a `#` at this place of a body; 0 where there is none.
+[[nodiscard]] std::size_t parameterAt(std::string_view body, std::size_t at);
 
 /// With as many arguments as the highest number behind a `#` says; nothing where a `#` stands for none.
 [[nodiscard]] std::optional<Macro> macroOf(std::string body);

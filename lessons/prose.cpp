@@ -1,5 +1,7 @@
 #include "lessons/prose.h"
 
+#include "lessons/text.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -59,8 +61,6 @@ const Replacement *find(const std::array<Replacement, size> &table, std::string_
       std::find_if(table.begin(), table.end(), [from](const Replacement &each) { return each.from == from; });
   return found == table.end() ? nullptr : &*found;
 }
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// The bytes of the UTF-8 character that begins with this byte.
 std::size_t characterLength(char first) {

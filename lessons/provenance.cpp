@@ -87,18 +87,15 @@ Provenance provenanceOf(const Term &number, const Working &working) {
 }
 
 std::optional<CoordinateId> coordinateOf(const Scene &scene, const CoordinateSource &source) {
-  for (auto entry = scene.entries.rbegin(); entry != scene.entries.rend(); ++entry) {
-    const auto *use = std::get_if<ConstructionUse>(&entry->content);
-    if (!use)
-      continue;
-    // The working is that of the last construction.
-    const auto role = use->roles.find(source.role);
-    const Object *object = role == use->roles.end() ? nullptr : findObject(scene, role->second);
-    if (!object || source.coordinate >= coordinatesOf(*object).size())
-      return {};
-    return CoordinateId{role->second, source.coordinate};
-  }
-  return {};
+  const Entry *last = lastConstruction(scene); // the working is its own
+  if (!last)
+    return {};
+  const auto &roles = std::get<ConstructionUse>(last->content).roles;
+  const auto role = roles.find(source.role);
+  const Object *object = role == roles.end() ? nullptr : findObject(scene, role->second);
+  if (!object || source.coordinate >= coordinatesOf(*object).size())
+    return {};
+  return CoordinateId{role->second, source.coordinate};
 }
 
 } // namespace halfspace

@@ -31,6 +31,9 @@ struct Scene {
 [[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);
 [[nodiscard]] Object *findObject(Scene &scene, std::string_view name);
 
+/// The last entry that uses a construction, or null: what is worked out and shown is its own.
+[[nodiscard]] const Entry *lastConstruction(const Scene &scene);
+
 /// A coordinate of a scene: `E.n`, or `Q` for a point.
 struct CoordinateId {
   std::string object;

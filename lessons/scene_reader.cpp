@@ -91,7 +91,6 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
   return entry;
 }
 
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; }
 
 std::optional<Problem> checkName(const Scene &scene, std::size_t index) {

@@ -242,11 +242,9 @@ void renewAll(std::vector<Object *> objects, Renewal &renewal) {
 }
 
 /// The last construction and what it looks at: nothing else has a say in what is shown as the result.
-Scene lastConstruction(const Scene &scene) {
-  const auto last = std::find_if(scene.entries.rbegin(), scene.entries.rend(), [](const Entry &entry) {
-    return std::holds_alternative<ConstructionUse>(entry.content);
-  });
-  if (last == scene.entries.rend())
+Scene shownPartOf(const Scene &scene) {
+  const Entry *last = lastConstruction(scene);
+  if (!last)
     return {};
   Scene part;
   for (const auto &[role, name] : std::get<ConstructionUse>(last->content).roles)
@@ -320,7 +318,7 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice) {
 
 Scene withShortNumbers(Scene scene, std::uint64_t seed) {
   Dice dice(seed);
-  const auto last = renewed(lastConstruction(scene), dice);
+  const auto last = renewed(shownPartOf(scene), dice);
   if (!last)
     return scene;
   std::vector<Object *> others;

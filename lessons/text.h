@@ -8,6 +8,9 @@
 
 namespace halfspace {
 
+/// From a to z, or from A to Z.
+[[nodiscard]] constexpr bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 /// The text without the white space at its ends.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view space = " \t\r\n";

@@ -23,8 +23,6 @@ std::string condensed(std::string_view typed) {
   return text;
 }
 
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Reads sums and products of numbers, roots and letters.

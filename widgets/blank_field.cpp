@@ -1,8 +1,9 @@
 #include "widgets/blank_field.h"
 
+#include "widgets/repolish.h"
+
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QStyle>
 #include <QToolButton>
 
 namespace halfspace {
@@ -47,8 +48,7 @@ void BlankField::answer() {
 
 void BlankField::mark(bool wrong) {
   m_edit->setProperty("wrong", wrong);
-  m_edit->style()->unpolish(m_edit);
-  m_edit->style()->polish(m_edit);
+  repolish(*m_edit);
 }
 
 } // namespace halfspace

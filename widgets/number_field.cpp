@@ -3,6 +3,7 @@
 #include "lessons/scene_reader.h"
 #include "lessons/session.h"
 #include "lessons/typed_number.h"
+#include "widgets/repolish.h"
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -111,8 +112,7 @@ void NumberField::mark(bool wrong) {
   setProperty("wrong", wrong);
   if (!wrong)
     emit refused({});
-  style()->unpolish(this);
-  style()->polish(this);
+  repolish(*this);
 }
 
 QString NumberField::enter() {

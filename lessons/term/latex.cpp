@@ -1,6 +1,7 @@
 #include "lessons/term/latex.h"
 
 #include "lessons/term/term_writer.h"
+#include "lessons/text.h"
 
 #include <algorithm>
 #include <array>
@@ -139,7 +140,6 @@ protected:
 private:
   /// A letter behind a command would become part of its name.
   static void append(std::string &text, const std::string &next) {
-    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto lastOther = std::find_if_not(text.rbegin(), text.rend(), isLetter);
     const bool endsInCommand = lastOther != text.rbegin() && lastOther != text.rend() && *lastOther == '\\';
     text += (endsInCommand && !next.empty() && isLetter(next.front()) ? " " : "") + next;
