@@ -60,8 +60,7 @@ public:
   [[nodiscard]] ShownNumbers shownNumbers() const { return {m_lines, m_placed}; }
   /// What is shown and where, in coordinates of the viewport.
   [[nodiscard]] PlacedWorking placed() const;
-  /// The line as LaTeX, or all lines one below the other.
-  [[nodiscard]] QString latexOf(const WorkingLine &line) const;
+  /// The lines as LaTeX, one below the other.
   [[nodiscard]] QString latexOfAll() const;
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -111,6 +110,7 @@ private:
   /// The room of a field, or of the blank where there is none.
   [[nodiscard]] math::Room roomOfGap(const std::string &lineId) const;
   [[nodiscard]] QString textOf(const WorkingLine &line) const;
+  [[nodiscard]] QString latexOf(const WorkingLine &line) const;
   [[nodiscard]] std::map<std::string, LineState> lineStates() const;
   /// Makes and removes fields; whether the one that had the focus is gone.
   bool matchFields();

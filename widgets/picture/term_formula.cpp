@@ -208,12 +208,6 @@ Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
 
 math::Row formulaOf(const Term &term, Notation notation) { return FormulaWriter(notation).write(term); }
 
-math::Row formulaOf(const Chain &chain, Notation notation) { return FormulaWriter(notation).write(chain); }
-
-math::Row formulaOf(const Chain &chain, std::size_t begin, std::size_t end, Notation notation) {
-  return FormulaWriter(notation).write(chain, begin, end);
-}
-
 math::Row relatedFormula(const Term &value, Notation notation) {
   const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
   return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, notation));

@@ -10,10 +10,6 @@ namespace halfspace {
 
 /// A term that is a mark of the figure is tagged with the mark's id.
 [[nodiscard]] math::Row formulaOf(const Term &term, Notation notation = {});
-[[nodiscard]] math::Row formulaOf(const Chain &chain, Notation notation = {});
-/// The sides from `begin` on, each but the chain's first with the relation before it.
-[[nodiscard]] math::Row formulaOf(const Chain &chain, std::size_t begin, std::size_t end,
-                                  Notation notation = {});
 
 /// The value behind the relation that it allows: = 10, ≈ 3.16228.
 [[nodiscard]] math::Row relatedFormula(const Term &value, Notation notation = {});
