@@ -1,11 +1,6 @@
 // The program as a shell meets it, without a display: what it prints, where, and with which exit status.
-#include "tests/program_test.h"
+#include "tests/app/command_fixture.h"
 
-#include <nlohmann/json.hpp>
-
-#include <QImage>
-
-#include <algorithm>
 #include <array>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -16,65 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-class Program : public ProgramTest {
-protected:
-  QImage picture(const std::string &name) const {
-    return QImage(QString::fromStdString(inFolder(name).string()));
-  }
-
-  /// `arguments` as a shell reads them; `environment`: NAME=value in front. No display and no home.
-  Ran run(const std::string &arguments, const std::string &environment = "") const {
-    return runWith(">.out 2>.err </dev/null", arguments, environment);
-  }
-  /// Likewise, with other standard streams.
-  Ran runWith(const std::string &streams, const std::string &arguments,
-              const std::string &environment = "") const {
-    fs::remove(inFolder(".out"));
-    fs::remove(inFolder(".err"));
-    return shell("exec env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR -u QT_QPA_PLATFORM HOME='" +
-                 folder().string() + "' " + environment + " '" + m_program + "' " + arguments + " " +
-                 streams);
-  }
-
-  /// From now on it is a copy of the program that runs, which has one of our lessons, and this one.
-  void addLesson(const std::string &text) {
-    const fs::path own = inFolder("own");
-    const fs::path lessons = "share/halfspace/lessons";
-    if (!fs::exists(own)) {
-      const fs::path program = m_program;
-      fs::create_directories(own / "bin");
-      fs::create_directories(own / lessons);
-      m_program = (own / "bin/halfspace").string();
-      fs::copy_file(program, m_program);
-      fs::copy(program.parent_path().parent_path() / lessons / "signed-distance.md", own / lessons);
-    }
-    write("own/share/halfspace/lessons/added.md", text);
-  }
-
-  Json explained(const std::string &arguments) const {
-    const Ran ran = run("explain --format json " + arguments);
-    EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_EQ(ran.err, "");
-    return Json::parse(ran.out);
-  }
-
-  /// Refused: status 2, nothing printed, and one sentence that says why.
-  void expectRefused(const std::string &arguments, const std::string &reason,
-                     const std::string &environment = "") const {
-    SCOPED_TRACE(environment + " halfspace " + arguments);
-    const Ran ran = run(arguments, environment);
-    EXPECT_EQ(ran.status, 2);
-    EXPECT_EQ(ran.out, "");
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_TRUE(ran.err.starts_with("halfspace: ") && (ran.err.ends_with(".\n") || ran.err.ends_with("?\n")))
-        << ran.err;
-    EXPECT_NE(ran.err.find(reason), std::string::npos) << ran.err;
-  }
-
-private:
-  std::string m_program = HALFSPACE_PROGRAM;
-};
 
 /// Whether a terminal would be steered, or sentences turned, by characters that a file has put in.
 bool isHarmless(const std::string &text) {
@@ -96,76 +32,6 @@ TEST_F(Program, Lessons_ListsIdsAndTitles) {
   EXPECT_EQ(ran.err, "");
   EXPECT_GE(std::count(ran.out.begin(), ran.out.end(), '\n'), 4);
   EXPECT_TRUE(ran.out.starts_with("plane-implicit  What equation does a plane have?\n")) << ran.out;
-}
-
-TEST_F(Program, Check_OfOurLessons_FindsNothing) {
-  const Ran ran = run("check");
-  EXPECT_EQ(ran.status, 0) << ran.out;
-  EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(ran.out, "Nothing is wrong. Lessons: 4\n");
-}
-
-const std::string faultyLesson = R"(---
-id: faulty
-title: Faulty
-macros: {ok: '\vec #1'}
-scene:
-  - {name: Q, point: [1, 2, 3]}
----
-
-## One
-
-Words with $\ok n$ and $\foo$,
-and `$\foo$`; $t$ = $\frac{1}$
-```task
-do: Ärger with $x^2^3$.
-when: side = on
-```
-
-$$\left( x$$
-
-```python
-$code
-```
-
-```predict
-ask: Where is $\Q$?
-answer: side
-choices:
-  on: $\vec n$
-  positive: $\begin{x}$
-why: Because $}$.
-```
-And λ $\bar$
-)";
-
-TEST_F(Program, Check_OfALesson_TellsEachFormulaThatCannotBeRead) {
-  write("faulty.md", faultyLesson);
-  const Ran ran = run("check faulty.md");
-  EXPECT_EQ(ran.status, 1);
-  EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(
-      ran.out,
-      "faulty.md:11: In “\\foo”, column 1: `\\foo` is unknown.\n"
-      "faulty.md:12: In “\\frac{1}”, column 9: An argument is missing here.\n"
-      "faulty.md:14: do: In “x^2^3”, column 4: There are two superscripts: put the first with its base into "
-      "`{}`.\n"
-      "faulty.md:18: In “\\left( x”, column 1: A `\\right` is missing for this `\\left`.\n"
-      "faulty.md:25: ask: In “\\Q”, column 1: `\\Q` is unknown.\n"
-      "faulty.md:29: choices: In “\\begin{x}”, column 1: The environment `x` is unknown.\n"
-      "faulty.md:30: why: In “}”, column 1: This `}` has no `{`.\n"
-      "faulty.md:32: In “\\bar”, column 2: An argument is missing here.\n");
-}
-
-TEST_F(Program, Check_OfAFolder_TellsWhatIsWrongInEachFile) {
-  fs::create_directory(inFolder("mine"));
-  write("mine/a.md", "---\nid: a\n---\n");
-  write("mine/b.md", faultyLesson);
-  const Ran ran = run("check mine no-such-file.md");
-  EXPECT_EQ(ran.status, 1);
-  EXPECT_NE(ran.out.find("mine/a.md"), std::string::npos) << ran.out;
-  EXPECT_NE(ran.out.find("mine/b.md:11:"), std::string::npos);
-  EXPECT_NE(ran.out.find("no-such-file.md"), std::string::npos);
 }
 
 TEST_F(Program, LessonsAsJson_TellIdsTitlesStepsAndSources) {

@@ -1,23 +1,14 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
-#include "widgets/working_panel.h"
+#include "tests/widgets/working_panel_fixture.h"
 
-#include "lessons/object.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/worked_lines.h"
-#include "widgets/number_field.h"
 #include "widgets/picture/term_formula.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QtTest>
 
 using namespace halfspace;
-
-Q_DECLARE_METATYPE(halfspace::CoordinateSource)
-Q_DECLARE_METATYPE(halfspace::Rational)
+using namespace halfspace::test;
 
 namespace {
 
@@ -39,54 +30,6 @@ Term longSum(int summands) {
   return sum(std::vector<Term>(static_cast<std::size_t>(summands), unknown("x")));
 }
 
-/// u·u = 1·1 + 2·2 = 5, a = 2(u·u) = 2·5 = 10, and b = 3 without any number of u.
-Working tracedWorking(int x = 1, const Rational &b = 3) {
-  const Term u = given(vectorLetter("u"), ExactVec3(x, 2, 0), "L", 1).marked("u");
-  const Term w = given(vectorLetter("w"), ExactVec3(b, 0, 0), "L", 0).marked("w");
-  const Term a = name(letter("a"), Rational(2 * (4 + x * x)));
-  return {{line("uu", {withProducts(dot(u, u))}), line("a", {withNumbers(a == 2 * dot(u, u))}),
-           line("b", {withNumbers(name(letter("b"), abs(b)) == norm(w))})}};
-}
-
-/// The result of one line left out.
-Fade blankIn(const Working &working, const std::string &line) {
-  return {{{line, resultGap(*findLine(working, line))}}, {}};
-}
-
-/// The first of the line's shown numbers that reads so.
-NumberPlace numberIn(const WorkingPanel &panel, std::size_t line, const std::string &text) {
-  for (const NumberPlace &place : panel.shownNumbers().inLine(line))
-    if (plainText(place.number) == text)
-      return place;
-  QTest::qFail(("there is no " + text).c_str(), __FILE__, __LINE__);
-  return {"", LinePiece::Symbols, 0, 0};
-}
-
-/// Where the number stands, in the viewport.
-QPoint middleOf(const WorkingPanel &panel, const NumberPlace &number) {
-  const auto boxes = panel.shownNumbers().boxesOf(number);
-  const QPointF scrolled(panel.horizontalScrollBar()->value(), panel.verticalScrollBar()->value());
-  return boxes.empty() ? QPoint(-1, -1) : (boxes.front().center() - scrolled).toPoint();
-}
-
-void click(WorkingPanel &panel, const NumberPlace &number) {
-  QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, number));
-}
-
-/// Moves the pointer with the left button down.
-void dragPointer(WorkingPanel &panel, QPoint position) {
-  QMouseEvent move(QEvent::MouseMove, position, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(panel.viewport(), &move);
-}
-
-using Ids = std::set<std::string>;
-
-/// QTest::mouseMove delivers nothing on the offscreen platform.
-void movePointer(WorkingPanel &panel, QPointF position) {
-  QMouseEvent move(QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-  QApplication::sendEvent(panel.viewport(), &move);
-}
-
 /// The middle of a mark's term in a line's first formula.
 QPointF middleOf(const WorkingPanel &panel, std::size_t line, const QString &mark) {
   const PlacedFormula formula = panel.placed().lines[line].formulas.front();
@@ -104,21 +47,10 @@ class WorkingPanelTest : public QObject {
 private:
   Typesetter m_typesetter;
 
-  void show(WorkingPanel &panel, int width, const Working &working = someWorking()) {
-    panel.resize(width, 500);
-    panel.show();
-    panel.setWorking(working);
-  }
-
 private slots:
-  void initTestCase() {
-    qRegisterMetaType<CoordinateSource>("halfspace::CoordinateSource");
-    qRegisterMetaType<Rational>("halfspace::Rational");
-  }
-
   void wideLineKeepsItsPiecesInOneRow() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 900);
+    show(panel, 900, someWorking());
     const auto placed = panel.placed();
     QCOMPARE(placed.lines.size(), std::size_t(2));
     QCOMPARE(placed.lines[0].formulas.size(), std::size_t(3));
@@ -130,7 +62,7 @@ private slots:
 
   void narrowLineBreaksBeforeAPieceAndStaysInside() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 270);
+    show(panel, 270, someWorking());
     for (const PlacedLine &line : panel.placed().lines)
       for (const PlacedFormula &formula : line.formulas)
         QVERIFY(formula.box().right() <= 270);
@@ -160,7 +92,7 @@ private slots:
 
   void pointerOnATermTellsItsMarkAndLeavingTellsNone() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 900);
+    show(panel, 900, someWorking());
     QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
     movePointer(panel, middleOf(panel, 0, "P0"));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("P0"));
@@ -175,7 +107,7 @@ private slots:
 
   void pointerFindsTermsInAScrolledPanel() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 270);
+    show(panel, 270, someWorking());
     panel.resize(270, 120);
     panel.verticalScrollBar()->setValue(panel.verticalScrollBar()->maximum());
     QVERIFY(panel.verticalScrollBar()->value() > 0);
@@ -186,7 +118,7 @@ private slots:
 
   void highlightedTermHasABackground() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 900);
+    show(panel, 900, someWorking());
     const QPoint beside = middleOf(panel, 0, "P0").toPoint() + QPoint(0, -9);
     const QColor before = panel.viewport()->grab().toImage().pixelColor(beside);
     panel.setHighlighted({"P0"});
@@ -195,7 +127,7 @@ private slots:
 
   void blankedLineShowsNoNumbersAnywhere() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 900);
+    show(panel, 900, someWorking());
     panel.setWorking(someWorking(), blankIn(someWorking(), "t"));
     // The symbols, = with the field, and what is told of their names.
     QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(3));
@@ -211,7 +143,7 @@ private slots:
 
   void copyingGivesPlainLatexOfTheClickedLine() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 900);
+    show(panel, 900, someWorking());
     QTest::mouseClick(panel.viewport(), Qt::LeftButton, Qt::NoModifier,
                       panel.placed().lines[0].box.center().toPoint());
     QTest::keyClick(&panel, Qt::Key_C, Qt::ControlModifier);
@@ -219,329 +151,6 @@ private slots:
     QVERIFY(copied.startsWith("t = \\frac{(P_0 - Q)"));
     QVERIFY(copied.endsWith("= -\\frac{10}{3}"));
     QVERIFY(!copied.contains("\\mark"));
-  }
-
-  void clickedNumberTellsTheLinesAndMarksThatItCameFrom() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy changed(&panel, &WorkingPanel::traceChanged);
-    click(panel, numberIn(panel, 1, "10"));
-    QCOMPARE(changed.count(), 1);
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QCOMPARE(panel.traced().marks, Ids{"u"});
-    click(panel, numberIn(panel, 2, "3"));
-    QCOMPARE(panel.traced().marks, Ids{"w"});
-    QCOMPARE(panel.traced().lines, Ids{});
-  }
-
-  void traceIsShownOnTheNumberAndOnTheLinesThatItCameFrom() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    const NumberPlace number = numberIn(panel, 1, "10");
-    const QPoint atNumber = middleOf(panel, number) + QPoint(0, -2);
-    const auto atLine = [&](std::size_t line) {
-      return QPoint(450, static_cast<int>(panel.placed().lines[line].box.bottom()) - 3);
-    };
-    const QImage before = panel.viewport()->grab().toImage();
-    click(panel, number);
-    const QImage after = panel.viewport()->grab().toImage();
-    QVERIFY(after.pixelColor(atLine(0)) != before.pixelColor(atLine(0)));
-    QVERIFY(after.pixelColor(atLine(2)) == before.pixelColor(atLine(2)));
-    const QRect around(atNumber - QPoint(12, 12), QSize(24, 24));
-    QVERIFY(after.copy(around) != before.copy(around));
-  }
-
-  void traceEndsWithEscapeAndWithAClickElsewhere() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    click(panel, numberIn(panel, 1, "10"));
-    QTest::keyClick(&panel, Qt::Key_Escape);
-    QVERIFY(panel.traced() == Provenance());
-    click(panel, numberIn(panel, 1, "10"));
-    QTest::mouseClick(panel.viewport(), Qt::LeftButton, {},
-                      panel.placed().lines[2].box.bottomRight().toPoint() - QPoint(5, 5));
-    QVERIFY(panel.traced() == Provenance());
-  }
-
-  void traceFollowsItsPlaceAndComesBackWithIt() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    click(panel, numberIn(panel, 1, "10"));
-    panel.setWorking(tracedWorking(4));
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    Working without = tracedWorking();
-    without.lines.erase(without.lines.begin() + 1);
-    panel.setWorking(without);
-    QVERIFY(panel.traced() == Provenance());
-    panel.setWorking(tracedWorking(3));
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-  }
-
-  void numberIsFollowedThroughLinesThatAreNotShown() {
-    WorkingPanel panel(m_typesetter);
-    panel.setWholeWorking([] { return tracedWorking(); });
-    Working part = tracedWorking();
-    part.lines.erase(part.lines.begin());
-    show(panel, 900, part);
-    click(panel, numberIn(panel, 0, "5"));
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QCOMPARE(panel.traced().marks, Ids{"u"});
-  }
-
-  void numbersOfABlankLineCannotBeTouchedNorTraced() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    const NumberPlace result = numberIn(panel, 1, "10");
-    const QPoint at = middleOf(panel, result);
-    click(panel, result);
-    panel.setWorking(tracedWorking(), blankIn(tracedWorking(), "a"));
-    QVERIFY(panel.traced() == Provenance());
-    QVERIFY(panel.shownNumbers().inLine(1).empty());
-    QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, at);
-    QVERIFY(panel.traced() == Provenance());
-    panel.setWorkingWithoutNumbers(tracedWorking());
-    for (std::size_t i = 0; i < 3; ++i)
-      QVERIFY(panel.shownNumbers().inLine(i).empty());
-  }
-
-  void blankLineIsLitUpWithoutItsNumbers() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    panel.setWorking(tracedWorking(), blankIn(tracedWorking(), "uu"));
-    click(panel, numberIn(panel, 1, "10"));
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(2)); // the symbols, and = with the field
-    QVERIFY(panel.shownNumbers().inLine(0).empty());
-  }
-
-  void clickOnANumberOfALineInHalfDoesNotScroll() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    panel.resize(900, static_cast<int>(panel.placed().lines[1].box.center().y()) + 8);
-    click(panel, numberIn(panel, 1, "5"));
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QCOMPARE(panel.verticalScrollBar()->value(), 0);
-  }
-
-  void pointerOverNumbersSaysWhatTheyCanDo() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    movePointer(panel, middleOf(panel, numberIn(panel, 1, "10")));
-    QCOMPARE(panel.viewport()->cursor().shape(), Qt::PointingHandCursor);
-    movePointer(panel, middleOf(panel, numberIn(panel, 0, "2")));
-    QCOMPARE(panel.viewport()->cursor().shape(), Qt::SizeHorCursor);
-    movePointer(panel, {5, 5});
-    QCOMPARE(panel.viewport()->cursor().shape(), Qt::ArrowCursor);
-  }
-
-  void numberInsideAMarkHoversTheMark() {
-    WorkingPanel panel(m_typesetter);
-    const Term a = name(letter("a"), Rational(7)).standingFor(name(letter("b"), Rational(7)));
-    show(panel, 900, {{line("a", {Chain(a).then(calculated(a).marked("m"))})}});
-    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
-    movePointer(panel, middleOf(panel, numberIn(panel, 0, "7")));
-    QCOMPARE(hovered.takeLast().at(0).toString(), QString("m"));
-    panel.setInkOf([](const QString &mark) { return mark == "m" ? Qt::red : Qt::black; });
-    const QImage shown = panel.viewport()->grab().toImage();
-    bool isRed = false;
-    for (int x = -6; x <= 6; ++x)
-      for (int y = -8; y <= 8; ++y) {
-        const QColor color = shown.pixelColor(middleOf(panel, numberIn(panel, 0, "7")) + QPoint(x, y));
-        isRed = isRed || (color.red() > 200 && color.green() < 60);
-      }
-    QVERIFY(isRed);
-  }
-
-  void numbersOfABrokenFormulaAreFoundWhereTheyStand() {
-    WorkingPanel panel(m_typesetter);
-    std::vector<Term> summands;
-    for (int i = 0; i < 40; ++i)
-      summands.push_back(calculated(name(letter("a", std::to_string(i)), Rational(100 + i))));
-    show(panel, 300, {{line("a", sum(summands))}});
-    const auto places = panel.shownNumbers().inLine(0);
-    QCOMPARE(places.size(), std::size_t(40));
-    for (const NumberPlace &place : places) {
-      const QRectF box = panel.shownNumbers().boxesOf(place).front();
-      QVERIFY(box.right() <= 300);
-      QVERIFY(*panel.shownNumbers().at(box.center()) == place);
-    }
-    const QRectF first = panel.shownNumbers().boxesOf(places.front()).front();
-    const QRectF last = panel.shownNumbers().boxesOf(places.back()).front();
-    QVERIFY(last.top() > first.bottom());
-  }
-
-  void draggedCoordinateIsScrubbedByMovementThoughTheFormulaMovesAway() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy started(&panel, &WorkingPanel::scrubStarted);
-    QSignalSpy scrubbed(&panel, &WorkingPanel::scrubbed);
-    QSignalSpy ended(&panel, &WorkingPanel::scrubEnded);
-    connect(&panel, &WorkingPanel::scrubbed, this,
-            [&](int steps) { panel.setWorking(steps == 2 ? Working{} : tracedWorking(1 + steps * 1000)); });
-    const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
-    QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
-    QCOMPARE(started.count(), 0);
-    for (int steps = 1; steps <= 3; ++steps)
-      dragPointer(panel, at + QPoint(8 * steps, 60));
-    QCOMPARE(started.count(), 1);
-    const auto source = started.front().front().value<CoordinateSource>();
-    QVERIFY((source == CoordinateSource{"L", 1, 0}));
-    QCOMPARE(scrubbed.last().front().toInt(), 3);
-    QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, at + QPoint(24, 60));
-    QCOMPARE(ended.last().front().toBool(), true);
-    QVERIFY(panel.traced() == Provenance()); // it was no click
-  }
-
-  void escapeTakesAScrubBack() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy ended(&panel, &WorkingPanel::scrubEnded);
-    const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
-    QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
-    dragPointer(panel, at + QPoint(40, 0));
-    QTest::keyClick(&panel, Qt::Key_Escape);
-    QCOMPARE(ended.count(), 1);
-    QCOMPARE(ended.last().front().toBool(), false);
-    QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, at + QPoint(40, 0));
-    QCOMPARE(ended.count(), 1);
-  }
-
-  void scrubThatEndsBeforeTheButtonIsUpIsNoClick() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
-    const auto endedBy = [&](const auto &end) {
-      QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
-      dragPointer(panel, at + QPoint(40, 0));
-      end();
-      QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, at);
-      return panel.traced() == Provenance();
-    };
-    QVERIFY(endedBy([&] { QTest::keyClick(&panel, Qt::Key_Escape); }));
-    QVERIFY(endedBy([&] { QCOMPARE(panel.enterTyped(), QString()); }));
-  }
-
-  void clickedCoordinateIsTracedToItsMark() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    click(panel, numberIn(panel, 0, "2"));
-    QCOMPARE(panel.traced().marks, Ids{"u"});
-    QVERIFY((panel.traced().coordinates == std::vector<CoordinateSource>{{"L", 1, 1}}));
-  }
-
-  void calculatedNumberIsNotScrubbed() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy started(&panel, &WorkingPanel::scrubStarted);
-    const QPoint at = middleOf(panel, numberIn(panel, 1, "10"));
-    QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
-    dragPointer(panel, at + QPoint(40, 0));
-    QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, at + QPoint(40, 0));
-    QCOMPARE(started.count(), 0);
-  }
-
-  void doubleClickedCoordinateIsTypedInItsPlace() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
-    const QPoint at = middleOf(panel, numberIn(panel, 0, "2"));
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, at);
-    auto *field = panel.findChild<NumberField *>();
-    QVERIFY(field);
-    QVERIFY(field->geometry().contains(at));
-    QCOMPARE(field->text(), QString("2"));
-    QTest::keyClicks(field, "1 1/2");
-    QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(typed.count(), 1);
-    QVERIFY((typed.front()[0].value<CoordinateSource>() == CoordinateSource{"L", 1, 1}));
-    QVERIFY(typed.front()[1].value<Rational>() == Rational(3, 2));
-    QTRY_VERIFY(!panel.findChild<NumberField *>());
-    QVERIFY(panel.hasFocus());
-  }
-
-  void escapeDropsWhatIsTyped() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
-    auto *field = panel.findChild<NumberField *>();
-    QTest::keyClicks(field, "7");
-    QTest::keyClick(field, Qt::Key_Escape);
-    QTRY_VERIFY(!panel.findChild<NumberField *>());
-    QCOMPARE(typed.count(), 0);
-  }
-
-  void fieldThatLosesTheFocusTakesWhatIsTyped() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
-    QApplication::setActiveWindow(&panel);
-    QTest::keyClicks(panel.findChild<NumberField *>(), "7");
-    panel.setFocus();
-    QCOMPARE(typed.count(), 1);
-    QTRY_VERIFY(!panel.findChild<NumberField *>());
-  }
-
-  void refusedTextStaysWithASentenceBelowItsLine() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
-    auto *field = panel.findChild<NumberField *>();
-    QTest::keyClicks(field, "seven");
-    QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(typed.count(), 0);
-    const auto remark = panel.placed().lines[0].remark;
-    QVERIFY(!remark.empty());
-    QVERIFY(remark.front().text.contains("seven"));
-    QVERIFY(!panel.enterTyped().isEmpty());
-    panel.dropTyped();
-    QVERIFY(panel.placed().lines[0].remark.empty());
-    QCOMPARE(typed.count(), 0);
-  }
-
-  void fieldGoesWithItsNumber() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "1")));
-    panel.setWorking(tracedWorking(9));
-    QCOMPARE(panel.findChild<NumberField *>()->text(), QString("9"));
-    panel.setWorking({});
-    QTRY_VERIFY(!panel.findChild<NumberField *>());
-  }
-
-  void arrowKeysChooseNumbersAndEnterTracesOrTypesThem() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    panel.setFocus();
-    QTest::keyClick(&panel, Qt::Key_Down);
-    QTest::keyClick(&panel, Qt::Key_Down);
-    QTest::keyClick(&panel, Qt::Key_Right);
-    QCOMPARE(panel.accessibleDescription(), QString::fromUtf8("5, from u dot u"));
-    QTest::keyClick(&panel, Qt::Key_Return);
-    QCOMPARE(panel.traced().lines, Ids{"uu"});
-    QTest::keyClick(&panel, Qt::Key_Up);
-    QVERIFY(panel.accessibleDescription().contains('\n')); // all lines again
-    QTest::keyClick(&panel, Qt::Key_Right);
-    QTest::keyClick(&panel, Qt::Key_Right);
-    QTest::keyClick(&panel, Qt::Key_Left);
-    QCOMPARE(panel.accessibleDescription(), QString::fromUtf8("1, x of u"));
-    QTest::keyClick(&panel, Qt::Key_Return);
-    QVERIFY(panel.findChild<NumberField *>());
-  }
-
-  void chosenNumberHasARing() {
-    WorkingPanel panel(m_typesetter);
-    show(panel, 900, tracedWorking());
-    QApplication::setActiveWindow(&panel);
-    panel.setFocus();
-    QTest::keyClick(&panel, Qt::Key_Down);
-    const QImage before = panel.viewport()->grab().toImage();
-    QTest::keyClick(&panel, Qt::Key_Right);
-    const QRectF box = panel.shownNumbers().boxesOf(panel.shownNumbers().inLine(0).front()).front();
-    const QRect around = box.adjusted(-4, -4, 4, 4).toRect();
-    QVERIFY(panel.viewport()->grab().toImage().copy(around) != before.copy(around));
   }
 
   void shownLinesAreThoseGivenLastAtOnce() {
