@@ -42,7 +42,7 @@ TEST(ReadAnswer, WithADecimalComma_TellsItFromOneThatParts) {
   for (const char *text : {"(1,5; 3; 2)", "(1,5, 3, 2)"})
     EXPECT_TRUE(readAnswer(text, ',')->means(list({half, three, two}))) << text;
   EXPECT_TRUE(readAnswer("x + 1,5y = 2", ',')->isEquation);
-  EXPECT_FALSE(readAnswer("1,,5", ','));
+  EXPECT_FALSE(readAnswer("1,,,5", ','));
 }
 
 TEST(ReadAnswer, OfAnythingElse_IsNothing) {
