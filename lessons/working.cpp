@@ -62,6 +62,7 @@ std::string symbolsText(const WorkingLine &line) {
 
 std::vector<ChainPart> symbolsOf(const WorkingLine &line) {
   std::vector<ChainPart> parts;
+  parts.reserve(line.chains.size());
   for (const Chain &chain : line.chains)
     parts.push_back({&chain, 0, chain.symbolic()});
   return parts;

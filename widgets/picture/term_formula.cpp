@@ -234,6 +234,7 @@ TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &
 
 math::Row formulaOf(const std::vector<Chain> &statements) {
   std::vector<ChainPart> parts;
+  parts.reserve(statements.size());
   for (const Chain &chain : statements)
     parts.push_back({&chain, 0, chain.sides().size()});
   return formulaOf(parts);
