@@ -13,7 +13,7 @@ int main(int argc, char **argv) {
   if (argc < 2)
     return 1;
   LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
-  const auto subject = openSubject(library, "");
+  const auto subject = openSubject(library, library.lessons.front().id);
   if (!subject)
     return 1;
   const Session session = subject->session;
