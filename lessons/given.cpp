@@ -41,6 +41,12 @@ Chain equationOf(const PlaneObject &plane) {
   return condition(calculated(dot(E.n, anyPoint() - E.P0)) == 0);
 }
 
+bool isUnit(const Term &vector) {
+  const Term length = norm(vector);
+  const Real *number = numberOf(length);
+  return number && areEqual(*number, 1) == true;
+}
+
 std::string equation(const Term &name) { return plainText(withResult(name)); }
 
 } // namespace halfspace

@@ -37,6 +37,9 @@ struct TriangleTerms {
 /// ax + by + cz + d = 0, for the points of the plane.
 [[nodiscard]] Chain equationOf(const PlaneObject &plane);
 
+/// Whether the vector is one unit long.
+[[nodiscard]] bool isUnit(const Term &vector);
+
 /// The name with its value, in plain text: `t = −10/3`, or `t ≈ 0.271828` when it is rounded.
 [[nodiscard]] std::string equation(const Term &name);
 

@@ -94,10 +94,9 @@ public:
   }
 
   [[nodiscard]] std::string sentenceForNoAnswer() const {
-    const std::set<std::string> &letters = m_letters;
-    if (!letters.empty())
+    if (!m_letters.empty())
       return words("“{answer}” cannot be read: write it with {letters} and numbers, as 2{letter} − 1/3 = 0.",
-                   {{"letters", listed(letters)}, {"letter", *letters.begin()}});
+                   {{"letters", listed(m_letters)}, {"letter", *m_letters.begin()}});
     return m_truth.isList ? words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).")
                           : words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.");
   }
@@ -220,16 +219,6 @@ bool says(const WorkingLine &line, const Term &term) {
                      [&](const Chain &chain) { return readAlike(chain.sides().front(), term); });
 }
 
-void collectNames(const Term &term, std::vector<Term> &names) {
-  if (term->kind == TermKind::Applied || (term->kind == TermKind::Name && !term->source)) {
-    if (std::none_of(names.begin(), names.end(), [&](const Term &each) { return readAlike(each, term); }))
-      names.push_back(term);
-    return;
-  }
-  for (const Term &part : term->parts)
-    collectNames(part, names);
-}
-
 } // namespace
 
 std::optional<Fading> fadingNamed(std::string_view word) {
@@ -254,7 +243,7 @@ Fade fade(const Working &working, Fading fading, const std::set<std::string> &op
   Fade faded;
   if (fading == Fading::Gaps) {
     for (const WorkingLine &line : working.lines)
-      if (const auto gap = oneGap(line, working); gap && !opened.contains(line.id))
+      if (const auto gap = opened.contains(line.id) ? std::nullopt : oneGap(line, working))
         faded.gaps.emplace(line.id, *gap);
     return faded;
   }
@@ -272,15 +261,14 @@ std::string questionText(const WorkingLine &line, const Gap &gap) {
 }
 
 std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown) {
-  std::vector<Term> names;
-  if (gap.isResult)
-    collectNames(askedChain(line).formula(), names);
-  else if (gap.hidden->origin)
-    collectNames(*gap.hidden->origin, names);
+  const std::optional<Term> formula = gap.isResult ? askedChain(line).formula() : gap.hidden->origin;
   std::vector<Chain> told;
-  for (const Term &name : names)
-    if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),
-                                    [&](const WorkingLine &each) { return says(each, name); }))
+  if (!formula)
+    return told;
+  for (const Term &name : namesIn(*formula))
+    if (name->value && !name->source &&
+        std::none_of(shown.lines.begin(), shown.lines.end(),
+                     [&](const WorkingLine &each) { return says(each, name); }))
       told.push_back(withResult(name));
   return told;
 }

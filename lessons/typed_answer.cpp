@@ -157,9 +157,8 @@ std::optional<Rational> roundingOf(const std::string &text) {
 std::optional<TypedEntry> readEntry(std::string_view piece) {
   if (const auto mixed = parseMixed(piece))
     return TypedEntry{Real(*mixed)};
-  const std::string text = condensed(piece);
   const auto value = readSide(piece);
-  return value ? std::optional(TypedEntry{*value, roundingOf(text)}) : std::nullopt;
+  return value ? std::optional(TypedEntry{*value, roundingOf(condensed(piece))}) : std::nullopt;
 }
 
 /// The pieces of a list, without its parentheses.
@@ -197,7 +196,7 @@ bool roundsTo(const TypedEntry &typed, const Polynomial &number) {
 std::string withPoints(std::string_view typed, char decimalMark) {
   std::string text(typed);
   for (std::size_t i = 0; i + 1 < text.size(); ++i)
-    if (text[i] == decimalMark && text[i + 1] >= '0' && text[i + 1] <= '9')
+    if (text[i] == decimalMark && isDigit(text[i + 1]))
       text[i] = '.';
   return text;
 }
@@ -247,8 +246,10 @@ bool TypedAnswer::meansEquation(const TermValue &left) const {
 std::optional<TypedAnswer> readAnswer(std::string_view text, char decimalMark) {
   if (text.size() > longestAnswer)
     return {};
-  auto answer = readPlain(withPoints(text, decimalMark));
-  return answer ? answer : readPlain(text); // (1,2,3) is a list whatever the mark
+  if (decimalMark != '.')
+    if (auto answer = readPlain(withPoints(text, decimalMark)))
+      return answer;
+  return readPlain(text); // (1,2,3) is a list whatever the mark
 }
 
 } // namespace halfspace

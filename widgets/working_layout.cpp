@@ -34,7 +34,7 @@ public:
       : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em),
         m_right(width - sideMargin * m_em), m_width(width) {}
 
-  PlacedLine place(const TypesetLine &line, const LineState &state) {
+  PlacedLine place(const TypesetLine &line, const QString &remark) {
     m_placed = {};
     m_y += lineMargin * m_em;
     const double top = m_y - lineMargin * m_em;
@@ -49,8 +49,8 @@ public:
     }
     endRow();
     const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
-    m_placed.remark = placeText(state.remark, m_left + markRoom);
-    if (state.hasSentence)
+    m_placed.remark = placeText(remark, m_left + markRoom);
+    if (!line.isPartial)
       m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
     m_placed.box = QRectF(0, top, m_width, m_y - top);
@@ -154,13 +154,13 @@ QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
 }
 
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
-                           const std::map<std::string, LineState> &states, SentenceBreaker &sentences,
+                           const std::map<std::string, QString> &remarks, SentenceBreaker &sentences,
                            const QFont &font, double width) {
   LinePlacer placer(sentences, font, width);
   PlacedWorking placed;
   for (const TypesetLine &line : lines) {
-    const auto state = states.find(line.source.id);
-    placed.lines.push_back(placer.place(line, state == states.end() ? LineState() : state->second));
+    const auto remark = remarks.find(line.source.id);
+    placed.lines.push_back(placer.place(line, remark == remarks.end() ? QString() : remark->second));
   }
   placed.size = placer.size();
   return placed;

@@ -21,7 +21,7 @@ struct TypesetLine {
   std::array<Typesetter::Picture, 3> pieces{}; ///< symbols, numbers, result; null where the source is empty
   Typesetter::Picture told{}; ///< what is told to fill its blank in; null where there is nothing
   std::array<std::vector<Term>, 3> numbers{}; ///< of each piece, by the indices of its picture
-  bool isPartial = false;                     ///< something of the line is not shown
+  bool isPartial = false;                     ///< something of the line is not shown, nor its sentence
 };
 
 /// What is said about a line to the learner who filled it in.
@@ -29,12 +29,6 @@ struct LineRemark {
   QString text;
   bool right = false;
   bool operator==(const LineRemark &) const = default;
-};
-
-/// What is not as usual in a line.
-struct LineState {
-  bool hasSentence = true; ///< not where it may tell what is hidden
-  QString remark;
 };
 
 /// A formula in its place.
@@ -73,9 +67,9 @@ struct PlacedWorking {
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
-/// broken is drawn smaller, but not beyond reading. `states` are by the lines' ids.
+/// broken is drawn smaller, but not beyond reading. `remarks` are by the lines' ids.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
-                                         const std::map<std::string, LineState> &states,
+                                         const std::map<std::string, QString> &remarks,
                                          SentenceBreaker &sentences, const QFont &font, double width);
 
 } // namespace halfspace

@@ -87,6 +87,12 @@ Typesetter::Picture WorkingPanel::pictureOf(const math::Row &formula) const {
   return formula.empty() ? nullptr : m_typesetter.picture(formula);
 }
 
+void WorkingPanel::setPiece(TypesetLine &line, LinePiece piece, TraceableFormula formula) const {
+  const auto index = static_cast<std::size_t>(piece);
+  line.pieces[index] = pictureOf(formula.row);
+  line.numbers[index] = std::move(formula.numbers);
+}
+
 TypesetLine WorkingPanel::typeset(const WorkingLine &line) const {
   const auto before = std::find_if(m_lines.begin(), m_lines.end(),
                                    [&](const TypesetLine &each) { return each.source.id == line.id; });
@@ -98,9 +104,7 @@ TypesetLine WorkingPanel::typeset(const WorkingLine &line) const {
       typeset.pieces[index] = before->pieces[index];
       typeset.numbers[index] = before->numbers[index];
     } else {
-      TraceableFormula formula = formulaOf(line, piece);
-      typeset.pieces[index] = pictureOf(formula.row);
-      typeset.numbers[index] = std::move(formula.numbers);
+      setPiece(typeset, piece, formulaOf(line, piece));
     }
   }
   return typeset;
@@ -114,12 +118,8 @@ TypesetLine WorkingPanel::typesetPartially(const WorkingLine &line) const {
     typeset.pieces[0] = pictureOf(formulaOf(symbolsOf(line)));
     return typeset;
   }
-  for (const LinePiece piece : linePieces) {
-    TraceableFormula formula = formulaOf(line, piece, *gap, roomOfGap(line.id));
-    const auto index = static_cast<std::size_t>(piece);
-    typeset.pieces[index] = pictureOf(formula.row);
-    typeset.numbers[index] = std::move(formula.numbers);
-  }
+  for (const LinePiece piece : linePieces)
+    setPiece(typeset, piece, formulaOf(line, piece, *gap, roomOfGap(line.id)));
   if (m_asks)
     typeset.told = pictureOf(formulaOf(toldFor(line, *gap, m_working)));
   return typeset;
@@ -161,20 +161,17 @@ bool WorkingPanel::hides(const std::string &lineId) const {
   return gapOf(lineId) || m_fade.waiting.contains(lineId);
 }
 
-std::map<std::string, LineState> WorkingPanel::lineStates() const {
-  std::map<std::string, LineState> states;
-  for (const TypesetLine &line : m_lines) {
-    LineState &state = states[line.source.id];
-    state.hasSentence = !hides(line.source.id);
+std::map<std::string, QString> WorkingPanel::remarkTexts() const {
+  std::map<std::string, QString> texts;
+  for (const TypesetLine &line : m_lines)
     if (const auto remark = remarkOf(line.source.id))
-      state.remark = remark->text;
-  }
-  return states;
+      texts[line.source.id] = remark->text;
+  return texts;
 }
 
 void WorkingPanel::placeLines() {
   const QSize room = viewport()->size();
-  m_placed = placeWorking(m_lines, lineStates(), m_sentences, font(), room.width());
+  m_placed = placeWorking(m_lines, remarkTexts(), m_sentences, font(), room.width());
   const QSize content(static_cast<int>(std::ceil(m_placed.size.width())),
                       static_cast<int>(std::ceil(m_placed.size.height())));
   verticalScrollBar()->setRange(0, std::max(0, content.height() - room.height()));

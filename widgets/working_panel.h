@@ -18,6 +18,7 @@ namespace halfspace {
 
 class BlankField;
 class NumberField;
+struct TraceableFormula;
 
 /// Shows a working as a textbook would: formulas, their numbers, a sentence. A click on a number lights up
 /// the lines and terms that it came from; one that is a coordinate can be scrubbed, and typed after a double
@@ -99,6 +100,7 @@ private:
   void showLines(const Working &working);
   void typesetLines();
   [[nodiscard]] Typesetter::Picture pictureOf(const math::Row &formula) const;
+  void setPiece(TypesetLine &line, LinePiece piece, TraceableFormula formula) const;
   /// Takes what looks as it did before from before.
   [[nodiscard]] TypesetLine typeset(const WorkingLine &line) const;
   [[nodiscard]] TypesetLine typesetPartially(const WorkingLine &line) const;
@@ -111,7 +113,8 @@ private:
   [[nodiscard]] math::Room roomOfGap(const std::string &lineId) const;
   [[nodiscard]] QString textOf(const WorkingLine &line) const;
   [[nodiscard]] QString latexOf(const WorkingLine &line) const;
-  [[nodiscard]] std::map<std::string, LineState> lineStates() const;
+  /// What is said about lines, by their ids.
+  [[nodiscard]] std::map<std::string, QString> remarkTexts() const;
   /// Makes and removes fields; whether the one that had the focus is gone.
   bool matchFields();
   void followFocus(QWidget *focused);

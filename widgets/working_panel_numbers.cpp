@@ -74,14 +74,7 @@ void WorkingPanel::followNumbers() {
   emit traceChanged();
 }
 
-Working WorkingPanel::wholeWorking() const {
-  if (m_wholeWorking)
-    return m_wholeWorking();
-  Working working;
-  for (const TypesetLine &line : m_lines)
-    working.lines.push_back(line.source);
-  return working;
-}
+Working WorkingPanel::wholeWorking() const { return m_wholeWorking ? m_wholeWorking() : m_working; }
 
 // --- chosen by the keys ---------------------------------------------------------------------------------
 

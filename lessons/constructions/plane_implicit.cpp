@@ -82,13 +82,12 @@ WorkingLine collectLine(const Out &at) {
 }
 
 std::string normalizedWords(const Out &at) {
-  const Term length = norm(at.n);
-  if (areEqual(*numberOf(length), 1) == true)
+  if (isUnit(at.n))
     return words("|n| is 1: the equation is normalized already, so its left side gives distances.");
   return words(
       "Divided by the length of the normal, {length}: the normalized form. The plane is the same, and "
       "the left side now gives distances.",
-      {{"length", equation(length)}});
+      {{"length", equation(norm(at.n))}});
 }
 
 WorkingLine normalizedLine(const Out &at) {
@@ -109,22 +108,22 @@ WorkingLine scaledLine(const Out &at) {
 }
 
 Working explain(const Out &at) {
-  const Chain equation = 0 == at.left;
+  const Chain implicit = 0 == at.left;
   Working working{
-      {line("implicit", condition(equation),
+      {line("implicit", condition(implicit),
             words("A vector from P₀ to another point of the plane is perpendicular to n. So P lies in the "
                   "plane exactly when this dot product is zero.")),
        line("insert", condition(Chain(0).then(namesPutIn(at.left)).then(numbersPutIn(at.left))),
             words("The numbers put in, with P = (x, y, z)."))}};
   if (at.zeroNormal)
     return working;
-  working.add(askedEquation("expand", condition((0 == at.left).then(multipliedOut(at.left))),
+  working.add(askedEquation("expand", condition(implicit.then(multipliedOut(at.left))),
                             words("The dot product multiplied out, coordinate by coordinate.")));
   working.add(collectLine(at));
   working.add(asked("constant", withProducts(dot(at.n, at.P1)),
                     words("{point} is another point of the plane. It gives the same number as P₀, so the "
                           "constant does not depend on the point you start from.",
-                          {{"point", halfspace::equation(at.P1)}})));
+                          {{"point", equation(at.P1)}})));
   working.add(normalizedLine(at));
   working.add(scaledLine(at));
   return working;

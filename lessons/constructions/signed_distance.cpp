@@ -97,13 +97,12 @@ std::string sideWords(PointPlaneCase which) {
 }
 
 std::string distanceWords(const Out &at) {
-  const Term length = calculated(norm(at.n));
   if (at.which == PointPlaneCase::On)
     return words("f(Q) is 0, and so is the distance: 0 divided by any length is 0.");
-  if (areEqual(*numberOf(length), 1) == true)
+  if (isUnit(at.n))
     return words("Because |n| = 1, f(Q) is the signed distance already.");
   return words("{f} is not the distance: n is {length} long, so f(Q) is {length} times the distance.",
-               {{"f", equation(at.f)}, {"length", plainText(length)}});
+               {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
 }
 
 WorkingLine distanceLine(const Out &at) {

@@ -78,24 +78,12 @@ std::vector<Replacement> replacementsOf(const Term &term) {
   return found;
 }
 
-using Names = std::vector<Term>;
-
 bool isName(const Term &term) { return term->kind == TermKind::Name || term->kind == TermKind::Applied; }
-
-void collectNames(const Term &term, Names &names) {
-  const bool known =
-      std::any_of(names.begin(), names.end(), [&](const Term &each) { return readAlike(each, term); });
-  if (isName(term) && !known)
-    names.push_back(term);
-  if (term->kind != TermKind::Applied && !isLeaf(term))
-    for (const Term &part : term->parts)
-      collectNames(part, names);
-}
 
 /// Walks through a term and tries every replacement in every place.
 class WrongWayFinder {
 public:
-  explicit WrongWayFinder(const Term &term) { collectNames(term, m_names); }
+  explicit WrongWayFinder(const Term &term) : m_names(namesIn(term)) {}
 
   /// The wrong ways of a part: `whole` there is the part with the slip.
   [[nodiscard]] std::vector<WrongWay> in(const Term &term) const {
@@ -124,7 +112,7 @@ private:
         found.push_back({Slip::OtherName, other, term, other});
   }
 
-  Names m_names;
+  std::vector<Term> m_names;
 };
 
 } // namespace

@@ -40,6 +40,16 @@ std::optional<Term> withoutSign(const Term &term) {
   return top ? std::optional(*top / looked->parts[1]) : std::nullopt;
 }
 
+void collectNames(const Term &term, std::vector<Term> &names) {
+  if (term->kind == TermKind::Name || term->kind == TermKind::Applied) {
+    if (std::none_of(names.begin(), names.end(), [&](const Term &each) { return readAlike(each, term); }))
+      names.push_back(term);
+    return;
+  }
+  for (const Term &part : term->parts)
+    collectNames(part, names);
+}
+
 } // namespace
 
 Symbol letter(std::string letter, std::string subscript) {
@@ -161,6 +171,12 @@ Term withParts(const Term &term, std::vector<Term> parts) {
 }
 
 const Real *numberOf(const Term &term) { return term->value ? term->value->number() : nullptr; }
+
+std::vector<Term> namesIn(const Term &term) {
+  std::vector<Term> names;
+  collectNames(term, names);
+  return names;
+}
 
 bool areInterchangeable(const Term &a, const Term &b) {
   if (&*a == &*b)

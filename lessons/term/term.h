@@ -139,6 +139,10 @@ struct TermNode {
 /// The number that the term comes to, where it is one without unknowns; null elsewhere.
 [[nodiscard]] const Real *numberOf(const Term &term);
 
+/// The names and applications in the term, each once, in the order of reading; not those that an application
+/// is taken of.
+[[nodiscard]] std::vector<Term> namesIn(const Term &term);
+
 /// Whether one can stand for the other wherever they are written: they read alike, are the same marks and
 /// coordinates, and their numbers come from terms that read alike. Never where a number is rounded: another
 /// may be behind the same digits.
