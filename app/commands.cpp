@@ -83,24 +83,24 @@ int runRender(const RenderCommand &command) {
   const auto subject = openSubject(library, command.subject, command.assignments);
   if (!subject)
     return fail(subject.problem());
-  Outcome outcome = evaluate(subject->session.scene);
+  const Outcome outcome = evaluate(subject->session.scene);
   const Stage stage = stageOf(subject->session.scene);
   const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
   const Camera camera = homeView(view, toStage(outcome.figure, stage), stage.hasAxes(), command.size,
                                  command.size.height / designHeight);
+  Figure figure = outcome.figure;
   if (command.step) {
     const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
       return fail(
           {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
-    outcome =
-        shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], std::move(outcome));
+    figure = shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], outcome).figure;
   }
 
   const Typesetter typesetter;
   PictureRequest request;
   request.content.stage = stage;
-  request.content.figure = toStage(outcome.figure, stage);
+  request.content.figure = toStage(figure, stage);
   request.camera = camera;
   request.theme = *findTheme(command.theme);
   request.size = command.size;

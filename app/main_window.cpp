@@ -120,10 +120,9 @@ void MainWindow::showLesson() {
 }
 
 void MainWindow::showOutcome() {
-  const Outcome &shown = m_model.shownOutcome();
   const LessonStep *step = currentStep();
   m_practice->setStep(m_model.session().lesson, m_model.session().step, step ? step->blank : std::nullopt);
-  m_practice->setWorking(shown.working, isPredicting());
+  m_practice->setWorking(m_model.shown().working, isPredicting());
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();

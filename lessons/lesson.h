@@ -144,8 +144,14 @@ struct LessonLibrary {
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
                                          const Outcome &outcome);
 
-/// The outcome as a step shows it: only the step's lines, and of the figure only the given marks, those that
-/// these lines name, and what accompanies them.
-[[nodiscard]] Outcome shownIn(const LessonStep &step, Outcome outcome);
+/// What a step shows of an outcome.
+struct Shown {
+  Working working;
+  Figure figure;
+};
+
+/// The step's lines and, of the figure, the given marks, those that these lines name, and what accompanies
+/// them; everything where the step names no lines.
+[[nodiscard]] Shown shownIn(const LessonStep &step, const Outcome &outcome);
 
 } // namespace halfspace

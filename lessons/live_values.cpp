@@ -71,20 +71,20 @@ std::string withLiveValues(const std::string &markdown, const Scene &scene, cons
   return filled;
 }
 
-Outcome shownIn(const LessonStep &step, Outcome outcome) {
+Shown shownIn(const LessonStep &step, const Outcome &outcome) {
   if (step.lines.empty())
-    return outcome;
+    return {outcome.working, outcome.figure};
+  Shown shown;
   std::set<std::string> named;
-  std::erase_if(outcome.working.lines, [&](const WorkingLine &line) {
-    return std::find(step.lines.begin(), step.lines.end(), line.id) == step.lines.end();
-  });
   for (const WorkingLine &line : outcome.working.lines)
-    for (const std::string &id : marksIn(line))
-      named.insert(id);
-  std::erase_if(outcome.figure.marks, [&](const Mark &mark) {
-    return baseOf(mark).role != Role::Given && !named.contains(leadingId(baseOf(mark)));
-  });
-  return outcome;
+    if (std::find(step.lines.begin(), step.lines.end(), line.id) != step.lines.end()) {
+      shown.working.add(line);
+      named.merge(marksIn(line));
+    }
+  for (const Mark &mark : outcome.figure.marks)
+    if (baseOf(mark).role == Role::Given || named.contains(leadingId(baseOf(mark))))
+      shown.figure.add(mark);
+  return shown;
 }
 
 } // namespace halfspace

@@ -43,9 +43,9 @@ bool areAlike(const ChainPart &a, const ChainPart &b) {
                     [](const Term &x, const Term &y) { return areInterchangeable(x, y); });
 }
 
-void collectMarks(const Term &term, std::vector<std::string> &marks) {
-  if (!term->mark.empty() && std::find(marks.begin(), marks.end(), term->mark) == marks.end())
-    marks.push_back(term->mark);
+void collectMarks(const Term &term, std::set<std::string> &marks) {
+  if (!term->mark.empty())
+    marks.insert(term->mark);
   for (const Term &part : term->parts)
     collectMarks(part, marks);
 }
@@ -120,8 +120,8 @@ std::string spoken(const WorkingLine &line) {
   return joined(line.chains, [](const Chain &chain) { return spoken(chain); });
 }
 
-std::vector<std::string> marksIn(const WorkingLine &line) {
-  std::vector<std::string> marks;
+std::set<std::string> marksIn(const WorkingLine &line) {
+  std::set<std::string> marks;
   for (const Chain &chain : line.chains)
     for (const Term &side : chain.sides())
       collectMarks(side, marks);

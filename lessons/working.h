@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,7 +69,9 @@ struct Working {
   std::vector<WorkingLine> lines;
 
   void add(WorkingLine line) { lines.push_back(std::move(line)); }
-  void add(const std::vector<WorkingLine> &more) { lines.insert(lines.end(), more.begin(), more.end()); }
+  void add(std::vector<WorkingLine> more) {
+    lines.insert(lines.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+  }
 };
 
 /// The line with this id, or null.
@@ -79,8 +83,8 @@ struct Working {
 /// The line with its numbers left out: f(Q) = n·(Q − P₀); or s, t, s + t.
 [[nodiscard]] std::string symbolsText(const WorkingLine &line);
 
-/// The ids of the marks in the line's terms, in order, each once.
-[[nodiscard]] std::vector<std::string> marksIn(const WorkingLine &line);
+/// The ids of the marks in the line's terms.
+[[nodiscard]] std::set<std::string> marksIn(const WorkingLine &line);
 
 /// A piece of the line as LaTeX; empty where the line has no such piece.
 [[nodiscard]] std::string latexOf(const WorkingLine &line, LinePiece piece);

@@ -249,7 +249,7 @@ void SceneView::takeOutcome() {
     m_selected.clear();
   if (!findHandle(m_hovered))
     m_hovered.clear();
-  m_fade.show(m_model.session(), m_model.shownOutcome().figure, m_motion && isVisible());
+  m_fade.show(m_model.session(), m_model.shown().figure, m_motion && isVisible());
   updateContent();
   m_outcomeTaken = Clock::now();
 }
@@ -296,7 +296,7 @@ std::optional<Gizmo> SceneView::gizmo() const {
 SceneContent SceneView::pictureContent() const {
   SceneContent content;
   content.stage = m_stage;
-  content.figure = staged(m_model.shownOutcome().figure);
+  content.figure = staged(m_model.shown().figure);
   if (m_numbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));
   return content;

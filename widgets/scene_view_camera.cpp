@@ -94,8 +94,6 @@ void SceneView::setOrthographic(bool on) {
   requestFrame();
 }
 
-void SceneView::fit() {
-  glideTo(fitted(m_camera, placesOf(staged(m_model.shownOutcome().figure)), pixelSize()));
-}
+void SceneView::fit() { glideTo(fitted(m_camera, placesOf(staged(m_model.shown().figure)), pixelSize())); }
 
 } // namespace halfspace

@@ -166,7 +166,7 @@ void SessionModel::show(const Session &session) {
     takeStage();
   }
   const auto step = static_cast<std::size_t>(m_session.step);
-  m_shown = step < m_lesson->steps.size() ? shownIn(m_lesson->steps[step], m_outcome) : m_outcome;
+  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : LessonStep(), m_outcome);
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)

@@ -27,7 +27,7 @@ public:
   /// The whole outcome of the scene.
   [[nodiscard]] const Outcome &outcome() const { return m_outcome; }
   /// What the current step shows of it.
-  [[nodiscard]] const Outcome &shownOutcome() const { return m_shown; }
+  [[nodiscard]] const Shown &shown() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
   [[nodiscard]] const QUndoStack &history() const { return m_history; }
   /// The stage that the scene is shown on. It follows the scene, but not during a gesture: the picture would
@@ -87,7 +87,7 @@ private:
   const Lesson *m_lesson = nullptr;
   Session m_session;
   Outcome m_outcome;
-  Outcome m_shown;
+  Shown m_shown;
   std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;
   std::optional<Session> m_beforeGesture;

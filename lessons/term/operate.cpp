@@ -1,17 +1,21 @@
 #include "lessons/term/operate.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
 using Found = std::optional<TermValue>;
-using Values = std::vector<const TermValue *>;
+using Parts = std::vector<Term>;
 
-Found sumOf(const Values &values) {
-  TermValue sum = *values.front();
-  for (auto value = values.begin() + 1; value != values.end(); ++value) {
-    const TermValue &next = **value;
+const TermValue &valueOf(const Term &part) { return *part->value; }
+
+Found sumOf(const Parts &summands) {
+  TermValue sum = valueOf(summands.front());
+  for (auto summand = summands.begin() + 1; summand != summands.end(); ++summand) {
+    const TermValue &next = valueOf(*summand);
     if (next.isList != sum.isList || next.entries.size() != sum.entries.size())
       return {};
     for (std::size_t i = 0; i < sum.entries.size(); ++i)
@@ -26,13 +30,14 @@ TermValue scaled(TermValue value, const Polynomial &factor) {
   return value;
 }
 
-Found productOf(const Values &values) {
-  TermValue product = *values.front();
-  for (auto value = values.begin() + 1; value != values.end(); ++value) {
-    const TermValue &next = **value;
+Found productOf(const Parts &factors) {
+  TermValue product = valueOf(factors.front());
+  for (auto factor = factors.begin() + 1; factor != factors.end(); ++factor) {
+    const TermValue &next = valueOf(*factor);
     if (next.isList && product.isList)
       return {};
-    product = next.isList ? scaled(next, product.entries.front()) : scaled(product, next.entries.front());
+    product = next.isList ? scaled(next, product.entries.front())
+                          : scaled(std::move(product), next.entries.front());
   }
   return product;
 }
@@ -104,58 +109,59 @@ Polynomial determinantOf(const std::vector<Polynomial> &entries, std::size_t siz
 }
 
 /// The entries one after the other; nothing where one is a list itself.
-std::optional<std::vector<Polynomial>> entriesOf(const Values &values) {
+std::optional<std::vector<Polynomial>> entriesOf(const Parts &parts) {
   std::vector<Polynomial> entries;
-  for (const TermValue *value : values) {
-    if (value->isList)
+  entries.reserve(parts.size());
+  for (const Term &part : parts) {
+    if (valueOf(part).isList)
       return {};
-    entries.push_back(value->entries.front());
+    entries.push_back(valueOf(part).entries.front());
   }
   return entries;
 }
 
-Found determinantOf(const Values &values, std::size_t columns) {
-  const auto entries = entriesOf(values);
-  if (!entries || columns == 0 || values.size() != columns * columns)
+Found determinantOf(const Parts &parts, std::size_t columns) {
+  const auto entries = entriesOf(parts);
+  if (!entries || columns == 0 || parts.size() != columns * columns)
     return {};
   return determinantOf(*entries, columns);
 }
 
-Found permutedOf(const Values &values) {
-  const Found first = dotOf(*values[0], *values[3]);
-  const Found second = dotOf(*values[2], *values[1]);
-  return first && second ? sumOf({&*first, &*second}) : std::nullopt;
+Found permutedOf(const Parts &parts) {
+  const Found first = dotOf(valueOf(parts[0]), valueOf(parts[3]));
+  const Found second = dotOf(valueOf(parts[2]), valueOf(parts[1]));
+  return first && second ? Found(first->entries.front() + second->entries.front()) : std::nullopt;
 }
 
-Found operated(TermKind kind, const Values &values, std::size_t columns) {
+Found operated(TermKind kind, const Parts &parts, std::size_t columns) {
   switch (kind) {
   case TermKind::Negation:
-    return scaled(*values[0], Real(-1));
+    return scaled(valueOf(parts[0]), Real(-1));
   case TermKind::Sum:
-    return sumOf(values);
+    return sumOf(parts);
   case TermKind::Product:
-    return productOf(values);
+    return productOf(parts);
   case TermKind::Dot:
-    return dotOf(*values[0], *values[1]);
+    return dotOf(valueOf(parts[0]), valueOf(parts[1]));
   case TermKind::Cross:
-    return crossOf(*values[0], *values[1]);
+    return crossOf(valueOf(parts[0]), valueOf(parts[1]));
   case TermKind::Quotient:
-    return quotientOf(*values[0], *values[1]);
+    return quotientOf(valueOf(parts[0]), valueOf(parts[1]));
   case TermKind::Power:
-    return powerOf(*values[0], *values[1]);
+    return powerOf(valueOf(parts[0]), valueOf(parts[1]));
   case TermKind::Root:
-    return rootOf(*values[0]);
+    return rootOf(valueOf(parts[0]));
   case TermKind::Norm:
-    return normOf(*values[0]);
+    return normOf(valueOf(parts[0]));
   case TermKind::List:
   case TermKind::Matrix: {
-    const auto entries = entriesOf(values);
-    return entries ? Found(TermValue::list(*entries)) : std::nullopt;
+    auto entries = entriesOf(parts);
+    return entries ? Found(TermValue::list(std::move(*entries))) : std::nullopt;
   }
   case TermKind::Determinant:
-    return determinantOf(values, columns);
+    return determinantOf(parts, columns);
   case TermKind::Permuted:
-    return permutedOf(values);
+    return permutedOf(parts);
   case TermKind::Digits:
   case TermKind::Number:
   case TermKind::Name:
@@ -169,13 +175,10 @@ Found operated(TermKind kind, const Values &values, std::size_t columns) {
 } // namespace
 
 std::optional<TermValue> operate(TermKind kind, const std::vector<Term> &parts, std::size_t columns) {
-  Values values;
-  for (const Term &part : parts) {
-    if (!part->value || part->value->entries.empty())
-      return {};
-    values.push_back(&*part->value);
-  }
-  return values.empty() ? std::nullopt : operated(kind, values, columns);
+  const bool haveValues = std::all_of(parts.begin(), parts.end(), [](const Term &part) {
+    return part->value && !part->value->entries.empty();
+  });
+  return haveValues && !parts.empty() ? operated(kind, parts, columns) : std::nullopt;
 }
 
 } // namespace halfspace

@@ -1,6 +1,7 @@
 #include "lessons/term/rewrite.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -52,6 +53,7 @@ Term valueAsTerm(const TermValue &value, const Term &origin) {
   if (!value.isList)
     return collected(value.entries.front(), origin);
   std::vector<Term> entries;
+  entries.reserve(value.entries.size());
   for (std::size_t i = 0; i < value.entries.size(); ++i) {
     const Real *constant = value.entries[i].number();
     entries.push_back(constant ? number(*constant, origin, sourceOf(origin, i))
@@ -65,12 +67,13 @@ template <class Rewriting> Term partsBy(Rewriting rewriting, const Term &term) {
   if (term->parts.empty() || term->kind == TermKind::Number || term->kind == TermKind::Applied)
     return term;
   std::vector<Term> parts;
+  parts.reserve(term->parts.size());
   for (const Term &part : term->parts) {
-    const Term rewritten = rewriting(part);
+    Term rewritten = rewriting(part);
     if (term->kind == TermKind::Sum && rewritten->kind == TermKind::Sum)
       parts.insert(parts.end(), rewritten->parts.begin(), rewritten->parts.end());
     else
-      parts.push_back(rewritten);
+      parts.push_back(std::move(rewritten));
   }
   return withParts(term, std::move(parts));
 }
@@ -101,6 +104,7 @@ bool isDotOfLists(const Term &term) {
 
 Term summed(const Term &dot) {
   std::vector<Term> products;
+  products.reserve(dot->parts[0]->parts.size());
   for (std::size_t i = 0; i < dot->parts[0]->parts.size(); ++i)
     products.push_back(product({dot->parts[0]->parts[i], dot->parts[1]->parts[i]}));
   return sum(std::move(products));

@@ -19,12 +19,17 @@ Term made(TermKind kind, std::vector<Term> parts, std::size_t columns = 0) {
   return Term(node);
 }
 
-/// The parts of a term that is of this kind, else the term: a + b + c is one sum.
-void appendFlat(std::vector<Term> &parts, TermKind kind, Term term) {
-  if (term->kind == kind && term->mark.empty())
-    parts.insert(parts.end(), term->parts.begin(), term->parts.end());
+/// A term and one more: a + b + c is one sum.
+std::vector<Term> flat(TermKind kind, Term term, Term next) {
+  const bool isOfKind = term->kind == kind && term->mark.empty();
+  std::vector<Term> parts;
+  parts.reserve(1 + (isOfKind ? term->parts.size() : 1));
+  if (isOfKind)
+    parts.assign(term->parts.begin(), term->parts.end());
   else
     parts.push_back(std::move(term));
+  parts.push_back(std::move(next));
+  return parts;
 }
 
 const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
@@ -82,7 +87,7 @@ Term Term::standingFor(Term meaning) const {
 Term number(const Real &value, std::optional<Term> origin, std::optional<CoordinateSource> source) {
   WrittenNumber digits = written(value);
   const auto node = std::make_shared<TermNode>();
-  node->parts = {std::move(digits.term)};
+  node->parts.push_back(std::move(digits.term));
   node->isRounded = !digits.exact;
   node->value = value;
   node->origin = std::move(origin);
@@ -116,7 +121,7 @@ Term applied(Symbol function, Term argument, TermValue value) {
   const auto node = std::make_shared<TermNode>();
   node->kind = TermKind::Applied;
   node->symbol = std::move(function);
-  node->parts = {std::move(argument)};
+  node->parts.push_back(std::move(argument));
   node->value = std::move(value);
   return Term(node);
 }
@@ -148,21 +153,11 @@ Term permuted(Term d1, Term m1, Term d2, Term m2) {
 
 Term operator-(Term term) { return made(TermKind::Negation, {std::move(term)}); }
 
-Term operator+(Term a, Term b) {
-  std::vector<Term> parts;
-  appendFlat(parts, TermKind::Sum, std::move(a));
-  parts.push_back(std::move(b));
-  return sum(std::move(parts));
-}
+Term operator+(Term a, Term b) { return sum(flat(TermKind::Sum, std::move(a), std::move(b))); }
 
 Term operator-(Term a, Term b) { return std::move(a) + -std::move(b); }
 
-Term operator*(Term a, Term b) {
-  std::vector<Term> parts;
-  appendFlat(parts, TermKind::Product, std::move(a));
-  parts.push_back(std::move(b));
-  return product(std::move(parts));
-}
+Term operator*(Term a, Term b) { return product(flat(TermKind::Product, std::move(a), std::move(b))); }
 
 Term operator/(Term a, Term b) { return made(TermKind::Quotient, {std::move(a), std::move(b)}); }
 

@@ -51,7 +51,9 @@ struct TermValue {
   std::vector<Polynomial> entries;
   bool isList = false;
 
-  TermValue(Polynomial number) : entries{std::move(number)} {}         // NOLINT(google-explicit-constructor)
+  TermValue(Polynomial number) {
+    entries.push_back(std::move(number));
+  }                                                                    // NOLINT(google-explicit-constructor)
   TermValue(Real number) : TermValue(Polynomial(std::move(number))) {} // NOLINT(google-explicit-constructor)
   TermValue(const Surd &number) : TermValue(Real(number)) {}           // NOLINT(google-explicit-constructor)
   TermValue(const Rational &number) : TermValue(Real(number)) {}       // NOLINT(google-explicit-constructor)

@@ -50,9 +50,11 @@ Term scientific(const std::string &mantissa, int exponent) {
 
 /// p/q of positive integers, `root` behind p.
 Term fraction(const Rational &magnitude, const std::optional<Term> &root) {
-  const Integer p = magnitude.numerator();
-  const Term top = !root ? digits(p.str()) : p == 1 ? *root : digits(p.str()) * *root;
-  return magnitude.isInteger() ? top : top / digits(magnitude.denominator().str());
+  const std::string text = toText(magnitude); // p or p/q
+  const auto slash = text.find('/');
+  const std::string p = text.substr(0, slash);
+  const Term top = !root ? digits(p) : p == "1" ? *root : digits(p) * *root;
+  return slash == std::string::npos ? top : top / digits(text.substr(slash + 1));
 }
 
 /// The characters of an exact form without the sign in front.

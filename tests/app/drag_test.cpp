@@ -42,7 +42,7 @@ public:
     if (event->type() == QEvent::Paint) {
       ++paintings;
       const Scene &now = m_fixture.model().session().scene;
-      const auto &firstLine = m_fixture.model().shownOutcome().working.lines[0];
+      const auto &firstLine = m_fixture.model().shown().working.lines[0];
       const bool sameLines = m_lines.latexOfAll().contains(QString::fromStdString(latexOf(firstLine)));
       mixtures += !m_drawn || !(*m_drawn == now) || !sameLines;
     }

@@ -176,7 +176,7 @@ private:
     std::pair<std::size_t, int> most;
     for (int step = 0; step < static_cast<int>(model.lesson().steps.size()); ++step) {
       model.setStep(step);
-      most = std::max(most, {model.shownOutcome().figure.marks.size(), step});
+      most = std::max(most, {model.shown().figure.marks.size(), step});
     }
     model.setStep(most.second);
   }

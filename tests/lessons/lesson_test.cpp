@@ -207,7 +207,7 @@ TEST(ShownIn, AStepWithLines_KeepsThoseLinesTheirMarksAndTheGivens) {
   const Outcome all = evaluate(test::distanceScene());
   LessonStep step;
   step.lines = {"foot"};
-  const Outcome shown = shownIn(step, all);
+  const Shown shown = shownIn(step, all);
   ASSERT_EQ(shown.working.lines.size(), 1U);
   EXPECT_EQ(shown.working.lines[0].id, "foot");
   EXPECT_NE(findMark(shown.figure, "Q"), nullptr);
