@@ -83,29 +83,34 @@ LabelObstacles obstaclesIn(const Rectangle &box, const LabelObstacles &all) {
   return found;
 }
 
-std::array<glm::dvec2, directionCount> unitDirections() {
-  std::array<glm::dvec2, directionCount> directions;
-  for (std::size_t way = 0; way < directionCount; ++way) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(way) / directionCount;
-    directions[way] = {std::cos(angle), std::sin(angle)};
+/// A direction around an anchor: on the unit circle, and on the square around it.
+struct Way {
+  glm::dvec2 onCircle;
+  glm::dvec2 onSquare;
+};
+
+std::array<Way, directionCount> waysAround() {
+  std::array<Way, directionCount> ways;
+  for (std::size_t i = 0; i < directionCount; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / directionCount;
+    const glm::dvec2 toward(std::cos(angle), std::sin(angle));
+    ways[i] = {toward, toward / std::max(std::abs(toward.x), std::abs(toward.y))};
   }
-  return directions;
+  return ways;
 }
 
 /// The box beside an anchor: its side or corner that faces the anchor is `gap` away from it.
-Rectangle boxBeside(glm::dvec2 anchor, glm::dvec2 toward, double gap, glm::dvec2 extent) {
-  const glm::dvec2 square = toward / std::max(std::abs(toward.x), std::abs(toward.y));
-  const glm::dvec2 center = anchor + toward * gap + square * extent / 2.0;
-  return {center - extent / 2.0, center + extent / 2.0};
+Rectangle boxBeside(glm::dvec2 anchor, const Way &way, double gap, glm::dvec2 extent) {
+  const glm::dvec2 low = anchor + way.onCircle * gap + (way.onSquare - 1.0) * extent / 2.0;
+  return {low, low + extent};
 }
 
 /// The box moved into the screen, as far as it fits, and onto whole pixels.
-Rectangle movedInside(Rectangle box, PixelSize size) {
+Rectangle movedInside(const Rectangle &box, PixelSize size) {
   const glm::dvec2 extent = box.extent();
   const glm::dvec2 room = glm::max(glm::dvec2(0), glm::dvec2(size.width, size.height) - extent);
-  box.low = glm::round(glm::clamp(box.low, glm::dvec2(0), room));
-  box.high = box.low + extent;
-  return box;
+  const glm::dvec2 low = glm::floor(glm::clamp(box.low, glm::dvec2(0), room) + 0.5);
+  return {low, low + extent};
 }
 
 bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
@@ -145,7 +150,7 @@ struct LabelLayout::Board {
 
 std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest &request,
                                                               const Board &board) {
-  static const std::array directions = unitDirections();
+  static const std::array ways = waysAround();
   std::vector<Candidate> candidates;
   candidates.reserve(request.anchors.size() * directionCount * distances.size());
   double liking = 0;
@@ -161,10 +166,10 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
     for (std::uint16_t way = 0; way < directionCount; ++way)
       for (std::uint16_t far = 0; far < distances.size(); ++far) {
         const double gap = anchor.clearance + distances[far] * board.pixelRatio;
-        const Rectangle wanted = boxBeside(anchor.pixel, directions[way], gap, request.extent);
+        const Rectangle wanted = boxBeside(anchor.pixel, ways[way], gap, request.extent);
         const Rectangle box = movedInside(wanted, board.size);
         const double pushed = glm::distance(wanted.low, box.low) / (request.extent.x + request.extent.y);
-        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, directions[way])) +
+        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, ways[way].onCircle)) +
                             costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - freePush);
         candidates.push_back({{a, way, far}, box, cost});
       }

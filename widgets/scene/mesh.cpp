@@ -156,6 +156,13 @@ Frame turned(Frame frame, Place in, Place out) {
 
 } // namespace
 
+void makeRoom(Mesh &mesh, std::size_t corners) {
+  mesh.positions.reserve(corners);
+  mesh.normals.reserve(corners);
+  mesh.colors.reserve(corners);
+  mesh.triangles.reserve(2 * corners); // each corner belongs to six of them, each of them has three
+}
+
 void addTube(Mesh &mesh, std::span<const Place> path, double radius, Color color) {
   const std::vector<Place> points = withoutRepeats(path);
   if (points.size() < 2)

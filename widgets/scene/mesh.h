@@ -20,6 +20,9 @@ struct Mesh {
   std::vector<glm::ivec3> triangles;
 };
 
+/// Makes room for so many corners at once, and for the triangles between them.
+void makeRoom(Mesh &mesh, std::size_t corners);
+
 /// A tube around a path with mitred corners and flat ends. Repeated points of the path are left out; a path
 /// without length gives nothing.
 void addTube(Mesh &mesh, std::span<const Place> path, double radius, Color color);

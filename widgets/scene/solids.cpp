@@ -19,6 +19,9 @@ constexpr double dashLength = 0.42;
 /// More points than this are drawn as coarse balls.
 constexpr int mostFineBalls = 150;
 
+/// About what a mark has: more in a ball or a dashed line, fewer in a tube.
+constexpr std::size_t usualCorners = 400;
+
 constexpr double highlightWidth = 1.55;
 /// A ball is thick as it is: much thicker, it would cover what lies beside it.
 constexpr double highlightBallWidth = 1.2;
@@ -130,6 +133,7 @@ Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
 Mesh solidsOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
               double scale, const Arrival &arrival) {
   Mesh mesh;
+  makeRoom(mesh, figure.marks.size() * usualCorners);
   const BallDetail ball = ballDetailFor(figure);
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
