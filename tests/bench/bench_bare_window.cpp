@@ -1,4 +1,4 @@
-// A window of bare VTK with a picture much like a lesson's, until its first frame is drawn: ./bench_start
+// A window of bare VTK with a picture much like a lesson's, until its first frame is shown: ./bench_start
 // runs it.
 #include "tests/bench/bare_scene.h"
 #include "tests/bench/first_frame.h"
@@ -9,7 +9,6 @@
 #include <QPainter>
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -53,13 +52,7 @@ int main(int argc, char **argv) {
   renderWindow->SetMultiSamples(samples);
   view->setRenderWindow(renderWindow);
   renderWindow->AddRenderer(scene.renderer());
-  vtkNew<vtkCallbackCommand> drawn;
-  drawn->SetClientData(argv[1]);
-  drawn->SetCallback([](vtkObject *caller, unsigned long, void *started, void *) {
-    caller->RemoveObservers(vtkCommand::EndEvent);
-    reportFirstFrame(static_cast<const char *>(started));
-  });
-  scene.renderer()->AddObserver(vtkCommand::EndEvent, drawn);
+  reportFirstFrame(*view, argv[1]);
   window.setCentralWidget(view);
   window.resize(1280, 800);
   window.show();

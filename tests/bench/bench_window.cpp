@@ -1,4 +1,4 @@
-// The program's window, started as the program starts it, until its first frame is drawn: ./bench_start runs
+// The program's window, started as the program starts it, until its first frame is shown: ./bench_start runs
 // it.
 #include "app/main_window.h"
 #include "app/subject.h"
@@ -26,11 +26,7 @@ int main(int argc, char **argv) {
   const QApplication application(argc, argv);
   MainWindow window(std::move(library));
   window.startWith(session);
-  bool isFirst = true;
-  QObject::connect(&window.sceneView(), &SceneView::frameDrawn, &window, [&] {
-    if (std::exchange(isFirst, false))
-      bench::reportFirstFrame(argv[1]);
-  });
+  bench::reportFirstFrame(window.sceneView(), argv[1]);
   window.show();
   return QApplication::exec();
 }

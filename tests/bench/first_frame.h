@@ -2,8 +2,7 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
 #include <QTimer>
 
 #include <chrono>
@@ -11,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <utility>
 
 namespace halfspace::bench {
 
@@ -27,18 +27,21 @@ inline double residentMemory() {
   return 0;
 }
 
-/// To be called when the first frame is drawn, with the time at which the program was started in nanoseconds
-/// of the monotonic clock. Prints the milliseconds since then and, later, the memory in MiB; then the program
-/// ends.
-inline void reportFirstFrame(const char *started) {
-  QOpenGLContext::currentContext()->functions()->glFinish();
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  const std::chrono::nanoseconds since = now - std::chrono::nanoseconds(std::atoll(started));
-  std::printf("%.1f ", std::chrono::duration<double, std::milli>(since).count());
-  QTimer::singleShot(settlingTime, qApp, [] {
-    std::printf("%.1f\n", residentMemory());
-    std::fflush(stdout);
-    std::_Exit(0);
+/// Once the window with the view in it, painted whole, is handed to the screen: prints the milliseconds since
+/// the program was started, given in nanoseconds of the monotonic clock, and, later, the memory in MiB; then
+/// the program ends.
+inline void reportFirstFrame(const QOpenGLWidget &view, const char *started) {
+  const std::chrono::nanoseconds start(std::atoll(started));
+  QObject::connect(&view, &QOpenGLWidget::frameSwapped, qApp, [start, isFirst = true]() mutable {
+    if (!std::exchange(isFirst, false))
+      return;
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    std::printf("%.1f ", std::chrono::duration<double, std::milli>(now - start).count());
+    QTimer::singleShot(settlingTime, qApp, [] {
+      std::printf("%.1f\n", residentMemory());
+      std::fflush(stdout);
+      std::_Exit(0);
+    });
   });
 }
 
