@@ -1,10 +1,10 @@
 #include "app/check.h"
 
-#include "lessons/document.h"
+#include "lessons/reading/document.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
-#include "widgets/rich_text.h"
+#include "widgets/text/rich_text.h"
 
 #include <algorithm>
 #include <tuple>

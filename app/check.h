@@ -1,7 +1,7 @@
 // What is wrong in lesson files, before a learner meets it.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/lesson/lesson.h"
 
 namespace halfspace {
 

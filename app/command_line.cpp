@@ -1,7 +1,7 @@
 #include "app/command_line.h"
 
+#include "widgets/picture/theme.h"
 #include "widgets/scene/offscreen.h"
-#include "widgets/scene/theme.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // The command line: what was asked for, before anything is done about it.
 #pragma once
 
-#include "widgets/scene/camera.h"
+#include "widgets/picture/camera.h"
 
 #include <optional>
 #include <string>

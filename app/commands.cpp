@@ -2,16 +2,16 @@
 
 #include "app/check.h"
 #include "app/lesson_files.h"
+#include "app/open_session.h"
 #include "app/standard_streams.h"
-#include "app/subject.h"
-#include "lessons/explanation.h"
+#include "lessons/scene/explain_formats.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
-#include "widgets/scene/design_scale.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/design_scale.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
-#include "widgets/views.h"
 
 #include <nlohmann/json.hpp>
 
@@ -67,7 +67,7 @@ int runCheck(const CheckCommand &command) {
 
 int runExplain(const ExplainCommand &command) {
   const LessonLibrary library = openLibrary();
-  const auto subject = openSubject(library, command.subject, command.assignments);
+  const auto subject = openSession(library, command.subject, command.assignments);
   if (!subject)
     return fail(subject.problem());
   const Outcome outcome = evaluate(subject->session.scene);
@@ -80,7 +80,7 @@ int runExplain(const ExplainCommand &command) {
 
 int runRender(const RenderCommand &command) {
   const LessonLibrary library = openLibrary();
-  const auto subject = openSubject(library, command.subject, command.assignments);
+  const auto subject = openSession(library, command.subject, command.assignments);
   if (!subject)
     return fail(subject.problem());
   const Outcome outcome = evaluate(subject->session.scene);

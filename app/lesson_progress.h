@@ -1,7 +1,7 @@
 // What a learner has done in the steps of the lessons.
 #pragma once
 
-#include "lessons/task_progress.h"
+#include "lessons/lesson/task_progress.h"
 
 #include <map>
 #include <optional>

@@ -2,14 +2,14 @@
 
 #include "app/standard_streams.h"
 #include "app/window_style.h"
-#include "widgets/inspector.h"
-#include "widgets/lesson_panel.h"
+#include "widgets/lesson/lesson_panel.h"
 #include "widgets/mark_ink.h"
+#include "widgets/numbers/inspector.h"
 #include "widgets/repolish.h"
+#include "widgets/text/unbroken.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
-#include "widgets/unbroken.h"
-#include "widgets/working_practice.h"
+#include "widgets/working/working_practice.h"
 
 #include <QAction>
 #include <QApplication>

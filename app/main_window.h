@@ -5,9 +5,9 @@
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
-#include "widgets/coordinate_editor.h"
-#include "widgets/scene_view.h"
 #include "widgets/session_model.h"
+#include "widgets/view/scene_view.h"
+#include "widgets/working/coordinate_editor.h"
 
 #include <QMainWindow>
 #include <QTimer>

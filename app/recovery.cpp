@@ -3,7 +3,7 @@
 #include "app/folders.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 #include "lessons/words.h"
 
 #include <QDir>

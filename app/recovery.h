@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/lesson_progress.h"
-#include "lessons/problem.h"
-#include "lessons/session.h"
+#include "lessons/reading/problem.h"
+#include "lessons/scene/session.h"
 
 #include <QDateTime>
 #include <QString>

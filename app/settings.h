@@ -1,8 +1,8 @@
 // What a user has chosen, kept between starts.
 #pragma once
 
-#include "lessons/practice.h"
-#include "lessons/problem.h"
+#include "lessons/lesson/practice.h"
+#include "lessons/reading/problem.h"
 
 #include <QByteArray>
 #include <QString>

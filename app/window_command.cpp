@@ -3,8 +3,8 @@
 #include "app/lesson_files.h"
 #include "app/main_window.h"
 #include "app/memory.h"
+#include "app/open_session.h"
 #include "app/standard_streams.h"
-#include "app/subject.h"
 #include "app/termination.h"
 #include "lessons/words.h"
 
@@ -52,7 +52,7 @@ std::optional<Problem> checkOpenGL() {
 
 /// The window on a subject. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
-int showWindow(LessonLibrary library, const OpenedSubject &subject, const std::optional<Problem> &problem,
+int showWindow(LessonLibrary library, const OpenedSession &subject, const std::optional<Problem> &problem,
                const WindowCommand &command) {
   MainWindow window(std::move(library));
   const Termination termination([&](int signal) {
@@ -85,14 +85,14 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   for (const Problem &problem : library.problems)
     printError(problem.text());
   const std::string firstLesson = library.lessons.empty() ? "" : library.lessons.front().id;
-  auto subject = openSubject(library, command.subject.value_or(firstLesson));
+  auto subject = openSession(library, command.subject.value_or(firstLesson));
   std::optional<Problem> problem;
   if (!subject) {
     problem = subject.problem();
     printError(problem->text());
     if (!command.subject || !namesFile(library, *command.subject) || !displayNamed())
       return exitRefused;
-    subject = openSubject(library, firstLesson);
+    subject = openSession(library, firstLesson);
     if (!subject)
       return fail(subject.problem());
   }

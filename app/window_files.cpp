@@ -3,7 +3,7 @@
 #include "app/memory.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"

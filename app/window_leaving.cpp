@@ -2,9 +2,9 @@
 // start.
 #include "app/main_window.h"
 #include "app/standard_streams.h"
-#include "lessons/session_file.h"
-#include "widgets/inspector.h"
-#include "widgets/working_panel.h"
+#include "lessons/scene/session_file.h"
+#include "widgets/numbers/inspector.h"
+#include "widgets/working/working_panel.h"
 
 #include <QCloseEvent>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
-#include "widgets/inspector.h"
-#include "widgets/lesson_panel.h"
-#include "widgets/working_panel.h"
+#include "widgets/lesson/lesson_panel.h"
+#include "widgets/numbers/inspector.h"
+#include "widgets/working/working_panel.h"
 
 #include <QActionGroup>
 #include <QApplication>

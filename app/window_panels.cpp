@@ -1,8 +1,8 @@
 // The panels of the window: what each is made of and where it stands.
 #include "app/main_window.h"
-#include "widgets/inspector.h"
-#include "widgets/lesson_panel.h"
-#include "widgets/working_practice.h"
+#include "widgets/lesson/lesson_panel.h"
+#include "widgets/numbers/inspector.h"
+#include "widgets/working/working_practice.h"
 
 #include <QDockWidget>
 #include <QLabel>

@@ -1,7 +1,7 @@
 // The look of the window's panels, from a theme.
 #pragma once
 
-#include "widgets/scene/theme.h"
+#include "widgets/picture/theme.h"
 
 class QApplication;
 

@@ -1,5 +1,6 @@
 #include "eval/queries.h"
 
+#include "geometry/hit_all.h"
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/intersect_ray_polygon.h"
@@ -7,7 +8,6 @@
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/intersect_ray_triangle_cramer.h"
 #include "geometry/intersect_ray_triangle_plucker.h"
-#include "geometry/nearest_hit.h"
 #include "geometry/point_plane.h"
 #include "geometry/project_vector.h"
 #include "geometry/relate_lines.h"

@@ -1,6 +1,6 @@
 #include "geometry/plane.h"
 
-#include "geometry/primitive.h"
+#include "geometry/primitive_integers.h"
 
 namespace halfspace {
 

@@ -1,7 +1,7 @@
 // Colours of the themes as Qt's.
 #pragma once
 
-#include "widgets/scene/theme.h"
+#include "widgets/picture/theme.h"
 
 #include <QColor>
 

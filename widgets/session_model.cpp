@@ -1,6 +1,6 @@
 #include "widgets/session_model.h"
 
-#include "lessons/short_numbers.h"
+#include "lessons/scene/short_numbers.h"
 
 #include <QUndoCommand>
 

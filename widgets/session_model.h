@@ -1,9 +1,9 @@
 // The session that the window works on, its outcome, and its history.
 #pragma once
 
-#include "lessons/lesson.h"
-#include "lessons/session.h"
-#include "widgets/scene/stage.h"
+#include "lessons/lesson/lesson.h"
+#include "lessons/scene/session.h"
+#include "widgets/picture/stage.h"
 
 #include <QObject>
 #include <QUndoStack>

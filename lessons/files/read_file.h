@@ -1,7 +1,7 @@
 // The one reader of whole files, from a stranger's hands.
 #pragma once
 
-#include "lessons/problem.h"
+#include "lessons/reading/problem.h"
 
 #include <filesystem>
 

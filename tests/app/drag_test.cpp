@@ -1,8 +1,8 @@
 // Every handle of every lesson, dragged with the mouse in a real window.
 #include "tests/app/window_fixture.h"
 
-#include "lessons/working.h"
-#include "widgets/working_panel.h"
+#include "lessons/construction/working.h"
+#include "widgets/working/working_panel.h"
 
 #include <glm/geometric.hpp>
 

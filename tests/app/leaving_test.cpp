@@ -1,9 +1,9 @@
 // Nothing is lost when the window closes, is told to end, or finds its file changed.
 #include "app/termination.h"
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/inspector.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/inspector.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QApplication>
 #include <QDir>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/main_window.h"
-#include "widgets/scene_view.h"
+#include "widgets/view/scene_view.h"
 
 #include <QStandardPaths>
 #include <QTest>

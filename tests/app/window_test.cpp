@@ -1,12 +1,12 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/inspector.h"
-#include "widgets/math_label.h"
-#include "widgets/number_field.h"
-#include "widgets/task_row.h"
-#include "widgets/views.h"
-#include "widgets/working_practice.h"
+#include "widgets/lesson/task_row.h"
+#include "widgets/numbers/inspector.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/text/math_label.h"
+#include "widgets/working/working_practice.h"
 
 #include <QAction>
 #include <QApplication>

@@ -2,8 +2,8 @@
 #include "tests/app/window_fixture.h"
 
 #include "lessons/term/plain_text.h"
-#include "widgets/number_field.h"
-#include "widgets/working_practice.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/working/working_practice.h"
 
 #include <QScrollBar>
 #include <QToolButton>

@@ -6,7 +6,7 @@
 #include "tests/bench/figure_to_bare.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
-#include "widgets/working_panel.h"
+#include "widgets/working/working_panel.h"
 
 #include <QApplication>
 #include <QOpenGLContext>

@@ -1,7 +1,7 @@
 // The program's window, started as the program starts it, until its first frame is shown: ./bench_start runs
 // it.
 #include "app/main_window.h"
-#include "app/subject.h"
+#include "app/open_session.h"
 #include "tests/bench/first_frame.h"
 
 #include <QApplication>
@@ -13,7 +13,7 @@ int main(int argc, char **argv) {
   if (argc < 2)
     return 1;
   LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
-  const auto subject = openSubject(library, library.lessons.front().id);
+  const auto subject = openSession(library, library.lessons.front().id);
   if (!subject)
     return 1;
   const Session session = subject->session;

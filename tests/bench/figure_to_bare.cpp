@@ -1,10 +1,10 @@
 #include "tests/bench/figure_to_bare.h"
 
-#include "widgets/scene/design_scale.h"
-#include "widgets/scene/label_requests.h"
-#include "widgets/scene/mark_outline.h"
-#include "widgets/scene/solids.h"
-#include "widgets/scene/translucent_faces.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/labels/label_requests.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/translucent_faces.h"
 
 #include <glm/geometric.hpp>
 

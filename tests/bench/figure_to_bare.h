@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/bench/bare_scene.h"
+#include "widgets/picture/shapes/tools_mesh.h"
 #include "widgets/scene/figure_scene.h"
-#include "widgets/scene/tools_mesh.h"
 
 namespace halfspace::bench {
 

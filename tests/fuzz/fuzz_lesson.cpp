@@ -1,7 +1,7 @@
 // Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
-#include "lessons/lesson.h"
-#include "lessons/prose.h"
-#include "lessons/session.h"
+#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/prose.h"
+#include "lessons/scene/session.h"
 
 #include <cstdint>
 #include <cstdlib>

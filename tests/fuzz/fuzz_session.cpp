@@ -1,6 +1,6 @@
 // Whatever the bytes: a session that can be evaluated and written again as it is, or a problem with a
 // sentence.
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 
 #include <cstdint>
 #include <cstdlib>

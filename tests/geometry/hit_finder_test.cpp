@@ -1,7 +1,7 @@
 #include "geometry/hit_finder.h"
 
 #include "geometry/decide.h"
-#include "geometry/nearest_hit.h"
+#include "geometry/hit_all.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/nearest_hit.h"
+#include "geometry/hit_all.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Scenes that several tests begin with, and exact values that print themselves.
 #pragma once
 
-#include "lessons/handles.h"
-#include "lessons/session.h"
+#include "lessons/scene/handles.h"
+#include "lessons/scene/session.h"
 
 #include <ostream>
 

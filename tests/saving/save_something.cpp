@@ -3,7 +3,7 @@
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "lessons/files/write_file.h"
-#include "lessons/session_file.h"
+#include "lessons/scene/session_file.h"
 #include "widgets/scene/offscreen.h"
 
 #include <QFile>

@@ -1,17 +1,17 @@
 // Scenes of every size that coordinates allow, near-parallel ones and those with far results: each has a
 // picture in which its objects can be seen, in bounded time and memory.
-#include "lessons/construction.h"
-#include "lessons/session.h"
+#include "lessons/construction/construction.h"
+#include "lessons/scene/session.h"
 #include "tests/geometry/random_numbers.h"
 #include "tests/scene/pictures.h"
-#include "widgets/scene/design_scale.h"
-#include "widgets/scene/ground.h"
-#include "widgets/scene/label_layout.h"
-#include "widgets/scene/label_requests.h"
-#include "widgets/scene/mark_outline.h"
-#include "widgets/scene/solids.h"
-#include "widgets/scene/translucent_faces.h"
-#include "widgets/views.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/labels/label_layout.h"
+#include "widgets/picture/labels/label_requests.h"
+#include "widgets/picture/shapes/ground.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/translucent_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -159,7 +159,7 @@ void expectAllIsBounded(const Prepared &made) {
   for (const Mark &mark : figure.marks)
     for (const Place &place : outlineOf(mark, rightAngleSize * scale).path)
       ASSERT_TRUE(isWithinReach(place)) << baseOf(mark).id;
-  expectFiniteAndBounded(solidsOf(figure, {}, theme, scale));
+  expectFiniteAndBounded(meshOf(figure, {}, theme, scale));
   const FaceOrder faces(facesOf(figure, {}, theme));
   EXPECT_LE(faces.backToFront(glm::dvec4(view.camera.eye(), 1)).size(), 100U);
   EXPECT_LE(gridAround(view.camera).lines.size(), mostGridLines);

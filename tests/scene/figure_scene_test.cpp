@@ -1,6 +1,6 @@
 #include "widgets/scene/figure_scene.h"
 
-#include "tests/scene/marks.h"
+#include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
 
 #include <gtest/gtest.h>

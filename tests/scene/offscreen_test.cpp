@@ -1,4 +1,4 @@
-#include "tests/scene/marks.h"
+#include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
 
 #include <gtest/gtest.h>

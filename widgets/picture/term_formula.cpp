@@ -1,6 +1,6 @@
 #include "widgets/picture/term_formula.h"
 
-#include "lessons/provenance.h"
+#include "lessons/scene/provenance.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
 

@@ -1,7 +1,7 @@
 // Terms as formulas to be laid out.
 #pragma once
 
-#include "lessons/practice.h"
+#include "lessons/lesson/practice.h"
 #include "lessons/term/chain.h"
 #include "lessons/term/notation.h"
 #include "widgets/picture/math/math_tree.h"

@@ -1,11 +1,11 @@
 #include "widgets/scene/figure_scene.h"
 
-#include "widgets/scene/design_scale.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/hand/mark_picker.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/scene/label_overlay.h"
-#include "widgets/scene/mark_outline.h"
-#include "widgets/scene/mark_picker.h"
 #include "widgets/scene/scene_actors.h"
-#include "widgets/scene/solids.h"
 #include "widgets/scene/vtk_mesh.h"
 
 #include <vtkCamera.h>
@@ -129,7 +129,7 @@ void FigureScene::Impl::showStrip(int top, int height) {
 void FigureScene::Impl::prepareFigure() {
   m_solidScale = scale();
   m_places = placesOf(content.figure, scale());
-  write(solidsOf(content.figure, content.highlighted, theme, scale(), content.arrival), actors.solids());
+  write(meshOf(content.figure, content.highlighted, theme, scale(), content.arrival), actors.solids());
   m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme, content.arrival));
 }
 

@@ -1,56 +1,15 @@
 // The 3D picture of a figure: marks to meshes, labels, ground, shadows. VTK, no Qt.
 #pragma once
 
-#include "widgets/scene/arrival.h"
-#include "widgets/scene/camera.h"
-#include "widgets/scene/label_picture.h"
-#include "widgets/scene/stage.h"
+#include "widgets/picture/labels/label_picture.h"
+#include "widgets/picture/scene_content.h"
+#include "widgets/picture/view.h"
 
 #include <memory>
 
 class vtkRenderer;
 
 namespace halfspace {
-
-/// The tool shown on the selected handle, of constant size on the screen.
-struct Gizmo {
-  enum class Part { AxisX, AxisY, AxisZ, PlaneXY, PlaneYZ, PlaneZX };
-  enum class Mode { None, Horizontal, Vertical, AlongX, AlongY, AlongZ, AlongAxis };
-  Place at{};
-  Mode mode = Mode::None;    ///< how the handle moves now: a flat disc, an upright arrow, or one locked axis
-  bool axes = true;          ///< whether the three arrows and squares are shown
-  std::optional<Place> axis; ///< the one direction of a handle that has no other (a plane's offset)
-  std::optional<Part> hot;   ///< the part under the pointer
-  std::string note;          ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
-  bool operator==(const Gizmo &) const = default;
-};
-
-/// A small knob drawn for a handle that no mark shows (a plane's offset, the whole of a triangle).
-struct Knob {
-  std::string id;
-  Place at{};
-  std::optional<Place> axis; ///< drawn as a double arrow along it; else as a small cross of arrows
-  Subject subject = Subject::Neutral;
-  bool hot = false;
-  bool operator==(const Knob &) const = default;
-};
-
-/// A line from a point down to the ground, with its foot, and its x and y on the axes where there are any.
-struct DropLine {
-  Place from{};
-  bool operator==(const DropLine &) const = default;
-};
-
-/// Everything that a picture shows, in units of its stage.
-struct SceneContent {
-  Stage stage;
-  Figure figure;
-  std::set<std::string> highlighted; ///< mark ids that stand out
-  Arrival arrival;                   ///< marks that fade in
-  std::optional<Gizmo> gizmo;
-  std::vector<Knob> knobs;
-  std::optional<DropLine> dropLine;
-};
 
 /// Keeps one VTK renderer in step with what it is told to show. Setters only take note, and what they change
 /// is made anew by prepare(); nothing is drawn until the owner renders the window.

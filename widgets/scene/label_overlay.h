@@ -1,7 +1,7 @@
 // The labels on the screen: one textured rectangle each, a texel for a pixel, and leader lines.
 #pragma once
 
-#include "widgets/scene/label_requests.h"
+#include "widgets/picture/labels/label_requests.h"
 
 #include <vtkNew.h>
 

@@ -1,7 +1,7 @@
 #include "widgets/scene/offscreen.h"
 
 #include "lessons/words.h"
-#include "widgets/scene/design_scale.h"
+#include "widgets/picture/design_scale.h"
 #include "widgets/scene/egl_context.h"
 #include "widgets/scene/render_window.h"
 

@@ -1,7 +1,7 @@
 // Pictures without a window: EGL without a display server.
 #pragma once
 
-#include "lessons/problem.h"
+#include "lessons/reading/problem.h"
 #include "widgets/scene/figure_scene.h"
 
 #include <filesystem>

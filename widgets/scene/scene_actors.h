@@ -1,7 +1,7 @@
 // The few VTK objects that draw a scene, and how they are lit.
 #pragma once
 
-#include "widgets/scene/theme.h"
+#include "widgets/picture/theme.h"
 
 #include <vtkNew.h>
 

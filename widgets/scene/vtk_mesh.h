@@ -1,8 +1,8 @@
 // From plain meshes to VTK.
 #pragma once
 
-#include "widgets/scene/ground.h"
-#include "widgets/scene/translucent_faces.h"
+#include "widgets/picture/shapes/ground.h"
+#include "widgets/picture/shapes/translucent_faces.h"
 
 class vtkPolyData;
 

@@ -1,7 +1,7 @@
 // Typeset labels for the 3D scene.
 #pragma once
 
-#include "widgets/scene/label_picture.h"
+#include "widgets/picture/labels/label_picture.h"
 
 namespace halfspace {
 

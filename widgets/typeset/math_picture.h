@@ -1,7 +1,7 @@
 // A formula, laid out and ready to be painted: sharp at every size, on screens, in images and in PDF files.
 #pragma once
 
-#include "lessons/macros.h"
+#include "lessons/lesson/macros.h"
 #include "widgets/picture/math/layout.h"
 #include "widgets/picture/math/math_tree.h"
 

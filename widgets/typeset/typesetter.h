@@ -1,7 +1,7 @@
 // Formulas to pictures.
 #pragma once
 
-#include "lessons/macros.h"
+#include "lessons/lesson/macros.h"
 #include "widgets/typeset/math_picture.h"
 
 namespace halfspace {

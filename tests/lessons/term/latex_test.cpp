@@ -1,6 +1,6 @@
 #include "lessons/term/latex.h"
 
-#include "term_samples.h"
+#include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"

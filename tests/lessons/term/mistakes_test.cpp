@@ -1,9 +1,9 @@
 #include "lessons/term/mistakes.h"
 
-#include "term_samples.h"
+#include "tests/lessons/term/term_samples.h"
 
+#include "lessons/lesson/usual_mistakes.h"
 #include "lessons/term/plain_text.h"
-#include "lessons/usual_mistakes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "term_samples.h"
+#include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/real.h"
 

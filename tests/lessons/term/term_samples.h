@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/term/term.h"
-#include "tests/lessons/latex_value.h"
+#include "tests/lessons/construction/latex_value.h"
 
 #include <random>
 

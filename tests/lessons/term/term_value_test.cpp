@@ -1,6 +1,6 @@
 #include "lessons/term/term_value.h"
 
-#include "term_samples.h"
+#include "tests/lessons/term/term_samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Reads the mathematics of LaTeX: what a lecturer in linear algebra writes.
 #pragma once
 
-#include "lessons/macros.h"
+#include "lessons/lesson/macros.h"
 #include "widgets/picture/math/math_tree.h"
 
 #include <cstddef>

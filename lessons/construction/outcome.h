@@ -1,0 +1,44 @@
+// What a scene comes to: values, worked lines, figure, and the case in plain words.
+#pragma once
+
+#include "geometry/surd.h"
+#include "lessons/construction/working.h"
+#include "lessons/figure/figure.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace halfspace {
+
+struct NamedValue;
+
+/// A value by its shape: a number, a list of numbers (a vector too), a word, an index, or a group of named
+/// values.
+using Value = std::variant<Surd, std::vector<Surd>, std::string, int, std::vector<NamedValue>>;
+
+struct NamedValue {
+  std::string name; ///< as in the eval format: signed_distance, foot, t, perp …
+  /// How a learner reads the name: a term of the worked lines, or words; nothing for what is for programs
+  /// only.
+  std::variant<std::monostate, Term, std::string> label;
+  Value value;
+};
+
+/// A number or a list of numbers as a term; nothing for words and groups.
+[[nodiscard]] std::optional<Term> termOf(const Value &value);
+
+/// A value that stands in the worked lines: what the term comes to, an exact number or a list of them.
+[[nodiscard]] NamedValue listed(std::string name, const Term &term);
+
+struct Outcome {
+  std::string caseName;           ///< hit, behind, parallel … : a word for programs
+  std::vector<NamedValue> values; ///< those that have a meaning in the case
+  Working working;
+  Figure figure;
+  std::string description; ///< the case in plain words
+  bool degenerate = false; ///< the input has no answer of the usual kind: the description is a warning
+};
+
+} // namespace halfspace

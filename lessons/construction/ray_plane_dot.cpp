@@ -1,0 +1,168 @@
+// Where a ray meets a plane, by substitution and by dot products (notes PG 4 and 5; facing normal: note RP
+// 28).
+#include "geometry/intersect_ray_plane.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/given.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+struct In {
+  PlaneObject E;
+  RayObject L;
+};
+
+struct Out : PlaneTerms, RayTerms {
+  RayPlane<Rational> meet;
+  Term d, f, t, H;
+  Term facing;      ///< the unit normal towards where the ray comes from, where it crosses the plane
+  Term numerator;   ///< of t: (P0 − Q)·n
+  Term denominator; ///< r·n
+};
+
+Out compute(const In &in) {
+  const PlaneTerms E = termsOf(in.E, "E");
+  const RayTerms L = termsOf(in.L, "L");
+  const auto plane = planeThrough(in.E.point, in.E.normal);
+  const auto meet = intersectRayPlane(Ray<Rational>{in.L.origin, in.L.direction}, plane);
+  std::vector<Surd> facing;
+  if (meet.crosses())
+    for (const Surd &coordinate : facingNormal(in.E.normal, in.L.direction))
+      facing.push_back(coordinate);
+  return {E,
+          L,
+          meet,
+          name(letter("d"), plane.offset).standingFor(-dot(E.n, E.P0)),
+          applied(letter("f"), L.Q, evaluate(plane, in.L.origin)).standingFor(dot(E.n, L.Q - E.P0)),
+          name(letter("t"), meet.t),
+          name(letter("H"), meet.point).marked("H"),
+          name(vectorLetter("n", "f"), facing).marked("facing"),
+          dot(E.P0 - L.Q, E.n),
+          dot(L.r, E.n)};
+}
+
+CaseWords tell(const In &, const Out &at) {
+  const std::string t = equation(at.t);
+  switch (at.meet.which) {
+  case RayPlaneCase::Hit:
+    if (at.meet.t == 0)
+      return {"hit", words("t = 0: the ray starts in the plane, so it hits at its own start.")};
+    return {"hit", words("{t} is positive: the ray hits the plane.", {{"t", t}})};
+  case RayPlaneCase::Behind:
+    return {"behind",
+            words("{t} is negative: the plane is behind the ray's start, so the ray does not hit it.",
+                  {{"t", t}})};
+  case RayPlaneCase::Parallel:
+    return {"parallel",
+            words("r·n = 0 but (P₀ − Q)·n is not: the ray runs parallel to the plane and never meets it.")};
+  case RayPlaneCase::InPlane:
+    return {"in-plane", words("r·n = 0 and (P₀ − Q)·n = 0: the ray lies in the plane. Every t fits, so 0/0 "
+                              "names no single point.")};
+  case RayPlaneCase::ZeroDirection:
+    return zeroDirectionWords();
+  case RayPlaneCase::ZeroNormal:
+    break;
+  }
+  return zeroNormalWords();
+}
+
+std::vector<NamedValue> valuesOf(const Out &at) {
+  std::vector<NamedValue> values{listed("numerator", at.numerator), listed("denominator", at.denominator)};
+  if (!at.meet.crosses())
+    return values;
+  values.push_back(listed("t", at.t));
+  values.push_back(listed("point", at.H));
+  values.push_back(listed("facing_normal", at.facing));
+  return values;
+}
+
+std::string collectWords(const Out &at) {
+  if (at.meet.denominator != 0)
+    return words("Collected by t: r·n stands before t, and f(Q) is left over.");
+  return at.meet.numerator == 0
+             ? words("r·n is 0, and so is f(Q): t drops out, and every t fulfils 0 = 0.")
+             : words("r·n is 0: t drops out, and f(Q) is not 0, so no t fulfils the equation.");
+}
+
+/// The lines before it is known whether the ray crosses the plane.
+std::vector<WorkingLine> equationLines(const Out &at) {
+  const Term inserted = dot(at.n, at.Q + unknown("t") * at.r) + at.d;
+  const Term collected = at.denominator * unknown("t") + at.f;
+  return {
+      askedEquation("substitute", condition((0 == inserted).then(multipliedOut(inserted))),
+                    words("The ray's points Q + t·r put into the plane's equation. One unknown is left: t.")),
+      askedEquation("collect", condition((0 == collected).then(calculated(collected))), collectWords(at)),
+      asked(
+          "numerator", withNumbers(at.numerator),
+          words("The same by dot products. The numerator is −f(Q): the signed distance from Q to the plane "
+                "along n, "
+                "times |n|."),
+          {{at.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}}),
+      asked(
+          "denominator", withNumbers(at.denominator),
+          words(
+              "The denominator: how far one step r goes along n, times |n|. Zero means that no step along r "
+              "comes nearer to the plane."))};
+}
+
+WorkingLine facingLine(const Out &at) {
+  const Term unit = at.n / norm(at.n);
+  return at.meet.denominator > 0
+             ? asked(
+                   "facing", withResult(at.facing == -unit),
+                   words("r·n is positive, so n points away from where the ray comes from: the facing normal "
+                         "is −n, made one unit long."))
+             : asked("facing", withResult(at.facing == unit),
+                     words("r·n is negative, so n already points to where the ray comes from: the facing "
+                           "normal is n, made one unit long."));
+}
+
+Working explain(const Out &at) {
+  Working working{equationLines(at)};
+  if (!at.meet.crosses())
+    return working;
+  working.add(asked("t", withNumbers(at.t == at.numerator / at.denominator),
+                    words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1."),
+                    {wrongSignOf(at.t)}));
+  working.add(asked("hit", withNumbers(at.H == at.Q + at.t * at.r),
+                    at.meet.which == RayPlaneCase::Hit
+                        ? words("The point where the ray meets the plane.")
+                        : words("Here the line through the ray meets the plane, behind the start: the ray "
+                                "itself never gets there.")));
+  working.add(facingLine(at));
+  return working;
+}
+
+/// The unit normal is drawn this long in every picture.
+constexpr double drawnNormalLength = 1;
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  const bool crosses = at.meet.crosses();
+  const bool hit = at.meet.which == RayPlaneCase::Hit;
+  const Place meeting = place(at.H);
+  drawPlane(figure, in.E, crosses ? std::vector{meeting} : std::vector<Place>{});
+  drawRay(figure, in.L, hit ? std::optional(meeting) : std::nullopt);
+  if (!crosses)
+    return figure;
+  if (!hit)
+    figure.add(SegmentMark{{"H-backward", Role::Ghost, Subject::Ray}, place(at.Q), meeting});
+  figure.add(pointOf(at.H, hit ? Role::Result : Role::Ghost, Subject::Ray));
+  figure.add(ArrowMark{drawn(at.facing, Role::Derived, Subject::Measure), meeting, place(at.facing), false,
+                       drawnNormalLength});
+  return figure;
+}
+
+} // namespace
+
+Construction ray_plane_dot() {
+  return makeConstruction<In, Out>("ray-plane-dot", compute, tell, valuesOf, explain, draw,
+                                   TypedRole<In, PlaneObject>{"E", &In::E},
+                                   TypedRole<In, RayObject>{"L", &In::L});
+}
+
+} // namespace halfspace

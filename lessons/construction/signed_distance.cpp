@@ -1,0 +1,179 @@
+// How far a point is from a plane, and on which side (notes PG 3.4 and 3.5, figure 1).
+#include "geometry/point_plane.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/given.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halfspace {
+namespace {
+
+struct In {
+  PlaneObject E;
+  PointObject Q;
+};
+
+struct Out : PlaneTerms {
+  PointPlaneCase which;
+  bool atP0; ///< w is zero: there is no angle
+  Term Q, f, w, dist, F;
+  Term theta, cosine; ///< of the angle between n and w, where there is one
+};
+
+Out compute(const In &in) {
+  const PlaneTerms E = termsOf(in.E, "E");
+  const Term Q = termOf(in.Q, "Q");
+  const auto measured = measurePointPlane(in.Q.at, planeThrough(in.E.point, in.E.normal));
+  const ExactVec3 w = in.Q.at - in.E.point;
+  const bool hasAngle = measured.which != PointPlaneCase::ZeroNormal && !isZero(w);
+  const Term theta = name(letter("θ"), std::nullopt).marked("theta");
+  return {E,
+          measured.which,
+          isZero(w),
+          Q,
+          applied(letter("f"), Q, measured.f),
+          name(vectorLetter("w"), w).standingFor(Q - E.P0).marked("w"),
+          name(word("dist"), measured.signedDistance).marked("distance"),
+          name(letter("F"), measured.foot).marked("F"),
+          theta,
+          applied(word("cos"), theta,
+                  hasAngle ? overRoot(measured.f, Rational(measured.normalSquared * dot(w, w))) : Surd())};
+}
+
+CaseWords tell(const In &, const Out &at) {
+  const std::string f = equation(at.f);
+  const std::string distance = equation(name(word("signed distance"), at.dist->value));
+  switch (at.which) {
+  case PointPlaneCase::Positive:
+    return {"positive", words("{f} is positive: Q lies on the side that n points to, {distance}.",
+                              {{"f", f}, {"distance", distance}})};
+  case PointPlaneCase::Negative:
+    return {"negative", words("{f} is negative: Q lies on the side that n points away from, {distance}.",
+                              {{"f", f}, {"distance", distance}})};
+  case PointPlaneCase::On:
+    return {"on", words("f(Q) = 0: Q lies in the plane, and is its own foot.")};
+  case PointPlaneCase::ZeroNormal:
+    break;
+  }
+  return zeroNormalWords();
+}
+
+std::string sideName(PointPlaneCase which) {
+  return which == PointPlaneCase::Positive   ? "positive"
+         : which == PointPlaneCase::Negative ? "negative"
+                                             : "on";
+}
+
+std::vector<NamedValue> valuesOf(const Out &at) {
+  std::vector<NamedValue> values{listed("f", at.f)};
+  if (at.which == PointPlaneCase::ZeroNormal)
+    return values;
+  values.push_back(listed("signed_distance", at.dist));
+  values.push_back({"side", words("side"), sideName(at.which)});
+  values.push_back(listed("foot", at.F));
+  if (!at.atP0)
+    values.push_back(listed("cos_angle", at.cosine));
+  return values;
+}
+
+std::string sideWords(PointPlaneCase which) {
+  switch (which) {
+  case PointPlaneCase::Positive:
+    return words("The sign tells the side: positive where n points.");
+  case PointPlaneCase::Negative:
+    return words("The sign tells the side: negative behind the plane, seen along n.");
+  default:
+    return words("Zero: Q satisfies the plane's equation, so it lies in the plane.");
+  }
+}
+
+std::string distanceWords(const Out &at) {
+  if (at.which == PointPlaneCase::On)
+    return words("f(Q) is 0, and so is the distance: 0 divided by any length is 0.");
+  if (isUnit(at.n))
+    return words("Because |n| = 1, f(Q) is the signed distance already.");
+  return words("{f} is not the distance: n is {length} long, so f(Q) is {length} times the distance.",
+               {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
+}
+
+WorkingLine distanceLine(const Out &at) {
+  return asked("distance", withNumbers(at.dist == at.f / norm(at.n)), distanceWords(at),
+               {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
+                {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")},
+                {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
+                {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")}});
+}
+
+WorkingLine cosineLine(const Out &at) {
+  const double cosine = toDouble(*numberOf(at.cosine));
+  const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+  return asked(
+      "cosine", withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
+      words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of "
+            "w that runs along n.",
+            {{"degrees", plainText(rounded(degrees))}}),
+      {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
+       {dot(at.n, at.w), words("{answer} is n·w: divide by both lengths.")}});
+}
+
+Working explain(const Out &at) {
+  Working working{
+      {asked("f", withNumbers(at.f == dot(at.n, at.Q - at.P0)),
+             words("Q put into the left side of the plane's equation."),
+             {{dot(at.n, at.Q), words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}})}};
+  if (at.which == PointPlaneCase::ZeroNormal)
+    return working;
+  working.add(line("side", compared(at.f, 0), sideWords(at.which)));
+  working.add(asked("length", withProducts(norm(at.n) == root(dot(at.n, at.n))),
+                    words("The length of the normal."),
+                    {{dot(at.n, at.n), words("{answer} is n·n: its root is still to be taken.")}}));
+  working.add(distanceLine(at));
+  if (!at.atP0)
+    working.add(cosineLine(at));
+  working.add(asked("foot", withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n),
+                    words("The foot: from Q straight along n to the plane, its nearest point.")));
+  return working;
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  const Place q = place(at.Q);
+  const Place p0 = place(at.P0);
+  const bool hasPlane = at.which != PointPlaneCase::ZeroNormal;
+  const Place foot = hasPlane ? place(at.F) : p0;
+  drawPlane(figure, in.E, {foot});
+  figure.add(pointOf(at.Q, Role::Given, Subject::Point));
+  if (!at.atP0)
+    figure.add(arrowOf(at.w, p0, Role::Derived, Subject::Point));
+  if (!hasPlane)
+    return figure;
+  if (!at.atP0)
+    figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.n), q - p0});
+  figure.add(pointOf(at.F, Role::Result, Subject::Measure));
+  if (at.which == PointPlaneCase::On)
+    return figure;
+  MarkBase distance = drawn(at.dist, Role::Result, Subject::Measure);
+  distance.numbers = relatedLatex(calculated(at.dist));
+  figure.add(SegmentMark{std::move(distance), foot, q});
+  figure.add(RightAngleMark{{"F-angle", Role::Helper, Subject::Measure}, foot, q - foot, p0 - foot});
+  return figure;
+}
+
+} // namespace
+
+Construction signed_distance() {
+  return makeConstruction<In, Out>("signed-distance", compute, tell, valuesOf, explain, draw,
+                                   TypedRole<In, PlaneObject>{"E", &In::E},
+                                   TypedRole<In, PointObject>{"Q", &In::Q});
+}
+
+} // namespace halfspace

@@ -1,0 +1,162 @@
+#include "lessons/lesson/condition.h"
+
+#include "lessons/reading/document.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+using Relation = Condition::Relation;
+
+struct RelationSign {
+  std::string_view sign;
+  Relation relation;
+};
+
+/// The longer signs first, so that `<=` is not read as `<`.
+constexpr std::array relationSigns{RelationSign{"!=", Relation::NotEqual},
+                                   RelationSign{"<=", Relation::LessOrEqual},
+                                   RelationSign{">=", Relation::GreaterOrEqual},
+                                   RelationSign{"=", Relation::Equal},
+                                   RelationSign{"<", Relation::Less},
+                                   RelationSign{">", Relation::Greater}};
+
+bool isOrder(Relation relation) { return relation != Relation::Equal && relation != Relation::NotEqual; }
+
+Problem notAComparison(std::string_view text) {
+  return {words("“{text}” is not a comparison: write it as side = negative, or t < 0.",
+                {{"text", shortened(text)}}),
+          "", 0, ""};
+}
+
+Result<Condition> parseComparison(std::string_view text) {
+  const auto at = text.find_first_of("=<>!");
+  if (at == std::string_view::npos)
+    return notAComparison(text);
+  for (const RelationSign &known : relationSigns) {
+    if (text.substr(at, known.sign.size()) != known.sign)
+      continue;
+    Condition condition{std::string(trimmed(text.substr(0, at))), known.relation,
+                        std::string(trimmed(text.substr(at + known.sign.size())))};
+    const bool number = parseRational(condition.against).has_value();
+    if (!isValueName(condition.value) || (!number && !isValueName(condition.against)))
+      return notAComparison(text);
+    if (isOrder(condition.relation) && !number)
+      return Problem{
+          words("“{text}” orders a word: < and > compare with a number.", {{"text", shortened(text)}}), "", 0,
+          ""};
+    return condition;
+  }
+  return notAComparison(text);
+}
+
+/// x, y, z or an index from 0, as the place in a list.
+std::optional<std::size_t> componentIndex(std::string_view name) {
+  constexpr std::string_view letters = "xyz";
+  constexpr std::string_view digits = "0123456789";
+  if (name.size() != 1)
+    return {};
+  const auto letter = letters.find(name);
+  const auto at = letter != std::string_view::npos ? letter : digits.find(name);
+  return at == std::string_view::npos ? std::nullopt : std::optional(at);
+}
+
+std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_view name) {
+  const auto dot = name.find('.');
+  const std::string_view head = name.substr(0, dot);
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const auto &each) { return each.name == head; });
+  if (found == values.end())
+    return {};
+  if (dot == std::string_view::npos)
+    return found->value;
+  const std::string_view rest = name.substr(dot + 1);
+  if (const auto *group = std::get_if<std::vector<NamedValue>>(&found->value))
+    return findIn(*group, rest);
+  const auto *list = std::get_if<std::vector<Surd>>(&found->value);
+  const auto index = componentIndex(rest);
+  if (!list || !index || *index >= list->size())
+    return {};
+  return (*list)[*index];
+}
+
+bool holdsForSign(Relation relation, int sign) {
+  switch (relation) {
+  case Relation::Equal:
+    return sign == 0;
+  case Relation::NotEqual:
+    return sign != 0;
+  case Relation::Less:
+    return sign < 0;
+  case Relation::LessOrEqual:
+    return sign <= 0;
+  case Relation::Greater:
+    return sign > 0;
+  case Relation::GreaterOrEqual:
+    return sign >= 0;
+  }
+  return false;
+}
+
+/// Compares a value with what stands on the right; nothing for lists and groups, which do not compare.
+struct Comparison {
+  const Condition &condition;
+
+  bool operator()(const Surd &number) const {
+    const auto against = parseRational(condition.against);
+    return against && holdsForSign(condition.relation, (number + Rational(-*against)).sign());
+  }
+  bool operator()(int number) const { return (*this)(Surd(number)); }
+  bool operator()(const std::string &word) const {
+    return !isOrder(condition.relation) &&
+           (word == condition.against) == (condition.relation == Relation::Equal);
+  }
+  bool operator()(const std::vector<Surd> &) const { return false; }
+  bool operator()(const std::vector<NamedValue> &) const { return false; }
+};
+
+} // namespace
+
+bool isValueName(std::string_view text) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  constexpr std::string_view characters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  return !text.empty() && letters.find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of(characters) == std::string_view::npos;
+}
+
+Result<std::vector<Condition>> parseConditions(std::string_view text) {
+  constexpr std::string_view joint = " and ";
+  std::vector<Condition> conditions;
+  while (true) {
+    const auto end = text.find(joint);
+    auto condition = parseComparison(trimmed(text.substr(0, end)));
+    if (!condition)
+      return condition.problem();
+    conditions.push_back(std::move(*condition));
+    if (end == std::string_view::npos)
+      return conditions;
+    text.remove_prefix(end + joint.size());
+  }
+}
+
+std::optional<Value> findValue(const Outcome &outcome, std::string_view name) {
+  if (name == "case")
+    return outcome.caseName;
+  return findIn(outcome.values, name);
+}
+
+bool holds(const Condition &condition, const Outcome &outcome) {
+  const auto value = findValue(outcome, condition.value);
+  return value && std::visit(Comparison{condition}, *value);
+}
+
+bool isDone(const Task &task, const Outcome &outcome) {
+  return std::all_of(task.conditions.begin(), task.conditions.end(),
+                     [&](const Condition &condition) { return holds(condition, outcome); });
+}
+
+} // namespace halfspace

@@ -1,0 +1,288 @@
+#include "lessons/lesson/lesson.h"
+
+#include "lessons/files/read_file.h"
+#include "lessons/lesson/lesson_reader.h"
+#include "lessons/reading/document.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+constexpr std::string_view frontMatterFence = "---";
+
+/// A text's lines with their numbers, without their ends.
+class LineScanner {
+public:
+  LineScanner(std::string_view text, int firstLine) : m_rest(text), m_number(firstLine - 1) {}
+
+  bool next() {
+    if (m_rest.empty())
+      return false;
+    const auto end = m_rest.find('\n');
+    m_line = m_rest.substr(0, end);
+    m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
+    if (!m_line.empty() && m_line.back() == '\r')
+      m_line.remove_suffix(1);
+    ++m_number;
+    return true;
+  }
+  [[nodiscard]] std::string_view line() const { return m_line; }
+  [[nodiscard]] int number() const { return m_number; }
+  [[nodiscard]] std::string_view rest() const { return m_rest; }
+
+private:
+  std::string_view m_rest;
+  std::string_view m_line;
+  int m_number;
+};
+
+/// The run of ``` or ~~~ that opens or closes a block of code here; empty when there is none.
+std::string_view fenceOf(std::string_view line) {
+  const auto indent = std::min(line.find_first_not_of(' '), line.size());
+  if (indent > 3 || indent == line.size() || (line[indent] != '`' && line[indent] != '~'))
+    return {};
+  line.remove_prefix(indent);
+  const auto run = line.substr(0, std::min(line.find_first_not_of(line.front()), line.size()));
+  return run.size() >= 3 ? run : std::string_view();
+}
+
+bool closes(std::string_view line, std::string_view opening) {
+  const std::string_view fence = fenceOf(line);
+  return fence.size() >= opening.size() && fence.front() == opening.front() &&
+         trimmed(line).size() == fence.size();
+}
+
+/// A fenced block: its word, its text, and itself as it stands.
+struct Fence {
+  std::string word;
+  TextBlock content;
+  std::string whole;
+};
+
+Result<Fence> readFence(LineScanner &lines, const std::string &file) {
+  const int openedAt = lines.number();
+  const std::string opening(fenceOf(lines.line()));
+  const auto after = lines.line().find(opening) + opening.size();
+  Fence fence{
+      std::string(trimmed(lines.line().substr(after))), {"", openedAt + 1}, std::string(lines.line()) + "\n"};
+  while (lines.next()) {
+    fence.whole += std::string(lines.line()) + "\n";
+    if (closes(lines.line(), opening))
+      return fence;
+    fence.content.text += std::string(lines.line()) + "\n";
+  }
+  return Problem{
+      words("The block that opens here is never closed. End it with a line {fence}.", {{"fence", opening}}),
+      file, openedAt, ""};
+}
+
+/// Puts a fenced block where it belongs in the step.
+std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std::string &file) {
+  if (fence.word == "lines") {
+    auto ids = readLineIds(fence.content, file);
+    if (!ids)
+      return ids.problem();
+    step.lines.insert(step.lines.end(), ids->begin(), ids->end());
+  } else if (fence.word == "blank") {
+    const auto fading = readFading(fence.content, file);
+    if (!fading)
+      return fading.problem();
+    step.blank = *fading;
+  } else if (fence.word == "task") {
+    auto task = readTask(fence.content, file);
+    if (!task)
+      return task.problem();
+    step.tasks.push_back(std::move(*task));
+  } else if (fence.word == "predict") {
+    if (step.prediction)
+      return Problem{words("A step asks one question. Move the second into a step of its own."), file,
+                     fence.content.firstLine - 1, "predict"};
+    auto prediction = readPrediction(fence.content, file);
+    if (!prediction)
+      return prediction.problem();
+    step.prediction = std::move(*prediction);
+  } else {
+    const auto count = std::count(fence.whole.begin(), fence.whole.end(), '\n');
+    for (int line = fence.content.firstLine - 1, end = line + static_cast<int>(count); line < end; ++line)
+      step.markdownLines.push_back(line);
+    step.markdown += fence.whole;
+  }
+  return {};
+}
+
+/// Splits the file at the end of its front matter.
+struct LessonParts {
+  TextBlock frontMatter;
+  TextBlock body;
+};
+
+Result<LessonParts> splitFrontMatter(std::string_view text, const std::string &file) {
+  LineScanner lines(text, 1);
+  if (!lines.next() || trimmed(lines.line()) != frontMatterFence)
+    return Problem{words("A lesson begins with a line --- and its id, title and scene below it."), file, 1,
+                   ""};
+  TextBlock frontMatter{"", 2};
+  while (lines.next()) {
+    if (trimmed(lines.line()) == frontMatterFence)
+      return LessonParts{frontMatter, {std::string(lines.rest()), lines.number() + 1}};
+    frontMatter.text += std::string(lines.line()) + "\n";
+  }
+  return Problem{words("The front matter has no end. Put a line --- behind it."), file, lines.number(), ""};
+}
+
+std::optional<std::string> stepTitle(std::string_view line) {
+  constexpr std::string_view heading = "## ";
+  if (!line.starts_with(heading))
+    return {};
+  return std::string(trimmed(line.substr(heading.size())));
+}
+
+/// Takes away empty lines before and behind the words, and what is empty at their ends.
+void trimEnds(LessonStep &step) {
+  std::string &markdown = step.markdown;
+  const auto begin = std::min(markdown.find_first_not_of(" \t\n"), markdown.size());
+  const auto end = markdown.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
+  const auto linesBefore = [&](std::size_t place) {
+    return std::count(markdown.begin(), markdown.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  };
+  step.markdownLines.erase(step.markdownLines.begin(), step.markdownLines.begin() + linesBefore(begin));
+  markdown = begin < end ? markdown.substr(begin, end - begin) : "";
+  if (!markdown.empty())
+    step.markdownLines.resize(static_cast<std::size_t>(linesBefore(markdown.size())) + 1);
+}
+
+void addLine(LessonStep &step, std::string_view line, int number) {
+  step.markdown += std::string(line) + "\n";
+  step.markdownLines.push_back(number);
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+Problem tooLarge(const std::string &file) {
+  return {words("The file is too large to be a lesson: at most {limit} KiB are read.",
+                {{"limit", std::to_string(maxLessonBytes >> 10)}}),
+          file, 0, ""};
+}
+
+} // namespace
+
+Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file) {
+  std::vector<LessonStep> steps;
+  LineScanner lines(block.text, block.firstLine);
+  while (lines.next()) {
+    const auto title = stepTitle(lines.line());
+    if (title) {
+      steps.emplace_back().title = *title;
+      continue;
+    }
+    if (steps.empty()) {
+      if (!trimmed(lines.line()).empty())
+        return Problem{words("These words belong to no step. Put a heading ## above them."), file,
+                       lines.number(), ""};
+      continue;
+    }
+    if (fenceOf(lines.line()).empty()) {
+      addLine(steps.back(), lines.line(), lines.number());
+      continue;
+    }
+    const auto fence = readFence(lines, file);
+    if (!fence)
+      return fence.problem();
+    if (const auto problem = addFence(*fence, steps.back(), file))
+      return *problem;
+  }
+  if (steps.empty())
+    return Problem{words("The lesson has no steps. Each begins with a heading ##."), file, lines.number(),
+                   ""};
+  for (LessonStep &step : steps)
+    trimEnds(step);
+  return steps;
+}
+
+Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
+  if (text.size() > maxLessonBytes)
+    return tooLarge(file);
+  if (const auto at = firstNoText(text))
+    return Problem{notText(), file, lineAt(text, *at), ""};
+  const auto parts = splitFrontMatter(withoutByteOrderMark(text), file);
+  if (!parts)
+    return parts.problem();
+  auto lesson = readFrontMatter(parts->frontMatter, file);
+  if (!lesson)
+    return lesson;
+  auto steps = readSteps(parts->body, file);
+  if (!steps)
+    return steps.problem();
+  lesson->steps = std::move(*steps);
+  lesson->file = file;
+  return lesson;
+}
+
+Result<Lesson> readLesson(const std::filesystem::path &file) {
+  const auto text = readFile(file, maxLessonBytes);
+  return text ? parseLesson(*text, file.string()) : Result<Lesson>(text.problem());
+}
+
+int LessonWords::lineAt(std::size_t place) const {
+  const auto passed = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
+}
+
+std::vector<LessonWords> wordsOf(const Lesson &lesson) {
+  std::vector<LessonWords> words;
+  for (const LessonStep &step : lesson.steps) {
+    words.push_back({step.markdown, step.markdownLines, ""});
+    for (const Task &task : step.tasks)
+      words.push_back({task.instruction, {task.line}, "do"});
+    if (!step.prediction)
+      continue;
+    words.push_back({step.prediction->question, {step.prediction->questionLine}, "ask"});
+    for (const Prediction::Choice &choice : step.prediction->choices)
+      words.push_back({choice.text, {choice.line}, "choices"});
+    words.push_back({step.prediction->reason, {step.prediction->reasonLine}, "why"});
+  }
+  return words;
+}
+
+const Lesson *LessonLibrary::find(std::string_view id) const {
+  for (const Lesson &lesson : lessons)
+    if (lesson.id == id)
+      return &lesson;
+  return nullptr;
+}
+
+LessonLibrary readLessons(const std::filesystem::path &folder) {
+  LessonLibrary library;
+  std::error_code error;
+  std::set<std::filesystem::path> files;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".md")
+      files.insert(entry->path());
+  if (error)
+    library.problems.push_back({words("The folder of lessons cannot be read."), folder.string(), 0, ""});
+  for (const auto &file : files) {
+    auto lesson = readLesson(file);
+    if (!lesson)
+      library.problems.push_back(lesson.problem());
+    else if (library.find(lesson->id))
+      library.problems.push_back(
+          {words("Another lesson here has the id “{id}” already. Give this one its own.",
+                 {{"id", lesson->id}}),
+           file.string(), 0, "id"});
+    else
+      library.lessons.push_back(std::move(*lesson));
+  }
+  std::stable_sort(library.lessons.begin(), library.lessons.end(),
+                   [](const Lesson &a, const Lesson &b) { return a.order < b.order; });
+  return library;
+}
+
+} // namespace halfspace

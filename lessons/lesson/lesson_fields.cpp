@@ -1,0 +1,235 @@
+// The YAML parts of a lesson: its front matter, its tasks and its questions.
+#include "lessons/lesson/condition.h"
+#include "lessons/lesson/lesson_reader.h"
+#include "lessons/scene/scene_reader.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace halfspace {
+namespace {
+
+/// Front matter nests five deep: scene, entry, object, vector, number.
+constexpr int maxFrontMatterDepth = 12;
+constexpr int highestOrder = 10000;
+
+std::vector<std::string> readTexts(const DocumentNode &node, const std::string &field, FieldReader &fields) {
+  std::vector<std::string> texts;
+  if (node.kind == DocumentNode::Kind::Text)
+    texts.push_back(node.text);
+  for (const DocumentNode &child : node.children)
+    if (child.kind == DocumentNode::Kind::Text)
+      texts.push_back(child.text);
+    else
+      fields.complain(child, field, words("Here a list of texts is expected."));
+  return texts;
+}
+
+double readDouble(const DocumentNode &node, const std::string &field, FieldReader &fields) {
+  const auto value = readCoordinate(node.text);
+  if (value)
+    return toDouble(*value);
+  fields.complain(node, field, value.problem().sentence);
+  return 0;
+}
+
+void readPlace(const DocumentNode &node, const std::string &field, FieldReader &fields, glm::dvec3 &place) {
+  if (node.kind != DocumentNode::Kind::List || node.children.size() != 3)
+    return fields.complain(node, field, words("Here three numbers are expected, as [1, 2, 3]."));
+  for (int i = 0; i < 3; ++i)
+    place[i] = readDouble(node.children[static_cast<std::size_t>(i)], field, fields);
+}
+
+CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
+  CameraView camera;
+  FieldReader fields(node, lesson.file(), "camera");
+  fields.allowOnly({"from", "at", "height"});
+  if (const DocumentNode *from = fields.optional("from"))
+    readPlace(*from, "camera.from", fields, camera.from);
+  if (const DocumentNode *at = fields.optional("at"))
+    readPlace(*at, "camera.at", fields, camera.at);
+  if (const DocumentNode *height = fields.optional("height"))
+    camera.height = readDouble(*height, "camera.height", fields);
+  if (camera.from == glm::dvec3(0))
+    fields.complain(node, "camera.from",
+                    words("The camera cannot look from no direction: give one that is not zero."));
+  if (!(camera.height > 0))
+    fields.complain(node, "camera.height", words("The height of the view must be greater than 0."));
+  if (fields.problem())
+    lesson.keep(*fields.problem());
+  return camera;
+}
+
+bool isMacroName(const std::string &name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), isLetter);
+}
+
+void readMacro(const DocumentNode &node, FieldReader &fields, Macros &macros) {
+  const std::string field = "macros." + node.key;
+  if (!isMacroName(node.key))
+    return fields.complain(node, field,
+                           words("“{name}” cannot be the name of a macro: write letters from a to z without "
+                                 "the backslash.",
+                                 {{"name", shortened(node.key)}}));
+  if (node.kind != DocumentNode::Kind::Text || node.text.empty())
+    return fields.complain(node, field, words("Here LaTeX in single quotes is expected, as '\\mathbb{R}'."));
+  if (node.text.size() > longestMacro)
+    return fields.complain(node, field,
+                           words("This macro is too long: at most {limit} bytes are read.",
+                                 {{"limit", std::to_string(longestMacro)}}));
+  auto macro = macroOf(node.text);
+  if (!macro)
+    return fields.complain(node, field,
+                           words("A # in a macro stands before the number of an argument: #1 to #9."));
+  macros[node.key] = std::move(*macro);
+}
+
+std::size_t parametersIn(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (parameterAt(text, at) > 0)
+      ++count;
+  return count;
+}
+
+/// Outside quotes YAML takes ` #1` for the beginning of a comment, and nobody would notice.
+void refuseLostArguments(const DocumentNode &node, const TextBlock &block, FieldReader &fields) {
+  std::map<int, std::size_t> read; // by line
+  for (const DocumentNode &macro : node.children)
+    read[macro.line] += parametersIn(macro.text);
+  std::istringstream lines(block.text);
+  std::string text;
+  for (int line = block.firstLine; std::getline(lines, text); ++line)
+    for (const DocumentNode &macro : node.children)
+      if (macro.line == line && parametersIn(text) > read[line])
+        return fields.complain(macro, "macros." + macro.key,
+                               words("What follows # is not read here: put the macro in single quotes."));
+}
+
+Macros readMacros(const DocumentNode &node, const TextBlock &block, FieldReader &fields) {
+  Macros macros;
+  if (node.kind != DocumentNode::Kind::Map || node.children.size() > mostMacros) {
+    fields.complain(node, "macros",
+                    words("Here at most {limit} macros are expected, each as `name: 'LaTeX'`.",
+                          {{"limit", std::to_string(mostMacros)}}));
+    return macros;
+  }
+  refuseLostArguments(node, block, fields);
+  for (const DocumentNode &child : node.children)
+    readMacro(child, fields, macros);
+  if (const auto name = findRecursion(macros))
+    fields.complain(*node.find(*name), "macros." + *name, words("This macro uses itself."));
+  return macros;
+}
+
+std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReader &fields) {
+  std::vector<Prediction::Choice> choices;
+  for (const DocumentNode &child : node.children) {
+    if (child.kind != DocumentNode::Kind::Text || child.key.empty() || child.text.empty())
+      fields.complain(child, "choices", words("Each choice is written as `value: what the learner reads`."));
+    choices.push_back({child.key, child.text, child.line});
+  }
+  if (choices.size() < 2)
+    fields.complain(node, "choices", words("A question needs at least two choices."));
+  return choices;
+}
+
+} // namespace
+
+Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "");
+  fields.allowOnly({"id", "title", "order", "sources", "macros", "scene", "camera"});
+  Lesson lesson;
+  lesson.id = fields.lessonId("id");
+  lesson.title = fields.text("title");
+  lesson.order = fields.integer("order", 0, highestOrder, 0);
+  if (const DocumentNode *sources = fields.optional("sources"))
+    lesson.sources = readTexts(*sources, "sources", fields);
+  if (const DocumentNode *macros = fields.optional("macros"))
+    lesson.macros = readMacros(*macros, block, fields);
+  if (const DocumentNode *camera = fields.optional("camera"))
+    lesson.camera = readCamera(*camera, fields);
+  const DocumentNode *list = fields.required("scene");
+  if (fields.problem())
+    return *fields.problem();
+  auto scene = readScene(*list, file, "scene");
+  if (!scene)
+    return scene.problem();
+  lesson.scene = std::move(*scene);
+  return lesson;
+}
+
+Result<Task> readTask(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "");
+  fields.allowOnly({"do", "when"});
+  Task task;
+  task.instruction = fields.text("do");
+  auto conditions = parseConditions(fields.text("when"));
+  if (!conditions && root->find("when"))
+    fields.complain(*root->find("when"), "when", conditions.problem().sentence);
+  if (fields.problem())
+    return *fields.problem();
+  task.conditions = std::move(*conditions);
+  task.line = root->find("do")->line;
+  return task;
+}
+
+Result<Prediction> readPrediction(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "");
+  fields.allowOnly({"ask", "answer", "choices", "why"});
+  Prediction prediction;
+  prediction.question = fields.text("ask");
+  prediction.value = fields.text("answer");
+  prediction.reason = fields.text("why");
+  if (const DocumentNode *choices = fields.required("choices"))
+    prediction.choices = readChoices(*choices, fields);
+  if (!fields.problem() && !isValueName(prediction.value))
+    fields.complain(*root->find("answer"), "answer",
+                    words("Here the name of a value is expected, as side or case."));
+  if (fields.problem())
+    return *fields.problem();
+  prediction.questionLine = root->find("ask")->line;
+  prediction.reasonLine = root->find("why")->line;
+  return prediction;
+}
+
+Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file) {
+  constexpr std::string_view between = ", \t\r\n";
+  std::vector<std::string> ids;
+  const std::string &text = block.text;
+  for (auto begin = text.find_first_not_of(between); begin != std::string::npos;) {
+    const auto end = text.find_first_of(between, begin);
+    ids.push_back(text.substr(begin, end - begin));
+    if (!isValueName(ids.back()))
+      return Problem{words("“{text}” cannot be the id of a line: write ids between commas.",
+                           {{"text", shortened(ids.back())}}),
+                     file, block.firstLine, "lines"};
+    begin = text.find_first_not_of(between, end);
+  }
+  if (ids.empty())
+    return Problem{words("No line is named here. Name some, or leave the block out to show all."), file,
+                   block.firstLine, "lines"};
+  return ids;
+}
+
+Result<Fading> readFading(const TextBlock &block, const std::string &file) {
+  const std::string_view word = trimmed(block.text);
+  if (const auto fading = fadingNamed(word))
+    return *fading;
+  return Problem{words("“{text}” does not say which lines are blank: write none, last or all.",
+                       {{"text", shortened(word)}}),
+                 file, block.firstLine, "blank"};
+}
+
+} // namespace halfspace

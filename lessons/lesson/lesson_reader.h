@@ -1,0 +1,32 @@
+// The parts of a lesson file.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+
+namespace halfspace {
+
+/// A block of a file with the line that it begins at.
+struct TextBlock {
+  std::string text;
+  int firstLine = 1;
+};
+
+/// Reads the front matter into a lesson without steps.
+[[nodiscard]] Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file);
+
+/// Reads a ```task block.
+[[nodiscard]] Result<Task> readTask(const TextBlock &block, const std::string &file);
+
+/// Reads a ```predict block.
+[[nodiscard]] Result<Prediction> readPrediction(const TextBlock &block, const std::string &file);
+
+/// Reads a ```lines block: ids between commas or spaces.
+[[nodiscard]] Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file);
+
+/// Reads a ```blank block: none, last or all.
+[[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);
+
+/// Reads all that follows the front matter.
+[[nodiscard]] Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file);
+
+} // namespace halfspace

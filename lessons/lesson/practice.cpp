@@ -1,0 +1,286 @@
+#include "lessons/lesson/practice.h"
+
+#include "lessons/lesson/typed_answer.h"
+#include "lessons/lesson/usual_mistakes.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+/// In the order of Fading.
+constexpr std::array<std::string_view, 4> fadingNames{"none", "gaps", "last", "all"};
+
+/// `{answer}` in a sentence as the learner wrote it.
+std::string withAnswer(const std::string &sentence, std::string_view typed) {
+  return replacedAll(sentence, "{answer}", replacedAll(std::string(trimmed(typed)), "-", "−"));
+}
+
+void addLetters(const std::vector<Polynomial> &entries, std::set<std::string> &letters) {
+  for (const Polynomial &entry : entries)
+    for (const Polynomial::Summand &summand : entry.summands())
+      letters.insert(summand.monomial.begin(), summand.monomial.end());
+}
+
+std::set<std::string> lettersIn(const std::vector<Polynomial> &entries) {
+  std::set<std::string> letters;
+  addLetters(entries, letters);
+  return letters;
+}
+
+/// The unknowns of a formula, those included that drop out when it is calculated.
+void addLetters(const Term &formula, std::set<std::string> &letters) {
+  if (formula->value)
+    addLetters(formula->value->entries, letters);
+  for (const Term &part : formula->parts)
+    addLetters(part, letters);
+}
+
+/// x, y, z
+std::string listed(const std::set<std::string> &letters) {
+  std::string list;
+  for (const std::string &letter : letters)
+    list += (list.empty() ? "" : ", ") + letter;
+  return list;
+}
+
+/// What is asked for in a gap, and how answers are compared with it.
+class Question {
+public:
+  Question(const WorkingLine &line, const Gap &gap)
+      : m_gap(gap), m_truth(gap.hidden->value.value()),
+        m_isEquation(gap.isResult && line.asked == Asked::Equation) {
+    if (gap.isResult)
+      m_mistakes = line.mistakes;
+    addLetters(m_truth.entries, m_letters);
+    if (gap.isResult && !m_letters.empty())
+      addLetters(askedChain(line).formula(), m_letters);
+    const auto formula = gap.isResult ? std::optional(askedChain(line)) : gap.hidden->origin;
+    if (formula)
+      for (WrongTerm &mistake : usualMistakes(*formula))
+        m_mistakes.push_back(std::move(mistake));
+  }
+
+  [[nodiscard]] bool isRight(const TypedAnswer &answer) const { return isMeant(answer, m_truth); }
+
+  [[nodiscard]] std::string praise(const TypedAnswer &answer) const {
+    if (areEqual(answer.value(), m_truth) == true || (answer.isEquation && !m_isEquation))
+      return words("Right.");
+    if (m_isEquation)
+      return words("Right: the same equation, all its numbers multiplied by the same factor.");
+    const Term exact = calculated(m_gap.hidden);
+    return showsRounded(exact) ? words("Right, rounded.")
+                               : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
+  }
+
+  [[nodiscard]] std::string diagnosis(const TypedAnswer &answer) const {
+    if (answer.entries.size() != m_truth.entries.size())
+      return m_truth.isList      ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
+                                         {{"count", std::to_string(m_truth.entries.size())}})
+             : m_letters.empty() ? words("One number is asked for here.")
+                                 : words("One equation is asked for here.");
+    for (const WrongTerm &mistake : m_mistakes)
+      if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
+        return mistake.sentence;
+    if (!m_isEquation && answer.means(opposite(m_truth)))
+      return words("{answer} has the right size and the wrong sign.");
+    return words("{answer} is not right. Put the numbers into the symbols once more.");
+  }
+
+  [[nodiscard]] std::string sentenceForNoAnswer() const {
+    if (!m_letters.empty())
+      return words("“{answer}” cannot be read: write it with {letters} and numbers, as 2{letter} − 1/3 = 0.",
+                   {{"letters", listed(m_letters)}, {"letter", *m_letters.begin()}});
+    return m_truth.isList ? words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).")
+                          : words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.");
+  }
+
+  /// Whether the answer is of the kind that is asked for: no letters but those that are there.
+  [[nodiscard]] bool canBe(const TypedAnswer &answer) const {
+    const std::set<std::string> typed = lettersIn(answer.value().entries);
+    return (!answer.isEquation || !m_letters.empty()) &&
+           std::includes(m_letters.begin(), m_letters.end(), typed.begin(), typed.end());
+  }
+
+private:
+  [[nodiscard]] bool isMeant(const TypedAnswer &answer, const TermValue &value) const {
+    if (m_isEquation)
+      return answer.meansEquation(value);
+    // Either side of an equation may be the one with the zero.
+    return answer.means(value) || (answer.isEquation && answer.means(opposite(value)));
+  }
+  [[nodiscard]] bool isTruth(const TermValue &value) const {
+    return m_isEquation ? TypedAnswer{{{value.entries.front()}}}.meansEquation(m_truth)
+                        : areEqual(value, m_truth) != false;
+  }
+
+  /// What a mistake comes to; of a number in a list, its entry.
+  [[nodiscard]] std::optional<TermValue> valueOf(const WrongTerm &mistake) const {
+    const auto &value = mistake.wrong->value;
+    if (!value || !m_gap.entry)
+      return value;
+    return value->isList && *m_gap.entry < value->entries.size()
+               ? std::optional(TermValue(value->entries[*m_gap.entry]))
+               : std::nullopt;
+  }
+
+  static TermValue opposite(TermValue value) {
+    for (Polynomial &entry : value.entries)
+      entry = -entry;
+    return value;
+  }
+
+  const Gap &m_gap;
+  TermValue m_truth;
+  bool m_isEquation;
+  std::set<std::string> m_letters; ///< that the answer may have
+  std::vector<WrongTerm> m_mistakes;
+};
+
+/// Gaps in a term that is calculated; `entry`: it stands there in a list.
+void collectGaps(const Term &term, std::optional<std::size_t> entry, std::vector<Gap> &gaps) {
+  const bool isNumber = term->kind == TermKind::Number;
+  if (term->value && isExact(*term->value) && (isNumber || term->kind == TermKind::List))
+    gaps.push_back({term, false, entry});
+  if (isNumber)
+    return;
+  for (std::size_t i = 0; i < term->parts.size(); ++i)
+    collectGaps(term->parts[i], term->kind == TermKind::List ? std::optional(i) : std::nullopt, gaps);
+}
+
+/// Whether the term stands somewhere in the symbols of a line.
+bool isPartOf(const Term &term, const Term &whole) {
+  return readAlike(term, whole) || std::any_of(whole->parts.begin(), whole->parts.end(),
+                                               [&](const Term &part) { return isPartOf(term, part); });
+}
+
+bool isUsedIn(const WorkingLine &line, const Term &term) {
+  return std::any_of(line.chains.begin(), line.chains.end(),
+                     [&](const Chain &chain) { return isPartOf(term, chain.formula()); });
+}
+
+bool isPartOfResult(const Gap &gap, const Chain &chain) {
+  const std::vector<Term> &entries = chain.last()->parts;
+  return &*gap.hidden == &*chain.last() ||
+         (chain.last()->kind == TermKind::List &&
+          std::any_of(entries.begin(), entries.end(),
+                      [&](const Term &entry) { return &*entry == &*gap.hidden; }));
+}
+
+/// Whether the number is worked out by a formula that stands in the line, and by no name or coordinate alone.
+bool isWorkedOut(const Gap &gap) {
+  const auto &origin = gap.hidden->origin;
+  return origin && !gap.hidden->source && (*origin)->kind != TermKind::Name &&
+         (*origin)->kind != TermKind::Applied;
+}
+
+/// One of the numbers to be worked out: not the same of all lines, but always the same of a line that is
+/// built alike, so that it stays where it is while the scene moves. Not a result that another line puts in:
+/// it would stand there.
+std::optional<Gap> oneGap(const WorkingLine &line, const Working &working) {
+  if (line.chains.size() > 1)
+    return {};
+  const Chain &chain = askedChain(line);
+  const bool resultIsUsed =
+      std::any_of(working.lines.begin(), working.lines.end(), [&](const WorkingLine &other) {
+        return other.id != line.id && isUsedIn(other, chain.sides().front());
+      });
+  std::vector<Gap> gaps = numberGaps(line);
+  std::erase_if(gaps, [&](const Gap &gap) {
+    return !isWorkedOut(gap) || (resultIsUsed && isPartOfResult(gap, chain));
+  });
+  if (gaps.empty())
+    return {};
+  std::size_t sum = 0;
+  for (const char c : line.id)
+    sum += static_cast<unsigned char>(c);
+  return gaps[sum % gaps.size()];
+}
+
+using Lines = std::vector<WorkingLine>;
+
+Lines::const_iterator firstFaded(const Lines &lines, Fading fading) {
+  if (fading != Fading::Last)
+    return fading == Fading::All ? lines.begin() : lines.end();
+  const auto last = std::find_if(lines.rbegin(), lines.rend(),
+                                 [](const WorkingLine &line) { return line.asked != Asked::Nothing; });
+  return last == lines.rend() ? lines.end() : last.base() - 1;
+}
+
+/// Whether the chain begins with the term: `n·n` or `f(Q)`, the value of which it says.
+bool says(const WorkingLine &line, const Term &term) {
+  return std::any_of(line.chains.begin(), line.chains.end(),
+                     [&](const Chain &chain) { return readAlike(chain.sides().front(), term); });
+}
+
+} // namespace
+
+std::optional<Fading> fadingNamed(std::string_view word) {
+  const auto found = std::find(fadingNames.begin(), fadingNames.end(), word);
+  return found == fadingNames.end() ? std::nullopt
+                                    : std::optional(static_cast<Fading>(found - fadingNames.begin()));
+}
+
+std::string_view nameOf(Fading fading) { return fadingNames.at(static_cast<std::size_t>(fading)); }
+
+Gap resultGap(const WorkingLine &line) { return {askedChain(line).last()}; }
+
+std::vector<Gap> numberGaps(const WorkingLine &line) {
+  const Chain &chain = askedChain(line);
+  std::vector<Gap> gaps;
+  for (std::size_t side = chain.symbolic(); side < chain.sides().size(); ++side)
+    collectGaps(chain.sides()[side], {}, gaps);
+  return gaps;
+}
+
+Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened) {
+  Fade faded;
+  if (fading == Fading::Gaps) {
+    for (const WorkingLine &line : working.lines)
+      if (const auto gap = opened.contains(line.id) ? std::nullopt : oneGap(line, working))
+        faded.gaps.emplace(line.id, *gap);
+    return faded;
+  }
+  const auto &lines = working.lines;
+  for (auto line = firstFaded(lines, fading); line != lines.end(); ++line)
+    if (line->asked != Asked::Nothing && !opened.contains(line->id))
+      faded.gaps.emplace(line->id, resultGap(*line));
+    else if (line->asked == Asked::Nothing && !faded.gaps.empty() && hasNumbers(*line))
+      faded.waiting.insert(line->id);
+  return faded;
+}
+
+std::string questionText(const WorkingLine &line, const Gap &gap) {
+  return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, askedChain(line));
+}
+
+std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown) {
+  const std::optional<Term> formula = gap.isResult ? askedChain(line).formula() : gap.hidden->origin;
+  std::vector<Chain> told;
+  if (!formula)
+    return told;
+  for (const Term &name : namesIn(*formula))
+    if (name->value && !name->source &&
+        std::none_of(shown.lines.begin(), shown.lines.end(),
+                     [&](const WorkingLine &each) { return says(each, name); }))
+      told.push_back(withResult(name));
+  return told;
+}
+
+Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed, char decimalMark) {
+  const Question question(line, gap);
+  const auto answer = readAnswer(typed, decimalMark);
+  if (!answer || !question.canBe(*answer))
+    return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
+  if (question.isRight(*answer))
+    return {true, question.praise(*answer)};
+  return {false, withAnswer(question.diagnosis(*answer), typed)};
+}
+
+} // namespace halfspace

@@ -1,0 +1,67 @@
+// Worked lines that a learner completes: what is left out of them, and what an answer is worth.
+#pragma once
+
+#include "lessons/construction/working.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace halfspace {
+
+/// How much of a working is left to the learner: nothing, a number of each line, the last result that is
+/// asked for, all results.
+enum class Fading { None, Gaps, Last, All };
+
+/// The fading that a lesson's word means: none, gaps, last, all.
+[[nodiscard]] std::optional<Fading> fadingNamed(std::string_view word);
+[[nodiscard]] std::string_view nameOf(Fading fading);
+
+/// What is left out of a line.
+struct Gap {
+  Term hidden; ///< a number or a list in the line's chain; or the chain's last side, see `isResult`
+  /// The chain ends in symbols: everything calculated is hidden along with the result.
+  bool isResult = true;
+  /// Of a number in a list: which one of those that its origin comes to.
+  std::optional<std::size_t> entry{};
+};
+
+// Of lines of one statement:
+
+/// The line's result left out.
+[[nodiscard]] Gap resultGap(const WorkingLine &line);
+
+/// Every number and every list in the sides that are calculated: each can be left out alone.
+[[nodiscard]] std::vector<Gap> numberGaps(const WorkingLine &line);
+
+/// What the lines of a working leave out, by their ids.
+struct Fade {
+  std::map<std::string, Gap> gaps;
+  /// Lines that ask for nothing but would give a result above them away: they show symbols only, until those
+  /// are found.
+  std::set<std::string> waiting;
+};
+
+/// `opened` are the lines that the learner has completed or had shown.
+[[nodiscard]] Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened);
+
+/// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
+[[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
+
+/// The names by which what is left out is found that no line of this working says the value of, and that are
+/// no coordinates of the scene: to be told beside the gap.
+[[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown);
+
+struct Judgement {
+  bool right = false;
+  std::string sentence;
+  bool isAnswer = true; ///< false: what was typed cannot be read as one
+};
+
+/// Compares a typed answer with what is left out, then with what the usual mistakes come to. A decimal is
+/// right when the number rounds to it; the sentence says that it is rounded. See readAnswer for the mark.
+[[nodiscard]] Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed,
+                              char decimalMark = '.');
+
+} // namespace halfspace

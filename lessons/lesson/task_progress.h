@@ -1,0 +1,30 @@
+// How far a learner has come with the tasks of a step.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+
+namespace halfspace {
+
+/// Tasks count in their order, and only when the learner brings them about: what is true on arrival is done
+/// once it has been untrue and is true again.
+class TaskProgress {
+public:
+  TaskProgress() = default;
+  /// Goes on where so much was done already.
+  explicit TaskProgress(std::vector<bool> done) : m_done(std::move(done)) {}
+
+  /// The learner comes to the step, for the first time or again.
+  void arrive();
+  /// Takes note of what the scene has come to.
+  void observe(const std::vector<Task> &tasks, const Outcome &outcome);
+
+  /// Which tasks are done, in their order.
+  [[nodiscard]] const std::vector<bool> &done() const { return m_done; }
+  bool operator==(const TaskProgress &) const = default;
+
+private:
+  std::vector<bool> m_done;
+  std::vector<bool> m_wasOpen; ///< seen untrue since the arrival
+};
+
+} // namespace halfspace

@@ -1,0 +1,40 @@
+// What the figures of all constructions are made with.
+#pragma once
+
+#include "lessons/figure/figure.h"
+#include "lessons/object/object.h"
+#include "lessons/term/term.h"
+
+namespace halfspace {
+
+/// Where exact coordinates are drawn.
+[[nodiscard]] inline Place place(const ExactVec3 &exact) { return toDouble(exact); }
+
+/// The same of a term that comes to a point or a vector.
+[[nodiscard]] Place place(const Term &term);
+
+/// What the mark has that draws a letter: its id is the mark that the term says it is, its label the letter.
+[[nodiscard]] MarkBase drawn(const Term &letter, Role role, Subject subject);
+/// A letter that is a point, drawn where it is; and one that is a vector, drawn from a place.
+[[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
+[[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
+
+/// The unit vector of a direction ≠ 0, however short it is.
+[[nodiscard]] Place unitOf(const ExactVec3 &direction);
+
+/// The arrow of a direction ≠ 0 drawn at another length, in scene units.
+[[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
+                                      double length);
+
+/// The marks that every figure with a plane has: the patch E with its equation, P0 and n. A zero normal
+/// leaves P0.
+void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Place> &covers);
+
+/// The marks that every figure with a ray has: Q, its direction r and the line it runs along, to what it
+/// meets ahead and beyond. A zero direction leaves Q.
+void drawRay(Figure &figure, const RayObject &ray, const std::optional<Place> &meets);
+
+/// The corners of a triangle, P0, P1 and P2.
+void drawCorners(Figure &figure, const TriangleObject &triangle);
+
+} // namespace halfspace

@@ -1,0 +1,56 @@
+#include "lessons/reading/typed_number.h"
+
+#include "lessons/text.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// With a plain minus, and without a plus sign in front.
+std::string plainSigns(std::string_view typed) {
+  std::string text = replacedAll(std::string(trimmed(typed)), "−", "-");
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+bool areDigits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::string withoutSpaces(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
+}
+
+} // namespace
+
+std::optional<Rational> parseMixed(std::string_view typed) {
+  const std::string text = plainSigns(typed);
+  const bool negative = text.starts_with('-');
+  const std::string magnitude(trimmed(std::string_view(text).substr(negative ? 1 : 0)));
+  const auto space = magnitude.find(' ');
+  if (space == std::string::npos || !areDigits(magnitude.substr(0, space)))
+    return {};
+  const std::string fraction = withoutSpaces(magnitude.substr(space));
+  const bool isFraction = fraction.find('/') != std::string::npos && !fraction.starts_with('-');
+  const auto whole = parseRational(magnitude.substr(0, space));
+  const auto part = isFraction ? parseFraction(fraction) : std::nullopt;
+  if (!whole || !part)
+    return {};
+  const Rational value = *whole + *part;
+  return negative ? -value : value;
+}
+
+std::string plainSpelling(std::string_view typed, char decimalMark) {
+  if (const auto mixed = parseMixed(typed))
+    return toText(*mixed);
+  std::string text = plainSigns(typed);
+  if (decimalMark != '.')
+    std::replace(text.begin(), text.end(), decimalMark, '.');
+  text = withoutSpaces(std::move(text));
+  if (text.starts_with('.') || text.starts_with("-."))
+    text.insert(text.find('.'), "0");
+  return text;
+}
+
+} // namespace halfspace

@@ -1,0 +1,221 @@
+#include "lessons/scene/explain_formats.h"
+
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/spoken.h"
+#include "lessons/term/written.h"
+#include "lessons/text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json exactOf(const Surd &number) {
+  const auto text = toText(number);
+  return text ? Json(*text) : Json();
+}
+
+/// A value as in the eval format. A double beyond their range becomes null by itself.
+struct ValueJson {
+  Json operator()(const Surd &number) const {
+    return {{"value", toDouble(number)}, {"exact", exactOf(number)}};
+  }
+  Json operator()(const std::vector<Surd> &list) const {
+    Json values = Json::array();
+    Json exact = Json::array();
+    for (const Surd &number : list) {
+      values.push_back(toDouble(number));
+      exact.push_back(exactOf(number));
+    }
+    return {{"value", values}, {"exact", exact}};
+  }
+  Json operator()(const std::string &word) const { return word; }
+  Json operator()(int number) const { return number; }
+  Json operator()(const std::vector<NamedValue> &group) const {
+    Json json = Json::object();
+    for (const NamedValue &each : group)
+      json[each.name] = std::visit(*this, each.value);
+    return json;
+  }
+};
+
+std::string labelText(const NamedValue &value) {
+  const auto *term = std::get_if<Term>(&value.label);
+  return term ? plainText(*term) : std::get<std::string>(value.label);
+}
+
+/// ` = 10`, ` ≈ 3.16228`, `: positive`: what follows a value's name.
+std::string valueText(const Value &value) {
+  if (const auto term = termOf(value))
+    return relatedText(*term);
+  const auto *word = std::get_if<std::string>(&value);
+  return word ? ": " + *word : "";
+}
+
+/// The values that a learner reads, one to a line, by the names that the worked lines give them.
+std::string valueLines(const std::vector<NamedValue> &values) {
+  std::string text;
+  for (const NamedValue &value : values)
+    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value))
+      text += valueLines(*group);
+    else if (!std::holds_alternative<std::monostate>(value.label))
+      text += labelText(value) + valueText(value.value) + "\n";
+  return text;
+}
+
+/// One line, with the alignment mark before its first relation, in place of the space there.
+std::string alignedLatex(const WorkingLine &line) {
+  std::string latex = latexOf(line);
+  const std::size_t relation = latexOf(line.chains.front(), 0, 1).size();
+  return latex.size() > relation ? latex.replace(relation, 1, " &") : latex + " &";
+}
+
+struct TextLatex {
+  std::string_view text;
+  std::string_view latex;
+};
+
+/// What a sentence of ours may hold that LaTeX reads otherwise, or that pdflatex does not know.
+constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
+                                    TextLatex{"^", "\\^{}"},
+                                    TextLatex{"~", "\\~{}"},
+                                    TextLatex{"&", "\\&"},
+                                    TextLatex{"%", "\\%"},
+                                    TextLatex{"$", "\\$"},
+                                    TextLatex{"#", "\\#"},
+                                    TextLatex{"_", "\\_"},
+                                    TextLatex{"{", "\\{"},
+                                    TextLatex{"}", "\\}"},
+                                    TextLatex{"−", "$-$"},
+                                    TextLatex{"·", "$\\cdot$"},
+                                    TextLatex{"×", "$\\times$"},
+                                    TextLatex{"⊥", "$^{\\perp}$"},
+                                    TextLatex{"√", "$\\surd$"},
+                                    TextLatex{"≈", "$\\approx$"},
+                                    TextLatex{"≠", "$\\neq$"},
+                                    TextLatex{"≤", "$\\leq$"},
+                                    TextLatex{"≥", "$\\geq$"},
+                                    TextLatex{"∞", "$\\infty$"},
+                                    TextLatex{"°", "$^{\\circ}$"},
+                                    TextLatex{"λ", "$\\lambda$"},
+                                    TextLatex{"θ", "$\\theta$"},
+                                    TextLatex{"α", "$\\alpha$"},
+                                    TextLatex{"β", "$\\beta$"},
+                                    TextLatex{"γ", "$\\gamma$"},
+                                    TextLatex{"δ", "$\\delta$"},
+                                    TextLatex{"ε", "$\\varepsilon$"},
+                                    TextLatex{"ζ", "$\\zeta$"},
+                                    TextLatex{"η", "$\\eta$"},
+                                    TextLatex{"ι", "$\\iota$"},
+                                    TextLatex{"κ", "$\\kappa$"},
+                                    TextLatex{"μ", "$\\mu$"},
+                                    TextLatex{"ν", "$\\nu$"},
+                                    TextLatex{"ξ", "$\\xi$"},
+                                    TextLatex{"π", "$\\pi$"},
+                                    TextLatex{"ρ", "$\\rho$"},
+                                    TextLatex{"σ", "$\\sigma$"},
+                                    TextLatex{"τ", "$\\tau$"},
+                                    TextLatex{"φ", "$\\varphi$"},
+                                    TextLatex{"χ", "$\\chi$"},
+                                    TextLatex{"ψ", "$\\psi$"},
+                                    TextLatex{"ω", "$\\omega$"},
+                                    TextLatex{"Γ", "$\\Gamma$"},
+                                    TextLatex{"Δ", "$\\Delta$"},
+                                    TextLatex{"Θ", "$\\Theta$"},
+                                    TextLatex{"Λ", "$\\Lambda$"},
+                                    TextLatex{"Π", "$\\Pi$"},
+                                    TextLatex{"Σ", "$\\Sigma$"},
+                                    TextLatex{"Φ", "$\\Phi$"},
+                                    TextLatex{"Ψ", "$\\Psi$"},
+                                    TextLatex{"Ω", "$\\Omega$"},
+                                    TextLatex{"∈", "$\\in$"},
+                                    TextLatex{"⇒", "$\\Rightarrow$"},
+                                    TextLatex{"→", "$\\to$"},
+                                    TextLatex{"′", "$^{\\prime}$"},
+                                    TextLatex{"₀", "$_{0}$"},
+                                    TextLatex{"₁", "$_{1}$"},
+                                    TextLatex{"₂", "$_{2}$"},
+                                    TextLatex{"₃", "$_{3}$"},
+                                    TextLatex{"⁰", "$^{0}$"},
+                                    TextLatex{"¹", "$^{1}$"},
+                                    TextLatex{"²", "$^{2}$"},
+                                    TextLatex{"³", "$^{3}$"},
+                                    TextLatex{"⁴", "$^{4}$"},
+                                    TextLatex{"⁵", "$^{5}$"},
+                                    TextLatex{"⁶", "$^{6}$"},
+                                    TextLatex{"⁷", "$^{7}$"},
+                                    TextLatex{"⁸", "$^{8}$"},
+                                    TextLatex{"⁹", "$^{9}$"},
+                                    TextLatex{"⁻", "$^{-}$"}};
+
+/// Whether pdflatex can set a character that is not in the table: Latin letters (some of them in the T1
+/// encoding alone) and the usual punctuation.
+bool isKnownToPdflatex(std::string_view character) {
+  constexpr std::string_view firstOther = "\u0180";
+  constexpr std::string_view firstPunctuation = "\u2013";
+  constexpr std::string_view lastPunctuation = "\u2026";
+  // Bytes in UTF-8 are in the order of the characters.
+  return character < firstOther || (character >= firstPunctuation && character <= lastPunctuation);
+}
+
+/// Words in LaTeX. A character that pdflatex would stop at becomes a question mark.
+std::string escaped(std::string_view text) {
+  std::string latex;
+  while (!text.empty()) {
+    const std::string_view character = text.substr(0, std::max<std::size_t>(characterLength(text), 1));
+    const auto known = std::find_if(textCharacters.begin(), textCharacters.end(),
+                                    [&](const TextLatex &each) { return each.text == character; });
+    if (known != textCharacters.end())
+      latex += known->latex;
+    else
+      latex += isKnownToPdflatex(character) ? character : "?";
+    text.remove_prefix(character.size());
+  }
+  return latex;
+}
+
+} // namespace
+
+std::string explanationJson(const std::string &lesson, const Outcome &outcome) {
+  Json working = Json::array();
+  for (const WorkingLine &line : outcome.working.lines)
+    working.push_back({{"id", line.id},
+                       {"symbols", latexOf(line, LinePiece::Symbols)},
+                       {"numbers", latexOf(line, LinePiece::Numbers)},
+                       {"result", latexOf(line, LinePiece::Result)},
+                       {"text", plainText(line)},
+                       {"spoken", spoken(line)},
+                       {"sentence", line.sentence}});
+  const Json json{{"lesson", lesson},
+                  {"case", outcome.caseName},
+                  {"values", ValueJson()(outcome.values)},
+                  {"working", working},
+                  {"description", outcome.description}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string explanationText(const std::string &title, const Outcome &outcome) {
+  std::string text = title + "\n\n";
+  for (const WorkingLine &line : outcome.working.lines) {
+    text += plainText(line) + "\n";
+    if (!line.sentence.empty())
+      text += "    " + line.sentence + "\n";
+  }
+  return text + "\n" + valueLines(outcome.values) + "\n" + outcome.description + "\n";
+}
+
+std::string explanationLatex(const std::string &title, const Outcome &outcome) {
+  std::string lines;
+  for (const WorkingLine &line : outcome.working.lines)
+    lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(line);
+  return "\\paragraph{" + escaped(title) + "}\n\\begin{align*}\n" + lines + "\n\\end{align*}\n" +
+         escaped(outcome.description) + "\n";
+}
+
+} // namespace halfspace

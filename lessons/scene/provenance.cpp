@@ -1,0 +1,101 @@
+#include "lessons/scene/provenance.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace halfspace {
+namespace {
+
+/// Whether a chain says how its first side is calculated, rather than comparing it or only what it comes to.
+bool tellsItsFirstSide(const Chain &chain) {
+  const TermKind kind = chain.sides().front()->kind;
+  const bool isFormula = kind != TermKind::Name && kind != TermKind::Number && kind != TermKind::Unknown;
+  return chain.isIdentity() && (isFormula || (kind == TermKind::Name && chain.symbolic() > 1));
+}
+
+class Follower {
+public:
+  explicit Follower(const Working &working) {
+    for (const WorkingLine &line : working.lines)
+      for (const Chain &chain : line.chains)
+        if (tellsItsFirstSide(chain))
+          m_told.push_back({&line, &chain});
+  }
+
+  void follow(const Term &term) {
+    if (!m_seen.insert(term.operator->()).second)
+      return; // two lines may tell each other
+    addMark(term);
+    if (term->source)
+      return addCoordinate(term);
+    if (term->origin)
+      follow(*term->origin);
+    if (term->kind == TermKind::Number)
+      return; // its parts are digits
+    followLinesThatTell(term);
+    for (const Term &part : term->parts)
+      follow(part);
+  }
+
+  [[nodiscard]] Provenance take() { return std::move(m_found); }
+
+private:
+  struct Told {
+    const WorkingLine *line;
+    const Chain *chain;
+  };
+
+  void addMark(const Term &term) {
+    if (!term->mark.empty())
+      m_found.marks.insert(term->mark);
+  }
+
+  void addCoordinate(const Term &term) {
+    auto &known = m_found.coordinates;
+    if (std::find(known.begin(), known.end(), *term->source) == known.end())
+      known.push_back(*term->source);
+    if (term->origin) // a number: the name that it was put in for
+      addMark(*term->origin);
+  }
+
+  void followLinesThatTell(const Term &term) {
+    for (const Told &told : m_told) {
+      const auto &sides = told.chain->sides();
+      if (!readAlike(sides.front(), term))
+        continue;
+      m_found.lines.insert(told.line->id);
+      for (std::size_t i = 0; i < told.chain->symbolic(); ++i)
+        follow(sides[i]);
+    }
+  }
+
+  std::vector<Told> m_told;
+  std::unordered_set<const TermNode *> m_seen;
+  Provenance m_found;
+};
+
+} // namespace
+
+bool isTraceable(const Term &term) {
+  return term->kind == TermKind::Number && (term->origin || term->source);
+}
+
+Provenance provenanceOf(const Term &number, const Working &working) {
+  Follower follower(working);
+  follower.follow(number);
+  return follower.take();
+}
+
+std::optional<CoordinateId> coordinateOf(const Scene &scene, const CoordinateSource &source) {
+  const Entry *last = lastConstruction(scene); // the working is its own
+  if (!last)
+    return {};
+  const auto &roles = std::get<ConstructionUse>(last->content).roles;
+  const auto role = roles.find(source.role);
+  const Object *object = role == roles.end() ? nullptr : findObject(scene, role->second);
+  if (!object || source.coordinate >= coordinatesOf(*object).size())
+    return {};
+  return CoordinateId{role->second, source.coordinate};
+}
+
+} // namespace halfspace

@@ -1,0 +1,56 @@
+// A scene: an ordered list of named entries, each an object or a construction over entries above it.
+#pragma once
+
+#include "lessons/object/object.h"
+
+#include <map>
+
+namespace halfspace {
+
+/// The use of a construction: its id in the table of constructions, and for each of its roles the name of an
+/// entry above this one.
+struct ConstructionUse {
+  std::string id;
+  std::map<std::string, std::string> roles;
+  bool operator==(const ConstructionUse &) const = default;
+};
+
+struct Entry {
+  std::string name;
+  std::variant<Object, ConstructionUse> content;
+  bool operator==(const Entry &) const = default;
+};
+
+/// Evaluated from top to bottom: an entry sees only those above it, so there are no cycles.
+struct Scene {
+  std::vector<Entry> entries;
+  bool operator==(const Scene &) const = default;
+};
+
+/// The object that goes by this name, or null.
+[[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);
+[[nodiscard]] Object *findObject(Scene &scene, std::string_view name);
+
+/// The last entry that uses a construction, or null: what is worked out and shown is its own.
+[[nodiscard]] const Entry *lastConstruction(const Scene &scene);
+
+/// A coordinate of a scene: `E.n`, or `Q` for a point.
+struct CoordinateId {
+  std::string object;
+  std::size_t index = 0;
+  bool operator==(const CoordinateId &) const = default;
+};
+
+/// All coordinates of the scene, from top to bottom.
+[[nodiscard]] std::vector<CoordinateId> coordinatesOf(const Scene &scene);
+
+/// The full name of a coordinate: `E.n`, or `Q` for a point.
+[[nodiscard]] std::string fullName(const Scene &scene, const CoordinateId &id);
+
+/// The name a learner reads: `n` where no other coordinate has it, else the full name.
+[[nodiscard]] std::string shortName(const Scene &scene, const CoordinateId &id);
+
+/// The coordinate that `name` means, a full name or a short one that only one coordinate has; else nothing.
+[[nodiscard]] std::optional<CoordinateId> findCoordinate(const Scene &scene, std::string_view name);
+
+} // namespace halfspace

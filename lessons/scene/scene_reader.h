@@ -1,0 +1,26 @@
+// Scenes as documents: the same shape in .halfspace files and in the front matter of lessons.
+//   {name: E, plane: {P0: [5, 4, 7], n: [1, 2, 2]}}   {name: Q, point: [11, 15, 8]}
+//   {name: distance, construction: signed-distance, of: {E: E, Q: Q}}
+#pragma once
+
+#include "lessons/reading/document.h"
+#include "lessons/scene/scene.h"
+
+namespace halfspace {
+
+/// The scene that a list of entries spells, checked so that it can be evaluated. `path` is the list's own
+/// field.
+[[nodiscard]] Result<Scene> readScene(const DocumentNode &list, const std::string &file,
+                                      const std::string &path);
+
+/// A coordinate as it is typed or written: a number that parseRational reads and refuseCoordinate takes.
+[[nodiscard]] Result<Rational> readCoordinate(std::string_view text);
+
+/// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
+/// limits.
+[[nodiscard]] std::string sentenceForNotRead(std::string_view text);
+
+/// The longest name of an entry.
+inline constexpr std::size_t maxNameLength = 32;
+
+} // namespace halfspace

@@ -1,0 +1,151 @@
+#include "lessons/scene/session_file.h"
+
+#include "lessons/files/read_file.h"
+#include "lessons/reading/typed_number.h"
+#include "lessons/scene/scene_reader.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <nlohmann/json.hpp>
+
+namespace halfspace {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view formatName = "halfspace";
+constexpr int highestStep = 100000;
+
+Json jsonOf(const ExactVec3 &vector) {
+  return Json::array({toText(vector.x), toText(vector.y), toText(vector.z)});
+}
+
+Json jsonOf(const Object &object) {
+  const auto &specs = coordinatesOf(object);
+  if (specs.front().name.empty())
+    return jsonOf(coordinate(object, 0));
+  Json json;
+  for (std::size_t index = 0; index < specs.size(); ++index)
+    json[std::string(specs[index].name)] = jsonOf(coordinate(object, index));
+  return json;
+}
+
+Json jsonOf(const Entry &entry) {
+  Json json{{"name", entry.name}};
+  if (const auto *object = std::get_if<Object>(&entry.content)) {
+    json[std::string(kindOf(*object))] = jsonOf(*object);
+    return json;
+  }
+  const auto &use = std::get<ConstructionUse>(entry.content);
+  json["construction"] = use.id;
+  json["of"] = Json::object();
+  for (const auto &[role, name] : use.roles)
+    json["of"][role] = name;
+  return json;
+}
+
+/// Whether the text is one of ours, and of a version that this program reads.
+void checkFormat(const DocumentNode &root, FieldReader &fields) {
+  if (const DocumentNode *format = root.find("format"); !format || format->text != formatName)
+    fields.complain(root, "format", words("This is not a Halfspace session."));
+  const int version = fields.integer("version", 1, highestStep);
+  if (version > sessionFileVersion)
+    fields.complain(
+        *root.find("version"), "version",
+        words("This session was saved by a newer version of Halfspace (format {version}, this program reads "
+              "up to {known}). Update the program to open it.",
+              {{"version", std::to_string(version)}, {"known", std::to_string(sessionFileVersion)}}));
+}
+
+/// The parts of a text between commas.
+std::vector<std::string_view> splitAtCommas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (auto comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
+    parts.push_back(trimmed(text.substr(0, comma)));
+    text.remove_prefix(comma + 1);
+  }
+  parts.push_back(trimmed(text));
+  return parts;
+}
+
+Problem unknownCoordinate(const Scene &scene, const std::string &name) {
+  std::string known;
+  for (const CoordinateId &id : coordinatesOf(scene))
+    known += (known.empty() ? "" : ", ") + shortName(scene, id);
+  return {words("“{name}” is not one of the values here: {known}.",
+                {{"name", shortened(name)}, {"known", known}}),
+          "", 0, shortened(name)};
+}
+
+} // namespace
+
+std::string writeSession(const Session &session) {
+  Json json{{"format", formatName},
+            {"version", sessionFileVersion},
+            {"lesson", session.lesson},
+            {"step", session.step},
+            {"scene", Json::array()}};
+  for (const Entry &entry : session.scene.entries)
+    json["scene"].push_back(jsonOf(entry));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Session> readSession(std::string_view text, const std::string &file) {
+  if (text.size() > maxSessionBytes)
+    return Problem{words("The file is too large to be a session: at most {limit} MiB are read.",
+                         {{"limit", std::to_string(maxSessionBytes >> 20)}}),
+                   file, 0, ""};
+  const auto root = parseJson(text, file, maxSessionDepth);
+  if (!root)
+    return root.problem();
+
+  FieldReader fields(*root, file, "");
+  checkFormat(*root, fields);
+  if (!fields.problem())
+    fields.allowOnly({"format", "version", "lesson", "step", "scene"});
+  Session session;
+  session.lesson = fields.lessonId("lesson");
+  session.step = fields.integer("step", 0, highestStep);
+  const DocumentNode *list = fields.required("scene");
+  if (fields.problem())
+    return *fields.problem();
+  auto scene = readScene(*list, file, "scene");
+  if (!scene)
+    return scene.problem();
+  session.scene = std::move(*scene);
+  return session;
+}
+
+Result<SessionFile> readSessionFile(const std::filesystem::path &file) {
+  auto text = readFile(file, maxSessionBytes);
+  if (!text)
+    return text.problem();
+  auto session = readSession(*text, file.string());
+  if (!session)
+    return session.problem();
+  return SessionFile{std::move(*session), std::move(*text)};
+}
+
+Result<Session> withValue(Session session, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    return Problem{words("“{text}” sets nothing: write it as Q=11,15,8.", {{"text", shortened(assignment)}}),
+                   "", 0, ""};
+  const std::string name(trimmed(assignment.substr(0, equals)));
+  const auto id = findCoordinate(session.scene, name);
+  if (!id)
+    return unknownCoordinate(session.scene, name);
+  const auto numbers = splitAtCommas(assignment.substr(equals + 1));
+  if (numbers.size() != 3)
+    return Problem{words("{name} takes three numbers, as {name}=1,2,3.", {{"name", name}}), "", 0, name};
+  ExactVec3 &target = coordinate(*findObject(session.scene, id->object), id->index);
+  for (int i = 0; i < 3; ++i) {
+    const auto value = readCoordinate(plainSpelling(numbers[static_cast<std::size_t>(i)]));
+    if (!value)
+      return Problem{value.problem().sentence, "", 0, name};
+    target[i] = *value;
+  }
+  return session;
+}
+
+} // namespace halfspace

@@ -1,0 +1,35 @@
+// Sessions as text: the .halfspace format (JSON), and values given on the command line.
+#pragma once
+
+#include "lessons/reading/problem.h"
+#include "lessons/scene/session.h"
+
+#include <filesystem>
+
+namespace halfspace {
+
+inline constexpr int sessionFileVersion = 1;
+inline constexpr std::size_t maxSessionBytes = 16u << 20;
+inline constexpr int maxSessionDepth = 32;
+inline constexpr std::size_t maxSceneEntries = 1000;
+
+/// The text of a .halfspace file: {"format":"halfspace","version":1,"lesson":…,"step":…,"scene":[…]};
+/// coordinates are exact texts ("-10/3").
+[[nodiscard]] std::string writeSession(const Session &session);
+
+/// Reads what writeSession wrote, from a stranger's hands: bounded in size and depth, every field checked.
+[[nodiscard]] Result<Session> readSession(std::string_view text, const std::string &file);
+
+/// A session after `name=value`, as --set takes it: Q=11,15,8, E.n=0,0,1.
+[[nodiscard]] Result<Session> withValue(Session session, std::string_view assignment);
+
+/// A session with the text of the file that it stands in.
+struct SessionFile {
+  Session session;
+  std::string text;
+};
+
+/// Reads a .halfspace file.
+[[nodiscard]] Result<SessionFile> readSessionFile(const std::filesystem::path &file);
+
+} // namespace halfspace

@@ -1,0 +1,337 @@
+#include "lessons/scene/short_numbers.h"
+
+#include "lessons/scene/session.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <random>
+
+namespace halfspace {
+namespace {
+
+/// Of the scenes that fit, the first few are compared: the shortest of all would often be the same.
+constexpr int comparedScenes = 4;
+/// An object gets so many chances of short numbers; nearly all need one or two.
+constexpr int mostAttempts = 100;
+
+// What is left to chance.
+constexpr int freelyOnceIn = 6; ///< regardless of what is looked for
+constexpr int alongOnceIn = 6;
+
+/// Positions that do not follow from others: small, and mostly where the axes are drawn.
+constexpr int lowestPosition = -3;
+constexpr int highestPosition = 6;
+constexpr int longestStep = 3;
+/// A triangle's sides are so many times a short vector.
+constexpr int smallestTriangle = 3;
+constexpr int largestTriangle = 4;
+/// No coordinate of a side is longer: their products of four are still to be calculated.
+constexpr int longestSide = 6;
+
+/// Whole numbers a, b, c for which √(a² + b² + c²) is whole too.
+constexpr std::array<std::array<int, 3>, 3> wholeLengths{{{1, 2, 2}, {2, 3, 6}, {0, 3, 4}}};
+
+/// A result of 0 often means that nothing is left to calculate: it is no shorter than a fraction.
+constexpr std::size_t lengthOfZero = 3;
+/// What has no short form is longer than all that has.
+constexpr std::size_t lengthOfLong = 1000;
+
+/// One roll in a statement, or several in braces: elsewhere C++ leaves their order to the compiler, and a
+/// seed would not give the same numbers everywhere.
+class Dice {
+public:
+  explicit Dice(std::uint64_t seed) : m_engine(seed) {}
+
+  /// Whole, from low to high. (What the standard library does for this differs between libraries.)
+  int between(int low, int high) {
+    return low + static_cast<int>(m_engine() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  /// True once in `times`.
+  bool once(int times) { return between(1, times) == 1; }
+  int sign() { return once(2) ? -1 : 1; }
+
+  ExactVec3 position() {
+    const auto number = [this] { return between(lowestPosition, highestPosition); };
+    return {number(), number(), number()};
+  }
+
+  /// At most one of its coordinates is 0.
+  ExactVec3 direction(int longest) {
+    ExactVec3 vector{};
+    do
+      vector = {between(-longest, longest), between(-longest, longest), between(-longest, longest)};
+    while ((vector.x == 0) + (vector.y == 0) + (vector.z == 0) > 1);
+    return vector;
+  }
+
+  /// As long as a whole number says.
+  ExactVec3 normal() {
+    std::array<int, 3> numbers =
+        wholeLengths.at(static_cast<std::size_t>(between(0, static_cast<int>(wholeLengths.size()) - 1)));
+    for (std::size_t last = numbers.size() - 1; last > 0; --last)
+      std::swap(numbers[last], numbers.at(static_cast<std::size_t>(between(0, static_cast<int>(last)))));
+    return {sign() * numbers[0], sign() * numbers[1], sign() * numbers[2]};
+  }
+
+private:
+  std::mt19937_64 m_engine;
+};
+
+int wholeOf(const Rational &number) { return static_cast<int>(toDouble(number)); }
+
+/// Whole points of a plane or of a triangle's plane: from `at`, some of the steps.
+struct Net {
+  ExactVec3 at{};
+  std::vector<ExactVec3> steps;
+  ExactVec3 normal{};
+  int size = 0; ///< of a triangle: so many steps are its sides; 0 for a plane
+
+  [[nodiscard]] ExactVec3 after(const std::vector<int> &counts) const {
+    ExactVec3 point = at;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      point += steps[i] * Rational(counts[i]);
+    return point;
+  }
+};
+
+/// Two coordinates of the normal, changed places and one sign: a step along the plane, perhaps none.
+ExactVec3 stepAlong(const ExactVec3 &normal, int from, int to) {
+  const int common = std::max(1, std::gcd(wholeOf(normal[from]), wholeOf(normal[to])));
+  ExactVec3 step{};
+  step[from] = -wholeOf(normal[to]) / common;
+  step[to] = wholeOf(normal[from]) / common;
+  return step;
+}
+
+Net netOf(const PlaneObject &plane) {
+  const ExactVec3 &n = plane.normal;
+  return {plane.point, {stepAlong(n, 0, 1), stepAlong(n, 0, 2), stepAlong(n, 1, 2)}, n, 0};
+}
+
+Net netOf(const TriangleObject &triangle) {
+  Net net{triangle.p0, {triangle.p1 - triangle.p0, triangle.p2 - triangle.p0}, {}, 0};
+  for (const ExactVec3 &side : net.steps)
+    for (int axis = 0; axis < 3; ++axis)
+      net.size = std::gcd(net.size, wholeOf(side[axis]));
+  for (ExactVec3 &step : net.steps)
+    step /= Rational(net.size);
+  net.normal = cross(net.steps[0], net.steps[1]);
+  return net;
+}
+
+bool isShort(const Object &object) {
+  for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
+    for (int axis = 0; axis < 3; ++axis)
+      if (abs(coordinate(object, index)[axis]) > largestShortNumber)
+        return false;
+  return true;
+}
+
+/// Gives objects new numbers, one after the other: what looks for another object comes after it.
+class Renewal {
+public:
+  explicit Renewal(Dice &dice) : m_dice(dice) {}
+
+  /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
+  void renew(Object &object) {
+    const Object before = object;
+    bool found = false;
+    for (int attempt = 0; attempt < mostAttempts && !found; ++attempt) {
+      std::visit([this](auto &each) { draw(each); }, object);
+      found = isShort(object) && !(object == before);
+    }
+    if (!found)
+      object = before;
+    else if (const auto *plane = std::get_if<PlaneObject>(&object))
+      m_nets.push_back(netOf(*plane));
+    else if (const auto *triangle = std::get_if<TriangleObject>(&object))
+      m_nets.push_back(netOf(*triangle));
+  }
+
+private:
+  void draw(PlaneObject &plane) { plane = {m_dice.position(), m_dice.normal()}; }
+
+  void draw(TriangleObject &triangle) {
+    const int size = m_dice.between(smallestTriangle, largestTriangle);
+    const int longest = longestSide / size;
+    const ExactVec3 first = m_dice.direction(longest);
+    ExactVec3 second = first;
+    while (isZero(cross(first, second)))
+      second = m_dice.direction(longest);
+    const ExactVec3 corner = m_dice.position();
+    triangle = {corner, corner + first * Rational(size), corner + second * Rational(size)};
+  }
+
+  /// At random, or straight above, in or below what it looks for.
+  void draw(PointObject &point) {
+    point.at = m_dice.position();
+    const Net *net = aim();
+    if (!net || m_dice.once(freelyOnceIn))
+      return;
+    const ExactVec3 foot = pointOf(*net);
+    point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
+  }
+
+  /// At random, in what it looks for, along it, or towards a point of it.
+  void draw(RayObject &ray) {
+    ray = {m_dice.position(), m_dice.direction(longestStep)};
+    const Net *net = aim();
+    if (!net || m_dice.once(freelyOnceIn))
+      return;
+    const ExactVec3 point = pointOf(*net);
+    if (m_dice.once(alongOnceIn))
+      ray = {point, directionAlong(*net)};
+    else if (m_dice.once(alongOnceIn))
+      ray.direction = directionAlong(*net);
+    else
+      aimAt(point, ray);
+  }
+
+  /// Behind one time in three; after steps, or half steps.
+  void aimAt(const ExactVec3 &point, RayObject &ray) {
+    const ExactVec3 step = ray.direction;
+    const int steps = m_dice.between(1, 4);
+    const bool isBehind = m_dice.once(3);
+    ray.origin = point - step * Rational(isBehind ? -steps : steps);
+    ray.direction = step * Rational(m_dice.between(1, 2));
+  }
+
+  const Net *aim() {
+    if (m_nets.empty())
+      return nullptr;
+    return &m_nets[static_cast<std::size_t>(m_dice.between(0, static_cast<int>(m_nets.size()) - 1))];
+  }
+
+  /// Not the point that is given already. Of a triangle's net, every second one is inside.
+  ExactVec3 pointOf(const Net &net) {
+    ExactVec3 point = net.at;
+    while (point == net.at)
+      point = anyPointOf(net);
+    return point;
+  }
+
+  ExactVec3 anyPointOf(const Net &net) {
+    if (net.size == 0)
+      return net.after({m_dice.between(-1, 1), m_dice.between(-1, 1), m_dice.between(-1, 1)});
+    if (m_dice.once(2))
+      return net.after({m_dice.between(0, net.size + 1), m_dice.between(0, net.size + 1)});
+    const int first = m_dice.between(1, net.size - 2);
+    return net.after({first, m_dice.between(1, net.size - 1 - first)});
+  }
+
+  ExactVec3 directionAlong(const Net &net) {
+    ExactVec3 direction{};
+    while (isZero(direction))
+      for (const ExactVec3 &step : net.steps)
+        direction += step * Rational(m_dice.between(-1, 1));
+    return direction;
+  }
+
+  Dice &m_dice;
+  std::vector<Net> m_nets;
+};
+
+/// What is looked for before what looks for it.
+void renewAll(std::vector<Object *> objects, Renewal &renewal) {
+  std::stable_partition(objects.begin(), objects.end(), [](const Object *object) {
+    return std::holds_alternative<PlaneObject>(*object) || std::holds_alternative<TriangleObject>(*object);
+  });
+  for (Object *object : objects)
+    renewal.renew(*object);
+}
+
+/// The last construction and what it looks at: nothing else has a say in what is shown as the result.
+Scene shownPartOf(const Scene &scene) {
+  const Entry *last = lastConstruction(scene);
+  if (!last)
+    return {};
+  Scene part;
+  for (const auto &[role, name] : std::get<ConstructionUse>(last->content).roles)
+    if (const Object *object = findObject(scene, name); object && !findObject(part, name))
+      part.entries.push_back({name, *object});
+  part.entries.push_back(*last);
+  return part;
+}
+
+std::vector<Object *> objectsOf(Scene &scene) {
+  std::vector<Object *> objects;
+  for (Entry &entry : scene.entries)
+    if (auto *object = std::get_if<Object>(&entry.content))
+      objects.push_back(object);
+  return objects;
+}
+
+bool differEverywhere(const Scene &a, const Scene &b) {
+  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(),
+                    [](const Entry &x, const Entry &y) {
+                      return std::holds_alternative<ConstructionUse>(x.content) || !(x == y);
+                    });
+}
+
+std::size_t lengthOf(const Surd &number) {
+  if (number == Surd(0))
+    return lengthOfZero;
+  const auto text = toText(number);
+  return text ? text->size() : lengthOfLong;
+}
+
+std::size_t lengthOf(const std::vector<NamedValue> &values) {
+  std::size_t length = 0;
+  for (const NamedValue &value : values)
+    length += std::visit(Overloaded{[](const Surd &number) { return lengthOf(number); },
+                                    [](const std::vector<Surd> &numbers) {
+                                      std::size_t sum = 0;
+                                      for (const Surd &number : numbers)
+                                        sum += lengthOf(number);
+                                      return sum;
+                                    },
+                                    [](const std::vector<NamedValue> &group) { return lengthOf(group); },
+                                    [](const auto &) { return std::size_t(0); }},
+                         value.value);
+  return length;
+}
+
+/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one.
+std::optional<Scene> renewed(const Scene &before, Dice &dice) {
+  const Outcome present = evaluate(before);
+  std::optional<Scene> best;
+  std::size_t shortest = 0;
+  for (int tried = 0, compared = 0; tried < mostNumbersTried && compared < comparedScenes; ++tried) {
+    Scene scene = before;
+    Renewal renewal(dice);
+    renewAll(objectsOf(scene), renewal);
+    const Outcome outcome = evaluate(scene);
+    if (outcome.degenerate || !differEverywhere(scene, before) ||
+        (!present.degenerate && outcome.caseName != present.caseName))
+      continue;
+    ++compared;
+    if (const std::size_t length = lengthOf(outcome.values); !best || length < shortest) {
+      best = std::move(scene);
+      shortest = length;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+Scene withShortNumbers(Scene scene, std::uint64_t seed) {
+  Dice dice(seed);
+  const auto last = renewed(shownPartOf(scene), dice);
+  if (!last)
+    return scene;
+  std::vector<Object *> others;
+  for (Entry &entry : scene.entries)
+    if (auto *object = std::get_if<Object>(&entry.content)) {
+      if (const Object *found = findObject(*last, entry.name))
+        *object = *found;
+      else
+        others.push_back(object);
+    }
+  Renewal renewal(dice);
+  renewAll(std::move(others), renewal);
+  return scene;
+}
+
+} // namespace halfspace

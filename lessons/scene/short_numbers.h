@@ -1,0 +1,23 @@
+// New numbers for a scene, short enough to work with by hand.
+#pragma once
+
+#include "lessons/scene/scene.h"
+
+#include <cstdint>
+
+namespace halfspace {
+
+/// The scene with other coordinates: whole numbers of one digit, chosen so that the last construction's case
+/// stays what it was, or is an ordinary one where it was degenerate, and so that its results are short. What
+/// meets does so at whole points, and normals are as long as whole numbers say. The same seed gives the same
+/// numbers everywhere.
+///
+/// A scene whose constructions allow nothing of that kind keeps its numbers.
+[[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed);
+
+/// No new coordinate is larger, either way.
+inline constexpr int largestShortNumber = 9;
+/// The work is bounded by this many evaluations of the last construction.
+inline constexpr int mostNumbersTried = 200;
+
+} // namespace halfspace

@@ -1,0 +1,201 @@
+#include "lessons/scene/snapping.h"
+
+#include "geometry/primitive_integers.h"
+#include "lessons/object/drawing.h"
+#include "lessons/scene/session.h"
+#include "lessons/scene/snap_targets.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// The pointer's place is taken to this fineness before exact work begins: far below a pixel, and short.
+const Rational pointerFineness(1, 1000);
+/// Directions with longer whole numbers than this give steps too large to be one: then a coordinate is
+/// rounded instead.
+const Rational longestStepVector = 12;
+/// Grid places this many steps around the nearest one are tried.
+constexpr int gridReach = 2;
+
+/// One way to satisfy a target.
+struct Candidate {
+  ExactVec3 at;
+  Integer offGrid = 1; ///< the longest denominator of its coordinates counted in steps; 1 on the grid
+  double pixels = 0;   ///< from where the pointer wants it
+};
+
+Integer denominatorOf(const Rational &value) { return value.denominator(); }
+
+/// The whole-numbered vector without a common factor in the direction of one that is not zero.
+ExactVec3 primitive(const ExactVec3 &direction) {
+  const auto integers = primitiveIntegers<3>({direction.x, direction.y, direction.z});
+  return {Rational(integers[0]), Rational(integers[1]), Rational(integers[2])};
+}
+
+Rational largestMagnitude(const ExactVec3 &vector) {
+  return std::max({abs(vector.x), abs(vector.y), abs(vector.z)});
+}
+
+int dominantAxis(const ExactVec3 &vector) {
+  int dominant = 0;
+  for (int i = 1; i < 3; ++i)
+    if (abs(vector[i]) > abs(vector[dominant]))
+      dominant = i;
+  return dominant;
+}
+
+/// Finds where one handle comes to rest.
+class Snapper {
+public:
+  explicit Snapper(const SnapRequest &request)
+      : m_request(request), m_wanted(wantedPlace()), m_grid(gridPlace()) {}
+
+  SnappedPlace find() const {
+    SnappedPlace best{m_grid, ""};
+    std::size_t bestDimension = 4;
+    double bestPixels = 0;
+    for (const SnapTarget &target : snapTargets(m_request.scene, m_request.handle)) {
+      const std::size_t dimension = target.places.dimension();
+      const auto common = Flat::intersection(m_request.freedom, target.places);
+      if (dimension > bestDimension || !common)
+        continue;
+      const double pixels = pixelsTo(common->nearest(m_wanted));
+      if (!(pixels <= m_request.catchPixels) || (dimension == bestDimension && pixels >= bestPixels))
+        continue;
+      if (const auto rest = restOn(*common, target)) {
+        best = {*rest, target.name};
+        bestDimension = dimension;
+        bestPixels = pixels;
+      }
+    }
+    return best;
+  }
+
+private:
+  ExactVec3 wantedPlace() const {
+    ExactVec3 wanted;
+    for (int i = 0; i < 3; ++i)
+      wanted[i] = roundToMultiple(m_request.raw[i], pointerFineness);
+    return m_request.freedom.nearest(wanted);
+  }
+
+  /// The place whose value has this coordinate rounded to the grid.
+  Rational onGrid(const ExactVec3 &place, int axis) const {
+    const Rational &base = m_request.handle.base[axis];
+    return base + roundToMultiple(Rational(place[axis] - base), m_request.step);
+  }
+
+  ExactVec3 gridPlace() const {
+    const Flat &freedom = m_request.freedom;
+    if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
+      return gridPlaceOnLine(freedom.direction());
+    ExactVec3 place = m_request.handle.at;
+    for (int axis = 0; axis < 3; ++axis)
+      if (freedom.moves(axis))
+        place[axis] = onGrid(m_wanted, axis);
+    return place;
+  }
+
+  static bool isSlanted(const ExactVec3 &direction) {
+    return (direction.x != 0) + (direction.y != 0) + (direction.z != 0) > 1;
+  }
+
+  /// On a slanted line: whole steps of its shortest whole-numbered direction, or, where these are long, its
+  /// steepest coordinate on the grid.
+  ExactVec3 gridPlaceOnLine(const ExactVec3 &direction) const {
+    const ExactVec3 &start = m_request.handle.at;
+    const ExactVec3 unit = primitive(direction);
+    if (largestMagnitude(unit) <= longestStepVector) {
+      const Rational along = dot(m_wanted - start, unit) / dot(unit, unit);
+      return start + unit * roundToMultiple(along, m_request.step);
+    }
+    return withAxisOnGrid(m_wanted, unit, dominantAxis(unit));
+  }
+
+  /// The place of the line through `place` where one coordinate is on the grid.
+  ExactVec3 withAxisOnGrid(const ExactVec3 &place, const ExactVec3 &direction, int axis) const {
+    return place + direction * Rational((onGrid(place, axis) - place[axis]) / direction[axis]);
+  }
+
+  double pixelsTo(const ExactVec3 &at) const { return m_request.pixelsApart(place(at), m_request.raw); }
+
+  /// Of the places that satisfy the target the one with the shortest numbers; among equally short ones the
+  /// nearest.
+  std::optional<ExactVec3> restOn(const Flat &common, const SnapTarget &target) const {
+    // Sliding on the target may move as far as the grid alone would.
+    const double reach = m_request.catchPixels + pixelsTo(m_grid);
+    std::optional<Candidate> best;
+    for (const ExactVec3 &at : placesToTry(common)) {
+      const Candidate candidate{at, offGrid(at), pixelsTo(at)};
+      const bool better = !best || candidate.offGrid < best->offGrid ||
+                          (candidate.offGrid == best->offGrid && candidate.pixels < best->pixels);
+      if (better && candidate.pixels <= reach && isOffered(at) && (!target.counts || target.counts(at)))
+        best = candidate;
+    }
+    return best ? std::optional(best->at) : std::nullopt;
+  }
+
+  /// A single place as it is; on a line where its coordinates are on the grid; and grid places that happen to
+  /// fit.
+  std::vector<ExactVec3> placesToTry(const Flat &common) const {
+    const ExactVec3 foot = common.nearest(m_wanted);
+    if (common.dimension() == 0)
+      return {foot};
+    std::vector<ExactVec3> places;
+    if (common.dimension() == 1) {
+      const ExactVec3 direction = common.direction();
+      for (int axis = 0; axis < 3; ++axis)
+        if (direction[axis] != 0)
+          places.push_back(withAxisOnGrid(foot, direction, axis));
+    }
+    for (const ExactVec3 &at : gridAround())
+      if (common.contains(at))
+        places.push_back(at);
+    return places;
+  }
+
+  /// The grid places around the nearest one, within the freedom.
+  std::vector<ExactVec3> gridAround() const {
+    const auto reach = [this](int axis) { return m_request.freedom.moves(axis) ? gridReach : 0; };
+    std::vector<ExactVec3> places;
+    for (int x = -reach(0); x <= reach(0); ++x)
+      for (int y = -reach(1); y <= reach(1); ++y)
+        for (int z = -reach(2); z <= reach(2); ++z) {
+          const ExactVec3 place = m_grid + ExactVec3(x, y, z) * m_request.step;
+          if (m_request.freedom.contains(place))
+            places.push_back(place);
+        }
+    return places;
+  }
+
+  /// The longest denominator of the coordinates that move, counted in steps.
+  Integer offGrid(const ExactVec3 &at) const {
+    Integer longest = 1;
+    for (int axis = 0; axis < 3; ++axis)
+      if (m_request.freedom.moves(axis))
+        longest = std::max(longest, denominatorOf((at[axis] - m_request.handle.base[axis]) / m_request.step));
+    return longest;
+  }
+
+  /// Whether the coordinates that move stay short and within bounds.
+  bool isOffered(const ExactVec3 &at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Rational value = at[axis] - m_request.handle.base[axis];
+      const bool tooLong = denominatorOf(value).str().size() > longestSnapDenominator;
+      if (m_request.freedom.moves(axis) && (tooLong || refuseCoordinate(value)))
+        return false;
+    }
+    return true;
+  }
+
+  const SnapRequest &m_request;
+  ExactVec3 m_wanted;
+  ExactVec3 m_grid;
+};
+
+} // namespace
+
+SnappedPlace snap(const SnapRequest &request) { return Snapper(request).find(); }
+
+} // namespace halfspace

@@ -1,0 +1,43 @@
+// Where a dragged handle comes to rest: on the grid, or exactly on what matters nearby. No screen, no camera:
+// how far apart two places are on the screen is asked of a function.
+#pragma once
+
+#include "lessons/figure/figure.h"
+#include "lessons/scene/flat.h"
+#include "lessons/scene/handles.h"
+
+#include <functional>
+
+namespace halfspace {
+
+/// What a drag knows when it asks where its handle comes to rest.
+struct SnapRequest {
+  const Scene &scene;
+  const Handle &handle; ///< as it is before this move
+  Place raw;            ///< where the pointer wants it
+  Flat freedom;         ///< where it may go: a plane or a line through handle.at
+  Rational step;        ///< of the grid
+  std::function<double(const Place &, const Place &)> pixelsApart;
+  double catchPixels; ///< what is further away on the screen does not catch
+};
+
+/// Where a handle comes to rest.
+struct SnappedPlace {
+  ExactVec3 at;
+  std::string caughtBy; ///< in plain words: “vertex P₁”, “parallel to E”; empty for the grid alone
+};
+
+/// The exact place for a dragged handle.
+///
+/// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
+/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction.
+///
+/// A special place of another object (a vertex, an edge, a plane; for a direction: parallel, through a vertex
+/// or an edge, along an axis) catches within `catchPixels`: points before lines before planes, then the
+/// nearest. The handle slides on it from grid place to grid place, and where there is none nearby to a place
+/// with short fractions; those of more than `longestSnapDenominator` digits are never taken.
+[[nodiscard]] SnappedPlace snap(const SnapRequest &request);
+
+inline constexpr std::size_t longestSnapDenominator = 6;
+
+} // namespace halfspace

@@ -1,0 +1,474 @@
+// What every construction promises, checked on thousands of scenes: its values by a second calculation, its
+// worked lines by calculating what they say, its figure by the places that it names.
+#include "tests/lessons/construction/random_objects.h"
+#include "tests/lessons/construction/recomputed.h"
+
+#include "geometry/surd.h"
+#include "lessons/lesson/lesson.h"
+#include "lessons/lesson/practice.h"
+#include "lessons/lesson/typed_answer.h"
+#include "lessons/scene/session.h"
+#include "lessons/term/plain_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+constexpr int scenesPerWriting = 250;
+
+/// Two results of a hundred digits are the same when they agree to far more than any number on the page has.
+const Precise sameDigits("1e-60");
+/// A number shown with six digits is this near at least.
+const Precise roundedDigits("1e-5");
+
+bool agree(const Quantity &a, const Quantity &b, const Precise &tolerance) {
+  if (a.size() != b.size())
+    return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (mp::abs(Precise(a[i] - b[i])) >
+        tolerance * std::max({Precise(mp::abs(a[i])), Precise(mp::abs(b[i])), Precise(1)}))
+      return false;
+  return true;
+}
+
+Quantity zeroLike(const Quantity &other) { return Quantity(other.size(), Precise(0)); }
+
+std::string textOf(const Object &object) {
+  std::string text(kindOf(object));
+  for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i) {
+    const ExactVec3 &at = coordinate(object, i);
+    text += " (" + toText(at.x) + ", " + toText(at.y) + ", " + toText(at.z) + ")";
+  }
+  return text;
+}
+
+/// One scene and everything that is promised of its outcome.
+class Contract {
+public:
+  Contract(const Construction &construction, const std::vector<Object> &objects)
+      : m_construction(construction) {
+    for (const Object &object : objects) {
+      m_objects.push_back(&object);
+      m_text += textOf(object) + "; ";
+    }
+    m_outcome = construction.evaluate(m_objects);
+    m_expected = recompute(construction.id, m_objects);
+  }
+
+  const Outcome &outcome() const { return m_outcome; }
+
+  void check() {
+    SCOPED_TRACE(std::string(m_construction.id) + ": " + m_text);
+    checkCase();
+    checkValues(m_outcome.values, "");
+    EXPECT_EQ(m_checked.size(), m_expected.values.size()) << "values that the case has, and no others";
+    checkWorking();
+    checkFigure();
+    checkMarks();
+    checkRepetition();
+  }
+
+  /// Only that the case is right and that all can be drawn.
+  void checkFinite() const {
+    SCOPED_TRACE(std::string(m_construction.id) + ": " + m_text);
+    checkCase();
+    checkFigure();
+  }
+
+private:
+  void checkCase() const {
+    EXPECT_EQ(m_outcome.caseName, m_expected.caseName);
+    EXPECT_EQ(m_outcome.degenerate, m_expected.degenerate);
+    EXPECT_FALSE(m_outcome.description.empty());
+  }
+
+  static SignedSquares signedSquares(const std::vector<Surd> &numbers) {
+    SignedSquares squares;
+    for (const Surd &number : numbers) {
+      EXPECT_TRUE(number.isRational() || number.rationalPart() == 0);
+      EXPECT_TRUE(std::isfinite(toDouble(number)));
+      squares.push_back(Rational(signedSquare(number.rationalPart()) +
+                                 signedSquare(number.rootFactor()) * Rational(number.radicand())));
+    }
+    return squares;
+  }
+
+  void checkValues(const std::vector<NamedValue> &values, const std::string &group) {
+    for (const NamedValue &value : values) {
+      const std::string name = group + value.name;
+      if (const auto *label = std::get_if<Term>(&value.label))
+        checkMarksOf({value.name, {*label}});
+      if (const auto *members = std::get_if<std::vector<NamedValue>>(&value.value)) {
+        checkValues(*members, name + ".");
+        continue;
+      }
+      ASSERT_TRUE(m_checked.insert(name).second) << name << " stands twice";
+      const auto expected = m_expected.values.find(name);
+      ASSERT_NE(expected, m_expected.values.end()) << name << " has no meaning in this case";
+      checkValue(name, value.value, expected->second);
+    }
+  }
+
+  template <class Expected>
+  static void checkValue(const std::string &name, const Value &value, const Expected &expected) {
+    if (const auto *number = std::get_if<Surd>(&value))
+      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares({*number})) << name;
+    else if (const auto *numbers = std::get_if<std::vector<Surd>>(&value))
+      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares(*numbers)) << name;
+    else if (const auto *word = std::get_if<std::string>(&value))
+      EXPECT_EQ(*word, std::get<std::string>(expected)) << name;
+    else
+      EXPECT_EQ(std::get<int>(value), std::get<int>(expected)) << name;
+  }
+
+  void checkWorking() const {
+    std::set<std::string> ids;
+    for (const WorkingLine &line : m_outcome.working.lines) {
+      SCOPED_TRACE(line.id + ": " + latexOf(line));
+      EXPECT_TRUE(ids.insert(line.id).second) << "an id stands once";
+      checkMarksOf(line);
+      EXPECT_EQ(line.sentence.find('\\'), std::string::npos) << "sentences are plain words";
+      EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
+      for (const auto &chain : chainsOf(latexOf(line)))
+        checkChain(chain);
+      checkRelations(line);
+      if (line.asked != Asked::Nothing)
+        checkAsked(line);
+      checkGaps(line);
+    }
+  }
+
+  /// What the line claims follows from what its terms come to.
+  static void checkRelations(const WorkingLine &line) {
+    for (const Chain &chain : line.chains)
+      for (const Relation relation : chain.relations())
+        EXPECT_NE(relation, Relation::Unequal) << plainText(chain);
+  }
+
+  /// What is asked can be answered, and no mistake is praised.
+  void checkAsked(const WorkingLine &line) const {
+    EXPECT_TRUE(hasNumbers(line)) << "there is nothing to leave out";
+    const Gap gap = resultGap(line);
+    const TermValue &truth = *gap.hidden->value;
+    if (const auto typed = typedText(truth)) {
+      EXPECT_TRUE(judge(line, gap, *typed).right) << *typed;
+    }
+    if (!truth.entries.front().hasUnknowns())
+      checkAnswer(line, truth);
+    for (const WrongTerm &mistake : line.mistakes) {
+      EXPECT_NE(mistake.sentence.find("{answer}"), std::string::npos) << mistake.sentence;
+      checkMistake(line, gap, mistake);
+    }
+  }
+
+  /// Every number of a line can be left out and be answered.
+  static void checkGaps(const WorkingLine &line) {
+    for (const Gap &gap : numberGaps(line))
+      if (const auto typed = typedText(*gap.hidden->value)) {
+        EXPECT_TRUE(judge(line, gap, *typed).right) << *typed;
+      }
+  }
+
+  /// 2/3 x + 2*sqrt(3), (1, 2): the value as a learner may type it; nothing where it is too long.
+  static std::optional<std::string> typedText(const TermValue &value) {
+    std::string list;
+    for (const Polynomial &entry : value.entries) {
+      const auto text = typedText(entry);
+      if (!text)
+        return {};
+      list += (list.empty() ? "" : ", ") + *text;
+    }
+    list = value.isList ? "(" + list + ")" : list;
+    return list.size() <= longestAnswer ? std::optional(list) : std::nullopt;
+  }
+
+  static std::optional<std::string> typedText(const Polynomial &value) {
+    auto text = toText(*value.constant().exact());
+    for (const Polynomial::Summand &summand : value.summands())
+      if (const auto factor = toText(*summand.factor.exact()); factor && text)
+        *text += " + (" + *factor + ")" + summand.monomial.front();
+      else
+        return {};
+    return text;
+  }
+
+  void checkAnswer(const WorkingLine &line, const TermValue &truth) const {
+    const Side last = chainsOf(latexOf(line)).back().back();
+    const Quantity answer = calculate(last.latex, m_expected.names);
+    Quantity asked;
+    for (const Polynomial &entry : truth.entries) {
+      const Surd &number = *entry.constant().exact();
+      asked.push_back(mp::sqrt(quantity(abs(signedSquares({number})[0]))[0]) * Precise(number.sign()));
+    }
+    EXPECT_TRUE(agree(answer, asked, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
+  }
+
+  /// A mistake that can be typed is told by its own sentence, or by an earlier one that comes to the same.
+  static void checkMistake(const WorkingLine &line, const Gap &gap, const WrongTerm &mistake) {
+    const auto &wrong = mistake.wrong->value;
+    const auto typed = wrong && isExact(*wrong) ? typedText(*wrong) : std::nullopt;
+    if (!typed || areEqual(*wrong, *gap.hidden->value) == true)
+      return;
+    const Judgement judgement = judge(line, gap, *typed);
+    EXPECT_TRUE(!judgement.right || line.asked == Asked::Equation) << *typed << " is no multiple";
+    EXPECT_FALSE(judgement.sentence.ends_with("once more."))
+        << *typed << " is not told: " << judgement.sentence;
+  }
+
+  /// Calculates every side of `a = b = c`. An equation `0 = …` holds at its solution, and its sides say the
+  /// same anywhere.
+  void checkChain(const std::vector<Side> &chain) const {
+    Names names = m_expected.names;
+    if (chain.front().latex != "0")
+      return checkSides(chain, names, m_expected.solution.value_or(Names{}));
+    // Anywhere else the first exact side says what the others should.
+    const auto exact =
+        std::find_if(chain.begin(), chain.end(), [](const Side &side) { return side.relation == '='; });
+    if (exact != chain.end())
+      checkSides({exact, chain.end()}, names, m_expected.unknowns);
+    if (m_expected.solution)
+      checkSides(chain, names, *m_expected.solution);
+  }
+
+  static void checkSides(const std::vector<Side> &sides, Names names, const Names &unknowns) {
+    for (const auto &[name, value] : unknowns)
+      names[name] = value; // the t of an equation, the x, y, z
+    const Quantity first = calculate(sides.front().latex, names);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const Side &side = sides[i];
+      const Quantity value = calculate(side.latex, names);
+      const bool isLast = i + 1 == sides.size();
+      if (side.relation == '=') {
+        EXPECT_TRUE(agree(first, value, sameDigits)) << "not equal: " << side.latex;
+      } else if (side.relation == '~' && isLast && isOneValue(side.latex)) {
+        EXPECT_TRUE(agree(first, value, roundedDigits)) << "not near: " << side.latex;
+      } else if (side.relation == '<') {
+        EXPECT_LT(first.at(0), value.at(0));
+      } else if (side.relation == '>') {
+        EXPECT_GT(first.at(0), value.at(0));
+      }
+    }
+  }
+
+  /// Whether nothing is subtracted in it, so that its roundings cannot grow.
+  static bool isOneValue(const std::string &latex) {
+    return latex.find_first_of("xyz+#") == std::string::npos && latex.find("-", 1) == std::string::npos;
+  }
+
+  void checkMarksOf(const WorkingLine &line) const {
+    for (const std::string &id : marksIn(line))
+      EXPECT_TRUE(findMark(m_outcome.figure, id) || m_expected.vanished.contains(id)) << "no mark " << id;
+  }
+
+  static std::vector<Place> placesOf(const Mark &mark) {
+    return std::visit(
+        Overloaded{[](const PointMark &m) { return std::vector{m.at}; },
+                   [](const SegmentMark &m) {
+                     return std::vector{m.from, m.to};
+                   },
+                   [](const RayMark &m) {
+                     return std::vector{m.origin, m.direction, m.meets.value_or(Place(0)), endOf(m)};
+                   },
+                   [](const ArrowMark &m) {
+                     return std::vector{m.from, m.vector};
+                   },
+                   [](const PlanePatchMark &m) {
+                     std::vector<Place> places = cornersOf(m);
+                     places.insert(places.end(), m.covers.begin(), m.covers.end());
+                     return places;
+                   },
+                   [](const PolygonMark &m) { return m.corners; },
+                   [](const ArcMark &m) {
+                     return std::vector{m.center, m.from, m.to};
+                   },
+                   [](const RightAngleMark &m) {
+                     return std::vector{m.at, m.first, m.second};
+                   }},
+        mark);
+  }
+
+  void checkFigure() const {
+    std::set<std::string> ids;
+    for (const Mark &mark : m_outcome.figure.marks) {
+      const MarkBase &base = baseOf(mark);
+      EXPECT_TRUE(ids.insert(base.id).second) << base.id << " stands twice";
+      for (const Place &place : placesOf(mark))
+        EXPECT_TRUE(isFinite(place)) << base.id;
+    }
+  }
+
+  void checkMarks() const {
+    for (const Mark &mark : m_outcome.figure.marks) {
+      if (const auto *point = std::get_if<PointMark>(&mark))
+        checkPoint(*point);
+      if (const auto *arrow = std::get_if<ArrowMark>(&mark))
+        checkArrow(*arrow);
+    }
+  }
+
+  /// The point stands where its label says; a and b, whose labels are lengths, are marked by their feet.
+  void checkPoint(const PointMark &mark) const {
+    const Quantity named = calculate(mark.label, m_expected.names);
+    for (std::size_t i = 0; named.size() == 3 && i < 3; ++i) {
+      EXPECT_DOUBLE_EQ(mark.at[static_cast<int>(i)], named[i].convert_to<double>()) << mark.id;
+    }
+  }
+
+  /// The arrow points where its label says; how long it is drawn is the figure's choice.
+  void checkArrow(const ArrowMark &mark) const {
+    const Quantity named = calculate(mark.label, m_expected.names);
+    ASSERT_EQ(named.size(), 3U) << mark.id;
+    const Quantity drawn{mark.vector.x, mark.vector.y, mark.vector.z};
+    const Names both{{"a", drawn}, {"b", named}};
+    const Precise lengths = calculate("[a]*[b]", both)[0];
+    EXPECT_LE(mp::abs(Precise(calculate("a*b", both)[0] - lengths)), lengths * Precise("1e-12")) << mark.id;
+    EXPECT_EQ(named == zeroLike(named), drawn == zeroLike(drawn)) << mark.id;
+  }
+
+  void checkRepetition() const {
+    const Outcome again = m_construction.evaluate(m_objects);
+    EXPECT_EQ(again.caseName, m_outcome.caseName);
+    EXPECT_EQ(again.description, m_outcome.description);
+    ASSERT_EQ(again.working.lines.size(), m_outcome.working.lines.size());
+    for (std::size_t i = 0; i < again.working.lines.size(); ++i) {
+      EXPECT_EQ(latexOf(again.working.lines[i]), latexOf(m_outcome.working.lines[i]));
+    }
+    ASSERT_EQ(again.figure.marks.size(), m_outcome.figure.marks.size());
+    for (std::size_t i = 0; i < again.figure.marks.size(); ++i) {
+      EXPECT_EQ(baseOf(again.figure.marks[i]).id, baseOf(m_outcome.figure.marks[i]).id);
+      EXPECT_EQ(placesOf(again.figure.marks[i]), placesOf(m_outcome.figure.marks[i]));
+    }
+  }
+
+  const Construction &m_construction;
+  std::vector<const Object *> m_objects;
+  std::string m_text;
+  Outcome m_outcome;
+  Recomputed m_expected;
+  std::set<std::string> m_checked;
+};
+
+bool isRounded(const Outcome &outcome) {
+  return std::any_of(outcome.working.lines.begin(), outcome.working.lines.end(), [](const WorkingLine &line) {
+    return latexOf(line).find("\\approx") != std::string::npos;
+  });
+}
+
+class EveryConstruction : public testing::TestWithParam<std::string> {
+protected:
+  const Construction &construction() const { return *findConstruction(GetParam()); }
+
+  /// Checks many scenes; the cases that came up.
+  std::set<std::string> checkScenes(Writing writing) const {
+    RandomObjects random(20'240'000 + static_cast<std::uint64_t>(writing));
+    std::set<std::string> cases;
+    for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+      const std::vector<Object> objects = random.objectsFor(construction(), writing);
+      Contract contract(construction(), objects);
+      contract.check();
+      cases.insert(contract.outcome().caseName);
+    }
+    return cases;
+  }
+};
+
+TEST_P(EveryConstruction, OnSmallIntegers_IsRightInEveryCaseItHas) {
+  static const std::map<std::string, std::set<std::string>> allCases{
+      {"plane-implicit", {"plane", "zero-normal"}},
+      {"signed-distance", {"negative", "on", "positive", "zero-normal"}},
+      {"ray-plane-dot", {"behind", "hit", "in-plane", "parallel", "zero-direction", "zero-normal"}},
+      {"ray-triangle-perp",
+       {"behind", "coincident", "collinear", "hit", "in-plane", "miss", "parallel", "zero-direction"}}};
+  EXPECT_EQ(checkScenes(Writing::SmallIntegers), allCases.at(GetParam()));
+}
+
+TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(checkScenes(Writing::Halves).size(), 1U); }
+
+TEST_P(EveryConstruction, OnDecimals_IsRight) { EXPECT_GT(checkScenes(Writing::Decimals).size(), 1U); }
+
+TEST_P(EveryConstruction, OnFractions_IsRight) { EXPECT_GT(checkScenes(Writing::Fractions).size(), 1U); }
+
+TEST_P(EveryConstruction, OnFractionsOfTwelveDigits_IsRightAndMarksWhatItRounds) {
+  EXPECT_GT(checkScenes(Writing::LongFractions).size(), 1U);
+  RandomObjects random(7);
+  const std::vector<Object> objects = random.objectsFor(construction(), Writing::LongFractions);
+  EXPECT_TRUE(isRounded(Contract(construction(), objects).outcome()));
+}
+
+TEST_P(EveryConstruction, OnLargeIntegers_IsRight) {
+  EXPECT_GT(checkScenes(Writing::LargeIntegers).size(), 1U);
+}
+
+/// Coordinates as long as they may be, and nearly the same: the smallest triangles and the farthest hits.
+TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
+  const Rational tiny(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)));
+  const Rational tinier(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)) + 7);
+  const std::vector<Rational> all{0,    1,      coordinateLimit, Rational(-coordinateLimit),
+                                  tiny, tinier, Rational(-tiny)};
+  const std::vector<Rational> smallest{tiny, tinier, Rational(-tiny)};
+  std::mt19937_64 engine(3);
+  for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+    const auto any = [&] {
+      const auto &numbers = i % 2 == 0 ? all : smallest;
+      return numbers[std::uniform_int_distribution<std::size_t>(0, numbers.size() - 1)(engine)];
+    };
+    std::vector<Object> objects;
+    for (const ConstructionRole &role : construction().roles) {
+      objects.push_back(*makeObject(role.kind));
+      for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
+        coordinate(objects.back(), index) = {any(), any(), any()};
+    }
+    Contract(construction(), objects).checkFinite();
+  }
+}
+
+/// The objects that the lesson's construction looks at.
+std::vector<Object> objectsAtTheStart(const Lesson &lesson) {
+  const auto &use = std::get<ConstructionUse>(lesson.scene.entries.back().content);
+  std::vector<Object> objects;
+  for (const ConstructionRole &role : findConstruction(use.id)->roles)
+    objects.push_back(*findObject(lesson.scene, use.roles.at(role.name)));
+  return objects;
+}
+
+TEST(Contract, TheStartOfEveryLesson_IsRightAndExactInEveryLine) {
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
+    const std::vector<Object> objects = objectsAtTheStart(lesson);
+    Contract contract(*findConstruction(lesson.id), objects);
+    contract.check();
+    EXPECT_FALSE(isRounded(contract.outcome())) << lesson.id;
+  }
+}
+
+TEST(Contract, TheStartOfEveryLesson_LeavesTasksToDo) {
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
+    const Outcome outcome = evaluate(lesson.scene);
+    std::vector<const Task *> tasks;
+    for (const LessonStep &step : lesson.steps)
+      for (const Task &task : step.tasks)
+        tasks.push_back(&task);
+    EXPECT_TRUE(std::any_of(tasks.begin(), tasks.end(), [&](const Task *task) {
+      return !isDone(*task, outcome);
+    })) << lesson.id;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Contract, EveryConstruction, testing::ValuesIn([] {
+                           std::vector<std::string> ids;
+                           for (const Construction &construction : constructions())
+                             ids.emplace_back(construction.id);
+                           return ids;
+                         }()),
+                         [](const auto &each) {
+                           std::string name = each.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,224 @@
+#include "tests/lessons/construction/latex_value.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace halfspace::test {
+namespace {
+
+/// One character for each command that means an operation; what is only there for the eye is taken away.
+std::string condensed(const std::string &latex) {
+  static const std::array<std::pair<std::string, std::string>, 14> replacements{{{"\\left", ""},
+                                                                                 {"\\right", ""},
+                                                                                 {"\\bigl", ""},
+                                                                                 {"\\bigr", ""},
+                                                                                 {"\\,", ""},
+                                                                                 {"\\ ", ""},
+                                                                                 {"\\tfrac", "\\frac"},
+                                                                                 {"\\lvert", "["},
+                                                                                 {"\\rvert", "]"},
+                                                                                 {"\\cdot", "*"},
+                                                                                 {"\\times", "#"},
+                                                                                 {"\\approx", "~"},
+                                                                                 {",\\quad", ";"},
+                                                                                 {" ", ""}}};
+  std::string text = latex;
+  for (const auto &[from, to] : replacements)
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  return text;
+}
+
+class Reader {
+public:
+  Reader(std::string text, const Names &names) : m_text(std::move(text)) {
+    for (const auto &[name, value] : names)
+      m_names.emplace_back(condensed(name), value);
+    // `\vec n_{f}` before `\vec n`
+    std::stable_sort(m_names.begin(), m_names.end(),
+                     [](const auto &a, const auto &b) { return a.first.size() > b.first.size(); });
+  }
+
+  Quantity all() {
+    Quantity value = sum();
+    if (m_at != m_text.size())
+      complain();
+    return value;
+  }
+
+private:
+  [[noreturn]] void complain() const {
+    throw std::invalid_argument("no formula from “" + m_text.substr(m_at) + "” on: " + m_text);
+  }
+  bool take(std::string_view expected) {
+    if (m_text.compare(m_at, expected.size(), expected) != 0)
+      return false;
+    m_at += expected.size();
+    return true;
+  }
+  void require(std::string_view expected) {
+    if (!take(expected))
+      complain();
+  }
+
+  Quantity combine(const Quantity &a, const Quantity &b, int sign) const {
+    if (a.size() != b.size())
+      complain();
+    Quantity result = a;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      result[i] += sign * b[i];
+    return result;
+  }
+  /// A dot product of two vectors, else a product.
+  Quantity dotted(const Quantity &a, const Quantity &b) const {
+    if (a.size() == 3 && b.size() == 3)
+      return {a[0] * b[0] + a[1] * b[1] + a[2] * b[2]};
+    return scaled(a, b);
+  }
+  Quantity scaled(const Quantity &a, const Quantity &b) const {
+    if (a.size() != 1 && b.size() != 1)
+      complain();
+    Quantity result = a.size() == 1 ? b : a;
+    for (Precise &component : result)
+      component *= a.size() == 1 ? a[0] : b[0];
+    return result;
+  }
+  Quantity crossed(const Quantity &a, const Quantity &b) const {
+    if (a.size() != 3 || b.size() != 3)
+      complain();
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  Quantity sum() {
+    Quantity value = take("-") ? scaled({Precise(-1)}, product()) : product();
+    while (true)
+      if (take("+"))
+        value = combine(value, product(), 1);
+      else if (take("-"))
+        value = combine(value, product(), -1);
+      else
+        return value;
+  }
+
+  Quantity product() {
+    Quantity value = power();
+    while (m_at < m_text.size() && std::string_view("+-,)]}").find(m_text[m_at]) == std::string_view::npos)
+      if (take("*"))
+        value = dotted(value, power());
+      else if (take("#"))
+        value = crossed(value, power());
+      else
+        value = scaled(value, power());
+    return value;
+  }
+
+  Quantity power() {
+    Quantity value = primary();
+    if (!take("^"))
+      return value;
+    const Quantity exponent = take("{") ? braced() : Quantity{digit()};
+    // As in TeX: a second exponent would be an error.
+    if (value.size() != 1 || exponent.size() != 1 || take("^"))
+      complain();
+    return {mp::pow(value[0], exponent[0])};
+  }
+
+  /// What follows an open brace.
+  Quantity braced() {
+    Quantity value = sum();
+    require("}");
+    return value;
+  }
+
+  /// As in TeX: without braces the exponent is one character.
+  Precise digit() {
+    if (m_at == m_text.size() || m_text[m_at] < '0' || m_text[m_at] > '9')
+      complain();
+    return m_text[m_at++] - '0';
+  }
+
+  Precise number() {
+    const auto end = std::min(m_text.find_first_not_of("0123456789.", m_at), m_text.size());
+    if (end == m_at)
+      complain();
+    const Precise value(m_text.substr(m_at, end - m_at));
+    m_at = end;
+    return value;
+  }
+
+  Quantity primary() {
+    for (const auto &[name, value] : m_names)
+      if (take(name))
+        return value;
+    if (take("\\frac{")) {
+      const Quantity top = braced();
+      require("{");
+      const Quantity bottom = braced();
+      if (bottom.size() != 1 || bottom[0] == 0)
+        complain();
+      if (m_text.compare(m_at, 1, "^") == 0)
+        complain(); // the exponent would seem to stick to the numerator
+      return scaled({1 / bottom[0]}, top);
+    }
+    if (take("{"))
+      return braced();
+    if (take("\\sqrt{"))
+      return {mp::sqrt(braced().at(0))};
+    if (take("[")) {
+      const Quantity inside = sum();
+      require("]");
+      return {mp::sqrt(dotted(inside, inside)[0])};
+    }
+    return take("(") ? list() : Quantity{number()};
+  }
+
+  Quantity list() {
+    Quantity values = sum();
+    while (take(",")) {
+      const Quantity next = sum();
+      values.insert(values.end(), next.begin(), next.end());
+    }
+    require(")");
+    return values;
+  }
+
+  std::string m_text;
+  std::size_t m_at = 0;
+  std::vector<std::pair<std::string, Quantity>> m_names;
+};
+
+Precise precise(const Rational &number) {
+  return Precise(number.numerator()) / Precise(number.denominator());
+}
+
+} // namespace
+
+Quantity quantity(const Rational &number) { return {precise(number)}; }
+
+Quantity quantity(const ExactVec3 &vector) {
+  return {precise(vector.x), precise(vector.y), precise(vector.z)};
+}
+
+Quantity quantityOverRoot(const Rational &number, const Rational &square) {
+  return {precise(number) / mp::sqrt(precise(square))};
+}
+
+std::vector<std::vector<Side>> chainsOf(const std::string &latex) {
+  std::vector<std::vector<Side>> chains{{Side{}}};
+  for (const char c : condensed(latex))
+    if (c == ';')
+      chains.push_back({Side{}});
+    else if (std::string_view("=~<>").find(c) != std::string_view::npos)
+      chains.back().push_back({c, ""});
+    else
+      chains.back().back().latex += c;
+  return chains;
+}
+
+Quantity calculate(const std::string &latex, const Names &names) {
+  return Reader(condensed(latex), names).all();
+}
+
+} // namespace halfspace::test

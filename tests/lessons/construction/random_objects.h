@@ -1,0 +1,160 @@
+// Objects at random places, the unlucky ones among them on purpose.
+#pragma once
+
+#include "lessons/construction/construction.h"
+
+#include <algorithm>
+#include <random>
+
+namespace halfspace::test {
+
+/// How the coordinates are written that a scene is made of.
+enum class Writing { SmallIntegers, Halves, Decimals, Fractions, LongFractions, LargeIntegers };
+
+class RandomObjects {
+public:
+  explicit RandomObjects(std::uint64_t seed) : m_engine(seed) {}
+
+  /// Objects for the roles of a construction. Every second scene has something in it that is special: a zero
+  /// vector, a ray along the plane, a point on it, a corner that is hit exactly, corners on one line …
+  std::vector<Object> objectsFor(const Construction &construction, Writing writing) {
+    m_writing = writing;
+    std::vector<Object> objects;
+    for (const ConstructionRole &role : construction.roles) {
+      objects.push_back(*makeObject(role.kind));
+      for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
+        coordinate(objects.back(), i) = vector();
+    }
+    if (integer(0, 1) == 0)
+      makeSpecial(objects);
+    return objects;
+  }
+
+private:
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
+
+  Rational number() {
+    constexpr int twelveDigits = 999'999'999;
+    switch (m_writing) {
+    case Writing::SmallIntegers:
+      return integer(-9, 9);
+    case Writing::Halves:
+      return {integer(-18, 18), 2};
+    case Writing::Decimals:
+      return {integer(-999, 999), 100};
+    case Writing::Fractions:
+      return {integer(-99, 99), integer(1, 12)};
+    case Writing::LargeIntegers:
+      return integer(-999'999'999, 999'999'999);
+    case Writing::LongFractions:
+      break;
+    }
+    const auto longInteger = [&] {
+      return Integer(integer(1, 999)) * 1'000'000'000 + integer(0, twelveDigits);
+    };
+    return {Integer(longInteger() * (integer(0, 1) == 0 ? 1 : -1)), longInteger()};
+  }
+
+  ExactVec3 vector() { return {number(), number(), number()}; }
+
+  /// Perpendicular to n; perhaps zero.
+  ExactVec3 vectorAlongPlane(const ExactVec3 &n) { return cross(n, vector()); }
+
+  void makeSpecial(std::vector<Object> &objects) {
+    PointObject *point = nullptr;
+    RayObject *ray = nullptr;
+    PlaneObject *plane = nullptr;
+    TriangleObject *triangle = nullptr;
+    for (Object &object : objects) {
+      point = std::get_if<PointObject>(&object) ? std::get_if<PointObject>(&object) : point;
+      ray = std::get_if<RayObject>(&object) ? std::get_if<RayObject>(&object) : ray;
+      plane = std::get_if<PlaneObject>(&object) ? std::get_if<PlaneObject>(&object) : plane;
+      triangle = std::get_if<TriangleObject>(&object) ? std::get_if<TriangleObject>(&object) : triangle;
+    }
+    if (plane)
+      makeSpecial(*plane);
+    if (plane && point)
+      place(point->at, *plane);
+    if (plane && ray)
+      makeSpecial(*ray, *plane);
+    if (triangle && ray)
+      makeSpecial(*triangle, *ray);
+  }
+
+  void makeSpecial(PlaneObject &plane) {
+    switch (integer(0, 5)) {
+    case 0:
+      plane.normal = {0, 0, 0};
+      break;
+    case 1:
+      plane.normal = {0, 0, number()};
+      break;
+    case 2:
+      plane.normal = {Rational(3, 5), 0, Rational(-4, 5)};
+      break;
+    case 3:
+      plane.point = {0, 0, 0};
+      break;
+    default:
+      break;
+    }
+  }
+
+  /// A point of the plane, its P0, or left as it is.
+  void place(ExactVec3 &at, const PlaneObject &plane) {
+    const int choice = integer(0, 2);
+    if (choice == 0)
+      at = plane.point;
+    if (choice == 1)
+      at = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  void makeSpecial(RayObject &ray, const PlaneObject &plane) {
+    place(ray.origin, plane);
+    const int choice = integer(0, 3);
+    if (choice == 0)
+      ray.direction = {0, 0, 0};
+    if (choice == 1)
+      ray.direction = vectorAlongPlane(plane.normal);
+    if (choice == 2)
+      ray.direction = plane.normal;
+  }
+
+  void makeSpecial(TriangleObject &triangle, RayObject &ray) {
+    const ExactVec3 u = triangle.p1 - triangle.p0;
+    const ExactVec3 v = triangle.p2 - triangle.p0;
+    // Thirds from −1 to 4/3: inside, outside, and on every edge and corner.
+    const auto third = [&] { return Rational(integer(-1, 4), 3); };
+    const ExactVec3 inPlane = triangle.p0 + u * third() + v * third();
+    switch (integer(0, 8)) {
+    case 0:
+      triangle.p1 = triangle.p0;
+      break;
+    case 1:
+      triangle.p2 = integer(0, 1) == 0 ? triangle.p0 : triangle.p1;
+      break;
+    case 2:
+      triangle.p2 = triangle.p0 + u * number();
+      break;
+    case 3:
+      ray.direction = {0, 0, 0};
+      break;
+    case 4:
+      ray.direction = u * number() + v * number();
+      break;
+    case 5:
+      ray = {inPlane, u * third() + v * third()};
+      break;
+    case 6:
+      ray.origin = inPlane;
+      break;
+    default:
+      ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  std::mt19937_64 m_engine;
+  Writing m_writing = Writing::SmallIntegers;
+};
+
+} // namespace halfspace::test

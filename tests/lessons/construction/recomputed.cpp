@@ -1,0 +1,303 @@
+#include "tests/lessons/construction/recomputed.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace::test {
+namespace {
+
+using Objects = std::span<const Object *const>;
+
+Rational product(const ExactVec3 &a, const ExactVec3 &b) {
+  Rational sum = 0;
+  for (int i = 0; i < 3; ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+ExactVec3 perpendicular(const ExactVec3 &a, const ExactVec3 &b) {
+  ExactVec3 result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+  return result;
+}
+
+/// Of the matrix with these columns.
+Rational determinant(const ExactVec3 &a, const ExactVec3 &b, const ExactVec3 &c) {
+  return a.x * (b.y * c.z - b.z * c.y) - b.x * (a.y * c.z - a.z * c.y) + c.x * (a.y * b.z - a.z * b.y);
+}
+
+bool vanishes(const ExactVec3 &v) { return product(v, v) == 0; }
+
+SignedSquares numbers(const ExactVec3 &v) {
+  return {signedSquare(v.x), signedSquare(v.y), signedSquare(v.z)};
+}
+SignedSquares number(const Rational &x) { return {signedSquare(x)}; }
+
+/// Divided by |n|.
+SignedSquares normalizedNumbers(const ExactVec3 &v, const Rational &normalSquared) {
+  return {signedSquare(v.x, normalSquared), signedSquare(v.y, normalSquared),
+          signedSquare(v.z, normalSquared)};
+}
+
+/// The shortest positive multiple in integers: times the common denominator, by the common factor.
+SignedSquares primitiveOf(const std::array<Rational, 4> &coefficients) {
+  Integer multiple = 1;
+  for (const Rational &each : coefficients)
+    multiple *= each.denominator();
+  Integer factor = 0;
+  for (const Rational &each : coefficients)
+    factor = mp::gcd(factor, (each * Rational(multiple)).numerator());
+  SignedSquares result;
+  for (const Rational &each : coefficients)
+    result.push_back(signedSquare(Rational(each * Rational(multiple, factor))));
+  return result;
+}
+
+/// The foot of a point: its multiplier k solves n·(x − k·n − P0) = 0.
+ExactVec3 footOf(const ExactVec3 &x, const PlaneObject &plane) {
+  const Rational k = product(plane.normal, ExactVec3(x - plane.point)) / product(plane.normal, plane.normal);
+  ExactVec3 foot;
+  for (int i = 0; i < 3; ++i)
+    foot[i] = x[i] - k * plane.normal[i];
+  return foot;
+}
+
+Names coordinatesAt(const ExactVec3 &at) {
+  return {{"x", quantity(at.x)}, {"y", quantity(at.y)}, {"z", quantity(at.z)}, {"P", quantity(at)}};
+}
+
+/// Places without a pattern, off every plane that the tests make.
+const ExactVec3 somewhere{Rational(137, 11), Rational(-71, 13), Rational(53, 17)};
+
+Recomputed planeImplicit(Objects objects) {
+  const auto &E = std::get<PlaneObject>(*objects[0]);
+  const ExactVec3 &n = E.normal;
+  // The equation's left side at the origin and one step along each axis tells its coefficients.
+  const auto leftSide = [&](const ExactVec3 &x) { return product(n, ExactVec3(x - E.point)); };
+  const Rational d = leftSide({0, 0, 0});
+  const std::array<Rational, 4> all{leftSide({1, 0, 0}) - d, leftSide({0, 1, 0}) - d, leftSide({0, 0, 1}) - d,
+                                    d};
+  Recomputed expected;
+  SignedSquares coefficients;
+  for (const Rational &each : all)
+    coefficients.push_back(signedSquare(each));
+  expected.values["coefficients"] = coefficients;
+  expected.names = {{"\\vec n", quantity(n)}, {"P_0", quantity(E.point)}};
+  expected.unknowns = coordinatesAt(somewhere);
+  expected.degenerate = vanishes(n);
+  expected.caseName = vanishes(n) ? "zero-normal" : "plane";
+  expected.solution = coordinatesAt(vanishes(n) ? somewhere : footOf(somewhere, E));
+  if (vanishes(n)) {
+    expected.vanished = {"n"};
+    return expected;
+  }
+  const Rational square = product(n, n);
+  SignedSquares normalized = normalizedNumbers(n, square);
+  normalized.push_back(signedSquare(d, square));
+  expected.values["primitive"] = primitiveOf(all);
+  expected.values["normalized"] = normalized;
+  expected.values["origin_distance"] = SignedSquares{signedSquare(d, square)};
+  // Which second point the program shows is its choice; that it lies in the plane is what its line says.
+  const ExactVec3 along = n.x == 0 && n.y == 0 ? ExactVec3{2, 0, 0} : ExactVec3{n.y, Rational(-n.x), 0};
+  expected.names["P_1"] = quantity(ExactVec3(E.point + along));
+  return expected;
+}
+
+Recomputed signedDistance(Objects objects) {
+  const auto &E = std::get<PlaneObject>(*objects[0]);
+  const ExactVec3 &Q = std::get<PointObject>(*objects[1]).at;
+  const Rational f = product(E.normal, Q) - product(E.normal, E.point);
+  const Rational square = product(E.normal, E.normal);
+  const ExactVec3 w = Q - E.point;
+  Recomputed expected;
+  expected.values["f"] = number(f);
+  expected.names = {{"\\vec n", quantity(E.normal)},
+                    {"P_0", quantity(E.point)},
+                    {"Q", quantity(Q)},
+                    {"f(Q)", quantity(f)},
+                    {"\\vec w", quantity(w)}};
+  expected.degenerate = square == 0;
+  if (square == 0) {
+    expected.caseName = "zero-normal";
+    expected.vanished = {"n"};
+    return expected;
+  }
+  expected.caseName = f > 0 ? "positive" : f < 0 ? "negative" : "on";
+  if (f == 0)
+    expected.vanished = {"distance"};
+  const ExactVec3 foot = footOf(Q, E);
+  expected.values["side"] = expected.caseName;
+  expected.values["signed_distance"] = SignedSquares{signedSquare(f, square)};
+  expected.values["foot"] = numbers(foot);
+  expected.names["F"] = quantity(foot);
+  expected.names["\\operatorname{dist}"] = quantityOverRoot(f, square);
+  if (vanishes(w))
+    return expected;
+  const Rational both = square * product(w, w);
+  expected.values["cos_angle"] = SignedSquares{signedSquare(f, both)};
+  expected.names["\\cos\\theta"] = quantityOverRoot(f, both);
+  return expected;
+}
+
+Recomputed rayPlane(Objects objects) {
+  const auto &E = std::get<PlaneObject>(*objects[0]);
+  const auto &L = std::get<RayObject>(*objects[1]);
+  const ExactVec3 &n = E.normal;
+  const Rational atStart = product(n, L.origin) - product(n, E.point);
+  const Rational atTip = product(n, ExactVec3(L.origin + L.direction)) - product(n, E.point);
+  const Rational slope = atTip - atStart;
+  Recomputed expected;
+  expected.values = {{"numerator", number(Rational(-atStart))}, {"denominator", number(slope)}};
+  expected.names = {{"\\vec n", quantity(n)},    {"\\vec r", quantity(L.direction)},
+                    {"P_0", quantity(E.point)},  {"Q", quantity(L.origin)},
+                    {"f(Q)", quantity(atStart)}, {"d", quantity(Rational(-product(n, E.point)))}};
+  expected.unknowns = {{"t", quantity(somewhere.x)}};
+  if (vanishes(n))
+    expected.vanished.insert("n");
+  if (vanishes(L.direction))
+    expected.vanished.insert("r");
+  expected.degenerate = vanishes(n) || vanishes(L.direction);
+  if (slope == 0) {
+    expected.caseName = vanishes(n)             ? "zero-normal"
+                        : vanishes(L.direction) ? "zero-direction"
+                        : atStart == 0          ? "in-plane"
+                                                : "parallel";
+    return expected;
+  }
+  // Where the plane's left side, which changes evenly along the ray, becomes zero.
+  const Rational t = atStart / (atStart - atTip);
+  const ExactVec3 point = L.origin + L.direction * t;
+  const ExactVec3 facing = slope > 0 ? ExactVec3(-n) : n;
+  const Rational square = product(n, n);
+  expected.caseName = t < 0 ? "behind" : "hit";
+  expected.values["t"] = number(t);
+  expected.values["point"] = numbers(point);
+  expected.values["facing_normal"] = normalizedNumbers(facing, square);
+  expected.solution = Names{{"t", quantity(t)}};
+  expected.names["H"] = quantity(point);
+  Quantity unit;
+  for (int i = 0; i < 3; ++i)
+    unit.push_back(quantityOverRoot(facing[i], square)[0]);
+  expected.names["\\vec n_f"] = unit;
+  return expected;
+}
+
+/// Where a point of the triangle's plane lies, by the signs of the areas that it makes with each side.
+struct Location {
+  std::string word;
+  std::optional<int> feature;
+};
+
+Location locationOf(const ExactVec3 &point, const std::array<ExactVec3, 3> &corners,
+                    const ExactVec3 &normal) {
+  std::vector<int> zero;
+  std::vector<int> positive;
+  for (int i = 0; i < 3; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const ExactVec3 &from = corners[(index + 1) % 3];
+    const Rational area =
+        determinant(normal, ExactVec3(corners[(index + 2) % 3] - from), ExactVec3(point - from));
+    if (area < 0)
+      return {"outside", {}};
+    (area == 0 ? zero : positive).push_back(i);
+  }
+  return zero.empty()       ? Location{"interior", {}}
+         : zero.size() == 1 ? Location{"edge", zero.front()}
+                            : Location{"vertex", positive.front()};
+}
+
+/// The triangle's own values and names; true where it is a triangle.
+bool recomputeTriangle(const TriangleObject &T, Recomputed &expected) {
+  const ExactVec3 u = T.p1 - T.p0;
+  const ExactVec3 v = T.p2 - T.p0;
+  const ExactVec3 n = perpendicular(u, v);
+  const ExactVec3 uPerp = perpendicular(n, u);
+  const ExactVec3 vPerp = perpendicular(n, v);
+  expected.values = {
+      {"perp.u_perp", numbers(uPerp)},    {"perp.v_perp", numbers(vPerp)},
+      {"perp.uu", number(product(u, u))}, {"perp.uv", number(product(u, v))},
+      {"perp.vv", number(product(v, v))}, {"perp.denominator", number(Rational(-product(n, n)))}};
+  expected.names = {{"P_0", quantity(T.p0)},
+                    {"P_1", quantity(T.p1)},
+                    {"P_2", quantity(T.p2)},
+                    {"\\vec u", quantity(u)},
+                    {"\\vec v", quantity(v)},
+                    {"\\vec n", quantity(n)},
+                    {"\\vec u^{\\perp}", quantity(uPerp)},
+                    {"\\vec v^{\\perp}", quantity(vPerp)},
+                    {"D", quantity(Rational(-product(n, n)))}};
+  if (!vanishes(n))
+    return true;
+  expected.degenerate = true;
+  expected.vanished = {"n", "uperp", "vperp"};
+  expected.caseName = T.p0 == T.p1 || T.p1 == T.p2 || T.p2 == T.p0 ? "coincident" : "collinear";
+  return false;
+}
+
+Recomputed rayTriangle(Objects objects) {
+  const auto &T = std::get<TriangleObject>(*objects[0]);
+  const auto &L = std::get<RayObject>(*objects[1]);
+  Recomputed expected;
+  const bool isTriangle = recomputeTriangle(T, expected);
+  expected.names["Q"] = quantity(L.origin);
+  expected.names["\\vec r"] = quantity(L.direction);
+  if (vanishes(L.direction)) {
+    expected.vanished.insert("r");
+    expected.degenerate = true;
+  }
+  if (!isTriangle)
+    return expected;
+  const ExactVec3 u = T.p1 - T.p0;
+  const ExactVec3 v = T.p2 - T.p0;
+  // Cramer's rule for s·u + t·v − λ·r = Q − P0.
+  const ExactVec3 back = -L.direction;
+  const ExactVec3 right = L.origin - T.p0;
+  const Rational whole = determinant(u, v, back);
+  if (whole == 0) {
+    expected.caseName = vanishes(L.direction)           ? "zero-direction"
+                        : determinant(u, v, right) == 0 ? "in-plane"
+                                                        : "parallel";
+    return expected;
+  }
+  const Rational s = determinant(right, v, back) / whole;
+  const Rational t = determinant(u, right, back) / whole;
+  const Rational lambda = determinant(u, v, right) / whole;
+  const ExactVec3 point = T.p0 + u * s + v * t;
+  const ExactVec3 w = point - T.p0;
+  const Location location = locationOf(point, {T.p0, T.p1, T.p2}, perpendicular(u, v));
+  expected.caseName = location.word == "outside" ? "miss" : lambda < 0 ? "behind" : "hit";
+  expected.values["location"] = location.word;
+  if (location.feature)
+    expected.values["feature"] = *location.feature;
+  expected.values["t"] = number(lambda);
+  expected.values["point"] = numbers(point);
+  expected.values["s"] = number(s);
+  expected.values["t_triangle"] = number(t);
+  expected.values["barycentric"] = numbers({Rational(1 - s - t), s, t});
+  expected.values["perp.wu"] = number(product(w, u));
+  expected.values["perp.wv"] = number(product(w, v));
+  const ExactVec3 uPerp = perpendicular(perpendicular(u, v), u);
+  expected.names.insert({{"I", quantity(point)},
+                         {"\\vec w", quantity(w)},
+                         {"\\lambda", quantity(lambda)},
+                         {"s", quantity(s)},
+                         {"t", quantity(t)},
+                         {"a", quantity(product(w, uPerp))},
+                         {"b", quantity(product(v, uPerp))}});
+  return expected;
+}
+
+} // namespace
+
+Rational signedSquare(const Rational &p, const Rational &square) { return p * abs(p) / square; }
+
+Recomputed recompute(std::string_view construction, Objects objects) {
+  static const std::map<std::string_view, Recomputed (*)(Objects)> all{{"plane-implicit", planeImplicit},
+                                                                       {"signed-distance", signedDistance},
+                                                                       {"ray-plane-dot", rayPlane},
+                                                                       {"ray-triangle-perp", rayTriangle}};
+  return all.at(construction)(objects);
+}
+
+} // namespace halfspace::test

@@ -1,0 +1,129 @@
+// The lessons that come with the program, checked as their readers will meet them.
+#include "lessons/lesson/condition.h"
+#include "lessons/scene/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+const LessonLibrary &library() {
+  static const LessonLibrary lessons = readLessons(LESSON_FOLDER);
+  return lessons;
+}
+
+/// A scene in which a lesson's task is done; every task of the lessons has one here.
+struct Solution {
+  const char *lesson;
+  const char *instruction; ///< its beginning
+  Entry entry;
+};
+
+const std::vector<Solution> &solutions() {
+  static const std::vector<Solution> all{
+      {"plane-implicit", "Turn n until", {"E", PlaneObject{{5, 4, 7}, {0, 0, 2}}}},
+      {"plane-implicit", "Slide the plane", {"E", PlaneObject{{2, -2, 1}, {1, 2, 2}}}},
+      {"plane-implicit", "Bring the origin", {"E", PlaneObject{{5, 4, 7}, {-1, -2, -2}}}},
+      {"signed-distance", "Drag Q through", {"Q", PointObject{{1, 1, 1}}}},
+      {"signed-distance", "Let Q come", {"Q", PointObject{{3, 4, 8}}}},
+      {"signed-distance", "Bring Q to", {"Q", PointObject{{10, 8, 8}}}},
+      {"signed-distance", "Move Q so", {"Q", PointObject{{12, 10, 2}}}},
+      {"ray-plane-dot", "Make t positive", {"L", RayObject{{11, 15, 8}, {1, -3, -2}}}},
+      {"ray-plane-dot", "Make t exactly", {"L", RayObject{{11, 15, 8}, {-10, -10, 0}}}},
+      {"ray-plane-dot", "Make t change", {"L", RayObject{{11, 15, 8}, {-1, 3, 2}}}},
+      {"ray-plane-dot", "Make the ray parallel", {"L", RayObject{{11, 15, 8}, {-2, -1, 2}}}},
+      {"ray-plane-dot", "Now put the whole", {"L", RayObject{{5, 4, 7}, {-2, -1, 2}}}},
+      {"ray-triangle-perp", "Drag the start", {"L", RayObject{{11, 13, 10}, {-4, -5, 3}}}},
+      {"ray-triangle-perp", "Hit an edge", {"L", RayObject{{5, 9, 9}, {0, 0, -7}}}},
+      {"ray-triangle-perp", "Hit a corner", {"L", RayObject{{11, 13, 10}, {-2, -4, -10}}}},
+      {"ray-triangle-perp", "Put all three", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 9, 2}}}},
+      {"ray-triangle-perp", "Bring the triangle", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 2, 9}}}},
+  };
+  return all;
+}
+
+const Solution *solutionOf(const Lesson &lesson, const Task &task) {
+  for (const Solution &solution : solutions())
+    if (lesson.id == solution.lesson && task.instruction.starts_with(solution.instruction))
+      return &solution;
+  return nullptr;
+}
+
+TEST(Content, AllLessons_AreReadInTheirOrder) {
+  for (const Problem &problem : library().problems)
+    ADD_FAILURE() << problem.text();
+  std::vector<std::string> ids;
+  for (const Lesson &lesson : library().lessons)
+    ids.push_back(lesson.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"plane-implicit", "signed-distance", "ray-plane-dot",
+                                           "ray-triangle-perp"}));
+}
+
+TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {
+  const Outcome outcome = evaluate(library().find("ray-triangle-perp")->scene);
+  EXPECT_EQ(outcome.caseName, "hit");
+  EXPECT_EQ(std::get<Surd>(*findValue(outcome, "s")), Surd(Rational(1, 4)));
+  EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t_triangle")), Surd(Rational(1, 2)));
+  EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t")), Surd(Rational(3, 2)));
+  EXPECT_EQ(std::get<std::string>(*findValue(outcome, "location")), "interior");
+}
+
+TEST(Content, EveryLineThatAStepNames_IsWorkedAtTheStart) {
+  for (const Lesson &lesson : library().lessons) {
+    const Outcome outcome = evaluate(lesson.scene);
+    for (const LessonStep &step : lesson.steps)
+      for (const std::string &id : step.lines)
+        EXPECT_TRUE(std::any_of(outcome.working.lines.begin(), outcome.working.lines.end(),
+                                [&](const WorkingLine &line) { return line.id == id; }))
+            << lesson.id << ", " << step.title << ": " << id;
+  }
+}
+
+TEST(Content, EveryLiveValue_HasAValueAtTheStart) {
+  for (const Lesson &lesson : library().lessons)
+    for (const LessonStep &step : lesson.steps) {
+      const std::string filled = withLiveValues(step.markdown, lesson.scene, evaluate(lesson.scene));
+      EXPECT_EQ(filled.find("—"), std::string::npos) << lesson.id << ", " << step.title << ":\n" << filled;
+    }
+}
+
+TEST(Content, EveryQuestion_HasExactlyOneRightChoiceAtTheStart) {
+  for (const Lesson &lesson : library().lessons) {
+    int questions = 0;
+    for (const LessonStep &step : lesson.steps)
+      if (step.prediction) {
+        ++questions;
+        const Outcome outcome = evaluate(lesson.scene);
+        EXPECT_EQ(
+            std::count_if(
+                step.prediction->choices.begin(), step.prediction->choices.end(),
+                [&](const Prediction::Choice &choice) {
+                  return holds({step.prediction->value, Condition::Relation::Equal, choice.word}, outcome);
+                }),
+            1)
+            << lesson.id << ", " << step.title;
+      }
+    EXPECT_EQ(questions, 1) << lesson.id;
+  }
+}
+
+TEST(Content, EveryTask_CanBeDone) {
+  for (const Lesson &lesson : library().lessons) {
+    int tasks = 0;
+    for (const LessonStep &step : lesson.steps)
+      for (const Task &task : step.tasks) {
+        ++tasks;
+        const Solution *solution = solutionOf(lesson, task);
+        ASSERT_NE(solution, nullptr) << lesson.id << ": " << task.instruction;
+        Session session{lesson.id, 0, lesson.scene};
+        session = apply(session, {solution->entry.name, std::get<Object>(solution->entry.content)});
+        EXPECT_TRUE(isDone(task, evaluate(session.scene))) << lesson.id << ": " << task.instruction;
+      }
+    EXPECT_GE(tasks, 2) << lesson.id;
+  }
+}
+
+} // namespace
+} // namespace halfspace

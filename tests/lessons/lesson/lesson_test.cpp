@@ -1,0 +1,226 @@
+#include "lessons/lesson/lesson.h"
+
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+const std::string frontMatter = "---\n"
+                                "id: example\n"
+                                "title: An example\n"
+                                "order: 7\n"
+                                "sources: [PG 1]\n"
+                                "scene:\n"
+                                "  - {name: E, plane: {P0: [5, 4, 7], n: [1, 2, 2]}}\n"
+                                "  - {name: Q, point: [11, 15/2, 0.5]}\n"
+                                "  - {name: d, construction: signed-distance, of: {E: E, Q: Q}}\n"
+                                "camera: {from: [0, -1, 1], at: [1, 2, 3], height: 12}\n"
+                                "---\n"; // 11 lines
+
+Problem problemOf(const std::string &text) {
+  const auto lesson = parseLesson(text, "a.md");
+  EXPECT_FALSE(lesson) << text;
+  if (lesson)
+    return {};
+  EXPECT_EQ(lesson.problem().file, "a.md");
+  EXPECT_GE(lesson.problem().sentence.size(), 15U);
+  return lesson.problem();
+}
+
+std::string replaced(std::string text, const std::string &from, const std::string &to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Lesson, FrontMatter_IsReadExactly) {
+  const auto lesson = parseLesson(frontMatter + "## One\nWords.\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->id, "example");
+  EXPECT_EQ(lesson->title, "An example");
+  EXPECT_EQ(lesson->order, 7);
+  EXPECT_EQ(lesson->sources, std::vector<std::string>{"PG 1"});
+  EXPECT_EQ(coordinate(*findObject(lesson->scene, "Q"), 0), ExactVec3(11, Rational(15, 2), Rational(1, 2)));
+  EXPECT_EQ(lesson->camera.at, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(lesson->camera.height, 12);
+}
+
+std::string withMacros(const std::string &macros) {
+  return replaced(frontMatter, "scene:\n", "macros:" + macros + "\nscene:\n") + "## One\nWords.\n";
+}
+
+TEST(Lesson, Macros_AreReadWithTheirArguments) {
+  const auto lesson =
+      parseLesson(withMacros("\n  R: \\mathbb{R}\n  inner: '\\langle #1, #2\\rangle'"), "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->macros, (Macros{{"R", {0, "\\mathbb{R}"}}, {"inner", {2, "\\langle #1, #2\\rangle"}}}));
+  EXPECT_TRUE(parseLesson(frontMatter + "## One\n", "a.md")->macros.empty());
+}
+
+TEST(Lesson, MacrosThatAreNone_AreToldWithTheirLine) {
+  const auto expect = [](const std::string &macros, int line, const std::string &field,
+                         const std::string &words) {
+    const Problem problem = problemOf(withMacros(macros));
+    EXPECT_EQ(problem.line, line) << problem.text();
+    EXPECT_EQ(problem.field, field);
+    EXPECT_NE(problem.sentence.find(words), std::string::npos) << problem.sentence;
+  };
+  expect("\n  R: x\n  \\S: x", 8, "macros.\\S", "cannot be the name");
+  expect("\n  R2: x", 7, "macros.R2", "cannot be the name");
+  expect("\n  R: [x]", 7, "macros.R", "in single quotes is expected");
+  expect("\n  R: ''", 7, "macros.R", "in single quotes is expected");
+  expect("\n  R: 'a # b'", 7, "macros.R", "number of an argument");
+  expect("\n  R: '" + std::string(longestMacro + 1, 'x') + "'", 7, "macros.R", "too long");
+  expect("\n  R: \\vec #1", 7, "macros.R", "put the macro in single quotes");
+  expect("\n  R: x\n  S: x\\T\n  T: '\\S'", 8, "macros.S", "uses itself");
+  expect(" x", 6, "macros", "at most 100 macros");
+  std::string many;
+  for (char a = 'a'; a <= 'z'; ++a)
+    for (char b = 'a'; b <= 'e'; ++b)
+      many += "\n  " + std::string{a, b} + ": x";
+  expect(many, 7, "macros", "at most 100 macros");
+}
+
+TEST(Lesson, Steps_KeepTheirWordsApartFromTheirBlocks) {
+  const auto lesson = parseLesson(frontMatter + R"(## First
+Some $f(Q)$ words.
+```lines
+f, side
+foot
+```
+```task
+do: Go there.
+when: side = negative and f < -1/2
+```
+More.
+
+## Second
+```predict
+ask: Where?
+answer: side
+choices: {positive: Here, negative: There}
+why: So.
+```
+)",
+                                  "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  ASSERT_EQ(lesson->steps.size(), 2U);
+  const LessonStep &first = lesson->steps[0];
+  EXPECT_EQ(first.title, "First");
+  EXPECT_EQ(first.markdown, "Some $f(Q)$ words.\nMore.");
+  EXPECT_EQ(first.lines, (std::vector<std::string>{"f", "side", "foot"}));
+  ASSERT_EQ(first.tasks.size(), 1U);
+  EXPECT_EQ(first.tasks[0].instruction, "Go there.");
+  ASSERT_EQ(first.tasks[0].conditions.size(), 2U);
+  EXPECT_EQ(first.tasks[0].conditions[1].relation, Condition::Relation::Less);
+  EXPECT_EQ(first.tasks[0].conditions[1].against, "-1/2");
+  ASSERT_TRUE(lesson->steps[1].prediction);
+  EXPECT_EQ(lesson->steps[1].prediction->choices.at(1).word, "negative");
+}
+
+TEST(Lesson, ABlankBlock_SaysWhichLinesAreLeftToTheLearner) {
+  const auto lesson = parseLesson(
+      frontMatter + "## One\n```blank\nlast\n```\n## Two\n```blank\n all \n```\n## Three\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps[0].blank, Fading::Last);
+  EXPECT_EQ(lesson->steps[1].blank, Fading::All);
+  EXPECT_EQ(lesson->steps[2].blank, std::nullopt);
+  const Problem problem = problemOf(frontMatter + "## One\n```blank\nsome\n```\n");
+  EXPECT_EQ(problem.line, 14);
+  EXPECT_NE(problem.sentence.find("none, last or all"), std::string::npos);
+}
+
+TEST(Lesson, AHeadingInABlockOfCode_IsNoStep) {
+  const auto lesson = parseLesson(frontMatter + "## One\n````\n```task\n## not a step\n````\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps.size(), 1U);
+  EXPECT_NE(lesson->steps[0].markdown.find("## not a step"), std::string::npos);
+}
+
+TEST(Lesson, WithWindowsLineEndsAndAByteOrderMark_IsReadTheSame) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : frontMatter + "## One\nWords.\n")
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const auto lesson = parseLesson(text, "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps[0].markdown, "Words.");
+}
+
+TEST(LessonProblems, InTheFrame_NameTheLine) {
+  EXPECT_EQ(problemOf("# A title\n").line, 1);
+  EXPECT_EQ(problemOf("---\nid: x\n").line, 2);
+  EXPECT_EQ(problemOf(frontMatter + "\nloose words\n## One\n").line, 13);
+  problemOf(frontMatter);
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```task\ndo: x\n").line, 13);
+}
+
+TEST(LessonProblems, OfBytesThatAreNoText_NameTheLine) {
+  for (const char *bytes : {"\xFF", "\xC3", "\xED\xA0\x80", "\x1B[31m", "\x7F", "\xC2\x9B"}) {
+    EXPECT_EQ(problemOf(replaced(frontMatter, "An example", bytes)).line, 3);
+    EXPECT_EQ(problemOf(frontMatter + "## One\nWords " + bytes + "\n").line, 13);
+  }
+  EXPECT_EQ(problemOf(frontMatter + "## One\n" + std::string(1, '\0')).line, 13);
+}
+
+TEST(LessonProblems, InTheFrontMatter_NameLineAndField) {
+  const Problem id = problemOf(replaced(frontMatter, "id: example", "id: An Example"));
+  EXPECT_EQ(id.line, 2);
+  EXPECT_EQ(id.field, "id");
+  const Problem unknown = problemOf(replaced(frontMatter, "order: 7", "ordre: 7"));
+  EXPECT_EQ(unknown.line, 4);
+  EXPECT_EQ(unknown.field, "ordre");
+  const Problem number = problemOf(replaced(frontMatter, "15/2", "15/0"));
+  EXPECT_EQ(number.line, 8);
+  EXPECT_EQ(number.field, "scene[1].point");
+  const Problem kind = problemOf(replaced(frontMatter, "{E: E, Q: Q}", "{E: Q, Q: Q}"));
+  EXPECT_EQ(kind.line, 9);
+  EXPECT_EQ(kind.field, "scene[2].of.E");
+  EXPECT_EQ(problemOf(replaced(frontMatter, "height: 12", "height: 0")).field, "camera.height");
+  EXPECT_EQ(problemOf(replaced(frontMatter, "from: [0, -1, 1]", "from: [0, 0, 0]")).field, "camera.from");
+  EXPECT_EQ(problemOf(replaced(frontMatter, "title: An example\n", "")).field, "title");
+}
+
+TEST(LessonProblems, InBlocks_NameLineAndField) {
+  const Problem when = problemOf(frontMatter + "## One\n```task\ndo: x\nwhen: side < negative\n```\n");
+  EXPECT_EQ(when.line, 15);
+  EXPECT_EQ(when.field, "when");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```task\nwhen: t = 1\n```\n").field, "do");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```task\ndo: x\n```\n").field, "when");
+  EXPECT_EQ(
+      problemOf(frontMatter + "## One\n```predict\nask: a\nanswer: t\nwhy: c\nchoices: {a: b}\n```\n").field,
+      "choices");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```lines\n\n```\n").field, "lines");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```lines\n$x$\n```\n").line, 14);
+}
+
+TEST(LessonProblems, TooLarge_IsRefused) {
+  EXPECT_NE(problemOf(std::string(maxLessonBytes + 1, 'a')).sentence.find("too large"), std::string::npos);
+}
+
+TEST(LessonProblems, OfAFileThatIsNotThere_IsAProblem) {
+  EXPECT_FALSE(readLesson("/no/such/lesson.md"));
+  EXPECT_FALSE(readLesson("/"));
+  EXPECT_EQ(readLessons("/no/such/folder").problems.size(), 1U);
+}
+
+TEST(ShownIn, AStepWithLines_KeepsThoseLinesTheirMarksAndTheGivens) {
+  const Outcome all = evaluate(test::distanceScene());
+  LessonStep step;
+  step.lines = {"foot"};
+  const Shown shown = shownIn(step, all);
+  ASSERT_EQ(shown.working.lines.size(), 1U);
+  EXPECT_EQ(shown.working.lines[0].id, "foot");
+  EXPECT_NE(findMark(shown.figure, "Q"), nullptr);
+  EXPECT_NE(findMark(shown.figure, "F"), nullptr);
+  EXPECT_NE(findMark(all.figure, "theta"), nullptr);
+  EXPECT_EQ(findMark(shown.figure, "theta"), nullptr);
+}
+
+TEST(ShownIn, AStepWithoutLines_ShowsAll) {
+  const Outcome all = evaluate(test::distanceScene());
+  EXPECT_EQ(shownIn(LessonStep{}, all).working.lines.size(), all.working.lines.size());
+  EXPECT_EQ(shownIn(LessonStep{}, all).figure.marks.size(), all.figure.marks.size());
+}
+
+} // namespace
+} // namespace halfspace

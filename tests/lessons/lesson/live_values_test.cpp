@@ -1,0 +1,43 @@
+#include "tests/lessons/scenes.h"
+
+#include "lessons/lesson/lesson.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+std::string filled(const std::string &markdown) {
+  const Scene scene = test::distanceScene();
+  return withLiveValues(markdown, scene, evaluate(scene));
+}
+
+TEST(LiveValues, OfNumbersVectorsAndWords_StandInThePlaceOfTheirNames) {
+  EXPECT_EQ(filled("f is {f}."), "f is $30$.");
+  EXPECT_EQ(filled("{side}: {case}"), "positive: positive");
+  EXPECT_EQ(filled("{foot.z}"), "$\\tfrac{4}{3}$");
+}
+
+TEST(LiveValues, OfCoordinates_GoByShortAndFullNames) {
+  EXPECT_EQ(filled("{Q} {E.n} {n}"),
+            "$\\left(11,\\,15,\\,8\\right)$ $\\left(1,\\,2,\\,2\\right)$ $\\left(1,\\,2,\\,2\\right)$");
+}
+
+TEST(LiveValues, InFormulasAndCode_AreLeftAlone) {
+  for (const char *text : {"$\\frac{f}{2}$", "$$\\frac{f}{2}$$", "`{f}`", "``a ` {f}``", "\\{f}"})
+    EXPECT_EQ(filled(text), text);
+  EXPECT_EQ(filled("$x${f}$y$"), "$x$$30$$y$");
+}
+
+TEST(LiveValues, WithoutAValueInThisCase_AreADash) { EXPECT_EQ(filled("{t} {perp.uu}"), "— —"); }
+
+TEST(LiveValues, BracesThatHoldNoName_Stay) { EXPECT_EQ(filled("{1} {} {a b} {"), "{1} {} {a b} {"); }
+
+TEST(LiveValues, WhenRounded_SaySo) {
+  Outcome outcome;
+  outcome.values = {{"x", "", Surd(Rational(Integer(1234567890123), Integer(9876543210987)))}};
+  EXPECT_EQ(withLiveValues("{x}", Scene{}, outcome).substr(0, 9), "$\\approx ");
+}
+
+} // namespace
+} // namespace halfspace

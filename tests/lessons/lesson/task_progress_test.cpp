@@ -1,0 +1,64 @@
+#include "lessons/lesson/task_progress.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+using Done = std::vector<bool>;
+
+Outcome withT(int t) {
+  Outcome outcome;
+  outcome.values = {{"t", "t", Surd(t)}};
+  return outcome;
+}
+
+Task task(Condition::Relation relation, const char *against) { return {"", {{"t", relation, against}}}; }
+
+const std::vector<Task> negative{task(Condition::Relation::Less, "0")};
+
+TEST(TaskProgress, OfWhatIsTrueOnArrival_CountsOnlyAfterItWasUntrue) {
+  TaskProgress progress;
+  progress.arrive();
+  progress.observe(negative, withT(-3));
+  EXPECT_EQ(progress.done(), Done{false});
+  progress.observe(negative, withT(2));
+  EXPECT_EQ(progress.done(), Done{false});
+  progress.observe(negative, withT(-1));
+  EXPECT_EQ(progress.done(), Done{true});
+}
+
+TEST(TaskProgress, OfWhatBecameTrueElsewhere_DoesNotCountOnReturn) {
+  TaskProgress progress;
+  progress.arrive();
+  progress.observe(negative, withT(2));
+  progress.arrive();
+  progress.observe(negative, withT(-1));
+  EXPECT_EQ(progress.done(), Done{false});
+}
+
+TEST(TaskProgress, OfADoneTask_StaysDone) {
+  TaskProgress progress;
+  progress.observe(negative, withT(2));
+  progress.observe(negative, withT(-1));
+  progress.arrive();
+  progress.observe(negative, withT(2));
+  EXPECT_EQ(progress.done(), Done{true});
+}
+
+TEST(TaskProgress, OfTwoTasks_CountsThemInTheirOrder) {
+  const std::vector<Task> awayAndBack{task(Condition::Relation::Equal, "0"),
+                                      task(Condition::Relation::Greater, "0")};
+  TaskProgress progress;
+  progress.observe(awayAndBack, withT(5));
+  progress.observe(awayAndBack, withT(-5));
+  progress.observe(awayAndBack, withT(5));
+  EXPECT_EQ(progress.done(), (Done{false, false}));
+  progress.observe(awayAndBack, withT(0));
+  EXPECT_EQ(progress.done(), (Done{true, false}));
+  progress.observe(awayAndBack, withT(5));
+  EXPECT_EQ(progress.done(), (Done{true, true}));
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,81 @@
+#include "lessons/scene/explain_formats.h"
+
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+Outcome sample() {
+  const Term a = name(letter("a"), Rational(2, 7));
+  const Term b = name(letter("b"), Rational(3, 1'000'000'007));
+  const Term t = name(letter("t"), Rational(2'000'000'014, 21)).marked("t");
+  const Term F = name(letter("F"), ExactVec3(1, Rational(1, 2), -3)).marked("F");
+  const Term u = name(vectorLetter("u"), ExactVec3(4, 8, 0));
+  Outcome outcome;
+  outcome.caseName = "hit";
+  outcome.values = {{"tenth", {}, Surd(Rational(1, 10))},
+                    {"root", {}, Surd::root(3, Rational(1, 3))},
+                    {"huge", {}, Surd(Rational(mp::pow(Integer(10), 400)))},
+                    listed("foot", F),
+                    listed("t", name(letter("λ"), Surd::root(3, Rational(-1, 3)))),
+                    {"side", std::string("side"), std::string("on")},
+                    {"feature", {}, 2},
+                    {"perp", {}, std::vector<NamedValue>{listed("uu", dot(u, u))}}};
+  outcome.working.lines = {{"t", {withNumbers(t == a / b)}, "It is < 1 & so on."}};
+  outcome.description = "100% done_ok {now}: λ ≈ −2·10⁻³°";
+  return outcome;
+}
+
+TEST(ExplanationJson, OfValues_FollowsTheEvalFormatInOrder) {
+  const auto json = nlohmann::ordered_json::parse(explanationJson("x", sample()));
+  EXPECT_EQ(json["lesson"], "x");
+  EXPECT_EQ(json["case"], "hit");
+  const auto &values = json["values"];
+  EXPECT_EQ(values.begin().key(), "tenth");
+  EXPECT_EQ(values["tenth"]["exact"], "1/10");
+  EXPECT_EQ(values["tenth"]["value"].dump(), "0.1");
+  EXPECT_EQ(values["root"]["exact"], "1/3*sqrt(3)");
+  EXPECT_TRUE(values["huge"]["value"].is_null());
+  EXPECT_EQ(values["foot"]["exact"].dump(), R"(["1","1/2","-3"])");
+  EXPECT_EQ(values["side"], "on");
+  EXPECT_EQ(values["feature"], 2);
+  EXPECT_EQ(values["perp"]["uu"]["value"], 80);
+  const auto &line = json["working"][0];
+  EXPECT_EQ(line["symbols"], "t = \\frac{a}{b}");
+  EXPECT_EQ(line["numbers"], "= \\frac{\\tfrac{2}{7}}{\\tfrac{3}{1000000007}}");
+  EXPECT_EQ(line["result"], "= \\frac{2000000014}{21}");
+  EXPECT_EQ(line["text"], "t = a/b = (2/7)/(3/1000000007) = 2000000014/21");
+  EXPECT_EQ(line["spoken"],
+            "t equals a over b equals the fraction the fraction 2 over 7 end of fraction over the "
+            "fraction 3 over 1000000007 end of fraction end of fraction equals 2000000014 over 21");
+}
+
+TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
+  const std::string text = explanationText("A title", sample());
+  for (const char *part :
+       {"A title\n", "t = a/b = (2/7)/(3/1000000007) = 2000000014/21\n", "It is < 1 & so on.",
+        "\nF = (1, 1/2, −3)\n", "\nλ = −(√3)/3\n", "\nside: on\n", "\nu·u = 80\n", "100% done_ok {now}"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  for (const char *part : {"tenth", "feature", "perp"})
+    EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
+}
+
+TEST(ExplanationLatex, AlignsAtTheFirstRelationAndEscapesWords) {
+  const std::string latex = explanationLatex("50 %", sample());
+  for (const char *part :
+       {"\\paragraph{50 \\%}", "\\begin{align*}", "t &= \\frac{a}{b} = \\frac{\\tfrac{2}{7}}",
+        "100\\% done\\_ok \\{now\\}", "$\\lambda$ $\\approx$ $-$2$\\cdot$10$^{-}$$^{3}$$^{\\circ}$"})
+    EXPECT_NE(latex.find(part), std::string::npos) << part << "\n" << latex;
+  EXPECT_EQ(latex.find("\\mark"), std::string::npos);
+  EXPECT_TRUE(std::all_of(latex.begin(), latex.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 128;
+  })) << "pdflatex knows no other characters";
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,187 @@
+// New numbers for a scene: the same case, short results, and never what was there.
+#include "lessons/scene/short_numbers.h"
+
+#include "lessons/lesson/lesson.h"
+#include "tests/lessons/construction/random_objects.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+constexpr int seeds = 100;
+
+/// A scene of each ordinary case of a construction, as the first seeds come upon it.
+std::map<std::string, Scene> ordinaryScenes(const Construction &construction) {
+  std::map<std::string, Scene> scenes;
+  RandomObjects random(7);
+  for (int i = 0; i < 400; ++i) {
+    const auto objects = random.objectsFor(construction, Writing::SmallIntegers);
+    Scene scene;
+    ConstructionUse use{std::string(construction.id), {}};
+    for (std::size_t role = 0; role < objects.size(); ++role) {
+      scene.entries.push_back({construction.roles[role].name, objects[role]});
+      use.roles[construction.roles[role].name] = construction.roles[role].name;
+    }
+    scene.entries.push_back({"it", use});
+    if (const Outcome outcome = evaluate(scene); !outcome.degenerate)
+      scenes.emplace(outcome.caseName, scene);
+  }
+  return scenes;
+}
+
+std::string textOf(const Scene &scene) {
+  std::string text;
+  for (const CoordinateId &id : coordinatesOf(scene)) {
+    const ExactVec3 &at = coordinate(*findObject(scene, id.object), id.index);
+    text += fullName(scene, id) + " = (" + toText(at.x) + ", " + toText(at.y) + ", " + toText(at.z) + ") ";
+  }
+  return text;
+}
+
+void expectShort(const Scene &scene) {
+  for (const CoordinateId &id : coordinatesOf(scene)) {
+    const ExactVec3 &at = coordinate(*findObject(scene, id.object), id.index);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_TRUE(at[axis].isInteger()) << textOf(scene);
+      EXPECT_LE(abs(at[axis]), largestShortNumber) << textOf(scene);
+    }
+  }
+}
+
+/// All numbers among the results.
+std::vector<Surd> numbersIn(const std::vector<NamedValue> &values) {
+  std::vector<Surd> numbers;
+  const auto append = [&](const std::vector<Surd> &more) {
+    numbers.insert(numbers.end(), more.begin(), more.end());
+  };
+  for (const NamedValue &value : values)
+    std::visit(Overloaded{[&](const Surd &number) { append({number}); },
+                          [&](const std::vector<Surd> &list) { append(list); },
+                          [&](const std::vector<NamedValue> &group) { append(numbersIn(group)); },
+                          [](const auto &) {}},
+               value.value);
+  return numbers;
+}
+
+/// What can be reached by hand: the longest is the denominator in a triangle of sides (6, 6, 6).
+void expectWithinReach(const Outcome &outcome) {
+  for (const Surd &number : numbersIn(outcome.values)) {
+    EXPECT_LE(mp::abs(number.rootFactor().numerator()), 108);
+    EXPECT_LE(number.rootFactor().denominator(), 108); // a root divided by is one below
+    EXPECT_LE(number.radicand(), 108 * 108);
+    EXPECT_LE(mp::abs(number.rationalPart().numerator()), 108 * 108);
+    EXPECT_LT(number.rationalPart().denominator(), 30);
+  }
+}
+
+bool shareAnObject(const Scene &a, const Scene &b) {
+  for (std::size_t i = 0; i < a.entries.size(); ++i)
+    if (std::holds_alternative<Object>(a.entries[i].content) && a.entries[i] == b.entries[i])
+      return true;
+  return false;
+}
+
+} // namespace
+
+TEST(ShortNumbers, everyCaseOfEveryConstruction_isKept_withShortCoordinatesAndResults) {
+  for (const Construction &construction : constructions()) {
+    const auto scenes = ordinaryScenes(construction);
+    EXPECT_FALSE(scenes.empty());
+    for (const auto &[caseName, scene] : scenes) {
+      SCOPED_TRACE(std::string(construction.id) + ": " + caseName);
+      std::set<std::string> different;
+      for (int seed = 0; seed < seeds; ++seed) {
+        const Scene renewed = withShortNumbers(scene, static_cast<std::uint64_t>(seed));
+        const Outcome outcome = evaluate(renewed);
+        EXPECT_EQ(outcome.caseName, caseName) << textOf(renewed);
+        EXPECT_FALSE(outcome.degenerate);
+        EXPECT_FALSE(shareAnObject(renewed, scene)) << textOf(renewed);
+        expectShort(renewed);
+        expectWithinReach(outcome);
+        different.insert(textOf(renewed));
+      }
+      EXPECT_GT(different.size(), seeds * 0.95); // now and then two agree
+    }
+  }
+}
+
+TEST(ShortNumbers, again_areOthers) {
+  Scene scene = distanceScene();
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Scene next = withShortNumbers(scene, seed);
+    EXPECT_FALSE(shareAnObject(next, scene)) << textOf(next);
+    scene = std::move(next);
+  }
+}
+
+TEST(ShortNumbers, sameSeed_givesTheSameNumbers) {
+  EXPECT_EQ(withShortNumbers(distanceScene(), 5), withShortNumbers(distanceScene(), 5));
+  EXPECT_NE(withShortNumbers(distanceScene(), 5), withShortNumbers(distanceScene(), 6));
+}
+
+TEST(ShortNumbers, seed_givesTheSameNumbersEverywhere) {
+  EXPECT_EQ(textOf(withShortNumbers(distanceScene(), 5)),
+            "E.P0 = (-1, 1, -1) E.n = (1, -2, 2) Q = (-4, -1, 3) ");
+  const Scene rays{{planeE(), rayL(), triangleT()}};
+  EXPECT_EQ(textOf(withShortNumbers(rays, 5)),
+            "E.P0 = (-1, 5, -3) E.n = (2, 3, -6) L.Q = (-1, 3, -1) L.r = (-1, -3, 2) "
+            "T.P0 = (-2, 6, 0) T.P1 = (-5, 9, 6) T.P2 = (-2, 9, 3) ");
+}
+
+TEST(ShortNumbers, degenerateScene_becomesAnOrdinaryOne) {
+  Scene scene = distanceScene();
+  coordinate(*findObject(scene, "E"), 1) = {0, 0, 0};
+  ASSERT_TRUE(evaluate(scene).degenerate);
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+    EXPECT_FALSE(evaluate(withShortNumbers(scene, seed)).degenerate);
+}
+
+TEST(ShortNumbers, normals_areAsLongAsWholeNumbersSay) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Scene renewed = withShortNumbers(distanceScene(), seed);
+    const ExactVec3 &n = coordinate(*findObject(renewed, "E"), 1);
+    EXPECT_TRUE(Surd::root(dot(n, n)).isRational()) << textOf(renewed);
+  }
+}
+
+TEST(ShortNumbers, objectsThatNoConstructionLooksAt_getSomeToo) {
+  Scene scene = distanceScene();
+  scene.entries.insert(scene.entries.begin(), {triangleT(), rayL()});
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Scene renewed = withShortNumbers(scene, seed);
+    EXPECT_EQ(evaluate(renewed).caseName, "positive");
+    EXPECT_FALSE(shareAnObject(renewed, scene)) << textOf(renewed);
+    expectShort(renewed);
+  }
+}
+
+TEST(ShortNumbers, sceneWithoutConstruction_getsSome) {
+  const Scene scene{{planeE(), pointQ()}};
+  const Scene renewed = withShortNumbers(scene, 1);
+  EXPECT_FALSE(shareAnObject(renewed, scene));
+  expectShort(renewed);
+}
+
+TEST(ShortNumbers, objectsThatNoConstructionLooksAt_haveNoSayInItsNumbers) {
+  Scene scene = distanceScene();
+  for (int i = 0; i < 1000; ++i) {
+    Entry more = triangleT();
+    more.name = "T" + std::to_string(i);
+    scene.entries.insert(scene.entries.begin(), std::move(more));
+  }
+  const Scene renewed = withShortNumbers(scene, 1);
+  const Scene alone = withShortNumbers(distanceScene(), 1);
+  for (const char *name : {"E", "Q"})
+    EXPECT_EQ(*findObject(renewed, name), *findObject(alone, name)) << name;
+  EXPECT_FALSE(shareAnObject(renewed, scene));
+  expectShort(renewed);
+}
+
+} // namespace halfspace

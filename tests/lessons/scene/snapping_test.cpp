@@ -1,0 +1,219 @@
+#include "lessons/scene/snapping.h"
+
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+/// A hundred pixels to the unit, seen without perspective, is far enough from any real camera's trouble.
+constexpr double pixelsPerUnit = 100;
+constexpr double catchPixels = 10;
+
+struct Drag {
+  Scene scene;
+  std::string id;
+  Rational step = 1;
+
+  SnappedPlace to(const Place &raw, const Flat &freedom) const {
+    const Handle dragged = handle(scene, id);
+    return snap({scene, dragged, raw, freedom, step,
+                 [](const Place &a, const Place &b) { return glm::distance(a, b) * pixelsPerUnit; },
+                 catchPixels});
+  }
+  SnappedPlace horizontally(double x, double y) const {
+    const ExactVec3 at = handle(scene, id).at;
+    return to({x, y, toDouble(at.z)}, Flat::plane(at, {0, 0, 1}));
+  }
+  SnappedPlace vertically(double z) const {
+    const ExactVec3 at = handle(scene, id).at;
+    return to({toDouble(at.x), toDouble(at.y), z}, Flat::line(at, {0, 0, 1}));
+  }
+};
+
+Scene with(std::initializer_list<Entry> entries) { return Scene{entries}; }
+
+TEST(Grid, AFreePointDraggedFlat_RoundsXAndYAndKeepsZExactly) {
+  const Scene scene = with({{"Q", PointObject{{1, 2, q(1, 3)}}}});
+  EXPECT_EQ(Drag({scene, "Q", q(1, 2)}).horizontally(3.3, 4.2).at, ExactVec3(q(7, 2), 4, q(1, 3)));
+  EXPECT_EQ(Drag({scene, "Q", q(1, 2)}).horizontally(3.3, 4.2).caughtBy, "");
+  EXPECT_EQ(Drag({scene, "Q", q(1, 1000)}).horizontally(3.3, 4.2).at,
+            ExactVec3(q(33, 10), q(21, 5), q(1, 3)));
+}
+
+TEST(Grid, AFreePointDraggedUpright_RoundsZAlone) {
+  const Scene scene = with({{"Q", PointObject{{q(1, 7), 2, 3}}}});
+  EXPECT_EQ(Drag({scene, "Q"}).vertically(4.6).at, ExactVec3(q(1, 7), 2, 5));
+}
+
+TEST(Grid, ADirectionFromAFractionalStart_RoundsTheArrowNotTheTip) {
+  const Scene scene = with({{"L", RayObject{{q(1, 3), 0, 0}, {1, 1, 1}}}});
+  EXPECT_EQ(Drag({scene, "L.r"}).horizontally(2.4, 3.1).at, ExactVec3(q(7, 3), 3, 1));
+}
+
+TEST(Grid, APlanesOffset_GoesInWholeStepsOfTheShortestNormal) {
+  const Scene scene = with({{"E", PlaneObject{{5, 4, 7}, {10, 20, 20}}}});
+  const Drag drag{scene, "E.offset"};
+  const Flat along = Flat::line({5, 4, 7}, {10, 20, 20});
+  EXPECT_EQ(drag.to({6.2, 6.4, 9.4}, along).at, ExactVec3(6, 6, 9));
+}
+
+TEST(Grid, APlanesOffsetAlongALongNormal_RoundsItsSteepestCoordinate) {
+  const Scene scene = with({{"E", PlaneObject{{0, 0, 0}, {1, 100, 0}}}});
+  EXPECT_EQ(Drag({scene, "E.offset"}).to({0.03, 3.2, 0}, Flat::line({0, 0, 0}, {1, 100, 0})).at,
+            ExactVec3(q(3, 100), 3, 0));
+}
+
+TEST(Grid, AWholeTriangle_PutsItsFirstCornerOnTheGrid) {
+  const Drag drag{with({triangleT()}), "T.whole"};
+  EXPECT_EQ(drag.horizontally(6.3, 20.0 / 3).at, ExactVec3(6, q(20, 3), q(13, 3)));
+}
+
+TEST(SnapPosition, NearAVertexInTheSamePlaneOfMotion_CatchesThere) {
+  const Scene scene =
+      with({{"Q", PointObject{{0, 0, 4}}}, {"T", TriangleObject{{9, 9, 0}, {q(3, 2), 9, 4}, {5, 2, 9}}}});
+  const SnappedPlace place = Drag({scene, "Q"}).horizontally(1.55, 9.03);
+  EXPECT_EQ(place.at, ExactVec3(q(3, 2), 9, 4));
+  EXPECT_EQ(place.caughtBy, "vertex P₁");
+}
+
+TEST(SnapPosition, AVertexAtAnotherHeight_DoesNotCatch) {
+  const Scene scene = with({{"Q", PointObject{{0, 0, 5}}}, {"S", PointObject{{q(3, 2), 9, 4}}}});
+  const SnappedPlace place = Drag({scene, "Q"}).horizontally(1.52, 9.0);
+  EXPECT_EQ(place.at, ExactVec3(2, 9, 5));
+  EXPECT_EQ(place.caughtBy, "");
+}
+
+TEST(SnapPosition, FurtherThanTheCatch_StaysOnTheGrid) {
+  const Scene scene = with({{"Q", PointObject{{0, 0, 0}}}, {"S", PointObject{{q(1, 2), 0, 0}}}});
+  EXPECT_EQ(Drag({scene, "Q"}).horizontally(0.59, 0).at, ExactVec3(q(1, 2), 0, 0));
+  EXPECT_EQ(Drag({scene, "Q"}).horizontally(0.61, 0).at, ExactVec3(1, 0, 0));
+}
+
+TEST(SnapPosition, WhereThePlaneHasAGridPlaceNearby_TakesItOverTheFoot) {
+  // E: x + 2y + 2z = 27; at z = 8 its line x + 2y = 11 holds (3, 4).
+  const Scene scene = with({planeE(), pointQ()});
+  const SnappedPlace place = Drag({scene, "Q"}).horizontally(3.04, 4.02);
+  EXPECT_EQ(place.at, ExactVec3(3, 4, 8));
+  EXPECT_EQ(place.caughtBy, "plane E");
+}
+
+TEST(SnapPosition, WhereThePlaneHasNoGridPlaceNearby_TakesShortFractions) {
+  const Scene scene = with({planeE(), pointQ()});
+  const SnappedPlace place = Drag({scene, "Q"}).horizontally(4.03, 3.52);
+  EXPECT_EQ(place.at, ExactVec3(4, q(7, 2), 8));
+  EXPECT_EQ(place.caughtBy, "plane E");
+}
+
+TEST(SnapPosition, AlongTheVertical_MeetsThePlaneExactly) {
+  const Scene scene = with({planeE(), {"Q", PointObject{{4, 4, 0}}}});
+  const SnappedPlace place = Drag({scene, "Q"}).vertically(7.45);
+  EXPECT_EQ(place.at, ExactVec3(4, 4, q(15, 2)));
+  EXPECT_EQ(place.caughtBy, "plane E");
+}
+
+TEST(SnapPosition, OnAnEdge_CatchesBetweenItsEndsOnly) {
+  const Scene scene =
+      with({{"T", TriangleObject{{0, 0, 0}, {4, 2, 0}, {0, 9, 9}}}, {"Q", PointObject{{8, 8, 0}}}});
+  const SnappedPlace on = Drag({scene, "Q"}).horizontally(1.03, 0.48);
+  EXPECT_EQ(on.at, ExactVec3(1, q(1, 2), 0));
+  EXPECT_EQ(on.caughtBy, "edge P₀P₁");
+  EXPECT_NE(Drag({scene, "Q"}).horizontally(5.03, 2.52).caughtBy, "edge P₀P₁");
+}
+
+TEST(SnapPosition, ACornerBetweenTheOthers_IsCaughtInLineWithThem) {
+  const Scene scene = with({{"T", TriangleObject{{0, 0, 0}, {4, 2, 0}, {3, 9, 0}}}});
+  const SnappedPlace place = Drag({scene, "T.P2"}).horizontally(6.02, 3.03);
+  EXPECT_EQ(place.at, ExactVec3(6, 3, 0));
+  EXPECT_EQ(place.caughtBy, "in line with P₀ and P₁");
+}
+
+TEST(SnapPosition, WithLongFractionsOnly_IsNotOffered) {
+  const Rational awkward(1, 12345678);
+  const Scene scene = with({{"S", PointObject{{q(1, 2) + awkward, 0, 0}}}, {"Q", PointObject{{0, 0, 0}}}});
+  const SnappedPlace place = Drag({scene, "Q"}).horizontally(0.5, 0);
+  EXPECT_EQ(place.at, ExactVec3(1, 0, 0));
+  EXPECT_EQ(place.caughtBy, "");
+}
+
+TEST(SnapDirection, NearParallelToAPlane_IsExactlyParallel) {
+  // r·n = 0 for n = (1, 2, 2): with r.z = 2 the arrows r.x + 2·r.y = −4.
+  const Scene scene = with({planeE(), rayL()});
+  const SnappedPlace place = Drag({scene, "L.r"}).horizontally(11 - 2 + 0.04, 15 - 1 - 0.03);
+  EXPECT_EQ(place.at - ExactVec3(11, 15, 8), ExactVec3(-2, -1, 2));
+  EXPECT_EQ(place.caughtBy, "parallel to E");
+}
+
+TEST(SnapDirection, FromAStartInThePlane_LiesInIt) {
+  const Scene scene = with({planeE(), {"L", RayObject{{5, 4, 7}, {-1, 3, 2}}}});
+  EXPECT_EQ(Drag({scene, "L.r"}).horizontally(5 - 2, 4 - 1).caughtBy, "in the plane E");
+}
+
+TEST(SnapDirection, AlongAnAxis_IsNamed) {
+  const Scene scene = with({{"L", RayObject{{1, 1, 1}, {2, 3, 0}}}});
+  const SnappedPlace along = Drag({scene, "L.r"}).horizontally(4.4, 1.05);
+  EXPECT_EQ(along.at, ExactVec3(4, 1, 1)) << "it slides on the grid";
+  EXPECT_EQ(along.caughtBy, "axis-parallel");
+  const SnappedPlace beside = Drag({scene, "L.r"}).horizontally(4.4, 1.6);
+  EXPECT_EQ(beside.at, ExactVec3(4, 2, 1));
+  EXPECT_EQ(beside.caughtBy, "");
+}
+
+TEST(SnapDirection, TowardsAVertex_GoesExactlyThroughIt) {
+  const Scene scene =
+      with({{"L", RayObject{{0, 0, 0}, {1, 1, 1}}}, {"T", TriangleObject{{3, 5, 4}, {9, 9, 9}, {0, 9, 0}}}});
+  const SnappedPlace place = Drag({scene, "L.r"}).horizontally(0.77, 1.24);
+  EXPECT_EQ(place.at, ExactVec3(q(3, 4), q(5, 4), 1));
+  EXPECT_EQ(place.caughtBy, "through vertex P₀");
+}
+
+TEST(SnapDirection, TowardsAnEdge_CrossesItBetweenItsEnds) {
+  const Scene scene =
+      with({{"L", RayObject{{0, 0, 0}, {1, 1, 2}}}, {"T", TriangleObject{{4, 0, 4}, {0, 4, 4}, {9, 9, 1}}}});
+  // The edge's plane from the origin is x + y = z.
+  const SnappedPlace place = Drag({scene, "L.r"}).horizontally(0.96, 1.02);
+  EXPECT_EQ(place.at, ExactVec3(1, 1, 2));
+  EXPECT_EQ(place.caughtBy, "through edge P₀P₁");
+  EXPECT_NE(Drag({scene, "L.r"}).horizontally(4.0, -2.02).caughtBy, "through edge P₀P₁");
+}
+
+TEST(SnapDirection, ToNothing_IsNeverASpecialCase) {
+  const Scene scene = with({planeE(), {"L", RayObject{{5, 4, 7}, {2, 3, 0}}}});
+  const SnappedPlace place = Drag({scene, "L.r"}).horizontally(5.01, 4.01);
+  EXPECT_EQ(place.at, ExactVec3(5, 4, 7)) << "the grid place is the zero arrow";
+  EXPECT_EQ(place.caughtBy, "");
+}
+
+TEST(SnapNormal, NearAnAxis_StandsExactlyOnIt) {
+  const Scene scene = with({{"E", PlaneObject{{0, 0, 0}, {1, 1, 2}}}});
+  const SnappedPlace place = Drag({scene, "E.n", q(1, 2)}).horizontally(0.06, -0.04);
+  EXPECT_EQ(place.at, ExactVec3(0, 0, 2));
+  EXPECT_EQ(place.caughtBy, "axis-parallel");
+}
+
+TEST(SnapOffset, NearAPoint_GoesExactlyThroughIt) {
+  const Scene scene = with({planeE(), pointQ()});
+  // Q is 10/3 normals in front of the plane.
+  const Place raw = Place(5, 4, 7) + 3.32 * Place(1, 2, 2);
+  const SnappedPlace place = Drag({scene, "E.offset"}).to(raw, Flat::line({5, 4, 7}, {1, 2, 2}));
+  EXPECT_EQ(place.at, ExactVec3(q(25, 3), q(32, 3), q(41, 3)));
+  EXPECT_EQ(place.caughtBy, "through point Q");
+}
+
+TEST(Snap, WithAViewThatCannotTellDistances_StaysOnTheGrid) {
+  const Scene scene = with({planeE(), pointQ()});
+  const Handle dragged = handle(scene, "Q");
+  const auto blind = [](const Place &, const Place &) { return std::numeric_limits<double>::quiet_NaN(); };
+  const SnappedPlace place =
+      snap({scene, dragged, {3.1, 4.1, 8}, Flat::plane(dragged.at, {0, 0, 1}), 1, blind, 10});
+  EXPECT_EQ(place.at, ExactVec3(3, 4, 8));
+  EXPECT_EQ(place.caughtBy, "");
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,87 @@
+#include "widgets/picture/hand/drag.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr PixelSize size{1280, 800};
+const Place start(11, 15, 8);
+const DragConstraint horizontally = inPlane({0, 0, 1});
+const DragConstraint upAndDown = alongLine({0, 0, 1});
+
+/// Looks along −x, this many radians downward, at the place that is dragged.
+Camera lookingDown(double elevation) {
+  Camera camera;
+  camera.target = start;
+  camera.elevation = elevation;
+  return camera;
+}
+
+glm::dvec2 pixelOf(const Camera &camera, Place place) { return glm::dvec2(*camera.project(place, size)); }
+
+/// Where the pointer must drag `start` to when it goes to the pixel of `end`, grabbed a little off its
+/// middle.
+std::optional<Place> dragTo(const DragConstraint &constraint, const Camera &camera, Place end) {
+  return dragged(constraint, camera, size, start, pixelOf(camera, start), pixelOf(camera, end));
+}
+
+TEST(Drag, InAPlaneReachesThePlaceOfThePlaneUnderThePointer) {
+  const Place end(7, 13, 8);
+  const auto place = dragTo(horizontally, lookingDown(0.6), end);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(glm::distance(*place, end), 0, 1e-9);
+}
+
+TEST(Drag, AlongALineStaysOnItWhereverThePointerGoes) {
+  const Camera camera = lookingDown(0.6);
+  const auto place = dragged(upAndDown, camera, size, start, pixelOf(camera, start), {900, 120});
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->x, start.x, 1e-9);
+  EXPECT_NEAR(place->y, start.y, 1e-9);
+  EXPECT_GT(place->z, start.z + 1);
+}
+
+TEST(Drag, AlongALineReachesThePlaceOfTheLineUnderThePointer) {
+  const Place end = start + Place(1, 2, 2) * 1.5;
+  const auto place = dragTo(alongLine({1, 2, 2}), lookingDown(0.6), end);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(glm::distance(*place, end), 0, 1e-9);
+}
+
+TEST(Drag, GrabbedOffItsMiddleDoesNotJump) {
+  const Camera camera = lookingDown(0.6);
+  const glm::dvec2 grabbed = pixelOf(camera, start) + glm::dvec2(6, -5);
+  const auto place = dragged(horizontally, camera, size, start, grabbed, grabbed);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(glm::distance(*place, start), 0, 1e-12);
+}
+
+TEST(Drag, InAPlaneSeenEdgeOnIsRefused) {
+  EXPECT_FALSE(isGrabbable(horizontally, lookingDown(leastPlaneGrabAngle - 0.01), start));
+  EXPECT_FALSE(dragTo(horizontally, lookingDown(0.1), start + Place(0, 1, 0)));
+  EXPECT_TRUE(isGrabbable(horizontally, lookingDown(leastPlaneGrabAngle + 0.01), start));
+}
+
+TEST(Drag, AlongALineThatPointsAtTheEyeIsRefused) {
+  const double straightDown = std::acos(-1.0) / 2;
+  EXPECT_FALSE(isGrabbable(upAndDown, lookingDown(straightDown - leastGrabAngle + 0.01), start));
+  EXPECT_TRUE(isGrabbable(upAndDown, lookingDown(straightDown - leastGrabAngle - 0.01), start));
+}
+
+TEST(Drag, BeyondTheHorizonGivesNoPlace) {
+  const Camera camera = lookingDown(0.3);
+  const glm::dvec2 sky(640, -900);
+  EXPECT_FALSE(dragged(horizontally, camera, size, start, pixelOf(camera, start), sky));
+}
+
+TEST(Drag, WithoutADirectionIsRefused) {
+  EXPECT_FALSE(isGrabbable(alongLine({0, 0, 0}), lookingDown(0.6), start));
+  EXPECT_FALSE(isGrabbable(inPlane({0, 0, 0}), lookingDown(0.6), start));
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,100 @@
+#include "widgets/picture/labels/label_layout.h"
+
+#include <glm/common.hpp>
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+constexpr PixelSize size{800, 600};
+
+LabelRequest labelAt(const std::string &id, glm::dvec2 pixel, glm::dvec2 extent = {60, 24}) {
+  return {id, extent, {{pixel, {1, -1}, 9}}, false};
+}
+
+bool overlap(const PlacedLabel &a, const PlacedLabel &b) {
+  const glm::dvec2 common =
+      glm::min(a.topLeft + a.extent, b.topLeft + b.extent) - glm::max(a.topLeft, b.topLeft);
+  return common.x > 0 && common.y > 0;
+}
+
+TEST(LabelLayout, AloneALabelStandsOnTheSideThatIsLiked) {
+  const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, {}, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_GE(placed[0].topLeft.x, 400);
+  EXPECT_LE(placed[0].topLeft.y + 24, 300);
+  EXPECT_FALSE(placed[0].needsLeader);
+}
+
+TEST(LabelLayout, LabelsOfNeighbouringPointsDoNotCoverEachOther) {
+  std::vector<LabelRequest> requests;
+  LabelObstacles points;
+  for (int i = 0; i < 5; ++i) {
+    const glm::dvec2 pixel(400 + 12 * i, 300 + 7 * (i % 2));
+    requests.push_back(labelAt("P" + std::to_string(i), pixel));
+    points.discs.push_back({pixel, 9});
+  }
+  const auto placed = LabelLayout().place(requests, points, size, 1);
+  ASSERT_EQ(placed.size(), 5U);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    for (std::size_t j = i + 1; j < placed.size(); ++j)
+      EXPECT_FALSE(overlap(placed[i], placed[j])) << i << " and " << j;
+}
+
+TEST(LabelLayout, AtEveryBorderALabelStaysOnTheScreen) {
+  for (const glm::dvec2 corner :
+       {glm::dvec2(1, 1), glm::dvec2(799, 1), glm::dvec2(1, 599), glm::dvec2(799, 599)}) {
+    const auto placed = LabelLayout().place({labelAt("Q", corner)}, {}, size, 1);
+    ASSERT_EQ(placed.size(), 1U);
+    EXPECT_GE(placed[0].topLeft.x, 0);
+    EXPECT_GE(placed[0].topLeft.y, 0);
+    EXPECT_LE(placed[0].topLeft.x + 60, 800);
+    EXPECT_LE(placed[0].topLeft.y + 24, 600);
+  }
+}
+
+TEST(LabelLayout, OffTheScreenTheNextAnchorIsUsed) {
+  LabelRequest patch = labelAt("E", {-50, 100});
+  EXPECT_TRUE(LabelLayout().place({patch}, {}, size, 1).empty());
+  patch.anchors.push_back({{200, 200}, {1, 0}, 4});
+  const auto placed = LabelLayout().place({patch}, {}, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_EQ(placed[0].anchor, glm::dvec2(200, 200));
+}
+
+TEST(LabelLayout, AlwaysStandsOnWholePixels) {
+  const auto placed = LabelLayout().place({labelAt("Q", {400.37, 300.81})}, {}, size, 1);
+  EXPECT_EQ(placed[0].topLeft, glm::round(placed[0].topLeft));
+}
+
+TEST(LabelLayout, KeepsItsSideWhileAnotherPassesNearby) {
+  LabelLayout layout;
+  const glm::dvec2 before = layout.place({labelAt("Q", {400, 300})}, {}, size, 1)[0].topLeft;
+  // A line now runs a little through the label: that alone is no reason to jump.
+  LabelObstacles line;
+  line.segments.push_back({before + glm::dvec2(0, 20), before + glm::dvec2(12, 24)});
+  EXPECT_EQ(layout.place({labelAt("Q", {400, 300})}, line, size, 1)[0].topLeft, before);
+}
+
+TEST(LabelLayout, LeavesASideThatAnotherLabelTakes) {
+  LabelLayout layout;
+  const auto first = layout.place({labelAt("Q", {400, 300})}, {}, size, 1);
+  LabelRequest pinned{"tick", {60, 24}, {{first[0].topLeft + glm::dvec2(30, 12), {}, 0}}, true};
+  const auto placed = layout.place({pinned, labelAt("Q", {400, 300})}, {}, size, 1);
+  ASSERT_EQ(placed.size(), 2U);
+  EXPECT_EQ(placed[0].topLeft, first[0].topLeft);
+  EXPECT_FALSE(overlap(placed[0], placed[1]));
+}
+
+TEST(LabelLayout, HemmedInALabelMovesAwayAndGetsALeaderLine) {
+  LabelObstacles crowd;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -2; y <= 2; ++y)
+      crowd.discs.push_back({{400 + 22 * x, 300 + 18 * y}, 9});
+  const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, crowd, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_TRUE(placed[0].needsLeader);
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,98 @@
+#include "widgets/picture/labels/label_requests.h"
+
+#include "tests/picture/marks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+View viewAtHeight(double height) {
+  CameraView from;
+  from.height = height;
+  return {Camera(from), {900, 440}, 1};
+}
+
+std::vector<LabelText> axisTexts(const View &view) {
+  return labelTexts({}, axisLabels({}, view.camera, 0, 1), themes().front(), view);
+}
+
+TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers) {
+  const auto countNumbers = [](const std::vector<LabelText> &texts) {
+    return std::count_if(texts.begin(), texts.end(), [](const LabelText &text) { return text.isPinned; });
+  };
+  View view = viewAtHeight(21);
+  const auto large = countNumbers(axisTexts(view));
+  view.size = {90, 44};
+  const auto small = countNumbers(axisTexts(view));
+  EXPECT_EQ(large, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
+  EXPECT_GT(small, 0);
+  EXPECT_LT(small, large);
+}
+
+TEST(LabelRequests, NumberAtAnAxis_IsLeftOutBehindABall) {
+  const View view = viewAtHeight(21);
+  const auto axes = axisLabels({}, view.camera, 0, 1);
+  const auto number =
+      std::find_if(axes.begin(), axes.end(), [](const AxisLabel &label) { return !label.isName; });
+  ASSERT_NE(number, axes.end());
+  SceneContent content;
+  content.figure.marks.push_back(pointAt(number->at));
+  EXPECT_EQ(labelTexts(content, axes, themes().front(), view).size(), axes.size() - 1);
+}
+
+TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem) {
+  SceneContent content;
+  for (int i = 0; i < 1000; ++i) {
+    PointMark point = named(pointAt({i % 30 - 15.0, i / 30 - 15.0, 0}), "P" + std::to_string(i));
+    point.label = "P";
+    content.figure.marks.push_back(point);
+  }
+  content.highlighted = {"P999"};
+  const auto texts = labelTexts(content, {}, themes().front(), viewAtHeight(60));
+  EXPECT_EQ(texts.size(), mostMarkLabels);
+  EXPECT_TRUE(
+      std::any_of(texts.begin(), texts.end(), [](const LabelText &text) { return text.id == "P999"; }));
+}
+
+TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
+  const auto clearanceOf = [](Subject subject) {
+    PointMark point = named(pointAt({1, 2, 3}), "Q", subject);
+    point.label = "Q";
+    SceneContent content;
+    content.figure.marks.push_back(point);
+    return labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().anchors.front().clearance;
+  };
+  EXPECT_GT(clearanceOf(Subject::Point), clearanceOf(Subject::Plane));
+}
+
+TEST(LabelRequests, NamesOfTheAxes_GiveWay) {
+  const auto texts = axisTexts(viewAtHeight(21));
+  for (const char *name : {"x", "y", "z"}) {
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const LabelText &text) { return text.latex == name; });
+    ASSERT_NE(found, texts.end());
+    EXPECT_FALSE(found->isPinned);
+    EXPECT_FALSE(found->anchors.empty());
+  }
+}
+
+TEST(LabelRequests, LabelOfAnArc_StandsBesideTheArc) {
+  ArcMark arc;
+  arc.id = "theta";
+  arc.label = "\\theta";
+  arc.center = {6, 8, 4};
+  arc.from = {1, 0, 0};
+  arc.to = {0, 1, 1};
+  SceneContent content;
+  content.figure.marks.push_back(arc);
+  const View view = viewAtHeight(21);
+  const auto texts = labelTexts(content, {}, themes().front(), view);
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_EQ(texts.front().anchors.size(), 3U);
+}
+
+} // namespace
+} // namespace halfspace

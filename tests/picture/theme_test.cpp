@@ -1,0 +1,53 @@
+#include "widgets/picture/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+double luminance(Color color) {
+  const auto channel = [](std::uint8_t value) {
+    const double c = value / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * channel(color.red) + 0.7152 * channel(color.green) + 0.0722 * channel(color.blue);
+}
+
+/// The contrast ratio of the Web Content Accessibility Guidelines.
+double contrast(Color a, Color b) {
+  const double brighter = std::max(luminance(a), luminance(b));
+  const double darker = std::min(luminance(a), luminance(b));
+  return (brighter + 0.05) / (darker + 0.05);
+}
+
+TEST(Theme, EveryInkReadsOnItsHaloAndOnThePanel) {
+  for (const Theme &theme : themes()) {
+    std::vector<Color> inks(theme.inks.begin(), theme.inks.end());
+    inks.insert(inks.end(), {theme.ink, theme.mutedInk, theme.accent, theme.warning});
+    for (std::size_t i = 0; i < inks.size(); ++i)
+      for (const Color ground : {theme.halo, theme.panel, theme.backgroundTop})
+        EXPECT_GE(contrast(inks[i], ground), 4.5) << theme.name << ", ink " << i;
+  }
+}
+
+TEST(Theme, IsFoundByItsName) {
+  for (const char *name : {"light", "dark", "print", "projector"}) {
+    ASSERT_NE(findTheme(name), nullptr);
+    EXPECT_EQ(findTheme(name)->name, name);
+  }
+  EXPECT_EQ(findTheme("sepia"), nullptr);
+}
+
+TEST(Theme, MixGoesFromOneColourToTheOther) {
+  const Color black{0, 0, 0};
+  const Color orange{200, 100, 0};
+  EXPECT_EQ(mix(black, orange, 0), black);
+  EXPECT_EQ(mix(black, orange, 1), orange);
+  EXPECT_EQ(mix(black, orange, 0.5), (Color{100, 50, 0}));
+  EXPECT_EQ(mix(black, orange, 7), orange);
+}
+
+} // namespace
+} // namespace halfspace

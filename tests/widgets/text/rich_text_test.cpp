@@ -1,0 +1,235 @@
+// Markdown with formulas as documents.
+#include "widgets/text/rich_label.h"
+
+#include <QHelpEvent>
+#include <QImage>
+#include <QPainter>
+#include <QTextBlock>
+#include <QToolTip>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+QString plain(const QString &markdown, const Typesetter &typesetter) {
+  return RichText(markdown, typesetter, {QFont(), Qt::black}).plain();
+}
+
+QImage painted(const RichText &text) {
+  QImage image(300, 200, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  text.document().drawContents(&painter);
+  return image;
+}
+
+} // namespace
+
+class RichTextTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void formulasAreTakenOutAndMarkdownKeptFromThem() {
+    const MarkdownWithMath text = separateMath("Let $P_0$ and $Q_0$ be *points*.");
+    QCOMPARE(text.formulas, (QStringList{"\\textstyle P_0", "\\textstyle Q_0"}));
+    QVERIFY(!text.markdown.contains('_'));
+    QVERIFY(text.markdown.contains("*points*"));
+  }
+
+  void formulaAloneInItsParagraphIsLarge() {
+    QCOMPARE(separateMath("Words\n\n$\\frac{1}{2}$\n\nmore").formulas, QStringList{"\\frac{1}{2}"});
+    QCOMPARE(separateMath("so $$\\frac{1}{2}$$ it is").formulas, QStringList{"\\frac{1}{2}"});
+  }
+
+  void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
+    QCOMPARE(
+        separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
+        (QStringList{"\\textstyle t = 3\\mathclose{\\text{,}}",
+                     "\\textstyle u  \\approx 2\\mathclose{\\text{;}}", "\\textstyle v", "\\textstyle w"}));
+    const Typesetter typesetter;
+    QCOMPARE(plain("now $t$ = $3$, so", typesetter), QString("now t = 3, so"));
+    const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
+    rich.document().setTextWidth(QFontMetricsF(QFont()).horizontalAdvance("word |n| = (2√43)"));
+    rich.document().size(); // lays it out
+    const QTextLine first = rich.document().begin().layout()->lineAt(0);
+    QCOMPARE(rich.document().begin().text().left(first.textLength()), QString("word "));
+  }
+
+  void dollarsThatAreNoFormulaStay_data() {
+    QTest::addColumn<QString>("markdown");
+    QTest::newRow("escaped") << "It costs 5\\$ or 6\\$.";
+    QTest::newRow("code") << "Write `$x$` here.";
+    QTest::newRow("alone") << "It costs 5$ only.";
+    QTest::newRow("other paragraph") << "5$ one\n\nand two 6$";
+    QTest::newRow("empty") << "a $$ b";
+  }
+  void dollarsThatAreNoFormulaStay() {
+    QFETCH(QString, markdown);
+    const MarkdownWithMath text = separateMath(markdown);
+    QVERIFY(text.formulas.isEmpty());
+    QCOMPARE(text.markdown, markdown);
+  }
+
+  void everyFormulaStandsInTheDocument() {
+    const Typesetter typesetter;
+    const RichText rich("The normal $\\vec n$ in **bold $x$** and\n\n- $\\frac{1}{2}$ in a list", typesetter,
+                        {QFont(), Qt::black});
+    QCOMPARE(rich.document().toPlainText().count(QChar::ObjectReplacementCharacter), 3);
+    QVERIFY(rich.plain().contains("in a list"));
+  }
+
+  void lineGrowsForATallFormula() {
+    const Typesetter typesetter;
+    const auto heightOf = [&](const QString &markdown) {
+      return RichText(markdown, typesetter, {QFont(), Qt::black}).document().size().height();
+    };
+    QVERIFY(heightOf("a $\\displaystyle\\frac{\\frac12}{\\frac12}$ b") > 1.3 * heightOf("a $x$ b"));
+  }
+
+  void formulaStandsOnTheTextsBaseline_data() {
+    QTest::addColumn<QString>("latex");
+    QTest::newRow("flat") << "\\rule{1em}{1em}";
+    QTest::newRow("deep") << "\\rule{1em}{1em}\\frac{x}{\\rule{1em}{2em}}";
+    QTest::newRow("high and deep") << "\\rule{1em}{1em}\\frac{\\rule{1em}{2em}}{\\rule{1em}{2em}}";
+  }
+  void formulaStandsOnTheTextsBaseline() {
+    QFETCH(QString, latex);
+    const Typesetter typesetter;
+    QFont font;
+    font.setPixelSize(40);
+    const RichText rich("H $" + latex + "$", typesetter, {font, Qt::black});
+    QImage image(400, 400, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    rich.document().drawContents(&painter);
+    painter.end();
+    const auto lowestInk = [&](int column) {
+      int row = image.height() - 1;
+      while (row > 0 && qGray(image.pixel(column, row)) > 127)
+        --row;
+      return row;
+    };
+    int stem = 0;
+    while (lowestInk(stem) == 0)
+      ++stem;
+    const int rule = QFontMetrics(font).horizontalAdvance("H ") + 10;
+    QVERIFY2(std::abs(lowestInk(stem + 1) - lowestInk(rule)) <= 1,
+             qPrintable(QString("%1 %2").arg(lowestInk(stem + 1)).arg(lowestInk(rule))));
+  }
+
+  void htmlStandsAsWrittenAndImagesAreNotLoaded() {
+    const Typesetter typesetter;
+    const RichText rich("<b>no</b> ![a picture](file:///etc/hostname) and [a link](https://example.org)",
+                        typesetter, {QFont(), Qt::black});
+    QVERIFY(rich.plain().contains("<b>no</b>"));
+    QVERIFY(rich.plain().contains("a link"));
+    QVERIFY(!rich.document().toPlainText().contains(QChar::ObjectReplacementCharacter));
+    for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next())
+      for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
+        QVERIFY(!fragment.fragment().charFormat().isImageFormat());
+        QVERIFY(!fragment.fragment().charFormat().isAnchor());
+      }
+  }
+
+  void plainTextReadsTheFormulas() {
+    QCOMPARE(plain("Is $P_0$ **here**?", Typesetter()), QString("Is P₀ here?"));
+  }
+
+  void macrosAreKnownToTheEyeAndToTheEar() {
+    const Typesetter typesetter = Typesetter().with({{"len", {1, "\\lvert #1\\rvert"}}});
+    const RichText rich("So $\\len n$ is", typesetter, {QFont(), Qt::black});
+    const RichText same("So $\\lvert n\\rvert$ is", typesetter, {QFont(), Qt::black});
+    QCOMPARE(painted(rich), painted(same));
+    QCOMPARE(rich.plain(), QString("So |n| is"));
+  }
+
+  void formulaThatCannotBeReadStandsOutAndSaysWhyToEyeAndEar() {
+    const Typesetter typesetter;
+    RichText rich("Words, $x$ and $\\foo$.", typesetter, {QFont(), Qt::black, Qt::red});
+    rich.document().setTextWidth(300);
+    const QString why("Column 1: `\\foo` is unknown.");
+    QCOMPARE(rich.plain(), QString("Words, x and foo. (a formula that cannot be read: " + why + ")"));
+    const QImage image = painted(rich);
+    int told = 0;
+    for (int x = 0; x < image.width(); ++x)
+      for (int y = 0; y < image.height(); ++y) {
+        const QString problem = rich.problemAt(QPointF(x, y));
+        QVERIFY(problem.isEmpty() || problem == why);
+        told += problem.isEmpty() ? 0 : 1;
+        const QColor color = image.pixelColor(x, y);
+        if (color.red() - color.green() > 100)
+          QVERIFY2(!problem.isEmpty(), qPrintable(QString("red at %1, %2").arg(x).arg(y)));
+        if (color.red() < 100 && color.green() < 100)
+          QVERIFY2(problem.isEmpty(), qPrintable(QString("black at %1, %2").arg(x).arg(y)));
+      }
+    QVERIFY(told > 50);
+    rich.setMarkdown("Words, $x$ and $y$.");
+    QCOMPARE(rich.plain(), QString("Words, x and y."));
+    QVERIFY(rich.problemAt(QPointF(120, 10)).isEmpty());
+  }
+
+  void sourcesAreKeptAsTheyWereWritten() {
+    const auto sources = separateMath("now $ t$ = $\\frac{1}$, $$b$$").sources;
+    QCOMPARE(sources.size(), 3);
+    QCOMPARE(sources[0].place, 6);
+    QCOMPARE(sources[0].latex, QString("t"));
+    QCOMPARE(sources[1].place, 12);
+    QCOMPARE(sources[1].latex, QString("\\frac{1}"));
+    QCOMPARE(sources[2].latex, QString("b"));
+  }
+
+  void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {
+    const Typesetter typesetter;
+    const QString words("Now $t$ is $%1$, and **so** on:\n\n- one\n- $s = %2$");
+    RichText changed(words.arg("3", "1"), typesetter, {QFont(), Qt::black});
+    for (const char *value : {"\\frac{10}{3}", "4", "\\sqrt{\\frac{1}{\\frac{2}{3}}}"}) {
+      const QString markdown = words.arg("-2", value);
+      changed.setMarkdown(markdown);
+      const RichText fresh(markdown, typesetter, {QFont(), Qt::black});
+      QCOMPARE(changed.plain(), fresh.plain());
+      QCOMPARE(changed.document().size(), fresh.document().size());
+      QCOMPARE(painted(changed), painted(fresh));
+    }
+    changed.setMarkdown("Other words");
+    QCOMPARE(changed.plain(), QString("Other words"));
+  }
+
+  void labelShowsWhyAFormulaCannotBeReadAsAToolTip() {
+    const Typesetter typesetter;
+    RichLabel label(typesetter);
+    label.setMarkdown("$\\foo$ and more");
+    label.resize(300, 100);
+    label.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&label));
+    const auto rest = [&](const QPoint &place) {
+      QHelpEvent help(QEvent::ToolTip, place, label.mapToGlobal(place));
+      QCoreApplication::sendEvent(&label, &help);
+    };
+    rest({10, 8});
+    QVERIFY2(QToolTip::text().contains("is unknown"), qPrintable(QToolTip::text()));
+    rest({200, 80});
+    QTRY_VERIFY(!QToolTip::isVisible());
+    QVERIFY(label.accessibleName().contains("is unknown"));
+  }
+
+  void labelIsTallerInANarrowerPlace() {
+    const Typesetter typesetter;
+    RichLabel label(typesetter);
+    label.setMarkdown("Some words with $\\vec n$ that need more than one line in a narrow place.");
+    QVERIFY(label.heightForWidth(120) > label.heightForWidth(600));
+    QVERIFY(label.accessibleName().startsWith("Some words"));
+  }
+
+  void labelIsAsTallAsItsNewFormulaAtOnce() {
+    const Typesetter typesetter;
+    RichLabel label(typesetter);
+    label.setMarkdown("$x$");
+    const int flat = label.heightForWidth(200);
+    label.setMarkdown("$$\\frac{1}{\\frac{2}{3}}$$");
+    QVERIFY(label.heightForWidth(200) > flat);
+  }
+};
+
+QTEST_MAIN(RichTextTest)
+#include "rich_text_test.moc"

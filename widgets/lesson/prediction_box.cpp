@@ -1,0 +1,122 @@
+#include "widgets/lesson/prediction_box.h"
+
+#include "widgets/colors.h"
+
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace halfspace {
+
+namespace {
+
+/// Around the words at a text scale of 1, with room for the verdict.
+constexpr QMargins choiceMargins(34, 7, 12, 7);
+constexpr double markRadius = 7;
+constexpr double cornerRadius = 6;
+
+} // namespace
+
+ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent)
+    : QAbstractButton(parent), m_label(new RichLabel(typesetter)), m_theme(themes().front()) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(choiceMargins);
+  layout->addWidget(m_label);
+  m_label->setMarkdown(words);
+  m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAccessibleName(m_label->accessibleName());
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_Hover);
+  setCursor(Qt::PointingHandCursor);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void ChoiceButton::setVerdict(Verdict verdict) {
+  m_verdict = verdict;
+  setAccessibleDescription(verdict == Verdict::Right   ? tr("Right")
+                           : verdict == Verdict::Wrong ? tr("Wrong")
+                                                       : QString());
+  update();
+}
+
+void ChoiceButton::setTheme(const Theme &theme) {
+  m_theme = theme;
+  layout()->setContentsMargins(choiceMargins * theme.textScale);
+  m_label->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  update();
+}
+
+bool ChoiceButton::event(QEvent *event) {
+  if (event->type() != QEvent::ToolTip)
+    return QAbstractButton::event(event);
+  const auto *help = static_cast<QHelpEvent *>(event); // the label gets none: the pointer is on the button
+  QHelpEvent forLabel(QEvent::ToolTip, m_label->mapFromParent(help->pos()), help->globalPos());
+  return QCoreApplication::sendEvent(m_label, &forLabel);
+}
+
+void ChoiceButton::paintEvent(QPaintEvent *) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Color edge = m_verdict == Verdict::Right   ? m_theme.inkOf(Subject::Triangle)
+                     : m_verdict == Verdict::Wrong ? m_theme.warning
+                     : hasFocus() || isDown() || (isEnabled() && underMouse()) ? m_theme.accent
+                                                                               : m_theme.border;
+  const double tint = m_verdict != Verdict::Open    ? 0.10
+                      : isDown()                    ? 0.14
+                      : isEnabled() && underMouse() ? 0.07
+                                                    : 0;
+  painter.setPen(QPen(toQColor(edge), hasFocus() ? 2 : 1.2));
+  painter.setBrush(toQColor(mix(m_theme.panel, edge, tint)));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), cornerRadius, cornerRadius);
+  paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, height() / 2.0},
+               markRadius * m_theme.textScale, m_verdict, m_theme);
+}
+
+PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
+    : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
+      m_reason(new RichLabel(typesetter)) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(7);
+  m_question->setMarkdown(QString::fromStdString(prediction.question));
+  layout->addWidget(m_question);
+  for (const Prediction::Choice &choice : prediction.choices) {
+    auto *button = new ChoiceButton(typesetter, QString::fromStdString(choice.text));
+    connect(button, &QAbstractButton::clicked, this,
+            [this, word = QString::fromStdString(choice.word)] { emit chosen(word); });
+    m_buttons << button;
+    layout->addWidget(button);
+  }
+  layout->addWidget(m_reason);
+  m_reason->hide();
+}
+
+void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const std::string &right) {
+  for (int i = 0; i < m_buttons.size(); ++i) {
+    const std::string &word = m_prediction.choices[static_cast<std::size_t>(i)].word;
+    m_buttons[i]->setEnabled(!chosen);
+    m_buttons[i]->setVerdict(!chosen || right.empty() ? Verdict::Open
+                             : word == right          ? Verdict::Right
+                             : word == *chosen        ? Verdict::Wrong
+                                                      : Verdict::Open);
+  }
+  m_reason->setVisible(chosen.has_value());
+  if (!chosen)
+    return;
+  const QString verdict = right.empty()      ? QString()
+                          : *chosen == right ? tr("**Right.** ")
+                                             : tr("**Not quite.** ");
+  m_reason->setMarkdown(verdict + QString::fromStdString(m_prediction.reason));
+}
+
+void PredictionBox::setTheme(const Theme &theme) {
+  m_question->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  m_reason->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  for (ChoiceButton *button : m_buttons)
+    button->setTheme(theme);
+}
+
+} // namespace halfspace

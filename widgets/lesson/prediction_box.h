@@ -1,0 +1,55 @@
+// A question that is answered before the numbers are shown.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+#include "widgets/lesson/task_row.h"
+
+#include <QAbstractButton>
+
+namespace halfspace {
+
+/// One answer: a button with words, and its verdict once there is one.
+class ChoiceButton : public QAbstractButton {
+  Q_OBJECT
+public:
+  ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent = nullptr);
+
+  void setVerdict(Verdict verdict);
+  [[nodiscard]] Verdict verdict() const { return m_verdict; }
+  void setTheme(const Theme &theme);
+
+protected:
+  bool event(QEvent *event) override;
+  void paintEvent(QPaintEvent *event) override;
+
+private:
+  RichLabel *m_label;
+  Verdict m_verdict = Verdict::Open;
+  Theme m_theme;
+};
+
+/// The question and its choices; after the answer the right one, the verdict and the reason.
+class PredictionBox : public QWidget {
+  Q_OBJECT
+public:
+  PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent = nullptr);
+
+  /// The words of the chosen and of the right choice; nothing chosen: the question is open. `right` may be
+  /// empty when no choice is right.
+  void setAnswer(const std::optional<std::string> &chosen, const std::string &right);
+  void setTheme(const Theme &theme);
+  [[nodiscard]] QList<ChoiceButton *> choices() const { return m_buttons; }
+  /// Why an answer is right or not; hidden while the question is open.
+  [[nodiscard]] RichLabel *reason() const { return m_reason; }
+
+signals:
+  void chosen(const QString &word);
+
+private:
+  Prediction m_prediction;
+  RichLabel *m_question;
+  QList<ChoiceButton *> m_buttons;
+  RichLabel *m_reason;
+};
+
+} // namespace halfspace

@@ -1,0 +1,263 @@
+#include "widgets/numbers/inspector.h"
+
+#include "lessons/object/object_marks.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/written.h"
+#include "widgets/mark_ink.h"
+#include "widgets/numbers/named_value_row.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/picture/term_formula.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace halfspace {
+namespace {
+
+/// `E.P0` as a learner reads it.
+math::Row coordinateFormula(const std::string &name) {
+  const auto dot = name.find('.');
+  if (dot == std::string::npos)
+    return formulaOf(symbolOf(name));
+  return math::row(formulaOf(symbolOf(name.substr(0, dot))), math::symbol(':', math::AtomClass::Punct),
+                   formulaOf(symbolOf(name.substr(dot + 1))));
+}
+
+/// The values a learner sees, groups opened.
+std::vector<const NamedValue *> shownValues(const std::vector<NamedValue> &values) {
+  std::vector<const NamedValue *> shown;
+  for (const NamedValue &value : values) {
+    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value)) {
+      const auto inner = shownValues(*group);
+      shown.insert(shown.end(), inner.begin(), inner.end());
+    } else if (!std::holds_alternative<std::monostate>(value.label)) {
+      shown.push_back(&value);
+    }
+  }
+  return shown;
+}
+
+void showName(MathLabel &label, const NamedValue &value) {
+  if (const auto *term = std::get_if<Term>(&value.label))
+    return label.setFormula(formulaOf(*term), QString::fromStdString(plainText(*term)));
+  const auto &words = std::get<std::string>(value.label);
+  label.setFormula({math::words(words)}, QString::fromStdString(words));
+}
+
+/// A single number's decimal, where it is written otherwise.
+std::optional<WrittenNumber> otherDecimal(const Value &value) {
+  const auto *number = std::get_if<Surd>(&value);
+  if (!number)
+    return {};
+  const WrittenNumber shown = written(*number);
+  const WrittenNumber decimal = decimalOf(*number);
+  return shown.exact && !readAlike(shown.term, decimal.term) ? std::optional(decimal) : std::nullopt;
+}
+
+/// = 10, ≈ 3.16228, = 1/3 ≈ 0.333333; a word as it is. In one formula, so that the exact form and its decimal
+/// are always of the same number.
+void showValue(MathLabel &label, const Value &value) {
+  const auto term = termOf(value);
+  if (!term) {
+    const auto *word = std::get_if<std::string>(&value);
+    const std::string text = word ? *word : "";
+    return label.setFormula({math::words(text)}, QString::fromStdString(text));
+  }
+  math::Row formula = relatedFormula(*term);
+  std::string text = relatedText(*term);
+  if (const auto decimal = otherDecimal(value)) {
+    const char32_t relation = decimal->exact ? U'=' : U'≈';
+    formula =
+        math::row(std::move(formula), math::symbol(relation, math::AtomClass::Rel), formulaOf(decimal->term));
+    text += (decimal->exact ? " = " : " ≈ ") + plainText(decimal->term);
+  }
+  label.setFormula(formula, QString::fromStdString(text).trimmed());
+}
+
+/// More rows than this nobody looks through, and each costs time and memory.
+constexpr std::size_t mostGivenRows = 60;
+
+QLabel *heading(const QString &text) {
+  auto *label = new QLabel(text);
+  label->setObjectName("heading");
+  label->setWordWrap(true);
+  return label;
+}
+
+} // namespace
+
+Inspector::Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
+    : QScrollArea(parent), m_model(model), m_editor(model), m_typesetter(typesetter),
+      m_theme(themes().front()) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+}
+
+Inspector::~Inspector() {
+  // A field with a text that is no number complains when it loses the focus, as it does while it is deleted.
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      field->disconnect(this);
+}
+
+NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
+  for (const GivenRow &row : m_given)
+    if (row.name == coordinateName)
+      return row.fields[axis];
+  return nullptr;
+}
+
+QString Inspector::enterTyped() {
+  QString refused;
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      if (const QString why = field->enter(); refused.isEmpty())
+        refused = why;
+  return refused;
+}
+
+void Inspector::dropTyped() {
+  for (const GivenRow &row : m_given)
+    for (NumberField *field : row.fields)
+      field->drop();
+}
+
+void Inspector::buildGivenRows() {
+  m_given.clear();
+  m_givenLabels.clear();
+  m_results.clear();
+  auto *content = new QWidget;
+  m_layout = new QVBoxLayout(content);
+  m_layout->setContentsMargins(14, 4, 14, 10);
+  m_layout->setSpacing(4);
+  auto *given = new QGridLayout;
+  given->setHorizontalSpacing(6);
+  given->setVerticalSpacing(4);
+  given->setColumnMinimumWidth(0, 34);
+  for (int column = 1; column <= 3; ++column)
+    given->setColumnStretch(column, 1);
+  const auto ids = coordinatesOf(m_model.session().scene);
+  for (std::size_t i = 0; i < std::min(ids.size(), mostGivenRows); ++i)
+    addGivenRow(*given, ids[i]);
+  m_complaint = new QLabel;
+  m_complaint->setObjectName("complaint");
+  m_complaint->setWordWrap(true);
+  m_complaint->setTextFormat(Qt::PlainText);
+  m_complaint->hide();
+  m_resultsBox = new QWidget;
+
+  m_layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
+  m_layout->addLayout(given);
+  if (ids.size() > mostGivenRows)
+    m_layout->addWidget(heading(tr("… and %n more, to be dragged or stepped in the scene.", nullptr,
+                                   static_cast<int>(ids.size() - mostGivenRows))));
+  m_layout->addWidget(m_complaint);
+  m_layout->addSpacing(6);
+  m_layout->addWidget(heading(tr("Results")));
+  m_layout->addWidget(m_resultsBox);
+  m_layout->addStretch(1);
+  setWidget(content);
+}
+
+void Inspector::buildResultRows() {
+  m_results.clear();
+  m_resultLabels.clear();
+  auto *box = new QWidget;
+  auto *column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  for (const NamedValue *value : shownValues(m_model.outcome().values))
+    addResultRow(*column, *value);
+  delete m_layout->replaceWidget(m_resultsBox, box);
+  m_resultsBox->deleteLater();
+  m_resultsBox = box;
+}
+
+void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
+  static const char *const axes[3] = {"x", "y", "z"};
+  const int row = grid.rowCount();
+  GivenRow given;
+  given.id = id;
+  given.name = fullName(m_model.session().scene, id);
+  auto *label = new MathLabel(m_typesetter);
+  const std::string name = shortName(m_model.session().scene, id);
+  label->setFormula(coordinateFormula(name), QString::fromStdString(name));
+  m_givenLabels.push_back(label);
+  grid.addWidget(label, row, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    auto *field = new NumberField;
+    field->setAccessibleName(QString::fromStdString(given.name) + " " + axes[axis]);
+    connectField(*field, {id, axis});
+    grid.addWidget(field, row, axis + 1);
+    given.fields[axis] = field;
+  }
+  m_given.push_back(given);
+}
+
+void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
+  auto *row = new NamedValueRow(m_typesetter);
+  showName(row->name(), value);
+  column.addWidget(row);
+  m_resultLabels.push_back(&row->name());
+  m_results.push_back({value.name, &row->value()});
+}
+
+void Inspector::connectField(NumberField &field, const CoordinateNumber &number) {
+  connect(&field, &NumberField::valueTyped, this,
+          [=, this](const Rational &value) { m_editor.change(number, value); });
+  connect(&field, &NumberField::stepped, this, [=, this](int steps) { m_editor.step(number, steps); });
+  connect(&field, &NumberField::refused, this, [this](const QString &sentence) {
+    m_complaint->setText(sentence);
+    m_complaint->setVisible(!sentence.isEmpty());
+  });
+  connect(&field, &NumberField::scrubStarted, this, [=, this] { m_editor.beginScrub(number); });
+  connect(&field, &NumberField::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(&field, &NumberField::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+}
+
+void Inspector::showSession() {
+  const Scene &scene = m_model.session().scene;
+  auto ids = coordinatesOf(scene);
+  ids.resize(std::min(ids.size(), mostGivenRows));
+  const auto values = shownValues(m_model.outcome().values);
+  // The given rows stay while results come and go: a field may be in use.
+  const bool sameGiven =
+      widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
+                             [](const CoordinateId &id, const GivenRow &row) { return id == row.id; });
+  if (!sameGiven)
+    buildGivenRows();
+  const bool sameResults =
+      sameGiven &&
+      std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
+                 [](const NamedValue *value, const ResultRow &row) { return value->name == row.name; });
+  if (!sameResults) {
+    buildResultRows();
+    applyInk();
+  }
+  for (const GivenRow &row : m_given) {
+    const Object *object = findObject(scene, row.id.object);
+    const ExactVec3 &value = coordinate(*object, row.id.index);
+    for (int axis = 0; axis < 3; ++axis)
+      row.fields[axis]->setValue(value[axis]);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    showValue(*m_results[i].value, values[i]->value);
+  m_resultsBox->setVisible(!m_resultsHidden);
+}
+
+void Inspector::setResultsHidden(bool hidden) { m_resultsHidden = hidden; }
+
+void Inspector::setTheme(const Theme &theme) {
+  m_theme = theme;
+  applyInk();
+}
+
+void Inspector::applyInk() {
+  const auto inkOf = markInk(m_model, m_theme);
+  for (const auto *labels : {&m_givenLabels, &m_resultLabels})
+    for (MathLabel *label : *labels)
+      label->setInkOf(inkOf);
+}
+
+} // namespace halfspace

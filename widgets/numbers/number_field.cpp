@@ -1,0 +1,249 @@
+#include "widgets/numbers/number_field.h"
+
+#include "lessons/reading/typed_number.h"
+#include "lessons/scene/scene_reader.h"
+#include "lessons/scene/session.h"
+#include "widgets/repolish.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionFrame>
+
+namespace halfspace {
+namespace {
+
+constexpr int manySteps = 10;
+
+/// Decimals that end within so many places are shown as decimals.
+constexpr int shownPlaces = 4;
+/// A number too long for its field is rounded to at most so many digits.
+constexpr int mostShownDigits = 12;
+
+/// What Qt keeps free beside the text of a line edit, in pixels.
+constexpr int textMargin = 2;
+
+QChar decimalPoint(const QLocale &locale) { return QString(locale.decimalPoint()).at(0); }
+
+/// The number rounded to so many digits: 1.2346, or 1.23·10⁻⁷ where it is very large or very small.
+QString roundedTo(int digits, const Rational &value, const QLocale &locale) {
+  static const QString superscripts = QString::fromUtf8("⁰¹²³⁴⁵⁶⁷⁸⁹");
+  const QString text = locale.toString(toDouble(value), 'g', digits);
+  const int mark = text.indexOf(locale.exponential(), 0, Qt::CaseInsensitive);
+  if (mark < 0)
+    return text;
+  const int exponent = text.mid(mark + 1).toInt();
+  QString power;
+  for (const QChar digit : QString::number(std::abs(exponent)))
+    power += superscripts.at(digit.digitValue());
+  return text.left(mark) + QString::fromUtf8(exponent < 0 ? "·10⁻" : "·10") + power;
+}
+
+/// Whether so many digits tell all of a number.
+bool isDecimalOf(int digits, const Rational &value) {
+  const QString rounded = QString::number(toDouble(value), 'g', digits);
+  return parseRational(rounded.toStdString()) == value;
+}
+
+/// What was typed, in the one spelling that files have too.
+std::string fileSpelling(const QString &text, const QLocale &locale) {
+  return plainSpelling(text.toStdString(), decimalPoint(locale).toLatin1());
+}
+
+} // namespace
+
+std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
+  return parseRational(fileSpelling(text, locale));
+}
+
+QString typedText(const Rational &value, const QLocale &locale) {
+  const Integer scale = mp::pow(Integer(10), shownPlaces);
+  const Rational scaled = value * Rational(scale);
+  if (value.denominator() == 1 || scaled.denominator() != 1)
+    return QString::fromStdString(toText(value));
+  QString digits = QString::fromStdString(Integer(mp::abs(scaled.numerator())).str());
+  digits = digits.rightJustified(shownPlaces + 1, '0');
+  digits.insert(digits.size() - shownPlaces, decimalPoint(locale));
+  while (digits.endsWith('0'))
+    digits.chop(1);
+  return (value < 0 ? "-" : "") + digits;
+}
+
+NumberField::NumberField(QWidget *parent) : QLineEdit(parent), m_scrub(*this) {
+  setAlignment(Qt::AlignRight);
+  setCursor(Qt::SizeHorCursor);
+  // A press may be the start of a scrub: the field takes the focus only when it was a click.
+  setFocusPolicy(Qt::TabFocus);
+  connect(this, &QLineEdit::returnPressed, this, &NumberField::enter);
+  connect(&m_scrub, &Scrub::started, this, &NumberField::scrubStarted);
+  connect(&m_scrub, &Scrub::moved, this, &NumberField::scrubbed);
+  connect(&m_scrub, &Scrub::ended, this, &NumberField::scrubEnded);
+  showValue();
+}
+
+QSize NumberField::minimumSizeHint() const {
+  const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.00")) + fontMetrics().height();
+  return {width, QLineEdit::minimumSizeHint().height()};
+}
+
+void NumberField::setValue(const Rational &value) {
+  const bool same = value == m_value;
+  m_value = value;
+  // What is being typed, or waits to be mended, is left alone.
+  if (!same || (!hasFocus() && !property("wrong").toBool()))
+    showValue();
+}
+
+void NumberField::showValue() {
+  mark(false);
+  const QString text = typedText(m_value, locale());
+  if (text == this->text())
+    return;
+  setText(text);
+  setCursorPosition(0);
+  setToolTip(text);
+}
+
+void NumberField::mark(bool wrong) {
+  if (property("wrong").toBool() == wrong)
+    return;
+  setProperty("wrong", wrong);
+  if (!wrong)
+    emit refused({});
+  repolish(*this);
+}
+
+QString NumberField::enter() {
+  m_scrub.end(true);
+  if (text() == typedText(m_value, locale())) {
+    showValue();
+    return {};
+  }
+  const auto value = parseTyped(text(), locale());
+  if (!value)
+    return refuse(QString::fromStdString(sentenceForNotRead(fileSpelling(text(), locale()))));
+  if (const auto why = refuseCoordinate(*value))
+    return refuse(QString::fromStdString(*why));
+  m_value = *value;
+  showValue();
+  emit valueTyped(*value);
+  return {};
+}
+
+QString NumberField::refuse(const QString &sentence) {
+  mark(true);
+  emit refused(sentence);
+  return sentence;
+}
+
+void NumberField::focusOutEvent(QFocusEvent *event) {
+  enter();
+  QLineEdit::focusOutEvent(event);
+}
+
+bool NumberField::event(QEvent *event) {
+  // With nothing half typed in the field, undo and redo are the window's; so is the key for a picture, which
+  // Qt takes for the end of the line.
+  if (event->type() == QEvent::ShortcutOverride && text() == typedText(m_value, locale())) {
+    const auto *key = static_cast<QKeyEvent *>(event);
+    const bool isPictureKey = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isPictureKey) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent *event) {
+  const int times = event->modifiers() & Qt::ControlModifier ? manySteps : 1;
+  switch (event->key()) {
+  case Qt::Key_Up:
+    emit stepped(times);
+    return;
+  case Qt::Key_Down:
+    emit stepped(-times);
+    return;
+  case Qt::Key_Escape:
+    if (m_scrub.isScrubbing()) {
+      m_scrub.end(false);
+    } else {
+      showValue();
+      emit dropped();
+    }
+    return;
+  default:
+    QLineEdit::keyPressEvent(event);
+  }
+}
+
+QRect NumberField::room() const {
+  QStyleOptionFrame frame;
+  initStyleOption(&frame);
+  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &frame, this);
+  return inside.adjusted(textMargin, 0, -textMargin, 0);
+}
+
+QString NumberField::shownText() const {
+  const int width = room().width();
+  const auto fits = [&](const QString &text) { return fontMetrics().horizontalAdvance(text) <= width; };
+  if (hasFocus() || fits(text()))
+    return text();
+  if (property("wrong").toBool())
+    return fontMetrics().elidedText(text(), Qt::ElideRight, width);
+  QString rounded;
+  for (int digits = mostShownDigits; digits > 0; --digits) {
+    rounded = roundedTo(digits, m_value, locale());
+    if (!isDecimalOf(digits, m_value))
+      rounded.prepend(QString::fromUtf8("≈ "));
+    if (fits(rounded))
+      break;
+  }
+  return rounded;
+}
+
+void NumberField::paintEvent(QPaintEvent *event) {
+  const QString shown = shownText();
+  if (shown == text())
+    return QLineEdit::paintEvent(event);
+  QStyleOptionFrame frame;
+  initStyleOption(&frame);
+  QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_PanelLineEdit, &frame, &painter, this);
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawText(room(), Qt::AlignRight | Qt::AlignVCenter, shown);
+}
+
+void NumberField::mousePressEvent(QMouseEvent *event) {
+  // In what is being typed, the mouse chooses letters.
+  const bool isTyping = text() != typedText(m_value, locale());
+  if (event->button() == Qt::LeftButton && !isTyping)
+    m_scrub.press(*event);
+  else
+    QLineEdit::mousePressEvent(event);
+}
+
+void NumberField::mouseMoveEvent(QMouseEvent *event) {
+  if (m_scrub.isPressed())
+    m_scrub.move(*event);
+  else
+    QLineEdit::mouseMoveEvent(event);
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent *event) {
+  const bool wasClicked = m_scrub.isPressed() && !m_scrub.isScrubbing();
+  if (!m_scrub.isPressed()) {
+    QLineEdit::mouseReleaseEvent(event);
+  } else if (wasClicked && hasFocus()) {
+    deselect();
+    setCursorPosition(cursorPositionAt(event->pos()));
+  } else if (wasClicked) {
+    setFocus(Qt::MouseFocusReason);
+    selectAll();
+  }
+  m_scrub.end(true);
+}
+
+} // namespace halfspace

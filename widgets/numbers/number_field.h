@@ -1,0 +1,69 @@
+// A field for one exact number: typed, stepped with the keys, or scrubbed with the mouse.
+#pragma once
+
+#include "geometry/rational.h"
+#include "widgets/numbers/scrub.h"
+
+#include <QLineEdit>
+
+namespace halfspace {
+
+/// Shows a fraction exactly. Typing takes `-10/3`, `1.5`, and `1,5` where the language writes it so. Up and
+/// Down step it; a number too long for the field is shown rounded after ≈ until the field has the focus.
+/// Pressing on a field in which nothing is half typed and dragging sideways scrubs it. A text that is no
+/// number stays, marked, until it is mended or Escape takes it back.
+class NumberField : public QLineEdit {
+  Q_OBJECT
+
+public:
+  explicit NumberField(QWidget *parent = nullptr);
+
+  void setValue(const Rational &value);
+  [[nodiscard]] const Rational &value() const { return m_value; }
+  [[nodiscard]] bool isScrubbing() const { return m_scrub.isScrubbing(); }
+
+  /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
+  QString enter();
+  /// Shows the value again instead of what is typed.
+  void drop() { showValue(); }
+
+  /// What can be read in the field: the text, or the number rounded after ≈ where the text is too long.
+  [[nodiscard]] QString shownText() const;
+
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+  void valueTyped(const halfspace::Rational &value);
+  void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
+  void dropped();                        ///< Escape: what was typed is not wanted
+  void stepped(int steps);               ///< by keys: so many snapping steps up or down
+  void scrubStarted();
+  void scrubbed(int steps);   ///< from where the scrub started
+  void scrubEnded(bool keep); ///< false: Escape
+
+protected:
+  bool event(QEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void focusOutEvent(QFocusEvent *event) override;
+  void paintEvent(QPaintEvent *event) override;
+
+private:
+  QString refuse(const QString &sentence);
+  [[nodiscard]] QRect room() const;
+  void showValue();
+  void mark(bool wrong);
+
+  Rational m_value = 0;
+  Scrub m_scrub;
+};
+
+/// A number as a user types it, with the decimal comma where the language has it: see plainSpelling.
+[[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
+
+/// The exact text of a number for typing: a decimal where it ends soon, else p/q.
+[[nodiscard]] QString typedText(const Rational &value, const QLocale &locale);
+
+} // namespace halfspace

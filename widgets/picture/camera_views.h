@@ -1,0 +1,39 @@
+// Where the camera goes on request.
+#pragma once
+
+#include "lessons/construction/outcome.h"
+#include "lessons/scene/scene.h"
+#include "widgets/picture/camera.h"
+
+namespace halfspace {
+
+// Figures, scenes and cameras are those of a stage.
+
+/// How a lesson begins: from its direction, with all of the figure and the tips of the axes in view, if there
+/// are any, and room for their labels. A design pixel has `pixelRatio` pixels.
+[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, bool axes, PixelSize size,
+                              double pixelRatio, bool orthographic = false);
+
+/// The places that a picture of the figure should have in view; what runs on without end does not count, nor
+/// does what lies farther away than all objects.
+[[nodiscard]] std::vector<Place> placesOf(const Figure &figure);
+
+/// Views along an axis: from the front (against x), from the right (against y), from the top (against z).
+enum class AxisView { Front, Right, Top };
+
+[[nodiscard]] Camera seenAlong(AxisView view, Camera camera);
+
+/// From the side of the first plane or triangle of a figure, so that it is seen as a line; unchanged without
+/// one.
+[[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
+
+/// The first ray of a scene that has a direction, or null.
+[[nodiscard]] const RayObject *firstRay(const Scene &scene);
+
+/// From the start of a scene's first ray in its direction; unchanged without one.
+[[nodiscard]] Camera seenDownRay(const Scene &scene, Camera camera);
+
+/// A camera between two: t = 0 is the first, t = 1 the second. It turns the short way round.
+[[nodiscard]] Camera between(const Camera &from, const Camera &to, double t);
+
+} // namespace halfspace

@@ -1,0 +1,67 @@
+#include "widgets/picture/hand/drag.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// The sine of the angle between a sight and what a constraint moves on: the line, or the plane.
+double sineOfAngle(const DragConstraint &constraint, Place sight) {
+  const Place direction = glm::normalize(constraint.direction);
+  return constraint.kind == DragConstraint::Kind::Line ? glm::length(glm::cross(direction, sight))
+                                                       : std::abs(glm::dot(direction, sight));
+}
+
+std::optional<Place> onPlane(const SightLine &sight, Place at, Place normal) {
+  const double distance = glm::dot(at - sight.origin, normal) / glm::dot(sight.direction, normal);
+  if (!(distance > 0))
+    return {};
+  return sight.origin + sight.direction * distance;
+}
+
+/// The place of the line that is nearest to the sight.
+std::optional<Place> onLine(const SightLine &sight, Place at, Place direction) {
+  const Place along = glm::normalize(direction);
+  const Place toStart = at - sight.origin;
+  const double cosine = glm::dot(sight.direction, along);
+  const double step =
+      (cosine * glm::dot(toStart, sight.direction) - glm::dot(toStart, along)) / (1 - cosine * cosine);
+  const Place place = at + along * step;
+  if (!(glm::dot(place - sight.origin, sight.direction) > 0))
+    return {};
+  return place;
+}
+
+std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constraint, const Camera &camera,
+                                PixelSize size, Place at) {
+  const SightLine sight = camera.sightThrough(pixel, size);
+  if (sineOfAngle(constraint, sight.direction) < std::sin(leastSightAngle))
+    return {};
+  return constraint.kind == DragConstraint::Kind::Line ? onLine(sight, at, constraint.direction)
+                                                       : onPlane(sight, at, constraint.direction);
+}
+
+} // namespace
+
+bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place at) {
+  if (constraint.direction == Place(0))
+    return false;
+  const Place sight = camera.orthographic ? camera.viewDirection() : glm::normalize(at - camera.eye());
+  const bool onLine = constraint.kind == DragConstraint::Kind::Line;
+  return sineOfAngle(constraint, sight) >= std::sin(onLine ? leastGrabAngle : leastPlaneGrabAngle);
+}
+
+std::optional<Place> dragged(const DragConstraint &constraint, const Camera &camera, PixelSize size,
+                             Place start, glm::dvec2 pressed, glm::dvec2 now) {
+  if (!isGrabbable(constraint, camera, start))
+    return {};
+  const std::optional<Place> before = placeUnder(pressed, constraint, camera, size, start);
+  const std::optional<Place> after = placeUnder(now, constraint, camera, size, start);
+  if (!before || !after)
+    return {};
+  return start + (*after - *before);
+}
+
+} // namespace halfspace

@@ -1,0 +1,40 @@
+#include "widgets/picture/hand/screen_shapes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace halfspace {
+
+double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
+  const glm::dvec2 along = to - from;
+  const double square = glm::dot(along, along);
+  const double part = square > 0 ? std::clamp(glm::dot(pixel - from, along) / square, 0.0, 1.0) : 0;
+  return glm::distance(pixel, from + along * part);
+}
+
+bool isInside(glm::dvec2 pixel, const std::vector<glm::dvec2> &corners) {
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec2 a = corners[i];
+    const glm::dvec2 b = corners[(i + 1) % corners.size()];
+    const bool crossesRow = (a.y > pixel.y) != (b.y > pixel.y);
+    if (crossesRow && pixel.x < a.x + (b.x - a.x) * (pixel.y - a.y) / (b.y - a.y))
+      inside = !inside;
+  }
+  return inside;
+}
+
+std::optional<std::vector<glm::dvec3>> projectAll(const Camera &camera, PixelSize size,
+                                                  const std::vector<Place> &places) {
+  std::vector<glm::dvec3> pixels;
+  for (const Place &place : places) {
+    const std::optional<glm::dvec3> pixel = camera.project(place, size);
+    if (!pixel)
+      return {};
+    pixels.push_back(*pixel);
+  }
+  return pixels;
+}
+
+} // namespace halfspace

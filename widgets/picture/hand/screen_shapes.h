@@ -1,0 +1,18 @@
+// Distances on the screen, in pixels.
+#pragma once
+
+#include "widgets/picture/camera.h"
+
+namespace halfspace {
+
+/// From a pixel to the nearest point of the segment between two others.
+[[nodiscard]] double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to);
+
+/// Whether a pixel lies in a polygon, whichever way round its corners go.
+[[nodiscard]] bool isInside(glm::dvec2 pixel, const std::vector<glm::dvec2> &corners);
+
+/// The pixels (and depths) of places; nothing when one of them is behind the eye.
+[[nodiscard]] std::optional<std::vector<glm::dvec3>> projectAll(const Camera &camera, PixelSize size,
+                                                                const std::vector<Place> &places);
+
+} // namespace halfspace

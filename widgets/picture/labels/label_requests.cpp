@@ -1,0 +1,276 @@
+#include "widgets/picture/labels/label_requests.h"
+
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/labels/number_text.h"
+#include "widgets/picture/shapes/gizmo_shape.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_outline.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace halfspace {
+namespace {
+
+/// What balls and arrow heads cover around an anchor, in design pixels.
+constexpr double lineClearance = 5;
+constexpr double tipClearance = 4;
+constexpr double gizmoClearance = 26;
+constexpr double knobClearance = 16;
+
+/// Numbers at an axis are at least this far apart, in scene units at scale 1.
+constexpr double numberSpacing = 0.8;
+
+/// Where along a line its label may stand, the best place first.
+constexpr std::array besideLineParts{0.5, 0.65, 0.35, 0.8};
+
+constexpr std::array besideArrowParts{0.5, 0.7, 0.3};
+
+/// Where along an arc, the best place first.
+constexpr std::array alongArcParts{0.5, 0.3, 0.7};
+
+/// The width of a number at an axis, in heights of its type.
+constexpr double numberWidth = 1.3;
+
+/// Beside a point a label is best to the upper right.
+constexpr glm::dvec2 upperRight{1, -0.8};
+
+glm::dvec2 squareTo(glm::dvec2 along) {
+  const glm::dvec2 side(along.y, -along.x);
+  return side.y > 0 || (side.y == 0 && side.x < 0) ? -side : side;
+}
+
+/// Collects the anchors of one mark, those behind the eye left out.
+class Anchors {
+public:
+  explicit Anchors(const View &view) : m_view(view) {}
+
+  void add(Place at, glm::dvec2 toward, double clearance) {
+    if (const auto pixel = pixelOf(at))
+      m_anchors.push_back({*pixel, toward, clearance * m_view.pixelRatio});
+  }
+
+  /// Beside a line, at a part of its length.
+  void addBeside(Place from, Place to, double part) {
+    const auto start = pixelOf(from);
+    const auto end = pixelOf(to);
+    if (start && end)
+      add(glm::mix(from, to, part), squareTo(*end - *start), lineClearance);
+  }
+
+  /// Beyond the tip of an arrow, in its direction.
+  void addTip(Place from, Place tip) {
+    const auto start = pixelOf(from);
+    const auto end = pixelOf(tip);
+    if (start && end && *start != *end)
+      add(tip, glm::normalize(*end - *start) + glm::dvec2(0, -0.4), tipClearance);
+  }
+
+  /// Beside the corners of a patch, the highest on the screen first.
+  void addCorners(const std::vector<Place> &corners) {
+    const std::size_t first = m_anchors.size();
+    for (const Place &corner : corners)
+      add(corner, {1, -0.3}, tipClearance);
+    std::sort(m_anchors.begin() + static_cast<std::ptrdiff_t>(first), m_anchors.end(),
+              [](const LabelAnchor &a, const LabelAnchor &b) { return a.pixel.y < b.pixel.y; });
+  }
+
+  [[nodiscard]] std::vector<LabelAnchor> take() { return std::move(m_anchors); }
+
+private:
+  [[nodiscard]] std::optional<glm::dvec2> pixelOf(Place at) const {
+    const auto pixel = m_view.camera.project(at, m_view.size);
+    return pixel ? std::optional(glm::dvec2(*pixel)) : std::nullopt;
+  }
+
+  const View &m_view;
+  std::vector<LabelAnchor> m_anchors;
+};
+
+/// What a point's ball covers around its middle, in design pixels.
+double clearanceOf(const PointMark &point) { return ballRadius(point) * designHeight / designUnits; }
+
+Place middleOf(const std::vector<Place> &places) {
+  return std::accumulate(places.begin(), places.end(), Place(0)) / static_cast<double>(places.size());
+}
+
+std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+  if (outline.path.empty())
+    return {};
+  const std::vector<Place> &path = outline.path;
+  Anchors anchors(view);
+  const auto besideLine = [&] {
+    for (const double part : besideLineParts)
+      anchors.addBeside(path.front(), path.back(), part);
+  };
+  std::visit(Overloaded{
+                 [&](const PointMark &point) { anchors.add(point.at, upperRight, clearanceOf(point)); },
+                 [&](const SegmentMark &) { besideLine(); },
+                 [&](const RayMark &) { besideLine(); },
+                 [&](const ArrowMark &) {
+                   anchors.addTip(path.front(), path.back());
+                   for (const double part : besideArrowParts)
+                     anchors.addBeside(path.front(), path.back(), part);
+                 },
+                 [&](const PlanePatchMark &) { anchors.addCorners(path); },
+                 [&](const PolygonMark &) {
+                   anchors.add(middleOf(path), {0, 0}, 0);
+                 },
+                 [&](const ArcMark &arc) {
+                   for (const double part : alongArcParts)
+                     anchors.addTip(arc.center, path[static_cast<std::size_t>(part * double(path.size()))]);
+                 },
+                 [&](const RightAngleMark &corner) { anchors.addTip(corner.at, path[1]); },
+             },
+             mark);
+  return anchors.take();
+}
+
+/// Leaves out numbers that would be written over others.
+class NumbersOnScreen {
+public:
+  explicit NumbersOnScreen(const View &view) : m_view(view) {}
+
+  /// No number is written on the ball of a point.
+  void keepOff(const PointMark &point, double radius) {
+    if (const auto pixel = m_view.camera.project(point.at, m_view.size))
+      m_balls.push_back({glm::dvec2(*pixel), radius});
+  }
+
+  /// Whether there is room for a number of this size at a place; it is taken then.
+  bool takeRoom(Place at, double size) {
+    const auto projected = m_view.camera.project(at, m_view.size);
+    if (!projected)
+      return false;
+    const glm::dvec2 pixel(*projected);
+    const auto isNear = [&](glm::dvec2 other) {
+      const glm::dvec2 apart = glm::abs(pixel - other) / size;
+      return apart.x < numberWidth && apart.y < 1;
+    };
+    const auto isOn = [&](const LabelObstacles::Disc &ball) {
+      return glm::distance(pixel, ball.center) < ball.radius + size / 2;
+    };
+    if (std::any_of(m_taken.begin(), m_taken.end(), isNear) ||
+        std::any_of(m_balls.begin(), m_balls.end(), isOn))
+      return false;
+    m_taken.push_back(pixel);
+    return true;
+  }
+
+private:
+  const View &m_view;
+  std::vector<glm::dvec2> m_taken;
+  std::vector<LabelObstacles::Disc> m_balls;
+};
+
+/// The marks whose labels are written.
+std::vector<const Mark *> labelledMarks(const SceneContent &content) {
+  const auto standsOut = [&](const Mark *mark) { return content.highlighted.contains(baseOf(*mark).id); };
+  std::vector<const Mark *> marks;
+  for (const Mark &mark : content.figure.marks)
+    if (!baseOf(mark).label.empty())
+      marks.push_back(&mark);
+  if (marks.size() > mostMarkLabels) {
+    std::stable_partition(marks.begin(), marks.end(), standsOut);
+    marks.resize(mostMarkLabels);
+  }
+  return marks;
+}
+
+/// Beyond the tip of an axis, whose name gives way to what is already there.
+std::vector<LabelAnchor> axisNameAnchors(Place tip, const View &view) {
+  Anchors anchors(view);
+  anchors.addTip(Place(0), tip);
+  anchors.add(tip, upperRight, tipClearance);
+  return anchors.take();
+}
+
+} // namespace
+
+std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector<AxisLabel> &axes,
+                                  const Theme &theme, const View &view) {
+  std::vector<LabelText> texts;
+  const double pixels = view.pixelRatio * theme.textScale;
+  const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
+  const auto pin = [&](const std::string &id, const std::string &latex, Place at, const LabelStyle &look) {
+    Anchors anchors(view);
+    anchors.add(at, {0, 0}, 0);
+    texts.push_back({id, latex, look, anchors.take(), true});
+  };
+
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  std::vector<AxisLabel> dropNumbers;
+  if (content.dropLine && content.stage.hasAxes())
+    for (const int axis : {0, 1})
+      dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], content.stage.exponent, scale));
+  for (const AxisLabel &label : dropNumbers)
+    pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
+  NumbersOnScreen numbers(view);
+  for (const Mark &mark : content.figure.marks)
+    if (const auto *point = std::get_if<PointMark>(&mark))
+      numbers.keepOff(*point, clearanceOf(*point) * theme.lineScale * view.pixelRatio);
+  for (const AxisLabel &label : axes) {
+    // A drop line's number takes the place of a tick's.
+    const auto covers = [&](const AxisLabel &drop) {
+      return glm::distance(drop.at, label.at) < numberSpacing * scale * theme.textScale;
+    };
+    if (label.isName)
+      texts.push_back({"axis " + label.latex, label.latex, style(theme.ink, markTextSize),
+                       axisNameAnchors(label.at, view)});
+    else if (std::none_of(dropNumbers.begin(), dropNumbers.end(), covers) &&
+             numbers.takeRoom(label.at, tickTextSize * pixels))
+      pin("axis " + std::to_string(texts.size()), label.latex, label.at, style(theme.mutedInk, tickTextSize));
+  }
+  for (const Mark *mark : labelledMarks(content)) {
+    const MarkBase &base = baseOf(*mark);
+    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
+    texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize), anchorsOf(*mark, view),
+                     false, true, content.arrival.presenceOf(base)});
+  }
+  if (content.gizmo && !content.gizmo->note.empty()) {
+    Anchors anchors(view);
+    anchors.add(content.gizmo->at, {-1, 0.6}, gizmoClearance);
+    texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take()});
+  }
+  return texts;
+}
+
+LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
+                           const Theme &theme, const View &view) {
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  LabelObstacles obstacles;
+  const auto addDisc = [&](Place at, double radius) {
+    if (const auto pixel = view.camera.project(at, view.size))
+      obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio});
+  };
+  const auto addPath = [&](const std::vector<Place> &path) {
+    std::optional<glm::dvec3> previous;
+    for (const Place &place : path) {
+      const auto pixel = view.camera.project(place, view.size);
+      if (pixel && previous)
+        obstacles.segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel)});
+      previous = pixel;
+    }
+  };
+  for (const Mark &mark : content.figure.marks)
+    if (const auto *point = std::get_if<PointMark>(&mark))
+      addDisc(point->at, clearanceOf(*point) * theme.lineScale);
+    else
+      addPath(outlineOf(mark, rightAngleSize * scale).path);
+  for (const Knob &knob : content.knobs)
+    addDisc(knob.at, knobClearance);
+  if (axes)
+    for (const AxisEnds &axis : axisEnds(*axes))
+      addPath({axis.low, axis.high});
+  if (content.gizmo)
+    for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
+      addPath(part.outline);
+  return obstacles;
+}
+
+} // namespace halfspace

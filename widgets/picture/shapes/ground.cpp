@@ -1,0 +1,171 @@
+#include "widgets/picture/shapes/ground.h"
+
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/labels/number_text.h"
+#include "widgets/picture/shapes/mark_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+// In scene units at scale 1.
+constexpr double axisRadius = 0.055;
+constexpr double tickRadius = 0.044;
+constexpr double tickLength = 0.35;
+constexpr double tickLabelDistance = 0.78;
+constexpr double nameDistance = 0.1;
+constexpr double originRadius = 0.13;
+
+/// Every so many steps a major line and a tick.
+constexpr int stepsPerMajor = 5;
+
+/// The grid's radius in heights of the view, and the part of it in which the lines fade.
+constexpr double gridRadius = 0.62;
+constexpr double fadingPart = 0.5;
+constexpr int piecesPerLine = 48;
+
+/// Ticks farther away than so many heights of the view are too small to be seen.
+constexpr double tickReach = 4;
+
+/// The axes reach this far beyond the last place and end here at the latest.
+constexpr double axisMargin = 1.2;
+constexpr double longestAxis = 60;
+
+constexpr std::array<Place, 3> axisDirections{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
+constexpr std::array<const char *, 3> axisNames{"x", "y", "z"};
+/// To which side of an axis its ticks and numbers stand.
+constexpr std::array<Place, 3> tickSides{Place{0, -1, 0}, Place{-1, 0, 0}, Place{-0.7071, -0.7071, 0}};
+
+double strengthAt(double distance, double radius) {
+  const double t = std::clamp((radius - distance) / (fadingPart * radius), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// A line of the grid on one of its two directions, at a whole number of steps.
+Grid::Line gridLine(glm::dvec2 middle, double radius, double step, double number, bool alongX) {
+  Grid::Line line;
+  line.isMajor = std::fmod(std::abs(number), stepsPerMajor) == 0;
+  const double at = number * step;
+  const double halfLength =
+      std::sqrt(std::max(0.0, radius * radius - std::pow(at - (alongX ? middle.y : middle.x), 2)));
+  for (int i = 0; i <= piecesPerLine; ++i) {
+    const double along = halfLength * (2.0 * i / piecesPerLine - 1);
+    const Place point = alongX ? Place(middle.x + along, at, 0) : Place(at, middle.y + along, 0);
+    line.points.push_back(point);
+    line.strengths.push_back(strengthAt(std::hypot(point.x - middle.x, point.y - middle.y), radius));
+  }
+  return line;
+}
+
+/// The whole numbers n, lowest first, for which n·spacing lies between two bounds. They are few: the bounds
+/// are some heights of a view apart, and the spacing follows that height.
+std::vector<double> multiplesBetween(double low, double high, double spacing) {
+  const double first = std::ceil(low / spacing);
+  const int count = static_cast<int>(std::max(0.0, std::floor(high / spacing) - first + 1));
+  std::vector<double> numbers;
+  for (int i = 0; i < count; ++i)
+    numbers.push_back(first + i);
+  return numbers;
+}
+
+/// The places of an axis' ticks that the camera may see, without the origin and the tip.
+std::vector<double> ticksOf(double low, double high, double target, double viewHeight) {
+  const double step = gridStep(viewHeight);
+  const double spacing = step * stepsPerMajor;
+  std::vector<double> ticks;
+  for (const double number : multiplesBetween(std::max(low, target - tickReach * viewHeight),
+                                              std::min(high, target + tickReach * viewHeight), spacing))
+    if (number != 0 && number * spacing < high - step)
+      ticks.push_back(number * spacing);
+  return ticks;
+}
+
+} // namespace
+
+double gridStep(double viewHeight) {
+  return std::pow(5.0, std::round(std::log(viewHeight / designUnits) / std::log(5.0)));
+}
+
+Grid gridAround(const Camera &camera) {
+  const double step = gridStep(camera.height);
+  const double radius = gridRadius * camera.height;
+  const glm::dvec2 middle(camera.target);
+  Grid grid;
+  for (const bool alongX : {true, false}) {
+    const double center = alongX ? middle.y : middle.x;
+    for (const double number : multiplesBetween(center - radius, center + radius, step))
+      grid.lines.push_back(gridLine(middle, radius, step, number, alongX));
+  }
+  // Major lines last: they lie over the others.
+  std::stable_partition(grid.lines.begin(), grid.lines.end(),
+                        [](const Grid::Line &line) { return !line.isMajor; });
+  return grid;
+}
+
+std::array<AxisEnds, 3> axisEnds(const AxesReach &reach) {
+  std::array<AxisEnds, 3> ends;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    ends[i] = {axisDirections[i] * reach.low, axisDirections[i] * reach.high};
+  return ends;
+}
+
+AxesReach axesFor(const std::vector<Place> &places) {
+  AxesReach reach;
+  for (const Place &place : places)
+    for (int axis = 0; axis < 3; ++axis) {
+      reach.high[axis] =
+          std::max(reach.high[axis], std::min(std::ceil(place[axis]) + axisMargin, longestAxis));
+      if (place[axis] < 0)
+        reach.low[axis] =
+            std::min(reach.low[axis], std::max(std::floor(place[axis]) - axisMargin, -longestAxis));
+    }
+  return reach;
+}
+
+AxesReach axesAround(const Figure &figure) {
+  std::vector<Place> places;
+  for (const Mark &mark : figure.marks)
+    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
+      const MarkOutline outline = outlineOf(mark, 0);
+      places.insert(places.end(), outline.path.begin(), outline.path.end());
+    }
+  return axesFor(places);
+}
+
+Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale) {
+  Mesh mesh;
+  const double width = scale * theme.lineScale;
+  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
+    const auto axis = static_cast<Place::length_type>(i);
+    const auto [low, high] = axisEnds(reach)[i];
+    addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
+      const Place at = axisDirections[i] * tick;
+      addTube(mesh, at, at + tickSides[i] * (tickLength * scale), tickRadius * width, theme.axis);
+    }
+  }
+  addBall(mesh, Place(0), originRadius * width, theme.axis);
+  return mesh;
+}
+
+AxisLabel axisNumber(int axis, double number, int exponent, double scale) {
+  const auto i = static_cast<std::size_t>(axis);
+  return {numberText(number, exponent),
+          axisDirections[i] * number + tickSides[i] * (tickLabelDistance * scale)};
+}
+
+std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent, double scale) {
+  std::vector<AxisLabel> labels;
+  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
+    const auto axis = static_cast<Place::length_type>(i);
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height))
+      labels.push_back(axisNumber(axis, tick, exponent, scale));
+    labels.push_back({axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true});
+  }
+  return labels;
+}
+
+} // namespace halfspace

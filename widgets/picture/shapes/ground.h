@@ -1,0 +1,66 @@
+// The ground grid and the axes.
+#pragma once
+
+#include "widgets/picture/camera.h"
+#include "widgets/picture/shapes/mesh.h"
+
+#include <array>
+
+namespace halfspace {
+
+/// The grid as straight pieces between neighbouring points, in two lists of the same length, with how much of
+/// a line's colour is left there: 1 around the middle, 0 at the rim.
+struct Grid {
+  struct Line {
+    std::vector<Place> points;
+    std::vector<double> strengths;
+    bool isMajor = false;
+  };
+  std::vector<Line> lines;
+};
+
+/// The distance of neighbouring lines of the grid, a power of five: 1 unless the view is very low or very
+/// high. Every fifth line is a major one, and the axes have their ticks there.
+[[nodiscard]] double gridStep(double viewHeight);
+
+/// The grid on z = 0 around what the camera looks at.
+[[nodiscard]] Grid gridAround(const Camera &camera);
+
+/// How far the axes reach from the origin, to both sides.
+struct AxesReach {
+  Place low{0};
+  Place high{12.2, 16.2, 11.2};
+  bool operator==(const AxesReach &) const = default;
+};
+
+/// The two ends of an axis.
+struct AxisEnds {
+  Place low{};
+  Place high{};
+};
+/// Of x, y and z.
+[[nodiscard]] std::array<AxisEnds, 3> axisEnds(const AxesReach &reach);
+
+/// Long enough for all places, but not without bound: what is far away does not stretch them.
+[[nodiscard]] AxesReach axesFor(const std::vector<Place> &places);
+
+/// The axes of a figure: patches and rays may reach beyond them.
+[[nodiscard]] AxesReach axesAround(const Figure &figure);
+
+/// A number or a name written at an axis.
+struct AxisLabel {
+  std::string latex;
+  Place at{};
+  bool isName = false;
+};
+
+/// A number at its place beside an axis (0, 1, 2 for x, y, z), written in scene units: a unit of the stage is
+/// 10^exponent of them.
+[[nodiscard]] AxisLabel axisNumber(int axis, double number, int exponent, double scale);
+
+/// The axes with ticks, those that the camera may see.
+[[nodiscard]] Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale);
+[[nodiscard]] std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent,
+                                                double scale);
+
+} // namespace halfspace

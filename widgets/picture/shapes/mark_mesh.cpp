@@ -1,0 +1,153 @@
+#include "widgets/picture/shapes/mark_mesh.h"
+
+#include "widgets/picture/shapes/mark_outline.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+// Radii and lengths in scene units at scale 1.
+constexpr double arrowRadius = 0.11;
+constexpr double segmentRadius = 0.07;
+constexpr double rayRadius = 0.05;
+constexpr double polygonEdgeRadius = 0.05;
+constexpr double patchEdgeRadius = 0.045;
+constexpr double angleRadius = 0.04;
+constexpr double dashLength = 0.42;
+
+/// More points than this are drawn as coarse balls.
+constexpr int mostFineBalls = 150;
+
+/// About what a mark has: more in a ball or a dashed line, fewer in a tube.
+constexpr std::size_t usualCorners = 400;
+
+constexpr double highlightWidth = 1.55;
+/// A ball is thick as it is: much thicker, it would cover what lies beside it.
+constexpr double highlightBallWidth = 1.2;
+constexpr double highlightInk = 0.22;
+constexpr double ghostPaleness = 0.6;
+constexpr double patchBorderDepth = 0.35;
+
+double widthOf(Role role) {
+  switch (role) {
+  case Role::Given:
+  case Role::Result:
+  case Role::Warning:
+    return 1;
+  case Role::Derived:
+    return 0.8;
+  case Role::Helper:
+  case Role::Ghost:
+    return 0.75;
+  }
+  return 1;
+}
+
+double highlightOf(const Mark &mark) {
+  return std::holds_alternative<PointMark>(mark) ? highlightBallWidth : highlightWidth;
+}
+
+BallDetail ballDetailFor(const Figure &figure) {
+  const auto points = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                    [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
+  return points <= mostFineBalls ? BallDetail::Fine : BallDetail::Coarse;
+}
+
+/// How one mark is drawn.
+struct Brush {
+  Color color;
+  double width; ///< what radii are multiplied by
+  double dash;  ///< length of a dash, 0 for a solid line
+  BallDetail ball = BallDetail::Fine;
+};
+
+void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
+  if (brush.dash > 0)
+    for (std::size_t i = 1; i < path.size(); ++i)
+      addDashes(mesh, path[i - 1], path[i], radius * brush.width, brush.dash, brush.color);
+  else
+    addTube(mesh, path, radius * brush.width, brush.color);
+}
+
+void addBorder(Mesh &mesh, std::vector<Place> corners, double radius, const Brush &brush) {
+  if (brush.dash > 0 && !corners.empty()) {
+    corners.push_back(corners.front());
+    addLine(mesh, corners, radius, brush);
+  } else {
+    addRing(mesh, corners, radius * brush.width, brush.color);
+  }
+}
+
+Color patchBorderColor(const PlanePatchMark &patch, const Brush &brush, const Theme &theme) {
+  const bool isPlain =
+      patch.subject == Subject::Plane && patch.role != Role::Warning && patch.role != Role::Ghost;
+  return isPlain ? mix(theme.planeFace, brush.color, patchBorderDepth) : brush.color;
+}
+
+void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &theme, double scale) {
+  const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+  if (outline.path.empty())
+    return;
+  const auto line = [&](double radius) { addLine(mesh, outline.path, radius, brush); };
+  std::visit(
+      Overloaded{
+          [&](const PointMark &point) {
+            addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color, brush.ball);
+          },
+          [&](const SegmentMark &) { line(segmentRadius); },
+          [&](const RayMark &) { line(rayRadius); },
+          [&](const ArrowMark &arrow) {
+            addArrow(mesh, arrow.from, shownVector(arrow), arrowRadius * brush.width, brush.color,
+                     brush.dash);
+          },
+          [&](const PlanePatchMark &patch) {
+            const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.dash};
+            addBorder(mesh, outline.path, patchEdgeRadius, border);
+          },
+          [&](const PolygonMark &) { addBorder(mesh, outline.path, polygonEdgeRadius, brush); },
+          [&](const ArcMark &) { addTube(mesh, outline.path, angleRadius * brush.width, brush.color); },
+          [&](const RightAngleMark &) {
+            addTube(mesh, outline.path, angleRadius * brush.width, brush.color);
+          },
+      },
+      mark);
+}
+
+} // namespace
+
+double ballRadius(const PointMark &point) {
+  const bool isFree = point.subject == Subject::Point && point.role == Role::Given;
+  return isFree ? freePointRadius : pointRadius;
+}
+
+bool isDashed(Role role) { return role == Role::Helper || role == Role::Ghost; }
+
+Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
+  Color color = mark.role == Role::Warning ? theme.warning : theme.colorOf(mark.subject);
+  if (mark.role == Role::Ghost)
+    color = mix(color, theme.backgroundBottom, ghostPaleness);
+  return highlighted ? mix(color, theme.ink, highlightInk) : color;
+}
+
+Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme, double scale,
+            const Arrival &arrival) {
+  Mesh mesh;
+  makeRoom(mesh, figure.marks.size() * usualCorners);
+  const BallDetail ball = ballDetailFor(figure);
+  for (const Mark &mark : figure.marks) {
+    const MarkBase &base = baseOf(mark);
+    const bool standsOut = highlighted.contains(base.id);
+    const double presence = arrival.presenceOf(base);
+    if (presence <= 0)
+      continue;
+    const double width =
+        scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightOf(mark) : 1) * presence;
+    const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
+                      isDashed(base.role) ? dashLength * scale : 0, ball};
+    addMark(mesh, mark, brush, theme, scale);
+  }
+  return mesh;
+}
+
+} // namespace halfspace

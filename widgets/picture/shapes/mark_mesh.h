@@ -1,0 +1,30 @@
+// The opaque parts of a figure: tubes, balls, arrows, dashes.
+#pragma once
+
+#include "widgets/picture/shapes/arrival.h"
+#include "widgets/picture/shapes/mesh.h"
+
+namespace halfspace {
+
+/// What the corner of a right angle measures at scale 1, in scene units.
+inline constexpr double rightAngleSize = 0.9;
+/// The radius of a given point, the thickest thing there is.
+inline constexpr double freePointRadius = 0.32;
+/// The radius of any other point.
+inline constexpr double pointRadius = 0.23;
+
+/// The radius of a point's ball at scale 1, in scene units.
+[[nodiscard]] double ballRadius(const PointMark &point);
+
+/// Whether a mark's lines are dashed.
+[[nodiscard]] bool isDashed(Role role);
+
+/// The colour of a mark's solid parts, by its subject, its role and whether it stands out.
+[[nodiscard]] Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted);
+
+/// The meshes of all marks. Thicknesses, dashes and corners are multiplied by `scale`, so that they measure
+/// the same on the screen however near the camera is. What arrives grows out of thin, pale lines.
+[[nodiscard]] Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
+                          double scale, const Arrival &arrival = {});
+
+} // namespace halfspace

@@ -1,0 +1,80 @@
+#include "widgets/picture/shapes/mark_outline.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+using Kind = MarkOutline::Kind;
+
+constexpr int arcPieces = 28;
+
+/// An arc is this much larger than the corner of a right angle.
+constexpr double arcPerCorner = 1.8;
+
+std::vector<Place> arcPath(const ArcMark &arc, double radius) {
+  if (arc.from == Place(0) || arc.to == Place(0))
+    return {};
+  const Place start = glm::normalize(arc.from);
+  const Place end = glm::normalize(arc.to);
+  const double angle = std::atan2(glm::length(glm::cross(start, end)), glm::dot(start, end));
+  Place axis = glm::cross(start, end);
+  if (axis == Place(0)) // a straight angle: any half circle shows it
+    axis = glm::cross(start, std::abs(start.z) < 0.9 ? Place(0, 0, 1) : Place(1, 0, 0));
+  const Place across = glm::cross(glm::normalize(axis), start);
+  std::vector<Place> path;
+  for (int i = 0; i <= arcPieces; ++i) {
+    const double turned = angle * i / arcPieces;
+    path.push_back(arc.center + (start * std::cos(turned) + across * std::sin(turned)) * radius);
+  }
+  return path;
+}
+
+std::vector<Place> cornerPath(const RightAngleMark &corner, double size) {
+  if (corner.first == Place(0) || corner.second == Place(0))
+    return {};
+  const Place a = glm::normalize(corner.first) * size;
+  const Place b = glm::normalize(corner.second) * size;
+  return {corner.at + a, corner.at + a + b, corner.at + b};
+}
+
+} // namespace
+
+MarkOutline outlineOf(const Mark &mark, double size) {
+  MarkOutline outline =
+      std::visit(Overloaded{
+                     [](const PointMark &point) {
+                       return MarkOutline{Kind::Point, {point.at}};
+                     },
+                     [](const SegmentMark &segment) {
+                       return MarkOutline{Kind::Line, {segment.from, segment.to}};
+                     },
+                     [](const RayMark &ray) {
+                       return MarkOutline{Kind::Line, {ray.origin, endOf(ray)}};
+                     },
+                     [](const ArrowMark &arrow) {
+                       return MarkOutline{Kind::Line, {arrow.from, arrow.from + shownVector(arrow)}};
+                     },
+                     [](const PlanePatchMark &patch) {
+                       return MarkOutline{Kind::Face, cornersOf(patch)};
+                     },
+                     [](const PolygonMark &polygon) {
+                       return MarkOutline{Kind::Face, polygon.corners};
+                     },
+                     [&](const ArcMark &arc) {
+                       return MarkOutline{Kind::Line, arcPath(arc, size * arcPerCorner)};
+                     },
+                     [&](const RightAngleMark &corner) {
+                       return MarkOutline{Kind::Line, cornerPath(corner, size)};
+                     },
+                 },
+                 mark);
+  if (!std::all_of(outline.path.begin(), outline.path.end(), isFinite))
+    outline.path.clear();
+  return outline;
+}
+
+} // namespace halfspace

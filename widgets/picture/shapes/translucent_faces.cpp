@@ -1,0 +1,174 @@
+#include "widgets/picture/shapes/translucent_faces.h"
+
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_outline.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace halfspace {
+namespace {
+
+/// Corners nearer than this to a plane, in scene units, count as on it: far above rounding, far below a
+/// pixel.
+constexpr double onPlaneTolerance = 1e-7;
+
+constexpr double ghostOpacity = 0.35;
+constexpr double highlightOpacity = 0.18;
+
+/// Faces that all pass through one another would be cut into more pieces than anyone can draw. After so many
+/// cuts each face stays whole, on the side where its middle lies.
+constexpr int mostCuts = 4096;
+
+/// Twice the area of a planar polygon times its unit normal.
+Place areaVector(const std::vector<Place> &corners) {
+  Place area(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  return area;
+}
+
+struct Halves {
+  Face front;
+  Face back;
+};
+
+/// Cuts a face along a plane; `sides` are its corners' distances from it.
+Halves cut(const Face &face, const std::vector<double> &sides) {
+  Halves halves{{{}, face.color, face.opacity}, {{}, face.color, face.opacity}};
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const std::size_t next = (i + 1) % face.corners.size();
+    if (sides[i] >= -onPlaneTolerance)
+      halves.front.corners.push_back(face.corners[i]);
+    if (sides[i] <= onPlaneTolerance)
+      halves.back.corners.push_back(face.corners[i]);
+    const bool leavesFront = sides[i] > onPlaneTolerance && sides[next] < -onPlaneTolerance;
+    const bool leavesBack = sides[i] < -onPlaneTolerance && sides[next] > onPlaneTolerance;
+    if (leavesFront || leavesBack) {
+      const Place crossing =
+          glm::mix(face.corners[i], face.corners[next], sides[i] / (sides[i] - sides[next]));
+      halves.front.corners.push_back(crossing);
+      halves.back.corners.push_back(crossing);
+    }
+  }
+  return halves;
+}
+
+Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
+  const MarkBase &base = baseOf(mark);
+  const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
+  Face face;
+  face.corners = outlineOf(mark, rightAngleSize).path;
+  face.color = base.role == Role::Warning                  ? theme.warning
+               : isPatch && base.subject == Subject::Plane ? theme.planeFace
+                                                           : theme.colorOf(base.subject);
+  face.opacity =
+      (isPatch ? theme.planeOpacity : theme.polygonOpacity) * (base.role == Role::Ghost ? ghostOpacity : 1) +
+      (highlighted ? highlightOpacity : 0);
+  return face;
+}
+
+} // namespace
+
+std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
+                          const Arrival &arrival) {
+  std::vector<Face> patches;
+  std::vector<Face> polygons;
+  for (const Mark &mark : figure.marks) {
+    const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
+    if (!isPatch && !std::holds_alternative<PolygonMark>(mark))
+      continue;
+    Face face = faceOf(mark, theme, highlighted.contains(baseOf(mark).id));
+    face.opacity *= arrival.presenceOf(baseOf(mark));
+    (isPatch ? patches : polygons).push_back(std::move(face));
+  }
+  patches.insert(patches.end(), polygons.begin(), polygons.end());
+  return patches;
+}
+
+struct FaceOrder::Node {
+  Place normal{};
+  double offset = 0;
+  std::vector<Face> inPlane;
+  std::unique_ptr<Node> front;
+  std::unique_ptr<Node> back;
+
+  [[nodiscard]] double side(Place place) const { return glm::dot(normal, place) + offset; }
+
+  /// Splits by the plane of the first face.
+  static std::unique_ptr<Node> of(const std::vector<Face> &faces, int &cutsLeft) {
+    if (faces.empty())
+      return nullptr;
+    auto node = std::make_unique<Node>();
+    node->normal = glm::normalize(areaVector(faces.front().corners));
+    node->offset = -glm::dot(node->normal, faces.front().corners.front());
+    node->inPlane.push_back(faces.front());
+    std::vector<Face> inFront;
+    std::vector<Face> behind;
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      node->sort(faces[i], inFront, behind, cutsLeft);
+    node->front = of(inFront, cutsLeft);
+    node->back = of(behind, cutsLeft);
+    return node;
+  }
+
+  void sort(const Face &face, std::vector<Face> &inFront, std::vector<Face> &behind, int &cutsLeft) {
+    std::vector<double> sides;
+    for (const Place &corner : face.corners)
+      sides.push_back(side(corner));
+    const auto [lowest, highest] = std::minmax_element(sides.begin(), sides.end());
+    const bool reachesFront = *highest > onPlaneTolerance;
+    const bool reachesBack = *lowest < -onPlaneTolerance;
+    if (!reachesFront || !reachesBack) {
+      (reachesFront ? inFront : reachesBack ? behind : inPlane).push_back(face);
+    } else if (cutsLeft > 0) {
+      --cutsLeft;
+      const Halves halves = cut(face, sides);
+      keep(halves.front, inFront);
+      keep(halves.back, behind);
+    } else {
+      (std::accumulate(sides.begin(), sides.end(), 0.0) > 0 ? inFront : behind).push_back(face);
+    }
+  }
+
+  /// A face without area has no plane of its own and is not seen.
+  static void keep(const Face &face, std::vector<Face> &faces) {
+    if (face.corners.size() > 2 &&
+        glm::length(areaVector(face.corners)) > onPlaneTolerance * onPlaneTolerance)
+      faces.push_back(face);
+  }
+
+  static void walk(const Node *node, glm::dvec4 eye, std::vector<const Face *> &order) {
+    if (!node)
+      return;
+    const bool eyeInFront = glm::dot(node->normal, Place(eye)) + node->offset * eye.w > 0;
+    walk(eyeInFront ? node->back.get() : node->front.get(), eye, order);
+    for (const Face &face : node->inPlane)
+      order.push_back(&face);
+    walk(eyeInFront ? node->front.get() : node->back.get(), eye, order);
+  }
+};
+
+FaceOrder::FaceOrder() = default;
+FaceOrder::~FaceOrder() = default;
+FaceOrder::FaceOrder(FaceOrder &&) noexcept = default;
+FaceOrder &FaceOrder::operator=(FaceOrder &&) noexcept = default;
+
+FaceOrder::FaceOrder(const std::vector<Face> &faces) {
+  std::vector<Face> visible;
+  for (const Face &face : faces)
+    Node::keep(face, visible);
+  int cutsLeft = mostCuts;
+  m_root = Node::of(visible, cutsLeft);
+}
+
+std::vector<const Face *> FaceOrder::backToFront(glm::dvec4 eye) const {
+  std::vector<const Face *> order;
+  Node::walk(m_root.get(), eye, order);
+  return order;
+}
+
+} // namespace halfspace

@@ -1,0 +1,366 @@
+#include "widgets/view/scene_view.h"
+
+#include "geometry/decide.h"
+#include "lessons/term/latex.h"
+#include "widgets/picture/shapes/gizmo_shape.h"
+#include "widgets/scene/render_window.h"
+
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A handle is grabbed within this many design pixels.
+constexpr double grabDistance = 11;
+/// An arrow is grabbed anywhere on its head, which is so long in design pixels.
+constexpr double arrowHead = 24;
+/// What moves is drawn without smoothing until it has rested for so long, in milliseconds.
+constexpr int restDelay = 160;
+/// Samples a pixel at rest; while something moves there is one.
+constexpr int restSamples = 4;
+
+} // namespace
+
+SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
+    : QVTKOpenGLNativeWidget(parent), m_model(model), m_scene(std::move(labels)), m_theme(themes().front()),
+      m_camera(model.lesson().camera) {
+  vtkNew<halfspace::RenderWindow> window;
+  setRenderWindow(window);
+  window->AddRenderer(m_scene.renderer());
+  // VTK's own interaction would fight with ours.
+  window->GetInteractor()->SetInteractorStyle(nullptr);
+
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("3D scene"));
+  m_frameTimer.setSingleShot(true);
+  m_restTimer.setSingleShot(true);
+  m_restTimer.setInterval(restDelay);
+  connect(&m_frameTimer, &QTimer::timeout, this, &SceneView::frame);
+  connect(&m_restTimer, &QTimer::timeout, this, &SceneView::requestFrame);
+  connect(&m_fade, &MarkFade::changed, this, [this] {
+    m_contentStale = true;
+    showMoved();
+  });
+  connect(&m_model, &SessionModel::lessonChanged, this, [this] {
+    selectHandle({});
+    goHome();
+  });
+  connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
+    showAll();
+    requestFrame();
+  });
+  takeOutcome();
+}
+
+QSurfaceFormat SceneView::surfaceFormat() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0); // VTK smooths by itself
+  return format;
+}
+
+SceneView::~SceneView() {
+  makeCurrent();
+  renderWindow()->RemoveRenderer(m_scene.renderer());
+  doneCurrent();
+}
+
+void SceneView::setTheme(const Theme &theme) {
+  m_theme = theme;
+  m_scene.setTheme(theme);
+  requestFrame();
+}
+
+void SceneView::setMotion(bool on) {
+  m_motion = on;
+  if (!on) {
+    m_fade.finish();
+    if (m_glide.state() == QAbstractAnimation::Running)
+      m_glide.setCurrentTime(m_glide.duration()); // it arrives
+  }
+  updateContent();
+}
+
+void SceneView::setSizeScale(double scale) {
+  m_sizeScale = scale;
+  stayHome();
+  requestFrame();
+}
+
+void SceneView::setHighlighted(std::set<std::string> markIds) {
+  m_highlighted = std::move(markIds);
+  updateContent();
+}
+
+void SceneView::setNumbersHidden(bool hidden) {
+  if (hidden == m_numbersHidden)
+    return;
+  m_numbersHidden = hidden;
+  updateContent();
+}
+
+PixelSize SceneView::pixelSize() const {
+  const double ratio = devicePixelRatioF();
+  return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
+          std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+}
+
+glm::dvec2 SceneView::devicePixel(const QPointF &position) const {
+  return glm::dvec2(position.x(), position.y()) * devicePixelRatioF();
+}
+
+View SceneView::screen() const { return {m_camera, pixelSize(), designRatio()}; }
+
+const Handle *SceneView::findHandle(const std::string &id) const {
+  const auto found =
+      std::find_if(m_handles.begin(), m_handles.end(), [&](const Handle &h) { return h.id == id; });
+  return found == m_handles.end() ? nullptr : &*found;
+}
+
+glm::dvec2 SceneView::alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const {
+  const auto start = m_camera.project(toDouble(handle.base), pixelSize());
+  if (handle.motion != Handle::Motion::Coordinate || isZero(handle.base) || !start)
+    return glm::dvec2(0);
+  const glm::dvec2 back = glm::dvec2(*start) - tip;
+  const double length = glm::length(back);
+  const double head = std::min(arrowHead * designRatio(), length / 2);
+  return length == 0 ? back : back / length * std::clamp(glm::dot(pixel - tip, back / length), 0.0, head);
+}
+
+const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
+  const Handle *nearest = nullptr;
+  double least = grabDistance * designRatio();
+  for (const Handle &handle : m_handles) {
+    const auto projected = m_camera.project(shownPlace(handle), pixelSize());
+    if (!projected || !grabMode(handle, m_vertical, m_camera))
+      continue;
+    const double distance =
+        glm::length(glm::dvec2(*projected) + alongHead(handle, *projected, pixel) - pixel);
+    // Of two at the same pixel the later one wins: a tip lies over the point that it starts from.
+    if (distance <= least) {
+      least = distance;
+      nearest = &handle;
+    }
+  }
+  return nearest;
+}
+
+std::optional<QPoint> SceneView::handlePosition(const std::string &handleId) const {
+  const Handle *handle = findHandle(handleId);
+  if (!handle)
+    return {};
+  const auto projected = m_camera.project(shownPlace(*handle), pixelSize());
+  if (!projected)
+    return {};
+  const double ratio = devicePixelRatioF();
+  const QPoint position(static_cast<int>(std::lround(projected->x / ratio)),
+                        static_cast<int>(std::lround(projected->y / ratio)));
+  return rect().contains(position) ? std::optional(position) : std::nullopt;
+}
+
+std::string SceneView::markOf(const Handle &handle) const {
+  if (handle.motion != Handle::Motion::Coordinate)
+    return handle.object;
+  return shortName(m_model.session().scene, {handle.object, handle.coordinate});
+}
+
+void SceneView::selectHandle(const std::string &handleId) {
+  if (m_selected != handleId)
+    m_vertical = false;
+  m_selected = handleId;
+  updateContent();
+  showHint();
+}
+
+void SceneView::selectNext(bool forward) {
+  if (m_handles.empty())
+    return;
+  const auto count = m_handles.size();
+  const Handle *selected = findHandle(m_selected);
+  const std::size_t index =
+      selected ? static_cast<std::size_t>(selected - m_handles.data()) : (forward ? count - 1 : 0);
+  selectHandle(m_handles[(index + (forward ? 1 : count - 1)) % count].id);
+}
+
+bool SceneView::focusNextPrevChild(bool next) {
+  // Tab goes from handle to handle; behind the last one it leaves the view.
+  const Handle *selected = findHandle(m_selected);
+  const bool atEnd = selected && (next ? selected == &m_handles.back() : selected == &m_handles.front());
+  if (m_handles.empty() || atEnd) {
+    selectHandle({});
+    return QVTKOpenGLNativeWidget::focusNextPrevChild(next);
+  }
+  selectNext(next);
+  return true;
+}
+
+/// Looks at the same part of the scene on another stage.
+void SceneView::takeStage() {
+  const Stage &stage = m_model.stage();
+  if (stage == m_stage)
+    return;
+  if (m_glide.state() == QAbstractAnimation::Running)
+    m_glide.setCurrentTime(m_glide.duration()); // it arrives, in the units that it began with
+  const ExactVec3 target = fromStage(exactly(m_camera.target), CoordinateRole::Position, m_stage);
+  m_camera.target = glm::clamp(toDouble(toStage(target, CoordinateRole::Position, stage)),
+                               -Camera::farthestTarget, Camera::farthestTarget);
+  m_camera.height = std::clamp(m_camera.height * toDouble(powerOfTen(m_stage.exponent - stage.exponent)),
+                               Camera::minHeight, Camera::maxHeight);
+  m_stage = stage;
+  showAll();
+  showHint();
+}
+
+bool SceneView::isInView(const Handle &handle) const {
+  const PixelSize size = pixelSize();
+  const auto pixel = m_camera.project(toDouble(handle.at), size);
+  return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= size.width && pixel->y <= size.height;
+}
+
+/// A position that was typed out of the view takes the view along.
+void SceneView::followTyped(const std::vector<Handle> &before) {
+  if (m_model.inGesture())
+    return;
+  for (const Handle &handle : m_handles) {
+    const auto old = std::find_if(before.begin(), before.end(),
+                                  [&](const Handle &other) { return other.id == handle.id; });
+    const bool isPosition = handle.motion == Handle::Motion::Coordinate && isZero(handle.base);
+    if (isPosition && old != before.end() && !(old->at == handle.at) && !isInView(handle))
+      return showAll();
+  }
+}
+
+void SceneView::takeOutcome() {
+  takeStage();
+  const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
+  followTyped(before);
+  if (!findHandle(m_selected))
+    m_selected.clear();
+  if (!findHandle(m_hovered))
+    m_hovered.clear();
+  m_fade.show(m_model.session(), m_model.shown().figure, m_motion && isVisible());
+  updateContent();
+  m_outcomeTaken = Clock::now();
+}
+
+void SceneView::updateContent() {
+  m_contentStale = true;
+  requestFrame();
+}
+
+void SceneView::showMoved() {
+  m_restTimer.start();
+  requestFrame();
+}
+
+std::optional<Gizmo> SceneView::gizmo() const {
+  const Handle *handle = findHandle(m_selected);
+  if (!handle)
+    return {};
+  Gizmo gizmo;
+  gizmo.at = shownPlace(*handle);
+  gizmo.hot = m_hotPart;
+  const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera);
+  if (!mode)
+    return gizmo;
+  if (handle->motion == Handle::Motion::AlongNormal) {
+    gizmo.axes = false;
+    gizmo.axis = toDouble(handle->axis);
+  }
+  static const std::pair<DragMode, Gizmo::Mode> modes[] = {
+      {DragMode::Horizontal, Gizmo::Mode::Horizontal}, {DragMode::Vertical, Gizmo::Mode::Vertical},
+      {DragMode::AxisX, Gizmo::Mode::AlongX},          {DragMode::AxisY, Gizmo::Mode::AlongY},
+      {DragMode::AxisZ, Gizmo::Mode::AlongZ},          {DragMode::OwnAxis, Gizmo::Mode::AlongAxis}};
+  for (const auto &[dragMode, gizmoMode] : modes)
+    if (dragMode == *mode)
+      gizmo.mode = gizmoMode;
+  if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate) {
+    const CoordinateRole role = isZero(handle->base) ? CoordinateRole::Position : CoordinateRole::Direction;
+    const Rational z = fromStage(handle->at - handle->base, role, m_stage).z;
+    gizmo.note = "z" + relatedLatex(Term(z)) + "\\text{ fixed}";
+  }
+  return gizmo;
+}
+
+SceneContent SceneView::pictureContent() const {
+  SceneContent content;
+  content.stage = m_stage;
+  content.figure = staged(m_model.shown().figure);
+  if (m_numbersHidden)
+    content.figure = withoutNumbers(std::move(content.figure));
+  return content;
+}
+
+void SceneView::requestFrame() {
+  if (m_awaitingPaint)
+    m_frameWanted = true;
+  else if (!m_frameTimer.isActive())
+    m_frameTimer.start(0);
+}
+
+void SceneView::frame() {
+  m_frameTimer.stop();
+  m_frameWanted = false;
+  followPointer();
+  if (!isValid() || !isVisible())
+    return;
+  const auto start = Clock::now();
+  prepare();
+  const auto prepared = Clock::now();
+  // Outside of paintGL: VTK then asks for a paint, which only shows what is drawn here.
+  m_awaitingPaint = true;
+  renderWindow()->SetMultiSamples(m_restTimer.isActive() ? 0 : restSamples);
+  renderWindow()->Render();
+  m_times.update = prepared - start;
+  m_times.render = Clock::now() - prepared;
+  emit frameDrawn(std::exchange(m_times, {}));
+}
+
+void SceneView::paintGL() {
+  prepare(); // VTK draws by itself after a change of size
+  QVTKOpenGLNativeWidget::paintGL();
+  m_awaitingPaint = false;
+  if (m_frameWanted) {
+    m_frameWanted = false;
+    requestFrame();
+  }
+}
+
+void SceneView::prepare() {
+  if (m_contentStale)
+    m_scene.setContent(interactiveContent());
+  else
+    m_scene.setGizmo(gizmo()); // how a handle can be moved depends on the camera
+  m_contentStale = false;
+  m_scene.setView(m_camera, pixelSize(), designRatio());
+  m_scene.prepare();
+}
+
+SceneContent SceneView::interactiveContent() const {
+  SceneContent content = pictureContent();
+  content.highlighted = m_highlighted;
+  content.arrival = m_fade.arrival();
+  if (!m_hoveredMark.empty())
+    content.highlighted.insert(m_hoveredMark);
+  content.gizmo = gizmo();
+  for (const Handle &handle : m_handles)
+    if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
+      content.knobs.push_back(std::move(*knob));
+  const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
+  if (dropped && dropped->motion == Handle::Motion::Coordinate && m_stage.hasGround())
+    content.dropLine = DropLine{toDouble(dropped->at)};
+  return content;
+}
+
+} // namespace halfspace

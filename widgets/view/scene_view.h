@@ -1,0 +1,182 @@
+// The 3D view: a figure, its handles, and the mouse and keys that move them.
+#pragma once
+
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/hand/handle_drag.h"
+#include "widgets/scene/figure_scene.h"
+#include "widgets/session_model.h"
+#include "widgets/view/mark_fade.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QVTKOpenGLNativeWidget.h>
+#include <QVariantAnimation>
+
+#include <chrono>
+
+namespace halfspace {
+
+/// How long the parts of one frame took on the user-interface thread.
+struct FrameTimes {
+  std::chrono::nanoseconds evaluate{}; ///< pointer to new outcome; zero where the scene did not change
+  std::chrono::nanoseconds panels{}; ///< outcome to all others that show it: lines, numbers, words; likewise
+  std::chrono::nanoseconds update{}; ///< outcome to meshes and labels
+  std::chrono::nanoseconds render{}; ///< VTK
+};
+
+/// Whatever else a window shows of the outcome is never seen beside an older picture: what is stale is drawn
+/// before the window is put together.
+class SceneView : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+public:
+  SceneView(SessionModel &model, LabelPainter labels, QWidget *parent = nullptr);
+  ~SceneView() override;
+
+  /// What the surfaces of a program with such a view must be like: the default format, before the first.
+  [[nodiscard]] static QSurfaceFormat surfaceFormat();
+
+  void setTheme(const Theme &theme);
+  /// Marks that stand out beside the hovered one, as when their terms are hovered.
+  void setHighlighted(std::set<std::string> markIds);
+  [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
+  /// Hides the numbers in labels, while a question asks for them.
+  void setNumbersHidden(bool hidden);
+  /// Whether the camera glides from view to view and new marks of a step fade in.
+  void setMotion(bool on);
+  /// Makes type, lines and handles larger; 1 is their usual size.
+  void setSizeScale(double scale);
+
+  /// As the lesson begins.
+  void goHome();
+  void setAxisView(AxisView view);
+  void fit();
+  /// Looks along the first plane or triangle of the scene, so that it is seen as a line.
+  void lookAlongPlane();
+  /// Looks from the start of the first ray in its direction.
+  void lookDownRay();
+  void setOrthographic(bool on);
+  [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
+
+  [[nodiscard]] const Camera &camera() const { return m_camera; }
+  [[nodiscard]] PixelSize pixelSize() const;
+  /// How many of those pixels a design pixel has, in which labels, thicknesses and handles are measured.
+  [[nodiscard]] double designRatio() const { return devicePixelRatioF() * m_sizeScale; }
+  /// What is drawn now, without handles: for pictures.
+  [[nodiscard]] SceneContent pictureContent() const;
+
+  /// The pixel of the widget (not of the device) at which a handle is drawn, if it is in view.
+  [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
+  [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
+  void selectHandle(const std::string &handleId);
+  /// Ends what the mouse began, as its release does.
+  void finishDrag();
+
+signals:
+  void markHovered(const QString &markId); ///< empty: none
+  void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
+  void dismissed();                        ///< Escape, while nothing is dragged
+  void frameDrawn(const halfspace::FrameTimes &times);
+
+protected:
+  void paintGL() override;
+  bool event(QEvent *event) override;
+  bool eventFilter(QObject *watched, QEvent *event) override;
+  void showEvent(QShowEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void mouseDoubleClickEvent(QMouseEvent *event) override;
+  void wheelEvent(QWheelEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void keyReleaseEvent(QKeyEvent *event) override;
+  void leaveEvent(QEvent *event) override;
+  void resizeEvent(QResizeEvent *event) override;
+  bool focusNextPrevChild(bool next) override;
+
+private:
+  enum class Gesture { None, Turn, Pan, Handle };
+
+  [[nodiscard]] glm::dvec2 devicePixel(const QPointF &position) const;
+  [[nodiscard]] View screen() const;
+  [[nodiscard]] const Handle *findHandle(const std::string &id) const;
+  [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
+  /// From an arrow's tip to the place of its head that is nearest to a pixel; zero for handles that are no
+  /// tips.
+  [[nodiscard]] glm::dvec2 alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const;
+  [[nodiscard]] std::optional<Gizmo> gizmo() const;
+  [[nodiscard]] std::string markOf(const Handle &handle) const;
+
+  [[nodiscard]] SceneContent interactiveContent() const;
+  void takeOutcome();
+  void takeStage();
+  /// The session's scene in units of the stage.
+  [[nodiscard]] Scene stagedScene() const { return toStage(m_model.session().scene, m_stage); }
+  [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
+  void prepare();
+  /// Takes the content anew, and draws it.
+  void updateContent();
+  /// Draws what is there from where the camera is now.
+  void showMoved();
+  [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
+  void hover(glm::dvec2 pixel);
+  void pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel);
+  void requestFrame();
+  void frame();
+  void followPointer();
+  void cancelDrag();
+  void dismiss();
+  void setDragMode(DragMode mode);
+  void moveCamera(const QPointF &position);
+  /// From the direction of a view, on the stage.
+  [[nodiscard]] Camera viewOfAll(const CameraView &view) const;
+  /// As long as nobody has moved the camera, the figure stays in view at every size.
+  void stayHome();
+  /// All of the figure in view, from the direction that the camera has.
+  void showAll();
+  [[nodiscard]] bool isInView(const Handle &handle) const;
+  void followTyped(const std::vector<Handle> &before);
+  void glideTo(const Camera &camera);
+  bool stepSelected(const QKeyEvent &event);
+  bool lockAxis(int key);
+  void selectNext(bool forward);
+  void showHint();
+
+  SessionModel &m_model;
+  FigureScene m_scene;
+  Theme m_theme;
+  Stage m_stage; ///< the model's, that the camera is on
+  Camera m_camera;
+  double m_sizeScale = 1;
+  bool m_motion = true;
+  bool m_numbersHidden = false;
+  bool m_atHome = true; ///< nobody has moved the camera since the lesson began
+
+  std::vector<Handle> m_handles;
+  std::string m_selected; ///< a handle's id
+  std::string m_hovered;  ///< a handle's id
+  std::optional<Gizmo::Part> m_hotPart;
+  std::string m_hoveredMark;
+  std::set<std::string> m_highlighted;
+  bool m_vertical = false; ///< whether the selected handle moves up and down when it is grabbed
+
+  Gesture m_gesture = Gesture::None;
+  std::optional<HandleDrag> m_drag;
+  std::string m_caught;        ///< the special case that the drag has snapped to
+  bool m_clickToggles = false; ///< whether the press was on the handle that was selected already
+  bool m_moved = false;        ///< whether the pointer has left the place of the press
+  QPointF m_pressed;
+  QPointF m_lastPointer;
+  std::optional<QPointF> m_pendingPointer; ///< the newest pointer position that no frame has taken up
+  bool m_contentStale = true;
+  bool m_awaitingPaint = false; ///< a frame is drawn but not shown yet
+  bool m_frameWanted = false;   ///< another one is wanted after that
+  QTimer m_frameTimer;
+  QTimer m_restTimer; ///< ends the quick drawing of what moves
+  QVariantAnimation m_glide;
+  MarkFade m_fade;
+  FrameTimes m_times; ///< of the next frame, as far as they are known
+  std::chrono::steady_clock::time_point m_outcomeTaken;
+};
+
+} // namespace halfspace

@@ -1,0 +1,99 @@
+// The scene view's camera.
+#include "widgets/picture/camera_views.h"
+#include "widgets/view/scene_view.h"
+
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr int glideTime = 350; // milliseconds
+constexpr double radiansPerPixel = 0.008;
+constexpr double zoomPerWheelStep = 0.88;
+
+} // namespace
+
+void SceneView::moveCamera(const QPointF &position) {
+  const QPointF moved = position - m_lastPointer;
+  m_lastPointer = position;
+  m_atHome = false;
+  if (m_gesture == Gesture::Turn)
+    m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
+  else
+    m_camera.pan(glm::dvec2(moved.x(), moved.y()) * devicePixelRatioF(), pixelSize());
+  showMoved();
+}
+
+void SceneView::wheelEvent(QWheelEvent *event) {
+  m_glide.stop();
+  m_atHome = false;
+  const double steps = event->angleDelta().y() / 120.0;
+  m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
+  showMoved();
+  event->accept();
+}
+
+void SceneView::glideTo(const Camera &camera) {
+  m_glide.stop();
+  m_atHome = false;
+  if (!m_motion || !isVisible()) {
+    m_camera = camera;
+    return requestFrame();
+  }
+  const Camera from = m_camera;
+  m_glide.disconnect(this);
+  m_glide.setStartValue(0.0);
+  m_glide.setEndValue(1.0);
+  m_glide.setDuration(glideTime);
+  m_glide.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&m_glide, &QVariantAnimation::valueChanged, this, [this, from, camera](const QVariant &value) {
+    m_camera = between(from, camera, value.toDouble());
+    showMoved();
+  });
+  m_glide.start();
+}
+
+Camera SceneView::viewOfAll(const CameraView &view) const {
+  return homeView(view, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(), designRatio(),
+                  m_camera.orthographic);
+}
+
+void SceneView::goHome() {
+  glideTo(viewOfAll(m_model.lesson().camera));
+  m_atHome = true;
+}
+
+void SceneView::showAll() {
+  m_glide.stop();
+  m_camera = viewOfAll(m_atHome ? m_model.lesson().camera
+                                : CameraView{-m_camera.viewDirection(), m_camera.target, m_camera.height});
+}
+
+void SceneView::stayHome() {
+  if (m_atHome)
+    showAll();
+}
+
+void SceneView::resizeEvent(QResizeEvent *event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  stayHome();
+  requestFrame();
+}
+
+void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
+
+void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.outcome().figure), m_camera)); }
+
+void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene(), m_camera)); }
+
+void SceneView::setOrthographic(bool on) {
+  m_glide.stop();
+  m_camera.orthographic = on;
+  requestFrame();
+}
+
+void SceneView::fit() { glideTo(fitted(m_camera, placesOf(staged(m_model.shown().figure)), pixelSize())); }
+
+} // namespace halfspace

@@ -1,0 +1,301 @@
+// The scene view's mouse and keys.
+#include "widgets/picture/shapes/gizmo_shape.h"
+#include "widgets/view/key_steps.h"
+#include "widgets/view/scene_view.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+
+namespace halfspace {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A press that moves less than this many pixels is a click.
+constexpr int clickSlop = 3;
+
+/// The finest step of all, to which Alt suspends snapping.
+const Rational finestStep(1, 1000);
+
+/// A handle that moves up and down does so with the arrow keys too.
+int verticalKey(int key) {
+  return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
+}
+
+/// What can be done with a handle that moves like this.
+QString hintFor(DragMode mode) {
+  switch (mode) {
+  case DragMode::Horizontal:
+    return SceneView::tr(
+        "Moves in x and y. Click it again or hold Shift for up and down; X, Y, Z lock an axis.");
+  case DragMode::Vertical:
+    return SceneView::tr("Moves up and down. Click it again for x and y.");
+  case DragMode::AxisX:
+    return SceneView::tr("Moves along x only.");
+  case DragMode::AxisY:
+    return SceneView::tr("Moves along y only.");
+  case DragMode::AxisZ:
+    return SceneView::tr("Moves along z only.");
+  case DragMode::PlaneYZ:
+    return SceneView::tr("Moves in y and z.");
+  case DragMode::PlaneZX:
+    return SceneView::tr("Moves in x and z.");
+  case DragMode::OwnAxis:
+    break;
+  }
+  return SceneView::tr("Moves the plane along its normal.");
+}
+
+} // namespace
+
+bool SceneView::event(QEvent *event) {
+  // While a handle is held all keys belong to the drag, before any shortcut of the window.
+  if (event->type() == QEvent::ShortcutOverride && m_gesture == Gesture::Handle) {
+    event->accept();
+    return true;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
+void SceneView::showEvent(QShowEvent *event) {
+  window()->installEventFilter(this);
+  QVTKOpenGLNativeWidget::showEvent(event);
+}
+
+bool SceneView::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() == QEvent::UpdateRequest && m_contentStale)
+    frame();
+  return QVTKOpenGLNativeWidget::eventFilter(watched, event);
+}
+
+void SceneView::mousePressEvent(QMouseEvent *event) {
+  if (m_gesture != Gesture::None)
+    return;
+  m_glide.stop();
+  m_pressed = m_lastPointer = event->localPos();
+  m_moved = false;
+  const glm::dvec2 pixel = devicePixel(m_pressed);
+  if (event->button() == Qt::LeftButton) {
+    const auto part = gizmoPartUnder(pixel);
+    const Handle *selected = findHandle(m_selected);
+    if (part && selected)
+      return pressHandle(*selected, modeOf(*part), pixel);
+    if (const Handle *handle = handleAt(pixel)) {
+      const bool same = handle->id == m_selected;
+      const bool vertical = (same && m_vertical) != bool(event->modifiers() & Qt::ShiftModifier);
+      if (const auto mode = grabMode(*handle, vertical, m_camera))
+        return pressHandle(*handle, *mode, pixel);
+    }
+    m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
+  } else {
+    m_gesture = Gesture::Pan;
+  }
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
+  // Of two quick presses Qt delivers the second only as a double click: to a handle it is a press like any
+  // other.
+  mousePressEvent(event);
+}
+
+void SceneView::pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
+  m_gesture = Gesture::Handle;
+  m_fade.finish();
+  m_drag.emplace(stagedScene(), handle, mode, pixel);
+  m_model.beginGesture();
+  if (m_selected != handle.id)
+    m_vertical = false;
+  const bool wasSelected = m_selected == handle.id;
+  m_selected = handle.id;
+  m_clickToggles = wasSelected;
+  setCursor(Qt::ClosedHandCursor);
+  updateContent();
+  showHint();
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent *event) {
+  if (m_gesture == Gesture::None)
+    return hover(devicePixel(event->localPos()));
+  if (event->buttons() == Qt::NoButton) {
+    // The release went elsewhere.
+    finishDrag();
+    return;
+  }
+  if ((event->localPos() - m_pressed).manhattanLength() > clickSlop)
+    m_moved = true;
+  if (!m_moved)
+    return;
+  if (m_gesture == Gesture::Handle) {
+    m_pendingPointer = event->localPos();
+    showMoved();
+  } else {
+    moveCamera(event->localPos());
+  }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent *) { finishDrag(); }
+
+void SceneView::followPointer() {
+  if (!m_drag || !m_pendingPointer)
+    return;
+  m_lastPointer = *m_pendingPointer;
+  m_pendingPointer.reset();
+  const auto start = Clock::now();
+  const bool suspended = QGuiApplication::keyboardModifiers() & Qt::AltModifier;
+  const auto move =
+      m_drag->moveTo(devicePixel(m_lastPointer), suspended ? finestStep : m_model.snapStep(), screen());
+  if (!move)
+    return;
+  m_outcomeTaken = start;
+  m_model.moveGesture({m_drag->handle().object, fromStage(move->object, m_stage)});
+  if (m_outcomeTaken != start) {
+    m_times.evaluate = m_outcomeTaken - start;
+    m_times.panels = Clock::now() - m_outcomeTaken;
+  }
+  if (move->caught != m_caught) {
+    m_caught = move->caught;
+    QToolTip::showText(mapToGlobal(m_lastPointer.toPoint()), QString::fromStdString(m_caught), this);
+    showHint();
+  }
+  m_contentStale = true;
+}
+
+void SceneView::finishDrag() {
+  if (m_gesture == Gesture::None)
+    return;
+  if (m_gesture == Gesture::Handle) {
+    followPointer();
+    const Handle &handle = m_drag->handle();
+    if (m_moved)
+      m_model.endGesture(tr("move %1").arg(QString::fromStdString(handle.id)));
+    else
+      m_model.cancelGesture();
+    if (!m_moved && m_clickToggles)
+      m_vertical = !m_vertical;
+    m_drag.reset();
+    m_caught.clear();
+  }
+  m_gesture = Gesture::None;
+  m_pendingPointer.reset();
+  unsetCursor();
+  updateContent();
+  showHint();
+}
+
+void SceneView::cancelDrag() {
+  m_model.cancelGesture();
+  m_drag.reset();
+  m_caught.clear();
+  m_pendingPointer.reset();
+  m_gesture = Gesture::None;
+  unsetCursor();
+  updateContent();
+  showHint();
+}
+
+std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
+  const auto tool = gizmo();
+  return tool ? gizmoPartAt(*tool, m_camera, pixelSize(), designRatio(), pixel) : std::nullopt;
+}
+
+void SceneView::hover(glm::dvec2 pixel) {
+  const auto part = gizmoPartUnder(pixel);
+  const Handle *handle = part ? nullptr : handleAt(pixel);
+  const std::string handleId = handle ? handle->id : std::string();
+  const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);
+  if (part == m_hotPart && handleId == m_hovered && mark == m_hoveredMark)
+    return;
+  m_hotPart = part;
+  m_hovered = handleId;
+  if (handle || part)
+    setCursor(Qt::OpenHandCursor);
+  else
+    unsetCursor();
+  if (mark != m_hoveredMark) {
+    m_hoveredMark = mark;
+    emit markHovered(QString::fromStdString(mark));
+  }
+  updateContent();
+}
+
+void SceneView::leaveEvent(QEvent *event) {
+  if (m_gesture == Gesture::None)
+    hover({-1e6, -1e6});
+  QVTKOpenGLNativeWidget::leaveEvent(event);
+}
+
+void SceneView::setDragMode(DragMode mode) {
+  if (!m_drag || m_drag->mode() == DragMode::OwnAxis)
+    return;
+  m_drag->setMode(mode);
+  updateContent();
+  showHint();
+}
+
+bool SceneView::lockAxis(int key) {
+  const int axis = key == Qt::Key_X ? 0 : key == Qt::Key_Y ? 1 : key == Qt::Key_Z ? 2 : -1;
+  if (axis < 0 || !m_drag)
+    return false;
+  static const DragMode modes[3] = {DragMode::AxisX, DragMode::AxisY, DragMode::AxisZ};
+  setDragMode(m_drag->mode() == modes[axis] ? DragMode::Horizontal : modes[axis]);
+  return true;
+}
+
+void SceneView::keyPressEvent(QKeyEvent *event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (m_gesture == Gesture::Handle)
+      cancelDrag();
+    else
+      dismiss();
+    return;
+  }
+  if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Horizontal)
+    return setDragMode(DragMode::Vertical);
+  if ((event->modifiers() == Qt::NoModifier && lockAxis(event->key())) || stepSelected(*event))
+    return;
+  QVTKOpenGLNativeWidget::keyPressEvent(event);
+}
+
+void SceneView::dismiss() {
+  selectHandle({});
+  emit dismissed();
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent *event) {
+  if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Vertical && !m_vertical)
+    return setDragMode(DragMode::Horizontal);
+  QVTKOpenGLNativeWidget::keyReleaseEvent(event);
+}
+
+bool SceneView::stepSelected(const QKeyEvent &event) {
+  const Handle *handle = findHandle(m_selected);
+  const Scene scene = handle ? stagedScene() : Scene();
+  const Object *object = handle ? findObject(scene, handle->object) : nullptr;
+  if (!object || m_gesture != Gesture::None)
+    return false;
+  const auto place = steppedPlace(*handle, m_vertical ? verticalKey(event.key()) : event.key(),
+                                  event.modifiers(), m_model.snapStep(), m_camera);
+  if (!place)
+    return false;
+  m_model.edit({handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
+               tr("move %1").arg(QString::fromStdString(handle->id)));
+  return true;
+}
+
+void SceneView::showHint() {
+  const Handle *handle = findHandle(m_selected);
+  if (!m_caught.empty())
+    emit hint(QString::fromStdString(m_caught));
+  else if (!handle)
+    emit hint(m_stage.hasAxes()
+                  ? tr("Drag a handle to move it, drag beside it to turn the view. The wheel zooms.")
+                  : tr("The origin and the axes lie far outside of this picture."));
+  else if (const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera))
+    emit hint(hintFor(*mode));
+  else
+    emit hint(tr("Turn the view: from here this handle is seen end-on."));
+}
+
+} // namespace halfspace

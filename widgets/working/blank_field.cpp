@@ -1,0 +1,54 @@
+#include "widgets/working/blank_field.h"
+
+#include "widgets/repolish.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QToolButton>
+
+namespace halfspace {
+BlankField::BlankField(int letters, QWidget *parent)
+    : QWidget(parent), m_edit(new QLineEdit), m_show(new QToolButton) {
+  auto *layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  m_edit->setPlaceholderText(QStringLiteral("?"));
+  m_edit->setFixedWidth(letters * fontMetrics().averageCharWidth());
+  m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
+                        "(1, 2, 3); an equation as x + 2y = 3. Enter checks it."));
+  connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
+  connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
+  layout->addWidget(m_edit);
+  m_show->setText(tr("Show"));
+  m_show->setAutoRaise(true);
+  m_show->setFocusPolicy(Qt::StrongFocus);
+  connect(m_show, &QToolButton::clicked, this, &BlankField::showRequested);
+  layout->addWidget(m_show);
+  setFocusProxy(m_edit);
+}
+
+void BlankField::setQuestion(const QString &question) {
+  m_edit->setAccessibleName(tr("Fill in: %1").arg(question));
+  m_show->setAccessibleName(tr("Show: %1").arg(question));
+}
+
+void BlankField::setRemark(const QString &remark) {
+  if (m_edit->accessibleDescription() == remark)
+    return;
+  m_edit->setAccessibleDescription(remark);
+  mark(!remark.isEmpty());
+}
+
+void BlankField::answer() {
+  if (m_edit->text().trimmed().isEmpty())
+    return;
+  m_edit->selectAll();
+  emit answered(m_edit->text());
+}
+
+void BlankField::mark(bool wrong) {
+  m_edit->setProperty("wrong", wrong);
+  repolish(*m_edit);
+}
+
+} // namespace halfspace

@@ -1,0 +1,66 @@
+#include "widgets/working/coordinate_editor.h"
+
+#include <algorithm>
+
+namespace halfspace {
+
+void CoordinateEditor::change(const CoordinateNumber &number, const Rational &value) {
+  if (const auto edit = editOf(number, value))
+    m_model.edit(*edit, nameOfChange(number));
+}
+
+void CoordinateEditor::step(const CoordinateNumber &number, int steps) {
+  change(number, valueOf(number) + stepOf(number.id) * steps);
+}
+
+void CoordinateEditor::beginScrub(const CoordinateNumber &number) {
+  m_scrubbed = number;
+  m_scrubStart = valueOf(number);
+  m_scrubStep = stepOf(number.id);
+  m_model.beginGesture();
+}
+
+void CoordinateEditor::scrub(int steps) {
+  if (!m_model.inGesture())
+    return; // another lesson was opened
+  if (const auto edit = editOf(m_scrubbed, m_scrubStart + m_scrubStep * steps))
+    m_model.moveGesture(*edit);
+}
+
+void CoordinateEditor::endScrub(bool keep) {
+  if (keep)
+    m_model.endGesture(nameOfChange(m_scrubbed));
+  else
+    m_model.cancelGesture();
+}
+
+Rational CoordinateEditor::valueOf(const CoordinateNumber &number) const {
+  const Object *object = findObject(m_model.session().scene, number.id.object);
+  return object ? coordinate(*object, number.id.index)[number.axis] : Rational(0);
+}
+
+std::optional<Edit> CoordinateEditor::editOf(const CoordinateNumber &number, const Rational &value) const {
+  const Object *object = findObject(m_model.session().scene, number.id.object);
+  if (!object || refuseCoordinate(value))
+    return {};
+  Edit edit{number.id.object, *object};
+  coordinate(edit.value, number.id.index)[number.axis] = value;
+  return edit;
+}
+
+Rational CoordinateEditor::stepOf(const CoordinateId &id) const {
+  const Object *object = findObject(m_model.session().scene, id.object);
+  if (!object)
+    return m_model.snapStep();
+  if (coordinatesOf(*object)[id.index].role == CoordinateRole::Position)
+    return m_model.snapStep() * m_model.stage().unit();
+  const ExactVec3 &direction = coordinate(*object, id.index);
+  const Rational longest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
+  return m_model.snapStep() * powerOfTen(suitingExponent(toDouble(longest)));
+}
+
+QString CoordinateEditor::nameOfChange(const CoordinateNumber &number) const {
+  return tr("change %1").arg(QString::fromStdString(fullName(m_model.session().scene, number.id)));
+}
+
+} // namespace halfspace

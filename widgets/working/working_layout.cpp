@@ -1,0 +1,169 @@
+#include "widgets/working/working_layout.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+
+#include <algorithm>
+
+namespace halfspace {
+
+namespace {
+
+/// The formulas' type is so much larger than the sentences': it has finer strokes.
+constexpr double formulaScale = 1.28;
+/// A formula that is too wide is not drawn smaller than this.
+constexpr double smallestScale = 0.6;
+
+// Space, in em of the formulas' type.
+constexpr double sideMargin = 1.0;
+constexpr double lineMargin = 0.8;         // above and below a line
+constexpr double rowGap = 0.5;             // between the rows of a line
+constexpr double sentenceGap = 0.5;        // between formulas and sentence
+constexpr double relationGap = 0.28;       // before `=`: TeX's thick space
+constexpr double indent = 1.6;             // of further rows
+constexpr double sentenceLineHeight = 1.2; // as part of the font's
+constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
+// Every row has at least the room of ordinary letters.
+constexpr double leastAscent = 0.72;
+constexpr double leastDepth = 0.22;
+
+/// Lays out one line at a time below the last.
+class LinePlacer {
+public:
+  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
+      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em),
+        m_right(width - sideMargin * m_em), m_width(width) {}
+
+  PlacedLine place(const TypesetLine &line, const QString &remark) {
+    m_placed = {};
+    m_y += lineMargin * m_em;
+    const double top = m_y - lineMargin * m_em;
+    m_x = m_left;
+    m_rowIsEmpty = true;
+    startRow();
+    for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
+      placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
+    if (line.told) {
+      breakRow();
+      placePiece(line.told);
+    }
+    endRow();
+    const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
+    m_placed.remark = placeText(remark, m_left + markRoom);
+    if (!line.isPartial)
+      m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
+    m_y += lineMargin * m_em;
+    m_placed.box = QRectF(0, top, m_width, m_y - top);
+    return std::move(m_placed);
+  }
+
+  [[nodiscard]] QSizeF size() const { return {std::max(m_width, m_widest + m_left), m_y}; }
+
+private:
+  void startRow() {
+    m_rowBegin = m_placed.formulas.size();
+    m_ascent = leastAscent * m_em;
+    m_depth = leastDepth * m_em;
+    m_rowIsFull = false;
+  }
+
+  /// Now that the row's height is known, everything in it comes down to its baseline.
+  void endRow() {
+    const double baseline = m_y + m_ascent;
+    for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i) {
+      PlacedFormula &formula = m_placed.formulas[i];
+      formula.baseline.setY(baseline);
+      if (const auto &leftOut = formula.picture->leftOut())
+        m_placed.blank = formula.toWorking(*leftOut);
+    }
+    m_y = baseline + m_depth;
+  }
+
+  void breakRow() {
+    endRow();
+    m_y += rowGap * m_em;
+    m_x = m_left + indent * m_em;
+    m_rowIsEmpty = true;
+    startRow();
+  }
+
+  /// Makes room for something of this width, in a new row if it must be.
+  void makeRoom(double width) {
+    if (m_rowIsEmpty)
+      return;
+    // Beside a formula on several lines nothing could be read in its order.
+    if (m_rowIsFull || m_x + relationGap * m_em + width > m_right)
+      breakRow();
+    else
+      m_x += relationGap * m_em;
+  }
+
+  void advance(double width) {
+    m_x += width;
+    m_widest = std::max(m_widest, m_x);
+    m_rowIsEmpty = false;
+  }
+
+  void placePiece(const Typesetter::Picture &picture, std::optional<LinePiece> piece = {}) {
+    if (!picture)
+      return;
+    makeRoom(picture->width() * m_em);
+    const double room = std::max(m_right - m_x, 1.0);
+    const Typesetter::Picture shown =
+        picture->width() * m_em > room ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_em))
+                                       : picture;
+    const double em = m_em * std::clamp(room / std::max(shown->width() * m_em, 1.0), smallestScale, 1.0);
+    m_placed.formulas.push_back({shown, {m_x, 0}, em, piece});
+    m_ascent = std::max(m_ascent, shown->ascent() * em);
+    m_depth = std::max(m_depth, shown->depth() * em);
+    advance(shown->width() * em);
+    m_rowIsFull = shown->isBroken();
+  }
+
+  std::vector<PlacedText> placeText(const QString &words, double left) {
+    std::vector<PlacedText> placed;
+    if (words.isEmpty())
+      return placed;
+    m_y += sentenceGap * m_em;
+    for (const SentenceBreaker::Line &line :
+         m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
+      placed.push_back({line.text, {left, m_y + line.ascent}});
+      m_y += sentenceLineHeight * line.height;
+    }
+    m_y -= (sentenceLineHeight - 1) * QFontMetricsF(m_font).height(); // nothing below the last
+    return placed;
+  }
+
+  SentenceBreaker &m_sentences;
+  QFont m_font;
+  double m_em, m_left, m_right, m_width;
+  double m_x = 0, m_y = 0, m_widest = 0;
+  PlacedLine m_placed;
+  // The row in work.
+  std::size_t m_rowBegin = 0;
+  double m_ascent = 0, m_depth = 0;
+  bool m_rowIsEmpty = true, m_rowIsFull = false;
+};
+
+} // namespace
+
+double emPixelsOf(const QFont &font) { return formulaScale * QFontInfo(font).pixelSize(); }
+
+QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
+  return {baseline + inPicture.topLeft() * emPixels, inPicture.size() * emPixels};
+}
+
+PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
+                           const std::map<std::string, QString> &remarks, SentenceBreaker &sentences,
+                           const QFont &font, double width) {
+  LinePlacer placer(sentences, font, width);
+  PlacedWorking placed;
+  for (const TypesetLine &line : lines) {
+    const auto remark = remarks.find(line.source.id);
+    placed.lines.push_back(placer.place(line, remark == remarks.end() ? QString() : remark->second));
+  }
+  placed.size = placer.size();
+  return placed;
+}
+
+} // namespace halfspace

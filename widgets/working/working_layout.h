@@ -1,0 +1,75 @@
+// Where the formulas and sentences of a working stand.
+#pragma once
+
+#include "lessons/construction/working.h"
+#include "widgets/typeset/typesetter.h"
+#include "widgets/working/sentence_breaker.h"
+
+#include <QFont>
+#include <QRectF>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace halfspace {
+
+/// A worked line with its pieces typeset.
+struct TypesetLine {
+  WorkingLine source;
+  std::array<Typesetter::Picture, 3> pieces{}; ///< symbols, numbers, result; null where the source is empty
+  Typesetter::Picture told{}; ///< what is told to fill its blank in; null where there is nothing
+  std::array<std::vector<Term>, 3> numbers{}; ///< of each piece, by the indices of its picture
+  bool isPartial = false;                     ///< something of the line is not shown, nor its sentence
+};
+
+/// What is said about a line to the learner who filled it in.
+struct LineRemark {
+  QString text;
+  bool right = false;
+  bool operator==(const LineRemark &) const = default;
+};
+
+/// A formula in its place.
+struct PlacedFormula {
+  Typesetter::Picture picture;
+  QPointF baseline;
+  double emPixels = 0;
+  std::optional<LinePiece> piece{}; ///< which of its line it is; nothing for what is told
+
+  /// From the picture's lengths to places in the working.
+  [[nodiscard]] QRectF toWorking(const QRectF &inPicture) const;
+  [[nodiscard]] QRectF box() const { return toWorking(picture->box()); }
+};
+
+/// A line of plain text in its place.
+struct PlacedText {
+  QString text;
+  QPointF baseline;
+};
+
+struct PlacedLine {
+  QRectF box; ///< with the space around it, across the whole width
+  std::vector<PlacedFormula> formulas;
+  QRectF blank; ///< the room of what is left out; null when nothing is
+  std::vector<PlacedText> remark;
+  std::vector<PlacedText> sentence;
+};
+
+struct PlacedWorking {
+  std::vector<PlacedLine> lines;
+  QSizeF size; ///< wider than asked for where a formula does not fit
+};
+
+/// The size of formulas beside a font, in pixels.
+[[nodiscard]] double emPixelsOf(const QFont &font);
+
+/// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
+/// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
+/// broken is drawn smaller, but not beyond reading. `remarks` are by the lines' ids.
+[[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
+                                         const std::map<std::string, QString> &remarks,
+                                         SentenceBreaker &sentences, const QFont &font, double width);
+
+} // namespace halfspace

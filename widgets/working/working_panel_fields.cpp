@@ -1,0 +1,88 @@
+// The fields in blank lines.
+#include "widgets/working/blank_field.h"
+#include "widgets/working/working_panel.h"
+
+#include <QApplication>
+
+namespace halfspace {
+namespace {
+
+/// The width of a gap's field.
+int lettersFor(const Gap &gap) {
+  constexpr int partOfFormula = 7;
+  constexpr int number = 12;
+  constexpr int list = 20;
+  constexpr int equation = 26;
+  const TermValue &truth = *gap.hidden->value;
+  if (truth.isList)
+    return list;
+  if (truth.entries.front().hasUnknowns())
+    return equation;
+  return gap.isResult ? number : partOfFormula;
+}
+
+} // namespace
+
+void WorkingPanel::forgetAnswers() {
+  for (const auto &[line, field] : m_fields)
+    dropField(*field);
+  m_fields.clear();
+}
+
+void WorkingPanel::dropField(BlankField &field) {
+  field.hide();
+  field.deleteLater(); // its own signal may have led here
+}
+
+bool WorkingPanel::matchFields() {
+  if (m_asks)
+    for (const WorkingLine &line : m_working.lines)
+      if (const Gap *gap = gapOf(line.id); gap && !m_fields.contains(line.id))
+        addField(line, *gap);
+  bool lostFocus = false;
+  std::erase_if(m_fields, [&](const auto &each) {
+    if (m_asks && gapOf(each.first))
+      return false;
+    lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
+    dropField(*each.second);
+    return true;
+  });
+  for (const WorkingLine &line : m_working.lines)
+    if (const auto field = m_fields.find(line.id); field != m_fields.end())
+      field->second->setQuestion(QString::fromStdString(questionText(line, *gapOf(line.id))));
+  for (const auto &[line, field] : m_fields)
+    field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
+  return lostFocus;
+}
+
+void WorkingPanel::focusField() {
+  for (const TypesetLine &line : m_lines)
+    if (const auto field = m_fields.find(line.source.id); field != m_fields.end())
+      return field->second->setFocus();
+  setFocus();
+}
+
+void WorkingPanel::followFocus(QWidget *focused) {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id);
+        field != m_fields.end() && field->second->isAncestorOf(focused))
+      setCurrentLine(i);
+}
+
+void WorkingPanel::addField(const WorkingLine &line, const Gap &gap) {
+  auto *field = new BlankField(lettersFor(gap), viewport());
+  const QString id = QString::fromStdString(line.id);
+  connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
+  connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
+  m_fields[line.id] = field;
+}
+
+void WorkingPanel::moveFields() {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (const auto field = m_fields.find(m_lines[i].source.id); field != m_fields.end()) {
+      field->second->setGeometry(m_placed.lines[i].blank.translated(-scrolled()).toRect());
+      field->second->show();
+    }
+}
+
+} // namespace halfspace

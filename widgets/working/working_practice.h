@@ -1,0 +1,88 @@
+// The worked lines with the choice of how much of them the learner completes.
+#pragma once
+
+#include "lessons/lesson/practice.h"
+#include "widgets/working/working_panel.h"
+
+#include <map>
+
+class QButtonGroup;
+class QLabel;
+class QToolButton;
+
+namespace halfspace {
+
+/// Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
+/// until their numbers change, and choosing how much is blank makes them blank anew, as do new numbers. Lines
+/// that are blank stay so and ask for the new number.
+class WorkingPractice : public QWidget {
+  Q_OBJECT
+public:
+  /// The typesetter must outlive the panel.
+  explicit WorkingPractice(const Typesetter &typesetter, QWidget *parent = nullptr);
+
+  [[nodiscard]] WorkingPanel &panel() { return *m_panel; }
+
+  /// The lesson and step whose lines come next; `asked` is what the step leaves to the learner if it says so.
+  void setStep(const std::string &lesson, int step, std::optional<Fading> asked);
+  /// Shows a working. `hidden`: no line shows numbers or asks for them, because a question goes before.
+  void setWorking(const Working &working, bool hidden);
+
+  /// How much is blank where neither the step nor the learner has said anything else: the learner's last
+  /// choice.
+  [[nodiscard]] Fading usual() const { return m_usual; }
+  void setUsual(Fading fading);
+
+  /// Whether some lines ask to be filled in.
+  [[nodiscard]] bool hasBlanks() const { return !m_fade.gaps.empty(); }
+
+signals:
+  /// The learner has chosen, completed a line, or had one shown.
+  void blanksChanged();
+  /// The learner wants to work with other numbers. Whoever has the scene gives it some at once.
+  void newNumbersRequested();
+
+private:
+  /// What the learner did with a line. New numbers end it.
+  struct LineRecord {
+    std::string text;               ///< of the line then
+    bool isOpen = false;            ///< completed, or shown
+    LineRemark remark{};            ///< said about the last answer
+    std::optional<bool> wasRight{}; ///< the first answer; false where the line was shown instead
+  };
+  struct StepPractice {
+    std::optional<Fading> fading; ///< the learner's choice here
+    std::map<std::string, LineRecord> lines;
+  };
+
+  void createBar(QLayout &bar);
+  void addChoice(QLayout &bar, Fading fading, const QString &text, const QString &explanation);
+  void choose(Fading fading);
+  void renewNumbers();
+  void answer(const QString &lineId, const QString &text);
+  void open(const QString &lineId);
+  void refresh();
+  void showScore();
+  [[nodiscard]] Fading fading() const;
+  [[nodiscard]] std::set<std::string> openedLines();
+  /// What a line says with the present numbers; empty where there is no such line.
+  [[nodiscard]] std::string textOf(const std::string &lineId) const;
+  [[nodiscard]] std::map<std::string, LineRemark> remarks();
+  /// What the learner did with the line, whose numbers are the present ones.
+  [[nodiscard]] LineRecord &recordOf(const std::string &lineId);
+  [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }
+
+  WorkingPanel *m_panel;
+  QButtonGroup *m_choices;
+  QToolButton *m_newNumbers;
+  QLabel *m_score;
+  Fading m_usual = Fading::None; ///< the learner's last choice
+  std::optional<Fading> m_asked; ///< by the step
+  std::pair<std::string, int> m_step;
+  std::map<std::pair<std::string, int>, StepPractice> m_practice;
+  Working m_working;
+  bool m_hidden = false;
+  Fade m_fade;
+};
+
+} // namespace halfspace
