@@ -184,8 +184,8 @@ bool Surd::operator==(const Surd &other) const {
 
 namespace {
 
-/// The sum A + B·√n in long doubles, where these hold a whole word and the sum does not cancel so much that
-/// its last bits would be lost.
+/// The sum A + B·√n in long doubles, where these hold a whole word and their rounding leaves no doubt which
+/// double is nearest.
 std::optional<double> quickDouble(const Surd &value) {
   if constexpr (std::numeric_limits<long double>::digits < std::numeric_limits<std::int64_t>::digits)
     return {};
@@ -200,11 +200,13 @@ std::optional<double> quickDouble(const Surd &value) {
   const long double root =
       quotient(*factor) * std::sqrt(static_cast<long double>(static_cast<std::int64_t>(value.radicand())));
   const long double sum = whole + root;
-  // Each part is at most 2 units in its 64th bit off. Of 11 bits more than a double has 8 may cancel.
-  constexpr long double cancellation = 256;
-  if (std::abs(sum) * cancellation < std::abs(whole) + std::abs(root))
-    return {};
-  return static_cast<double>(sum);
+  // A is rounded once, B·√n three times, and their sum once, each time by epsilon/2 at most: less than half
+  // of this, which also covers the two roundings below.
+  const long double margin =
+      4 * std::numeric_limits<long double>::epsilon() * (std::abs(whole) + std::abs(root));
+  const auto low = static_cast<double>(sum - margin);
+  const auto high = static_cast<double>(sum + margin);
+  return low == high ? std::optional(low) : std::nullopt;
 }
 
 } // namespace

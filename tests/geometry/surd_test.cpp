@@ -156,6 +156,19 @@ TEST(SurdToDouble, AnyValue_IsTheNearestDouble) {
   }
 }
 
+TEST(SurdToDouble, NearTheMiddleBetweenTwoDoubles_IsTheNearerOne) {
+  const Surd pinned = surd(81301, Rational(19, 1200000000000000), -14);
+  EXPECT_TRUE(isNearestDoubleOf(toDouble(pinned), pinned));
+  RandomNumbers random(14);
+  for (int i = 0; i < 3000; ++i) {
+    const double below = random.integer(1, 1 << 30) * 0x1p-20;
+    const Rational middle = (exactly(below) + exactly(std::nextafter(below, 1e9))) / 2;
+    const Rational factor(random.integer(0, 1) == 0 ? 1 : -1, tenToThe(random.integer(10, 18)).numerator());
+    const Surd value = surd(random.integer(2, 50), factor, middle);
+    EXPECT_TRUE(isNearestDoubleOf(toDouble(value), value));
+  }
+}
+
 TEST(SurdToDouble, PartsThatCancel_LoseNoDigits) {
   for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
     const Surd difference = surd(2, Rational(-q), Rational(p));
