@@ -1,5 +1,7 @@
 #include "widgets/scene/label_overlay.h"
 
+#include "widgets/scene/vtk_image.h"
+
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -22,16 +24,6 @@ namespace {
 
 /// Leader lines in design pixels, and how far short of the label they end.
 constexpr double leaderWidth = 1;
-
-void write(const LabelPicture &picture, vtkImageData *image) {
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  const auto rowBytes = static_cast<std::ptrdiff_t>(picture.width) * 4;
-  for (int row = 0; row < picture.height; ++row) // VTK's rows go from bottom to top
-    std::copy_n(picture.rgba.data() + row * rowBytes, rowBytes,
-                static_cast<std::uint8_t *>(image->GetScalarPointer(0, picture.height - 1 - row, 0)));
-  image->Modified();
-}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "widgets/picture/design_scale.h"
 #include "widgets/scene/egl_context.h"
 #include "widgets/scene/render_window.h"
+#include "widgets/scene/vtk_image.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
@@ -44,10 +45,8 @@ void divideByAlpha(std::vector<std::uint8_t> &rgba) {
 void readStrip(vtkRenderWindow *window, LabelPicture &picture, int top, int height) {
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, picture.width - 1, height - 1, 0, pixels);
-  const auto rowBytes = static_cast<std::ptrdiff_t>(picture.width) * 4;
-  for (int row = 0; row < height; ++row) // OpenGL's rows go from bottom to top
-    std::copy_n(pixels->GetPointer(0) + (height - 1 - row) * rowBytes, rowBytes,
-                picture.rgba.data() + (top + row) * rowBytes);
+  const auto bytesAbove = static_cast<std::ptrdiff_t>(top) * picture.width * 4;
+  copyUpsideDown(pixels->GetPointer(0), picture.rgba.data() + bytesAbove, picture.width, height);
 }
 
 void finishAlpha(std::vector<std::uint8_t> &rgba, bool transparent) {

@@ -1,0 +1,16 @@
+// Pictures as VTK has them: rows from bottom to top, where ours go from top to bottom.
+#pragma once
+
+#include "widgets/picture/labels/label_picture.h"
+
+class vtkImageData;
+
+namespace halfspace {
+
+/// Copies rows of pixels, four bytes each, the last one first.
+void copyUpsideDown(const std::uint8_t *from, std::uint8_t *to, int width, int height);
+
+/// The picture as an image.
+void write(const LabelPicture &picture, vtkImageData *image);
+
+} // namespace halfspace
