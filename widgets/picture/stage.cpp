@@ -105,7 +105,8 @@ public:
 
   void operator()(PointMark point) {
     point.at = position(point.at);
-    keepIf(isWithinReach(point.at), std::move(point));
+    const bool within = isWithinReach(point.at);
+    keepIf(within, std::move(point));
   }
   void operator()(const SegmentMark &segment) {
     keepLine(segment, position(segment.from), position(segment.to));
@@ -118,7 +119,8 @@ public:
     Place end = endOf(ray);
     if (!isWithinReach(end) && cutToReach(start, end))
       ray.meets = end;
-    keepIf(isWithinReach(ray.origin), std::move(ray));
+    const bool within = isWithinReach(ray.origin);
+    keepIf(within, std::move(ray));
   }
   void operator()(ArrowMark arrow) {
     arrow.from = position(arrow.from);
@@ -137,7 +139,8 @@ public:
     patch.center = position(patch.center);
     for (Place &covered : patch.covers)
       covered = position(covered);
-    keepIf(isWithinReach(patch.center), std::move(patch));
+    const bool within = isWithinReach(patch.center);
+    keepIf(within, std::move(patch));
   }
   void operator()(PolygonMark polygon) {
     for (Place &corner : polygon.corners)
@@ -147,11 +150,13 @@ public:
   }
   void operator()(ArcMark arc) {
     arc.center = position(arc.center);
-    keepIf(isWithinReach(arc.center), std::move(arc));
+    const bool within = isWithinReach(arc.center);
+    keepIf(within, std::move(arc));
   }
   void operator()(RightAngleMark corner) {
     corner.at = position(corner.at);
-    keepIf(isWithinReach(corner.at), std::move(corner));
+    const bool within = isWithinReach(corner.at);
+    keepIf(within, std::move(corner));
   }
 
 private:

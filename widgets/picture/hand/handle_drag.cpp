@@ -108,9 +108,9 @@ std::optional<Knob> knobOf(const Handle &handle, bool hot) {
   return Knob{handle.id, shownPlace(handle), std::nullopt, Subject::Triangle, hot};
 }
 
-HandleDrag::HandleDrag(const Scene &scene, Handle handle, DragMode mode, glm::dvec2 pressed)
-    : m_scene(scene), m_handle(std::move(handle)), m_mode(mode), m_anchor(m_handle), m_pressed(pressed),
-      m_at(m_handle.at), m_pixel(pressed) {}
+HandleDrag::HandleDrag(Scene scene, Handle handle, DragMode mode, glm::dvec2 pressed)
+    : m_scene(std::move(scene)), m_handle(std::move(handle)), m_mode(mode), m_anchor(m_handle),
+      m_pressed(pressed), m_at(m_handle.at), m_pixel(pressed) {}
 
 void HandleDrag::setMode(DragMode mode) {
   m_mode = mode;

@@ -40,7 +40,7 @@ struct DragMove {
 class HandleDrag {
 public:
   /// `scene` is the scene at the press: what the drag starts from.
-  HandleDrag(const Scene &scene, Handle handle, DragMode mode, glm::dvec2 pressed);
+  HandleDrag(Scene scene, Handle handle, DragMode mode, glm::dvec2 pressed);
 
   [[nodiscard]] const Handle &handle() const { return m_handle; }
   [[nodiscard]] DragMode mode() const { return m_mode; }

@@ -154,7 +154,7 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
   std::vector<Candidate> candidates;
   candidates.reserve(request.anchors.size() * directionCount * distances.size());
   double liking = 0;
-  for (std::uint16_t a = 0; a < request.anchors.size(); ++a) {
+  for (std::size_t a = 0; a < request.anchors.size(); ++a) {
     const LabelAnchor &anchor = request.anchors[a];
     if (!isOnScreen(anchor.pixel, board.size))
       continue;
@@ -163,8 +163,8 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
       return {{{a, 0, 0}, movedInside(box, board.size), 0}};
     }
     const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
-    for (std::uint16_t way = 0; way < directionCount; ++way)
-      for (std::uint16_t far = 0; far < distances.size(); ++far) {
+    for (std::size_t way = 0; way < directionCount; ++way)
+      for (std::size_t far = 0; far < distances.size(); ++far) {
         const double gap = anchor.clearance + distances[far] * board.pixelRatio;
         const Rectangle wanted = boxBeside(anchor.pixel, ways[way], gap, request.extent);
         const Rectangle box = movedInside(wanted, board.size);
@@ -204,6 +204,26 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
   return cost;
 }
 
+std::optional<LabelLayout::Candidate> LabelLayout::cheapestFor(std::size_t label, const std::string &id,
+                                                               const Options &options,
+                                                               const Board &board) const {
+  const auto previous = m_choices.find(id);
+  const Candidate *cheapest = nullptr;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Candidate &candidate : options.candidates) {
+    if (candidate.cost >= lowest)
+      break; // they are sorted: those after it cost even more
+    const bool isChange = previous != m_choices.end() && previous->second != candidate.choice;
+    const double change = isChange ? costOfChange : 0;
+    const double cost = costOf(candidate, label, options.obstacles, board, lowest - change) + change;
+    if (cost < lowest) {
+      lowest = cost;
+      cheapest = &candidate;
+    }
+  }
+  return cheapest ? std::optional(*cheapest) : std::nullopt;
+}
+
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
@@ -218,22 +238,8 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   // Every label takes the cheapest candidate beside those placed before it; the second time, beside all
   // others.
   for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t label = 0; label < requests.size(); ++label) {
-      const auto previous = m_choices.find(requests[label].id);
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const Candidate &candidate : options[label].candidates) {
-        if (candidate.cost >= lowest)
-          break; // they are sorted: those after it cost even more
-        const bool isChange = previous != m_choices.end() && previous->second != candidate.choice;
-        const double change = isChange ? costOfChange : 0;
-        const double cost =
-            costOf(candidate, label, options[label].obstacles, board, lowest - change) + change;
-        if (cost < lowest) {
-          lowest = cost;
-          board.placed[label] = candidate;
-        }
-      }
-    }
+    for (std::size_t label = 0; label < requests.size(); ++label)
+      board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
 
   std::vector<PlacedLabel> result;
   m_choices.clear();

@@ -4,8 +4,8 @@
 
 #include "widgets/picture/camera.h"
 
-#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace halfspace {
@@ -61,9 +61,9 @@ public:
 private:
   /// What a label chose: the anchor's number, the direction's and the distance's.
   struct Choice {
-    std::uint16_t anchor = 0;
-    std::uint16_t direction = 0;
-    std::uint16_t distance = 0;
+    std::size_t anchor = 0;
+    std::size_t direction = 0;
+    std::size_t distance = 0;
     bool operator==(const Choice &) const = default;
   };
   struct Candidate;
@@ -75,6 +75,10 @@ private:
   /// passed.
   [[nodiscard]] static double costOf(const Candidate &candidate, std::size_t label,
                                      const LabelObstacles &obstacles, const Board &board, double limit);
+
+  /// The cheapest place for a label beside what is placed so far; nothing where it may stand nowhere.
+  [[nodiscard]] std::optional<Candidate> cheapestFor(std::size_t label, const std::string &id,
+                                                     const Options &options, const Board &board) const;
 
   std::map<std::string, Choice> m_choices;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -64,10 +65,9 @@ Grid::Line gridLine(glm::dvec2 middle, double radius, double step, double number
 /// are some heights of a view apart, and the spacing follows that height.
 std::vector<double> multiplesBetween(double low, double high, double spacing) {
   const double first = std::ceil(low / spacing);
-  const int count = static_cast<int>(std::max(0.0, std::floor(high / spacing) - first + 1));
-  std::vector<double> numbers;
-  for (int i = 0; i < count; ++i)
-    numbers.push_back(first + i);
+  const double count = std::max(0.0, std::floor(high / spacing) - first + 1);
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), first);
   return numbers;
 }
 

@@ -226,7 +226,7 @@ void addCone(Mesh &mesh, Place base, Place tip, double radius, Color color) {
   const Place along = (tip - base) / height;
   const Frame frame(along);
   const std::int32_t first = cornerCount(mesh);
-  const std::int32_t corners = static_cast<std::int32_t>(directions.size());
+  const auto corners = static_cast<std::int32_t>(directions.size());
   for (const bool atTip : {false, true})
     for (const glm::dvec2 &d : directions) {
       const Place outward = frame.a * d.x + frame.b * d.y;
