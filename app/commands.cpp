@@ -67,34 +67,34 @@ int runCheck(const CheckCommand &command) {
 
 int runExplain(const ExplainCommand &command) {
   const LessonLibrary library = openLibrary();
-  const auto subject = openSession(library, command.subject, command.assignments);
-  if (!subject)
-    return fail(subject.problem());
-  const Outcome outcome = evaluate(subject->session.scene);
-  const std::string title = printable(subject->lesson ? subject->lesson->title : subject->session.lesson);
+  const auto opened = openSession(library, command.subject, command.assignments);
+  if (!opened)
+    return fail(opened.problem());
+  const Outcome outcome = evaluate(opened->session.scene);
+  const std::string title = printable(opened->lesson ? opened->lesson->title : opened->session.lesson);
   if (command.format == "json")
-    return printOut(explanationJson(subject->session.lesson, outcome));
+    return printOut(explanationJson(opened->session.lesson, outcome));
   return printOut(command.format == "latex" ? explanationLatex(title, outcome)
                                             : explanationText(title, outcome));
 }
 
 int runRender(const RenderCommand &command) {
   const LessonLibrary library = openLibrary();
-  const auto subject = openSession(library, command.subject, command.assignments);
-  if (!subject)
-    return fail(subject.problem());
-  const Outcome outcome = evaluate(subject->session.scene);
-  const Stage stage = stageOf(subject->session.scene);
-  const CameraView view = subject->lesson ? subject->lesson->camera : CameraView{};
+  const auto opened = openSession(library, command.subject, command.assignments);
+  if (!opened)
+    return fail(opened.problem());
+  const Outcome outcome = evaluate(opened->session.scene);
+  const Stage stage = stageOf(opened->session.scene);
+  const CameraView view = opened->lesson ? opened->lesson->camera : CameraView{};
   const Camera camera = homeView(view, toStage(outcome.figure, stage), stage.hasAxes(), command.size,
                                  command.size.height / designHeight);
   Figure figure = outcome.figure;
   if (command.step) {
-    const auto steps = subject->lesson ? subject->lesson->steps.size() : 0;
+    const auto steps = opened->lesson ? opened->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
       return fail(
           {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
-    figure = shownIn(subject->lesson->steps[static_cast<std::size_t>(*command.step - 1)], outcome).figure;
+    figure = shownIn(opened->lesson->steps[static_cast<std::size_t>(*command.step - 1)], outcome).figure;
   }
 
   const Typesetter typesetter;

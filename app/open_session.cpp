@@ -30,27 +30,27 @@ Result<OpenedSession> openSession(const LessonLibrary &library, const std::strin
     return library.problems.empty()
                ? Problem{words("No lessons were found: the program is not installed completely."), "", 0, ""}
                : library.problems.front();
-  OpenedSession subject;
+  OpenedSession opened;
   if (namesFile(library, name)) {
     auto file = readSessionFile(name);
     if (!file)
       return file.problem();
-    subject.session = std::move(file->session);
-    subject.text = std::move(file->text);
-    subject.lesson = library.find(subject.session.lesson);
+    opened.session = std::move(file->session);
+    opened.text = std::move(file->text);
+    opened.lesson = library.find(opened.session.lesson);
   } else {
-    subject.lesson = library.find(name);
-    if (!subject.lesson)
+    opened.lesson = library.find(name);
+    if (!opened.lesson)
       return unknownLesson(library, name);
-    subject.session = {subject.lesson->id, 0, subject.lesson->scene};
+    opened.session = {opened.lesson->id, 0, opened.lesson->scene};
   }
   for (const std::string &assignment : assignments) {
-    auto changed = withValue(std::move(subject.session), assignment);
+    auto changed = withValue(std::move(opened.session), assignment);
     if (!changed)
       return changed.problem();
-    subject.session = std::move(*changed);
+    opened.session = std::move(*changed);
   }
-  return subject;
+  return opened;
 }
 
 } // namespace halfspace

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QIcon>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
@@ -50,9 +51,16 @@ std::optional<Problem> checkOpenGL() {
   return {};
 }
 
-/// The window on a subject. A file that cannot be opened is told about in the window: who clicked on it sees
+QIcon programIcon() {
+  QIcon icon;
+  for (const int size : {32, 64, 128, 256})
+    icon.addFile(QString(":/icon/halfspace-%1.png").arg(size));
+  return icon;
+}
+
+/// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
-int showWindow(LessonLibrary library, const OpenedSession &subject, const std::optional<Problem> &problem,
+int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
                const WindowCommand &command) {
   MainWindow window(std::move(library));
   const Termination termination([&](int signal) {
@@ -60,10 +68,10 @@ int showWindow(LessonLibrary library, const OpenedSession &subject, const std::o
     QApplication::exit(statusAfterSignal(signal));
   });
   std::optional<KnownFile> file;
-  if (subject.text)
-    file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *subject.text,
-            subject.session.lesson};
-  window.startWith(subject.session, std::move(file));
+  if (opened.text)
+    file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *opened.text,
+            opened.session.lesson};
+  window.startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
   QTimer::singleShot(0, &window, [&] {
@@ -85,16 +93,16 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   for (const Problem &problem : library.problems)
     printError(problem.text());
   const std::string firstLesson = library.lessons.empty() ? "" : library.lessons.front().id;
-  auto subject = openSession(library, command.subject.value_or(firstLesson));
+  auto opened = openSession(library, command.subject.value_or(firstLesson));
   std::optional<Problem> problem;
-  if (!subject) {
-    problem = subject.problem();
+  if (!opened) {
+    problem = opened.problem();
     printError(problem->text());
     if (!command.subject || !namesFile(library, *command.subject) || !displayNamed())
       return exitRefused;
-    subject = openSession(library, firstLesson);
-    if (!subject)
-      return fail(subject.problem());
+    opened = openSession(library, firstLesson);
+    if (!opened)
+      return fail(opened.problem());
   }
   if (!displayNamed())
     return fail(
@@ -114,9 +122,11 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
   const QApplication application(argc, argv);
   qInstallMessageHandler(usualHandler);
+  QApplication::setWindowIcon(programIcon());
+  QGuiApplication::setDesktopFileName("halfspace");
   if (const auto missing = checkOpenGL())
     return fail(*missing);
-  return showWindow(std::move(library), *subject, problem, command);
+  return showWindow(std::move(library), *opened, problem, command);
 }
 
 } // namespace halfspace
