@@ -6,9 +6,9 @@ add_library(halfspace_options INTERFACE)
 add_library(Halfspace::options ALIAS halfspace_options)
 target_compile_features(halfspace_options INTERFACE cxx_std_20)
 
-# Errors only with the compiler that the project is checked with: what a newer one has learned to warn of shall not keep
+# Errors only with the compilers that the project is checked with: what newer ones have learned to warn of shall not keep
 # a user from building.
-set(checked_compiler $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
+set(checked_compiler $<OR:$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>,$<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,15>>>)
 add_library(halfspace_warnings INTERFACE)
 add_library(Halfspace::warnings ALIAS halfspace_warnings)
 # Two false alarms of GCC 12: it takes the union in Boost's small integers for uninitialized wherever it inlines a
@@ -25,8 +25,7 @@ target_compile_options(
             -Wnon-virtual-dtor
             -Woverloaded-virtual
             -Wnull-dereference
-            -Wno-maybe-uninitialized
-            -Wno-restrict
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>
             $<$<AND:$<BOOL:${HALFSPACE_WARNINGS_AS_ERRORS}>,${checked_compiler}>:-Werror>)
 
 if(HALFSPACE_SANITIZE)

@@ -4,6 +4,7 @@
 #include "geometry/intersect_ray_triangle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,11 +24,12 @@ template <class Scalar> struct TriangleHits {
   std::vector<std::size_t> skipped;      ///< degenerate triangles, and those whose plane the ray lies in
 };
 
-/// Intersects a ray (direction ≠ 0) with each of many triangles (note PG 7: the nearest fragment is the one
-/// with the smallest parameter).
+/// Intersects a ray with each of many triangles (note PG 7: the nearest fragment is the one with the smallest
+/// parameter). Requires a direction ≠ 0.
 template <class Scalar>
 [[nodiscard]] TriangleHits<Scalar> hitAll(const Ray<Scalar> &ray,
                                           std::span<const Triangle<Scalar>> triangles) {
+  assert(!isZero(ray.direction));
   TriangleHits<Scalar> result;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const RayTriangle<Scalar> meet = intersectRayTriangle(ray, triangles[i]);

@@ -5,6 +5,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -232,6 +233,7 @@ HitFinder &HitFinder::operator=(HitFinder &&) noexcept = default;
 HitFinder::~HitFinder() = default;
 
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
+  assert(!isZero(ray.direction));
   NearestSoFar nearest(ray, m_tree->triangles, m_tree->tame);
   const auto moved = m_tree->scene != nullptr ? m_tree->move(ray) : std::nullopt;
   if (!moved) {

@@ -27,13 +27,13 @@ struct NearestHit {
 /// floats are wrong; each is decided by a filter with a bound on its error, or else over fractions.
 class HitFinder {
 public:
-  /// Copies the triangles; their coordinates must be finite.
+  /// Copies the triangles. Requires finite coordinates.
   explicit HitFinder(std::span<const Triangle<double>> triangles);
   HitFinder(HitFinder &&) noexcept;
   HitFinder &operator=(HitFinder &&) noexcept;
   ~HitFinder();
 
-  /// For a direction ≠ 0 and finite numbers. May be called from several threads at once.
+  /// Requires a direction ≠ 0 and finite numbers. May be called from several threads at once.
   [[nodiscard]] std::optional<NearestHit> find(const Ray<double> &ray) const;
 
 private:

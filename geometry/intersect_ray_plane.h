@@ -4,6 +4,8 @@
 #include "geometry/plane.h"
 #include "geometry/ray.h"
 
+#include <cassert>
+
 namespace halfspace {
 
 enum class RayPlaneCase { Hit, Behind, Parallel, InPlane, ZeroNormal, ZeroDirection };
@@ -46,10 +48,11 @@ template <class Scalar>
 }
 
 /// The unit normal of a plane on the side that a ray's line comes from: n·r < 0 (note RP 28, which forgets to
-/// turn it). The direction must not be parallel to the plane.
+/// turn it). Requires a direction that is not parallel to the plane.
 template <class Scalar>
 [[nodiscard]] std::array<Root<Scalar>, 3> facingNormal(const Vec3<Scalar> &normal,
                                                        const Vec3<Scalar> &direction) {
+  assert(dot(normal, direction) != Scalar(0));
   const Scalar square = dot(normal, normal);
   const Vec3<Scalar> facing = dot(normal, direction) > Scalar(0) ? Vec3<Scalar>(-normal) : normal;
   return {overRoot(facing.x, square), overRoot(facing.y, square), overRoot(facing.z, square)};

@@ -49,12 +49,13 @@ template <class Scalar>
 
 /// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
 /// crosses the plane outside. Behind: it crosses the polygon at t < 0. With a zero direction the case says
-/// so. The polygon's shape must be Convex.
+/// so. Requires a polygon whose shape is Convex.
 template <class Scalar>
 [[nodiscard]] RayPolygon<Scalar> intersectRayPolygon(const Ray<Scalar> &ray,
                                                      std::span<const Vec3<Scalar>> corners) {
   const Scalar zero(0);
   RayPolygon<Scalar> result;
+  assert(shapeOf(Polygon<Scalar>(corners.begin(), corners.end())) == PolygonShape::Convex);
   const Line<Scalar> line = lineOf(ray);
   for (std::size_t i = 0; i < corners.size(); ++i)
     result.products.push_back(

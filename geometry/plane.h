@@ -5,6 +5,7 @@
 #include "geometry/vector.h"
 
 #include <array>
+#include <cassert>
 
 namespace halfspace {
 
@@ -34,15 +35,16 @@ template <class Scalar> [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane
   return dot(plane.normal, x) + plane.offset;
 }
 
-/// [a, b, c, d] divided by |n|, for n ≠ 0 (note PG 3.3): with them f is the signed distance.
+/// [a, b, c, d] divided by |n| (note PG 3.3): with them f is the signed distance. Requires n ≠ 0.
 template <class Scalar>
 [[nodiscard]] std::array<Root<Scalar>, 4> normalizedCoefficients(const Plane<Scalar> &plane) {
+  assert(!isZero(plane.normal));
   const Scalar square = dot(plane.normal, plane.normal);
   return {overRoot(plane.normal.x, square), overRoot(plane.normal.y, square),
           overRoot(plane.normal.z, square), overRoot(plane.offset, square)};
 }
 
-/// The positive multiple of [a, b, c, d] in integers without a common factor, for n ≠ 0.
+/// The positive multiple of [a, b, c, d] in integers without a common factor. Requires n ≠ 0.
 [[nodiscard]] std::array<Integer, 4> primitiveCoefficients(const Plane<Rational> &plane);
 
 } // namespace halfspace

@@ -4,10 +4,11 @@
 #include "geometry/rational.h"
 
 #include <array>
+#include <cassert>
 
 namespace halfspace {
 
-/// The positive multiple of the fractions, not all 0, in integers without a common factor.
+/// The positive multiple of the fractions in integers without a common factor. Requires one that is not 0.
 template <std::size_t size>
 [[nodiscard]] std::array<Integer, size> primitiveIntegers(const std::array<Rational, size> &given) {
   Integer commonDenominator = 1;
@@ -20,6 +21,7 @@ template <std::size_t size>
     integers[i] = (given[i] * Rational(commonDenominator)).numerator();
     commonFactor = mp::gcd(commonFactor, integers[i]);
   }
+  assert(commonFactor != 0);
   for (Integer &integer : integers)
     integer /= commonFactor;
   return integers;

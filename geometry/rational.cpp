@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <ostream>
@@ -11,8 +12,14 @@ namespace halfspace {
 
 // --- The number itself
 
+#ifdef HALFSPACE_GMP
+using BigFraction = mp::number<mp::gmp_rational, mp::et_off>;
+#else
+using BigFraction = mp::number<mp::cpp_rational_backend, mp::et_off>;
+#endif
+
 struct Rational::Big {
-  mp::number<mp::gmp_rational, mp::et_off> value;
+  BigFraction value;
 };
 
 namespace {
@@ -135,6 +142,7 @@ Rational Rational::times(const Rational &other) const {
 }
 
 Rational Rational::over(const Rational &divisor) const {
+  assert(divisor.sign() != 0);
   if (!divisor.isSmall())
     return fromBig({big().value / divisor.big().value});
   const bool negative = divisor.m_numerator < 0;

@@ -1,7 +1,11 @@
 // Exact numbers: integers and fractions of any size.
 #pragma once
 
+#ifdef HALFSPACE_GMP
 #include <boost/multiprecision/gmp.hpp>
+#else
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
 
 #include <compare>
 #include <concepts>
@@ -19,12 +23,17 @@ namespace halfspace {
 namespace mp = boost::multiprecision;
 
 /// An integer of any size. Expression templates are off: GLM and `auto` need plain values.
+#ifdef HALFSPACE_GMP
 using Integer = mp::number<mp::gmp_int, mp::et_off>;
+#else
+using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
+#endif
 
 /// A fraction in lowest terms with a positive denominator, of any size.
 ///
 /// Nearly all that a lesson or a question computes with fits two machine words and is kept in them; only what
-/// does not is handed to GMP. A small sum or product costs some nanoseconds and no memory.
+/// does not is handed to GMP, or to Boost where it is built without. A small sum or product costs some
+/// nanoseconds and no memory.
 class Rational {
 public:
   Rational() = default;
@@ -37,7 +46,7 @@ public:
       *this = Rational(Integer(value));
   }
   explicit Rational(const Integer &value);
-  /// p/q for q ≠ 0.
+  /// p/q; requires q ≠ 0.
   template <std::integral P, std::integral Q> Rational(P p, Q q) { *this = Rational(p) / Rational(q); }
   Rational(const Integer &p, const Integer &q);
 
@@ -74,7 +83,7 @@ public:
       return product;
     return a.times(b);
   }
-  /// For b ≠ 0.
+  /// Requires b ≠ 0, as all fractions do: debug builds stop at a division by zero.
   [[nodiscard]] friend Rational operator/(const Rational &a, const Rational &b) { return a.over(b); }
 
   [[nodiscard]] friend bool operator==(const Rational &a, const Rational &b) {
@@ -97,7 +106,7 @@ public:
 private:
   __extension__ using TwoWords = __int128;
 
-  /// What does not fit into the words: GMP's fraction.
+  /// What does not fit into the words.
   struct Big;
 
   [[nodiscard]] bool isSmall() const { return m_big == nullptr; }

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace halfspace {
 namespace {
@@ -177,6 +179,31 @@ TEST(HitFinder, FarAwayHugeAndTiny_AgreesWithTheExactLoop) {
         const Vec3<double> target = (aim.p0 + aim.p1 + aim.p2) / 3.0;
         ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(finder, triangles, {origin, target - origin})) << size;
       }
+  }
+}
+
+TEST(HitFinder, DirectionOfAnyLength_FindsTheSameTriangle) {
+  const std::vector<Triangle<double>> triangles{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
+                                                {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}};
+  const HitFinder finder(triangles);
+  for (int exponent = -1074; exponent <= 1023; ++exponent) {
+    const Ray<double> ray{{0, 0, 3}, {0, 0, -std::ldexp(1.0, exponent)}};
+    const auto found = finder.find(ray);
+    ASSERT_TRUE(found) << exponent;
+    EXPECT_EQ(found->index, 1U);
+    EXPECT_EQ(found->t, std::ldexp(2.0, -exponent)) << exponent;
+  }
+}
+
+TEST(HitFinder, OriginHoweverFar_FindsTheTriangle) {
+  const std::vector<Triangle<double>> triangles{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
+  const HitFinder finder(triangles);
+  for (int exponent = 0; exponent <= 1000; ++exponent) {
+    const double height = std::ldexp(1.0, exponent);
+    const auto found = finder.find({{0.25, 0.25, height}, {0, 0, -1}});
+    ASSERT_TRUE(found) << exponent;
+    EXPECT_EQ(found->t, height);
+    EXPECT_FALSE(finder.find({{0.25, 0.25, height}, {0, 0, 1}})) << exponent;
   }
 }
 

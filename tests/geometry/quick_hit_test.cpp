@@ -1,12 +1,8 @@
-// The quick ways to a hit against the thorough one, and how far and how long a ray may be for them.
-#include "geometry/hit_finder.h"
+// The quick ways to a hit against the thorough one.
 #include "geometry/quick_hit.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
 
 namespace halfspace {
 namespace {
@@ -38,31 +34,6 @@ TEST(QuickHit, DoublesThatOverflow_AreNoHit) {
   const Ray<double> besideIt{{5, 5, 1}, {0, 0, -1e-310}};
   EXPECT_FALSE(quickHit(besideIt, prepare(triangle)).hit);
   EXPECT_FALSE(quickHit(besideIt, triangle).hit);
-}
-
-TEST(HitFinder, DirectionOfAnyLength_FindsTheSameTriangle) {
-  const std::vector<Triangle<double>> triangles{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
-                                                {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}};
-  const HitFinder finder(triangles);
-  for (int exponent = -1074; exponent <= 1023; ++exponent) {
-    const Ray<double> ray{{0, 0, 3}, {0, 0, -std::ldexp(1.0, exponent)}};
-    const auto found = finder.find(ray);
-    ASSERT_TRUE(found) << exponent;
-    EXPECT_EQ(found->index, 1U);
-    EXPECT_EQ(found->t, std::ldexp(2.0, -exponent)) << exponent;
-  }
-}
-
-TEST(HitFinder, OriginHoweverFar_FindsTheTriangle) {
-  const std::vector<Triangle<double>> triangles{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
-  const HitFinder finder(triangles);
-  for (int exponent = 0; exponent <= 1000; ++exponent) {
-    const double height = std::ldexp(1.0, exponent);
-    const auto found = finder.find({{0.25, 0.25, height}, {0, 0, -1}});
-    ASSERT_TRUE(found) << exponent;
-    EXPECT_EQ(found->t, height);
-    EXPECT_FALSE(finder.find({{0.25, 0.25, height}, {0, 0, 1}})) << exponent;
-  }
 }
 
 } // namespace

@@ -75,9 +75,9 @@ TEST(TermValueOf, RootsOfWhatIsNegativeOrUnknown_IsNothing) {
 
 TEST(TermValueOf, NumbersMixedWithVectors_IsNothing) {
   const Term plane = list({1, 2});
-  for (const Term &mixed : {u + 1, 1 - u, u * v, dot(u, half), dot(half, u), dot(u, plane), cross(u, plane),
-                            cross(half, u), 1 / u, power(u, 2), root(u), list({u, 1}),
-                            determinant(2, {1, 2, 3}), determinant(0, {1}), u + plane, permuted(u, v, u, 1)})
+  for (const Term &mixed :
+       {u + 1, 1 - u, u * v, dot(u, half), dot(half, u), dot(u, plane), cross(u, plane), cross(half, u),
+        1 / u, power(u, 2), root(u), list({u, 1}), u + plane, permuted(u, v, u, 1)})
     EXPECT_FALSE(mixed->value) << valueText(mixed);
 }
 
