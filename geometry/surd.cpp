@@ -216,18 +216,22 @@ double toDouble(const Surd &value) {
     return toDouble(value.rationalPart());
   if (const auto quick = quickDouble(value))
     return *quick;
-  // The root is taken in fixed point, B·√n = ±√(B²n); more bits are added until 64 of the sum are true,
-  // however much of A and B·√n cancels.
+  // The root is taken in fixed point, B·√n = ±√(B²n), and cut off: the sum lies between what comes of it and
+  // of the next number. More bits are added until both are nearest to the same double, which happens, as the
+  // sum is irrational and never in the middle between two.
   const Rational square = value.rootFactor() * value.rootFactor() * Rational(value.radicand());
   const Integer p = square.numerator();
   const Integer q = square.denominator();
   for (int bits = 128 + static_cast<int>(mp::msb(q));; bits *= 2) {
-    Integer root = mp::sqrt(Integer((p << (2 * bits)) / q));
-    if (value.rootFactor() < 0)
-      root = -root;
-    const Rational sum = value.rationalPart() * Rational(Integer(Integer(1) << bits)) + Rational(root);
-    if (sum != 0 && mp::msb(Integer(mp::abs(Integer(sum.numerator() / sum.denominator())) + 1)) >= 64)
+    const Rational shifted = value.rationalPart() * Rational(Integer(Integer(1) << bits));
+    const Integer root = mp::sqrt(Integer((p << (2 * bits)) / q));
+    const auto sumWith = [&](const Integer &magnitude) {
+      const Rational sum = shifted + Rational(value.rootFactor() < 0 ? Integer(-magnitude) : magnitude);
       return nearestDouble(sum.numerator(), sum.denominator(), -bits);
+    };
+    const double sum = sumWith(root);
+    if (sum == sumWith(root + 1))
+      return sum;
   }
 }
 

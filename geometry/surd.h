@@ -47,8 +47,7 @@ private:
 /// The largest number that is factored to find the square-free part of a radicand.
 inline const Integer factorLimit = mp::pow(Integer(10), 18);
 
-/// The double nearest to the exact value (at most one unit in the last place off); ±infinity beyond their
-/// range.
+/// The double nearest to the exact value; ±infinity beyond their range.
 [[nodiscard]] double toDouble(const Surd &value);
 
 /// `A`, `B*sqrt(n)`, `A + B*sqrt(n)` or `A - B*sqrt(n)`; nothing where the value is not canonical.
