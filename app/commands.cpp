@@ -1,7 +1,7 @@
 #include "app/commands.h"
 
 #include "app/check.h"
-#include "app/lesson_files.h"
+#include "app/lessons_folder.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/scene/explain_formats.h"
@@ -10,6 +10,7 @@
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/scene/offscreen.h"
+#include "widgets/scene/png.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 

@@ -1,6 +1,6 @@
 #include "app/window_command.h"
 
-#include "app/lesson_files.h"
+#include "app/lessons_folder.h"
 #include "app/main_window.h"
 #include "app/memory.h"
 #include "app/open_session.h"

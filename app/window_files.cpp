@@ -5,6 +5,7 @@
 #include "lessons/files/write_file.h"
 #include "lessons/scene/session_file.h"
 #include "widgets/scene/offscreen.h"
+#include "widgets/scene/png.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 

@@ -4,27 +4,28 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# A room, the rooms that it may include besides itself, and of Qt and VTK what it may include.
+# A room, the rooms that it may include besides itself (`lessons/*`: all of them), and the libraries that are not
+# everyone's.
 rooms='
-geometry             :
+geometry             : : Embree GMP
 eval                 : geometry
 lessons              :
 lessons/term         : geometry lessons
 lessons/figure       : lessons
-lessons/reading      : geometry lessons
+lessons/reading      : geometry lessons : JSON YAML
 lessons/files        : lessons lessons/reading
 lessons/object       : geometry lessons lessons/term lessons/figure
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
-lessons/scene        : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files
+lessons/scene        : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
-widgets/picture      : geometry lessons
-widgets/scene        : geometry lessons widgets/picture : VTK
-widgets              : geometry lessons widgets/picture : Qt
-widgets/view         : geometry lessons widgets widgets/picture widgets/scene : Qt VTK
-app                  : geometry eval lessons widgets widgets/picture widgets/scene widgets/view : Qt
+widgets/picture      : geometry lessons/* : HarfBuzz
+widgets/scene        : geometry lessons/* widgets/picture : VTK OpenGL
+widgets              : geometry lessons/* widgets/picture : Qt
+widgets/view         : geometry lessons/* widgets/picture widgets/scene widgets : Qt VTK
+app                  : geometry eval lessons/* widgets/picture widgets/scene widgets/view widgets : Qt JSON CLI11
 '
 
-grep --recursive --only-matching --extended-regexp '^#include [<"][^>"]+' \
+grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \
   --include='*.h' --include='*.cpp' --include='*.in' app eval geometry lessons widgets |
   awk -v rooms="$rooms" '
     BEGIN {
@@ -37,12 +38,9 @@ grep --recursive --only-matching --extended-regexp '^#include [<"][^>"]+' \
           continue
         isRoom[room] = 1
         mayInclude[room, room] = 1
-        split(parts[2], others, " ")
+        split(parts[2] " " parts[3], others, " ")
         for (j in others)
           mayInclude[room, others[j]] = 1
-        split(parts[3], libraries, " ")
-        for (j in libraries)
-          mayInclude[room, libraries[j]] = 1
       }
     }
     # The innermost room of a file; "" for what is generated or from elsewhere.
@@ -52,28 +50,26 @@ grep --recursive --only-matching --extended-regexp '^#include [<"][^>"]+' \
           return path
       return ""
     }
-    # Rooms with rooms inside, as lessons and widgets/picture, are known whole to those outside.
-    function knows(room, other,    outer) {
-      for (outer = other; outer != ""; outer = index(outer, "/") ? substr(outer, 1, match(outer, /\/[^\/]*$/) - 1) : "")
-        if ((room, outer) in mayInclude && (outer == other || index(room "/", outer "/") != 1))
-          return 1
-      return 0
+    # The library of a header that is not everyone'"'"'s; "" for others.
+    function libraryOf(header) {
+      return header ~ /^(vtk|QVTK)/ ? "VTK" : header ~ /^Q/ ? "Qt" : header ~ /^embree/ ? "Embree" : \
+        header ~ /gmp/ ? "GMP" : header ~ /^hb/ ? "HarfBuzz" : header ~ /^(EGL|GL)\// ? "OpenGL" : \
+        header ~ /^yaml-cpp/ ? "YAML" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
     }
     {
-      split($0, parts, ":#include ")
-      file = parts[1]
-      included = substr(parts[2], 2)
-      room = roomOf(file)
-      if (substr(parts[2], 1, 1) == "\"") {
-        other = roomOf(included)
-        if (other != "" && !knows(room, other))
-          complain(file, included)
-      } else if (included ~ /^vtk/ && !((room, "VTK") in mayInclude) || included ~ /^Q/ && !((room, "Qt") in mayInclude)) {
-        complain(file, included)
+      split($0, parts, ":")
+      included = parts[2]
+      sub(/^[^<"]*[<"]/, "", included)
+      room = roomOf(parts[1])
+      other = roomOf(included)
+      house = other
+      sub(/(\/.*)?$/, "/*", house)
+      library = libraryOf(included)
+      if (included ~ /\.\./ || included ~ /^tests\// ||
+          (other != "" && !((room, other) in mayInclude) && !((room, house) in mayInclude)) ||
+          (other == "" && library != "" && !((room, library) in mayInclude))) {
+        print parts[1] ": must not include " included
+        failed = 1
       }
-    }
-    function complain(file, included) {
-      print file ": must not include " included
-      failed = 1
     }
     END { exit failed }' >&2

@@ -12,7 +12,7 @@ outdated=()
 for folder in "$@"; do
   [[ -d build/release/$folder ]] || continue
   while read -r object; do
-    # build/release/lessons/CMakeFiles/halfspace_lessons.dir/scene.cpp.o is made of lessons/scene.cpp.
+    # build/release/lessons/CMakeFiles/halfspace_lessons.dir/scene/scene.cpp.o is made of lessons/scene/scene.cpp.
     source=$(sed -E 's|^build/release/(.*)/CMakeFiles/[^/]*\.dir/(.*)\.o$|\1/\2|' <<<"$object")
     [[ -e $source ]] || continue # generated
     [[ $checked/$source -nt $object && $checked/$source -nt .clang-tidy ]] || outdated+=("$source")

@@ -1,4 +1,4 @@
-# What ./run and ./run-tests have in common: installing what is missing, configuring, building. To be sourced by bash.
+# What ./run, ./run-tests and other scripts have in common: installing what is missing, configuring, building. To be sourced by bash.
 # Everything here speaks on standard error: standard output belongs to the program.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -23,7 +23,7 @@ missingPackages() {
   done <"$list"
 }
 
-# Installs what is missing of the lists build, test, bench in packages/.
+# Installs what is missing of these lists in packages/: build, test, core …
 installMissing() {
   command -v dpkg-query >/dev/null || return 0 # no Debian: CMake says what it does not find
   local list missing=

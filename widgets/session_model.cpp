@@ -166,7 +166,8 @@ void SessionModel::show(const Session &session) {
     takeStage();
   }
   const auto step = static_cast<std::size_t>(m_session.step);
-  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : LessonStep(), m_outcome);
+  static const LessonStep everything;
+  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_outcome);
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)

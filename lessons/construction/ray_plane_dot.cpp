@@ -4,7 +4,7 @@
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
-#include "lessons/object/given.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 

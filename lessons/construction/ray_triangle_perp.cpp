@@ -5,7 +5,7 @@
 #include "lessons/construction/triangle_words.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
-#include "lessons/object/given.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 

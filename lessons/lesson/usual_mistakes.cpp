@@ -1,8 +1,8 @@
 #include "lessons/lesson/usual_mistakes.h"
 
-#include "lessons/term/mistakes.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "lessons/term/slips.h"
 #include "lessons/words.h"
 
 namespace halfspace {

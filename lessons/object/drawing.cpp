@@ -1,6 +1,6 @@
 #include "lessons/object/drawing.h"
 
-#include "lessons/object/given.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/latex.h"
 
 #include <glm/geometric.hpp>

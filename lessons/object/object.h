@@ -41,8 +41,10 @@ struct TriangleObject {
   bool operator==(const TriangleObject &) const = default;
 };
 
-/// The closed set of objects. A new kind needs its word and its coordinates below; what follows from them
-/// (handles, inspector rows, the file format, the names for --set) needs nothing more.
+/// The closed set of objects. A new kind needs its word and its coordinates below, from which the file
+/// format, inspector rows, the names for --set and the handles of its coordinates follow; and it is named
+/// where kinds differ: how it is drawn (object_marks.cpp), handles of its own (scene/handles.cpp), what
+/// others snap to on it (scene/snap_targets.cpp), which numbers are short for it (scene/short_numbers.cpp).
 using Object = std::variant<PointObject, PlaneObject, RayObject, TriangleObject>;
 
 /// How a coordinate moves: a position is a place in space, a direction an arrow drawn from the object's

@@ -1,6 +1,7 @@
 #include "lessons/object/object_marks.h"
 
 #include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/latex.h"
 
 namespace halfspace {
@@ -57,14 +58,6 @@ private:
 };
 
 } // namespace
-
-Symbol symbolOf(std::string_view name) {
-  const auto lastLetter = name.find_last_not_of("0123456789");
-  const std::string letters(name.substr(0, lastLetter + 1));
-  Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
-  symbol.subscript = name.substr(letters.size());
-  return symbol;
-}
 
 std::vector<Mark> marksOf(const std::string &name, const Object &object) {
   return std::visit(ObjectMarks(name), object);

@@ -3,12 +3,8 @@
 
 #include "lessons/figure/figure.h"
 #include "lessons/object/object.h"
-#include "lessons/term/term.h"
 
 namespace halfspace {
-
-/// A name of ASCII letters and digits as it is spelled: `P12` is P with the index 12, a word stands upright.
-[[nodiscard]] Symbol symbolOf(std::string_view name);
 
 /// The marks of an object. Their ids are `object:E`, and for its coordinates `object:E.n`: a construction's
 /// marks, named after its own roles, never have a colon.

@@ -1,6 +1,6 @@
 #include "lessons/scene/snap_targets.h"
 
-#include "lessons/object/object_marks.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 

@@ -22,8 +22,7 @@ public:
   };
 
   Polynomial() = default; ///< 0
-  Polynomial(Real number) // NOLINT(google-explicit-constructor): every number is one
-      : m_constant(std::move(number)) {}
+  Polynomial(Real number) : m_constant(std::move(number)) {}
   [[nodiscard]] static Polynomial unknown(const std::string &letter);
 
   /// Higher powers first, then by letters; none with a factor 0.
@@ -51,14 +50,12 @@ struct TermValue {
   std::vector<Polynomial> entries;
   bool isList = false;
 
-  TermValue(Polynomial number) {
-    entries.push_back(std::move(number));
-  }                                                                    // NOLINT(google-explicit-constructor)
-  TermValue(Real number) : TermValue(Polynomial(std::move(number))) {} // NOLINT(google-explicit-constructor)
-  TermValue(const Surd &number) : TermValue(Real(number)) {}           // NOLINT(google-explicit-constructor)
-  TermValue(const Rational &number) : TermValue(Real(number)) {}       // NOLINT(google-explicit-constructor)
-  TermValue(const Vec3<Rational> &vector);                             // NOLINT(google-explicit-constructor)
-  TermValue(const std::vector<Surd> &list);                            // NOLINT(google-explicit-constructor)
+  TermValue(Polynomial number) { entries.push_back(std::move(number)); }
+  TermValue(Real number) : TermValue(Polynomial(std::move(number))) {}
+  TermValue(const Surd &number) : TermValue(Real(number)) {}
+  TermValue(const Rational &number) : TermValue(Real(number)) {}
+  TermValue(const Vec3<Rational> &vector);
+  TermValue(const std::vector<Surd> &list);
   [[nodiscard]] static TermValue list(std::vector<Polynomial> entries);
 
   /// The number that it is; null for lists, and where unknowns are left.

@@ -13,10 +13,10 @@ int main(int argc, char **argv) {
   if (argc < 2)
     return 1;
   LessonLibrary library = readLessons(TEST_LESSONS_FOLDER);
-  const auto subject = openSession(library, library.lessons.front().id);
-  if (!subject)
+  const auto opened = openSession(library, library.lessons.front().id);
+  if (!opened)
     return 1;
-  const Session session = subject->session;
+  const Session session = opened->session;
   QStandardPaths::setTestModeEnabled(true);
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

@@ -1,4 +1,4 @@
-// Where the camera stands at home.
+// Where the camera stands at home, and which ray it can look down.
 #include "widgets/picture/camera_views.h"
 
 #include "lessons/lesson/lesson.h"

@@ -1,3 +1,5 @@
+#include "widgets/scene/png.h"
+
 #include "tests/scene/pictures.h"
 
 #include <gtest/gtest.h>

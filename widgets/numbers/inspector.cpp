@@ -1,6 +1,6 @@
 #include "widgets/numbers/inspector.h"
 
-#include "lessons/object/object_marks.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/written.h"
 #include "widgets/mark_ink.h"

@@ -105,8 +105,8 @@ public:
 
   void operator()(PointMark point) {
     point.at = position(point.at);
-    const bool within = isWithinReach(point.at);
-    keepIf(within, std::move(point));
+    if (isWithinReach(point.at))
+      keep(std::move(point));
   }
   void operator()(const SegmentMark &segment) {
     keepLine(segment, position(segment.from), position(segment.to));
@@ -119,8 +119,8 @@ public:
     Place end = endOf(ray);
     if (!isWithinReach(end) && cutToReach(start, end))
       ray.meets = end;
-    const bool within = isWithinReach(ray.origin);
-    keepIf(within, std::move(ray));
+    if (isWithinReach(ray.origin))
+      keep(std::move(ray));
   }
   void operator()(ArrowMark arrow) {
     arrow.from = position(arrow.from);
@@ -131,7 +131,7 @@ public:
       arrow.drawnLength = std::clamp(length, shortestArrow, longestArrow);
     const Place tip = arrow.from + shownVector(arrow);
     if (isWithinReach(arrow.from) && isWithinReach(tip))
-      m_figure.marks.emplace_back(std::move(arrow));
+      keep(std::move(arrow));
     else
       keepLine(arrow, arrow.from, tip);
   }
@@ -139,35 +139,32 @@ public:
     patch.center = position(patch.center);
     for (Place &covered : patch.covers)
       covered = position(covered);
-    const bool within = isWithinReach(patch.center);
-    keepIf(within, std::move(patch));
+    if (isWithinReach(patch.center))
+      keep(std::move(patch));
   }
   void operator()(PolygonMark polygon) {
     for (Place &corner : polygon.corners)
       corner = position(corner);
-    const bool within = std::all_of(polygon.corners.begin(), polygon.corners.end(), isWithinReach);
-    keepIf(within, std::move(polygon));
+    if (std::all_of(polygon.corners.begin(), polygon.corners.end(), isWithinReach))
+      keep(std::move(polygon));
   }
   void operator()(ArcMark arc) {
     arc.center = position(arc.center);
-    const bool within = isWithinReach(arc.center);
-    keepIf(within, std::move(arc));
+    if (isWithinReach(arc.center))
+      keep(std::move(arc));
   }
   void operator()(RightAngleMark corner) {
     corner.at = position(corner.at);
-    const bool within = isWithinReach(corner.at);
-    keepIf(within, std::move(corner));
+    if (isWithinReach(corner.at))
+      keep(std::move(corner));
   }
 
 private:
   [[nodiscard]] Place position(const Place &place) const { return (place - m_middle) / m_unit; }
-  void keepIf(bool drawn, Mark mark) {
-    if (drawn)
-      m_figure.marks.push_back(std::move(mark));
-  }
+  void keep(Mark mark) { m_figure.add(std::move(mark)); }
   void keepLine(MarkBase base, Place from, Place to) {
     if (cutToReach(from, to))
-      m_figure.marks.emplace_back(SegmentMark{std::move(base), from, to});
+      keep(SegmentMark{std::move(base), from, to});
   }
 
   Place m_middle;

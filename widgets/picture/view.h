@@ -5,14 +5,14 @@
 
 namespace halfspace {
 
-/// The view that sizes on the screen refer to.
+/// A camera and its screen.
 struct View {
   Camera camera;
   PixelSize size;
   double pixelRatio = 1;
   bool operator==(const View &) const = default;
 
-  /// The scene units that a design pixel spans at a place; 0 behind the eye.
+  /// The units of the stage that a design pixel spans at a place; 0 behind the eye.
   [[nodiscard]] double unitsPerDesignPixel(Place at) const {
     return camera.unitsPerPixel(at, size) * pixelRatio;
   }

@@ -17,12 +17,10 @@
 
 #include <glm/common.hpp>
 
-#include <algorithm>
-
 namespace halfspace {
 namespace {
 
-/// Leader lines in design pixels, and how far short of the label they end.
+/// Of leader lines, in design pixels.
 constexpr double leaderWidth = 1;
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "lessons/reading/problem.h"
 #include "widgets/scene/figure_scene.h"
 
-#include <filesystem>
 #include <optional>
 
 namespace halfspace {
@@ -26,8 +25,5 @@ inline constexpr int maxPictureSide = 16384;
 /// Draws a picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence
 /// where no OpenGL 3.2 is to be had.
 [[nodiscard]] Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels);
-
-/// Writes a PNG file, as writeFile does.
-[[nodiscard]] std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file);
 
 } // namespace halfspace

@@ -1,4 +1,4 @@
-#include "widgets/scene/offscreen.h"
+#include "widgets/scene/png.h"
 
 #include "lessons/files/write_file.h"
 #include "lessons/words.h"

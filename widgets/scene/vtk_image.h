@@ -10,7 +10,7 @@ namespace halfspace {
 /// Copies rows of pixels, four bytes each, the last one first.
 void copyUpsideDown(const std::uint8_t *from, std::uint8_t *to, int width, int height);
 
-/// The picture as an image.
+/// Fills an image with the picture.
 void write(const LabelPicture &picture, vtkImageData *image);
 
 } // namespace halfspace

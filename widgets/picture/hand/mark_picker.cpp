@@ -1,7 +1,7 @@
 #include "widgets/picture/hand/mark_picker.h"
 
 #include "widgets/picture/design_scale.h"
-#include "widgets/picture/hand/screen_shapes.h"
+#include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
 

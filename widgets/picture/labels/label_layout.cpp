@@ -1,7 +1,5 @@
 #include "widgets/picture/labels/label_layout.h"
 
-#include "widgets/picture/hand/screen_shapes.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -239,7 +237,8 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   // others.
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t label = 0; label < requests.size(); ++label)
-      board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
+      if (!requests[label].isPinned)
+        board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
 
   std::vector<PlacedLabel> result;
   m_choices.clear();

@@ -1,6 +1,6 @@
 #include "widgets/picture/shapes/gizmo_shape.h"
 
-#include "widgets/picture/hand/screen_shapes.h"
+#include "widgets/picture/screen_shapes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "lessons/term/mistakes.h"
+#include "lessons/term/slips.h"
 
 #include "tests/lessons/term/term_samples.h"
 

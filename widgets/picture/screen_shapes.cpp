@@ -1,4 +1,4 @@
-#include "widgets/picture/hand/screen_shapes.h"
+#include "widgets/picture/screen_shapes.h"
 
 #include <glm/geometric.hpp>
 

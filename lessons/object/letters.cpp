@@ -1,4 +1,4 @@
-#include "lessons/object/given.h"
+#include "lessons/object/letters.h"
 
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
@@ -11,6 +11,14 @@ Term corner(const std::string &index, const ExactVec3 &at, const std::string &ro
 }
 
 } // namespace
+
+Symbol symbolOf(std::string_view name) {
+  const auto lastLetter = name.find_last_not_of("0123456789");
+  const std::string letters(name.substr(0, lastLetter + 1));
+  Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
+  symbol.subscript = name.substr(letters.size());
+  return symbol;
+}
 
 PlaneTerms termsOf(const PlaneObject &plane, const std::string &role) {
   return {given(letter("P", "0"), plane.point, role, 0).marked("P0"),

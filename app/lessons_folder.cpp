@@ -1,4 +1,4 @@
-#include "app/lesson_files.h"
+#include "app/lessons_folder.h"
 
 namespace halfspace {
 

@@ -5,6 +5,7 @@
 #include "lessons/term/chain.h"
 
 #include <string>
+#include <string_view>
 
 namespace halfspace {
 
@@ -23,6 +24,9 @@ struct TriangleTerms {
   Term P1;
   Term P2;
 };
+
+/// A name of ASCII letters and digits as it is spelled: `P12` is P with the index 12, a word stands upright.
+[[nodiscard]] Symbol symbolOf(std::string_view name);
 
 /// `role` is that of the object in the construction.
 [[nodiscard]] PlaneTerms termsOf(const PlaneObject &plane, const std::string &role);

@@ -1,0 +1,15 @@
+// Pictures as PNG files.
+#pragma once
+
+#include "lessons/reading/problem.h"
+#include "widgets/picture/labels/label_picture.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace halfspace {
+
+/// Writes a PNG file, as writeFile does.
+[[nodiscard]] std::optional<Problem> writePng(const LabelPicture &picture, const std::filesystem::path &file);
+
+} // namespace halfspace
