@@ -122,7 +122,7 @@ std::optional<std::vector<Polynomial>> entriesOf(const Parts &parts) {
 
 Found determinantOf(const Parts &parts, std::size_t columns) {
   const auto entries = entriesOf(parts);
-  if (!entries)
+  if (!entries || columns == 0 || parts.size() != columns * columns)
     return {};
   return determinantOf(*entries, columns);
 }
