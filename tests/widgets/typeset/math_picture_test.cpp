@@ -13,6 +13,16 @@ using namespace halfspace;
 
 namespace {
 
+/// On white, 20 pixels an em: what is marked “red” in red, all else in blue.
+QImage paintedRedAndBlue(const MathPicture &picture) {
+  QImage image(100, 50, QImage::Format_ARGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  picture.paint(painter, {0, 45}, 20, [](const QString &mark) { return mark == "red" ? Qt::red : Qt::blue; });
+  painter.end();
+  return image;
+}
+
 /// Black on white, with a margin around.
 QImage paintedAt(const MathPicture &picture, double em, double ratio = 1) {
   constexpr int margin = 10;
@@ -102,12 +112,7 @@ private slots:
 
   void paintingTakesTheInkOfEachMark() {
     const auto picture = typeset("\\mark{red}{\\rule{1em}{1em}}\\rule{1em}{1em}");
-    QImage image(100, 50, QImage::Format_ARGB32);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    picture->paint(painter, {0, 45}, 20,
-                   [](const QString &mark) { return mark == "red" ? Qt::red : Qt::blue; });
-    painter.end();
+    const QImage image = paintedRedAndBlue(*picture);
     QCOMPARE(image.pixelColor(10, 35), QColor(Qt::red));
     QCOMPARE(image.pixelColor(30, 35), QColor(Qt::blue));
     QCOMPARE(image.pixelColor(60, 35), QColor(Qt::white));
@@ -123,12 +128,7 @@ private slots:
     QCOMPARE(picture->indexBoxes().size(), std::size_t(2));
     QCOMPARE(picture->indexBoxes()[0].first, std::size_t(3));
     QCOMPARE(picture->indexBoxes()[0].second, picture->markBoxes()[0].second);
-    QImage image(100, 50, QImage::Format_ARGB32);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    picture->paint(painter, {0, 45}, 20,
-                   [](const QString &mark) { return mark == "red" ? Qt::red : Qt::blue; });
-    painter.end();
+    const QImage image = paintedRedAndBlue(*picture);
     QCOMPARE(image.pixelColor(10, 35), QColor(Qt::red));
     QCOMPARE(image.pixelColor(30, 35), QColor(Qt::blue));
   }
