@@ -71,12 +71,13 @@ int runExplain(const ExplainCommand &command) {
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
-  const Outcome outcome = evaluate(opened->session.scene);
+  const Scene &scene = opened->session.scene;
+  const Evaluation evaluation = evaluate(scene);
   const std::string title = printable(opened->lesson ? opened->lesson->title : opened->session.lesson);
   if (command.format == "json")
-    return printOut(explanationJson(opened->session.lesson, outcome));
-  return printOut(command.format == "latex" ? explanationLatex(title, outcome)
-                                            : explanationText(title, outcome));
+    return printOut(explanationJson(opened->session.lesson, scene, evaluation));
+  return printOut(command.format == "latex" ? explanationLatex(title, evaluation)
+                                            : explanationText(title, evaluation));
 }
 
 int runRender(const RenderCommand &command) {
@@ -84,18 +85,19 @@ int runRender(const RenderCommand &command) {
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
-  const Outcome outcome = evaluate(opened->session.scene);
+  const Evaluation evaluation = evaluate(opened->session.scene);
+  const Figure whole = figureOf(evaluation);
   const Stage stage = stageOf(opened->session.scene);
   const CameraView view = opened->lesson ? opened->lesson->camera : CameraView{};
-  const Camera camera = homeView(view, toStage(outcome.figure, stage), stage.hasAxes(), command.size,
+  const Camera camera = homeView(view, toStage(whole, stage), stage.hasAxes(), command.size,
                                  command.size.height / designHeight);
-  Figure figure = outcome.figure;
+  Figure figure = whole;
   if (command.step) {
     const auto steps = opened->lesson ? opened->lesson->steps.size() : 0;
     if (static_cast<std::size_t>(*command.step) > steps)
       return fail(
           {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
-    figure = shownIn(opened->lesson->steps[static_cast<std::size_t>(*command.step - 1)], outcome).figure;
+    figure = shownIn(opened->lesson->steps[static_cast<std::size_t>(*command.step - 1)], evaluation).figure;
   }
 
   const Typesetter typesetter;

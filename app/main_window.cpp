@@ -135,11 +135,11 @@ void MainWindow::showStepWords() {
   const LessonStep *step = currentStep();
   if (!step)
     return m_lessonPanel->setMarkdown({});
-  const Outcome &outcome = m_model.outcome();
+  const Evaluation &evaluation = m_model.evaluation();
   StepProgress &done = progress();
-  done.tasks.observe(step->tasks, outcome);
+  done.tasks.observe(step->tasks, evaluation);
   m_lessonPanel->setMarkdown(QString::fromStdString(
-      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? Outcome() : outcome)));
+      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? Evaluation() : evaluation)));
   m_lessonPanel->setTasksDone(done.tasks.done());
   if (step->prediction)
     m_lessonPanel->setPredictionAnswer(done.chosen, done.right);
@@ -147,24 +147,24 @@ void MainWindow::showStepWords() {
 
 std::string MainWindow::rightAnswer(const Prediction &prediction) const {
   // Where the learner has changed so much that no choice fits, the question is about the start.
-  for (const Outcome &outcome : {m_model.outcome(), evaluate(m_model.lesson().scene)})
+  for (const Evaluation &evaluation : {m_model.evaluation(), evaluate(m_model.lesson().scene)})
     for (const Prediction::Choice &choice : prediction.choices)
-      if (holds({prediction.value, Condition::Relation::Equal, choice.word}, outcome))
+      if (holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation))
         return choice.word;
   return {};
 }
 
 void MainWindow::showCase() {
-  const Outcome &outcome = m_model.outcome();
+  const Shown &shown = m_model.shown();
   if (isPredicting())
     m_caseLabel->setText(tr("Answer the question below first: the numbers are hidden until you do."));
-  else if (m_practice->hasBlanks() && !outcome.degenerate)
+  else if (m_practice->hasBlanks() && !shown.degenerate)
     m_caseLabel->setText(
         tr("Fill in the blank lines of the working: other numbers are hidden until you do."));
   else
-    m_caseLabel->setText(unbroken(QString::fromStdString(outcome.description)));
-  if (m_caseLabel->property("degenerate") != outcome.degenerate) {
-    m_caseLabel->setProperty("degenerate", outcome.degenerate);
+    m_caseLabel->setText(unbroken(QString::fromStdString(shown.description)));
+  if (m_caseLabel->property("degenerate") != shown.degenerate) {
+    m_caseLabel->setProperty("degenerate", shown.degenerate);
     repolish(*m_caseLabel);
   }
   // In a drag the label only grows: the picture above it would jump back and forth with the numbers.

@@ -83,7 +83,7 @@ void MainWindow::createPanels() {
 }
 
 void MainWindow::connectWorking() {
-  m_working->setWholeWorking([this] { return m_model.outcome().working; });
+  m_working->setWholeWorking([this] { return workingOf(m_model.evaluation()); });
   connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::hoverMark);
   connect(m_scene, &SceneView::dismissed, m_working, &WorkingPanel::endTrace);
   connect(m_working, &WorkingPanel::traceChanged, this, &MainWindow::showHighlights);

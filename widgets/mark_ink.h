@@ -11,7 +11,7 @@ namespace halfspace {
 /// it.
 [[nodiscard]] inline MathPicture::InkOf markInk(const SessionModel &model, const Theme &theme) {
   return [&model, theme](const QString &markId) {
-    const Mark *mark = findMark(model.outcome().figure, markId.toStdString());
+    const Mark *mark = findMark(model.figure(), markId.toStdString());
     return toQColor(mark ? theme.inkOf(baseOf(*mark).subject) : theme.ink);
   };
 }

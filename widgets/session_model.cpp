@@ -18,8 +18,14 @@ public:
       : QUndoCommand(description), m_model(model), m_before(std::move(before)), m_after(std::move(after)),
         m_replaces(replaces) {}
 
-  void undo() override { go(m_before); }
-  void redo() override { go(m_after); }
+  void undo() override {
+    m_model.dropGesture();
+    go(m_before);
+  }
+  void redo() override {
+    m_model.dropGesture();
+    go(m_after);
+  }
 
 private:
   void go(Session session) {
@@ -61,7 +67,7 @@ void SessionModel::openLesson(const std::string &id) {
   const Lesson *lesson = m_library.find(id);
   if (!lesson || id == m_session.lesson)
     return;
-  m_beforeGesture.reset();
+  settleGesture();
   if (isChanged())
     m_left[m_session.lesson] = m_session;
   else
@@ -82,6 +88,7 @@ void SessionModel::renewNumbers(std::uint64_t seed) {
 }
 
 void SessionModel::replaceScene(Scene scene, const QString &description) {
+  settleGesture();
   const Session before = m_session;
   Session after = m_session;
   after.scene = std::move(scene);
@@ -93,25 +100,33 @@ void SessionModel::replaceScene(Scene scene, const QString &description) {
 int SessionModel::lastStep() const { return std::max(0, static_cast<int>(m_lesson->steps.size()) - 1); }
 
 void SessionModel::setStep(int step) {
+  settleGesture();
   Session session = m_session;
   session.step = std::clamp(step, 0, lastStep());
   if (session.step != m_session.step)
     show(session);
 }
 
-void SessionModel::edit(const Edit &edit, const QString &description) {
+QString SessionModel::edit(const Edit &edit, const QString &description) {
+  settleGesture();
   const Session before = m_session;
-  show(apply(m_session, edit));
+  const auto edited = apply(m_session, edit);
+  if (!edited)
+    return QString::fromStdString(edited.problem().sentence);
+  show(*edited);
   if (!(m_session == before))
     record(before, description);
+  return {};
 }
 
-void SessionModel::beginGesture() { m_beforeGesture = m_session; }
+void SessionModel::beginGesture() {
+  settleGesture();
+  m_beforeGesture = m_session;
+}
 
 void SessionModel::moveGesture(const Edit &edit) {
-  Session moved = apply(m_session, edit);
-  if (!(moved == m_session))
-    show(moved);
+  if (const auto moved = apply(m_session, edit); moved && !(*moved == m_session))
+    show(*moved);
 }
 
 void SessionModel::endGesture(const QString &description) {
@@ -129,6 +144,20 @@ void SessionModel::cancelGesture() {
   const Session before = *m_beforeGesture;
   finishGesture();
   show(before);
+}
+
+void SessionModel::settleGesture() {
+  if (!inGesture())
+    return;
+  endGesture(tr("move"));
+  emit gestureSettled();
+}
+
+void SessionModel::dropGesture() {
+  if (!inGesture())
+    return;
+  m_beforeGesture.reset();
+  emit gestureSettled();
 }
 
 void SessionModel::finishGesture() {
@@ -162,12 +191,13 @@ void SessionModel::show(const Session &session) {
     m_session.step = std::clamp(m_session.step, 0, lastStep());
   }
   if (otherScene || otherLesson) {
-    m_outcome = evaluate(m_session.scene);
+    m_evaluation = evaluate(m_session.scene, m_evaluation);
+    m_figure = figureOf(m_evaluation);
     takeStage();
   }
   const auto step = static_cast<std::size_t>(m_session.step);
   static const LessonStep everything;
-  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_outcome);
+  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_evaluation);
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)

@@ -13,7 +13,8 @@
 
 namespace halfspace {
 
-/// Owns the window's one session. Views are written from `outcome()` and send edits back; they hold no truth.
+/// Owns the window's one session. Views are written from `evaluation()` and send edits back; they hold no
+/// truth.
 class SessionModel : public QObject {
   Q_OBJECT
 
@@ -24,8 +25,10 @@ public:
   [[nodiscard]] const LessonLibrary &library() const { return m_library; }
   [[nodiscard]] const Session &session() const { return m_session; }
   [[nodiscard]] const Lesson &lesson() const { return *m_lesson; }
-  /// The whole outcome of the scene.
-  [[nodiscard]] const Outcome &outcome() const { return m_outcome; }
+  /// What the scene comes to.
+  [[nodiscard]] const Evaluation &evaluation() const { return m_evaluation; }
+  /// All of its marks.
+  [[nodiscard]] const Figure &figure() const { return m_figure; }
   /// What the current step shows of it.
   [[nodiscard]] const Shown &shown() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
@@ -54,11 +57,11 @@ public:
   void renewNumbers(std::uint64_t seed);
   void setStep(int step);
 
-  /// An edit that stands on its own: one undo step.
-  void edit(const Edit &edit, const QString &description);
+  /// An edit that stands on its own: one undo step. Why it is refused; else empty.
+  QString edit(const Edit &edit, const QString &description);
 
   /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
-  /// before.
+  /// before. Whatever else changes the scene or leaves the lesson ends the gesture first, as it is.
   void beginGesture();
   void moveGesture(const Edit &edit);
   void endGesture(const QString &description);
@@ -66,6 +69,7 @@ public:
   [[nodiscard]] bool inGesture() const { return m_beforeGesture.has_value(); }
 
 signals:
+  void gestureSettled(); ///< a gesture has ended because something else was done
   void outcomeChanged(); ///< after every change of scene, stage or step
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
   void stepChanged();    ///< before outcomeChanged, when another step or lesson is shown
@@ -79,6 +83,9 @@ private:
   /// True where the stage is another one now.
   bool takeStage();
   void finishGesture();
+  void settleGesture();
+  /// The same for what brings another session, as undo does: nothing is recorded.
+  void dropGesture();
   /// Another scene for the same lesson and step, as one undo step.
   void replaceScene(Scene scene, const QString &description);
 
@@ -86,7 +93,8 @@ private:
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
   const Lesson *m_lesson = nullptr;
   Session m_session;
-  Outcome m_outcome;
+  Evaluation m_evaluation;
+  Figure m_figure;
   Shown m_shown;
   std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;

@@ -1,16 +1,42 @@
 #include "lessons/construction/construction.h"
 
-#include "lessons/words.h"
+#include "lessons/term/plain_text.h"
+
+#include <algorithm>
 
 namespace halfspace {
 
-CaseWords zeroNormalWords() {
-  return {"zero-normal", words("The normal n is the zero vector: it points nowhere, so there is no plane."),
-          true};
+CaseWords zeroNormalWords(const Naming &naming) {
+  return {
+      "zero-normal",
+      words("The normal {n} is the zero vector: it points nowhere, so there is no plane.", naming.letters),
+      true};
 }
 
-CaseWords zeroDirectionWords() {
-  return {"zero-direction", words("The direction r is the zero vector: the ray goes nowhere."), true};
+CaseWords zeroDirectionWords(const Naming &naming) {
+  return {"zero-direction",
+          words("The direction {r} is the zero vector: the ray goes nowhere.", naming.letters), true};
+}
+
+Naming withLetters(Naming naming, const std::vector<ConstructionRole> &roles, GivenObjects objects) {
+  WordValues &letters = naming.letters;
+  const auto stands = [&](const std::string &name) {
+    return std::any_of(letters.begin(), letters.end(), [&](const auto &each) { return each.first == name; });
+  };
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const auto &specs = coordinatesOf(objects[i]->object);
+    letters.emplace_back(roles[i].name, plainText(objects[i]->symbol));
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+      const std::string own(specs[k].name);
+      const std::string text = plainText(objects[i]->letters[k]);
+      if (!own.empty() && !stands(own))
+        letters.emplace_back(own, text);
+      letters.emplace_back(roles[i].name + "." + own, text);
+    }
+  }
+  for (const auto &[name, symbol] : naming.made)
+    letters.emplace_back(name, plainText(symbol));
+  return naming;
 }
 
 const Construction *findConstruction(std::string_view id) {

@@ -2,65 +2,78 @@
 // the list of lessons/CMakeLists.txt, from which the table is generated.
 #pragma once
 
+#include "lessons/construction/naming.h"
 #include "lessons/construction/outcome.h"
-#include "lessons/object/object.h"
+#include "lessons/object/given.h"
 
+#include <array>
 #include <functional>
 #include <span>
 
 namespace halfspace {
 
-/// A role: the name by which a construction knows an object that it looks at, and that object's kind.
+/// A role: the name by which a construction knows an object that it looks at or makes, and that object's
+/// kind.
 struct ConstructionRole {
   std::string name;
   std::string_view kind;
 };
 
+using GivenObjects = std::span<const std::shared_ptr<const Given<Object>>>;
+
 /// A construction as the table holds it, with the types of its input and output erased.
 struct Construction {
   std::string_view id;
-  std::vector<ConstructionRole> roles;
-  /// Evaluates the objects in the order of the roles; their kinds are those of the roles.
-  std::function<Outcome(std::span<const Object *const>)> evaluate;
-};
-
-/// The case of an outcome.
-struct CaseWords {
-  std::string name;
-  std::string description;
-  bool degenerate = false;
+  std::vector<ConstructionRole> roles; ///< what it looks at
+  std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
+  /// Evaluates objects in the order of the roles; their kinds are those of the roles. Of the naming all but
+  /// the letters for sentences is needed.
+  std::function<std::shared_ptr<const Outcome>(Naming, GivenObjects)> evaluate;
 };
 
 /// Cases that several constructions have.
-[[nodiscard]] CaseWords zeroNormalWords();
-[[nodiscard]] CaseWords zeroDirectionWords();
+[[nodiscard]] CaseWords zeroNormalWords(const Naming &naming);
+[[nodiscard]] CaseWords zeroDirectionWords(const Naming &naming);
 
-/// A role typed: its name and the member of In that holds it.
-template <class In, class Kind> struct TypedRole {
-  const char *name;
-  Kind In::*member;
+/// The naming with its letters for sentences.
+[[nodiscard]] Naming withLetters(Naming naming, const std::vector<ConstructionRole> &roles,
+                                 GivenObjects objects);
+
+/// The pure functions of a construction. In is a Naming with the objects of the roles, each a Given<Kind>, in
+/// their order; Out has the letters of the lines, as terms that know their numbers.
+template <class In, class Out> struct ConstructionFunctions {
+  Out (*compute)(const In &);
+  CaseWords (*tell)(const In &, const Out &);
+  std::vector<NamedValue> (*valuesOf)(const In &, const Out &);
+  std::vector<MadeObject> (*make)(const In &, const Out &);
+  Explanation (*explain)(const In &, const Out &);
+  Figure (*draw)(const In &, const Out &);
 };
 
-/// Puts a construction together from its pure functions:
-///   Out compute(const In &), CaseWords tell(const In &, const Out &), std::vector<NamedValue> list(const Out
-///   &), Working explain(const Out &), Figure draw(const In &, const Out &).
-/// Out has the letters of the lines, as terms that know their numbers.
+/// Puts a construction together: its id, the roles' names, what it makes, its functions.
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
-makeConstruction(std::string_view id, Out (*compute)(const In &), CaseWords (*tell)(const In &, const Out &),
-                 std::vector<NamedValue> (*valuesOf)(const Out &), Working (*explain)(const Out &),
-                 Figure (*draw)(const In &, const Out &), TypedRole<In, Kinds>... roles) {
-  Construction construction;
-  construction.id = id;
-  construction.roles = {ConstructionRole{roles.name, kindOf(Kinds{})}...};
-  construction.evaluate = [=](std::span<const Object *const> objects) {
-    In in;
-    std::size_t next = 0;
-    ((in.*roles.member = std::get<Kinds>(*objects[next++])), ...);
-    const Out out = compute(in);
-    CaseWords words = tell(in, out);
-    return Outcome{std::move(words.name),        valuesOf(out),   explain(out), draw(in, out),
-                   std::move(words.description), words.degenerate};
+makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)> roles,
+                 std::vector<ConstructionRole> makes, ConstructionFunctions<In, Out> functions) {
+  Construction construction{id, {}, std::move(makes), {}};
+  std::size_t next = 0;
+  (construction.roles.push_back({roles.at(next++), kindOf(Kinds{})}), ...);
+  construction.evaluate = [=, roles = construction.roles](Naming naming, GivenObjects objects) {
+    struct Computed {
+      In in;
+      Out out;
+    };
+    std::size_t index = 0;
+    In in{withLetters(std::move(naming), roles, objects), as<Kinds>(*objects[index++])...};
+    Out out = functions.compute(in);
+    const auto computed = std::make_shared<const Computed>(Computed{std::move(in), std::move(out)});
+    const auto later = [&computed = *computed](auto function) {
+      return [&computed, function] { return function(computed.in, computed.out); };
+    };
+    return std::make_shared<const Outcome>(
+        Outcome{functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
+                Lazy<std::vector<NamedValue>>(later(functions.valuesOf)),
+                Lazy<Explanation>(later(functions.explain)), Lazy<Figure>(later(functions.draw)), computed});
   };
   return construction;
 }

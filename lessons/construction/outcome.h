@@ -1,10 +1,13 @@
-// What a scene comes to: values, worked lines, figure, and the case in plain words.
+// What an entry of a scene comes to: objects, values, worked lines, figure, and the case in plain words.
 #pragma once
 
 #include "geometry/surd.h"
-#include "lessons/construction/working.h"
+#include "lessons/construction/explanation.h"
 #include "lessons/figure/figure.h"
+#include "lessons/lazy.h"
+#include "lessons/object/object.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,13 +35,27 @@ struct NamedValue {
 /// A value that stands in the worked lines: what the term comes to, an exact number or a list of them.
 [[nodiscard]] NamedValue listed(std::string name, const Term &term);
 
+/// The case of an outcome.
+struct CaseWords {
+  std::string name;          ///< hit, behind, parallel … : a word for programs; empty for an object
+  std::string description{}; ///< the case in plain words
+  bool degenerate = false;   ///< the input has no answer of the usual kind: the description is a warning
+};
+
+/// An object that an entry has for the entries below it.
+struct MadeObject {
+  std::string name; ///< its own within the entry: F; empty for the object that the entry itself is
+  Object object;
+};
+
+/// What one entry comes to. Only the objects are there at once; all else is made when it is looked at.
 struct Outcome {
-  std::string caseName;           ///< hit, behind, parallel … : a word for programs
-  std::vector<NamedValue> values; ///< those that have a meaning in the case
-  Working working;
-  Figure figure;
-  std::string description; ///< the case in plain words
-  bool degenerate = false; ///< the input has no answer of the usual kind: the description is a warning
+  std::vector<MadeObject> objects; ///< those that are there in the case
+  Lazy<CaseWords> told;
+  Lazy<std::vector<NamedValue>> values; ///< those that have a meaning in the case
+  Lazy<Explanation> explanation;        ///< empty for an object
+  Lazy<Figure> figure;                  ///< the entry's own marks
+  std::shared_ptr<const void> computed; ///< what the others are made from
 };
 
 } // namespace halfspace

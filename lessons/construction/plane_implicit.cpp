@@ -5,6 +5,7 @@
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
+#include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
@@ -12,12 +13,13 @@
 namespace halfspace {
 namespace {
 
-struct In {
-  PlaneObject E;
+struct In : Naming {
+  Given<PlaneObject> E;
 };
 
-struct Out : PlaneTerms {
-  Plane<Rational> plane;
+struct Out : Naming, PlaneTerms {
+  std::string plane; ///< the mark
+  Plane<Rational> equation;
   bool zeroNormal;
   Term P, P1; ///< any point of space, a second one of the plane
   Term left;  ///< of the equation: n·(P − P0)
@@ -31,26 +33,28 @@ Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
 }
 
 Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E, "E");
-  const auto plane = planeThrough(in.E.point, in.E.normal);
-  const Term second = E.P0 + vectorInPlane(in.E.normal, E.n);
-  return {E,
-          plane,
-          isZero(in.E.normal),
+  const PlaneTerms E = termsOf(in.E);
+  const auto &[point, normal] = in.E.object;
+  const Term second = E.P0 + vectorInPlane(normal, E.n);
+  return {in,
+          E,
+          in.E.id,
+          planeThrough(point, normal),
+          isZero(normal),
           anyPoint(),
-          name(letter("P", "1"), second->value).standingFor(second).marked("P1"),
+          madeName(in, "P1", second->value).standingFor(second),
           dot(E.n, anyPoint() - E.P0)};
 }
 
-CaseWords tell(const In &in, const Out &at) {
+CaseWords tell(const In &, const Out &at) {
   if (at.zeroNormal)
-    return zeroNormalWords();
+    return zeroNormalWords(at);
   return {"plane", words("A point P lies in the plane exactly when {equation}.",
-                         {{"equation", plainText(equationOf(in.E))}})};
+                         {{"equation", plainText(equationOf(at))}})};
 }
 
-std::vector<NamedValue> valuesOf(const Out &at) {
-  const auto &plane = at.plane;
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
+  const auto &plane = at.equation;
   std::vector<NamedValue> values{
       {"coefficients", list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
        std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
@@ -67,23 +71,58 @@ std::vector<NamedValue> valuesOf(const Out &at) {
   return values;
 }
 
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (at.zeroNormal)
+    return {};
+  return {{"P1", PointObject{vectorOf(at.P1)}}};
+}
+
+WorkingLine implicitLine(const Out &at) {
+  return line(
+      condition(0 == at.left),
+      words("A vector from {P0} to another point of the plane is perpendicular to {n}. So P lies in the "
+            "plane exactly when this dot product is zero.",
+            at.letters));
+}
+
+WorkingLine insertLine(const Out &at) {
+  return line(condition(Chain(0).then(namesPutIn(at.left)).then(numbersPutIn(at.left))),
+              words("The numbers put in, with P = (x, y, z)."));
+}
+
+WorkingLine expandLine(const Out &at) {
+  return askedEquation(condition((0 == at.left).then(multipliedOut(at.left))),
+                       words("The dot product multiplied out, coordinate by coordinate."));
+}
+
 WorkingLine collectLine(const Out &at) {
   const Chain collected = (0 == at.left)
                               .then(calculated(dot(at.n, at.P)) - multipliedOut(dot(at.n, at.P0)))
-                              .then(calculated(at.left).marked("E"));
+                              .then(calculated(at.left).marked(at.plane));
   const Term onlyAdded = sum(calculated(at.P0)->parts);
   return askedEquation(
-      "collect", condition(collected),
-      words("Collected: the numbers before x, y and z are the coordinates of n, and the constant is −n·P₀."),
+      condition(collected),
+      words("Collected: the numbers before x, y and z are the coordinates of {n}, and the constant is "
+            "−{n}·{P0}.",
+            at.letters),
       {{dot(at.n, at.P) + dot(at.n, at.P0),
-        words("In {answer} the constant is n·P₀: the minus sign of P − P₀ is lost.")},
-       {dot(at.n, at.P) - onlyAdded, words("In {answer} the coordinates of P₀ are only added up: each is "
-                                           "multiplied by that of n first.")}});
+        words("In {answer} the constant is {n}·{P0}: the minus sign of P − {P0} is lost.", at.letters)},
+       {dot(at.n, at.P) - onlyAdded, words("In {answer} the coordinates of {P0} are only added up: each is "
+                                           "multiplied by that of {n} first.",
+                                           at.letters)}});
+}
+
+WorkingLine constantLine(const Out &at) {
+  return asked(withProducts(dot(at.n, at.P1)),
+               words("{point} is another point of the plane. It gives the same number as {P0}, so the "
+                     "constant does not depend on the point you start from.",
+                     at.letters, {{"point", equation(at.P1)}}));
 }
 
 std::string normalizedWords(const Out &at) {
   if (isUnit(at.n))
-    return words("|n| is 1: the equation is normalized already, so its left side gives distances.");
+    return words("|{n}| is 1: the equation is normalized already, so its left side gives distances.",
+                 at.letters);
   return words(
       "Divided by the length of the normal, {length}: the normalized form. The plane is the same, and "
       "the left side now gives distances.",
@@ -93,40 +132,32 @@ std::string normalizedWords(const Out &at) {
 WorkingLine normalizedLine(const Out &at) {
   const Term unit = at.left / norm(at.n);
   return asked(
-      "normalized",
       condition((0 == unit).then(calculated(at.left) / calculated(norm(at.n))).then(calculated(unit))),
       normalizedWords(at),
-      {{at.left, words("{answer} is not normalized: every number is divided by |n|.")},
-       {at.left / dot(at.n, at.n), words("{answer} is divided by n·n: divide by its root, |n|.")}});
+      {{at.left, words("{answer} is not normalized: every number is divided by |{n}|.", at.letters)},
+       {at.left / dot(at.n, at.n),
+        words("{answer} is divided by {n}·{n}: divide by its root, |{n}|.", at.letters)}});
 }
 
 WorkingLine scaledLine(const Out &at) {
-  const Term twice = dot((2 * at.n).marked("kn"), at.P - at.P0);
+  const Term twice = dot((2 * at.n).marked(at.mark("kn")), at.P - at.P0);
   return line(
-      "scaled", condition((0 == twice).then(calculated(twice))),
+      condition((0 == twice).then(calculated(twice))),
       words("Twice the normal doubles every number and changes nothing: the same points make it zero."));
 }
 
-Working explain(const Out &at) {
-  const Chain implicit = 0 == at.left;
-  Working working{
-      {line("implicit", condition(implicit),
-            words("A vector from P₀ to another point of the plane is perpendicular to n. So P lies in the "
-                  "plane exactly when this dot product is zero.")),
-       line("insert", condition(Chain(0).then(namesPutIn(at.left)).then(numbersPutIn(at.left))),
-            words("The numbers put in, with P = (x, y, z)."))}};
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  lines.add("implicit", [&at] { return implicitLine(at); });
+  lines.add("insert", [&at] { return insertLine(at); });
   if (at.zeroNormal)
-    return working;
-  working.add(askedEquation("expand", condition(implicit.then(multipliedOut(at.left))),
-                            words("The dot product multiplied out, coordinate by coordinate.")));
-  working.add(collectLine(at));
-  working.add(asked("constant", withProducts(dot(at.n, at.P1)),
-                    words("{point} is another point of the plane. It gives the same number as P₀, so the "
-                          "constant does not depend on the point you start from.",
-                          {{"point", equation(at.P1)}})));
-  working.add(normalizedLine(at));
-  working.add(scaledLine(at));
-  return working;
+    return lines;
+  lines.add("expand", [&at] { return expandLine(at); });
+  lines.add("collect", [&at] { return collectLine(at); });
+  lines.add("constant", [&at] { return constantLine(at); });
+  lines.add("normalized", [&at] { return normalizedLine(at); });
+  lines.add("scaled", [&at] { return scaledLine(at); });
+  return lines;
 }
 
 Figure draw(const In &in, const Out &at) {
@@ -134,21 +165,22 @@ Figure draw(const In &in, const Out &at) {
   const Place point = place(at.P0);
   const Place normal = place(at.n);
   const Place other = place(at.P1);
-  drawPlane(figure, in.E, at.zeroNormal ? std::vector<Place>{} : std::vector<Place>{other});
   if (at.zeroNormal)
     return figure;
-  figure.add(SegmentMark{{"P1-way", Role::Helper}, point, other});
+  figure.reaches.push_back({in.E.id, other});
+  figure.add(SegmentMark{{at.P1->mark + "/way", Role::Helper}, point, other});
   figure.add(pointOf(at.P1, Role::Derived, Subject::Plane));
-  figure.add(RightAngleMark{{"P1-angle", Role::Helper}, point, normal, other - point});
-  figure.add(ArrowMark{{"kn", Role::Ghost, Subject::Plane, "2\\vec n"}, point + normal, normal});
+  figure.add(RightAngleMark{{at.P1->mark + "/angle", Role::Helper}, point, normal, other - point});
+  figure.add(
+      ArrowMark{{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)}, point + normal, normal});
   return figure;
 }
 
 } // namespace
 
 Construction plane_implicit() {
-  return makeConstruction<In, Out>("plane-implicit", compute, tell, valuesOf, explain, draw,
-                                   TypedRole<In, PlaneObject>{"E", &In::E});
+  return makeConstruction<In, Out, PlaneObject>("plane-implicit", {"E"}, {{"P1", "point"}},
+                                                {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

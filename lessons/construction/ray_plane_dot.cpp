@@ -11,12 +11,12 @@
 namespace halfspace {
 namespace {
 
-struct In {
-  PlaneObject E;
-  RayObject L;
+struct In : Naming {
+  Given<PlaneObject> E;
+  Given<RayObject> L;
 };
 
-struct Out : PlaneTerms, RayTerms {
+struct Out : Naming, PlaneTerms, RayTerms {
   RayPlane<Rational> meet;
   Term d, f, t, H;
   Term facing;      ///< the unit normal towards where the ray comes from, where it crosses the plane
@@ -25,22 +25,25 @@ struct Out : PlaneTerms, RayTerms {
 };
 
 Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E, "E");
-  const RayTerms L = termsOf(in.L, "L");
-  const auto plane = planeThrough(in.E.point, in.E.normal);
-  const auto meet = intersectRayPlane(Ray<Rational>{in.L.origin, in.L.direction}, plane);
+  const PlaneTerms E = termsOf(in.E);
+  const RayTerms L = termsOf(in.L);
+  const auto &[point, normal] = in.E.object;
+  const auto &[origin, direction] = in.L.object;
+  const auto plane = planeThrough(point, normal);
+  const auto meet = intersectRayPlane(Ray<Rational>{origin, direction}, plane);
   std::vector<Surd> facing;
   if (meet.crosses())
-    for (const Surd &coordinate : facingNormal(in.E.normal, in.L.direction))
+    for (const Surd &coordinate : facingNormal(normal, direction))
       facing.push_back(coordinate);
-  return {E,
+  return {in,
+          E,
           L,
           meet,
           name(letter("d"), plane.offset).standingFor(-dot(E.n, E.P0)),
-          applied(letter("f"), L.Q, evaluate(plane, in.L.origin)).standingFor(dot(E.n, L.Q - E.P0)),
+          applied(letter("f"), L.Q, evaluate(plane, origin)).standingFor(dot(E.n, L.Q - E.P0)),
           name(letter("t"), meet.t),
-          name(letter("H"), meet.point).marked("H"),
-          name(vectorLetter("n", "f"), facing).marked("facing"),
+          madeName(in, "H", meet.point),
+          name(vectorLetter("n", "f"), facing).marked(in.mark("facing")),
           dot(E.P0 - L.Q, E.n),
           dot(L.r, E.n)};
 }
@@ -57,20 +60,25 @@ CaseWords tell(const In &, const Out &at) {
             words("{t} is negative: the plane is behind the ray's start, so the ray does not hit it.",
                   {{"t", t}})};
   case RayPlaneCase::Parallel:
-    return {"parallel",
-            words("r·n = 0 but (P₀ − Q)·n is not: the ray runs parallel to the plane and never meets it.")};
+    return {
+        "parallel",
+        words(
+            "{r}·{n} = 0 but ({P0} − {Q})·{n} is not: the ray runs parallel to the plane and never meets it.",
+            at.letters)};
   case RayPlaneCase::InPlane:
-    return {"in-plane", words("r·n = 0 and (P₀ − Q)·n = 0: the ray lies in the plane. Every t fits, so 0/0 "
-                              "names no single point.")};
+    return {"in-plane",
+            words("{r}·{n} = 0 and ({P0} − {Q})·{n} = 0: the ray lies in the plane. Every t fits, so "
+                  "0/0 names no single point.",
+                  at.letters)};
   case RayPlaneCase::ZeroDirection:
-    return zeroDirectionWords();
+    return zeroDirectionWords(at);
   case RayPlaneCase::ZeroNormal:
     break;
   }
-  return zeroNormalWords();
+  return zeroNormalWords(at);
 }
 
-std::vector<NamedValue> valuesOf(const Out &at) {
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   std::vector<NamedValue> values{listed("numerator", at.numerator), listed("denominator", at.denominator)};
   if (!at.meet.crosses())
     return values;
@@ -80,61 +88,95 @@ std::vector<NamedValue> valuesOf(const Out &at) {
   return values;
 }
 
-std::string collectWords(const Out &at) {
-  if (at.meet.denominator != 0)
-    return words("Collected by t: r·n stands before t, and f(Q) is left over.");
-  return at.meet.numerator == 0
-             ? words("r·n is 0, and so is f(Q): t drops out, and every t fulfils 0 = 0.")
-             : words("r·n is 0: t drops out, and f(Q) is not 0, so no t fulfils the equation.");
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (!at.meet.crosses())
+    return {};
+  return {{"H", PointObject{at.meet.point}}};
 }
 
-/// The lines before it is known whether the ray crosses the plane.
-std::vector<WorkingLine> equationLines(const Out &at) {
+WorkingLine substituteLine(const Out &at) {
   const Term inserted = dot(at.n, at.Q + unknown("t") * at.r) + at.d;
+  return askedEquation(
+      condition((0 == inserted).then(multipliedOut(inserted))),
+      words("The ray's points {Q} + t·{r} put into the plane's equation. One unknown is left: t.",
+            at.letters));
+}
+
+std::string collectWords(const Out &at) {
+  if (at.meet.denominator != 0)
+    return words("Collected by t: {r}·{n} stands before t, and f({Q}) is left over.", at.letters);
+  return at.meet.numerator == 0
+             ? words("{r}·{n} is 0, and so is f({Q}): t drops out, and every t fulfils 0 = 0.", at.letters)
+             : words("{r}·{n} is 0: t drops out, and f({Q}) is not 0, so no t fulfils the equation.",
+                     at.letters);
+}
+
+WorkingLine collectLine(const Out &at) {
   const Term collected = at.denominator * unknown("t") + at.f;
-  return {
-      askedEquation("substitute", condition((0 == inserted).then(multipliedOut(inserted))),
-                    words("The ray's points Q + t·r put into the plane's equation. One unknown is left: t.")),
-      askedEquation("collect", condition((0 == collected).then(calculated(collected))), collectWords(at)),
-      asked(
-          "numerator", withNumbers(at.numerator),
-          words("The same by dot products. The numerator is −f(Q): the signed distance from Q to the plane "
-                "along n, "
-                "times |n|."),
-          {{at.f, words("{answer} is f(Q) = n·(Q − P₀): the numerator goes the other way, from Q to P₀.")}}),
-      asked(
-          "denominator", withNumbers(at.denominator),
-          words(
-              "The denominator: how far one step r goes along n, times |n|. Zero means that no step along r "
-              "comes nearer to the plane."))};
+  return askedEquation(condition((0 == collected).then(calculated(collected))), collectWords(at));
+}
+
+WorkingLine numeratorLine(const Out &at) {
+  return asked(
+      withNumbers(at.numerator),
+      words("The same by dot products. The numerator is −f({Q}): the signed distance from {Q} to the "
+            "plane along {n}, times |{n}|.",
+            at.letters),
+      {{at.f, words("{answer} is f({Q}) = {n}·({Q} − {P0}): the numerator goes the other way, from {Q} "
+                    "to {P0}.",
+                    at.letters)}});
+}
+
+WorkingLine denominatorLine(const Out &at) {
+  return asked(
+      withNumbers(at.denominator),
+      words("The denominator: how far one step {r} goes along {n}, times |{n}|. Zero means that no step "
+            "along {r} comes nearer to the plane.",
+            at.letters));
+}
+
+WorkingLine parameterLine(const Out &at) {
+  return asked(withNumbers(at.t == at.numerator / at.denominator),
+               words("So many steps {r} lead from {Q} to the plane. It is a distance only when |{r}| = 1.",
+                     at.letters),
+               {wrongSignOf(at.t, at)});
+}
+
+WorkingLine hitLine(const Out &at) {
+  return asked(withNumbers(at.H == at.Q + at.t * at.r),
+               at.meet.which == RayPlaneCase::Hit
+                   ? words("The point where the ray meets the plane.")
+                   : words("Here the line through the ray meets the plane, behind the start: the ray "
+                           "itself never gets there."));
 }
 
 WorkingLine facingLine(const Out &at) {
   const Term unit = at.n / norm(at.n);
   return at.meet.denominator > 0
              ? asked(
-                   "facing", withResult(at.facing == -unit),
-                   words("r·n is positive, so n points away from where the ray comes from: the facing normal "
-                         "is −n, made one unit long."))
-             : asked("facing", withResult(at.facing == unit),
-                     words("r·n is negative, so n already points to where the ray comes from: the facing "
-                           "normal is n, made one unit long."));
+                   withResult(at.facing == -unit),
+                   words("{r}·{n} is positive, so {n} points away from where the ray comes from: the facing "
+                         "normal is −{n}, made one unit long.",
+                         at.letters))
+             : asked(
+                   withResult(at.facing == unit),
+                   words("{r}·{n} is negative, so {n} already points to where the ray comes from: the facing "
+                         "normal is {n}, made one unit long.",
+                         at.letters));
 }
 
-Working explain(const Out &at) {
-  Working working{equationLines(at)};
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  lines.add("substitute", [&at] { return substituteLine(at); });
+  lines.add("collect", [&at] { return collectLine(at); });
+  lines.add("numerator", [&at] { return numeratorLine(at); });
+  lines.add("denominator", [&at] { return denominatorLine(at); });
   if (!at.meet.crosses())
-    return working;
-  working.add(asked("t", withNumbers(at.t == at.numerator / at.denominator),
-                    words("So many steps r lead from Q to the plane. It is a distance only when |r| = 1."),
-                    {wrongSignOf(at.t)}));
-  working.add(asked("hit", withNumbers(at.H == at.Q + at.t * at.r),
-                    at.meet.which == RayPlaneCase::Hit
-                        ? words("The point where the ray meets the plane.")
-                        : words("Here the line through the ray meets the plane, behind the start: the ray "
-                                "itself never gets there.")));
-  working.add(facingLine(at));
-  return working;
+    return lines;
+  lines.add("t", [&at] { return parameterLine(at); });
+  lines.add("hit", [&at] { return hitLine(at); });
+  lines.add("facing", [&at] { return facingLine(at); });
+  return lines;
 }
 
 /// The unit normal is drawn this long in every picture.
@@ -142,15 +184,15 @@ constexpr double drawnNormalLength = 1;
 
 Figure draw(const In &in, const Out &at) {
   Figure figure;
-  const bool crosses = at.meet.crosses();
   const bool hit = at.meet.which == RayPlaneCase::Hit;
   const Place meeting = place(at.H);
-  drawPlane(figure, in.E, crosses ? std::vector{meeting} : std::vector<Place>{});
-  drawRay(figure, in.L, hit ? std::optional(meeting) : std::nullopt);
-  if (!crosses)
+  if (!at.meet.crosses())
     return figure;
-  if (!hit)
-    figure.add(SegmentMark{{"H-backward", Role::Ghost, Subject::Ray}, place(at.Q), meeting});
+  figure.reaches.push_back({in.E.id, meeting});
+  if (hit)
+    figure.reaches.push_back({in.L.id, meeting});
+  else
+    figure.add(SegmentMark{{at.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), meeting});
   figure.add(pointOf(at.H, hit ? Role::Result : Role::Ghost, Subject::Ray));
   figure.add(ArrowMark{drawn(at.facing, Role::Derived, Subject::Measure), meeting, place(at.facing), false,
                        drawnNormalLength});
@@ -160,9 +202,8 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction ray_plane_dot() {
-  return makeConstruction<In, Out>("ray-plane-dot", compute, tell, valuesOf, explain, draw,
-                                   TypedRole<In, PlaneObject>{"E", &In::E},
-                                   TypedRole<In, RayObject>{"L", &In::L});
+  return makeConstruction<In, Out, PlaneObject, RayObject>("ray-plane-dot", {"E", "L"}, {{"H", "point"}},
+                                                           {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

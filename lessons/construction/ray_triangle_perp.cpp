@@ -2,26 +2,28 @@
 // parameter is λ here, because s and t belong to the triangle.
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction/construction.h"
-#include "lessons/construction/triangle_words.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
+#include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace halfspace {
 namespace {
 
-struct In {
-  TriangleObject T;
-  RayObject L;
+struct In : Naming {
+  Given<TriangleObject> T;
+  Given<RayObject> L;
 };
 
-struct Out : TriangleTerms, RayTerms {
+struct Out : Naming, TriangleTerms, RayTerms {
   RayTriangle<Rational> meet;
   Term u, v, n, uPerp, vPerp, D;
   Term lambda, I, w, s, t;
@@ -29,60 +31,89 @@ struct Out : TriangleTerms, RayTerms {
 };
 
 Out compute(const In &in) {
-  const auto meet = intersectRayTriangle(Ray<Rational>{in.L.origin, in.L.direction},
-                                         Triangle<Rational>{in.T.p0, in.T.p1, in.T.p2});
+  const auto &[p0, p1, p2] = in.T.object;
+  const auto &[origin, direction] = in.L.object;
+  const auto meet = intersectRayTriangle(Ray<Rational>{origin, direction}, Triangle<Rational>{p0, p1, p2});
   const auto &perps = meet.perps;
-  return {termsOf(in.T, "T"),
-          termsOf(in.L, "L"),
+  return {in,
+          termsOf(in.T),
+          termsOf(in.L),
           meet,
-          name(vectorLetter("u"), perps.u).marked("u"),
-          name(vectorLetter("v"), perps.v).marked("v"),
-          name(vectorLetter("n"), perps.normal).marked("n"),
-          name(perpLetter("u"), perps.uPerp).marked("uperp"),
-          name(perpLetter("v"), perps.vPerp).marked("vperp"),
+          name(vectorLetter("u"), perps.u).marked(in.mark("u")),
+          name(vectorLetter("v"), perps.v).marked(in.mark("v")),
+          name(vectorLetter("n"), perps.normal).marked(in.mark("n")),
+          name(perpLetter("u"), perps.uPerp).marked(in.mark("uperp")),
+          name(perpLetter("v"), perps.vPerp).marked(in.mark("vperp")),
           name(letter("D"), perps.denominator),
           name(letter("λ"), meet.plane.t),
-          name(letter("I"), meet.plane.point).marked("I"),
-          name(vectorLetter("w"), meet.w).marked("w"),
+          madeName(in, "I", meet.plane.point),
+          name(vectorLetter("w"), meet.w).marked(in.mark("w")),
           name(letter("s"), meet.s),
           name(letter("t"), meet.tTriangle),
-          name(letter("a"), dot(meet.w, perps.uPerp)).marked("a"),
-          name(letter("b"), dot(perps.v, perps.uPerp)).marked("b")};
+          name(letter("a"), dot(meet.w, perps.uPerp)).marked(in.mark("a")),
+          name(letter("b"), dot(perps.v, perps.uPerp)).marked(in.mark("b"))};
+}
+
+/// Where in the triangle the point is, for people: inside the triangle, on the edge P₀P₁ …
+std::string wherePlaced(const Out &at) {
+  const FacePlace &place = at.meet.place;
+  const std::array corners{&at.P0, &at.P1, &at.P2};
+  const auto cornerName = [&](int corner) {
+    return plainText(*corners.at(static_cast<std::size_t>(corner)));
+  };
+  switch (place.location) {
+  case FaceLocation::Interior:
+    return words("inside the triangle");
+  case FaceLocation::Edge: // named by the corner opposite to it
+    return words("on the edge {edge}",
+                 {{"edge", cornerName(place.feature == 0 ? 1 : 0) + cornerName(place.feature == 2 ? 1 : 2)}});
+  case FaceLocation::Vertex:
+    return words("at the corner {corner}", {{"corner", cornerName(place.feature)}});
+  case FaceLocation::Outside:
+    break;
+  }
+  return words("outside the triangle");
 }
 
 CaseWords tell(const In &in, const Out &at) {
   const std::string lambda = equation(at.lambda);
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {"hit", words("The ray hits {place}, at {lambda}.",
-                         {{"place", placeWords(at.meet.place)}, {"lambda", lambda}})};
+    return {"hit",
+            words("The ray hits {place}, at {lambda}.", {{"place", wherePlaced(at)}, {"lambda", lambda}})};
   case RayTriangleCase::Behind:
     return {"behind", words("{lambda} is negative: the triangle is behind the ray's start. The line "
                             "backwards would meet it {place}.",
-                            {{"place", placeWords(at.meet.place)}, {"lambda", lambda}})};
+                            {{"place", wherePlaced(at)}, {"lambda", lambda}})};
   case RayTriangleCase::Miss:
     return {"miss", words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
                           {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
   case RayTriangleCase::Parallel:
-    return {"parallel", words("r·n = 0: the ray runs parallel to the triangle's plane and never meets it.")};
+    return {"parallel", words("{r}·n = 0: the ray runs parallel to the triangle's plane and never meets it.",
+                              at.letters)};
   case RayTriangleCase::InPlane:
-    return {"in-plane", words("r·n = 0 and Q lies in the triangle's plane: the ray runs inside it, and no "
-                              "single point is the hit.")};
+    return {"in-plane",
+            words("{r}·n = 0 and {Q} lies in the triangle's plane: the ray runs inside it, and no "
+                  "single point is the hit.",
+                  at.letters)};
   case RayTriangleCase::ZeroDirection:
-    return zeroDirectionWords();
+    return zeroDirectionWords(at);
   case RayTriangleCase::Coincident: {
-    const int pair = in.T.p0 == in.T.p1 ? 2 : in.T.p0 == in.T.p2 ? 1 : 0;
+    const auto &[p0, p1, p2] = in.T.object;
+    const Term &first = p0 == p1 || p0 == p2 ? at.P0 : at.P1;
+    const Term &second = p0 == p1 ? at.P1 : at.P2;
     return {"coincident",
             words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
-                  {{"first", cornerName(pair == 0 ? 1 : 0)}, {"second", cornerName(pair == 2 ? 1 : 2)}}),
+                  {{"first", plainText(first)}, {"second", plainText(second)}}),
             true};
   }
   case RayTriangleCase::Collinear:
     break;
   }
   return {"collinear",
-          words("P₀, P₁ and P₂ lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and there "
-                "is no triangle to hit."),
+          words("{P0}, {P1} and {P2} lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and "
+                "there is no triangle to hit.",
+                at.letters),
           true};
 }
 
@@ -98,7 +129,7 @@ std::vector<NamedValue> perpValues(const Out &at) {
   return values;
 }
 
-std::vector<NamedValue> valuesOf(const Out &at) {
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   std::vector<NamedValue> values;
   if (at.meet.crosses()) {
     values.push_back({"location", words("place"), std::string(nameOf(at.meet.place.location))});
@@ -114,24 +145,42 @@ std::vector<NamedValue> valuesOf(const Out &at) {
   return values;
 }
 
-std::vector<WorkingLine> sideLines(const Out &at) {
-  const auto &[u, v] = std::pair(at.u, at.v);
-  return {asked("u", withNumbers(u == at.P1 - at.P0)),
-          asked("v", withNumbers(v == at.P2 - at.P0), words("Two sides of the triangle, both from P₀.")),
-          asked("normal", withResult(at.n == cross(u, v)), words("Perpendicular to both sides.")),
-          asked("uu", withProducts(dot(u, u))),
-          asked("uv", withProducts(dot(u, v))),
-          asked("vv", withProducts(dot(v, v)),
-                words("Three of the five dot products: they belong to the triangle alone.")),
-          asked("uperp", withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u),
-                words("u perp: in the plane of the triangle and perpendicular to u.")),
-          asked("vperp", withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u),
-                words("v perp likewise: perpendicular to v."))};
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (!at.meet.crosses())
+    return {};
+  return {{"I", PointObject{at.meet.plane.point}}};
+}
+
+void addSideLines(const Out &at, Explanation &lines) {
+  const auto &u = at.u;
+  const auto &v = at.v;
+  lines.add("u", [&] { return asked(withNumbers(u == at.P1 - at.P0)); });
+  lines.add("v", [&] {
+    return asked(withNumbers(v == at.P2 - at.P0),
+                 words("Two sides of the triangle, both from {P0}.", at.letters));
+  });
+  lines.add("normal",
+            [&] { return asked(withResult(at.n == cross(u, v)), words("Perpendicular to both sides.")); });
+  lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
+  lines.add("uv", [&] { return asked(withProducts(dot(u, v))); });
+  lines.add("vv", [&] {
+    return asked(withProducts(dot(v, v)),
+                 words("Three of the five dot products: they belong to the triangle alone."));
+  });
+  lines.add("uperp", [&] {
+    return asked(withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u),
+                 words("u perp: in the plane of the triangle and perpendicular to u."));
+  });
+  lines.add("vperp", [&] {
+    return asked(withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u),
+                 words("v perp likewise: perpendicular to v."));
+  });
 }
 
 WorkingLine denominatorLine(const Out &at) {
-  const auto &[u, v] = std::pair(at.u, at.v);
-  return asked("denominator", withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
+  const auto &u = at.u;
+  const auto &v = at.v;
+  return asked(withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
                at.meet.perps.denominator == 0
                    ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
                    : words("The denominator of s and t. It is zero only for a degenerate triangle."),
@@ -139,16 +188,24 @@ WorkingLine denominatorLine(const Out &at) {
 }
 
 /// How the ray's line meets the triangle's plane.
-std::vector<WorkingLine> planeLines(const Out &at) {
-  return {asked("plane-t", withNumbers(at.lambda == dot(at.P0 - at.Q, at.n) / dot(at.r, at.n)),
-                words("First the triangle's plane: so many steps r lead from Q to it."),
-                {wrongSignOf(at.lambda)}),
-          asked("hit", withNumbers(at.I == at.Q + at.lambda * at.r),
-                words("The point of the plane that the ray's line goes through. Is it in the triangle?")),
-          asked("w", withNumbers(at.w == at.I - at.P0),
-                words("From P₀ to that point. We look for w = s·u + t·v.")),
-          asked("wu", withProducts(dot(at.w, at.u))),
-          asked("wv", withProducts(dot(at.w, at.v)), words("The last two of the five dot products."))};
+void addPlaneLines(const Out &at, Explanation &lines) {
+  lines.add("plane-t", [&] {
+    return asked(withNumbers(at.lambda == dot(at.P0 - at.Q, at.n) / dot(at.r, at.n)),
+                 words("First the triangle's plane: so many steps {r} lead from {Q} to it.", at.letters),
+                 {wrongSignOf(at.lambda, at)});
+  });
+  lines.add("hit", [&] {
+    return asked(withNumbers(at.I == at.Q + at.lambda * at.r),
+                 words("The point of the plane that the ray's line goes through. Is it in the triangle?"));
+  });
+  lines.add("w", [&] {
+    return asked(withNumbers(at.w == at.I - at.P0),
+                 words("From {P0} to that point. We look for w = s·u + t·v.", at.letters));
+  });
+  lines.add("wu", [&] { return asked(withProducts(dot(at.w, at.u))); });
+  lines.add("wv", [&] {
+    return asked(withProducts(dot(at.w, at.v)), words("The last two of the five dot products."));
+  });
 }
 
 /// The mistake of a share: the sign of D.
@@ -156,48 +213,63 @@ WrongTerm wrongSignOfShare(const Term &share) {
   return {-share, words("{answer} has the wrong sign: the denominator D = (u·v)² − (u·u)(v·v) is negative.")};
 }
 
-std::vector<WorkingLine> shareLines(const Out &at) {
-  const auto &[u, v, w] = std::tuple(at.u, at.v, at.w);
-  return {asked("s",
-                withNumbers((at.s == dot(w, at.vPerp) / dot(u, at.vPerp)) ==
-                            (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.D),
-                words("Dotted with v⊥, the part t·v drops out and only s is left."),
-                {{at.t, words("{answer} is t: for s, w is dotted with v⊥.")}, wrongSignOfShare(at.s)}),
-          asked("t",
-                withNumbers((at.t == dot(w, at.uPerp) / dot(v, at.uPerp)) ==
-                            (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / at.D),
-                words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
-                      "triangle; the ray's own parameter is λ."),
-                {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}, wrongSignOfShare(at.t)}),
-          line("place", {withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
-               words("Inside means s ≥ 0, t ≥ 0 and s + t ≤ 1. Equality in one of them is an edge only while "
-                     "the other two hold. Here the point is {place}.",
-                     {{"place", placeWords(at.meet.place)}}))};
+WorkingLine lineOfS(const Out &at) {
+  const auto &[u, v, w] = std::tie(at.u, at.v, at.w);
+  return asked(withNumbers((at.s == dot(w, at.vPerp) / dot(u, at.vPerp)) ==
+                           (dot(u, v) * dot(w, v) - dot(v, v) * dot(w, u)) / at.D),
+               words("Dotted with v⊥, the part t·v drops out and only s is left."),
+               {{at.t, words("{answer} is t: for s, w is dotted with v⊥.")}, wrongSignOfShare(at.s)});
 }
 
-std::vector<WorkingLine> similarLines(const Out &at) {
+WorkingLine lineOfT(const Out &at) {
+  const auto &[u, v, w] = std::tie(at.u, at.v, at.w);
+  return asked(withNumbers((at.t == dot(w, at.uPerp) / dot(v, at.uPerp)) ==
+                           (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / at.D),
+               words("Dotted with u⊥, the part s·u drops out and only t is left. This t belongs to the "
+                     "triangle; the ray's own parameter is λ."),
+               {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}, wrongSignOfShare(at.t)});
+}
+
+WorkingLine placeLine(const Out &at) {
+  return line({withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
+              words("Inside means s ≥ 0, t ≥ 0 and s + t ≤ 1. Equality in one of them is an edge only while "
+                    "the other two hold. Here the point is {place}.",
+                    {{"place", wherePlaced(at)}}));
+}
+
+/// Figure 4 of the note.
+WorkingLine similarLine(const Out &at) {
   const Term part = at.a / at.b;
-  return {asked("a", withResult(at.a == dot(at.w, at.uPerp)),
-                words("The dot product of w with u⊥: it grows with how far w reaches along u⊥.")),
-          asked("b", withResult(at.b == dot(at.v, at.uPerp)), words("The same for v.")),
-          line("similar",
-               ((at.t * at.v).marked("tv") == part * at.v)
-                   .then(numbersPutIn(part) * at.v)
-                   .then(multipleOf(part, at.v)),
-               words("Two right triangles at P₀ have the same shape, so t·v is to v as a is to b. The length "
-                     "of u⊥ stands in both and cancels."))};
+  return line(
+      ((at.t * at.v).marked(at.mark("tv")) == part * at.v)
+          .then(numbersPutIn(part) * at.v)
+          .then(multipleOf(part, at.v)),
+      words("Two right triangles at {P0} have the same shape, so t·v is to v as a is to b. The length "
+            "of u⊥ stands in both and cancels.",
+            at.letters));
 }
 
-Working explain(const Out &at) {
-  Working working{sideLines(at)};
+void addShareLines(const Out &at, Explanation &lines) {
+  lines.add("s", [&] { return lineOfS(at); });
+  lines.add("t", [&] { return lineOfT(at); });
+  lines.add("place", [&] { return placeLine(at); });
+  lines.add("a", [&] {
+    return asked(withResult(at.a == dot(at.w, at.uPerp)),
+                 words("The dot product of w with u⊥: it grows with how far w reaches along u⊥."));
+  });
+  lines.add("b", [&] { return asked(withResult(at.b == dot(at.v, at.uPerp)), words("The same for v.")); });
+  lines.add("similar", [&] { return similarLine(at); });
+}
+
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  addSideLines(at, lines);
   if (at.meet.crosses())
-    working.add(planeLines(at));
-  working.add(denominatorLine(at));
-  if (at.meet.crosses()) {
-    working.add(shareLines(at));
-    working.add(similarLines(at));
-  }
-  return working;
+    addPlaneLines(at, lines);
+  lines.add("denominator", [&at] { return denominatorLine(at); });
+  if (at.meet.crosses())
+    addShareLines(at, lines);
+  return lines;
 }
 
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
@@ -219,7 +291,6 @@ double reachAlong(const ExactVec3 &direction, const Place &vector) {
 void drawSpan(Figure &figure, const Out &at) {
   const auto &perps = at.meet.perps;
   const Place p0 = place(at.P0);
-  figure.add(PolygonMark{{"T", Role::Given, Subject::Triangle}, {p0, place(at.P1), place(at.P2)}});
   figure.add(ArrowMark{drawn(at.n, Role::Derived, Subject::Plane), p0, unitOf(perps.normal), false,
                        drawnNormalLength});
   const double reachOfW = at.meet.crosses() ? reachAlong(perps.uPerp, place(at.w)) : 0;
@@ -228,11 +299,10 @@ void drawSpan(Figure &figure, const Out &at) {
   figure.add(perpArrow(at.vPerp, p0, perps.vPerp, reachAlong(perps.vPerp, place(at.u)), Subject::EdgeV));
 }
 
-void drawEdges(Figure &figure, const In &in, const Out &at) {
+void drawEdges(Figure &figure, const Out &at) {
   const Role role = at.meet.perps.denominator != 0 ? Role::Given : Role::Warning;
   figure.add(arrowOf(at.u, place(at.P0), role, Subject::EdgeU));
   figure.add(arrowOf(at.v, place(at.P0), role, Subject::EdgeV));
-  drawCorners(figure, in.T);
 }
 
 /// The foot of a vector from P0 on u⊥, with the way there from its tip.
@@ -240,11 +310,11 @@ void drawFoot(Figure &figure, const Out &at, const Term &share, const Term &vect
   const Place p0 = place(at.P0);
   const Place tip = p0 + place(vector);
   const Place foot = p0 + place(share / dot(at.uPerp, at.uPerp) * at.uPerp);
-  figure.add(SegmentMark{{share->mark + "-foot", Role::Helper, Subject::Measure}, tip, foot});
+  figure.add(SegmentMark{{share->mark + "/foot", Role::Helper, Subject::Measure}, tip, foot});
   figure.add(PointMark{drawn(share, Role::Derived, Subject::Measure), foot});
   if (sign(*numberOf(share)) != 0)
     figure.add(RightAngleMark{
-        {share->mark + "-angle", Role::Helper, Subject::Measure}, foot, p0 - foot, tip - foot});
+        {share->mark + "/angle", Role::Helper, Subject::Measure}, foot, p0 - foot, tip - foot});
 }
 
 /// Figure 4 of the note: the feet of w and v on u⊥, and the two similar right triangles that they make with
@@ -252,8 +322,8 @@ void drawFoot(Figure &figure, const Out &at, const Term &share, const Term &vect
 void drawSimilarTriangles(Figure &figure, const Out &at) {
   const Place p0 = place(at.P0);
   const Place tv = p0 + place(at.t * at.v);
-  figure.add(SegmentMark{{"tv", Role::Derived, Subject::EdgeV, "t\\vec v"}, p0, tv});
-  figure.add(SegmentMark{{"tv-su", Role::Helper, Subject::EdgeU}, tv, place(at.I)});
+  figure.add(SegmentMark{{at.mark("tv"), Role::Derived, Subject::EdgeV, "t\\vec v"}, p0, tv});
+  figure.add(SegmentMark{{at.mark("tv/su"), Role::Helper, Subject::EdgeU}, tv, place(at.I)});
   drawFoot(figure, at, at.a, at.w);
   drawFoot(figure, at, at.b, at.v);
 }
@@ -265,12 +335,13 @@ Figure draw(const In &in, const Out &at) {
   const Place point = place(at.I);
   if (at.meet.perps.denominator != 0)
     drawSpan(figure, at);
-  drawEdges(figure, in, at);
-  drawRay(figure, in.L, crosses && ahead ? std::optional(point) : std::nullopt);
+  drawEdges(figure, at);
   if (!crosses)
     return figure;
-  if (!ahead)
-    figure.add(SegmentMark{{"I-backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
+  if (ahead)
+    figure.reaches.push_back({in.L.id, point});
+  else
+    figure.add(SegmentMark{{at.I->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
   figure.add(arrowOf(at.w, place(at.P0), Role::Derived, Subject::Neutral));
   drawSimilarTriangles(figure, at);
   const bool hit = at.meet.which == RayTriangleCase::Hit;
@@ -281,9 +352,8 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction ray_triangle_perp() {
-  return makeConstruction<In, Out>("ray-triangle-perp", compute, tell, valuesOf, explain, draw,
-                                   TypedRole<In, TriangleObject>{"T", &In::T},
-                                   TypedRole<In, RayObject>{"L", &In::L});
+  return makeConstruction<In, Out, TriangleObject, RayObject>(
+      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}}, {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

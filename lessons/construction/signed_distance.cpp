@@ -17,33 +17,37 @@
 namespace halfspace {
 namespace {
 
-struct In {
-  PlaneObject E;
-  PointObject Q;
+struct In : Naming {
+  Given<PlaneObject> E;
+  Given<PointObject> Q;
 };
 
-struct Out : PlaneTerms {
+struct Out : Naming, PlaneTerms {
   PointPlaneCase which;
+  ExactVec3 foot;
   bool atP0; ///< w is zero: there is no angle
   Term Q, f, w, dist, F;
   Term theta, cosine; ///< of the angle between n and w, where there is one
 };
 
 Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E, "E");
-  const Term Q = termOf(in.Q, "Q");
-  const auto measured = measurePointPlane(in.Q.at, planeThrough(in.E.point, in.E.normal));
-  const ExactVec3 w = in.Q.at - in.E.point;
+  const PlaneTerms E = termsOf(in.E);
+  const Term Q = termOf(in.Q);
+  const auto &[point, normal] = in.E.object;
+  const auto measured = measurePointPlane(in.Q.object.at, planeThrough(point, normal));
+  const ExactVec3 w = in.Q.object.at - point;
   const bool hasAngle = measured.which != PointPlaneCase::ZeroNormal && !isZero(w);
-  const Term theta = name(letter("θ"), std::nullopt).marked("theta");
-  return {E,
+  const Term theta = name(letter("θ"), std::nullopt).marked(in.mark("theta"));
+  return {in,
+          E,
           measured.which,
+          measured.foot,
           isZero(w),
           Q,
           applied(letter("f"), Q, measured.f),
-          name(vectorLetter("w"), w).standingFor(Q - E.P0).marked("w"),
-          name(word("dist"), measured.signedDistance).marked("distance"),
-          name(letter("F"), measured.foot).marked("F"),
+          name(vectorLetter("w"), w).standingFor(Q - E.P0).marked(in.mark("w")),
+          name(word("dist"), measured.signedDistance).marked(in.mark("distance")),
+          madeName(in, "F", measured.foot),
           theta,
           applied(word("cos"), theta,
                   hasAngle ? overRoot(measured.f, Rational(measured.normalSquared * dot(w, w))) : Surd())};
@@ -54,17 +58,17 @@ CaseWords tell(const In &, const Out &at) {
   const std::string distance = equation(name(word("signed distance"), at.dist->value));
   switch (at.which) {
   case PointPlaneCase::Positive:
-    return {"positive", words("{f} is positive: Q lies on the side that n points to, {distance}.",
-                              {{"f", f}, {"distance", distance}})};
+    return {"positive", words("{f} is positive: {Q} lies on the side that {n} points to, {distance}.",
+                              at.letters, {{"f", f}, {"distance", distance}})};
   case PointPlaneCase::Negative:
-    return {"negative", words("{f} is negative: Q lies on the side that n points away from, {distance}.",
-                              {{"f", f}, {"distance", distance}})};
+    return {"negative", words("{f} is negative: {Q} lies on the side that {n} points away from, {distance}.",
+                              at.letters, {{"f", f}, {"distance", distance}})};
   case PointPlaneCase::On:
-    return {"on", words("f(Q) = 0: Q lies in the plane, and is its own foot.")};
+    return {"on", words("f({Q}) = 0: {Q} lies in the plane, and is its own foot.", at.letters)};
   case PointPlaneCase::ZeroNormal:
     break;
   }
-  return zeroNormalWords();
+  return zeroNormalWords(at);
 }
 
 std::string sideName(PointPlaneCase which) {
@@ -73,7 +77,7 @@ std::string sideName(PointPlaneCase which) {
                                              : "on";
 }
 
-std::vector<NamedValue> valuesOf(const Out &at) {
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   std::vector<NamedValue> values{listed("f", at.f)};
   if (at.which == PointPlaneCase::ZeroNormal)
     return values;
@@ -85,63 +89,84 @@ std::vector<NamedValue> valuesOf(const Out &at) {
   return values;
 }
 
-std::string sideWords(PointPlaneCase which) {
-  switch (which) {
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (at.which == PointPlaneCase::ZeroNormal)
+    return {};
+  return {{"F", PointObject{at.foot}}};
+}
+
+std::string sideWords(const Out &at) {
+  switch (at.which) {
   case PointPlaneCase::Positive:
-    return words("The sign tells the side: positive where n points.");
+    return words("The sign tells the side: positive where {n} points.", at.letters);
   case PointPlaneCase::Negative:
-    return words("The sign tells the side: negative behind the plane, seen along n.");
+    return words("The sign tells the side: negative behind the plane, seen along {n}.", at.letters);
   default:
-    return words("Zero: Q satisfies the plane's equation, so it lies in the plane.");
+    return words("Zero: {Q} satisfies the plane's equation, so it lies in the plane.", at.letters);
   }
 }
 
 std::string distanceWords(const Out &at) {
   if (at.which == PointPlaneCase::On)
-    return words("f(Q) is 0, and so is the distance: 0 divided by any length is 0.");
+    return words("f({Q}) is 0, and so is the distance: 0 divided by any length is 0.", at.letters);
   if (isUnit(at.n))
-    return words("Because |n| = 1, f(Q) is the signed distance already.");
-  return words("{f} is not the distance: n is {length} long, so f(Q) is {length} times the distance.",
-               {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
+    return words("Because |{n}| = 1, f({Q}) is the signed distance already.", at.letters);
+  return words("{f} is not the distance: {n} is {length} long, so f({Q}) is {length} times the distance.",
+               at.letters, {{"f", equation(at.f)}, {"length", plainText(calculated(norm(at.n)))}});
 }
 
 WorkingLine distanceLine(const Out &at) {
-  return asked("distance", withNumbers(at.dist == at.f / norm(at.n)), distanceWords(at),
-               {{at.f, words("{answer} is f(Q): n is not normalized, so divide by |n|.")},
-                {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f(Q).")},
-                {norm(at.f), words("{answer} is f(Q) without its sign, and not divided by |n| either.")},
-                {at.f / dot(at.n, at.n), words("{answer} is f(Q)/(n·n): divide by the root of n·n, |n|.")}});
+  const auto &letters = at.letters;
+  return asked(
+      withNumbers(at.dist == at.f / norm(at.n)), distanceWords(at),
+      {{at.f, words("{answer} is f({Q}): {n} is not normalized, so divide by |{n}|.", letters)},
+       {-at.dist, words("{answer} has the wrong sign: the distance has the sign of f({Q}).", letters)},
+       {norm(at.f), words("{answer} is f({Q}) without its sign, and not divided by |{n}| either.", letters)},
+       {at.f / dot(at.n, at.n),
+        words("{answer} is f({Q})/({n}·{n}): divide by the root of {n}·{n}, |{n}|.", letters)}});
 }
 
 WorkingLine cosineLine(const Out &at) {
   const double cosine = toDouble(*numberOf(at.cosine));
   const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
   return asked(
-      "cosine", withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
-      words("θ ≈ {degrees}° is the angle between n and w = Q − P₀. So dist = |w| cos θ is the part of "
-            "w that runs along n.",
-            {{"degrees", plainText(rounded(degrees))}}),
+      withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
+      words("θ ≈ {degrees}° is the angle between {n} and w = {Q} − {P0}. So dist = |w| cos θ is the part "
+            "of w that runs along {n}.",
+            at.letters, {{"degrees", plainText(rounded(degrees))}}),
       {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
-       {dot(at.n, at.w), words("{answer} is n·w: divide by both lengths.")}});
+       {dot(at.n, at.w), words("{answer} is {n}·w: divide by both lengths.", at.letters)}});
 }
 
-Working explain(const Out &at) {
-  Working working{
-      {asked("f", withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-             words("Q put into the left side of the plane's equation."),
-             {{dot(at.n, at.Q), words("{answer} is n·Q: P₀ is to be subtracted from Q first.")}})}};
+WorkingLine valueLine(const Out &at) {
+  return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
+               words("{Q} put into the left side of the plane's equation.", at.letters),
+               {{dot(at.n, at.Q),
+                 words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
+}
+
+WorkingLine lengthLine(const Out &at) {
+  return asked(withProducts(norm(at.n) == root(dot(at.n, at.n))), words("The length of the normal."),
+               {{dot(at.n, at.n), words("{answer} is {n}·{n}: its root is still to be taken.", at.letters)}});
+}
+
+WorkingLine footLine(const Out &at) {
+  return asked(withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n),
+               words("The foot: from {Q} straight along {n} to the plane, its nearest point.", at.letters));
+}
+
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  lines.add("f", [&at] { return valueLine(at); });
   if (at.which == PointPlaneCase::ZeroNormal)
-    return working;
-  working.add(line("side", compared(at.f, 0), sideWords(at.which)));
-  working.add(asked("length", withProducts(norm(at.n) == root(dot(at.n, at.n))),
-                    words("The length of the normal."),
-                    {{dot(at.n, at.n), words("{answer} is n·n: its root is still to be taken.")}}));
-  working.add(distanceLine(at));
+    return lines;
+  lines.add("side", [&at] { return line(compared(at.f, 0), sideWords(at)); });
+  lines.add("length", [&at] { return lengthLine(at); });
+  lines.add("distance", [&at] { return distanceLine(at); });
   if (!at.atP0)
-    working.add(cosineLine(at));
-  working.add(asked("foot", withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n),
-                    words("The foot: from Q straight along n to the plane, its nearest point.")));
-  return working;
+    lines.add("cosine", [&at] { return cosineLine(at); });
+  lines.add("foot", [&at] { return footLine(at); });
+  return lines;
 }
 
 Figure draw(const In &in, const Out &at) {
@@ -150,8 +175,7 @@ Figure draw(const In &in, const Out &at) {
   const Place p0 = place(at.P0);
   const bool hasPlane = at.which != PointPlaneCase::ZeroNormal;
   const Place foot = hasPlane ? place(at.F) : p0;
-  drawPlane(figure, in.E, {foot});
-  figure.add(pointOf(at.Q, Role::Given, Subject::Point));
+  figure.reaches.push_back({in.E.id, foot});
   if (!at.atP0)
     figure.add(arrowOf(at.w, p0, Role::Derived, Subject::Point));
   if (!hasPlane)
@@ -164,16 +188,16 @@ Figure draw(const In &in, const Out &at) {
   MarkBase distance = drawn(at.dist, Role::Result, Subject::Measure);
   distance.numbers = relatedLatex(calculated(at.dist));
   figure.add(SegmentMark{std::move(distance), foot, q});
-  figure.add(RightAngleMark{{"F-angle", Role::Helper, Subject::Measure}, foot, q - foot, p0 - foot});
+  figure.add(
+      RightAngleMark{{at.F->mark + "/angle", Role::Helper, Subject::Measure}, foot, q - foot, p0 - foot});
   return figure;
 }
 
 } // namespace
 
 Construction signed_distance() {
-  return makeConstruction<In, Out>("signed-distance", compute, tell, valuesOf, explain, draw,
-                                   TypedRole<In, PlaneObject>{"E", &In::E},
-                                   TypedRole<In, PointObject>{"Q", &In::Q});
+  return makeConstruction<In, Out, PlaneObject, PointObject>("signed-distance", {"E", "Q"}, {{"F", "point"}},
+                                                             {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

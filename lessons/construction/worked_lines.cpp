@@ -5,9 +5,8 @@
 namespace halfspace {
 namespace {
 
-WorkingLine asking(Asked what, std::string id, const Chain &chain, std::string sentence,
-                   std::vector<WrongTerm> mistakes) {
-  WorkingLine asked = line(std::move(id), chain, std::move(sentence));
+WorkingLine asking(Asked what, const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
+  WorkingLine asked = line(chain, std::move(sentence));
   const auto &answer = chain.last()->value;
   if (!answer || !isExact(*answer) || (what == Asked::Equation && !answer->entries.front().hasUnknowns()))
     return asked; // nobody could type it
@@ -18,30 +17,30 @@ WorkingLine asking(Asked what, std::string id, const Chain &chain, std::string s
 
 } // namespace
 
-WorkingLine line(std::string id, const Chain &chain, std::string sentence) {
-  return line(std::move(id), std::vector{chain}, std::move(sentence));
+WorkingLine line(const Chain &chain, std::string sentence) {
+  return line(std::vector{chain}, std::move(sentence));
 }
 
-WorkingLine line(std::string id, std::vector<Chain> chains, std::string sentence) {
-  return {std::move(id), std::move(chains), std::move(sentence)};
+WorkingLine line(std::vector<Chain> chains, std::string sentence) {
+  return {.chains = std::move(chains), .sentence = std::move(sentence)};
 }
 
-WorkingLine asked(std::string id, const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
-  return asking(Asked::Value, std::move(id), chain, std::move(sentence), std::move(mistakes));
+WorkingLine asked(const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
+  return asking(Asked::Value, chain, std::move(sentence), std::move(mistakes));
 }
 
-WorkingLine askedEquation(std::string id, const Chain &chain, std::string sentence,
-                          std::vector<WrongTerm> mistakes) {
-  return asking(Asked::Equation, std::move(id), chain, std::move(sentence), std::move(mistakes));
+WorkingLine askedEquation(const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
+  return asking(Asked::Equation, chain, std::move(sentence), std::move(mistakes));
 }
 
-WrongTerm wrongSignOf(const Term &parameter) {
+WrongTerm wrongSignOf(const Term &parameter, const Naming &naming) {
   const Real *value = numberOf(parameter);
   return {-parameter,
           value && sign(*value) == -1
               ? words("{answer} has lost its sign: numerator and denominator have different signs.")
               : words("{answer} has the wrong sign: the numerator goes from the start to the plane, "
-                      "P₀ minus the start.")};
+                      "{P0} minus the start.",
+                      naming.letters)};
 }
 
 } // namespace halfspace

@@ -29,7 +29,7 @@ enum class Asked : std::uint8_t { Nothing, Value, Equation };
 /// statements beside each other, none of which is asked for. A term that is a mark of the figure takes the
 /// mark's colour, and hovering one lights up the other.
 struct WorkingLine {
-  std::string id; ///< unique in the working; lessons' steps name lines by it
+  std::string id{}; ///< unique in the working: `distance.f` in that of a scene
   std::vector<Chain> chains;
   std::string sentence{}; ///< plain words, no LaTeX; may be empty
   Asked asked = Asked::Nothing;

@@ -3,12 +3,13 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace halfspace {
 namespace {
 
-/// How far a patch reaches from its centre, both ways along one of its sides' directions.
-struct Reach {
+/// How far a patch goes from its centre, both ways along one of its sides' directions.
+struct Extent {
   double low = -minimumPatchSide / 2;
   double high = minimumPatchSide / 2;
 
@@ -18,7 +19,27 @@ struct Reach {
   }
 };
 
+void draw(PlanePatchMark &patch, const Place &upTo) { patch.covers.push_back(upTo); }
+
+void draw(RayMark &ray, const Place &upTo) {
+  if (!ray.meets || glm::distance(ray.origin, upTo) > glm::distance(ray.origin, *ray.meets))
+    ray.meets = upTo;
+}
+
 } // namespace
+
+Figure reaching(Figure figure) {
+  std::unordered_map<std::string_view, Mark *> byId;
+  for (Mark &mark : figure.marks)
+    byId.emplace(baseOf(mark).id, &mark);
+  for (const Reach &reach : figure.reaches)
+    if (const auto found = byId.find(reach.mark); found != byId.end())
+      std::visit(Overloaded{[&](PlanePatchMark &patch) { draw(patch, reach.at); },
+                            [&](RayMark &ray) { draw(ray, reach.at); }, [](auto &) {}},
+                 *found->second);
+  figure.reaches.clear();
+  return figure;
+}
 
 Figure withoutNumbers(Figure figure) {
   for (Mark &mark : figure.marks)
@@ -43,8 +64,8 @@ std::vector<Place> cornersOf(const PlanePatchMark &patch) {
   const Place level = isHorizontal ? Place(1, 0, 0) : glm::normalize(Place(-normal.y, normal.x, 0));
   const Place slope = glm::cross(normal, level);
 
-  Reach along;
-  Reach upward;
+  Extent along;
+  Extent upward;
   for (const Place &covered : patch.covers) {
     if (!isFinite(covered))
       continue;

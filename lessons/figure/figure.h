@@ -27,8 +27,8 @@ enum class Subject { Neutral, Plane, Point, Ray, Triangle, EdgeU, EdgeV, Measure
 
 /// What all marks have.
 struct MarkBase {
-  /// Unique in the figure and stable from one evaluation to the next. A mark `a-foot` accompanies the mark
-  /// `a`: a step that shows one shows the other.
+  /// Unique in the figure and stable from one evaluation to the next: `E.n`, `distance.F`. A mark
+  /// `distance.F/angle` accompanies the mark `distance.F`: a step that shows one shows the other.
   std::string id;
   Role role = Role::Given;
   Subject subject = Subject::Neutral;
@@ -102,11 +102,22 @@ struct RightAngleMark : MarkBase {
 using Mark = std::variant<PointMark, SegmentMark, RayMark, ArrowMark, PlanePatchMark, PolygonMark, ArcMark,
                           RightAngleMark>;
 
+/// A place that the mark with this id is to be drawn up to: that a patch covers, that a ray meets.
+struct Reach {
+  std::string mark;
+  Place at{};
+};
+
 struct Figure {
   std::vector<Mark> marks;
+  std::vector<Reach> reaches{}; ///< of marks of its own or of other figures that it is put together with
 
   void add(Mark mark) { marks.push_back(std::move(mark)); }
 };
+
+/// The figure with its marks drawn as far as they are to reach. Where several places are asked of a ray, it
+/// meets the farthest.
+[[nodiscard]] Figure reaching(Figure figure);
 
 /// For std::visit with one lambda a kind: a kind without one does not compile.
 template <class... Visitors> struct Overloaded : Visitors... { using Visitors::operator()...; };
@@ -120,9 +131,9 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
   return std::visit([](MarkBase &base) -> MarkBase & { return base; }, mark);
 }
 
-/// The id of the mark that a mark accompanies: `a` for `a-foot`; its own for all others.
+/// The id of the mark that a mark accompanies: `F` for `F/angle`; its own for all others.
 [[nodiscard]] inline std::string leadingId(const MarkBase &mark) {
-  return mark.id.substr(0, mark.id.find('-'));
+  return mark.id.substr(0, mark.id.find('/'));
 }
 
 /// The mark with this id, or null.

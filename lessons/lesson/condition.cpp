@@ -84,6 +84,14 @@ std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_v
   return (*list)[*index];
 }
 
+constexpr std::string_view caseName = "case";
+
+std::optional<Value> findOf(const EvaluatedEntry &entry, std::string_view name) {
+  if (name == caseName)
+    return entry.outcome->told->name;
+  return findIn(*entry.outcome->values, name);
+}
+
 bool holdsForSign(Relation relation, int sign) {
   switch (relation) {
   case Relation::Equal:
@@ -143,20 +151,33 @@ Result<std::vector<Condition>> parseConditions(std::string_view text) {
   }
 }
 
-std::optional<Value> findValue(const Outcome &outcome, std::string_view name) {
-  if (name == "case")
-    return outcome.caseName;
-  return findIn(outcome.values, name);
+std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {
+  const auto dot = name.find('.');
+  if (const EvaluatedEntry *entry = evaluation.find(name.substr(0, dot));
+      entry && entry->isConstruction() && dot != std::string_view::npos)
+    return findOf(*entry, name.substr(dot + 1));
+  if (name == caseName) {
+    const EvaluatedEntry *last = evaluation.lastConstruction();
+    return last ? findOf(*last, name) : std::nullopt;
+  }
+  std::optional<Value> found;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    if (auto value = findIn(*entry.outcome->values, name)) {
+      if (found)
+        return {}; // it must say whose
+      found = std::move(value);
+    }
+  return found;
 }
 
-bool holds(const Condition &condition, const Outcome &outcome) {
-  const auto value = findValue(outcome, condition.value);
+bool holds(const Condition &condition, const Evaluation &evaluation) {
+  const auto value = findValue(evaluation, condition.value);
   return value && std::visit(Comparison{condition}, *value);
 }
 
-bool isDone(const Task &task, const Outcome &outcome) {
+bool isDone(const Task &task, const Evaluation &evaluation) {
   return std::all_of(task.conditions.begin(), task.conditions.end(),
-                     [&](const Condition &condition) { return holds(condition, outcome); });
+                     [&](const Condition &condition) { return holds(condition, evaluation); });
 }
 
 } // namespace halfspace

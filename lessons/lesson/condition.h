@@ -8,9 +8,10 @@ namespace halfspace {
 /// Reads `side = negative and t < 0`. Relations: = != < <= > >=. A problem has only its sentence.
 [[nodiscard]] Result<std::vector<Condition>> parseConditions(std::string_view text);
 
-/// The value that goes by a name: `t`, `perp.uu` inside a group, `foot.z` of a vector, or `case`. Nothing for
-/// a value that the case does not have.
-[[nodiscard]] std::optional<Value> findValue(const Outcome &outcome, std::string_view name);
+/// The value that goes by a name: `distance.f` of the entry `distance`, or `f` where only one construction
+/// has an f among its values; `perp.uu` inside a group, `foot.z` of a vector. `case` is the last
+/// construction's, and `distance.case` that of an entry. Nothing for a value that the case does not have.
+[[nodiscard]] std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name);
 
 /// Whether the text is shaped like a value's name: letters, digits, `_`, `-`, parts joined by dots.
 [[nodiscard]] bool isValueName(std::string_view text);

@@ -33,11 +33,10 @@
 //   ```
 #pragma once
 
-#include "lessons/construction/outcome.h"
 #include "lessons/lesson/macros.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/reading/problem.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/evaluation.h"
 
 #include <filesystem>
 
@@ -46,7 +45,7 @@ namespace halfspace {
 /// One comparison of a named value with a number or a word; `when:` lines join them with `and`.
 struct Condition {
   enum class Relation { Equal, NotEqual, Less, LessOrEqual, Greater, GreaterOrEqual };
-  std::string value; ///< a name in the outcome's values, `perp.uu` inside a group, or `case`
+  std::string value; ///< the name of a value, see findValue
   Relation relation = Relation::Equal;
   std::string against; ///< a word, or a number as parseRational reads it
 };
@@ -66,7 +65,7 @@ struct Prediction {
     int line = 0; ///< in the file
   };
   std::string question;
-  std::string value; ///< the name of the value that decides, or `case`
+  std::string value; ///< the name of the value that decides, see findValue
   std::vector<Choice> choices;
   std::string reason;
   // In the file:
@@ -76,8 +75,10 @@ struct Prediction {
 
 struct LessonStep {
   std::string title;
-  std::string markdown;           ///< the words, without the title and the fenced blocks above
-  std::vector<std::string> lines; ///< ids of the worked lines shown; empty: all
+  std::string markdown; ///< the words, without the title and the fenced blocks above
+  /// The worked lines shown: `distance.f`, `f` where only one construction has an f, or `distance.*` for all
+  /// of one; empty: all.
+  std::vector<std::string> lines;
   std::vector<Task> tasks;
   std::optional<Prediction> prediction;
   std::optional<Fading> blank{};    ///< which lines the step leaves to the learner; nothing: as it was before
@@ -136,22 +137,24 @@ struct LessonLibrary {
 [[nodiscard]] LessonLibrary readLessons(const std::filesystem::path &folder);
 
 /// Whether a condition holds; false for a value that the case does not have.
-[[nodiscard]] bool holds(const Condition &condition, const Outcome &outcome);
-[[nodiscard]] bool isDone(const Task &task, const Outcome &outcome);
+[[nodiscard]] bool holds(const Condition &condition, const Evaluation &evaluation);
+[[nodiscard]] bool isDone(const Task &task, const Evaluation &evaluation);
 
 /// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers.
 /// `{Q}` and `{E.n}` name the scene's coordinates.
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
-                                         const Outcome &outcome);
+                                         const Evaluation &evaluation);
 
-/// What a step shows of an outcome.
+/// What a step shows of a scene.
 struct Shown {
   Working working;
   Figure figure;
+  std::string description; ///< the cases of the constructions whose lines are shown, in plain words
+  bool degenerate = false; ///< one of them is a warning
 };
 
 /// The step's lines and, of the figure, the given marks, those that these lines name, and what accompanies
 /// them; everything where the step names no lines.
-[[nodiscard]] Shown shownIn(const LessonStep &step, const Outcome &outcome);
+[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation);
 
 } // namespace halfspace

@@ -206,12 +206,14 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
 
 Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file) {
   constexpr std::string_view between = ", \t\r\n";
+  constexpr std::string_view allOfOne = ".*";
   std::vector<std::string> ids;
   const std::string &text = block.text;
   for (auto begin = text.find_first_not_of(between); begin != std::string::npos;) {
     const auto end = text.find_first_of(between, begin);
     ids.push_back(text.substr(begin, end - begin));
-    if (!isValueName(ids.back()))
+    const std::string_view id = ids.back();
+    if (!isValueName(id.ends_with(allOfOne) ? id.substr(0, id.size() - allOfOne.size()) : id))
       return Problem{words("“{text}” cannot be the id of a line: write ids between commas.",
                            {{"text", shortened(ids.back())}}),
                      file, block.firstLine, "lines"};

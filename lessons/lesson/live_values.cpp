@@ -27,8 +27,8 @@ std::string markdownOf(const Value &value) {
          latexOf(*term, LatexMarks::Without, amongWords) + "$";
 }
 
-std::string markdownOf(std::string_view name, const Scene &scene, const Outcome &outcome) {
-  if (const auto value = findValue(outcome, name))
+std::string markdownOf(std::string_view name, const Scene &scene, const Evaluation &evaluation) {
+  if (const auto value = findValue(evaluation, name))
     return markdownOf(*value);
   if (const auto id = findCoordinate(scene, name)) {
     const ExactVec3 &at = coordinate(*findObject(scene, id->object), id->index);
@@ -48,16 +48,54 @@ std::size_t verbatimLength(std::string_view text) {
   return end == std::string_view::npos ? fence.size() : end + fence.size();
 }
 
+/// Whether a construction has a line.
+bool hasLine(const EvaluatedEntry &entry, std::string_view id) {
+  const std::vector<std::string> ids = entry.outcome->explanation->ids();
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// Whether a name in a step means the line of an entry.
+bool means(const std::string &name, const EvaluatedEntry &entry, const std::string &id,
+           const Evaluation &evaluation) {
+  if (name == entry.name + ".*" || name == entry.name + "." + id)
+    return true;
+  return name == id && std::count_if(evaluation.entries.begin(), evaluation.entries.end(),
+                                     [&](const EvaluatedEntry &each) { return hasLine(each, id); }) == 1;
+}
+
+/// Adds those lines of an entry that a step shows; false where it shows none.
+bool addLines(const EvaluatedEntry &entry, const LessonStep &step, const Evaluation &evaluation,
+              Working &working) {
+  const std::size_t before = working.lines.size();
+  for (const std::string &id : entry.outcome->explanation->ids())
+    if (step.lines.empty() || std::any_of(step.lines.begin(), step.lines.end(), [&](const std::string &name) {
+          return means(name, entry, id, evaluation);
+        }))
+      working.add(lineOf(entry, id));
+  return working.lines.size() > before;
+}
+
+/// Whether the step names the entry, though the present case may not have the lines.
+bool names(const LessonStep &step, const EvaluatedEntry &entry) {
+  return std::any_of(step.lines.begin(), step.lines.end(),
+                     [&](const std::string &name) { return name.substr(0, name.find('.')) == entry.name; });
+}
+
+void addCase(const CaseWords &told, Shown &shown) {
+  shown.description += (shown.description.empty() ? "" : " ") + told.description;
+  shown.degenerate = shown.degenerate || told.degenerate;
+}
+
 } // namespace
 
-std::string withLiveValues(const std::string &markdown, const Scene &scene, const Outcome &outcome) {
+std::string withLiveValues(const std::string &markdown, const Scene &scene, const Evaluation &evaluation) {
   std::string filled;
   for (std::string_view rest = markdown; !rest.empty();) {
     const std::size_t verbatim = verbatimLength(rest);
     const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
     std::size_t taken = std::max<std::size_t>(verbatim, 1);
     if (close != std::string_view::npos && isValueName(rest.substr(1, close - 1))) {
-      const std::string value = markdownOf(rest.substr(1, close - 1), scene, outcome);
+      const std::string value = markdownOf(rest.substr(1, close - 1), scene, evaluation);
       // “t = ≈ 3.14” says it twice, and once wrongly.
       if (filled.ends_with("= ") && value.starts_with("$\\approx"))
         filled.erase(filled.size() - 2);
@@ -71,19 +109,21 @@ std::string withLiveValues(const std::string &markdown, const Scene &scene, cons
   return filled;
 }
 
-Shown shownIn(const LessonStep &step, const Outcome &outcome) {
-  if (step.lines.empty())
-    return {outcome.working, outcome.figure};
+Shown shownIn(const LessonStep &step, const Evaluation &evaluation) {
   Shown shown;
-  std::set<std::string> named;
-  for (const WorkingLine &line : outcome.working.lines)
-    if (std::find(step.lines.begin(), step.lines.end(), line.id) != step.lines.end()) {
-      shown.working.add(line);
-      named.merge(marksIn(line));
-    }
-  for (const Mark &mark : outcome.figure.marks)
-    if (baseOf(mark).role == Role::Given || named.contains(leadingId(baseOf(mark))))
-      shown.figure.add(mark);
+  std::set<std::string> marks;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    if (entry.isConstruction() && (addLines(entry, step, evaluation, shown.working) || names(step, entry)))
+      addCase(*entry.outcome->told, shown);
+  if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.description.empty())
+    addCase(*last->outcome->told, shown);
+  for (const WorkingLine &line : shown.working.lines)
+    marks.merge(marksIn(line));
+  shown.figure = figureOf(evaluation);
+  if (!step.lines.empty())
+    std::erase_if(shown.figure.marks, [&](const Mark &mark) {
+      return baseOf(mark).role != Role::Given && !marks.contains(leadingId(baseOf(mark)));
+    });
   return shown;
 }
 

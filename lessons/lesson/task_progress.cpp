@@ -4,12 +4,12 @@ namespace halfspace {
 
 void TaskProgress::arrive() { m_wasOpen.clear(); }
 
-void TaskProgress::observe(const std::vector<Task> &tasks, const Outcome &outcome) {
+void TaskProgress::observe(const std::vector<Task> &tasks, const Evaluation &evaluation) {
   m_done.resize(tasks.size(), false);
   m_wasOpen.resize(tasks.size(), false);
   bool isNext = true;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const bool holds = isDone(tasks[i], outcome);
+    const bool holds = isDone(tasks[i], evaluation);
     m_wasOpen[i] = m_wasOpen[i] || !holds;
     if (isNext && holds && m_wasOpen[i])
       m_done[i] = true;

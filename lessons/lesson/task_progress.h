@@ -16,7 +16,7 @@ public:
   /// The learner comes to the step, for the first time or again.
   void arrive();
   /// Takes note of what the scene has come to.
-  void observe(const std::vector<Task> &tasks, const Outcome &outcome);
+  void observe(const std::vector<Task> &tasks, const Evaluation &evaluation);
 
   /// Which tasks are done, in their order.
   [[nodiscard]] const std::vector<bool> &done() const { return m_done; }

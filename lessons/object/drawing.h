@@ -26,15 +26,4 @@ namespace halfspace {
 [[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
                                       double length);
 
-/// The marks that every figure with a plane has: the patch E with its equation, P0 and n. A zero normal
-/// leaves P0.
-void drawPlane(Figure &figure, const PlaneObject &plane, const std::vector<Place> &covers);
-
-/// The marks that every figure with a ray has: Q, its direction r and the line it runs along, to what it
-/// meets ahead and beyond. A zero direction leaves Q.
-void drawRay(Figure &figure, const RayObject &ray, const std::optional<Place> &meets);
-
-/// The corners of a triangle, P0, P1 and P2.
-void drawCorners(Figure &figure, const TriangleObject &triangle);
-
 } // namespace halfspace

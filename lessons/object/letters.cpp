@@ -6,47 +6,42 @@
 namespace halfspace {
 namespace {
 
-Term corner(const std::string &index, const ExactVec3 &at, const std::string &role, std::size_t coordinate) {
-  return given(letter("P", index), at, role, coordinate).marked("P" + index);
+/// Of a free object it knows the coordinate that it is; what a construction made is told by that one's lines.
+template <class Kind> Term coordinateTerm(const Given<Kind> &of, std::size_t index) {
+  const Object object = of.object;
+  const ExactVec3 &value = coordinate(object, index);
+  const bool isFree = of.id.find('.') == std::string::npos;
+  const Term term =
+      isFree ? given(of.letters.at(index), value, of.id, index) : name(of.letters.at(index), value);
+  return term.marked(coordinateId(of.id, coordinatesOf(object)[index]));
 }
 
 } // namespace
 
-Symbol symbolOf(std::string_view name) {
-  const auto lastLetter = name.find_last_not_of("0123456789");
-  const std::string letters(name.substr(0, lastLetter + 1));
-  Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
-  symbol.subscript = name.substr(letters.size());
-  return symbol;
+PlaneTerms termsOf(const Given<PlaneObject> &plane) {
+  return {coordinateTerm(plane, 0), coordinateTerm(plane, 1)};
 }
 
-PlaneTerms termsOf(const PlaneObject &plane, const std::string &role) {
-  return {given(letter("P", "0"), plane.point, role, 0).marked("P0"),
-          given(vectorLetter("n"), plane.normal, role, 1).marked("n")};
+RayTerms termsOf(const Given<RayObject> &ray) { return {coordinateTerm(ray, 0), coordinateTerm(ray, 1)}; }
+
+TriangleTerms termsOf(const Given<TriangleObject> &triangle) {
+  return {coordinateTerm(triangle, 0), coordinateTerm(triangle, 1), coordinateTerm(triangle, 2)};
 }
 
-RayTerms termsOf(const RayObject &ray, const std::string &role) {
-  return {given(letter("Q"), ray.origin, role, 0).marked("Q"),
-          given(vectorLetter("r"), ray.direction, role, 1).marked("r")};
-}
-
-TriangleTerms termsOf(const TriangleObject &triangle, const std::string &role) {
-  return {corner("0", triangle.p0, role, 0), corner("1", triangle.p1, role, 1),
-          corner("2", triangle.p2, role, 2)};
-}
-
-Term termOf(const PointObject &point, const std::string &role) {
-  return given(letter(role), point.at, role, 0).marked(role);
-}
+Term termOf(const Given<PointObject> &point) { return coordinateTerm(point, 0); }
 
 Term anyPoint() {
   return name(letter("P"), TermValue::list({Polynomial::unknown("x"), Polynomial::unknown("y"),
                                             Polynomial::unknown("z")}));
 }
 
-Chain equationOf(const PlaneObject &plane) {
-  const PlaneTerms E = termsOf(plane, "E");
-  return condition(calculated(dot(E.n, anyPoint() - E.P0)) == 0);
+Chain equationOf(const PlaneTerms &plane) {
+  return condition(calculated(dot(plane.n, anyPoint() - plane.P0)) == 0);
+}
+
+ExactVec3 vectorOf(const Term &term) {
+  const std::vector<Surd> numbers = exactNumbers(term->value.value()).value();
+  return {numbers.at(0).rationalPart(), numbers.at(1).rationalPart(), numbers.at(2).rationalPart()};
 }
 
 bool isUnit(const Term &vector) {

@@ -1,11 +1,10 @@
-// The letters that the notes give to the objects of a scene, as terms that know the coordinates they are.
+// The letters of the objects of a scene, as terms that know the coordinates they are.
 #pragma once
 
-#include "lessons/object/object.h"
+#include "lessons/object/given.h"
 #include "lessons/term/chain.h"
 
 #include <string>
-#include <string_view>
 
 namespace halfspace {
 
@@ -25,21 +24,20 @@ struct TriangleTerms {
   Term P2;
 };
 
-/// A name of ASCII letters and digits as it is spelled: `P12` is P with the index 12, a word stands upright.
-[[nodiscard]] Symbol symbolOf(std::string_view name);
-
-/// `role` is that of the object in the construction.
-[[nodiscard]] PlaneTerms termsOf(const PlaneObject &plane, const std::string &role);
-[[nodiscard]] RayTerms termsOf(const RayObject &ray, const std::string &role);
-[[nodiscard]] TriangleTerms termsOf(const TriangleObject &triangle, const std::string &role);
-/// A point goes by the letter of its role.
-[[nodiscard]] Term termOf(const PointObject &point, const std::string &role);
+[[nodiscard]] PlaneTerms termsOf(const Given<PlaneObject> &plane);
+[[nodiscard]] RayTerms termsOf(const Given<RayObject> &ray);
+[[nodiscard]] TriangleTerms termsOf(const Given<TriangleObject> &triangle);
+/// A point goes by its own name.
+[[nodiscard]] Term termOf(const Given<PointObject> &point);
 
 /// P = (x, y, z): any point of space.
 [[nodiscard]] Term anyPoint();
 
 /// ax + by + cz + d = 0, for the points of the plane.
-[[nodiscard]] Chain equationOf(const PlaneObject &plane);
+[[nodiscard]] Chain equationOf(const PlaneTerms &plane);
+
+/// The point or vector that a term comes to whose coordinates are fractions.
+[[nodiscard]] ExactVec3 vectorOf(const Term &term);
 
 /// Whether the vector is one unit long.
 [[nodiscard]] bool isUnit(const Term &vector);

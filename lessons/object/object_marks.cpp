@@ -10,57 +10,59 @@ namespace {
 /// Makes what the marks of one object have in common.
 class ObjectMarks {
 public:
-  explicit ObjectMarks(const std::string &name) : m_name(name) {}
+  explicit ObjectMarks(const Given<Object> &given) : m_given(given) {}
 
   std::vector<Mark> operator()(const PointObject &point) const {
-    return {PointMark{whole(Subject::Point, latexOf(symbolOf(m_name))), place(point.at)}};
+    return {PointMark{part(0, Subject::Point), place(point.at)}};
   }
 
   std::vector<Mark> operator()(const PlaneObject &plane) const {
-    std::vector<Mark> marks{PointMark{part("P0", "P_0", Subject::Plane), place(plane.point)}};
-    if (isZero(plane.normal))
-      return marks;
-    marks.push_back(PlanePatchMark{
-        whole(Subject::Plane, latexOf(symbolOf(m_name))), place(plane.point), place(plane.normal), {}});
-    marks.push_back(
-        ArrowMark{part("n", "\\vec n", Subject::Plane), place(plane.point), place(plane.normal), true});
+    std::vector<Mark> marks;
+    if (!isZero(plane.normal)) {
+      MarkBase patch = whole(Subject::Plane);
+      const PlaneTerms terms = termsOf(as<PlaneObject>(m_given));
+      patch.label = latexOf(m_given.symbol);
+      patch.numbers = "\\colon\\ {" + latexOf(equationOf(terms)) + "}";
+      marks.push_back(PlanePatchMark{std::move(patch), place(plane.point), place(plane.normal), {}});
+      marks.push_back(ArrowMark{part(1, Subject::Plane), place(plane.point), place(plane.normal), true});
+    }
+    marks.push_back(PointMark{part(0, Subject::Plane), place(plane.point)});
     return marks;
   }
 
   std::vector<Mark> operator()(const RayObject &ray) const {
-    std::vector<Mark> marks{PointMark{part("Q", "Q", Subject::Ray), place(ray.origin)}};
-    if (isZero(ray.direction))
-      return marks;
-    marks.push_back(RayMark{whole(Subject::Ray, ""), place(ray.origin), unitOf(ray.direction)});
-    marks.push_back(
-        ArrowMark{part("r", "\\vec r", Subject::Ray), place(ray.origin), place(ray.direction), true});
+    std::vector<Mark> marks;
+    if (!isZero(ray.direction)) {
+      marks.push_back(RayMark{whole(Subject::Ray), place(ray.origin), unitOf(ray.direction)});
+      marks.push_back(ArrowMark{part(1, Subject::Ray), place(ray.origin), place(ray.direction), true});
+    }
+    marks.push_back(PointMark{part(0, Subject::Point), place(ray.origin)});
     return marks;
   }
 
   std::vector<Mark> operator()(const TriangleObject &triangle) const {
-    return {PolygonMark{whole(Subject::Triangle, latexOf(symbolOf(m_name))),
-                        {place(triangle.p0), place(triangle.p1), place(triangle.p2)}},
-            PointMark{part("P0", "P_0", Subject::Triangle), place(triangle.p0)},
-            PointMark{part("P1", "P_1", Subject::Triangle), place(triangle.p1)},
-            PointMark{part("P2", "P_2", Subject::Triangle), place(triangle.p2)}};
+    std::vector<Mark> marks;
+    if (!isZero(cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0)))
+      marks.push_back(PolygonMark{whole(Subject::Triangle),
+                                  {place(triangle.p0), place(triangle.p1), place(triangle.p2)}});
+    marks.push_back(PointMark{part(0, Subject::Triangle), place(triangle.p0)});
+    marks.push_back(PointMark{part(1, Subject::Triangle), place(triangle.p1)});
+    marks.push_back(PointMark{part(2, Subject::Triangle), place(triangle.p2)});
+    return marks;
   }
 
 private:
-  std::string id() const { return "object:" + m_name; }
-  MarkBase whole(Subject subject, std::string label) const {
-    return {id(), Role::Given, subject, std::move(label)};
-  }
-  MarkBase part(const char *coordinate, std::string label, Subject subject) const {
-    return {id() + "." + coordinate, Role::Given, subject, std::move(label)};
+  [[nodiscard]] MarkBase whole(Subject subject) const { return {m_given.id, Role::Given, subject}; }
+  [[nodiscard]] MarkBase part(std::size_t index, Subject subject) const {
+    return {coordinateId(m_given.id, coordinatesOf(m_given.object)[index]), Role::Given, subject,
+            latexOf(m_given.letters[index])};
   }
 
-  const std::string &m_name;
+  const Given<Object> &m_given;
 };
 
 } // namespace
 
-std::vector<Mark> marksOf(const std::string &name, const Object &object) {
-  return std::visit(ObjectMarks(name), object);
-}
+std::vector<Mark> marksOf(const Given<Object> &given) { return std::visit(ObjectMarks(given), given.object); }
 
 } // namespace halfspace

@@ -1,13 +1,13 @@
-// The plain picture of an object that no construction draws.
+// The picture of an object by itself.
 #pragma once
 
 #include "lessons/figure/figure.h"
-#include "lessons/object/object.h"
+#include "lessons/object/given.h"
 
 namespace halfspace {
 
-/// The marks of an object. Their ids are `object:E`, and for its coordinates `object:E.n`: a construction's
-/// marks, named after its own roles, never have a colon.
-[[nodiscard]] std::vector<Mark> marksOf(const std::string &name, const Object &object);
+/// The marks of an object. Their ids are those of the object and of its coordinates: `E`, `E.n`. What has no
+/// length or no area is left out.
+[[nodiscard]] std::vector<Mark> marksOf(const Given<Object> &given);
 
 } // namespace halfspace

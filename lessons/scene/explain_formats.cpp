@@ -1,5 +1,6 @@
 #include "lessons/scene/explain_formats.h"
 
+#include "lessons/scene/scene_writer.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/spoken.h"
@@ -180,42 +181,100 @@ std::string escaped(std::string_view text) {
   return latex;
 }
 
-} // namespace
-
-std::string explanationJson(const std::string &lesson, const Outcome &outcome) {
+Json workingJson(const EvaluatedEntry &entry) {
   Json working = Json::array();
-  for (const WorkingLine &line : outcome.working.lines)
+  for (const std::string &id : entry.outcome->explanation->ids()) {
+    const WorkingLine &line = *entry.outcome->explanation->find(id);
     working.push_back({{"id", line.id},
+                       {"latex", latexOf(line)},
                        {"symbols", latexOf(line, LinePiece::Symbols)},
                        {"numbers", latexOf(line, LinePiece::Numbers)},
                        {"result", latexOf(line, LinePiece::Result)},
                        {"text", plainText(line)},
                        {"spoken", spoken(line)},
                        {"sentence", line.sentence}});
-  const Json json{{"lesson", lesson},
-                  {"case", outcome.caseName},
-                  {"values", ValueJson()(outcome.values)},
-                  {"working", working},
-                  {"description", outcome.description}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+  return working;
 }
 
-std::string explanationText(const std::string &title, const Outcome &outcome) {
-  std::string text = title + "\n\n";
-  for (const WorkingLine &line : outcome.working.lines) {
+/// What is told of a construction.
+Json outcomeJson(const EvaluatedEntry &entry) {
+  const Outcome &outcome = *entry.outcome;
+  Json objects = Json::object();
+  for (const MadeObject &made : outcome.objects)
+    objects[made.name] = jsonOf(made.object);
+  return {{"case", outcome.told->name},
+          {"values", ValueJson()(*outcome.values)},
+          {"objects", objects},
+          {"working", workingJson(entry)},
+          {"description", outcome.told->description}};
+}
+
+Json outcomesJson(const Scene &scene, const Evaluation &evaluation) {
+  Json outcomes = Json::array();
+  for (const Entry &entry : scene.entries)
+    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+      if (const EvaluatedEntry *evaluated = evaluation.find(entry.name)) {
+        Json json{{"entry", entry.name}, {"construction", use->id}, {"of", use->roles}};
+        json.update(outcomeJson(*evaluated));
+        outcomes.push_back(std::move(json));
+      }
+  return outcomes;
+}
+
+std::vector<const EvaluatedEntry *> constructionsOf(const Evaluation &evaluation) {
+  std::vector<const EvaluatedEntry *> constructions;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    if (entry.isConstruction())
+      constructions.push_back(&entry);
+  return constructions;
+}
+
+std::string textOf(const EvaluatedEntry &entry) {
+  std::string text;
+  for (const std::string &id : entry.outcome->explanation->ids()) {
+    const WorkingLine &line = *entry.outcome->explanation->find(id);
     text += plainText(line) + "\n";
     if (!line.sentence.empty())
       text += "    " + line.sentence + "\n";
   }
-  return text + "\n" + valueLines(outcome.values) + "\n" + outcome.description + "\n";
+  return text + "\n" + valueLines(*entry.outcome->values) + "\n" + entry.outcome->told->description + "\n";
 }
 
-std::string explanationLatex(const std::string &title, const Outcome &outcome) {
+std::string latexOf(const EvaluatedEntry &entry) {
   std::string lines;
-  for (const WorkingLine &line : outcome.working.lines)
-    lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(line);
-  return "\\paragraph{" + escaped(title) + "}\n\\begin{align*}\n" + lines + "\n\\end{align*}\n" +
-         escaped(outcome.description) + "\n";
+  for (const std::string &id : entry.outcome->explanation->ids())
+    lines += (lines.empty() ? "  " : " \\\\\n  ") + alignedLatex(*entry.outcome->explanation->find(id));
+  if (!lines.empty())
+    lines = "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
+  return lines + escaped(entry.outcome->told->description) + "\n";
+}
+
+} // namespace
+
+std::string explanationJson(const std::string &lesson, const Scene &scene, const Evaluation &evaluation) {
+  Json json{{"lesson", lesson}};
+  if (const EvaluatedEntry *last = evaluation.lastConstruction())
+    json.update(outcomeJson(*last));
+  json["scene"] = jsonOf(scene);
+  json["outcomes"] = outcomesJson(scene, evaluation);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string explanationText(const std::string &title, const Evaluation &evaluation) {
+  const auto entries = constructionsOf(evaluation);
+  std::string text = title + "\n";
+  for (const EvaluatedEntry *entry : entries)
+    text += "\n" + (entries.size() > 1 ? entry->name + ":\n\n" : "") + textOf(*entry);
+  return text;
+}
+
+std::string explanationLatex(const std::string &title, const Evaluation &evaluation) {
+  const auto entries = constructionsOf(evaluation);
+  std::string latex = "\\paragraph{" + escaped(title) + "}\n";
+  for (const EvaluatedEntry *entry : entries)
+    latex += (entries.size() > 1 ? "\\subparagraph{" + escaped(entry->name) + "}\n" : "") + latexOf(*entry);
+  return latex;
 }
 
 } // namespace halfspace

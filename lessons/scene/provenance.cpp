@@ -1,6 +1,9 @@
 #include "lessons/scene/provenance.h"
 
+#include "lessons/scene/evaluation.h"
+
 #include <algorithm>
+#include <map>
 #include <unordered_set>
 
 namespace halfspace {
@@ -19,22 +22,23 @@ public:
     for (const WorkingLine &line : working.lines)
       for (const Chain &chain : line.chains)
         if (tellsItsFirstSide(chain))
-          m_told.push_back({&line, &chain});
+          m_told[entryOf(line.id)].push_back({&line, &chain});
   }
 
-  void follow(const Term &term) {
+  /// Follows a term that stands in a line of an entry.
+  void follow(const Term &term, const std::string &entry) {
     if (!m_seen.insert(term.operator->()).second)
       return; // two lines may tell each other
     addMark(term);
     if (term->source)
       return addCoordinate(term);
     if (term->origin)
-      follow(*term->origin);
+      follow(*term->origin, entry);
     if (term->kind == TermKind::Number)
       return; // its parts are digits
-    followLinesThatTell(term);
+    followLinesThatTell(term, term->mark.empty() ? entry : entryOf(term->mark));
     for (const Term &part : term->parts)
-      follow(part);
+      follow(part, entry);
   }
 
   [[nodiscard]] Provenance take() { return std::move(m_found); }
@@ -58,18 +62,18 @@ private:
       addMark(*term->origin);
   }
 
-  void followLinesThatTell(const Term &term) {
-    for (const Told &told : m_told) {
+  void followLinesThatTell(const Term &term, const std::string &entry) {
+    for (const Told &told : m_told[entry]) {
       const auto &sides = told.chain->sides();
       if (!readAlike(sides.front(), term))
         continue;
       m_found.lines.insert(told.line->id);
       for (std::size_t i = 0; i < told.chain->symbolic(); ++i)
-        follow(sides[i]);
+        follow(sides[i], entry);
     }
   }
 
-  std::vector<Told> m_told;
+  std::map<std::string, std::vector<Told>> m_told; ///< by the entry whose lines they are
   std::unordered_set<const TermNode *> m_seen;
   Provenance m_found;
 };
@@ -80,22 +84,17 @@ bool isTraceable(const Term &term) {
   return term->kind == TermKind::Number && (term->origin || term->source);
 }
 
-Provenance provenanceOf(const Term &number, const Working &working) {
+Provenance provenanceOf(const Term &number, const std::string &lineId, const Working &working) {
   Follower follower(working);
-  follower.follow(number);
+  follower.follow(number, entryOf(lineId));
   return follower.take();
 }
 
 std::optional<CoordinateId> coordinateOf(const Scene &scene, const CoordinateSource &source) {
-  const Entry *last = lastConstruction(scene); // the working is its own
-  if (!last)
-    return {};
-  const auto &roles = std::get<ConstructionUse>(last->content).roles;
-  const auto role = roles.find(source.role);
-  const Object *object = role == roles.end() ? nullptr : findObject(scene, role->second);
+  const Object *object = findObject(scene, source.object);
   if (!object || source.coordinate >= coordinatesOf(*object).size())
     return {};
-  return CoordinateId{role->second, source.coordinate};
+  return CoordinateId{source.object, source.coordinate};
 }
 
 } // namespace halfspace

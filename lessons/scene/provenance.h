@@ -19,11 +19,12 @@ struct Provenance {
   bool operator==(const Provenance &) const = default;
 };
 
-/// Follows a number through what was calculated. A term that stands first in a line, as f(Q), n·n or u, is
-/// told by that line, and what the line says of it in symbols is followed in turn.
-[[nodiscard]] Provenance provenanceOf(const Term &number, const Working &working);
+/// Follows a number of a line through what was calculated. A term that stands first in a line of the same
+/// entry, as f(Q), n·n or u, is told by that line, and what the line says of it in symbols is followed in
+/// turn. The point that another entry made is followed through the lines of that entry.
+[[nodiscard]] Provenance provenanceOf(const Term &number, const std::string &lineId, const Working &working);
 
-/// The scene's coordinate that is meant in the working of its outcome; nothing where the scene has none such.
+/// The scene's coordinate that is meant; nothing where it is not a free object's.
 [[nodiscard]] std::optional<CoordinateId> coordinateOf(const Scene &scene, const CoordinateSource &source);
 
 } // namespace halfspace

@@ -45,13 +45,6 @@ Object *findObject(Scene &scene, std::string_view name) {
   return nullptr;
 }
 
-const Entry *lastConstruction(const Scene &scene) {
-  const auto last = std::find_if(scene.entries.rbegin(), scene.entries.rend(), [](const Entry &entry) {
-    return std::holds_alternative<ConstructionUse>(entry.content);
-  });
-  return last == scene.entries.rend() ? nullptr : &*last;
-}
-
 std::vector<CoordinateId> coordinatesOf(const Scene &scene) {
   std::vector<CoordinateId> ids;
   for (const Entry &entry : scene.entries)

@@ -7,8 +7,8 @@
 
 namespace halfspace {
 
-/// The use of a construction: its id in the table of constructions, and for each of its roles the name of an
-/// entry above this one.
+/// The use of a construction: its id in the table of constructions, and for each of its roles the id of an
+/// object above this entry: the name of an entry that is one, `Q`, or what an entry makes, `distance.F`.
 struct ConstructionUse {
   std::string id;
   std::map<std::string, std::string> roles;
@@ -30,9 +30,6 @@ struct Scene {
 /// The object that goes by this name, or null.
 [[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);
 [[nodiscard]] Object *findObject(Scene &scene, std::string_view name);
-
-/// The last entry that uses a construction, or null: what is worked out and shown is its own.
-[[nodiscard]] const Entry *lastConstruction(const Scene &scene);
 
 /// A coordinate of a scene: `E.n`, or `Q` for a point.
 struct CoordinateId {

@@ -1,7 +1,7 @@
 #include "lessons/scene/scene_reader.h"
 
-#include "lessons/construction/construction.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/object/coordinate_limits.h"
+#include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -91,94 +91,6 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
   return entry;
 }
 
-bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; }
-
-std::optional<Problem> checkName(const Scene &scene, std::size_t index) {
-  const std::string &name = scene.entries[index].name;
-  if (name.empty() || name.size() > maxNameLength || !isLetter(name.front()) ||
-      !std::all_of(name.begin(), name.end(), isNameCharacter))
-    return Problem{
-        words("“{name}” cannot be a name: names are at most {limit} letters A–Z, digits, - and _, and begin "
-              "with a letter.",
-              {{"name", shortened(name)}, {"limit", std::to_string(maxNameLength)}}),
-        "", 0, "name"};
-  const auto here = scene.entries.begin() + static_cast<std::ptrdiff_t>(index);
-  if (std::any_of(scene.entries.begin(), here, [&](const Entry &above) { return above.name == name; }))
-    return Problem{
-        words("The name “{name}” is taken by an entry above. Every name may stand once.", {{"name", name}}),
-        "", 0, "name"};
-  return {};
-}
-
-std::optional<Problem> checkObject(const Object &object) {
-  for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
-    for (int i = 0; i < 3; ++i)
-      if (const auto refused = refuseCoordinate(coordinate(object, index)[i]))
-        return Problem{*refused, "", 0, std::string(coordinatesOf(object)[index].name)};
-  return {};
-}
-
-/// The object above the entry that goes by this name, or null.
-const Object *objectAbove(const Scene &scene, std::size_t index, std::string_view name) {
-  for (std::size_t i = 0; i < index; ++i)
-    if (scene.entries[i].name == name)
-      return std::get_if<Object>(&scene.entries[i].content);
-  return nullptr;
-}
-
-std::optional<Problem> checkUse(const Scene &scene, std::size_t index, const ConstructionUse &use) {
-  const Construction *construction = findConstruction(use.id);
-  if (!construction)
-    return Problem{
-        words("There is no construction “{id}”. Mend the name, or use a newer version of Halfspace.",
-              {{"id", shortened(use.id)}}),
-        "", 0, "construction"};
-  for (const ConstructionRole &role : construction->roles) {
-    const std::string field = "of." + role.name;
-    const auto bound = use.roles.find(role.name);
-    if (bound == use.roles.end())
-      return Problem{words("This construction looks at a {kind} {role}: name one.",
-                           {{"kind", std::string(role.kind)}, {"role", role.name}}),
-                     "", 0, field};
-    const Object *object = objectAbove(scene, index, bound->second);
-    if (!object)
-      return Problem{
-          words("Above this entry there is no object “{name}”.", {{"name", shortened(bound->second)}}), "", 0,
-          field};
-    if (kindOf(*object) != role.kind)
-      return Problem{words("Here a {kind} is expected, but “{name}” is a {other}.",
-                           {{"kind", std::string(role.kind)},
-                            {"name", bound->second},
-                            {"other", std::string(kindOf(*object))}}),
-                     "", 0, field};
-  }
-  for (const auto &[role, name] : use.roles)
-    if (std::none_of(construction->roles.begin(), construction->roles.end(),
-                     [&role = role](const ConstructionRole &known) { return known.name == role; }))
-      return Problem{
-          words("This construction looks at nothing by the name “{role}”.", {{"role", shortened(role)}}), "",
-          0, "of." + shortened(role)};
-  return {};
-}
-
-/// What is wrong with an entry; the field is counted from the entry.
-std::optional<Problem> checkEntry(const Scene &scene, std::size_t index) {
-  if (auto problem = checkName(scene, index))
-    return problem;
-  const Entry &entry = scene.entries[index];
-  if (const auto *object = std::get_if<Object>(&entry.content))
-    return checkObject(*object);
-  return checkUse(scene, index, std::get<ConstructionUse>(entry.content));
-}
-
-std::optional<Problem> checkCount(std::size_t count) {
-  if (count <= maxSceneEntries)
-    return {};
-  return Problem{words("The scene is too large: at most {limit} entries are read.",
-                       {{"limit", std::to_string(maxSceneEntries)}}),
-                 "", 0, "scene"};
-}
-
 } // namespace
 
 std::string sentenceForNotRead(std::string_view text) {
@@ -205,20 +117,22 @@ Result<Rational> readCoordinate(std::string_view text) {
 Result<Scene> readScene(const DocumentNode &list, const std::string &file, const std::string &path) {
   if (list.kind != DocumentNode::Kind::List)
     return Problem{words("Here a list of objects and constructions is expected."), file, list.line, path};
-  if (auto problem = checkCount(list.children.size())) {
-    problem->file = file;
-    problem->line = list.line;
-    return *problem;
-  }
+  if (list.children.size() > maxSceneEntries)
+    return Problem{tooManyEntries().sentence, file, list.line, path};
   Scene scene;
+  SceneChecker checker;
   for (std::size_t index = 0; index < list.children.size(); ++index) {
     const DocumentNode &node = list.children[index];
     FieldReader fields(node, file, indexed(path, index));
-    scene.entries.push_back(readEntry(node, fields));
-    if (const auto problem = fields.problem() ? std::nullopt : checkEntry(scene, index))
+    Entry entry = readEntry(node, fields);
+    if (auto *use = std::get_if<ConstructionUse>(&entry.content))
+      for (auto &[role, object] : use->roles)
+        object = checker.idOf(object);
+    if (const auto problem = fields.problem() ? std::nullopt : checker.check(entry))
       fields.complain(node, fields.pathOf(problem->field), problem->sentence);
     if (fields.problem())
       return *fields.problem();
+    scene.entries.push_back(std::move(entry));
   }
   return scene;
 }

@@ -1,6 +1,9 @@
 // Scenes as documents: the same shape in .halfspace files and in the front matter of lessons.
 //   {name: E, plane: {P0: [5, 4, 7], n: [1, 2, 2]}}   {name: Q, point: [11, 15, 8]}
 //   {name: distance, construction: signed-distance, of: {E: E, Q: Q}}
+//   {name: beyond, construction: signed-distance, of: {E: G, Q: distance.F}}
+// What a construction makes goes by its entry's name and its own, or by its own where only one entry above
+// makes it.
 #pragma once
 
 #include "lessons/reading/document.h"
@@ -19,8 +22,5 @@ namespace halfspace {
 /// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
 /// limits.
 [[nodiscard]] std::string sentenceForNotRead(std::string_view text);
-
-/// The longest name of an entry.
-inline constexpr std::size_t maxNameLength = 32;
 
 } // namespace halfspace

@@ -3,6 +3,7 @@
 #include "lessons/files/read_file.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/scene_reader.h"
+#include "lessons/scene/scene_writer.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -15,34 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view formatName = "halfspace";
 constexpr int highestStep = 100000;
-
-Json jsonOf(const ExactVec3 &vector) {
-  return Json::array({toText(vector.x), toText(vector.y), toText(vector.z)});
-}
-
-Json jsonOf(const Object &object) {
-  const auto &specs = coordinatesOf(object);
-  if (specs.front().name.empty())
-    return jsonOf(coordinate(object, 0));
-  Json json;
-  for (std::size_t index = 0; index < specs.size(); ++index)
-    json[std::string(specs[index].name)] = jsonOf(coordinate(object, index));
-  return json;
-}
-
-Json jsonOf(const Entry &entry) {
-  Json json{{"name", entry.name}};
-  if (const auto *object = std::get_if<Object>(&entry.content)) {
-    json[std::string(kindOf(*object))] = jsonOf(*object);
-    return json;
-  }
-  const auto &use = std::get<ConstructionUse>(entry.content);
-  json["construction"] = use.id;
-  json["of"] = Json::object();
-  for (const auto &[role, name] : use.roles)
-    json["of"][role] = name;
-  return json;
-}
 
 /// Whether the text is one of ours, and of a version that this program reads.
 void checkFormat(const DocumentNode &root, FieldReader &fields) {
@@ -80,13 +53,11 @@ Problem unknownCoordinate(const Scene &scene, const std::string &name) {
 } // namespace
 
 std::string writeSession(const Session &session) {
-  Json json{{"format", formatName},
-            {"version", sessionFileVersion},
-            {"lesson", session.lesson},
-            {"step", session.step},
-            {"scene", Json::array()}};
-  for (const Entry &entry : session.scene.entries)
-    json["scene"].push_back(jsonOf(entry));
+  const Json json{{"format", formatName},
+                  {"version", sessionFileVersion},
+                  {"lesson", session.lesson},
+                  {"step", session.step},
+                  {"scene", jsonOf(session.scene)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,12 +8,12 @@
 
 namespace halfspace {
 
-inline constexpr int sessionFileVersion = 1;
+/// Version 2 lets a construction look at what another one makes; files of version 1 are read all the same.
+inline constexpr int sessionFileVersion = 2;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;
-inline constexpr std::size_t maxSceneEntries = 1000;
 
-/// The text of a .halfspace file: {"format":"halfspace","version":1,"lesson":…,"step":…,"scene":[…]};
+/// The text of a .halfspace file: {"format":"halfspace","version":2,"lesson":…,"step":…,"scene":[…]};
 /// coordinates are exact texts ("-10/3").
 [[nodiscard]] std::string writeSession(const Session &session);
 

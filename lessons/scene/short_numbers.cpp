@@ -1,11 +1,12 @@
 #include "lessons/scene/short_numbers.h"
 
-#include "lessons/scene/session.h"
+#include "lessons/scene/evaluation.h"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -241,16 +242,20 @@ void renewAll(std::vector<Object *> objects, Renewal &renewal) {
     renewal.renew(*object);
 }
 
-/// The last construction and what it looks at: nothing else has a say in what is shown as the result.
+/// The last construction and all that it follows from: nothing else has a say in what is shown as the result.
 Scene shownPartOf(const Scene &scene) {
-  const Entry *last = lastConstruction(scene);
-  if (!last)
-    return {};
+  std::set<std::string> needed;
   Scene part;
-  for (const auto &[role, name] : std::get<ConstructionUse>(last->content).roles)
-    if (const Object *object = findObject(scene, name); object && !findObject(part, name))
-      part.entries.push_back({name, *object});
-  part.entries.push_back(*last);
+  for (auto entry = scene.entries.rbegin(); entry != scene.entries.rend(); ++entry) {
+    const auto *use = std::get_if<ConstructionUse>(&entry->content);
+    if (use ? !needed.empty() && !needed.contains(entry->name) : !needed.contains(entry->name))
+      continue;
+    if (use)
+      for (const auto &[role, object] : use->roles)
+        needed.insert(object.substr(0, object.find('.')));
+    part.entries.push_back(*entry);
+  }
+  std::reverse(part.entries.begin(), part.entries.end());
   return part;
 }
 
@@ -294,19 +299,27 @@ std::size_t lengthOf(const std::vector<NamedValue> &values) {
 
 /// The shortest of some new scenes with an ordinary case, and that of `before` if it has one.
 std::optional<Scene> renewed(const Scene &before, Dice &dice) {
-  const Outcome present = evaluate(before);
+  const auto caseOf = [](const Evaluation &evaluation) {
+    return *evaluation.lastConstruction()->outcome->told;
+  };
+  const Evaluation start = evaluate(before);
+  if (!start.lastConstruction())
+    return before; // nothing is shown as the result
+  const CaseWords present = caseOf(start);
   std::optional<Scene> best;
   std::size_t shortest = 0;
   for (int tried = 0, compared = 0; tried < mostNumbersTried && compared < comparedScenes; ++tried) {
     Scene scene = before;
     Renewal renewal(dice);
     renewAll(objectsOf(scene), renewal);
-    const Outcome outcome = evaluate(scene);
-    if (outcome.degenerate || !differEverywhere(scene, before) ||
-        (!present.degenerate && outcome.caseName != present.caseName))
+    const Evaluation evaluation = evaluate(scene);
+    const CaseWords told = caseOf(evaluation);
+    if (told.degenerate || !differEverywhere(scene, before) ||
+        (!present.degenerate && told.name != present.name))
       continue;
     ++compared;
-    if (const std::size_t length = lengthOf(outcome.values); !best || length < shortest) {
+    if (const std::size_t length = lengthOf(*evaluation.lastConstruction()->outcome->values);
+        !best || length < shortest) {
       best = std::move(scene);
       shortest = length;
     }

@@ -1,6 +1,6 @@
 #include "lessons/scene/snap_targets.h"
 
-#include "lessons/object/letters.h"
+#include "lessons/scene/scene_letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -33,21 +33,17 @@ struct Surroundings {
   std::vector<NamedPlane> planes;
 };
 
-/// P0 as P₀.
-std::string readable(const std::string &name) { return plainText(symbolOf(name)); }
-
 /// Looks an object over and adds what it has.
 class Surveyor {
 public:
-  Surveyor(const Scene &scene, const std::string &object, Surroundings &found)
-      : m_scene(scene), m_object(object), m_found(found) {}
+  Surveyor(const Given<Object> &given, Surroundings &found) : m_given(given), m_found(found) {}
 
   void operator()(const PointObject &point) const {
     m_found.points.push_back({point.at, words("point {name}", {{"name", nameOf(0)}})});
   }
   void operator()(const PlaneObject &plane) const {
     if (!isZero(plane.normal))
-      m_found.planes.push_back({plane.point, plane.normal, readable(m_object)});
+      m_found.planes.push_back({plane.point, plane.normal, plainText(m_given.symbol)});
   }
   void operator()(const RayObject &ray) const {
     m_found.points.push_back({ray.origin, words("start {name}", {{"name", nameOf(0)}})});
@@ -64,28 +60,25 @@ public:
     }
     const ExactVec3 normal = cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0);
     if (!isZero(normal))
-      m_found.planes.push_back({triangle.p0, normal, readable(m_object)});
+      m_found.planes.push_back({triangle.p0, normal, plainText(m_given.symbol)});
   }
 
 private:
-  /// The name of one of the object's coordinates, as short as the scene allows.
-  std::string nameOf(std::size_t index) const {
-    const std::string name = shortName(m_scene, {m_object, index});
-    const auto dot = name.find('.');
-    return dot == std::string::npos ? readable(name)
-                                    : readable(name.substr(0, dot)) + "." + readable(name.substr(dot + 1));
-  }
+  /// The letter of one of the object's coordinates.
+  [[nodiscard]] std::string nameOf(std::size_t index) const { return plainText(m_given.letters[index]); }
 
-  const Scene &m_scene;
-  const std::string &m_object;
+  const Given<Object> &m_given;
   Surroundings &m_found;
 };
 
 Surroundings surroundingsOf(const Scene &scene, const std::string &handled) {
+  const SceneLetters letters(scene);
   Surroundings found;
   for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled)
-      std::visit(Surveyor(scene, entry.name, found), *object);
+    if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled) {
+      const Given<Object> given = letters.given(entry.name, *object);
+      std::visit(Surveyor(given, found), *object);
+    }
   return found;
 }
 
@@ -107,16 +100,15 @@ void addPositionTargets(const Surroundings &found, std::vector<SnapTarget> &targ
 }
 
 /// A corner in line with the two others of its triangle: the degenerate case that a learner is asked to find.
-void addCollinearTarget(const Object &object, const Handle &handle, std::vector<SnapTarget> &targets) {
+void addCollinearTarget(const Given<Object> &given, const Handle &handle, std::vector<SnapTarget> &targets) {
+  const Object &object = given.object;
   if (!std::holds_alternative<TriangleObject>(object))
     return;
   const std::size_t first = handle.coordinate == 0 ? 1 : 0;
   const std::size_t second = handle.coordinate == 2 ? 1 : 2;
   const ExactVec3 &from = coordinate(object, first);
   const ExactVec3 &to = coordinate(object, second);
-  const auto name = [&](std::size_t index) {
-    return readable(std::string(coordinatesOf(object)[index].name));
-  };
+  const auto name = [&](std::size_t index) { return plainText(given.letters[index]); };
   if (from != to)
     targets.push_back(
         {Flat::line(from, to - from),
@@ -184,7 +176,7 @@ std::vector<SnapTarget> snapTargets(const Scene &scene, const Handle &handle) {
   }
   if (coordinatesOf(*object).at(handle.coordinate).role == CoordinateRole::Position) {
     addPositionTargets(found, targets);
-    addCollinearTarget(*object, handle, targets);
+    addCollinearTarget(SceneLetters(scene).given(handle.object, *object), handle, targets);
   } else if (std::holds_alternative<RayObject>(*object)) {
     addDirectionTargets(found, handle.base, targets);
   } else {

@@ -1,8 +1,8 @@
 #include "lessons/scene/snapping.h"
 
 #include "geometry/primitive_integers.h"
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/object/drawing.h"
-#include "lessons/scene/session.h"
 #include "lessons/scene/snap_targets.h"
 
 #include <algorithm>

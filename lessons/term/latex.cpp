@@ -149,14 +149,21 @@ private:
   Notation m_notation;
 };
 
+/// What stands in a subscript: the symbol's own, and whose it is.
+std::string indexLatex(const Symbol &symbol) {
+  if (symbol.owner.empty())
+    return symbol.subscript;
+  return symbol.subscript + (symbol.subscript.empty() ? "" : ",") + latexOf(symbolOf(symbol.owner));
+}
+
 } // namespace
 
 std::string latexOf(const Symbol &symbol) {
   std::string text = symbol.isWord ? wordLatex(symbol.letter) : letterLatex(symbol.letter);
   if (symbol.isVector)
     text = "\\vec " + text;
-  if (!symbol.subscript.empty())
-    text += symbol.subscript.size() == 1 ? "_" + symbol.subscript : "_{" + symbol.subscript + "}";
+  if (const std::string index = indexLatex(symbol); !index.empty())
+    text += index.size() == 1 ? "_" + index : "_{" + index + "}";
   return symbol.isPerp ? text + "^{\\perp}" : text;
 }
 

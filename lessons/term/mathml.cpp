@@ -58,8 +58,11 @@ protected:
     std::string text = element("mi", escaped(symbol.letter));
     if (symbol.isVector)
       text = "<mover accent=\"true\">" + text + operation("→") + "</mover>";
-    if (!symbol.subscript.empty())
-      text = element("msub", text + subscript(symbol.subscript));
+    std::string index = symbol.subscript.empty() ? "" : subscript(symbol.subscript);
+    if (!symbol.owner.empty())
+      index = element("mrow", index + this->symbol(symbolOf(symbol.owner)));
+    if (!index.empty())
+      text = element("msub", text + index);
     return symbol.isPerp ? element("msup", text + operation("⊥")) : text;
   }
 

@@ -133,6 +133,8 @@ std::string plainText(const Symbol &symbol) {
     text += inForm(loweredDigits, symbol.subscript);
   else if (!symbol.subscript.empty())
     text += "_" + symbol.subscript;
+  if (!symbol.owner.empty())
+    text += "_" + plainText(symbolOf(symbol.owner));
   return symbol.isPerp ? text + "⊥" : text;
 }
 

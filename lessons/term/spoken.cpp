@@ -60,7 +60,9 @@ protected:
 
   std::string symbol(const Symbol &symbol) override {
     const std::string letter = symbol.isWord ? wordName(symbol.letter) : letterName(symbol.letter);
-    return row({letter, symbol.subscript, symbol.isPerp ? words("perp") : ""});
+    const std::string owner =
+        symbol.owner.empty() ? "" : words("of {object}", {{"object", this->symbol(symbolOf(symbol.owner))}});
+    return row({letter, symbol.subscript, owner, symbol.isPerp ? words("perp") : ""});
   }
 
   std::string sign(TermSign sign) override {

@@ -68,6 +68,14 @@ Symbol perpLetter(std::string letter) {
 }
 Symbol word(std::string word) { return {.letter = std::move(word), .isWord = true}; }
 
+Symbol symbolOf(std::string_view name) {
+  const auto lastLetter = name.find_last_not_of("0123456789");
+  const std::string letters(name.substr(0, lastLetter + 1));
+  Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
+  symbol.subscript = name.substr(letters.size());
+  return symbol;
+}
+
 Term::Term(int number) : Term(Surd(number)) {}
 Term::Term(const Rational &number) : Term(Surd(number)) {}
 Term::Term(const Surd &number) : Term(halfspace::number(number)) {}
@@ -103,9 +111,9 @@ Term name(Symbol symbol, std::optional<TermValue> value) {
   return Term(node);
 }
 
-Term given(Symbol symbol, const Vec3<Rational> &value, std::string role, std::size_t coordinate) {
+Term given(Symbol symbol, const Vec3<Rational> &value, std::string object, std::size_t coordinate) {
   const auto node = std::make_shared<TermNode>(*name(std::move(symbol), value));
-  node->source = CoordinateSource{std::move(role), coordinate, std::nullopt};
+  node->source = CoordinateSource{std::move(object), coordinate, std::nullopt};
   return Term(node);
 }
 

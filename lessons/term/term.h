@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,9 +18,12 @@ namespace halfspace {
 struct Symbol {
   std::string letter{};    ///< one letter, in UTF-8: P, λ, θ; or a word, as `dist`
   std::string subscript{}; ///< digits or letters; empty for none
-  bool isVector = false;   ///< with an arrow above
-  bool isPerp = false;     ///< with a ⊥ behind
-  bool isWord = false;     ///< more than a letter: set upright, as `cos`
+  /// The name of the object that it belongs to, where several objects have the same letter: n of E and n of
+  /// F. It stands in the subscript, behind what is there already.
+  std::string owner{};
+  bool isVector = false; ///< with an arrow above
+  bool isPerp = false;   ///< with a ⊥ behind
+  bool isWord = false;   ///< more than a letter: set upright, as `cos`
   bool operator==(const Symbol &) const = default;
 };
 
@@ -28,10 +32,12 @@ struct Symbol {
 /// u⊥
 [[nodiscard]] Symbol perpLetter(std::string letter);
 [[nodiscard]] Symbol word(std::string word);
+/// A name of ASCII letters and digits as it is spelled: `P12` is P with the index 12, a word stands upright.
+[[nodiscard]] Symbol symbolOf(std::string_view name);
 
 /// The coordinate of the scene that a number or a vector is.
 struct CoordinateSource {
-  std::string role;             ///< the role of the object in the construction
+  std::string object;           ///< its name in the scene
   std::size_t coordinate;       ///< its place among the object's coordinates
   std::optional<int> component; ///< 0, 1, 2; nothing for the whole point or vector
   bool operator==(const CoordinateSource &) const = default;
@@ -104,7 +110,7 @@ struct TermNode {
 /// A name and what it stands for: nothing where that is no number, as with an angle.
 [[nodiscard]] Term name(Symbol symbol, std::optional<TermValue> value);
 /// A name of one of the scene's coordinates.
-[[nodiscard]] Term given(Symbol symbol, const Vec3<Rational> &value, std::string role,
+[[nodiscard]] Term given(Symbol symbol, const Vec3<Rational> &value, std::string object,
                          std::size_t coordinate);
 [[nodiscard]] Term unknown(std::string letter);
 /// f(Q), with its value.

@@ -109,7 +109,7 @@ private slots:
     QCOMPARE(fixture.model().history().count(), 1);
     const auto &specs = coordinatesOf(expected);
     for (std::size_t i = 0; i < specs.size(); ++i)
-      QVERIFY2(markIsAt(fixture.model().outcome().figure, shortName(after, {handle->object, i}),
+      QVERIFY2(markIsAt(fixture.model().figure(), fullName(after, {handle->object, i}),
                         toDouble(coordinate(expected, i))),
                std::string(specs[i].name).c_str());
 
@@ -133,7 +133,7 @@ private slots:
       const Object *point = findObject(fixture.model().session().scene, "Q");
       Object moved = *point;
       coordinate(moved, 0).z = z;
-      fixture.model().edit({"Q", moved}, "move Q");
+      fixture.model().edit(ChangeObject{"Q", moved}, "move Q");
       QTest::qWait(z % 7);
     }
     QTest::qWait(50);
@@ -255,13 +255,13 @@ private slots:
   void degenerateTriangle_draggedBack_isATriangleAgain() {
     WindowFixture fixture("ray-triangle-perp");
     QVERIFY(fixture.ready);
-    const Outcome start = fixture.model().outcome();
+    const std::string start = fixture.caseName();
     Object triangle = *findObject(fixture.model().session().scene, "T");
     coordinate(triangle, 1) = coordinate(triangle, 0);
-    fixture.model().edit({"T", triangle}, "coincide");
-    QCOMPARE(fixture.model().outcome().caseName, std::string("coincident"));
+    fixture.model().edit(ChangeObject{"T", triangle}, "coincide");
+    QCOMPARE(fixture.caseName(), std::string("coincident"));
     fixture.model().history().undo();
-    QCOMPARE(fixture.model().outcome().caseName, start.caseName);
+    QCOMPARE(fixture.caseName(), start);
   }
 };
 

@@ -29,6 +29,9 @@ public:
     return id ? coordinate(*findObject(model().session().scene, id->object), id->index) : ExactVec3(-999);
   }
 
+  /// The last construction's case.
+  std::string caseName() { return model().evaluation().lastConstruction()->outcome->told->name; }
+
   QPoint pixelOf(const Place &place) {
     const double ratio = scene().devicePixelRatioF();
     const auto projected = scene().camera().project(place, scene().pixelSize());

@@ -60,13 +60,13 @@ private slots:
   void number_clicked_lightsUpItsLinesAndMarksUntilEscape() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.click(fixture.at("distance", "10"));
-    QCOMPARE(fixture.panel.traced().lines, (Ids{"f", "length"}));
-    QCOMPARE(fixture.scene().highlighted(), (Ids{"P0", "Q", "n"}));
+    fixture.click(fixture.at("distance.distance", "10"));
+    QCOMPARE(fixture.panel.traced().lines, (Ids{"distance.f", "distance.length"}));
+    QCOMPARE(fixture.scene().highlighted(), (Ids{"E.P0", "E.n", "Q"}));
     QTest::keyClick(&fixture.panel, Qt::Key_Escape);
     QCOMPARE(fixture.scene().highlighted(), Ids());
-    fixture.click(fixture.at("length", "3"));
-    QCOMPARE(fixture.scene().highlighted(), Ids{"n"});
+    fixture.click(fixture.at("distance.length", "3"));
+    QCOMPARE(fixture.scene().highlighted(), Ids{"E.n"});
     fixture.scene().setFocus();
     QTest::keyClick(&fixture.scene(), Qt::Key_Escape);
     QCOMPARE(fixture.scene().highlighted(), Ids());
@@ -75,7 +75,7 @@ private slots:
   void traceOfANumber_endsWithItsStep() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.click(fixture.at("distance", "10"));
+    fixture.click(fixture.at("distance.distance", "10"));
     fixture.model().setStep(3);
     QCOMPARE(fixture.scene().highlighted(), Ids());
     fixture.model().setStep(2);
@@ -85,18 +85,18 @@ private slots:
   void traceOfANumber_staysWhileTheSceneIsDragged() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.click(fixture.at("distance", "10"));
+    fixture.click(fixture.at("distance.distance", "10"));
     const QPoint from = *fixture.scene().handlePosition("Q");
     fixture.WindowFixture::drag(from, from + QPoint(40, 10));
     QVERIFY(fixture.value("Q") != ExactVec3(11, 15, 8));
-    QCOMPARE(fixture.panel.traced().lines, (Ids{"f", "length"}));
-    QVERIFY(fixture.scene().highlighted().contains("n"));
+    QCOMPARE(fixture.panel.traced().lines, (Ids{"distance.f", "distance.length"}));
+    QVERIFY(fixture.scene().highlighted().contains("E.n"));
   }
 
   void coordinate_scrubbedInAFormula_movesTheSceneAsOneUndoStep() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    const QPoint from = fixture.at("length", "1");
+    const QPoint from = fixture.at("distance.length", "1");
     fixture.press(from);
     for (int x = 8; x <= 40; x += 8)
       fixture.drag(from + QPoint(x, 0));
@@ -111,7 +111,7 @@ private slots:
   void scrubInAFormula_escaped_restoresTheNumber() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    const QPoint from = fixture.at("length", "1");
+    const QPoint from = fixture.at("distance.length", "1");
     fixture.press(from);
     fixture.drag(from + QPoint(40, 0));
     QVERIFY(fixture.value("E.n").x == 6);
@@ -124,11 +124,11 @@ private slots:
   void scrubInAFormula_throughAZeroNormal_goesOn() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
-    const QPoint from = fixture.at("length", "1");
+    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    const QPoint from = fixture.at("distance.length", "1");
     fixture.press(from);
     fixture.drag(from - QPoint(8, 0));
-    QVERIFY(fixture.model().outcome().degenerate); // the line is gone
+    QVERIFY(fixture.model().shown().degenerate); // the line is gone
     fixture.drag(from - QPoint(16, 0));
     fixture.release(from - QPoint(16, 0));
     QVERIFY(fixture.value("E.n") == ExactVec3(-1, 0, 0));
@@ -138,13 +138,13 @@ private slots:
   void scrubInAField_throughAZeroNormal_goesOn() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
-    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     const QPoint from = field->rect().center();
     QTest::mousePress(field, Qt::LeftButton, {}, from);
     LinesFixture::dragOn(*field, from - QPoint(8, 0));
-    QVERIFY(fixture.model().outcome().degenerate); // the line is gone
+    QVERIFY(fixture.model().shown().degenerate); // the line is gone
     QCOMPARE(fixture.panel.findChild<NumberField *>(), field);
     QVERIFY(field->isVisible());
     LinesFixture::dragOn(*field, from - QPoint(16, 0));
@@ -157,8 +157,8 @@ private slots:
   void fieldThatIsScrubbedToAZeroNormal_goesWithItsLineAtTheEnd() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit({"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
-    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     const QPoint from = field->rect().center();
     QTest::mousePress(field, Qt::LeftButton, {}, from);
@@ -173,7 +173,7 @@ private slots:
   void coordinate_typedInAFormula_isTakenExactlyAsOneUndoStep() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     QTest::keyClicks(field, "-10/3");
     QTest::keyClick(field, Qt::Key_Return);
@@ -186,7 +186,7 @@ private slots:
     LinesFixture fixture;
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     QTest::keyClicks(field, "1e999");
     QTest::keyClick(field, Qt::Key_Return);
@@ -202,7 +202,7 @@ private slots:
   void newNumbers_dropWhatIsTypedInAFormula() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.openField(fixture.at("length", "1"));
+    NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     QTest::keyClicks(field, "seven");
     QTest::keyClick(field, Qt::Key_Return);
@@ -217,7 +217,7 @@ private slots:
   void numbersOfBlankLines_cannotBeClicked() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    const QPoint result = fixture.at("distance", "10");
+    const QPoint result = fixture.at("distance.distance", "10");
     for (QToolButton *choice : fixture.window.findChild<WorkingPractice *>()->findChildren<QToolButton *>())
       if (choice->text() == "All blank")
         QTest::mouseClick(choice, Qt::LeftButton);

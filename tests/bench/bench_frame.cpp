@@ -276,7 +276,7 @@ private:
   /// New lines every time, as in a drag.
   void measureLayout(int moves) {
     for (int move = 1; move <= moves; ++move) {
-      const Working working = evaluate(sceneMoved(Rational(move, 100))).working;
+      const Working working = workingOf(evaluate(sceneMoved(Rational(move, 100))));
       const auto start = Clock::now();
       m_lines->setWorking(working);
       m_measured.linesLaidOut.add(millisecondsSince(start));
@@ -287,8 +287,9 @@ private:
   Scene sceneMoved(const Rational &shift) {
     const Session &session = m_fixture.model().session();
     const Object &object = *findObject(session.scene, m_handle.object);
-    return apply(session, {m_handle.object, movedTo(object, m_handle, m_handle.at + ExactVec3(shift, 0, 0))})
-        .scene;
+    const Edit move =
+        ChangeObject{m_handle.object, movedTo(object, m_handle, m_handle.at + ExactVec3(shift, 0, 0))};
+    return *apply(session.scene, move);
   }
 
   TimedApplication &m_application;

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   }
   if (lesson->steps.empty())
     std::abort();
-  const Outcome outcome = evaluate(lesson->scene);
+  const Evaluation outcome = evaluate(lesson->scene);
   for (const LessonStep &step : lesson->steps) {
     (void)withLiveValues(step.markdown, lesson->scene, outcome);
     (void)plainProse(step.markdown, lesson->macros);

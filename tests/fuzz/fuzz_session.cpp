@@ -1,5 +1,6 @@
 // Whatever the bytes: a session that can be evaluated and written again as it is, or a problem with a
 // sentence.
+#include "lessons/scene/evaluation.h"
 #include "lessons/scene/session_file.h"
 
 #include <cstdint>
@@ -17,6 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   const auto again = readSession(writeSession(*session), "fuzz");
   if (!again || !(*again == *session))
     std::abort();
-  (void)evaluate(session->scene);
+  const Evaluation evaluation = evaluate(session->scene);
+  (void)workingOf(evaluation);
+  (void)figureOf(evaluation);
   return 0;
 }

@@ -1,6 +1,7 @@
 // Scenes that several tests begin with, and exact values that print themselves.
 #pragma once
 
+#include "lessons/scene/evaluation.h"
 #include "lessons/scene/handles.h"
 #include "lessons/scene/session.h"
 
@@ -26,6 +27,64 @@ inline Entry triangleT() { return {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5,
 /// A plane and a point with their distance.
 inline Scene distanceScene() {
   return {{planeE(), pointQ(), {"distance", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}}}};
+}
+
+/// A construction over objects that are named after its roles; its own entry is called `it`.
+inline Scene sceneOf(const Construction &construction, const std::vector<Object> &objects) {
+  Scene scene;
+  ConstructionUse use{std::string(construction.id), {}};
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    scene.entries.push_back({construction.roles[i].name, objects[i]});
+    use.roles[construction.roles[i].name] = construction.roles[i].name;
+  }
+  scene.entries.push_back({"it", std::move(use)});
+  return scene;
+}
+
+/// The outcome of the last construction; the test fails where there is none.
+inline const Outcome &lastOutcome(const Evaluation &evaluation) {
+  const EvaluatedEntry *last = evaluation.lastConstruction();
+  if (!last)
+    throw std::out_of_range("no construction");
+  return *last->outcome;
+}
+inline std::string lastCase(const Scene &scene) { return lastOutcome(evaluate(scene)).told->name; }
+inline bool isDegenerate(const Scene &scene) { return lastOutcome(evaluate(scene)).told->degenerate; }
+
+/// The lines of the last construction by their own ids: `f`, not `distance.f`.
+inline Working ownLines(const Evaluation &evaluation) {
+  Working working;
+  const Explanation &lines = *lastOutcome(evaluation).explanation;
+  for (const std::string &id : lines.ids())
+    working.add(*lines.find(id));
+  return working;
+}
+inline Working ownLines(const Scene &scene) { return ownLines(evaluate(scene)); }
+
+/// The scene after edits; the test fails where one is refused.
+inline Scene edited(Scene scene, const std::vector<Edit> &edits) {
+  for (const Edit &edit : edits) {
+    auto next = apply(std::move(scene), edit);
+    if (!next)
+      throw std::invalid_argument(next.problem().sentence);
+    scene = std::move(*next);
+  }
+  return scene;
+}
+
+/// An evaluation in which nothing but these values is there, of an entry `it`.
+inline Evaluation withValues(std::vector<NamedValue> values, std::string caseName = {}) {
+  const auto nothing = [] { return Explanation(); };
+  const auto outcome =
+      std::make_shared<const Outcome>(Outcome{{},
+                                              Lazy<CaseWords>([caseName] {
+                                                return CaseWords{caseName, "", false};
+                                              }),
+                                              Lazy<std::vector<NamedValue>>([values] { return values; }),
+                                              Lazy<Explanation>(nothing),
+                                              Lazy<Figure>([] { return Figure(); }),
+                                              nullptr});
+  return {{{"it", "any", {}, {}, {}, outcome}}};
 }
 
 /// The handle of a scene with this id; the test fails where there is none.

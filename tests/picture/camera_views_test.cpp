@@ -20,7 +20,7 @@ TEST(HomeView, OfEveryLesson_ShowsFigureAndAxesWithRoomForLabels) {
   for (const Lesson &lesson : library().lessons)
     for (const PixelSize size : {PixelSize{880, 440}, PixelSize{700, 300}, PixelSize{1600, 1000}}) {
       SCOPED_TRACE(lesson.id + " " + std::to_string(size.height));
-      const Figure figure = evaluate(lesson.scene).figure;
+      const Figure figure = figureOf(evaluate(lesson.scene));
       const Camera camera = homeView(lesson.camera, figure, true, size, 1);
       std::vector<Place> places = placesOf(figure);
       for (const AxisEnds &axis : axisEnds(axesAround(figure)))

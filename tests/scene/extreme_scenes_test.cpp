@@ -1,7 +1,8 @@
 // Scenes of every size that coordinates allow, near-parallel ones and those with far results: each has a
 // picture in which its objects can be seen, in bounded time and memory.
 #include "lessons/construction/construction.h"
-#include "lessons/scene/session.h"
+#include "lessons/object/coordinate_limits.h"
+#include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
 #include "tests/scene/pictures.h"
 #include "widgets/picture/camera_views.h"
@@ -132,7 +133,7 @@ struct Prepared {
 Prepared prepared(const Scene &scene) {
   Prepared made;
   made.content.stage = stageOf(scene);
-  made.content.figure = toStage(evaluate(scene).figure, made.content.stage);
+  made.content.figure = toStage(figureOf(evaluate(scene)), made.content.stage);
   made.camera =
       homeView({}, made.content.figure, made.content.stage.hasAxes(), size, size.height / designHeight);
   return made;

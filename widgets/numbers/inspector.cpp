@@ -15,26 +15,28 @@
 namespace halfspace {
 namespace {
 
-/// `E.P0` as a learner reads it.
-math::Row coordinateFormula(const std::string &name) {
-  const auto dot = name.find('.');
-  if (dot == std::string::npos)
-    return formulaOf(symbolOf(name));
-  return math::row(formulaOf(symbolOf(name.substr(0, dot))), math::symbol(':', math::AtomClass::Punct),
-                   formulaOf(symbolOf(name.substr(dot + 1))));
+/// A value with the name of the entry that it is of.
+struct ShownValue {
+  std::string entry;
+  const NamedValue *value;
+
+  [[nodiscard]] std::string id() const { return entry + "." + value->name; }
+};
+
+/// Adds the values that a learner sees, groups opened.
+void addShown(const std::string &entry, const std::vector<NamedValue> &values,
+              std::vector<ShownValue> &shown) {
+  for (const NamedValue &value : values)
+    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value))
+      addShown(entry, *group, shown);
+    else if (!std::holds_alternative<std::monostate>(value.label))
+      shown.push_back({entry, &value});
 }
 
-/// The values a learner sees, groups opened.
-std::vector<const NamedValue *> shownValues(const std::vector<NamedValue> &values) {
-  std::vector<const NamedValue *> shown;
-  for (const NamedValue &value : values) {
-    if (const auto *group = std::get_if<std::vector<NamedValue>>(&value.value)) {
-      const auto inner = shownValues(*group);
-      shown.insert(shown.end(), inner.begin(), inner.end());
-    } else if (!std::holds_alternative<std::monostate>(value.label)) {
-      shown.push_back(&value);
-    }
-  }
+std::vector<ShownValue> shownValues(const Evaluation &evaluation) {
+  std::vector<ShownValue> shown;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    addShown(entry.name, *entry.outcome->values, shown);
   return shown;
 }
 
@@ -167,8 +169,14 @@ void Inspector::buildResultRows() {
   auto *column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(1);
-  for (const NamedValue *value : shownValues(m_model.outcome().values))
-    addResultRow(*column, *value);
+  const auto values = shownValues(m_model.evaluation());
+  const bool isOfSeveral = !values.empty() && values.front().entry != values.back().entry;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (isOfSeveral && (i == 0 || values[i].entry != values[i - 1].entry))
+      column->addWidget(heading(QString::fromStdString(values[i].entry)));
+    addResultRow(*column, *values[i].value);
+    m_results.back().id = values[i].id();
+  }
   delete m_layout->replaceWidget(m_resultsBox, box);
   m_resultsBox->deleteLater();
   m_resultsBox = box;
@@ -181,8 +189,8 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   given.id = id;
   given.name = fullName(m_model.session().scene, id);
   auto *label = new MathLabel(m_typesetter);
-  const std::string name = shortName(m_model.session().scene, id);
-  label->setFormula(coordinateFormula(name), QString::fromStdString(name));
+  const Symbol &letter = m_model.evaluation().find(id.object)->looksAt.front()->letters[id.index];
+  label->setFormula(formulaOf(letter), QString::fromStdString(plainText(letter)));
   m_givenLabels.push_back(label);
   grid.addWidget(label, row, 0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -200,7 +208,7 @@ void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
   showName(row->name(), value);
   column.addWidget(row);
   m_resultLabels.push_back(&row->name());
-  m_results.push_back({value.name, &row->value()});
+  m_results.push_back({{}, &row->value()});
 }
 
 void Inspector::connectField(NumberField &field, const CoordinateNumber &number) {
@@ -220,7 +228,7 @@ void Inspector::showSession() {
   const Scene &scene = m_model.session().scene;
   auto ids = coordinatesOf(scene);
   ids.resize(std::min(ids.size(), mostGivenRows));
-  const auto values = shownValues(m_model.outcome().values);
+  const auto values = shownValues(m_model.evaluation());
   // The given rows stay while results come and go: a field may be in use.
   const bool sameGiven =
       widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
@@ -230,7 +238,7 @@ void Inspector::showSession() {
   const bool sameResults =
       sameGiven &&
       std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
-                 [](const NamedValue *value, const ResultRow &row) { return value->name == row.name; });
+                 [](const ShownValue &value, const ResultRow &row) { return value.id() == row.id; });
   if (!sameResults) {
     buildResultRows();
     applyInk();
@@ -242,7 +250,7 @@ void Inspector::showSession() {
       row.fields[axis]->setValue(value[axis]);
   }
   for (std::size_t i = 0; i < values.size(); ++i)
-    showValue(*m_results[i].value, values[i]->value);
+    showValue(*m_results[i].value, values[i].value->value);
   m_resultsBox->setVisible(!m_resultsHidden);
 }
 

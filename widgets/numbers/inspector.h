@@ -23,7 +23,7 @@ public:
   Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
   ~Inspector() override;
 
-  /// Writes the rows from the session and its outcome.
+  /// Writes the rows from the session and what it comes to.
   void showSession();
   void setTheme(const Theme &theme);
   /// Hides what comes out, while a question asks for it.
@@ -44,7 +44,7 @@ private:
     NumberField *fields[3];
   };
   struct ResultRow {
-    std::string name;
+    std::string id; ///< entry and name
     MathLabel *value;
   };
 

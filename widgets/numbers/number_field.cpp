@@ -1,8 +1,8 @@
 #include "widgets/numbers/number_field.h"
 
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/scene_reader.h"
-#include "lessons/scene/session.h"
 #include "widgets/repolish.h"
 
 #include <QKeyEvent>

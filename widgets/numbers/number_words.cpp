@@ -27,7 +27,7 @@ QString componentOf(const Term &number, const QString &name) {
 }
 
 QString nameOf(const Term &number, std::string (*write)(const Term &, Notation)) {
-  return QString::fromStdString(number->origin ? write(*number->origin, {}) : number->source->role);
+  return QString::fromStdString(number->origin ? write(*number->origin, {}) : number->source->object);
 }
 
 } // namespace

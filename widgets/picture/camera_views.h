@@ -1,7 +1,6 @@
 // Where the camera goes on request.
 #pragma once
 
-#include "lessons/construction/outcome.h"
 #include "lessons/scene/scene.h"
 #include "widgets/picture/camera.h"
 

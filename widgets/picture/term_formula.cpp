@@ -94,6 +94,12 @@ protected:
     if (symbol.isVector)
       base = {math::vector(std::move(base))};
     Row below = symbol.subscript.empty() ? Row() : subscript(symbol.subscript);
+    if (!symbol.owner.empty()) {
+      if (!below.empty())
+        below.push_back(math::symbol(',', AtomClass::Ord));
+      const Row owner = this->symbol(symbolOf(symbol.owner));
+      below.insert(below.end(), owner.begin(), owner.end());
+    }
     Row above = symbol.isPerp ? math::row(math::symbol(perpendicular)) : Row();
     return below.empty() && above.empty()
                ? base

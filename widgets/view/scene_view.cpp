@@ -57,6 +57,7 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_model, &SessionModel::gestureSettled, this, &SceneView::letGo);
   connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
     showAll();
     requestFrame();
@@ -172,7 +173,7 @@ std::optional<QPoint> SceneView::handlePosition(const std::string &handleId) con
 std::string SceneView::markOf(const Handle &handle) const {
   if (handle.motion != Handle::Motion::Coordinate)
     return handle.object;
-  return shortName(m_model.session().scene, {handle.object, handle.coordinate});
+  return fullName(m_model.session().scene, {handle.object, handle.coordinate});
 }
 
 void SceneView::selectHandle(const std::string &handleId) {

@@ -125,6 +125,8 @@ private:
   void frame();
   void followPointer();
   void cancelDrag();
+  /// Forgets what the mouse holds.
+  void letGo();
   void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
@@ -161,6 +163,7 @@ private:
   bool m_vertical = false; ///< whether the selected handle moves up and down when it is grabbed
 
   Gesture m_gesture = Gesture::None;
+  Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
   std::optional<HandleDrag> m_drag;
   std::string m_caught;        ///< the special case that the drag has snapped to
   bool m_clickToggles = false; ///< whether the press was on the handle that was selected already

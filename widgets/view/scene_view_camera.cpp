@@ -56,7 +56,7 @@ void SceneView::glideTo(const Camera &camera) {
 }
 
 Camera SceneView::viewOfAll(const CameraView &view) const {
-  return homeView(view, staged(m_model.outcome().figure), m_stage.hasAxes(), pixelSize(), designRatio(),
+  return homeView(view, staged(m_model.figure()), m_stage.hasAxes(), pixelSize(), designRatio(),
                   m_camera.orthographic);
 }
 
@@ -84,7 +84,7 @@ void SceneView::resizeEvent(QResizeEvent *event) {
 
 void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
 
-void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.outcome().figure), m_camera)); }
+void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.figure()), m_camera)); }
 
 void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene(), m_camera)); }
 

@@ -74,6 +74,7 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   if (m_gesture != Gesture::None)
     return;
   m_glide.stop();
+  m_button = event->button();
   m_pressed = m_lastPointer = event->localPos();
   m_moved = false;
   const glm::dvec2 pixel = devicePixel(m_pressed);
@@ -118,7 +119,7 @@ void SceneView::pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixe
 void SceneView::mouseMoveEvent(QMouseEvent *event) {
   if (m_gesture == Gesture::None)
     return hover(devicePixel(event->localPos()));
-  if (event->buttons() == Qt::NoButton) {
+  if (!(event->buttons() & m_button)) {
     // The release went elsewhere.
     finishDrag();
     return;
@@ -135,7 +136,10 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
   }
 }
 
-void SceneView::mouseReleaseEvent(QMouseEvent *) { finishDrag(); }
+void SceneView::mouseReleaseEvent(QMouseEvent *event) {
+  if (event->button() == m_button)
+    finishDrag();
+}
 
 void SceneView::followPointer() {
   if (!m_drag || !m_pendingPointer)
@@ -149,7 +153,7 @@ void SceneView::followPointer() {
   if (!move)
     return;
   m_outcomeTaken = start;
-  m_model.moveGesture({m_drag->handle().object, fromStage(move->object, m_stage)});
+  m_model.moveGesture(ChangeObject{m_drag->handle().object, fromStage(move->object, m_stage)});
   if (m_outcomeTaken != start) {
     m_times.evaluate = m_outcomeTaken - start;
     m_times.panels = Clock::now() - m_outcomeTaken;
@@ -167,29 +171,27 @@ void SceneView::finishDrag() {
     return;
   if (m_gesture == Gesture::Handle) {
     followPointer();
-    const Handle &handle = m_drag->handle();
     if (m_moved)
-      m_model.endGesture(tr("move %1").arg(QString::fromStdString(handle.id)));
+      m_model.endGesture(tr("move %1").arg(QString::fromStdString(m_drag->handle().id)));
     else
       m_model.cancelGesture();
     if (!m_moved && m_clickToggles)
       m_vertical = !m_vertical;
-    m_drag.reset();
-    m_caught.clear();
   }
-  m_gesture = Gesture::None;
-  m_pendingPointer.reset();
-  unsetCursor();
-  updateContent();
-  showHint();
+  letGo();
 }
 
 void SceneView::cancelDrag() {
   m_model.cancelGesture();
+  letGo();
+}
+
+void SceneView::letGo() {
   m_drag.reset();
   m_caught.clear();
   m_pendingPointer.reset();
   m_gesture = Gesture::None;
+  m_button = Qt::NoButton;
   unsetCursor();
   updateContent();
   showHint();
@@ -279,7 +281,7 @@ bool SceneView::stepSelected(const QKeyEvent &event) {
                                   event.modifiers(), m_model.snapStep(), m_camera);
   if (!place)
     return false;
-  m_model.edit({handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
+  m_model.edit(ChangeObject{handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
                tr("move %1").arg(QString::fromStdString(handle->id)));
   return true;
 }

@@ -1,5 +1,7 @@
 #include "widgets/working/coordinate_editor.h"
 
+#include "lessons/object/coordinate_limits.h"
+
 #include <algorithm>
 
 namespace halfspace {
@@ -39,11 +41,12 @@ Rational CoordinateEditor::valueOf(const CoordinateNumber &number) const {
   return object ? coordinate(*object, number.id.index)[number.axis] : Rational(0);
 }
 
-std::optional<Edit> CoordinateEditor::editOf(const CoordinateNumber &number, const Rational &value) const {
+std::optional<ChangeObject> CoordinateEditor::editOf(const CoordinateNumber &number,
+                                                     const Rational &value) const {
   const Object *object = findObject(m_model.session().scene, number.id.object);
   if (!object || refuseCoordinate(value))
     return {};
-  Edit edit{number.id.object, *object};
+  ChangeObject edit{number.id.object, *object};
   coordinate(edit.value, number.id.index)[number.axis] = value;
   return edit;
 }

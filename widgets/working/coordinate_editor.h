@@ -35,7 +35,8 @@ public:
 
 private:
   [[nodiscard]] Rational valueOf(const CoordinateNumber &number) const;
-  [[nodiscard]] std::optional<Edit> editOf(const CoordinateNumber &number, const Rational &value) const;
+  [[nodiscard]] std::optional<ChangeObject> editOf(const CoordinateNumber &number,
+                                                   const Rational &value) const;
   /// The step that suits a coordinate: of a position the stage's, of a direction its own size's.
   [[nodiscard]] Rational stepOf(const CoordinateId &id) const;
   /// For the history.

@@ -1,5 +1,7 @@
 #include "widgets/working/working_layout.h"
 
+#include "lessons/scene/evaluation.h"
+
 #include <QFontInfo>
 #include <QFontMetricsF>
 
@@ -23,21 +25,31 @@ constexpr double relationGap = 0.28;       // before `=`: TeX's thick space
 constexpr double indent = 1.6;             // of further rows
 constexpr double sentenceLineHeight = 1.2; // as part of the font's
 constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
+/// Workings stand side by side where each has this much.
+constexpr double narrowestColumn = 22;
 // Every row has at least the room of ordinary letters.
 constexpr double leastAscent = 0.72;
 constexpr double leastDepth = 0.22;
 
-/// Lays out one line at a time below the last.
+/// A part of the width.
+struct Column {
+  double left;
+  double width;
+};
+
+/// Lays out one line at a time below the last, in a column that begins at a height.
 class LinePlacer {
 public:
-  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
-      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(sideMargin * m_em),
-        m_right(width - sideMargin * m_em), m_width(width) {}
+  LinePlacer(SentenceBreaker &sentences, const QFont &font, Column column, double top)
+      : m_sentences(&sentences), m_font(font), m_em(emPixelsOf(font)),
+        m_left(column.left + sideMargin * m_em), m_right(column.left + column.width - sideMargin * m_em),
+        m_column(column), m_y(top) {}
 
-  PlacedLine place(const TypesetLine &line, const QString &remark) {
+  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading) {
     m_placed = {};
+    const double top = m_y;
+    m_placed.heading = placeText(heading, m_left);
     m_y += lineMargin * m_em;
-    const double top = m_y - lineMargin * m_em;
     m_x = m_left;
     m_rowIsEmpty = true;
     startRow();
@@ -53,11 +65,15 @@ public:
     if (!line.isPartial)
       m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
-    m_placed.box = QRectF(0, top, m_width, m_y - top);
+    m_placed.box = QRectF(m_column.left, top, m_column.width, m_y - top);
     return std::move(m_placed);
   }
 
-  [[nodiscard]] QSizeF size() const { return {std::max(m_width, m_widest + m_left), m_y}; }
+  [[nodiscard]] double bottom() const { return m_y; }
+  /// Beyond the column where a formula does not fit.
+  [[nodiscard]] double right() const {
+    return std::max(m_column.left + m_column.width, m_widest + sideMargin * m_em);
+  }
 
 private:
   void startRow() {
@@ -126,7 +142,7 @@ private:
       return placed;
     m_y += sentenceGap * m_em;
     for (const SentenceBreaker::Line &line :
-         m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
+         m_sentences->lines(words, m_font, std::max(m_right - left, 1.0))) {
       placed.push_back({line.text, {left, m_y + line.ascent}});
       m_y += sentenceLineHeight * line.height;
     }
@@ -134,16 +150,22 @@ private:
     return placed;
   }
 
-  SentenceBreaker &m_sentences;
+  SentenceBreaker *m_sentences;
   QFont m_font;
-  double m_em, m_left, m_right, m_width;
-  double m_x = 0, m_y = 0, m_widest = 0;
+  double m_em, m_left, m_right;
+  Column m_column;
+  double m_x = 0, m_y, m_widest = 0;
   PlacedLine m_placed;
   // The row in work.
   std::size_t m_rowBegin = 0;
   double m_ascent = 0, m_depth = 0;
   bool m_rowIsEmpty = true, m_rowIsFull = false;
 };
+
+/// Whether a line is the first of its construction's.
+bool beginsWorking(const std::vector<TypesetLine> &lines, std::size_t index) {
+  return index == 0 || entryOf(lines[index].source.id) != entryOf(lines[index - 1].source.id);
+}
 
 } // namespace
 
@@ -156,13 +178,28 @@ QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                            const std::map<std::string, QString> &remarks, SentenceBreaker &sentences,
                            const QFont &font, double width) {
-  LinePlacer placer(sentences, font, width);
-  PlacedWorking placed;
-  for (const TypesetLine &line : lines) {
-    const auto remark = remarks.find(line.source.id);
-    placed.lines.push_back(placer.place(line, remark == remarks.end() ? QString() : remark->second));
+  int workings = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    workings += beginsWorking(lines, i) ? 1 : 0;
+  const double share = width / std::max(workings, 1);
+  const bool sideBySide = workings > 1 && share >= narrowestColumn * emPixelsOf(font);
+  Column column{0, sideBySide ? share : width};
+  LinePlacer placer(sentences, font, column, 0);
+  PlacedWorking placed{{}, {width, 0}};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool begins = beginsWorking(lines, i);
+    if (begins && sideBySide && i > 0) {
+      column.left += share;
+      placer = LinePlacer(sentences, font, column, 0);
+    }
+    const std::string &id = lines[i].source.id;
+    const auto remark = remarks.find(id);
+    const QString heading = begins && workings > 1 ? QString::fromStdString(entryOf(id)) : QString();
+    placed.lines.push_back(
+        placer.place(lines[i], remark == remarks.end() ? QString() : remark->second, heading));
+    placed.size = {std::max(placed.size.width(), placer.right()),
+                   std::max(placed.size.height(), placer.bottom())};
   }
-  placed.size = placer.size();
   return placed;
 }
 

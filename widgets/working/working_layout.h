@@ -50,7 +50,8 @@ struct PlacedText {
 };
 
 struct PlacedLine {
-  QRectF box; ///< with the space around it, across the whole width
+  QRectF box;                      ///< with the space around it, across the width of its column
+  std::vector<PlacedText> heading; ///< the construction's name, above its first line where there are several
   std::vector<PlacedFormula> formulas;
   QRectF blank; ///< the room of what is left out; null when nothing is
   std::vector<PlacedText> remark;
@@ -67,7 +68,8 @@ struct PlacedWorking {
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
-/// broken is drawn smaller, but not beyond reading. `remarks` are by the lines' ids.
+/// broken is drawn smaller, but not beyond reading. The workings of several constructions stand side by side
+/// where there is room, else below each other. `remarks` are by the lines' ids.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                                          const std::map<std::string, QString> &remarks,
                                          SentenceBreaker &sentences, const QFont &font, double width);

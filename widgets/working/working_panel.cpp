@@ -221,7 +221,7 @@ PlacedWorking WorkingPanel::placed() const {
   PlacedWorking placed = m_placed;
   for (PlacedLine &line : placed.lines) {
     line.box.translate(-scrolled());
-    for (std::vector<PlacedText> *texts : {&line.remark, &line.sentence})
+    for (std::vector<PlacedText> *texts : {&line.heading, &line.remark, &line.sentence})
       for (PlacedText &text : *texts)
         text.baseline -= scrolled();
     if (!line.blank.isNull())
@@ -252,7 +252,7 @@ QPointF WorkingPanel::scrolled() const {
 
 std::optional<std::size_t> WorkingPanel::lineAt(QPointF position) const {
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
-    if (const QRectF &box = m_placed.lines[i].box; position.y() >= box.top() && position.y() < box.bottom())
+    if (m_placed.lines[i].box.contains(position))
       return i;
   return std::nullopt;
 }

@@ -66,7 +66,7 @@ void WorkingPanel::endTrace() {
 void WorkingPanel::followNumbers() {
   followNumberField();
   const Term *number = m_tracedNumber ? shownNumbers().numberAt(*m_tracedNumber) : nullptr;
-  Provenance traced = number ? provenanceOf(*number, wholeWorking()) : Provenance();
+  Provenance traced = number ? provenanceOf(*number, m_tracedNumber->line, wholeWorking()) : Provenance();
   if (traced == m_traced)
     return;
   m_traced = std::move(traced);

@@ -58,15 +58,16 @@ void WorkingPanel::paintBackground(QPainter &painter, std::size_t index) const {
   const bool isSource = m_traced.lines.contains(id) && m_tracedNumber && m_tracedNumber->line != id;
   if (isSource)
     painter.fillRect(line.box, translucent(accent, tracedLineOpacity));
-  if (index > 0) {
+  if (line.box.top() > 0) {
     const int margin = fontMetrics().height();
-    const QRect separator(margin, static_cast<int>(line.box.top()),
+    const QRect separator(static_cast<int>(line.box.left()) + margin, static_cast<int>(line.box.top()),
                           static_cast<int>(line.box.width()) - 2 * margin, 1);
     painter.fillRect(separator, toQColor(m_theme.border)); // a line costs as much as all formulas together
   }
   if (isSource || (m_current == index && hasFocus()))
-    painter.fillRect(QRectF(0, line.box.top() + touchMargin, barWidth, line.box.height() - 2 * touchMargin),
-                     accent);
+    painter.fillRect(
+        QRectF(line.box.left(), line.box.top() + touchMargin, barWidth, line.box.height() - 2 * touchMargin),
+        accent);
 }
 
 void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
@@ -85,8 +86,9 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
   if (const auto remark = remarkOf(m_lines[index].source.id))
     paintRemark(painter, line, *remark);
   painter.setPen(toQColor(m_theme.mutedInk));
-  for (const PlacedText &text : line.sentence)
-    painter.drawText(text.baseline, text.text);
+  for (const auto *texts : {&line.heading, &line.sentence})
+    for (const PlacedText &text : *texts)
+      painter.drawText(text.baseline, text.text);
 }
 
 void WorkingPanel::paintNumbers(QPainter &painter, std::size_t index) const {

@@ -7,8 +7,9 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/lesson/typed_answer.h"
-#include "lessons/scene/session.h"
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/term/plain_text.h"
+#include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -52,24 +53,30 @@ class Contract {
 public:
   Contract(const Construction &construction, const std::vector<Object> &objects)
       : m_construction(construction) {
+    std::vector<const Object *> pointers;
     for (const Object &object : objects) {
-      m_objects.push_back(&object);
+      pointers.push_back(&object);
       m_text += textOf(object) + "; ";
     }
-    m_outcome = construction.evaluate(m_objects);
-    m_expected = recompute(construction.id, m_objects);
+    m_scene = sceneOf(construction, objects);
+    m_evaluation = evaluate(m_scene);
+    m_working = workingOf(m_evaluation);
+    m_figure = figureOf(m_evaluation);
+    m_expected = recompute(construction.id, pointers);
   }
 
-  const Outcome &outcome() const { return m_outcome; }
+  const Working &working() const { return m_working; }
+  const std::string &caseName() const { return outcome().told->name; }
 
   void check() {
     SCOPED_TRACE(std::string(m_construction.id) + ": " + m_text);
     checkCase();
-    checkValues(m_outcome.values, "");
+    checkValues(*outcome().values, "");
     EXPECT_EQ(m_checked.size(), m_expected.values.size()) << "values that the case has, and no others";
     checkWorking();
     checkFigure();
     checkMarks();
+    checkObjects();
     checkRepetition();
   }
 
@@ -82,9 +89,10 @@ public:
 
 private:
   void checkCase() const {
-    EXPECT_EQ(m_outcome.caseName, m_expected.caseName);
-    EXPECT_EQ(m_outcome.degenerate, m_expected.degenerate);
-    EXPECT_FALSE(m_outcome.description.empty());
+    EXPECT_EQ(caseName(), m_expected.caseName);
+    EXPECT_EQ(outcome().told->degenerate, m_expected.degenerate);
+    EXPECT_FALSE(outcome().told->description.empty());
+    EXPECT_EQ(outcome().told->description.find('{'), std::string::npos) << outcome().told->description;
   }
 
   static SignedSquares signedSquares(const std::vector<Surd> &numbers) {
@@ -128,7 +136,7 @@ private:
 
   void checkWorking() const {
     std::set<std::string> ids;
-    for (const WorkingLine &line : m_outcome.working.lines) {
+    for (const WorkingLine &line : m_working.lines) {
       SCOPED_TRACE(line.id + ": " + latexOf(line));
       EXPECT_TRUE(ids.insert(line.id).second) << "an id stands once";
       checkMarksOf(line);
@@ -262,7 +270,8 @@ private:
 
   void checkMarksOf(const WorkingLine &line) const {
     for (const std::string &id : marksIn(line))
-      EXPECT_TRUE(findMark(m_outcome.figure, id) || m_expected.vanished.contains(id)) << "no mark " << id;
+      EXPECT_TRUE(findMark(m_figure, id) || m_expected.vanished.contains(id.substr(id.find('.') + 1)))
+          << "no mark " << id;
   }
 
   static std::vector<Place> placesOf(const Mark &mark) {
@@ -294,7 +303,7 @@ private:
 
   void checkFigure() const {
     std::set<std::string> ids;
-    for (const Mark &mark : m_outcome.figure.marks) {
+    for (const Mark &mark : m_figure.marks) {
       const MarkBase &base = baseOf(mark);
       EXPECT_TRUE(ids.insert(base.id).second) << base.id << " stands twice";
       for (const Place &place : placesOf(mark))
@@ -303,7 +312,7 @@ private:
   }
 
   void checkMarks() const {
-    for (const Mark &mark : m_outcome.figure.marks) {
+    for (const Mark &mark : m_figure.marks) {
       if (const auto *point = std::get_if<PointMark>(&mark))
         checkPoint(*point);
       if (const auto *arrow = std::get_if<ArrowMark>(&mark))
@@ -330,31 +339,54 @@ private:
     EXPECT_EQ(named == zeroLike(named), drawn == zeroLike(drawn)) << mark.id;
   }
 
-  void checkRepetition() const {
-    const Outcome again = m_construction.evaluate(m_objects);
-    EXPECT_EQ(again.caseName, m_outcome.caseName);
-    EXPECT_EQ(again.description, m_outcome.description);
-    ASSERT_EQ(again.working.lines.size(), m_outcome.working.lines.size());
-    for (std::size_t i = 0; i < again.working.lines.size(); ++i) {
-      EXPECT_EQ(latexOf(again.working.lines[i]), latexOf(m_outcome.working.lines[i]));
-    }
-    ASSERT_EQ(again.figure.marks.size(), m_outcome.figure.marks.size());
-    for (std::size_t i = 0; i < again.figure.marks.size(); ++i) {
-      EXPECT_EQ(baseOf(again.figure.marks[i]).id, baseOf(m_outcome.figure.marks[i]).id);
-      EXPECT_EQ(placesOf(again.figure.marks[i]), placesOf(m_outcome.figure.marks[i]));
+  /// What it makes is of the kind that it says, and stands where its letter says.
+  void checkObjects() const {
+    for (const MadeObject &made : outcome().objects) {
+      const auto &makes = m_construction.makes;
+      const auto known =
+          std::find_if(makes.begin(), makes.end(), [&](const auto &each) { return each.name == made.name; });
+      ASSERT_NE(known, makes.end()) << made.name;
+      EXPECT_EQ(kindOf(made.object), known->kind);
+      const Mark *mark = findMark(m_figure, "it." + made.name);
+      ASSERT_TRUE(mark) << made.name;
+      const auto *point = std::get_if<PointObject>(&made.object);
+      ASSERT_TRUE(point);
+      const Quantity named = calculate(baseOf(*mark).label, m_expected.names);
+      EXPECT_TRUE(agree(named, quantity(point->at), sameDigits)) << made.name;
     }
   }
 
+  void checkRepetition() const {
+    const Evaluation again = evaluate(m_scene);
+    EXPECT_EQ(lastOutcome(again).told->name, caseName());
+    EXPECT_EQ(lastOutcome(again).told->description, outcome().told->description);
+    const Working working = workingOf(again);
+    ASSERT_EQ(working.lines.size(), m_working.lines.size());
+    for (std::size_t i = 0; i < working.lines.size(); ++i) {
+      EXPECT_EQ(latexOf(working.lines[i]), latexOf(m_working.lines[i]));
+    }
+    const Figure figure = figureOf(again);
+    ASSERT_EQ(figure.marks.size(), m_figure.marks.size());
+    for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+      EXPECT_EQ(baseOf(figure.marks[i]).id, baseOf(m_figure.marks[i]).id);
+      EXPECT_EQ(placesOf(figure.marks[i]), placesOf(m_figure.marks[i]));
+    }
+  }
+
+  const Outcome &outcome() const { return lastOutcome(m_evaluation); }
+
   const Construction &m_construction;
-  std::vector<const Object *> m_objects;
   std::string m_text;
-  Outcome m_outcome;
+  Scene m_scene;
+  Evaluation m_evaluation;
+  Working m_working;
+  Figure m_figure;
   Recomputed m_expected;
   std::set<std::string> m_checked;
 };
 
-bool isRounded(const Outcome &outcome) {
-  return std::any_of(outcome.working.lines.begin(), outcome.working.lines.end(), [](const WorkingLine &line) {
+bool isRounded(const Working &working) {
+  return std::any_of(working.lines.begin(), working.lines.end(), [](const WorkingLine &line) {
     return latexOf(line).find("\\approx") != std::string::npos;
   });
 }
@@ -371,7 +403,7 @@ protected:
       const std::vector<Object> objects = random.objectsFor(construction(), writing);
       Contract contract(construction(), objects);
       contract.check();
-      cases.insert(contract.outcome().caseName);
+      cases.insert(contract.caseName());
     }
     return cases;
   }
@@ -397,7 +429,7 @@ TEST_P(EveryConstruction, OnFractionsOfTwelveDigits_IsRightAndMarksWhatItRounds)
   EXPECT_GT(checkScenes(Writing::LongFractions).size(), 1U);
   RandomObjects random(7);
   const std::vector<Object> objects = random.objectsFor(construction(), Writing::LongFractions);
-  EXPECT_TRUE(isRounded(Contract(construction(), objects).outcome()));
+  EXPECT_TRUE(isRounded(Contract(construction(), objects).working()));
 }
 
 TEST_P(EveryConstruction, OnLargeIntegers_IsRight) {
@@ -441,19 +473,19 @@ TEST(Contract, TheStartOfEveryLesson_IsRightAndExactInEveryLine) {
     const std::vector<Object> objects = objectsAtTheStart(lesson);
     Contract contract(*findConstruction(lesson.id), objects);
     contract.check();
-    EXPECT_FALSE(isRounded(contract.outcome())) << lesson.id;
+    EXPECT_FALSE(isRounded(contract.working())) << lesson.id;
   }
 }
 
 TEST(Contract, TheStartOfEveryLesson_LeavesTasksToDo) {
   for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
-    const Outcome outcome = evaluate(lesson.scene);
+    const Evaluation evaluation = evaluate(lesson.scene);
     std::vector<const Task *> tasks;
     for (const LessonStep &step : lesson.steps)
       for (const Task &task : step.tasks)
         tasks.push_back(&task);
     EXPECT_TRUE(std::any_of(tasks.begin(), tasks.end(), [&](const Task *task) {
-      return !isDone(*task, outcome);
+      return !isDone(*task, evaluation);
     })) << lesson.id;
   }
 }

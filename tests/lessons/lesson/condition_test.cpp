@@ -1,21 +1,21 @@
 #include "lessons/lesson/condition.h"
 
+#include "tests/lessons/scenes.h"
+
 #include <gtest/gtest.h>
 
 namespace halfspace {
 namespace {
 
 /// An outcome with a value of every shape.
-Outcome outcome() {
-  Outcome made;
-  made.caseName = "hit";
-  made.values = {{"t", "", Surd(Rational(-10, 3))},
-                 {"distance", "", Surd::root(2)},
-                 {"foot", "", std::vector<Surd>{1, 2, 0}},
-                 {"side", "", std::string("positive")},
-                 {"feature", "", 2},
-                 {"perp", "", std::vector<NamedValue>{{"uu", "", Surd(80)}}}};
-  return made;
+Evaluation outcome() {
+  return test::withValues({{"t", "", Surd(Rational(-10, 3))},
+                           {"distance", "", Surd::root(2)},
+                           {"foot", "", std::vector<Surd>{1, 2, 0}},
+                           {"side", "", std::string("positive")},
+                           {"feature", "", 2},
+                           {"perp", "", std::vector<NamedValue>{{"uu", "", Surd(80)}}}},
+                          "hit");
 }
 
 bool holdsFor(const std::string &text) {

@@ -2,6 +2,8 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/scene/session.h"
 
+#include "tests/lessons/scenes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,8 +64,8 @@ TEST(Content, AllLessons_AreReadInTheirOrder) {
 }
 
 TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {
-  const Outcome outcome = evaluate(library().find("ray-triangle-perp")->scene);
-  EXPECT_EQ(outcome.caseName, "hit");
+  const Evaluation outcome = evaluate(library().find("ray-triangle-perp")->scene);
+  EXPECT_EQ(std::get<std::string>(*findValue(outcome, "case")), "hit");
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "s")), Surd(Rational(1, 4)));
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t_triangle")), Surd(Rational(1, 2)));
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t")), Surd(Rational(3, 2)));
@@ -72,12 +74,10 @@ TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {
 
 TEST(Content, EveryLineThatAStepNames_IsWorkedAtTheStart) {
   for (const Lesson &lesson : library().lessons) {
-    const Outcome outcome = evaluate(lesson.scene);
+    const Working working = test::ownLines(lesson.scene);
     for (const LessonStep &step : lesson.steps)
       for (const std::string &id : step.lines)
-        EXPECT_TRUE(std::any_of(outcome.working.lines.begin(), outcome.working.lines.end(),
-                                [&](const WorkingLine &line) { return line.id == id; }))
-            << lesson.id << ", " << step.title << ": " << id;
+        EXPECT_TRUE(findLine(working, id)) << lesson.id << ", " << step.title << ": " << id;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(Content, EveryQuestion_HasExactlyOneRightChoiceAtTheStart) {
     for (const LessonStep &step : lesson.steps)
       if (step.prediction) {
         ++questions;
-        const Outcome outcome = evaluate(lesson.scene);
+        const Evaluation outcome = evaluate(lesson.scene);
         EXPECT_EQ(
             std::count_if(
                 step.prediction->choices.begin(), step.prediction->choices.end(),
@@ -117,9 +117,9 @@ TEST(Content, EveryTask_CanBeDone) {
         ++tasks;
         const Solution *solution = solutionOf(lesson, task);
         ASSERT_NE(solution, nullptr) << lesson.id << ": " << task.instruction;
-        Session session{lesson.id, 0, lesson.scene};
-        session = apply(session, {solution->entry.name, std::get<Object>(solution->entry.content)});
-        EXPECT_TRUE(isDone(task, evaluate(session.scene))) << lesson.id << ": " << task.instruction;
+        const Scene scene = test::edited(
+            lesson.scene, {ChangeObject{solution->entry.name, std::get<Object>(solution->entry.content)}});
+        EXPECT_TRUE(isDone(task, evaluate(scene))) << lesson.id << ": " << task.instruction;
       }
     EXPECT_GE(tasks, 2) << lesson.id;
   }

@@ -204,22 +204,54 @@ TEST(LessonProblems, OfAFileThatIsNotThere_IsAProblem) {
 }
 
 TEST(ShownIn, AStepWithLines_KeepsThoseLinesTheirMarksAndTheGivens) {
-  const Outcome all = evaluate(test::distanceScene());
+  const Evaluation all = evaluate(test::distanceScene());
   LessonStep step;
   step.lines = {"foot"};
   const Shown shown = shownIn(step, all);
   ASSERT_EQ(shown.working.lines.size(), 1U);
-  EXPECT_EQ(shown.working.lines[0].id, "foot");
+  EXPECT_EQ(shown.working.lines[0].id, "distance.foot");
   EXPECT_NE(findMark(shown.figure, "Q"), nullptr);
-  EXPECT_NE(findMark(shown.figure, "F"), nullptr);
-  EXPECT_NE(findMark(all.figure, "theta"), nullptr);
-  EXPECT_EQ(findMark(shown.figure, "theta"), nullptr);
+  EXPECT_NE(findMark(shown.figure, "distance.F"), nullptr);
+  EXPECT_NE(findMark(figureOf(all), "distance.theta"), nullptr);
+  EXPECT_EQ(findMark(shown.figure, "distance.theta"), nullptr);
+}
+
+TEST(ShownIn, AStepOverTwoConstructions_ShowsTheLinesThatItNames) {
+  Scene scene = test::distanceScene();
+  scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
+  const Evaluation all = evaluate(scene);
+  const auto idsOf = [&](std::vector<std::string> names) {
+    LessonStep step;
+    step.lines = std::move(names);
+    std::vector<std::string> ids;
+    for (const WorkingLine &line : shownIn(step, all).working.lines)
+      ids.push_back(line.id);
+    return ids;
+  };
+  EXPECT_EQ(idsOf({"again.f", "distance.foot"}), (std::vector<std::string>{"distance.foot", "again.f"}));
+  EXPECT_EQ(idsOf({"foot"}), std::vector<std::string>()) << "both have one";
+  EXPECT_EQ(idsOf({"cosine"}).size(), 0U) << "both have one";
+  EXPECT_EQ(idsOf({"again.*"}).size(), 6U);
+}
+
+TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
+  Scene scene = test::distanceScene();
+  scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
+  const Evaluation all = evaluate(scene);
+  const std::string first = all.find("distance")->outcome->told->description;
+  const std::string second = all.find("again")->outcome->told->description;
+  LessonStep step;
+  EXPECT_EQ(shownIn(step, all).description, first + " " + second);
+  step.lines = {"distance.f"};
+  EXPECT_EQ(shownIn(step, all).description, first);
+  step.lines = {"again.no-line-of-this-case"};
+  EXPECT_EQ(shownIn(step, all).description, second);
 }
 
 TEST(ShownIn, AStepWithoutLines_ShowsAll) {
-  const Outcome all = evaluate(test::distanceScene());
-  EXPECT_EQ(shownIn(LessonStep{}, all).working.lines.size(), all.working.lines.size());
-  EXPECT_EQ(shownIn(LessonStep{}, all).figure.marks.size(), all.figure.marks.size());
+  const Evaluation all = evaluate(test::distanceScene());
+  EXPECT_EQ(shownIn(LessonStep{}, all).working.lines.size(), workingOf(all).lines.size());
+  EXPECT_EQ(shownIn(LessonStep{}, all).figure.marks.size(), figureOf(all).marks.size());
 }
 
 } // namespace

@@ -34,8 +34,8 @@ TEST(LiveValues, WithoutAValueInThisCase_AreADash) { EXPECT_EQ(filled("{t} {perp
 TEST(LiveValues, BracesThatHoldNoName_Stay) { EXPECT_EQ(filled("{1} {} {a b} {"), "{1} {} {a b} {"); }
 
 TEST(LiveValues, WhenRounded_SaySo) {
-  Outcome outcome;
-  outcome.values = {{"x", "", Surd(Rational(Integer(1234567890123), Integer(9876543210987)))}};
+  const Evaluation outcome =
+      test::withValues({{"x", "", Surd(Rational(Integer(1234567890123), Integer(9876543210987)))}});
   EXPECT_EQ(withLiveValues("{x}", Scene{}, outcome).substr(0, 9), "$\\approx ");
 }
 

@@ -1,9 +1,10 @@
 #include "lessons/lesson/practice.h"
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/scene/session.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+
+#include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,17 +16,14 @@ using Ids = std::set<std::string>;
 Surd root(int square, const Rational &factor = 1) { return Surd::root(square, factor); }
 
 Working workingOf(const std::string &lesson) {
-  return evaluate(readLessons(LESSON_FOLDER).find(lesson)->scene).working;
+  return test::ownLines(readLessons(LESSON_FOLDER).find(lesson)->scene);
 }
 
 /// The line of a lesson's start, after some coordinates were given values.
 WorkingLine lineOf(const std::string &lesson, const std::string &id, const std::vector<Edit> &edits = {}) {
-  Session session{lesson, 0, readLessons(LESSON_FOLDER).find(lesson)->scene};
-  for (const Edit &edit : edits)
-    session = apply(session, edit);
-  for (const WorkingLine &line : evaluate(session.scene).working.lines)
-    if (line.id == id)
-      return line;
+  const Working working = test::ownLines(test::edited(readLessons(LESSON_FOLDER).find(lesson)->scene, edits));
+  if (const WorkingLine *line = findLine(working, id))
+    return *line;
   throw std::out_of_range(id);
 }
 
@@ -56,8 +54,8 @@ TEST(Judge, OfTheSignedDistance_TellsTheUsualMistakesApart) {
 }
 
 TEST(Judge, OfTheDistanceBehindThePlane_NoticesTheLostSignOfF) {
-  const WorkingLine line =
-      lineOf("signed-distance", "distance", {{"Q", PointObject{{-1, 1, 1}}}}); // f = −6 − 6 − 12 = −24
+  const WorkingLine line = lineOf("signed-distance", "distance",
+                                  {ChangeObject{"Q", PointObject{{-1, 1, 1}}}}); // f = −6 − 6 − 12 = −24
   EXPECT_TRUE(judged(line, "-8").right);
   EXPECT_NE(judged(line, "24").sentence.find("without its sign"), std::string::npos);
 }
@@ -95,9 +93,10 @@ TEST(Judge, OfThePlanesEquation_TakesAnyMultipleOfIt) {
   EXPECT_NE(judged(line, "x + 2y + 2z + 27 = 0").sentence.find("minus sign"), std::string::npos);
   EXPECT_NE(judged(line, "-x - 2y - 2z = 27").sentence.find("minus sign"), std::string::npos) << "a multiple";
   EXPECT_NE(judged(line, "x + 2y + 2z - 16").sentence.find("added up"), std::string::npos);
-  EXPECT_TRUE(judged(lineOf("plane-implicit", "collect", {{"E", PlaneObject{{1, 2, 3}, {0, 0, 2}}}}),
-                     "0x + 0y + z = 3")
-                  .right)
+  EXPECT_TRUE(
+      judged(lineOf("plane-implicit", "collect", {ChangeObject{"E", PlaneObject{{1, 2, 3}, {0, 0, 2}}}}),
+             "0x + 0y + z = 3")
+          .right)
       << "letters that drop out may be written";
   EXPECT_NE(judged(line, "plane").sentence.find("cannot be read"), std::string::npos)
       << "p·l·a·n·e is no sum";

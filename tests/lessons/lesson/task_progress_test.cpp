@@ -1,5 +1,7 @@
 #include "lessons/lesson/task_progress.h"
 
+#include "tests/lessons/scenes.h"
+
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -7,11 +9,7 @@ namespace {
 
 using Done = std::vector<bool>;
 
-Outcome withT(int t) {
-  Outcome outcome;
-  outcome.values = {{"t", "t", Surd(t)}};
-  return outcome;
-}
+Evaluation withT(int t) { return test::withValues({{"t", "t", Surd(t)}}); }
 
 Task task(Condition::Relation relation, const char *against) { return {"", {{"t", relation, against}}}; }
 

@@ -2,6 +2,7 @@
 #include "tests/lessons/lesson/wrong_workings.h"
 
 #include "tests/lessons/construction/random_objects.h"
+#include "tests/lessons/scenes.h"
 
 #include "lessons/lesson/practice.h"
 #include "lessons/lesson/typed_answer.h"
@@ -34,11 +35,17 @@ bool isNamed(const std::string &sentence) {
   return !sentence.ends_with("is not right. Put the numbers into the symbols once more.");
 }
 
-void judgeWrongAnswers(const Construction &construction, const std::vector<const Object *> &objects,
-                       Named &count) {
-  const Working working = construction.evaluate(objects).working;
+std::vector<const Object *> pointersTo(const std::vector<Object> &objects) {
+  std::vector<const Object *> pointers;
+  for (const Object &object : objects)
+    pointers.push_back(&object);
+  return pointers;
+}
+
+void judgeWrongAnswers(const Construction &construction, const std::vector<Object> &objects, Named &count) {
+  const Working working = ownLines(sceneOf(construction, objects));
   std::set<std::pair<std::string, std::string>> judged;
-  for (const WrongAnswer &wrong : wrongAnswers(construction.id, objects)) {
+  for (const WrongAnswer &wrong : wrongAnswers(construction.id, pointersTo(objects))) {
     if (wrong.typed.size() > longestAnswer || !judged.emplace(wrong.line, wrong.typed).second)
       continue;
     const WorkingLine &line = *findLine(working, wrong.line);
@@ -55,11 +62,7 @@ template <class Use> void forScenes(const Construction &construction, Use use) {
     RandomObjects random(77);
     for (int i = 0; i < scenesPerConstruction / 2; ++i) {
       const std::vector<Object> objects = random.objectsFor(construction, writing);
-      std::vector<const Object *> pointers;
-      pointers.reserve(objects.size());
-      for (const Object &object : objects)
-        pointers.push_back(&object);
-      use(pointers);
+      use(objects);
     }
   }
 }
@@ -72,9 +75,8 @@ TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
                                                        {"ray-triangle-perp", 0.46}};
   for (const Construction &construction : constructions()) {
     Named count;
-    forScenes(construction, [&](const std::vector<const Object *> &objects) {
-      judgeWrongAnswers(construction, objects, count);
-    });
+    forScenes(construction,
+              [&](const std::vector<Object> &objects) { judgeWrongAnswers(construction, objects, count); });
     RecordProperty(std::string(construction.id), std::to_string(count.share()));
     EXPECT_GT(count.share(), leastShares.at(construction.id))
         << construction.id << ": " << count.named << " of " << count.all;
@@ -84,8 +86,8 @@ TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
 
 TEST(Judge, OfTheRightAnswer_NamesNoMistake) {
   for (const Construction &construction : constructions())
-    forScenes(construction, [&](const std::vector<const Object *> &objects) {
-      for (const WorkingLine &line : construction.evaluate(objects).working.lines) {
+    forScenes(construction, [&](const std::vector<Object> &objects) {
+      for (const WorkingLine &line : ownLines(sceneOf(construction, objects)).lines) {
         const Real *number = line.asked == Asked::Value ? numberOf(line.chains.back().last()) : nullptr;
         if (const auto text = number ? typed(*number->exact()) : std::nullopt) {
           EXPECT_EQ(judge(line, resultGap(line), *text).sentence, "Right.") << line.id << ": " << *text;

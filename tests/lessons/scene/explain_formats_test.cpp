@@ -1,5 +1,6 @@
 #include "lessons/scene/explain_formats.h"
 
+#include "lessons/construction/worked_lines.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -10,29 +11,35 @@
 namespace halfspace {
 namespace {
 
-Outcome sample() {
+Evaluation sample() {
   const Term a = name(letter("a"), Rational(2, 7));
   const Term b = name(letter("b"), Rational(3, 1'000'000'007));
   const Term t = name(letter("t"), Rational(2'000'000'014, 21)).marked("t");
   const Term F = name(letter("F"), ExactVec3(1, Rational(1, 2), -3)).marked("F");
   const Term u = name(vectorLetter("u"), ExactVec3(4, 8, 0));
-  Outcome outcome;
-  outcome.caseName = "hit";
-  outcome.values = {{"tenth", {}, Surd(Rational(1, 10))},
-                    {"root", {}, Surd::root(3, Rational(1, 3))},
-                    {"huge", {}, Surd(Rational(mp::pow(Integer(10), 400)))},
-                    listed("foot", F),
-                    listed("t", name(letter("λ"), Surd::root(3, Rational(-1, 3)))),
-                    {"side", std::string("side"), std::string("on")},
-                    {"feature", {}, 2},
-                    {"perp", {}, std::vector<NamedValue>{listed("uu", dot(u, u))}}};
-  outcome.working.lines = {{"t", {withNumbers(t == a / b)}, "It is < 1 & so on."}};
-  outcome.description = "100% done_ok {now}: λ ≈ −2·10⁻³°";
-  return outcome;
+  const std::vector<NamedValue> values{{"tenth", {}, Surd(Rational(1, 10))},
+                                       {"root", {}, Surd::root(3, Rational(1, 3))},
+                                       {"huge", {}, Surd(Rational(mp::pow(Integer(10), 400)))},
+                                       listed("foot", F),
+                                       listed("t", name(letter("λ"), Surd::root(3, Rational(-1, 3)))),
+                                       {"side", std::string("side"), std::string("on")},
+                                       {"feature", {}, 2},
+                                       {"perp", {}, std::vector<NamedValue>{listed("uu", dot(u, u))}}};
+  const CaseWords told{"hit", "100% done_ok {now}: λ ≈ −2·10⁻³°", false};
+  Explanation lines;
+  lines.add("t", [=] { return line(withNumbers(t == a / b), "It is < 1 & so on."); });
+  const auto outcome =
+      std::make_shared<const Outcome>(Outcome{{{"F", PointObject{{1, Rational(1, 2), -3}}}},
+                                              Lazy<CaseWords>([told] { return told; }),
+                                              Lazy<std::vector<NamedValue>>([values] { return values; }),
+                                              Lazy<Explanation>([lines] { return lines; }),
+                                              Lazy<Figure>([] { return Figure(); }),
+                                              nullptr});
+  return {{{"it", "any", {}, {}, {}, outcome}}};
 }
 
 TEST(ExplanationJson, OfValues_FollowsTheEvalFormatInOrder) {
-  const auto json = nlohmann::ordered_json::parse(explanationJson("x", sample()));
+  const auto json = nlohmann::ordered_json::parse(explanationJson("x", {}, sample()));
   EXPECT_EQ(json["lesson"], "x");
   EXPECT_EQ(json["case"], "hit");
   const auto &values = json["values"];

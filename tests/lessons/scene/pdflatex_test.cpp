@@ -5,6 +5,8 @@
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/program_test.h"
 
+#include "tests/lessons/scenes.h"
+
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -50,17 +52,14 @@ TEST_F(PdfLatex, OfRandomAndDegenerateScenes_IsSatisfied) {
     for (const Writing writing : {Writing::SmallIntegers, Writing::Halves, Writing::Decimals,
                                   Writing::Fractions, Writing::LongFractions, Writing::LargeIntegers})
       for (int i = 0; i < scenesPerWriting; ++i) {
-        const auto objects = random.objectsFor(construction, writing);
-        std::vector<const Object *> pointers;
-        for (const Object &object : objects)
-          pointers.push_back(&object);
-        body += explanationLatex("Scene", construction.evaluate(pointers));
+        const Scene scene = sceneOf(construction, random.objectsFor(construction, writing));
+        body += explanationLatex("Scene", evaluate(scene));
       }
   EXPECT_EQ(complaintAbout(body), "");
 }
 
 TEST_F(PdfLatex, OfTitlesInAnyLetters_IsSatisfied) {
-  const Outcome outcome = evaluate(readLessons(LESSON_FOLDER).lessons.front().scene);
+  const Evaluation outcome = evaluate(readLessons(LESSON_FOLDER).lessons.front().scene);
   std::string body;
   for (const char *title :
        {"50 % of {a}_b^c & #1 ~ \\x $y$ <|>\"", "Größe “é” – ½ … ‘ñ’ œuvre", "α β γ Ω Δ λ θ φ → ⇒ ∈ ′ ⊥ ≤ √2",

@@ -1,10 +1,10 @@
 #include "lessons/scene/provenance.h"
 
-#include "lessons/construction/worked_lines.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/session.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "tests/lessons/called_line.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 namespace halfspace {
 namespace {
 
+using test::called;
 using Ids = std::set<std::string>;
 
 /// Calls `visit` for each number of the term that can be asked.
@@ -43,7 +44,7 @@ std::vector<Term> numbersOf(const Working &working, const std::string &line) {
 Provenance provenanceOf(const Working &working, const std::string &line, const std::string &text) {
   for (const Term &number : numbersOf(working, line))
     if (plainText(number) == text)
-      return provenanceOf(number, working);
+      return provenanceOf(number, line, working);
   ADD_FAILURE() << line << " has no " << text;
   return {};
 }
@@ -52,58 +53,57 @@ Provenance provenanceOf(const Working &working, const std::string &line, const s
 Ids textOf(const std::vector<CoordinateSource> &coordinates) {
   Ids texts;
   for (const CoordinateSource &each : coordinates)
-    texts.insert(each.role + "." + std::to_string(each.coordinate) +
+    texts.insert(each.object + "." + std::to_string(each.coordinate) +
                  (each.component ? std::string(".") + "xyz"[*each.component] : ""));
   return texts;
 }
 
-Working distanceWorking() { return evaluate(test::distanceScene()).working; }
+Working distanceWorking() { return workingOf(evaluate(test::distanceScene())); }
 
 Working rayTriangleWorking() {
-  return evaluate({{test::triangleT(),
-                    test::rayL(),
-                    {"hit", ConstructionUse{"ray-triangle-perp", {{"T", "T"}, {"L", "L"}}}}}})
-      .working;
+  return workingOf(evaluate({{test::triangleT(),
+                              test::rayL(),
+                              {"hit", ConstructionUse{"ray-triangle-perp", {{"T", "T"}, {"L", "L"}}}}}}));
 }
 
 TEST(Provenance, OfAResult_IsWhatItsFormulaIsMadeOf) {
-  const Provenance f = provenanceOf(distanceWorking(), "f", "30");
+  const Provenance f = provenanceOf(distanceWorking(), "distance.f", "30");
   EXPECT_EQ(f.lines, Ids{});
-  EXPECT_EQ(f.marks, (Ids{"P0", "Q", "n"}));
+  EXPECT_EQ(f.marks, (Ids{"E.P0", "E.n", "Q"}));
   EXPECT_EQ(textOf(f.coordinates), (Ids{"E.0", "E.1", "Q.0"}));
 }
 
 TEST(Provenance, OfANumberPutIn_GoesThroughTheLineThatTellsIt) {
-  const Provenance f = provenanceOf(distanceWorking(), "distance", "30");
-  EXPECT_EQ(f.lines, Ids{"f"}) << "f(Q) > 0 tells nothing of f(Q)";
+  const Provenance f = provenanceOf(distanceWorking(), "distance.distance", "30");
+  EXPECT_EQ(f.lines, Ids{"distance.f"}) << "f(Q) > 0 tells nothing of f(Q)";
   EXPECT_EQ(textOf(f.coordinates), (Ids{"E.0", "E.1", "Q.0"}));
-  const Provenance length = provenanceOf(distanceWorking(), "distance", "3");
-  EXPECT_EQ(length.lines, Ids{"length"});
-  EXPECT_EQ(length.marks, Ids{"n"});
+  const Provenance length = provenanceOf(distanceWorking(), "distance.distance", "3");
+  EXPECT_EQ(length.lines, Ids{"distance.length"});
+  EXPECT_EQ(length.marks, Ids{"E.n"});
   EXPECT_EQ(textOf(length.coordinates), Ids{"E.1"});
 }
 
 TEST(Provenance, OfACoordinate_IsThatNumberAndItsMark) {
-  const Provenance x = provenanceOf(distanceWorking(), "length", "1");
+  const Provenance x = provenanceOf(distanceWorking(), "distance.length", "1");
   EXPECT_EQ(x.lines, Ids{});
-  EXPECT_EQ(x.marks, Ids{"n"});
+  EXPECT_EQ(x.marks, Ids{"E.n"});
   EXPECT_EQ(textOf(x.coordinates), Ids{"E.1.x"});
 }
 
 TEST(Provenance, OfANameThatNoLineTells_IsWhatTheNameStandsFor) {
-  const Provenance w = provenanceOf(distanceWorking(), "cosine", "30");
+  const Provenance w = provenanceOf(distanceWorking(), "distance.cosine", "30");
   EXPECT_EQ(w.lines, Ids{});
-  EXPECT_EQ(w.marks, (Ids{"P0", "Q", "n", "w"}));
+  EXPECT_EQ(w.marks, (Ids{"E.P0", "E.n", "Q", "distance.w"}));
 }
 
 TEST(Provenance, OfALongWorking_GoesThroughAllLinesBetween) {
   const Working working = rayTriangleWorking();
-  const Term s = lineOf(working, "s").chains.front().last();
-  const Provenance found = provenanceOf(s, working);
+  const Term s = lineOf(working, "hit.s").chains.front().last();
+  const Provenance found = provenanceOf(s, "hit.s", working);
   for (const char *line : {"wu", "wv", "uv", "vv", "denominator", "w", "hit", "plane-t", "normal", "u", "v"})
-    EXPECT_TRUE(found.lines.contains(line)) << line;
+    EXPECT_TRUE(found.lines.contains(std::string("hit.") + line)) << line;
   for (const char *line : {"t", "place", "a", "b", "similar"})
-    EXPECT_FALSE(found.lines.contains(line)) << line;
+    EXPECT_FALSE(found.lines.contains(std::string("hit.") + line)) << line;
   EXPECT_EQ(textOf(found.coordinates), (Ids{"T.0", "T.1", "T.2", "L.0", "L.1"}));
 }
 
@@ -111,17 +111,18 @@ TEST(Provenance, OfLinesThatTellEachOther_Ends) {
   const Term a = name(letter("a"), Rational(3));
   const Term b = name(letter("b"), Rational(3));
   const Term P = given(letter("P"), ExactVec3(3, 0, 0), "P", 0).marked("P");
-  const Working working{
-      {line("a", {a == b}), line("b", {(b == a) == norm(P)}), line("other", {withResult(2 * a)})}};
-  const Provenance found = provenanceOf(calculated(a), working);
+  const Working working{{called("a", line(a == b)), called("b", line((b == a) == norm(P))),
+                         called("other", line(withResult(2 * a)))}};
+  const Provenance found = provenanceOf(calculated(a), "other", working);
   EXPECT_EQ(found.lines, (Ids{"a", "b"}));
   EXPECT_EQ(found.marks, Ids{"P"});
 }
 
 TEST(Provenance, OfATermThatALineCompares_IsNotThatLine) {
   const Term a = name(letter("a"), Rational(3));
-  const Working working{{line("compared", {compared(a, 0)}), line("condition", {condition(a == 0)})}};
-  EXPECT_EQ(provenanceOf(calculated(a), working).lines, Ids{});
+  const Working working{
+      {called("compared", line(compared(a, 0))), called("condition", line(condition(a == 0)))}};
+  EXPECT_EQ(provenanceOf(calculated(a), "compared", working).lines, Ids{});
 }
 
 TEST(Provenance, OfNumbersThatStandInTheFormula_IsNotAsked) {
@@ -141,10 +142,10 @@ void expectWithin(const Provenance &found, const Scene &scene, const Working &wo
 
 /// Every number that was calculated reaches a coordinate of the scene.
 void expectAllReachCoordinates(const Scene &scene, const std::string &where) {
-  const Working working = evaluate(scene).working;
+  const Working working = workingOf(evaluate(scene));
   for (const WorkingLine &line : working.lines)
     for (const Term &number : numbersOf(working, line.id))
-      expectWithin(provenanceOf(number, working), scene, working,
+      expectWithin(provenanceOf(number, line.id, working), scene, working,
                    where + ", line " + line.id + ", " + plainText(number));
 }
 
@@ -177,20 +178,30 @@ void expectNamesStandForTheirValue(const Term &term) {
 
 TEST(Provenance, OfAName_HasTheNamesValue) {
   for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
-    for (const WorkingLine &line : evaluate(lesson.scene).working.lines)
+    for (const WorkingLine &line : workingOf(evaluate(lesson.scene)).lines)
       for (const Chain &chain : line.chains)
         for (const Term &side : chain.sides())
           expectNamesStandForTheirValue(side);
 }
 
-TEST(CoordinateOf, ARole_IsTheObjectThatTheLastConstructionLooksAt) {
+TEST(Provenance, OfWhatAnotherEntryMade_GoesThroughTheLinesOfThatEntry) {
   Scene scene = test::distanceScene();
-  scene.entries[0].name = "E2";
-  std::get<ConstructionUse>(scene.entries[2].content).roles["E"] = "E2";
-  EXPECT_EQ(coordinateOf(scene, {"E", 1, 2}), (CoordinateId{"E2", 1}));
+  scene.entries.push_back({"G", PlaneObject{{0, 0, 0}, {0, 0, 1}}});
+  scene.entries.push_back({"beyond", ConstructionUse{"signed-distance", {{"E", "G"}, {"Q", "distance.F"}}}});
+  const Working working = workingOf(evaluate(scene));
+  const Provenance found =
+      provenanceOf(lineOf(working, "beyond.f").chains.front().last(), "beyond.f", working);
+  EXPECT_EQ(found.lines, (Ids{"distance.f", "distance.foot"}))
+      << "not lines that read alike of its own entry";
+  EXPECT_EQ(textOf(found.coordinates), (Ids{"E.0", "E.1", "G.0", "G.1", "Q.0"}));
+}
+
+TEST(CoordinateOf, AFreeObjectsCoordinate_IsFoundByTheObject) {
+  const Scene scene = test::distanceScene();
+  EXPECT_EQ(coordinateOf(scene, {"E", 1, 2}), (CoordinateId{"E", 1}));
   EXPECT_EQ(coordinateOf(scene, {"E", 2, 0}), std::nullopt);
+  EXPECT_EQ(coordinateOf(scene, {"distance", 0, 0}), std::nullopt);
   EXPECT_EQ(coordinateOf(scene, {"L", 0, 0}), std::nullopt);
-  EXPECT_EQ(coordinateOf({{test::planeE()}}, {"E", 0, 0}), std::nullopt);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "lessons/scene/scene_checker.h"
 #include "lessons/scene/session_file.h"
 
 #include "tests/lessons/scenes.h"
@@ -74,7 +75,7 @@ TEST(SessionFile, OfAnotherProgram_SaysThatItIsNone) {
 }
 
 TEST(SessionFile, OfANewerVersion_AsksForAnUpdateWhateverElseItHolds) {
-  const Problem problem = problemOf(R"({"format":"halfspace","version":2,"worlds":[]})");
+  const Problem problem = problemOf(R"({"format":"halfspace","version":3,"worlds":[]})");
   EXPECT_TRUE(mentions(problem, "newer version"));
   EXPECT_EQ(problem.field, "version");
 }
@@ -98,7 +99,7 @@ TEST(SessionFile, WithTooManyEntries_IsRefused) {
   std::string entries = "[{}";
   for (std::size_t i = 0; i < maxSceneEntries; ++i)
     entries += ",{}";
-  EXPECT_TRUE(mentions(problemOf(around(entries + "]")), "at most 1000"));
+  EXPECT_TRUE(mentions(problemOf(around(entries + "]")), "may have 1000"));
 }
 
 TEST(SessionFile, WithAKeyTwice_IsRefused) {

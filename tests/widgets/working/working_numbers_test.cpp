@@ -1,4 +1,5 @@
 // The numbers in the worked lines: traced, chosen by the keys, scrubbed and typed.
+#include "tests/lessons/called_line.h"
 #include "tests/widgets/working/working_panel_fixture.h"
 
 #include "lessons/term/plain_text.h"
@@ -8,6 +9,7 @@
 #include <QSignalSpy>
 
 using namespace halfspace;
+using test::called;
 using namespace halfspace::test;
 
 Q_DECLARE_METATYPE(halfspace::CoordinateSource)
@@ -20,8 +22,9 @@ Working tracedWorking(int x = 1, const Rational &b = 3) {
   const Term u = given(vectorLetter("u"), ExactVec3(x, 2, 0), "L", 1).marked("u");
   const Term w = given(vectorLetter("w"), ExactVec3(b, 0, 0), "L", 0).marked("w");
   const Term a = name(letter("a"), Rational(2 * (4 + x * x)));
-  return {{line("uu", {withProducts(dot(u, u))}), line("a", {withNumbers(a == 2 * dot(u, u))}),
-           line("b", {withNumbers(name(letter("b"), abs(b)) == norm(w))})}};
+  return {{called("uu", line({withProducts(dot(u, u))})),
+           called("a", line({withNumbers(a == 2 * dot(u, u))})),
+           called("b", line({withNumbers(name(letter("b"), abs(b)) == norm(w))}))}};
 }
 
 /// The first of the line's shown numbers that reads so.
@@ -182,7 +185,7 @@ private slots:
   void numberInsideAMarkHoversTheMark() {
     WorkingPanel panel(m_typesetter);
     const Term a = name(letter("a"), Rational(7)).standingFor(name(letter("b"), Rational(7)));
-    show(panel, 900, {{line("a", {Chain(a).then(calculated(a).marked("m"))})}});
+    show(panel, 900, {{called("a", line({Chain(a).then(calculated(a).marked("m"))}))}});
     QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
     movePointer(panel, middleOf(panel, numberIn(panel, 0, "7")));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("m"));
@@ -202,7 +205,7 @@ private slots:
     std::vector<Term> summands;
     for (int i = 0; i < 40; ++i)
       summands.push_back(calculated(name(letter("a", std::to_string(i)), Rational(100 + i))));
-    show(panel, 300, {{line("a", sum(summands))}});
+    show(panel, 300, {{called("a", line(sum(summands)))}});
     const auto places = panel.shownNumbers().inLine(0);
     QCOMPARE(places.size(), std::size_t(40));
     for (const NumberPlace &place : places) {

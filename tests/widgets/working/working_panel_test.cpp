@@ -1,4 +1,5 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
+#include "tests/lessons/called_line.h"
 #include "tests/widgets/working/working_panel_fixture.h"
 
 #include "widgets/picture/term_formula.h"
@@ -8,6 +9,7 @@
 #include <QSignalSpy>
 
 using namespace halfspace;
+using test::called;
 using namespace halfspace::test;
 
 namespace {
@@ -20,9 +22,9 @@ Working someWorking() {
   const Term r = name(vectorLetter("r"), ExactVec3(-1, 3, 2)).marked("r");
   const Term t = name(letter("t"), Rational(-10, 3));
   const Term H = name(letter("H"), ExactVec3(Rational(43, 3), 5, Rational(4, 3)));
-  return {
-      {line("t", {withNumbers(t == dot(P0 - Q, n) / dot(r, n))}, "So many steps r lead from Q to the plane."),
-       line("H", {withNumbers(H == Q + t * r)}, "The point where the ray meets the plane.")}};
+  return {{called("t", line({withNumbers(t == dot(P0 - Q, n) / dot(r, n))},
+                            "So many steps r lead from Q to the plane.")),
+           called("H", line({withNumbers(H == Q + t * r)}, "The point where the ray meets the plane."))}};
 }
 
 /// x + x + …
@@ -73,7 +75,7 @@ private slots:
 
   void formulaThatFitsNowhereIsBrokenBetweenItsSummands() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 300, {{line("a", longSum(60)), line("b", unknown("x"))}});
+    show(panel, 300, {{called("a", line(longSum(60))), called("b", line(unknown("x")))}});
     const auto placed = panel.placed();
     const PlacedFormula &broken = placed.lines[0].formulas[0];
     QCOMPARE(broken.emPixels, placed.lines[1].formulas[0].emPixels);
@@ -84,7 +86,7 @@ private slots:
 
   void formulaThatCannotBeBrokenIsSmallerButReadableAndCanBeScrolledTo() {
     WorkingPanel panel(m_typesetter);
-    show(panel, 300, {{line("a", root(longSum(60))), line("b", unknown("x"))}});
+    show(panel, 300, {{called("a", line(root(longSum(60)))), called("b", line(unknown("x")))}});
     const auto placed = panel.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
@@ -159,7 +161,7 @@ private slots:
     for (int i = 0; i < 20; ++i) {
       const Term a = name(letter("a"), Rational(i * i, 7));
       const WorkingLine shownLine =
-          line("a", {withNumbers(a == power(name(letter("b"), Rational(i)), 2) / 7)});
+          called("a", line({withNumbers(a == power(name(letter("b"), Rational(i)), 2) / 7)}));
       panel.setWorking({{shownLine, shownLine}});
       const auto placed = panel.placed();
       QCOMPARE(placed.lines.size(), std::size_t(2));

@@ -1,7 +1,7 @@
 // Worked lines that the learner fills in, with real keys and clicks.
+#include "tests/lessons/called_line.h"
 #include "widgets/working/working_practice.h"
 
-#include "lessons/construction/worked_lines.h"
 #include "lessons/object/object.h"
 #include "lessons/term/rewrite.h"
 
@@ -15,6 +15,7 @@
 #include <algorithm>
 
 using namespace halfspace;
+using test::called;
 
 namespace {
 
@@ -23,9 +24,10 @@ Working someWorking(int value = 30) {
   const Term f = applied(letter("f"), name(letter("Q"), ExactVec3(1, 0, 0)), Rational(value));
   const Term h = name(letter("h"), Rational(value, 3));
   const Term F = name(letter("F"), ExactVec3(1, 2, 3));
-  return {{asked("f", Chain(f).then(2 * Term(Rational(value, 2))).then(calculated(f))),
-           asked("distance", withNumbers(h == f / 3), "Divided by the length.", {{f, "{answer} is f(Q)."}}),
-           line("foot", withResult(F))}};
+  return {{called("f", asked(Chain(f).then(2 * Term(Rational(value, 2))).then(calculated(f)))),
+           called("distance",
+                  asked(withNumbers(h == f / 3), "Divided by the length.", {{f, "{answer} is f(Q)."}})),
+           called("foot", line(withResult(F)))}};
 }
 
 QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
@@ -123,7 +125,8 @@ private slots:
     WorkingPractice practice(m_typesetter);
     practice.setLocale(QLocale(QLocale::German));
     Working working = someWorking();
-    working.lines.push_back(asked("G", withResult(name(letter("G"), ExactVec3(Rational(3, 2), 2, 3)))));
+    working.lines.push_back(
+        called("G", asked(withResult(name(letter("G"), ExactVec3(Rational(3, 2), 2, 3))))));
     show(practice);
     practice.setWorking(working, false);
     QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);

@@ -1,0 +1,29 @@
+// The worked lines of a construction, each made when somebody looks at it.
+#pragma once
+
+#include "lessons/construction/working.h"
+#include "lessons/lazy.h"
+
+#include <functional>
+
+namespace halfspace {
+
+class Explanation {
+public:
+  /// Goes on with a line, which gets the id. What `make` refers to must live as long as the explanation.
+  void add(std::string id, std::function<WorkingLine()> make);
+
+  /// The ids of the lines, in their order.
+  [[nodiscard]] std::vector<std::string> ids() const;
+  /// The line with this id, or null.
+  [[nodiscard]] const WorkingLine *find(std::string_view id) const;
+
+private:
+  struct Line {
+    std::string id;
+    Lazy<WorkingLine> line;
+  };
+  std::vector<Line> m_lines;
+};
+
+} // namespace halfspace

@@ -1,0 +1,130 @@
+#include "lessons/scene/edit.h"
+
+#include "lessons/object/coordinate_limits.h"
+#include "lessons/scene/scene_checker.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+Problem refused(std::string sentence) { return {std::move(sentence), "", 0, ""}; }
+
+Problem noEntry(const std::string &name) {
+  return refused(words("There is no “{name}” in the scene.", {{"name", shortened(name)}}));
+}
+
+auto findEntry(Scene &scene, const std::string &name) {
+  return std::find_if(scene.entries.begin(), scene.entries.end(),
+                      [&](const Entry &entry) { return entry.name == name; });
+}
+
+std::string entryOfObject(const std::string &object) { return object.substr(0, object.find('.')); }
+
+/// The scene, if it can be evaluated.
+Result<Scene> checked(Scene scene) {
+  if (auto problem = checkScene(scene))
+    return *problem;
+  return scene;
+}
+
+/// Applies one edit to a scene.
+struct Applier {
+  Scene scene;
+
+  Result<Scene> operator()(const ChangeObject &edit) {
+    Object *object = findObject(scene, edit.name);
+    if (!object)
+      return noEntry(edit.name);
+    if (kindOf(*object) != kindOf(edit.value))
+      return refused(words("“{name}” is a {kind} and stays one.",
+                           {{"name", edit.name}, {"kind", std::string(kindOf(*object))}}));
+    if (const auto coordinate = refusedCoordinateOf(edit.value))
+      return refused(coordinate->sentence);
+    *object = edit.value;
+    return std::move(scene);
+  }
+
+  Result<Scene> operator()(const AddEntry &edit) {
+    const std::size_t index = std::min(edit.index, scene.entries.size());
+    scene.entries.insert(scene.entries.begin() + static_cast<std::ptrdiff_t>(index), edit.entry);
+    return checked(std::move(scene));
+  }
+
+  Result<Scene> operator()(const RemoveEntry &edit) {
+    if (findEntry(scene, edit.name) == scene.entries.end())
+      return noEntry(edit.name);
+    const std::vector<std::string> dependents = dependentsOf(scene, edit.name);
+    if (!dependents.empty() && !edit.withDependents)
+      return refused(words("“{name}” is needed by {others}: remove them with it, or first.",
+                           {{"name", edit.name}, {"others", listed(dependents)}}));
+    std::erase_if(scene.entries, [&](const Entry &entry) {
+      return entry.name == edit.name ||
+             std::find(dependents.begin(), dependents.end(), entry.name) != dependents.end();
+    });
+    return std::move(scene);
+  }
+
+  Result<Scene> operator()(const RenameEntry &edit) {
+    const auto entry = findEntry(scene, edit.name);
+    if (entry == scene.entries.end())
+      return noEntry(edit.name);
+    entry->name = edit.newName;
+    for (Entry &other : scene.entries)
+      if (auto *use = std::get_if<ConstructionUse>(&other.content))
+        for (auto &[role, object] : use->roles)
+          if (entryOfObject(object) == edit.name)
+            object.replace(0, edit.name.size(), edit.newName);
+    return checked(std::move(scene));
+  }
+
+  Result<Scene> operator()(const RebindRole &edit) {
+    const auto entry = findEntry(scene, edit.name);
+    auto *use = entry == scene.entries.end() ? nullptr : std::get_if<ConstructionUse>(&entry->content);
+    if (!use)
+      return noEntry(edit.name);
+    use->roles[edit.role] = edit.object;
+    return checked(std::move(scene));
+  }
+
+  Result<Scene> operator()(const MoveEntry &edit) {
+    const auto entry = findEntry(scene, edit.name);
+    if (entry == scene.entries.end())
+      return noEntry(edit.name);
+    Entry moved = std::move(*entry);
+    scene.entries.erase(entry);
+    const std::size_t index = std::min(edit.index, scene.entries.size());
+    scene.entries.insert(scene.entries.begin() + static_cast<std::ptrdiff_t>(index), std::move(moved));
+    return checked(std::move(scene));
+  }
+
+private:
+  static std::string listed(const std::vector<std::string> &names) {
+    std::string list;
+    for (const std::string &name : names)
+      list += (list.empty() ? "" : ", ") + name;
+    return list;
+  }
+};
+
+} // namespace
+
+Result<Scene> apply(Scene scene, const Edit &edit) { return std::visit(Applier{std::move(scene)}, edit); }
+
+std::vector<std::string> dependentsOf(const Scene &scene, const std::string &name) {
+  std::set<std::string> known{name};
+  std::vector<std::string> dependents;
+  for (const Entry &entry : scene.entries)
+    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+      if (std::any_of(use->roles.begin(), use->roles.end(),
+                      [&](const auto &role) { return known.contains(entryOfObject(role.second)); })) {
+        known.insert(entry.name);
+        dependents.push_back(entry.name);
+      }
+  return dependents;
+}
+
+} // namespace halfspace

@@ -1,0 +1,56 @@
+// What can be done to a scene: a closed set of edits.
+#pragma once
+
+#include "lessons/reading/problem.h"
+#include "lessons/scene/scene.h"
+
+namespace halfspace {
+
+/// Gives an object another value of its kind.
+struct ChangeObject {
+  std::string name; ///< the entry's
+  Object value;
+};
+
+/// Puts a new entry before the entry at an index, or behind all.
+struct AddEntry {
+  std::size_t index;
+  Entry entry;
+};
+
+/// Takes an entry away. Refused where others look at it, unless they go with it.
+struct RemoveEntry {
+  std::string name;
+  bool withDependents = false;
+};
+
+/// Gives an entry another name; those that look at it follow.
+struct RenameEntry {
+  std::string name;
+  std::string newName;
+};
+
+/// Lets a construction look at another object in a role.
+struct RebindRole {
+  std::string name; ///< the entry's
+  std::string role;
+  std::string object; ///< `Q`, or `distance.F` for what another construction makes
+};
+
+/// Moves an entry to an index, counted without it. Refused where it would stand above what it looks at, or
+/// below what looks at it.
+struct MoveEntry {
+  std::string name;
+  std::size_t index;
+};
+
+using Edit = std::variant<ChangeObject, AddEntry, RemoveEntry, RenameEntry, RebindRole, MoveEntry>;
+
+/// The scene after an edit; or why it is refused. What comes out can be evaluated if what went in could.
+[[nodiscard]] Result<Scene> apply(Scene scene, const Edit &edit);
+
+/// The names of the entries that look at an entry or at what it makes, and of those that look at them in
+/// turn, from top to bottom.
+[[nodiscard]] std::vector<std::string> dependentsOf(const Scene &scene, const std::string &name);
+
+} // namespace halfspace

@@ -1,0 +1,188 @@
+#include "lessons/scene/evaluation.h"
+
+#include "lessons/object/object_marks.h"
+#include "lessons/scene/scene_letters.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace halfspace {
+namespace {
+
+using SharedGiven = std::shared_ptr<const Given<Object>>;
+
+template <class T> Lazy<T> nothing() {
+  return Lazy<T>([] { return T(); });
+}
+
+/// The outcome of an object: itself, and its picture.
+std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given) {
+  return std::make_shared<const Outcome>(
+      Outcome{{{"", given->object}},
+              nothing<CaseWords>(),
+              nothing<std::vector<NamedValue>>(),
+              nothing<Explanation>(),
+              Lazy<Figure>([given = given.get()] { return Figure{marksOf(*given)}; }),
+              given});
+}
+
+/// The outcome of a construction that looks at something that is not there now.
+std::shared_ptr<const Outcome> withoutAnObject(const std::string &missing) {
+  const auto tell = [missing] {
+    return CaseWords{"missing-object",
+                     words("There is no {object} now, so nothing follows from it.", {{"object", missing}}),
+                     true};
+  };
+  return std::make_shared<const Outcome>(Outcome{{},
+                                                 Lazy<CaseWords>(tell),
+                                                 nothing<std::vector<NamedValue>>(),
+                                                 nothing<Explanation>(),
+                                                 nothing<Figure>(),
+                                                 nullptr});
+}
+
+bool areSame(const std::vector<SharedGiven> &a, const std::vector<SharedGiven> &b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SharedGiven &x, const SharedGiven &y) { return x == y || *x == *y; });
+}
+
+/// Evaluates one entry after the other.
+class Evaluator {
+public:
+  Evaluator(const Scene &scene, const Evaluation &before) : m_letters(scene) {
+    for (const EvaluatedEntry &entry : before.entries)
+      m_old.emplace(entry.name, &entry);
+    m_found.entries.reserve(scene.entries.size());
+  }
+
+  void add(const Entry &entry) {
+    if (const auto *object = std::get_if<Object>(&entry.content))
+      addObject(entry.name, *object);
+    else
+      addUse(entry, std::get<ConstructionUse>(entry.content));
+  }
+
+  [[nodiscard]] Evaluation take() { return std::move(m_found); }
+
+private:
+  /// What later entries can look at; `isThere`: in the present case.
+  struct Visible {
+    SharedGiven given;
+    bool isThere = true;
+  };
+
+  void addObject(const std::string &name, const Object &object) {
+    auto given = std::make_shared<const Given<Object>>(m_letters.given(name, object));
+    EvaluatedEntry entry{name, {}, Naming{name}, {given}};
+    if (!takeOver(entry))
+      entry.outcome = outcomeOf(given);
+    m_visible[name] = {entry.looksAt.front()};
+    m_found.entries.push_back(std::move(entry));
+  }
+
+  void addUse(const Entry &entry, const ConstructionUse &use) {
+    const Construction *construction = findConstruction(use.id);
+    if (!construction)
+      return;
+    EvaluatedEntry found{entry.name, use.id, m_letters.namingOf(entry), {}};
+    for (const ConstructionRole &role : construction->roles) {
+      const auto bound = use.roles.find(role.name);
+      const auto seen = bound == use.roles.end() ? m_visible.end() : m_visible.find(bound->second);
+      if (seen == m_visible.end() || kindOf(seen->second.given->object) != role.kind)
+        return;
+      found.looksAt.push_back(seen->second.given);
+      if (!seen->second.isThere)
+        found.missing = plainText(seen->second.given->symbol);
+    }
+    if (!takeOver(found))
+      found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)
+                                            : withoutAnObject(found.missing);
+    showMade(entry.name, *construction, *found.outcome);
+    m_found.entries.push_back(std::move(found));
+  }
+
+  /// What the construction makes is there for later entries; what it does not make in its case, too, as
+  /// missing.
+  void showMade(const std::string &entry, const Construction &construction, const Outcome &outcome) {
+    for (const ConstructionRole &made : construction.makes) {
+      const auto object = std::find_if(outcome.objects.begin(), outcome.objects.end(),
+                                       [&](const MadeObject &each) { return each.name == made.name; });
+      const bool isThere = object != outcome.objects.end();
+      m_visible[entry + "." + made.name] = {
+          std::make_shared<const Given<Object>>(
+              m_letters.made(entry, made.name, isThere ? object->object : *makeObject(made.kind))),
+          isThere};
+    }
+  }
+
+  /// Takes the outcome over from before, where it was made from the same.
+  bool takeOver(EvaluatedEntry &entry) const {
+    const auto old = m_old.find(entry.name);
+    if (old == m_old.end() || old->second->construction != entry.construction ||
+        old->second->missing != entry.missing || !(old->second->naming == entry.naming) ||
+        !areSame(old->second->looksAt, entry.looksAt))
+      return false;
+    entry.looksAt = old->second->looksAt;
+    entry.outcome = old->second->outcome;
+    return true;
+  }
+
+  SceneLetters m_letters;
+  std::unordered_map<std::string_view, const EvaluatedEntry *> m_old;
+  std::unordered_map<std::string, Visible> m_visible; ///< by id
+  Evaluation m_found;
+};
+
+} // namespace
+
+Evaluation evaluate(const Scene &scene, const Evaluation &before) {
+  Evaluator evaluator(scene, before);
+  for (const Entry &entry : scene.entries)
+    evaluator.add(entry);
+  return evaluator.take();
+}
+
+const EvaluatedEntry *Evaluation::find(std::string_view name) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const EvaluatedEntry &each) { return each.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const EvaluatedEntry *Evaluation::lastConstruction() const {
+  const auto found = std::find_if(entries.rbegin(), entries.rend(),
+                                  [](const EvaluatedEntry &each) { return each.isConstruction(); });
+  return found == entries.rend() ? nullptr : &*found;
+}
+
+Figure figureOf(const Evaluation &evaluation) {
+  Figure all;
+  for (const EvaluatedEntry &entry : evaluation.entries) {
+    const Figure &own = *entry.outcome->figure;
+    all.marks.insert(all.marks.end(), own.marks.begin(), own.marks.end());
+    all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
+  }
+  return reaching(std::move(all));
+}
+
+WorkingLine lineOf(const EvaluatedEntry &entry, const std::string &id) {
+  WorkingLine line = *entry.outcome->explanation->find(id);
+  line.id = entry.name + "." + id;
+  return line;
+}
+
+std::string entryOf(const std::string &lineId) {
+  const auto dot = lineId.find('.');
+  return dot == std::string::npos ? std::string() : lineId.substr(0, dot);
+}
+
+Working workingOf(const Evaluation &evaluation) {
+  Working working;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    for (const std::string &id : entry.outcome->explanation->ids())
+      working.add(lineOf(entry, id));
+  return working;
+}
+
+} // namespace halfspace

@@ -1,0 +1,52 @@
+// What a scene comes to: an outcome for each of its entries.
+#pragma once
+
+#include "lessons/construction/construction.h"
+#include "lessons/scene/scene.h"
+
+#include <memory>
+
+namespace halfspace {
+
+/// An entry with its outcome, and what that was made from.
+struct EvaluatedEntry {
+  std::string name;
+  std::string construction; ///< its id; empty for an object
+  Naming naming;
+  std::vector<std::shared_ptr<const Given<Object>>>
+      looksAt; ///< in the order of the roles; or the entry's own object
+  std::string
+      missing{}; ///< what the construction looks at and is not there now, as it is written; empty for nothing
+  std::shared_ptr<const Outcome> outcome{};
+
+  [[nodiscard]] bool isConstruction() const { return !construction.empty(); }
+};
+
+/// The outcomes of a scene's entries, from top to bottom.
+struct Evaluation {
+  std::vector<EvaluatedEntry> entries;
+
+  /// The entry of this name, or null.
+  [[nodiscard]] const EvaluatedEntry *find(std::string_view name) const;
+  /// The last construction, or null: it stands for the scene where only one can.
+  [[nodiscard]] const EvaluatedEntry *lastConstruction() const;
+};
+
+/// Evaluates a scene from top to bottom. An outcome of `before` is taken over where the entry and all that it
+/// looks at are what they were then. An entry is left out whose construction does not exist or whose roles
+/// name nothing above it of the right kind: no reader passes such ones. One that looks at something that
+/// another entry does not make in its present case says so (`nothing-to-look-at`).
+[[nodiscard]] Evaluation evaluate(const Scene &scene, const Evaluation &before = {});
+
+/// The marks of all entries.
+[[nodiscard]] Figure figureOf(const Evaluation &evaluation);
+
+/// A line of an entry with the id that it has in the scene's working: `distance.f`.
+[[nodiscard]] WorkingLine lineOf(const EvaluatedEntry &entry, const std::string &id);
+/// The name of the entry that the line of a scene's working belongs to.
+[[nodiscard]] std::string entryOf(const std::string &lineId);
+
+/// All lines of all constructions.
+[[nodiscard]] Working workingOf(const Evaluation &evaluation);
+
+} // namespace halfspace

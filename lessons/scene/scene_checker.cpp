@@ -1,0 +1,113 @@
+#include "lessons/scene/scene_checker.h"
+
+#include "lessons/construction/construction.h"
+#include "lessons/object/coordinate_limits.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+Problem problemWith(std::string field, std::string sentence) {
+  return {std::move(sentence), "", 0, std::move(field)};
+}
+
+bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; }
+
+bool canBeName(const std::string &name) {
+  return !name.empty() && name.size() <= maxNameLength && isLetter(name.front()) &&
+         std::all_of(name.begin(), name.end(), isNameCharacter);
+}
+
+} // namespace
+
+Problem tooManyEntries() {
+  return problemWith("", words("The scene is too large: it may have {limit} entries.",
+                               {{"limit", std::to_string(maxSceneEntries)}}));
+}
+
+std::optional<Problem> SceneChecker::check(const Entry &entry) {
+  if (m_names.size() == maxSceneEntries)
+    return tooManyEntries();
+  if (auto problem = checkName(entry.name))
+    return problem;
+  m_names.insert(entry.name);
+  if (const auto *object = std::get_if<Object>(&entry.content)) {
+    m_kinds.emplace(entry.name, kindOf(*object));
+    if (const auto refused = refusedCoordinateOf(*object))
+      return problemWith(std::string(refused->name), refused->sentence);
+    return {};
+  }
+  const auto &use = std::get<ConstructionUse>(entry.content);
+  if (auto problem = checkUse(use))
+    return problem;
+  for (const ConstructionRole &made : findConstruction(use.id)->makes) {
+    m_kinds.emplace(entry.name + "." + made.name, made.kind);
+    m_makers[made.name].push_back(entry.name);
+  }
+  return {};
+}
+
+std::string SceneChecker::idOf(const std::string &name) const {
+  const auto makers = m_makers.find(name);
+  const bool isMadeByOne = !m_names.contains(name) && makers != m_makers.end() && makers->second.size() == 1;
+  return isMadeByOne ? makers->second.front() + "." + name : name;
+}
+
+std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
+  if (!canBeName(name))
+    return problemWith(
+        "name",
+        words("“{name}” cannot be a name: names are at most {limit} letters A–Z, digits, - and _, and begin "
+              "with a letter.",
+              {{"name", shortened(name)}, {"limit", std::to_string(maxNameLength)}}));
+  if (m_names.contains(name))
+    return problemWith(
+        "name",
+        words("The name “{name}” is taken by an entry above. Every name may stand once.", {{"name", name}}));
+  return {};
+}
+
+std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const {
+  const Construction *construction = findConstruction(use.id);
+  if (!construction)
+    return problemWith(
+        "construction",
+        words("There is no construction “{id}”. Mend the name, or use a newer version of Halfspace.",
+              {{"id", shortened(use.id)}}));
+  for (const ConstructionRole &role : construction->roles) {
+    const std::string field = "of." + role.name;
+    const auto bound = use.roles.find(role.name);
+    if (bound == use.roles.end())
+      return problemWith(field, words("This construction looks at a {kind} {role}: name one.",
+                                      {{"kind", std::string(role.kind)}, {"role", role.name}}));
+    const auto kind = m_kinds.find(bound->second);
+    if (kind == m_kinds.end())
+      return problemWith(field, words("Above this entry there is no object “{name}”.",
+                                      {{"name", shortened(bound->second)}}));
+    if (kind->second != role.kind)
+      return problemWith(field, words("Here a {kind} is expected, but “{name}” is a {other}.",
+                                      {{"kind", std::string(role.kind)},
+                                       {"name", bound->second},
+                                       {"other", std::string(kind->second)}}));
+  }
+  for (const auto &[role, name] : use.roles)
+    if (std::none_of(construction->roles.begin(), construction->roles.end(),
+                     [&role = role](const ConstructionRole &known) { return known.name == role; }))
+      return problemWith(
+          "of." + shortened(role),
+          words("This construction looks at nothing by the name “{role}”.", {{"role", shortened(role)}}));
+  return {};
+}
+
+std::optional<Problem> checkScene(const Scene &scene) {
+  SceneChecker checker;
+  for (const Entry &entry : scene.entries)
+    if (auto problem = checker.check(entry))
+      return problem;
+  return {};
+}
+
+} // namespace halfspace

@@ -1,0 +1,42 @@
+// Whether a scene can be evaluated.
+#pragma once
+
+#include "lessons/reading/problem.h"
+#include "lessons/scene/scene.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace halfspace {
+
+/// The longest name of an entry.
+inline constexpr std::size_t maxNameLength = 32;
+inline constexpr std::size_t maxSceneEntries = 1000;
+
+/// The problem of a scene with more entries.
+[[nodiscard]] Problem tooManyEntries();
+
+/// Takes the entries of a scene from top to bottom and says what is wrong with one: its name, a coordinate
+/// beyond the limits, a construction that does not exist or looks at what is not above it or of another kind.
+class SceneChecker {
+public:
+  /// What is wrong with the next entry; the problem's field is counted from the entry.
+  [[nodiscard]] std::optional<Problem> check(const Entry &entry);
+
+  /// The id of an object above that goes by a name: `distance.F` for F where one entry alone makes an F and
+  /// none is called so. A name of none stays what it is.
+  [[nodiscard]] std::string idOf(const std::string &name) const;
+
+private:
+  [[nodiscard]] std::optional<Problem> checkName(const std::string &name) const;
+  [[nodiscard]] std::optional<Problem> checkUse(const ConstructionUse &use) const;
+
+  std::unordered_map<std::string, std::string_view> m_kinds;          ///< of what can be looked at, by id
+  std::unordered_map<std::string, std::vector<std::string>> m_makers; ///< of what is made, by its own name
+  std::unordered_set<std::string> m_names;                            ///< of the entries
+};
+
+/// What is wrong with the first entry that something is wrong with.
+[[nodiscard]] std::optional<Problem> checkScene(const Scene &scene);
+
+} // namespace halfspace

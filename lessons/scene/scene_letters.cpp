@@ -1,0 +1,73 @@
+#include "lessons/scene/scene_letters.h"
+
+#include "lessons/construction/construction.h"
+
+namespace halfspace {
+
+SceneLetters::SceneLetters(const Scene &scene) {
+  for (const Entry &entry : scene.entries) {
+    if (const auto *object = std::get_if<Object>(&entry.content)) {
+      count(entry.name);
+      countCoordinates(*object);
+    } else if (const Construction *construction =
+                   findConstruction(std::get<ConstructionUse>(entry.content).id)) {
+      for (const ConstructionRole &made : construction->makes) {
+        count(made.name);
+        countCoordinates(*makeObject(made.kind));
+      }
+    }
+  }
+}
+
+void SceneLetters::countCoordinates(const Object &object) {
+  for (const CoordinateSpec &spec : coordinatesOf(object))
+    if (!spec.name.empty())
+      count(spec.name);
+}
+
+bool SceneLetters::isShared(std::string_view name) const {
+  const auto found = m_count.find(std::string(name));
+  return found != m_count.end() && found->second > 1;
+}
+
+Symbol SceneLetters::symbolOfMade(const std::string &entry, const std::string &name) const {
+  Symbol symbol = symbolOf(name);
+  if (isShared(name))
+    symbol.owner = entry;
+  return symbol;
+}
+
+std::vector<Symbol> SceneLetters::lettersOf(const Object &object, const Symbol &symbol,
+                                            const std::string &owner) const {
+  std::vector<Symbol> letters;
+  for (const CoordinateSpec &spec : coordinatesOf(object)) {
+    Symbol letter = spec.name.empty() ? symbol : symbolOf(spec.name);
+    letter.isVector = spec.role == CoordinateRole::Direction;
+    if (!spec.name.empty() && isShared(spec.name))
+      letter.owner = owner;
+    letters.push_back(std::move(letter));
+  }
+  return letters;
+}
+
+Given<Object> SceneLetters::given(const std::string &entry, Object object) const {
+  Symbol symbol = symbolOf(entry);
+  std::vector<Symbol> letters = lettersOf(object, symbol, entry);
+  return {entry, std::move(symbol), std::move(letters), std::move(object)};
+}
+
+Given<Object> SceneLetters::made(const std::string &entry, const std::string &name, Object object) const {
+  Symbol symbol = symbolOfMade(entry, name);
+  std::vector<Symbol> letters = lettersOf(object, symbol, isShared(name) ? entry : name);
+  return {entry + "." + name, std::move(symbol), std::move(letters), std::move(object)};
+}
+
+Naming SceneLetters::namingOf(const Entry &entry) const {
+  Naming naming{entry.name};
+  if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
+    for (const ConstructionRole &made : construction->makes)
+      naming.made.emplace(made.name, symbolOfMade(entry.name, made.name));
+  return naming;
+}
+
+} // namespace halfspace

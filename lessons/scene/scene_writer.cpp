@@ -1,0 +1,47 @@
+#include "lessons/scene/scene_writer.h"
+
+#include <nlohmann/json.hpp>
+
+namespace halfspace {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const ExactVec3 &vector) {
+  return Json::array({toText(vector.x), toText(vector.y), toText(vector.z)});
+}
+
+Json coordinatesJson(const Object &object) {
+  const auto &specs = coordinatesOf(object);
+  if (specs.front().name.empty())
+    return jsonOf(coordinate(object, 0));
+  Json json;
+  for (std::size_t index = 0; index < specs.size(); ++index)
+    json[std::string(specs[index].name)] = jsonOf(coordinate(object, index));
+  return json;
+}
+
+Json jsonOf(const Entry &entry) {
+  Json json{{"name", entry.name}};
+  if (const auto *object = std::get_if<Object>(&entry.content)) {
+    json.update(halfspace::jsonOf(*object));
+    return json;
+  }
+  const auto &use = std::get<ConstructionUse>(entry.content);
+  json["construction"] = use.id;
+  json["of"] = use.roles;
+  return json;
+}
+
+} // namespace
+
+Json jsonOf(const Object &object) { return {{std::string(kindOf(object)), coordinatesJson(object)}}; }
+
+Json jsonOf(const Scene &scene) {
+  Json json = Json::array();
+  for (const Entry &entry : scene.entries)
+    json.push_back(jsonOf(entry));
+  return json;
+}
+
+} // namespace halfspace

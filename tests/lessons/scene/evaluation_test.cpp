@@ -1,0 +1,198 @@
+#include "lessons/scene/evaluation.h"
+
+#include "lessons/lesson/condition.h"
+#include "lessons/term/plain_text.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+/// A second plane and the distance of the first one's foot from it.
+Scene chainedScene() {
+  Scene scene = distanceScene();
+  scene.entries.push_back({"G", PlaneObject{{0, 0, 0}, {0, 0, 1}}});
+  scene.entries.push_back({"beyond", ConstructionUse{"signed-distance", {{"E", "G"}, {"Q", "distance.F"}}}});
+  return scene;
+}
+
+/// The foot exists only where the ray crosses the plane.
+Scene hitScene() {
+  return {{planeE(),
+           rayL(),
+           {"meeting", ConstructionUse{"ray-plane-dot", {{"E", "E"}, {"L", "L"}}}},
+           {"G", PlaneObject{{0, 0, 0}, {0, 0, 1}}},
+           {"height", ConstructionUse{"signed-distance", {{"E", "G"}, {"Q", "meeting.H"}}}}}};
+}
+
+Object changed(const Scene &scene, const std::string &name, std::size_t index, const ExactVec3 &value) {
+  Object object = *findObject(scene, name);
+  coordinate(object, index) = value;
+  return object;
+}
+
+std::string textOf(const Working &working, const std::string &id) {
+  const WorkingLine *line = findLine(working, id);
+  return line ? plainText(*line) : "";
+}
+
+TEST(Evaluate, TheStartOfTheDistanceLesson_IsTenAwayOnThePositiveSide) {
+  const Evaluation evaluation = evaluate(distanceScene());
+  const Outcome &outcome = lastOutcome(evaluation);
+  EXPECT_EQ(outcome.told->name, "positive");
+  ASSERT_FALSE(outcome.values->empty());
+  EXPECT_EQ(std::get<Surd>(outcome.values->at(0).value), Surd(30));
+  EXPECT_EQ(std::get<Surd>(outcome.values->at(1).value), Surd(10));
+  EXPECT_EQ(outcome.explanation->ids().size(), 6U);
+}
+
+TEST(Evaluate, APlanesLabel_HasItsEquationAsOneGroup) {
+  const Scene scene = edited(distanceScene(), {ChangeObject{"E", PlaneObject{{5, 4, 7}, {-6, 6, 2}}}});
+  const Figure figure = figureOf(evaluate(scene));
+  const Mark *plane = findMark(figure, "E");
+  ASSERT_NE(plane, nullptr);
+  const std::string label = baseOf(*plane).label + baseOf(*plane).numbers;
+  EXPECT_TRUE(label.starts_with("E\\colon\\ {-6x") && label.ends_with("}")) << label; // a sign, no difference
+}
+
+TEST(Evaluate, AnObjectThatNoConstructionLooksAt_IsDrawnAllTheSame) {
+  Scene scene = distanceScene();
+  scene.entries.push_back({"F", PointObject{{1, 2, 3}}});
+  scene.entries.push_back(triangleT());
+  const Figure figure = figureOf(evaluate(scene));
+  const Mark *point = findMark(figure, "F");
+  ASSERT_NE(point, nullptr);
+  EXPECT_EQ(std::get<PointMark>(*point).at, Place(1, 2, 3));
+  EXPECT_NE(findMark(figure, "T"), nullptr);
+  EXPECT_NE(findMark(figure, "T.P2"), nullptr);
+}
+
+TEST(Evaluate, DegenerateObjects_AreDrawnWithoutWhatTheyLack) {
+  const Scene scene{{{"E", PlaneObject{{1, 1, 1}, {0, 0, 0}}}, {"L", RayObject{}}, {"T", TriangleObject{}}}};
+  const Figure figure = figureOf(evaluate(scene));
+  EXPECT_NE(findMark(figure, "E.P0"), nullptr);
+  EXPECT_NE(findMark(figure, "T.P0"), nullptr);
+  for (const char *lacking : {"E", "E.n", "L", "L.r", "T"})
+    EXPECT_EQ(findMark(figure, lacking), nullptr) << lacking;
+}
+
+TEST(Evaluate, TwoConstructions_HaveAnOutcomeEachAndEveryMarkOnce) {
+  Scene scene = distanceScene();
+  scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
+  scene.entries.push_back({"second", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "S"}}}});
+  const Evaluation evaluation = evaluate(scene);
+  EXPECT_EQ(evaluation.find("distance")->outcome->told->name, "positive");
+  EXPECT_EQ(evaluation.find("second")->outcome->told->name, "negative");
+  EXPECT_EQ(evaluation.lastConstruction()->name, "second");
+  std::set<std::string> ids;
+  for (const Mark &mark : figureOf(evaluation).marks)
+    EXPECT_TRUE(ids.insert(baseOf(mark).id).second) << baseOf(mark).id << " stands twice";
+  for (const char *id : {"E.n", "Q", "S", "distance.F", "second.F"})
+    EXPECT_TRUE(ids.contains(id)) << id;
+}
+
+TEST(Evaluate, APatch_ReachesTheFeetOfAllConstructions) {
+  Scene scene = distanceScene();
+  scene.entries.push_back({"S", PointObject{{30, 15, 8}}});
+  scene.entries.push_back({"second", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "S"}}}});
+  const Figure figure = figureOf(evaluate(scene));
+  const auto &patch = std::get<PlanePatchMark>(*findMark(figure, "E"));
+  const auto &foot = std::get<PointMark>(*findMark(figure, "second.F"));
+  EXPECT_EQ(patch.covers.size(), 2U);
+  EXPECT_EQ(patch.covers.back(), foot.at);
+}
+
+TEST(Evaluate, AResult_FeedsALaterConstruction) {
+  const Evaluation evaluation = evaluate(chainedScene());
+  // The foot is (23/3, 25/3, 4/3): its distance from z = 0 is its height.
+  EXPECT_EQ(std::get<Surd>(*findValue(evaluation, "beyond.signed_distance")), Surd(Rational(4, 3)));
+  EXPECT_EQ(findValue(evaluation, "signed_distance"), std::nullopt) << "two have one";
+  EXPECT_EQ(std::get<std::string>(*findValue(evaluation, "distance.case")), "positive");
+}
+
+TEST(Evaluate, WhatTwoEntriesHave_SaysWhoseItIs) {
+  const Working working = workingOf(evaluate(chainedScene()));
+  EXPECT_EQ(textOf(working, "distance.f"), "f(Q) = n_E·(Q − P₀_E) = (1, 2, 2)·(6, 11, 1) = 30");
+  EXPECT_EQ(textOf(working, "beyond.f"), "f(F_distance) = n_G·(F_distance − P₀_G) = "
+                                         "(0, 0, 1)·(23/3, 25/3, 4/3) = 4/3");
+  EXPECT_EQ(findLine(working, "beyond.foot")->sentence,
+            "The foot: from F_distance straight along n_G to the plane, its nearest point.");
+}
+
+TEST(Evaluate, ANameOfTheScene_StandsInsteadOfTheRoles) {
+  Scene scene = edited(distanceScene(), {RenameEntry{"E", "G"}, RenameEntry{"Q", "S2"}});
+  const Evaluation evaluation = evaluate(scene);
+  EXPECT_EQ(textOf(workingOf(evaluation), "distance.f"), "f(S₂) = n·(S₂ − P₀) = (1, 2, 2)·(6, 11, 1) = 30");
+  EXPECT_TRUE(lastOutcome(evaluation).told->description.find("S₂ lies on the side") != std::string::npos);
+  const Figure figure = figureOf(evaluation);
+  EXPECT_EQ(baseOf(*findMark(figure, "G")).label, "G");
+  EXPECT_EQ(baseOf(*findMark(figure, "S2")).label, "S_2");
+}
+
+TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
+  const Scene scene = hitScene();
+  const Evaluation there = evaluate(scene);
+  EXPECT_EQ(there.find("height")->outcome->told->name, "positive");
+  // (2, −1, 0) is perpendicular to n: the ray runs parallel to the plane.
+  const Scene parallel = edited(scene, {ChangeObject{"L", changed(scene, "L", 1, {2, -1, 0})}});
+  const Evaluation gone = evaluate(parallel, there);
+  EXPECT_EQ(gone.find("height")->outcome->told->name, "missing-object");
+  EXPECT_EQ(gone.find("height")->outcome->told->description,
+            "There is no H now, so nothing follows from it.");
+  EXPECT_TRUE(gone.find("height")->outcome->told->degenerate);
+  EXPECT_EQ(evaluate(scene, gone).find("height")->outcome->told->name, "positive");
+}
+
+TEST(Evaluate, AfterAnEdit_KeepsTheOutcomesThatItDoesNotTouch) {
+  const Scene scene = chainedScene();
+  const Evaluation before = evaluate(scene);
+  const Evaluation after =
+      evaluate(edited(scene, {ChangeObject{"G", changed(scene, "G", 0, {0, 0, 1})}}), before);
+  for (const char *same : {"E", "Q", "distance"})
+    EXPECT_EQ(after.find(same)->outcome, before.find(same)->outcome) << same;
+  for (const char *other : {"G", "beyond"})
+    EXPECT_NE(after.find(other)->outcome, before.find(other)->outcome) << other;
+  const Evaluation moved =
+      evaluate(edited(scene, {ChangeObject{"Q", changed(scene, "Q", 0, {0, 0, 1})}}), before);
+  for (const char *dependent : {"distance", "beyond"})
+    EXPECT_NE(moved.find(dependent)->outcome, before.find(dependent)->outcome) << dependent;
+  EXPECT_EQ(moved.find("E")->outcome, before.find("E")->outcome);
+}
+
+TEST(Evaluate, AfterTheLettersChange_WritesThemAnew) {
+  const Evaluation before = evaluate(distanceScene());
+  const Evaluation after = evaluate(chainedScene(), before);
+  EXPECT_NE(textOf(workingOf(after), "distance.f").find("n_E"), std::string::npos);
+}
+
+TEST(Evaluate, Lines_AreMadeWhenLookedAtAndThenKept) {
+  const Evaluation evaluation = evaluate(distanceScene());
+  const Explanation &lines = *lastOutcome(evaluation).explanation;
+  const WorkingLine *line = lines.find("f");
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(lines.find("f"), line);
+  EXPECT_EQ(lines.find("no-such"), nullptr);
+}
+
+TEST(Evaluate, ASceneThatNoReaderWouldPass_IsEvaluatedAsFarAsItGoes) {
+  const Scene scene{{pointQ(),
+                     {"a", ConstructionUse{"no-such", {}}},
+                     {"b", ConstructionUse{"signed-distance", {{"E", "Q"}, {"Q", "Q"}}}},
+                     {"c", ConstructionUse{"signed-distance", {}}}}};
+  EXPECT_EQ(evaluate(scene).entries.size(), 1U);
+  EXPECT_EQ(evaluate(scene).lastConstruction(), nullptr);
+}
+
+TEST(FindConstruction, OfAnUnknownId_FindsNone) {
+  EXPECT_EQ(findConstruction("no-such"), nullptr);
+  ASSERT_NE(findConstruction("ray-plane-dot"), nullptr);
+  EXPECT_EQ(findConstruction("ray-plane-dot")->id, "ray-plane-dot");
+}
+
+} // namespace
+} // namespace halfspace
