@@ -126,7 +126,7 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
-  m_downRay->setEnabled(firstRay(m_model.session().scene) != nullptr);
+  m_downRay->setEnabled(firstRay(m_model.session().scene).has_value());
   showStepWords();
   showCase();
 }

@@ -34,8 +34,11 @@ Naming withLetters(Naming naming, const std::vector<ConstructionRole> &roles, Gi
       letters.emplace_back(roles[i].name + "." + own, text);
     }
   }
-  for (const auto &[name, symbol] : naming.made)
-    letters.emplace_back(name, plainText(symbol));
+  for (const auto &[name, made] : naming.made) {
+    letters.emplace_back(name, plainText(made.symbol));
+    for (const auto &[coordinate, letter] : made.coordinates)
+      letters.emplace_back(name + "." + coordinate, plainText(letter));
+  }
   return naming;
 }
 

@@ -57,7 +57,7 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
                  std::vector<ConstructionRole> makes, ConstructionFunctions<In, Out> functions) {
   Construction construction{id, {}, std::move(makes), {}};
   std::size_t next = 0;
-  (construction.roles.push_back({roles.at(next++), kindOf(Kinds{})}), ...);
+  (construction.roles.push_back({roles.at(next++), Kinds::kind}), ...);
   construction.evaluate = [=, roles = construction.roles](Naming naming, GivenObjects objects) {
     struct Computed {
       In in;

@@ -9,11 +9,17 @@
 
 namespace halfspace {
 
+/// How an object that a construction makes is written.
+struct MadeLetters {
+  Symbol symbol;
+  std::map<std::string, Symbol> coordinates{}; ///< by their names
+  bool operator==(const MadeLetters &) const = default;
+};
+
 /// The names of one use of a construction.
 struct Naming {
-  std::string entry; ///< its own in the scene
-  /// The letters of the objects that it makes, by their names in the construction.
-  std::map<std::string, Symbol> made{};
+  std::string entry;                         ///< its own in the scene
+  std::map<std::string, MadeLetters> made{}; ///< by the objects' names in the construction
   /// For sentences, the letters of what it looks at and makes: {E}, {Q}, {F}, {n}, and {E.n} where two roles
   /// have a coordinate n.
   WordValues letters{};
@@ -24,7 +30,10 @@ struct Naming {
   bool operator==(const Naming &) const = default;
 };
 
-/// The name of an object that the construction makes, and the mark that it is.
+/// The name of a point that the construction makes, and the mark that it is; and that of a coordinate of
+/// another object.
 [[nodiscard]] Term madeName(const Naming &naming, const std::string &made, std::optional<TermValue> value);
+[[nodiscard]] Term madeName(const Naming &naming, const std::string &made, const std::string &coordinate,
+                            std::optional<TermValue> value);
 
 } // namespace halfspace

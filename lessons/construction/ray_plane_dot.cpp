@@ -5,6 +5,9 @@
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 

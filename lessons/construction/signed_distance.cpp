@@ -4,6 +4,8 @@
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"

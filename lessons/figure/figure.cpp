@@ -21,6 +21,8 @@ struct Extent {
 
 void draw(PlanePatchMark &patch, const Place &upTo) { patch.covers.push_back(upTo); }
 
+void draw(LineMark &line, const Place &upTo) { line.covers.push_back(upTo); }
+
 void draw(RayMark &ray, const Place &upTo) {
   if (!ray.meets || glm::distance(ray.origin, upTo) > glm::distance(ray.origin, *ray.meets))
     ray.meets = upTo;
@@ -35,7 +37,8 @@ Figure reaching(Figure figure) {
   for (const Reach &reach : figure.reaches)
     if (const auto found = byId.find(reach.mark); found != byId.end())
       std::visit(Overloaded{[&](PlanePatchMark &patch) { draw(patch, reach.at); },
-                            [&](RayMark &ray) { draw(ray, reach.at); }, [](auto &) {}},
+                            [&](RayMark &ray) { draw(ray, reach.at); },
+                            [&](LineMark &line) { draw(line, reach.at); }, [](auto &) {}},
                  *found->second);
   figure.reaches.clear();
   return figure;
@@ -50,6 +53,18 @@ Figure withoutNumbers(Figure figure) {
 Place endOf(const RayMark &ray) {
   const double length = ray.meets ? glm::distance(ray.origin, *ray.meets) + beyondHit : openRayLength;
   return ray.origin + glm::normalize(ray.direction) * length;
+}
+
+std::pair<Place, Place> endsOf(const LineMark &line) {
+  const Place along = glm::normalize(line.direction);
+  double low = -lineReach;
+  double high = lineReach;
+  for (const Place &covered : line.covers) {
+    const double at = glm::dot(covered - line.through, along);
+    low = std::min(low, at - beyondHit);
+    high = std::max(high, at + beyondHit);
+  }
+  return {line.through + along * low, line.through + along * high};
 }
 
 Place shownVector(const ArrowMark &arrow) {

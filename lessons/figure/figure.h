@@ -57,6 +57,17 @@ struct RayMark : MarkBase {
   bool operator==(const RayMark &) const = default;
 };
 
+/// The thin line that goes on in both directions; it is not zero.
+struct LineMark : MarkBase {
+  Place through{};
+  Place direction{};
+  std::vector<Place> covers{}; ///< places of the line that it is to be drawn up to
+  /// The same line, however far it must reach.
+  bool operator==(const LineMark &other) const {
+    return MarkBase::operator==(other) && through == other.through && direction == other.direction;
+  }
+};
+
 struct ArrowMark : MarkBase {
   Place from{};
   Place vector{};
@@ -99,8 +110,8 @@ struct RightAngleMark : MarkBase {
   bool operator==(const RightAngleMark &) const = default;
 };
 
-using Mark = std::variant<PointMark, SegmentMark, RayMark, ArrowMark, PlanePatchMark, PolygonMark, ArcMark,
-                          RightAngleMark>;
+using Mark = std::variant<PointMark, SegmentMark, RayMark, LineMark, ArrowMark, PlanePatchMark, PolygonMark,
+                          ArcMark, RightAngleMark>;
 
 /// A place that the mark with this id is to be drawn up to: that a patch covers, that a ray meets.
 struct Reach {
@@ -158,6 +169,11 @@ inline constexpr double openRayLength = 16;
 
 /// Where the drawn line of a ray ends.
 [[nodiscard]] Place endOf(const RayMark &ray);
+
+/// A line is drawn so far both ways, in units of the picture, and so far behind what it covers.
+inline constexpr double lineReach = 12;
+/// The two ends of what is drawn of a line.
+[[nodiscard]] std::pair<Place, Place> endsOf(const LineMark &line);
 
 /// From the start of an arrow to the tip that is drawn.
 [[nodiscard]] Place shownVector(const ArrowMark &arrow);

@@ -32,7 +32,7 @@ std::optional<std::string> refuseCoordinate(const Rational &value) {
 std::optional<RefusedCoordinate> refusedCoordinateOf(const Object &object) {
   const auto &specs = coordinatesOf(object);
   for (std::size_t index = 0; index < specs.size(); ++index)
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < numbersIn(specs[index].role); ++axis)
       if (auto sentence = refuseCoordinate(coordinate(object, index)[axis]))
         return RefusedCoordinate{specs[index].name, std::move(*sentence)};
   return {};

@@ -22,7 +22,7 @@ template <class Kind> struct Given {
 
 /// The same object, which is of this kind, by its kind.
 template <class Kind> [[nodiscard]] Given<Kind> as(const Given<Object> &given) {
-  return {given.id, given.symbol, given.letters, std::get<Kind>(given.object)};
+  return {given.id, given.symbol, given.letters, objectAs<Kind>(given.object).value()};
 }
 
 } // namespace halfspace

@@ -4,39 +4,17 @@
 #include "lessons/term/rewrite.h"
 
 namespace halfspace {
-namespace {
 
-/// Of a free object it knows the coordinate that it is; what a construction made is told by that one's lines.
-template <class Kind> Term coordinateTerm(const Given<Kind> &of, std::size_t index) {
-  const Object object = of.object;
-  const ExactVec3 &value = coordinate(object, index);
-  const bool isFree = of.id.find('.') == std::string::npos;
-  const Term term =
-      isFree ? given(of.letters.at(index), value, of.id, index) : name(of.letters.at(index), value);
-  return term.marked(coordinateId(of.id, coordinatesOf(object)[index]));
+Term detail::coordinateTerm(const std::string &id, const Symbol &letter, const Object &object,
+                            std::size_t index) {
+  const bool isFree = id.find('.') == std::string::npos;
+  const Term term = isFree ? given(letter, object[index], id, index) : name(letter, object[index]);
+  return term.marked(coordinateId(id, coordinatesOf(object)[index]));
 }
-
-} // namespace
-
-PlaneTerms termsOf(const Given<PlaneObject> &plane) {
-  return {coordinateTerm(plane, 0), coordinateTerm(plane, 1)};
-}
-
-RayTerms termsOf(const Given<RayObject> &ray) { return {coordinateTerm(ray, 0), coordinateTerm(ray, 1)}; }
-
-TriangleTerms termsOf(const Given<TriangleObject> &triangle) {
-  return {coordinateTerm(triangle, 0), coordinateTerm(triangle, 1), coordinateTerm(triangle, 2)};
-}
-
-Term termOf(const Given<PointObject> &point) { return coordinateTerm(point, 0); }
 
 Term anyPoint() {
   return name(letter("P"), TermValue::list({Polynomial::unknown("x"), Polynomial::unknown("y"),
                                             Polynomial::unknown("z")}));
-}
-
-Chain equationOf(const PlaneTerms &plane) {
-  return condition(calculated(dot(plane.n, anyPoint() - plane.P0)) == 0);
 }
 
 ExactVec3 vectorOf(const Term &term) {

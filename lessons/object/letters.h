@@ -1,4 +1,4 @@
-// The letters of the objects of a scene, as terms that know the coordinates they are.
+// Letters as terms that know the coordinates they are.
 #pragma once
 
 #include "lessons/object/given.h"
@@ -8,33 +8,19 @@
 
 namespace halfspace {
 
-struct PlaneTerms {
-  Term P0;
-  Term n;
-};
+namespace detail {
+[[nodiscard]] Term coordinateTerm(const std::string &id, const Symbol &letter, const Object &object,
+                                  std::size_t index);
+} // namespace detail
 
-struct RayTerms {
-  Term Q;
-  Term r;
-};
-
-struct TriangleTerms {
-  Term P0;
-  Term P1;
-  Term P2;
-};
-
-[[nodiscard]] PlaneTerms termsOf(const Given<PlaneObject> &plane);
-[[nodiscard]] RayTerms termsOf(const Given<RayObject> &ray);
-[[nodiscard]] TriangleTerms termsOf(const Given<TriangleObject> &triangle);
-/// A point goes by its own name.
-[[nodiscard]] Term termOf(const Given<PointObject> &point);
+/// The letter of an object's coordinate. Of a free object it knows the coordinate that it is; what a
+/// construction made is told by that one's lines.
+template <class Kind> [[nodiscard]] Term coordinateTerm(const Given<Kind> &given, std::size_t index) {
+  return detail::coordinateTerm(given.id, given.letters.at(index), given.object, index);
+}
 
 /// P = (x, y, z): any point of space.
 [[nodiscard]] Term anyPoint();
-
-/// ax + by + cz + d = 0, for the points of the plane.
-[[nodiscard]] Chain equationOf(const PlaneTerms &plane);
 
 /// The point or vector that a term comes to whose coordinates are fractions.
 [[nodiscard]] ExactVec3 vectorOf(const Term &term);

@@ -1,87 +1,59 @@
 #include "lessons/object/object.h"
 
-#include <array>
+#include "lessons/object/kind.h"
+
+#include <cassert>
+#include <stdexcept>
 
 namespace halfspace {
-namespace {
 
-/// One kind's description: its word, its coordinates and where they are kept.
-template <class Kind> struct Description;
+Object::Object() : Object(detail::kindNamed("point")) {}
 
-template <> struct Description<PointObject> {
-  static constexpr std::string_view kind = "point";
-  static inline const std::vector<CoordinateSpec> specs{{"", CoordinateRole::Position}};
-  static constexpr std::array members{&PointObject::at};
-};
+Object::Object(const Kind &kind) : m_kind(&kind), m_coordinates(kind.fewestCoordinates(), ExactVec3(0)) {}
 
-template <> struct Description<PlaneObject> {
-  static constexpr std::string_view kind = "plane";
-  static inline const std::vector<CoordinateSpec> specs{{"P0", CoordinateRole::Position},
-                                                        {"n", CoordinateRole::Direction}};
-  static constexpr std::array members{&PlaneObject::point, &PlaneObject::normal};
-};
-
-template <> struct Description<RayObject> {
-  static constexpr std::string_view kind = "ray";
-  static inline const std::vector<CoordinateSpec> specs{{"Q", CoordinateRole::Position},
-                                                        {"r", CoordinateRole::Direction}};
-  static constexpr std::array members{&RayObject::origin, &RayObject::direction};
-};
-
-template <> struct Description<TriangleObject> {
-  static constexpr std::string_view kind = "triangle";
-  static inline const std::vector<CoordinateSpec> specs{
-      {"P0", CoordinateRole::Position}, {"P1", CoordinateRole::Position}, {"P2", CoordinateRole::Position}};
-  static constexpr std::array members{&TriangleObject::p0, &TriangleObject::p1, &TriangleObject::p2};
-};
-
-template <class Visitor> void forEachKind(Visitor visit) {
-  [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-    (visit(std::type_identity<Kinds>{}), ...);
-  }(std::type_identity<Object>{});
+void Object::insertVertex(std::size_t index, const ExactVec3 &at) {
+  assert(size() < m_kind->coordinates.size());
+  m_coordinates.insert(m_coordinates.begin() + static_cast<std::ptrdiff_t>(index), at);
 }
 
-} // namespace
-
-std::string_view kindOf(const Object &object) {
-  return std::visit([]<class Kind>(const Kind &) { return Description<Kind>::kind; }, object);
+void Object::removeVertex(std::size_t index) {
+  assert(size() > m_kind->fewestCoordinates());
+  m_coordinates.erase(m_coordinates.begin() + static_cast<std::ptrdiff_t>(index));
 }
+
+std::string_view kindOf(const Object &object) { return object.kind().word; }
 
 const std::vector<std::string_view> &objectKinds() {
-  static const std::vector<std::string_view> kinds = [] {
-    std::vector<std::string_view> words;
-    forEachKind([&]<class Kind>(std::type_identity<Kind>) { words.push_back(Description<Kind>::kind); });
-    return words;
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> all;
+    for (const Kind &kind : kinds())
+      all.push_back(kind.word);
+    return all;
   }();
-  return kinds;
+  return words;
 }
 
-std::optional<Object> makeObject(std::string_view kind) {
-  std::optional<Object> made;
-  forEachKind([&]<class Kind>(std::type_identity<Kind>) {
-    if (Description<Kind>::kind == kind)
-      made = Kind{};
-  });
-  return made;
+std::optional<Object> makeObject(std::string_view word) {
+  const Kind *kind = findKind(word);
+  return kind ? std::optional(Object(*kind)) : std::nullopt;
 }
 
-const std::vector<CoordinateSpec> &coordinatesOf(const Object &object) {
-  return std::visit(
-      []<class Kind>(const Kind &) -> const auto & { return Description<Kind>::specs; }, object);
+std::span<const CoordinateSpec> coordinatesOf(const Object &object) {
+  return std::span(object.kind().coordinates).first(object.size());
 }
 
-const ExactVec3 &coordinate(const Object &object, std::size_t index) {
-  return std::visit(
-      [index]<class Kind>(const Kind &kind) -> const auto & {
-        return kind.*Description<Kind>::members.at(index);
-      },
-      object);
+const Kind *findKind(std::string_view word) {
+  for (const Kind &kind : kinds())
+    if (kind.word == word)
+      return &kind;
+  return nullptr;
 }
 
-ExactVec3 &coordinate(Object &object, std::size_t index) {
-  return std::visit(
-      [index]<class Kind>(Kind & kind) -> auto & { return kind.*Description<Kind>::members.at(index); },
-      object);
+const Kind &detail::kindNamed(std::string_view word) {
+  const Kind *kind = findKind(word);
+  if (!kind)
+    throw std::logic_error("a struct of a kind that is not in the list");
+  return *kind;
 }
 
 } // namespace halfspace

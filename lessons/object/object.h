@@ -3,53 +3,33 @@
 
 #include "geometry/vector.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace halfspace {
 
 using ExactVec3 = Vec3<Rational>;
 
-/// A free point.
-struct PointObject {
-  ExactVec3 at{};
-  bool operator==(const PointObject &) const = default;
+struct Kind;
+
+/// What a coordinate is.
+enum class CoordinateRole : std::uint8_t {
+  Position,  ///< a place in space: three numbers
+  Direction, ///< an arrow drawn from the object's first position: three numbers
+  Length,    ///< one number, in units of space
+  Number,    ///< one number without a unit
 };
 
-/// A plane by a point of it and its normal.
-struct PlaneObject {
-  ExactVec3 point{};
-  ExactVec3 normal{};
-  bool operator==(const PlaneObject &) const = default;
-};
-
-/// A ray by its start and its direction, which keeps its length.
-struct RayObject {
-  ExactVec3 origin{};
-  ExactVec3 direction{};
-  bool operator==(const RayObject &) const = default;
-};
-
-/// A triangle by its corners.
-struct TriangleObject {
-  ExactVec3 p0{};
-  ExactVec3 p1{};
-  ExactVec3 p2{};
-  bool operator==(const TriangleObject &) const = default;
-};
-
-/// The closed set of objects. A new kind needs its word and its coordinates below, from which the file
-/// format, inspector rows, the names for --set and the handles of its coordinates follow; and it is named
-/// where kinds differ: how it is drawn (object_marks.cpp), handles of its own (scene/handles.cpp), what
-/// others snap to on it (scene/snap_targets.cpp), which numbers are short for it (scene/short_numbers.cpp).
-using Object = std::variant<PointObject, PlaneObject, RayObject, TriangleObject>;
-
-/// How a coordinate moves: a position is a place in space, a direction an arrow drawn from the object's
-/// position.
-enum class CoordinateRole { Position, Direction };
+/// How many numbers a coordinate of this role has.
+[[nodiscard]] constexpr int numbersIn(CoordinateRole role) {
+  return role == CoordinateRole::Position || role == CoordinateRole::Direction ? 3 : 1;
+}
 
 /// One of an object's coordinates, by the name that the notes give it. A point's only coordinate has no name
 /// of its own: it goes by the point's.
@@ -58,20 +38,94 @@ struct CoordinateSpec {
   CoordinateRole role;
 };
 
-/// The word for the object's kind in files: point, plane, ray, triangle.
+/// A kind's coordinates as a struct, for code that is about this kind: it has the kind's word, and
+/// `coordinatesOf` gives references to them in the kind's order, std::tie(self.point, self.normal).
+template <class T>
+concept TypedObject = requires(T typed) {
+  { T::kind } -> std::convertible_to<std::string_view>;
+  T::coordinatesOf(typed);
+};
+
+/// An object: its kind, and as many coordinates as that says.
+class Object {
+public:
+  /// A point at the origin.
+  Object();
+  /// All coordinates zero, with as few vertices as the kind has at least.
+  explicit Object(const Kind &kind);
+  template <TypedObject T>
+  Object(const T &typed); // NOLINT(google-explicit-constructor): a typed object is one
+
+  [[nodiscard]] const Kind &kind() const { return *m_kind; }
+  [[nodiscard]] std::size_t size() const { return m_coordinates.size(); }
+  /// A coordinate at an index below `size`; a single number is its x.
+  [[nodiscard]] const ExactVec3 &operator[](std::size_t index) const { return m_coordinates.at(index); }
+  [[nodiscard]] ExactVec3 &operator[](std::size_t index) { return m_coordinates.at(index); }
+
+  /// Puts a vertex before the one at an index of the coordinates, or takes it away. Requires a kind whose
+  /// number of vertices allows it.
+  void insertVertex(std::size_t index, const ExactVec3 &at);
+  void removeVertex(std::size_t index);
+
+  bool operator==(const Object &) const = default;
+
+private:
+  const Kind *m_kind;
+  std::vector<ExactVec3> m_coordinates;
+};
+
+/// The word for the object's kind in files: point, plane, ray …
 [[nodiscard]] std::string_view kindOf(const Object &object);
 
-/// The kinds' words, in the order of `Object`.
+/// The kinds' words, in the order of the list in lessons/CMakeLists.txt.
 [[nodiscard]] const std::vector<std::string_view> &objectKinds();
 
 /// An object of this kind with all coordinates zero, or nothing for an unknown word.
 [[nodiscard]] std::optional<Object> makeObject(std::string_view kind);
 
-/// Names and roles of the object's coordinates. The first is always the position that the others start from.
-[[nodiscard]] const std::vector<CoordinateSpec> &coordinatesOf(const Object &object);
+/// Names and roles of the object's coordinates, as many as it has.
+[[nodiscard]] std::span<const CoordinateSpec> coordinatesOf(const Object &object);
 
-/// The coordinate at an index of `coordinatesOf`.
-[[nodiscard]] const ExactVec3 &coordinate(const Object &object, std::size_t index);
-[[nodiscard]] ExactVec3 &coordinate(Object &object, std::size_t index);
+/// The coordinate at an index of `coordinatesOf`; a single number is its x.
+[[nodiscard]] inline const ExactVec3 &coordinate(const Object &object, std::size_t index) {
+  return object[index];
+}
+[[nodiscard]] inline ExactVec3 &coordinate(Object &object, std::size_t index) { return object[index]; }
+
+/// The same object by the struct of its kind; nothing where it is of another.
+template <TypedObject T> [[nodiscard]] std::optional<T> objectAs(const Object &object);
+
+// --- how typed objects are read and written
+// ------------------------------------------------------------------
+
+namespace detail {
+inline void write(const ExactVec3 &from, ExactVec3 &to) { to = from; }
+inline void write(const Rational &from, ExactVec3 &to) { to = {from, 0, 0}; }
+inline void read(const ExactVec3 &from, ExactVec3 &to) { to = from; }
+inline void read(const ExactVec3 &from, Rational &to) { to = from.x; }
+[[nodiscard]] const Kind &kindNamed(std::string_view word);
+} // namespace detail
+
+template <TypedObject T> Object::Object(const T &typed) : Object(detail::kindNamed(T::kind)) {
+  std::apply(
+      [this](const auto &...values) {
+        std::size_t index = 0;
+        (detail::write(values, m_coordinates.at(index++)), ...);
+      },
+      T::coordinatesOf(typed));
+}
+
+template <TypedObject T> std::optional<T> objectAs(const Object &object) {
+  if (kindOf(object) != T::kind)
+    return {};
+  T typed;
+  std::apply(
+      [&](auto &...values) {
+        std::size_t index = 0;
+        (detail::read(object[index++], values), ...);
+      },
+      T::coordinatesOf(typed));
+  return typed;
+}
 
 } // namespace halfspace

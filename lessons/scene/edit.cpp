@@ -1,6 +1,7 @@
 #include "lessons/scene/edit.h"
 
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/kind.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -45,6 +46,7 @@ struct Applier {
     if (const auto coordinate = refusedCoordinateOf(edit.value))
       return refused(coordinate->sentence);
     *object = edit.value;
+    object->kind().settle(*object);
     return std::move(scene);
   }
 

@@ -1,6 +1,6 @@
 #include "lessons/scene/evaluation.h"
 
-#include "lessons/object/object_marks.h"
+#include "lessons/object/kind.h"
 #include "lessons/scene/scene_letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
@@ -24,7 +24,7 @@ std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given) {
               nothing<CaseWords>(),
               nothing<std::vector<NamedValue>>(),
               nothing<Explanation>(),
-              Lazy<Figure>([given = given.get()] { return Figure{marksOf(*given)}; }),
+              Lazy<Figure>([given = given.get()] { return Figure{given->object.kind().draw(*given)}; }),
               given});
 }
 

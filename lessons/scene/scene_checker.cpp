@@ -2,6 +2,7 @@
 
 #include "lessons/construction/construction.h"
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/kind.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -21,6 +22,12 @@ bool canBeName(const std::string &name) {
          std::all_of(name.begin(), name.end(), isNameCharacter);
 }
 
+bool isSettled(const Object &object) {
+  Object settled = object;
+  object.kind().settle(settled);
+  return settled == object;
+}
+
 } // namespace
 
 Problem tooManyEntries() {
@@ -38,6 +45,11 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
     m_kinds.emplace(entry.name, kindOf(*object));
     if (const auto refused = refusedCoordinateOf(*object))
       return problemWith(std::string(refused->name), refused->sentence);
+    if (!isSettled(*object))
+      return problemWith(
+          "", words("The numbers of this {kind} do not fit together: a value lies within its bounds, "
+                    "and no length is below 0.",
+                    {{"kind", std::string(kindOf(*object))}}));
     return {};
   }
   const auto &use = std::get<ConstructionUse>(entry.content);

@@ -65,8 +65,13 @@ Given<Object> SceneLetters::made(const std::string &entry, const std::string &na
 Naming SceneLetters::namingOf(const Entry &entry) const {
   Naming naming{entry.name};
   if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
-    for (const ConstructionRole &made : construction->makes)
-      naming.made.emplace(made.name, symbolOfMade(entry.name, made.name));
+    for (const ConstructionRole &role : construction->makes) {
+      const Given<Object> object = made(entry.name, role.name, *makeObject(role.kind));
+      MadeLetters letters{object.symbol};
+      for (std::size_t i = 0; i < object.letters.size(); ++i)
+        letters.coordinates.emplace(coordinatesOf(object.object)[i].name, object.letters[i]);
+      naming.made.emplace(role.name, std::move(letters));
+    }
   return naming;
 }
 

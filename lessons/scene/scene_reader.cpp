@@ -1,6 +1,7 @@
 #include "lessons/scene/scene_reader.h"
 
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/kind.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -14,30 +15,44 @@ std::string indexed(const std::string &path, std::size_t index) {
   return path + "[" + std::to_string(index) + "]";
 }
 
-/// Reads [x, y, z].
-void readVector(const DocumentNode &node, const std::string &path, FieldReader &fields, ExactVec3 &vector) {
+void readNumber(const DocumentNode &node, const std::string &path, FieldReader &fields, Rational &number) {
+  if (!node.spellsNumber())
+    return fields.complain(node, path, words("Here a number is expected, not a list or a map."));
+  const auto value = readCoordinate(node.text);
+  if (!value)
+    return fields.complain(node, path, value.problem().sentence);
+  number = *value;
+}
+
+/// Reads [x, y, z], or a single number.
+void readCoordinate(const DocumentNode &node, const std::string &path, FieldReader &fields,
+                    CoordinateRole role, ExactVec3 &coordinate) {
+  if (numbersIn(role) == 1)
+    return readNumber(node, path, fields, coordinate.x);
   if (node.kind != DocumentNode::Kind::List || node.children.size() != 3)
     return fields.complain(node, path, words("Here three numbers are expected, as [1, 2, 3]."));
-  for (int i = 0; i < 3; ++i) {
-    const DocumentNode &number = node.children[static_cast<std::size_t>(i)];
-    if (!number.spellsNumber())
-      return fields.complain(number, path, words("Here a number is expected, not a list or a map."));
-    const auto value = readCoordinate(number.text);
-    if (!value)
-      return fields.complain(number, path, value.problem().sentence);
-    vector[i] = *value;
-  }
+  for (int i = 0; i < 3; ++i)
+    readNumber(node.children[static_cast<std::size_t>(i)], path, fields, coordinate[i]);
+}
+
+/// Makes room for the vertices that are written down.
+void addVertices(const DocumentNode &node, Object &object) {
+  const auto &all = object.kind().coordinates;
+  while (object.size() < all.size() && node.find(all[object.size()].name))
+    object.insertVertex(object.size(), ExactVec3(0));
 }
 
 /// Reads an object's coordinates: of a point its three numbers, else a map by the coordinates' names.
 void readObject(const DocumentNode &node, const std::string &path, FieldReader &entry, Object &object) {
-  const auto &specs = coordinatesOf(object);
+  addVertices(node, object);
+  const auto specs = coordinatesOf(object);
   if (specs.front().name.empty())
-    return readVector(node, path, entry, coordinate(object, 0));
+    return readCoordinate(node, path, entry, specs.front().role, coordinate(object, 0));
   FieldReader fields(node, entry.file(), path);
   for (std::size_t index = 0; index < specs.size(); ++index)
-    if (const DocumentNode *vector = fields.required(specs[index].name))
-      readVector(*vector, fields.pathOf(specs[index].name), fields, coordinate(object, index));
+    if (const DocumentNode *written = fields.required(specs[index].name))
+      readCoordinate(*written, fields.pathOf(specs[index].name), fields, specs[index].role,
+                     coordinate(object, index));
   for (const DocumentNode &child : node.children)
     if (std::none_of(specs.begin(), specs.end(),
                      [&](const CoordinateSpec &spec) { return spec.name == child.key; }))

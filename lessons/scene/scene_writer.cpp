@@ -7,17 +7,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json jsonOf(const ExactVec3 &vector) {
-  return Json::array({toText(vector.x), toText(vector.y), toText(vector.z)});
+Json jsonOf(const ExactVec3 &value, CoordinateRole role) {
+  if (numbersIn(role) == 1)
+    return toText(value.x);
+  return Json::array({toText(value.x), toText(value.y), toText(value.z)});
 }
 
 Json coordinatesJson(const Object &object) {
   const auto &specs = coordinatesOf(object);
   if (specs.front().name.empty())
-    return jsonOf(coordinate(object, 0));
+    return jsonOf(coordinate(object, 0), specs.front().role);
   Json json;
   for (std::size_t index = 0; index < specs.size(); ++index)
-    json[std::string(specs[index].name)] = jsonOf(coordinate(object, index));
+    json[std::string(specs[index].name)] = jsonOf(coordinate(object, index), specs[index].role);
   return json;
 }
 

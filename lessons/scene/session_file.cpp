@@ -1,6 +1,7 @@
 #include "lessons/scene/session_file.h"
 
 #include "lessons/files/read_file.h"
+#include "lessons/object/kind.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/scene/scene_writer.h"
@@ -107,15 +108,20 @@ Result<Session> withValue(Session session, std::string_view assignment) {
   if (!id)
     return unknownCoordinate(session.scene, name);
   const auto numbers = splitAtCommas(assignment.substr(equals + 1));
-  if (numbers.size() != 3)
-    return Problem{words("{name} takes three numbers, as {name}=1,2,3.", {{"name", name}}), "", 0, name};
-  ExactVec3 &target = coordinate(*findObject(session.scene, id->object), id->index);
-  for (int i = 0; i < 3; ++i) {
+  Object &object = *findObject(session.scene, id->object);
+  const int expected = numbersIn(coordinatesOf(object)[id->index].role);
+  if (static_cast<int>(numbers.size()) != expected)
+    return Problem{expected == 3 ? words("{name} takes three numbers, as {name}=1,2,3.", {{"name", name}})
+                                 : words("{name} takes one number, as {name}=3.", {{"name", name}}),
+                   "", 0, name};
+  ExactVec3 &target = coordinate(object, id->index);
+  for (int i = 0; i < expected; ++i) {
     const auto value = readCoordinate(plainSpelling(numbers[static_cast<std::size_t>(i)]));
     if (!value)
       return Problem{value.problem().sentence, "", 0, name};
     target[i] = *value;
   }
+  object.kind().settle(object);
   return session;
 }
 

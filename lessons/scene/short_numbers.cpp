@@ -1,5 +1,10 @@
 #include "lessons/scene/short_numbers.h"
 
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 #include "lessons/scene/evaluation.h"
 
 #include <algorithm>
@@ -68,14 +73,19 @@ public:
 
   /// As long as a whole number says.
   ExactVec3 normal() {
-    std::array<int, 3> numbers =
-        wholeLengths.at(static_cast<std::size_t>(between(0, static_cast<int>(wholeLengths.size()) - 1)));
+    const int last = static_cast<int>(wholeLengths.size()) - 1;
+    return turned(wholeLengths.at(static_cast<std::size_t>(between(0, last))));
+  }
+  ExactVec3 shortestNormal() { return turned(wholeLengths.front()); }
+
+private:
+  /// The numbers in any order, with any signs.
+  ExactVec3 turned(std::array<int, 3> numbers) {
     for (std::size_t last = numbers.size() - 1; last > 0; --last)
       std::swap(numbers[last], numbers.at(static_cast<std::size_t>(between(0, static_cast<int>(last)))));
     return {sign() * numbers[0], sign() * numbers[1], sign() * numbers[2]};
   }
 
-private:
   std::mt19937_64 m_engine;
 };
 
@@ -121,9 +131,16 @@ Net netOf(const TriangleObject &triangle) {
   return net;
 }
 
+/// Of a line: its whole points, and an arrow across it.
+Net netOf(const LineObject &line) {
+  const ExactVec3 &v = line.direction;
+  const ExactVec3 across = stepAlong(v, 0, 1);
+  return {line.point, {v}, isZero(across) ? stepAlong(v, 0, 2) : across, 0};
+}
+
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) // where there is only x the others are 0
       if (abs(coordinate(object, index)[axis]) > largestShortNumber)
         return false;
   return true;
@@ -132,26 +149,83 @@ bool isShort(const Object &object) {
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  explicit Renewal(Dice &dice) : m_dice(dice) {}
+  Renewal(Dice &dice, bool hasSeveralPlanes) : m_dice(dice), m_hasSeveralPlanes(hasSeveralPlanes) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
     const Object before = object;
     bool found = false;
     for (int attempt = 0; attempt < mostAttempts && !found; ++attempt) {
-      std::visit([this](auto &each) { draw(each); }, object);
+      draw(object);
       found = isShort(object) && !(object == before);
     }
     if (!found)
       object = before;
-    else if (const auto *plane = std::get_if<PlaneObject>(&object))
+    else if (const auto plane = objectAs<PlaneObject>(object))
       m_nets.push_back(netOf(*plane));
-    else if (const auto *triangle = std::get_if<TriangleObject>(&object))
+    else if (const auto triangle = objectAs<TriangleObject>(object))
       m_nets.push_back(netOf(*triangle));
+    else if (const auto line = objectAs<LineObject>(object))
+      m_nets.push_back(netOf(*line));
   }
 
 private:
-  void draw(PlaneObject &plane) { plane = {m_dice.position(), m_dice.normal()}; }
+  void draw(Object &object) {
+    if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
+          drawAs<RayObject>(object) || drawAs<LineObject>(object)))
+      drawAny(object);
+  }
+
+  template <TypedObject Kind> bool drawAs(Object &object) {
+    auto typed = objectAs<Kind>(object);
+    if (typed) {
+      draw(*typed);
+      object = *typed;
+    }
+    return typed.has_value();
+  }
+
+  /// Of a kind that nothing more is known of. A number keeps its value: it may be a bound or a step.
+  void drawAny(Object &object) {
+    const auto specs = coordinatesOf(object);
+    for (std::size_t i = 0; i < specs.size(); ++i)
+      switch (specs[i].role) {
+      case CoordinateRole::Position:
+        object[i] = m_dice.position();
+        break;
+      case CoordinateRole::Direction:
+        object[i] = m_dice.direction(longestStep);
+        break;
+      case CoordinateRole::Length:
+        object[i].x = m_dice.between(1, longestSide);
+        break;
+      case CoordinateRole::Number:
+        break;
+      }
+  }
+
+  void draw(PlaneObject &plane) {
+    plane.point = m_dice.position();
+    if (!m_hasSeveralPlanes)
+      plane.normal = m_dice.normal();
+    else if (m_nets.empty())
+      plane.normal = m_dice.shortestNormal();
+    else
+      drawBeside(m_nets.front(), plane);
+  }
+
+  /// The line of two planes has long numbers unless both normals are very short. Now and then they are
+  /// parallel, or the same.
+  void drawBeside(const Net &other, PlaneObject &plane) {
+    plane.normal = m_dice.direction(1);
+    if (!m_dice.once(alongOnceIn))
+      return;
+    plane.normal = other.normal * Rational(m_dice.sign());
+    if (m_dice.once(2))
+      plane.point = pointOf(other);
+  }
+
+  void draw(LineObject &line) { line = {m_dice.position(), m_dice.normal()}; }
 
   void draw(TriangleObject &triangle) {
     const int size = m_dice.between(smallestTriangle, largestTriangle);
@@ -213,8 +287,12 @@ private:
   }
 
   ExactVec3 anyPointOf(const Net &net) {
-    if (net.size == 0)
-      return net.after({m_dice.between(-1, 1), m_dice.between(-1, 1), m_dice.between(-1, 1)});
+    if (net.size == 0) {
+      std::vector<int> counts;
+      for (std::size_t i = 0; i < net.steps.size(); ++i)
+        counts.push_back(m_dice.between(-1, 1));
+      return net.after(counts);
+    }
     if (m_dice.once(2))
       return net.after({m_dice.between(0, net.size + 1), m_dice.between(0, net.size + 1)});
     const int first = m_dice.between(1, net.size - 2);
@@ -230,13 +308,19 @@ private:
   }
 
   Dice &m_dice;
+  bool m_hasSeveralPlanes;
   std::vector<Net> m_nets;
 };
 
 /// What is looked for before what looks for it.
-void renewAll(std::vector<Object *> objects, Renewal &renewal) {
+void renewAll(std::vector<Object *> objects, Dice &dice) {
+  const auto planes = std::count_if(objects.begin(), objects.end(), [](const Object *object) {
+    return kindOf(*object) == PlaneObject::kind;
+  });
+  Renewal renewal(dice, planes > 1);
   std::stable_partition(objects.begin(), objects.end(), [](const Object *object) {
-    return std::holds_alternative<PlaneObject>(*object) || std::holds_alternative<TriangleObject>(*object);
+    const std::string_view kind = kindOf(*object);
+    return kind == PlaneObject::kind || kind == TriangleObject::kind || kind == LineObject::kind;
   });
   for (Object *object : objects)
     renewal.renew(*object);
@@ -310,8 +394,7 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice) {
   std::size_t shortest = 0;
   for (int tried = 0, compared = 0; tried < mostNumbersTried && compared < comparedScenes; ++tried) {
     Scene scene = before;
-    Renewal renewal(dice);
-    renewAll(objectsOf(scene), renewal);
+    renewAll(objectsOf(scene), dice);
     const Evaluation evaluation = evaluate(scene);
     const CaseWords told = caseOf(evaluation);
     if (told.degenerate || !differEverywhere(scene, before) ||
@@ -342,8 +425,7 @@ Scene withShortNumbers(Scene scene, std::uint64_t seed) {
       else
         others.push_back(object);
     }
-  Renewal renewal(dice);
-  renewAll(std::move(others), renewal);
+  renewAll(std::move(others), dice);
   return scene;
 }
 

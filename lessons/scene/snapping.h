@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/figure/figure.h"
-#include "lessons/scene/flat.h"
+#include "lessons/object/flat.h"
 #include "lessons/scene/handles.h"
 
 #include <functional>

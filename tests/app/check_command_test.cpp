@@ -8,7 +8,7 @@ TEST_F(Program, Check_OfOurLessons_FindsNothing) {
   const Ran ran = run("check");
   EXPECT_EQ(ran.status, 0) << ran.out;
   EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(ran.out, "Nothing is wrong. Lessons: 4\n");
+  EXPECT_EQ(ran.out, "Nothing is wrong. Lessons: 6\n");
 }
 
 const std::string faultyLesson = R"(---

@@ -1,5 +1,6 @@
 // Unsaved work of programs that live, that were killed, and that ended.
 #include "app/recovery.h"
+#include "lessons/object/point.h"
 
 #include <gtest/gtest.h>
 

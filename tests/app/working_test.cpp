@@ -1,6 +1,7 @@
 // The numbers in the worked lines, in the window: where they come from, and how they change the scene.
 #include "tests/app/window_fixture.h"
 
+#include "lessons/object/plane.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/working/working_practice.h"

@@ -1,6 +1,12 @@
 // Scenes that several tests begin with, and exact values that print themselves.
 #pragma once
 
+#include "lessons/object/kind.h"
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 #include "lessons/scene/evaluation.h"
 #include "lessons/scene/handles.h"
 #include "lessons/scene/session.h"

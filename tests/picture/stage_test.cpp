@@ -1,3 +1,7 @@
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 #include "widgets/picture/stage.h"
 
 #include "tests/picture/marks.h"

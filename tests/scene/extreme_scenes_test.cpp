@@ -2,6 +2,9 @@
 // picture in which its objects can be seen, in bounded time and memory.
 #include "lessons/construction/construction.h"
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 #include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
 #include "tests/scene/pictures.h"
@@ -91,9 +94,9 @@ private:
     ExactVec3 normal(0);
     for (const Entry &entry : scene.entries) {
       const auto &object = std::get<Object>(entry.content);
-      if (const auto *plane = std::get_if<PlaneObject>(&object))
+      if (const auto plane = objectAs<PlaneObject>(object))
         normal = plane->normal;
-      if (const auto *triangle = std::get_if<TriangleObject>(&object))
+      if (const auto triangle = objectAs<TriangleObject>(object))
         normal = cross(triangle->p1 - triangle->p0, triangle->p2 - triangle->p0);
     }
     const Rational largest = std::max({abs(normal.x), abs(normal.y), abs(normal.z)});
@@ -101,8 +104,8 @@ private:
       return;
     normal *= Rational(1 / largest);
     for (Entry &entry : scene.entries)
-      if (auto *ray = std::get_if<RayObject>(&std::get<Object>(entry.content)))
-        ray->direction = cross(normal, vector(0)) + normal * powerOfTen(-integer(1, 20));
+      if (auto &object = std::get<Object>(entry.content); kindOf(object) == RayObject::kind)
+        object[1] = cross(normal, vector(0)) + normal * powerOfTen(-integer(1, 20));
   }
 
   static bool isAccepted(const Scene &scene) {

@@ -106,7 +106,7 @@ Inspector::~Inspector() {
 NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
   for (const GivenRow &row : m_given)
     if (row.name == coordinateName)
-      return row.fields[axis];
+      return row.fields.at(static_cast<std::size_t>(axis));
   return nullptr;
 }
 
@@ -193,12 +193,15 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   label->setFormula(formulaOf(letter), QString::fromStdString(plainText(letter)));
   m_givenLabels.push_back(label);
   grid.addWidget(label, row, 0);
-  for (int axis = 0; axis < 3; ++axis) {
+  const Object &object = *findObject(m_model.session().scene, id.object);
+  const int numbers = numbersIn(coordinatesOf(object)[id.index].role);
+  for (int axis = 0; axis < numbers; ++axis) {
     auto *field = new NumberField;
-    field->setAccessibleName(QString::fromStdString(given.name) + " " + axes[axis]);
+    field->setAccessibleName(QString::fromStdString(given.name) +
+                             (numbers > 1 ? QString(" ") + axes[axis] : ""));
     connectField(*field, {id, axis});
     grid.addWidget(field, row, axis + 1);
-    given.fields[axis] = field;
+    given.fields.push_back(field);
   }
   m_given.push_back(given);
 }
@@ -246,8 +249,8 @@ void Inspector::showSession() {
   for (const GivenRow &row : m_given) {
     const Object *object = findObject(scene, row.id.object);
     const ExactVec3 &value = coordinate(*object, row.id.index);
-    for (int axis = 0; axis < 3; ++axis)
-      row.fields[axis]->setValue(value[axis]);
+    for (std::size_t axis = 0; axis < row.fields.size(); ++axis)
+      row.fields[axis]->setValue(value[static_cast<int>(axis)]);
   }
   for (std::size_t i = 0; i < values.size(); ++i)
     showValue(*m_results[i].value, values[i].value->value);

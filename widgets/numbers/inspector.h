@@ -41,7 +41,7 @@ private:
   struct GivenRow {
     CoordinateId id;
     std::string name;
-    NumberField *fields[3];
+    std::vector<NumberField *> fields; ///< three, or one
   };
   struct ResultRow {
     std::string id; ///< entry and name

@@ -42,6 +42,10 @@ std::vector<Place> placesOf(const Figure &figure) {
                             add({segment.from, segment.to});
                           },
                           [&](const RayMark &ray) { add({ray.origin}); },
+                          [&](const LineMark &line) {
+                            add({line.through});
+                            add(line.covers);
+                          },
                           [&](const ArrowMark &arrow) {
                             add({arrow.from, arrow.from + shownVector(arrow)});
                           },
@@ -80,18 +84,18 @@ Camera seenAlongPlane(const Figure &figure, Camera camera) {
   return camera;
 }
 
-const RayObject *firstRay(const Scene &scene) {
+std::optional<RayObject> firstRay(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
     const auto *object = std::get_if<Object>(&entry.content);
-    const auto *ray = object ? std::get_if<RayObject>(object) : nullptr;
+    const auto ray = object ? objectAs<RayObject>(*object) : std::nullopt;
     if (ray && !isZero(ray->direction))
       return ray;
   }
-  return nullptr;
+  return {};
 }
 
 Camera seenDownRay(const Scene &scene, Camera camera) {
-  const RayObject *ray = firstRay(scene);
+  const auto ray = firstRay(scene);
   if (!ray)
     return camera;
   Camera down(CameraView{-toDouble(ray->direction), toDouble(ray->origin), camera.height});

@@ -1,6 +1,7 @@
 // Where the camera goes on request.
 #pragma once
 
+#include "lessons/object/ray.h"
 #include "lessons/scene/scene.h"
 #include "widgets/picture/camera.h"
 
@@ -27,7 +28,7 @@ enum class AxisView { Front, Right, Top };
 [[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
 
 /// The first ray of a scene that has a direction, or null.
-[[nodiscard]] const RayObject *firstRay(const Scene &scene);
+[[nodiscard]] std::optional<RayObject> firstRay(const Scene &scene);
 
 /// From the start of a scene's first ray in its direction; unchanged without one.
 [[nodiscard]] Camera seenDownRay(const Scene &scene, Camera camera);

@@ -43,6 +43,24 @@ struct Box {
   }
 };
 
+/// Adds a coordinate of an object that starts at a place.
+void add(CoordinateRole role, const Place &start, const Place &value, Box &positions, Box &tips) {
+  switch (role) {
+  case CoordinateRole::Position:
+    positions.add(value);
+    break;
+  case CoordinateRole::Direction:
+    tips.add(start + value);
+    break;
+  case CoordinateRole::Length: // whichever way it reaches
+    positions.add(start - Place(value.x));
+    positions.add(start + Place(value.x));
+    break;
+  case CoordinateRole::Number:
+    break;
+  }
+}
+
 /// The box around all positions of a scene. Directions count where all positions are the origin: usually
 /// their size has nothing to do with that of the positions.
 Box boxAround(const Scene &scene) {
@@ -50,13 +68,10 @@ Box boxAround(const Scene &scene) {
   Box tips;
   for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content)) {
-      const auto &specs = coordinatesOf(*object);
+      const auto specs = coordinatesOf(*object);
       const Place start = toDouble(coordinate(*object, 0));
-      for (std::size_t i = 0; i < specs.size(); ++i) {
-        const Place value = toDouble(coordinate(*object, i));
-        const bool isPosition = specs[i].role == CoordinateRole::Position;
-        (isPosition ? positions : tips).add(isPosition ? value : start + value);
-      }
+      for (std::size_t i = 0; i < specs.size(); ++i)
+        add(specs[i].role, start, toDouble(coordinate(*object, i)), positions, tips);
     }
   if (positions.distance() > 0 || tips.isEmpty)
     return positions;
@@ -121,6 +136,16 @@ public:
       ray.meets = end;
     if (isWithinReach(ray.origin))
       keep(std::move(ray));
+  }
+  void operator()(LineMark line) {
+    line.through = position(line.through);
+    for (Place &covered : line.covers)
+      covered = position(covered);
+    const auto [low, high] = endsOf(line);
+    if (isWithinReach(low) && isWithinReach(high))
+      keep(std::move(line));
+    else
+      keepLine(line, low, high);
   }
   void operator()(ArrowMark arrow) {
     arrow.from = position(arrow.from);
@@ -204,10 +229,14 @@ Stage stageOf(const Scene &scene) {
 }
 
 ExactVec3 toStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage) {
+  if (role == CoordinateRole::Number)
+    return value;
   return (role == CoordinateRole::Position ? value - stage.middle : value) * powerOfTen(-stage.exponent);
 }
 
 ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage) {
+  if (role == CoordinateRole::Number)
+    return value;
   const ExactVec3 length = value * stage.unit();
   return role == CoordinateRole::Position ? length + stage.middle : length;
 }

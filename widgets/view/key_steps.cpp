@@ -51,7 +51,7 @@ std::optional<ExactVec3> steppedPlace(const Handle &handle, int key, Qt::Keyboar
     return {};
   const Rational way = modifiedStep(step, modifiers) * direction->sign;
   ExactVec3 place = handle.at;
-  if (handle.motion == Handle::Motion::AlongNormal)
+  if (handle.hasAxis())
     place += handle.axis * way;
   else
     place[direction->axis] += way;

@@ -275,7 +275,7 @@ std::optional<Gizmo> SceneView::gizmo() const {
   const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera);
   if (!mode)
     return gizmo;
-  if (handle->motion == Handle::Motion::AlongNormal) {
+  if (handle->hasAxis()) {
     gizmo.axes = false;
     gizmo.axis = toDouble(handle->axis);
   }

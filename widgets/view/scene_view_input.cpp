@@ -45,7 +45,7 @@ QString hintFor(DragMode mode) {
   case DragMode::OwnAxis:
     break;
   }
-  return SceneView::tr("Moves the plane along its normal.");
+  return SceneView::tr("Moves along its arrow only.");
 }
 
 } // namespace

@@ -5,6 +5,19 @@
 #include <algorithm>
 
 namespace halfspace {
+namespace {
+
+/// A number may say in which steps it goes.
+Rational stepOfNumber(const Object &object, const Rational &otherwise) {
+  const auto specs = coordinatesOf(object);
+  const auto step =
+      std::find_if(specs.begin(), specs.end(), [](const auto &spec) { return spec.name == "step"; });
+  const Rational own =
+      step == specs.end() ? Rational(0) : object[static_cast<std::size_t>(step - specs.begin())].x;
+  return own > 0 ? own : otherwise;
+}
+
+} // namespace
 
 void CoordinateEditor::change(const CoordinateNumber &number, const Rational &value) {
   if (const auto edit = editOf(number, value))
@@ -55,8 +68,15 @@ Rational CoordinateEditor::stepOf(const CoordinateId &id) const {
   const Object *object = findObject(m_model.session().scene, id.object);
   if (!object)
     return m_model.snapStep();
-  if (coordinatesOf(*object)[id.index].role == CoordinateRole::Position)
+  switch (coordinatesOf(*object)[id.index].role) {
+  case CoordinateRole::Position:
+  case CoordinateRole::Length:
     return m_model.snapStep() * m_model.stage().unit();
+  case CoordinateRole::Number:
+    return stepOfNumber(*object, m_model.snapStep());
+  case CoordinateRole::Direction:
+    break;
+  }
   const ExactVec3 &direction = coordinate(*object, id.index);
   const Rational longest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
   return m_model.snapStep() * powerOfTen(suitingExponent(toDouble(longest)));

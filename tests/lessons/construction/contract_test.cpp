@@ -270,8 +270,7 @@ private:
 
   void checkMarksOf(const WorkingLine &line) const {
     for (const std::string &id : marksIn(line))
-      EXPECT_TRUE(findMark(m_figure, id) || m_expected.vanished.contains(id.substr(id.find('.') + 1)))
-          << "no mark " << id;
+      EXPECT_TRUE(findMark(m_figure, id) || m_expected.vanished.contains(id)) << "no mark " << id;
   }
 
   static std::vector<Place> placesOf(const Mark &mark) {
@@ -282,6 +281,10 @@ private:
                    },
                    [](const RayMark &m) {
                      return std::vector{m.origin, m.direction, m.meets.value_or(Place(0)), endOf(m)};
+                   },
+                   [](const LineMark &m) {
+                     const auto [low, high] = endsOf(m);
+                     return std::vector{m.through, m.direction, low, high};
                    },
                    [](const ArrowMark &m) {
                      return std::vector{m.from, m.vector};
@@ -347,12 +350,16 @@ private:
           std::find_if(makes.begin(), makes.end(), [&](const auto &each) { return each.name == made.name; });
       ASSERT_NE(known, makes.end()) << made.name;
       EXPECT_EQ(kindOf(made.object), known->kind);
-      const Mark *mark = findMark(m_figure, "it." + made.name);
-      ASSERT_TRUE(mark) << made.name;
-      const auto *point = std::get_if<PointObject>(&made.object);
-      ASSERT_TRUE(point);
-      const Quantity named = calculate(baseOf(*mark).label, m_expected.names);
-      EXPECT_TRUE(agree(named, quantity(point->at), sameDigits)) << made.name;
+      const std::string id = "it." + made.name;
+      EXPECT_TRUE(findMark(m_figure, id)) << id;
+      const auto specs = coordinatesOf(made.object);
+      for (std::size_t i = 0; i < specs.size(); ++i)
+        if (const Mark *mark = findMark(m_figure, coordinateId(id, specs[i]))) {
+          const Quantity named = calculate(baseOf(*mark).label, m_expected.names);
+          EXPECT_TRUE(agree(named, quantity(coordinate(made.object, i)), sameDigits)) << baseOf(*mark).id;
+        } else {
+          EXPECT_TRUE(m_expected.vanished.contains(coordinateId(id, specs[i])));
+        }
     }
   }
 
@@ -415,7 +422,9 @@ TEST_P(EveryConstruction, OnSmallIntegers_IsRightInEveryCaseItHas) {
       {"signed-distance", {"negative", "on", "positive", "zero-normal"}},
       {"ray-plane-dot", {"behind", "hit", "in-plane", "parallel", "zero-direction", "zero-normal"}},
       {"ray-triangle-perp",
-       {"behind", "coincident", "collinear", "hit", "in-plane", "miss", "parallel", "zero-direction"}}};
+       {"behind", "coincident", "collinear", "hit", "in-plane", "miss", "parallel", "zero-direction"}},
+      {"plane-plane", {"coincident", "line", "parallel", "zero-normal"}},
+      {"point-line", {"off", "on", "zero-direction"}}};
   EXPECT_EQ(checkScenes(Writing::SmallIntegers), allCases.at(GetParam()));
 }
 

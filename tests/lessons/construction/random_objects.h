@@ -2,6 +2,11 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 
 #include <algorithm>
 #include <random>
@@ -60,25 +65,65 @@ private:
   /// Perpendicular to n; perhaps zero.
   ExactVec3 vectorAlongPlane(const ExactVec3 &n) { return cross(n, vector()); }
 
-  void makeSpecial(std::vector<Object> &objects) {
-    PointObject *point = nullptr;
-    RayObject *ray = nullptr;
-    PlaneObject *plane = nullptr;
-    TriangleObject *triangle = nullptr;
-    for (Object &object : objects) {
-      point = std::get_if<PointObject>(&object) ? std::get_if<PointObject>(&object) : point;
-      ray = std::get_if<RayObject>(&object) ? std::get_if<RayObject>(&object) : ray;
-      plane = std::get_if<PlaneObject>(&object) ? std::get_if<PlaneObject>(&object) : plane;
-      triangle = std::get_if<TriangleObject>(&object) ? std::get_if<TriangleObject>(&object) : triangle;
+  /// The first object of a kind, to be written back when it is changed.
+  template <class Kind> struct Found {
+    explicit Found(std::vector<Object> &objects) {
+      for (Object &object : objects)
+        if (auto found = objectAs<Kind>(object)) {
+          typed = found;
+          place = &object;
+        }
     }
-    if (plane)
-      makeSpecial(*plane);
-    if (plane && point)
-      place(point->at, *plane);
-    if (plane && ray)
-      makeSpecial(*ray, *plane);
-    if (triangle && ray)
-      makeSpecial(*triangle, *ray);
+    Found(const Found &) = delete;
+    Found &operator=(const Found &) = delete;
+    ~Found() {
+      if (typed)
+        *place = *typed;
+    }
+    std::optional<Kind> typed;
+    Object *place = nullptr;
+  };
+
+  void makeSpecial(std::vector<Object> &objects) {
+    if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
+        kindOf(objects[1]) == PlaneObject::kind)
+      return makeSpecialPair(objects[0], objects[1]);
+    Found<PointObject> point(objects);
+    Found<RayObject> ray(objects);
+    Found<PlaneObject> plane(objects);
+    Found<TriangleObject> triangle(objects);
+    if (plane.typed)
+      makeSpecial(*plane.typed);
+    if (plane.typed && point.typed)
+      place(point.typed->at, *plane.typed);
+    if (plane.typed && ray.typed)
+      makeSpecial(*ray.typed, *plane.typed);
+    if (triangle.typed && ray.typed)
+      makeSpecial(*triangle.typed, *ray.typed);
+    if (Found<LineObject> line(objects); line.typed && point.typed)
+      makeSpecial(*line.typed, point.typed->at);
+  }
+
+  void makeSpecial(LineObject &line, ExactVec3 &point) {
+    const int choice = integer(0, 3);
+    if (choice == 0)
+      line.direction = {0, 0, 0};
+    if (choice == 1)
+      point = line.point;
+    if (choice == 2)
+      point = line.point + line.direction * number();
+  }
+
+  /// Parallel, the same, or one without a normal.
+  void makeSpecialPair(Object &first, Object &second) {
+    const int choice = integer(0, 3);
+    const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
+    if (choice < 2)
+      second[1] = first[1] * factor;
+    if (choice == 1)
+      second[0] = first[0] + vectorAlongPlane(first[1]);
+    if (choice == 2)
+      first[1] = {0, 0, 0};
   }
 
   void makeSpecial(PlaneObject &plane) {

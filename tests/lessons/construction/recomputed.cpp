@@ -1,4 +1,9 @@
 #include "tests/lessons/construction/recomputed.h"
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -71,7 +76,7 @@ Names coordinatesAt(const ExactVec3 &at) {
 const ExactVec3 somewhere{Rational(137, 11), Rational(-71, 13), Rational(53, 17)};
 
 Recomputed planeImplicit(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
   const ExactVec3 &n = E.normal;
   // The equation's left side at the origin and one step along each axis tells its coefficients.
   const auto leftSide = [&](const ExactVec3 &x) { return product(n, ExactVec3(x - E.point)); };
@@ -89,7 +94,7 @@ Recomputed planeImplicit(Objects objects) {
   expected.caseName = vanishes(n) ? "zero-normal" : "plane";
   expected.solution = coordinatesAt(vanishes(n) ? somewhere : footOf(somewhere, E));
   if (vanishes(n)) {
-    expected.vanished = {"n"};
+    expected.vanished = {"E.n"};
     return expected;
   }
   const Rational square = product(n, n);
@@ -105,8 +110,8 @@ Recomputed planeImplicit(Objects objects) {
 }
 
 Recomputed signedDistance(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
-  const ExactVec3 &Q = std::get<PointObject>(*objects[1]).at;
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const ExactVec3 Q = objectAs<PointObject>(*objects[1])->at;
   const Rational f = product(E.normal, Q) - product(E.normal, E.point);
   const Rational square = product(E.normal, E.normal);
   const ExactVec3 w = Q - E.point;
@@ -120,12 +125,12 @@ Recomputed signedDistance(Objects objects) {
   expected.degenerate = square == 0;
   if (square == 0) {
     expected.caseName = "zero-normal";
-    expected.vanished = {"n"};
+    expected.vanished = {"E.n"};
     return expected;
   }
   expected.caseName = f > 0 ? "positive" : f < 0 ? "negative" : "on";
   if (f == 0)
-    expected.vanished = {"distance"};
+    expected.vanished = {"it.distance"};
   const ExactVec3 foot = footOf(Q, E);
   expected.values["side"] = expected.caseName;
   expected.values["signed_distance"] = SignedSquares{signedSquare(f, square)};
@@ -141,8 +146,8 @@ Recomputed signedDistance(Objects objects) {
 }
 
 Recomputed rayPlane(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
-  const auto &L = std::get<RayObject>(*objects[1]);
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const auto L = objectAs<RayObject>(*objects[1]).value();
   const ExactVec3 &n = E.normal;
   const Rational atStart = product(n, L.origin) - product(n, E.point);
   const Rational atTip = product(n, ExactVec3(L.origin + L.direction)) - product(n, E.point);
@@ -154,9 +159,9 @@ Recomputed rayPlane(Objects objects) {
                     {"f(Q)", quantity(atStart)}, {"d", quantity(Rational(-product(n, E.point)))}};
   expected.unknowns = {{"t", quantity(somewhere.x)}};
   if (vanishes(n))
-    expected.vanished.insert("n");
+    expected.vanished.insert("E.n");
   if (vanishes(L.direction))
-    expected.vanished.insert("r");
+    expected.vanished.insert("L.r");
   expected.degenerate = vanishes(n) || vanishes(L.direction);
   if (slope == 0) {
     expected.caseName = vanishes(n)             ? "zero-normal"
@@ -180,6 +185,92 @@ Recomputed rayPlane(Objects objects) {
   for (int i = 0; i < 3; ++i)
     unit.push_back(quantityOverRoot(facing[i], square)[0]);
   expected.names["\\vec n_f"] = unit;
+  return expected;
+}
+
+Recomputed planePlane(Objects objects) {
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const auto F = objectAs<PlaneObject>(*objects[1]).value();
+  const Rational d1 = -product(E.normal, E.point);
+  const Rational d2 = -product(F.normal, F.point);
+  Recomputed expected;
+  expected.names = {{"\\vec n_E", quantity(E.normal)},
+                    {"\\vec n_F", quantity(F.normal)},
+                    {"P_{0,E}", quantity(E.point)},
+                    {"P_{0,F}", quantity(F.point)},
+                    {"d_E", quantity(d1)},
+                    {"d_F", quantity(d2)}};
+  expected.degenerate = vanishes(E.normal) || vanishes(F.normal);
+  if (vanishes(E.normal))
+    expected.vanished.insert("E.n");
+  if (vanishes(F.normal))
+    expected.vanished.insert("F.n");
+  if (expected.degenerate) {
+    expected.caseName = "zero-normal";
+    return expected;
+  }
+  const Rational f = product(E.normal, F.normal);
+  const Rational squares = product(E.normal, E.normal) * product(F.normal, F.normal);
+  expected.values["cos_angle"] = SignedSquares{signedSquare(f, squares)};
+  expected.names["\\cos\\varphi"] = quantityOverRoot(f, squares);
+  const ExactVec3 direction = perpendicular(E.normal, F.normal);
+  expected.names["\\vec v"] = quantity(direction);
+  if (f * f == squares) { // the normals are parallel
+    const bool isSame = product(E.normal, ExactVec3(F.point - E.point)) == 0;
+    expected.caseName = isSame ? "coincident" : "parallel";
+    expected.vanished.insert("it.g.v");
+    return expected;
+  }
+  expected.caseName = "line";
+  // The point as a sum of the two normals that both equations fit, by Cramer's rule.
+  const Rational ee = product(E.normal, E.normal);
+  const Rational ff = product(F.normal, F.normal);
+  const Rational whole = ee * ff - f * f;
+  const ExactVec3 point =
+      E.normal * Rational((f * d2 - ff * d1) / whole) + F.normal * Rational((f * d1 - ee * d2) / whole);
+  const ExactVec3 moment = perpendicular(point, direction);
+  expected.values["direction"] = numbers(direction);
+  expected.values["moment"] = numbers(moment);
+  expected.values["point"] = numbers(point);
+  expected.names["\\vec m"] = quantity(moment);
+  expected.names["A"] = quantity(point);
+  return expected;
+}
+
+Recomputed pointLine(Objects objects) {
+  const ExactVec3 Q = objectAs<PointObject>(*objects[0])->at;
+  const auto g = objectAs<LineObject>(*objects[1]).value();
+  const ExactVec3 w = Q - g.point;
+  Recomputed expected;
+  expected.names = {{"Q", quantity(Q)},
+                    {"A", quantity(g.point)},
+                    {"\\vec v", quantity(g.direction)},
+                    {"\\vec w", quantity(w)}};
+  if (vanishes(w))
+    expected.vanished.insert("it.w");
+  expected.degenerate = vanishes(g.direction);
+  if (expected.degenerate) {
+    expected.caseName = "zero-direction";
+    expected.vanished.insert("g.v");
+    return expected;
+  }
+  const Rational square = product(g.direction, g.direction);
+  const Rational t = product(w, g.direction) / square;
+  const ExactVec3 across = perpendicular(w, g.direction);
+  const ExactVec3 foot = g.point + g.direction * t;
+  expected.caseName = vanishes(across) ? "on" : "off";
+  if (vanishes(across))
+    expected.vanished.insert("it.h");
+  expected.values = {{"t", number(t)},
+                     {"foot", numbers(foot)},
+                     {"distance", SignedSquares{Rational(product(across, across) / square)}}};
+  expected.names["t"] = quantity(t);
+  expected.names["F"] = quantity(foot);
+  expected.names["\\vec h"] = quantity(ExactVec3(Q - foot));
+  expected.names["\\operatorname{dist}"] =
+      quantityOverRoot(product(across, across) / square, product(across, across) / square);
+  if (vanishes(across))
+    expected.names["\\operatorname{dist}"] = quantity(Rational(0));
   return expected;
 }
 
@@ -230,20 +321,20 @@ bool recomputeTriangle(const TriangleObject &T, Recomputed &expected) {
   if (!vanishes(n))
     return true;
   expected.degenerate = true;
-  expected.vanished = {"n", "uperp", "vperp"};
+  expected.vanished = {"it.n", "it.uperp", "it.vperp"};
   expected.caseName = T.p0 == T.p1 || T.p1 == T.p2 || T.p2 == T.p0 ? "coincident" : "collinear";
   return false;
 }
 
 Recomputed rayTriangle(Objects objects) {
-  const auto &T = std::get<TriangleObject>(*objects[0]);
-  const auto &L = std::get<RayObject>(*objects[1]);
+  const auto T = objectAs<TriangleObject>(*objects[0]).value();
+  const auto L = objectAs<RayObject>(*objects[1]).value();
   Recomputed expected;
   const bool isTriangle = recomputeTriangle(T, expected);
   expected.names["Q"] = quantity(L.origin);
   expected.names["\\vec r"] = quantity(L.direction);
   if (vanishes(L.direction)) {
-    expected.vanished.insert("r");
+    expected.vanished.insert("L.r");
     expected.degenerate = true;
   }
   if (!isTriangle)
@@ -293,10 +384,9 @@ Recomputed rayTriangle(Objects objects) {
 Rational signedSquare(const Rational &p, const Rational &square) { return p * abs(p) / square; }
 
 Recomputed recompute(std::string_view construction, Objects objects) {
-  static const std::map<std::string_view, Recomputed (*)(Objects)> all{{"plane-implicit", planeImplicit},
-                                                                       {"signed-distance", signedDistance},
-                                                                       {"ray-plane-dot", rayPlane},
-                                                                       {"ray-triangle-perp", rayTriangle}};
+  static const std::map<std::string_view, Recomputed (*)(Objects)> all{
+      {"plane-implicit", planeImplicit},  {"signed-distance", signedDistance}, {"ray-plane-dot", rayPlane},
+      {"ray-triangle-perp", rayTriangle}, {"plane-plane", planePlane},         {"point-line", pointLine}};
   return all.at(construction)(objects);
 }
 

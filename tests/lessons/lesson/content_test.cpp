@@ -42,6 +42,13 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-perp", "Hit a corner", {"L", RayObject{{11, 13, 10}, {-2, -4, -10}}}},
       {"ray-triangle-perp", "Put all three", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 9, 2}}}},
       {"ray-triangle-perp", "Bring the triangle", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 2, 9}}}},
+      {"plane-plane", "Turn one of", {"F", PlaneObject{{2, 6, 1}, {-1, -2, -2}}}},
+      {"plane-plane", "Now move that", {"F", PlaneObject{{4, 2, 3}, {2, 4, 4}}}},
+      {"plane-plane", "Make the two", {"F", PlaneObject{{2, 6, 0}, {0, 1, -1}}}},
+      {"point-line", "Move Q so", {"Q", PointObject{{3, -1, 3}}}},
+      {"point-line", "Bring the foot", {"Q", PointObject{{0, 0, 0}}}},
+      {"point-line", "Put Q on", {"Q", PointObject{{4, 3, 2}}}},
+      {"point-line", "Take Q away", {"Q", PointObject{{5, 1, 4}}}},
   };
   return all;
 }
@@ -60,7 +67,7 @@ TEST(Content, AllLessons_AreReadInTheirOrder) {
   for (const Lesson &lesson : library().lessons)
     ids.push_back(lesson.id);
   EXPECT_EQ(ids, (std::vector<std::string>{"plane-implicit", "signed-distance", "ray-plane-dot",
-                                           "ray-triangle-perp"}));
+                                           "ray-triangle-perp", "plane-plane", "point-line"}));
 }
 
 TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {

@@ -1,4 +1,9 @@
 #include "tests/lessons/lesson/wrong_workings.h"
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 
 #include <array>
 #include <map>
@@ -180,7 +185,7 @@ void addParameter(std::vector<WrongAnswer> &all, const char *id, const ExactVec3
 }
 
 std::vector<WrongAnswer> planeImplicit(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
   const ExactVec3 &n = E.normal;
   const Rational square = times(n, n);
   std::vector<WrongAnswer> all;
@@ -229,11 +234,12 @@ void addDistance(std::vector<WrongAnswer> &all, const ExactVec3 &n, const Ration
     line.add("upside down", Surd::root(square, Rational(1 / f)));
 }
 
-void addCosine(std::vector<WrongAnswer> &all, const ExactVec3 &n, const ExactVec3 &w) {
+void addCosine(std::vector<WrongAnswer> &all, const ExactVec3 &n, const ExactVec3 &w,
+               const char *id = "cosine") {
   const Rational f = times(n, w);
   const Rational nn = times(n, n);
   const Rational ww = times(w, w);
-  Line line("cosine", Surd::root(Rational(nn * ww), Rational(f / (nn * ww))), all);
+  Line line(id, Surd::root(Rational(nn * ww), Rational(f / (nn * ww))), all);
   line.add("not divided", f);
   line.addOverRoot("divided by |n| only", f, nn);
   line.addOverRoot("divided by |w| only", f, ww);
@@ -251,8 +257,8 @@ void addCosine(std::vector<WrongAnswer> &all, const ExactVec3 &n, const ExactVec
 }
 
 std::vector<WrongAnswer> signedDistance(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
-  const ExactVec3 &Q = std::get<PointObject>(*objects[1]).at;
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const ExactVec3 Q = objectAs<PointObject>(*objects[1])->at;
   const ExactVec3 w = Q - E.point;
   const Rational f = times(E.normal, w);
   std::vector<WrongAnswer> all;
@@ -269,8 +275,8 @@ std::vector<WrongAnswer> signedDistance(Objects objects) {
 }
 
 std::vector<WrongAnswer> rayPlane(Objects objects) {
-  const auto &E = std::get<PlaneObject>(*objects[0]);
-  const auto &L = std::get<RayObject>(*objects[1]);
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const auto L = objectAs<RayObject>(*objects[1]).value();
   std::vector<WrongAnswer> all;
   Line numerator("numerator", times(E.normal, ExactVec3(E.point - L.origin)), all);
   addSlips(numerator, differenceSlips(E.normal, E.point, L.origin));
@@ -331,8 +337,8 @@ void addDenominator(std::vector<WrongAnswer> &all, const ExactVec3 &u, const Exa
 }
 
 std::vector<WrongAnswer> rayTriangle(Objects objects) {
-  const auto &T = std::get<TriangleObject>(*objects[0]);
-  const auto &L = std::get<RayObject>(*objects[1]);
+  const auto T = objectAs<TriangleObject>(*objects[0]).value();
+  const auto L = objectAs<RayObject>(*objects[1]).value();
   const ExactVec3 u = T.p1 - T.p0;
   const ExactVec3 v = T.p2 - T.p0;
   const ExactVec3 n = perpendicular(u, v);
@@ -359,14 +365,47 @@ std::vector<WrongAnswer> rayTriangle(Objects objects) {
   return all;
 }
 
+std::vector<WrongAnswer> planePlane(Objects objects) {
+  const auto E = objectAs<PlaneObject>(*objects[0]).value();
+  const auto F = objectAs<PlaneObject>(*objects[1]).value();
+  std::vector<WrongAnswer> all;
+  if (times(E.normal, E.normal) == 0 || times(F.normal, F.normal) == 0)
+    return all;
+  for (const auto &[id, plane] : {std::pair("d1", E), std::pair("d2", F)}) {
+    const Rational product = times(plane.normal, plane.point);
+    Line line(id, Rational(-product), all);
+    line.add("the minus forgotten", product);
+    for (const auto &[how, value] : dotSlips(plane.normal, plane.point))
+      line.add(how, Rational(-value));
+  }
+  addCosine(all, E.normal, F.normal, "angle");
+  return all;
+}
+
+std::vector<WrongAnswer> pointLine(Objects objects) {
+  const ExactVec3 Q = objectAs<PointObject>(*objects[0])->at;
+  const auto g = objectAs<LineObject>(*objects[1]).value();
+  std::vector<WrongAnswer> all;
+  const Rational square = times(g.direction, g.direction);
+  if (square == 0)
+    return all;
+  const ExactVec3 w = Q - g.point;
+  const Rational top = times(w, g.direction);
+  Line t("t", Rational(top / square), all);
+  addFraction(t, top, square);
+  t.addOverRoot("divided by the length", top, square);
+  for (const auto &[how, value] : dotSlips(w, g.direction))
+    t.addRatio(how, value, square);
+  addLength(all, "distance", ExactVec3(w - g.direction * Rational(top / square)));
+  return all;
+}
+
 } // namespace
 
 std::vector<WrongAnswer> wrongAnswers(std::string_view construction, Objects objects) {
   static const std::map<std::string_view, std::vector<WrongAnswer> (*)(Objects)> all{
-      {"plane-implicit", planeImplicit},
-      {"signed-distance", signedDistance},
-      {"ray-plane-dot", rayPlane},
-      {"ray-triangle-perp", rayTriangle}};
+      {"plane-implicit", planeImplicit},  {"signed-distance", signedDistance}, {"ray-plane-dot", rayPlane},
+      {"ray-triangle-perp", rayTriangle}, {"plane-plane", planePlane},         {"point-line", pointLine}};
   return all.at(construction)(objects);
 }
 

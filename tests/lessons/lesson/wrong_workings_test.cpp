@@ -69,10 +69,9 @@ template <class Use> void forScenes(const Construction &construction, Use use) {
 
 TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
   // Measured: 0.35, 0.50, 0.52, 0.48.
-  const std::map<std::string_view, double> leastShares{{"plane-implicit", 0.34},
-                                                       {"signed-distance", 0.48},
-                                                       {"ray-plane-dot", 0.50},
-                                                       {"ray-triangle-perp", 0.46}};
+  const std::map<std::string_view, double> leastShares{{"plane-implicit", 0.34}, {"signed-distance", 0.48},
+                                                       {"ray-plane-dot", 0.50},  {"ray-triangle-perp", 0.46},
+                                                       {"plane-plane", 0.4},     {"point-line", 0.4}};
   for (const Construction &construction : constructions()) {
     Named count;
     forScenes(construction,
@@ -80,7 +79,7 @@ TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
     RecordProperty(std::string(construction.id), std::to_string(count.share()));
     EXPECT_GT(count.share(), leastShares.at(construction.id))
         << construction.id << ": " << count.named << " of " << count.all;
-    EXPECT_GT(count.all, 1500) << construction.id;
+    EXPECT_GT(count.all, 1000) << construction.id;
   }
 }
 

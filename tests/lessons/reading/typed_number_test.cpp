@@ -1,3 +1,4 @@
+#include "lessons/object/point.h"
 #include "lessons/reading/typed_number.h"
 
 #include "lessons/lesson/typed_answer.h"
@@ -35,7 +36,7 @@ TEST(MixedNumbers, InBlanksAndSetValues_AreMixedNumbers) {
   const Session session{"", 0, {{{"Q", PointObject{}}}}};
   const auto moved = withValue(session, "Q=1 1/2,-3 1/3,2");
   ASSERT_TRUE(moved);
-  EXPECT_EQ(std::get<PointObject>(*findObject(moved->scene, "Q")).at,
+  EXPECT_EQ(objectAs<PointObject>(*findObject(moved->scene, "Q"))->at,
             ExactVec3(Rational(3, 2), Rational(-10, 3), 2));
 }
 

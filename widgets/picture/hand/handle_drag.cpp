@@ -64,7 +64,7 @@ Place inBox(Place place, const ExactVec3 &start) {
 std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera) {
   const Place at = shownPlace(handle);
   const auto grabbable = [&](DragMode mode) { return isGrabbable(constraintOf(mode, handle), camera, at); };
-  if (handle.motion == Handle::Motion::AlongNormal)
+  if (handle.hasAxis())
     return grabbable(DragMode::OwnAxis) ? std::optional(DragMode::OwnAxis) : std::nullopt;
   const DragMode wished = vertical ? DragMode::Vertical : DragMode::Horizontal;
   const DragMode other = vertical ? DragMode::Horizontal : DragMode::Vertical;
@@ -102,6 +102,8 @@ std::optional<Knob> knobOf(const Handle &handle, bool hot) {
     return {};
   case Handle::Motion::AlongNormal:
     return Knob{handle.id, shownPlace(handle), toDouble(handle.axis), Subject::Plane, hot};
+  case Handle::Motion::Length:
+    return Knob{handle.id, shownPlace(handle), toDouble(handle.axis), Subject::Triangle, hot};
   case Handle::Motion::Whole:
     break;
   }

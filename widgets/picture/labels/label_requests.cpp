@@ -112,6 +112,7 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
                  [&](const PointMark &point) { anchors.add(point.at, upperRight, clearanceOf(point)); },
                  [&](const SegmentMark &) { besideLine(); },
                  [&](const RayMark &) { besideLine(); },
+                 [&](const LineMark &) { besideLine(); },
                  [&](const ArrowMark &) {
                    anchors.addTip(path.front(), path.back());
                    for (const double part : besideArrowParts)

@@ -97,6 +97,7 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
           },
           [&](const SegmentMark &) { line(segmentRadius); },
           [&](const RayMark &) { line(rayRadius); },
+          [&](const LineMark &) { line(rayRadius); },
           [&](const ArrowMark &arrow) {
             addArrow(mesh, arrow.from, shownVector(arrow), arrowRadius * brush.width, brush.color,
                      brush.dash);

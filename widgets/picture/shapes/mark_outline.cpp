@@ -55,6 +55,10 @@ MarkOutline outlineOf(const Mark &mark, double size) {
                      [](const RayMark &ray) {
                        return MarkOutline{Kind::Line, {ray.origin, endOf(ray)}};
                      },
+                     [](const LineMark &line) {
+                       const auto [low, high] = endsOf(line);
+                       return MarkOutline{Kind::Line, {low, high}};
+                     },
                      [](const ArrowMark &arrow) {
                        return MarkOutline{Kind::Line, {arrow.from, arrow.from + shownVector(arrow)}};
                      },

@@ -1,4 +1,4 @@
-#include "lessons/scene/flat.h"
+#include "lessons/object/flat.h"
 
 #include "tests/lessons/scenes.h"
 

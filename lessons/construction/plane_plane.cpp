@@ -1,0 +1,168 @@
+// The line that two planes have in common, by Plücker coordinates (note PL; its point nearest to the origin).
+#include "lessons/object/plane.h"
+#include "geometry/intersect_planes.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
+#include "lessons/object/line.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+struct In : Naming {
+  Given<PlaneObject> E;
+  Given<PlaneObject> F;
+};
+
+struct Out : Naming {
+  PlanePlane<Rational> meet;
+  PlaneTerms E, F;
+  Term d1, d2; ///< the planes' constants
+  Term v, m;   ///< direction and moment of the line
+  Term A;      ///< its point nearest to the origin
+  Term cosine; ///< of the angle between the normals
+};
+
+/// d of a plane: −n·P0.
+Term constantOf(const PlaneTerms &plane, const std::string &owner, const Rational &value) {
+  Symbol d = letter("d");
+  d.owner = owner;
+  return name(std::move(d), value).standingFor(-dot(plane.n, plane.P0));
+}
+
+Out compute(const In &in) {
+  const auto first = planeThrough(in.E.object.point, in.E.object.normal);
+  const auto second = planeThrough(in.F.object.point, in.F.object.normal);
+  const auto meet = intersectPlanes(first, second);
+  const PlaneTerms E = termsOf(in.E);
+  const PlaneTerms F = termsOf(in.F);
+  return {in,
+          meet,
+          E,
+          F,
+          constantOf(E, in.E.id, first.offset),
+          constantOf(F, in.F.id, second.offset),
+          madeName(in, "g", "v", meet.line.direction),
+          name(vectorLetter("m"), meet.line.moment),
+          madeName(in, "g", "A", meet.nearest),
+          applied(word("cos"), name(letter("φ"), std::nullopt), meet.cosine)};
+}
+
+CaseWords tell(const In &, const Out &at) {
+  switch (at.meet.which) {
+  case PlanePlaneCase::Line:
+    return {"line", words("The planes {E} and {F} meet in a line, with the direction {v}.", at.letters,
+                          {{"v", equation(at.v)}})};
+  case PlanePlaneCase::Parallel:
+    return {"parallel",
+            words("{E.n} and {F.n} have the same direction, but no point lies in both planes: {E} and "
+                  "{F} are parallel.",
+                  at.letters)};
+  case PlanePlaneCase::Coincident:
+    return {"coincident",
+            words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
+                  "the other.",
+                  at.letters)};
+  case PlanePlaneCase::ZeroNormal:
+    break;
+  }
+  return {"zero-normal",
+          words("One of the normals {E.n} and {F.n} is the zero vector: it points nowhere, so there "
+                "is no plane.",
+                at.letters),
+          true};
+}
+
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
+  if (at.meet.which == PlanePlaneCase::ZeroNormal)
+    return {};
+  std::vector<NamedValue> values;
+  if (at.meet.which == PlanePlaneCase::Line)
+    values = {listed("direction", at.v), listed("moment", at.m), listed("point", at.A)};
+  values.push_back(listed("cos_angle", at.cosine));
+  return values;
+}
+
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (at.meet.which != PlanePlaneCase::Line)
+    return {};
+  return {{"g", LineObject{at.meet.nearest, at.meet.line.direction}}};
+}
+
+WorkingLine constantLine(const Term &d, const PlaneTerms &plane) {
+  return asked(withNumbers(d == -dot(plane.n, plane.P0)),
+               words("The constant of the plane's equation n·P + d = 0."));
+}
+
+WorkingLine directionLine(const Out &at) {
+  return asked(
+      withNumbers(at.v == cross(at.E.n, at.F.n)),
+      at.meet.which == PlanePlaneCase::Line
+          ? words("The line lies in both planes, so it is perpendicular to both normals.")
+          : words("The cross product is the zero vector: the normals have the same direction, and the "
+                  "planes share no single line."),
+      {{cross(at.F.n, at.E.n),
+        words("{answer} is the cross product the other way round: {F.n} × {E.n}.", at.letters)}});
+}
+
+WorkingLine momentLine(const Out &at) {
+  return asked(
+      withNumbers(at.m == at.d1 * at.F.n - at.d2 * at.E.n),
+      words("The moment P × {v} is the same for every point P of the line. The two equations give it "
+            "without knowing any point.",
+            at.letters, {{"v", plainText(at.v)}}));
+}
+
+WorkingLine pointLine(const Out &at) {
+  return asked(withNumbers(at.A == cross(at.v, at.m) / dot(at.v, at.v)),
+               words("The point of the line that is nearest to the origin."));
+}
+
+WorkingLine angleLine(const Out &at) {
+  return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
+               words("φ is the angle between the normals, and so between the planes."));
+}
+
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  if (at.meet.which == PlanePlaneCase::ZeroNormal)
+    return lines;
+  lines.add("d1", [&at] { return constantLine(at.d1, at.E); });
+  lines.add("d2", [&at] { return constantLine(at.d2, at.F); });
+  lines.add("direction", [&at] { return directionLine(at); });
+  if (at.meet.which == PlanePlaneCase::Line) {
+    lines.add("moment", [&at] { return momentLine(at); });
+    lines.add("point", [&at] { return pointLine(at); });
+  }
+  lines.add("angle", [&at] { return angleLine(at); });
+  return lines;
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  if (at.meet.which != PlanePlaneCase::Line)
+    return figure;
+  const Place point = place(at.A);
+  MarkBase line{in.mark("g"), Role::Result, Subject::Ray, latexOf(in.made.at("g").symbol)};
+  figure.add(LineMark{std::move(line), point, unitOf(at.meet.line.direction)});
+  ArrowMark direction = arrowOf(at.v, point, Role::Derived, Subject::Ray);
+  direction.isFree = true;
+  figure.add(std::move(direction));
+  figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
+  figure.reaches = {{in.E.id, point}, {in.F.id, point}};
+  return figure;
+}
+
+} // namespace
+
+Construction plane_plane() {
+  return makeConstruction<In, Out, PlaneObject, PlaneObject>("plane-plane", {"E", "F"}, {{"g", "line"}},
+                                                             {compute, tell, valuesOf, make, explain, draw});
+}
+
+} // namespace halfspace

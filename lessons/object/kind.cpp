@@ -1,0 +1,83 @@
+#include "lessons/object/kind.h"
+
+#include "lessons/object/drawing.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+
+void settleNothing(Object &) {}
+
+std::vector<Handle> noHandles(const Given<Object> &) { return {}; }
+
+void offerNothing(const Given<Object> &, Surroundings &) {}
+
+void aimAtNothing(const Given<Object> &, const Handle &, const Surroundings &, std::vector<SnapTarget> &) {}
+
+MarkBase wholeOf(const Given<Object> &given, Subject subject) {
+  return {given.id, Role::Given, subject, latexOf(given.symbol)};
+}
+
+MarkBase partOf(const Given<Object> &given, std::size_t index, Subject subject) {
+  return {coordinateId(given.id, coordinatesOf(given.object)[index]), Role::Given, subject,
+          latexOf(given.letters[index])};
+}
+
+PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject) {
+  return {partOf(given, index, subject), place(given.object[index])};
+}
+
+ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject) {
+  return {partOf(given, index, subject), place(given.object[0]), place(given.object[index]), true};
+}
+
+void offerPoint(const Given<Object> &given, std::size_t index, std::string words, Surroundings &found) {
+  found.points.push_back({given.object[index], std::move(words)});
+}
+
+void offerVertices(const Given<Object> &given, std::size_t first, bool closed, Surroundings &found) {
+  const std::size_t end = given.object.size();
+  const auto nameOf = [&](std::size_t index) { return plainText(given.letters[index]); };
+  for (std::size_t i = first; i < end; ++i) {
+    offerPoint(given, i, words("vertex {name}", {{"name", nameOf(i)}}), found);
+    const std::size_t next = i + 1 == end ? first : i + 1;
+    if ((i + 1 == end && !closed) || given.object[i] == given.object[next])
+      continue;
+    const std::string edge = nameOf(std::min(i, next)) + nameOf(std::max(i, next));
+    found.edges.push_back({given.object[i], given.object[next], words("edge {name}", {{"name", edge}})});
+  }
+}
+
+Handle wholeHandle(const Given<Object> &given) {
+  const auto specs = coordinatesOf(given.object);
+  ExactVec3 sum(0);
+  Rational count = 0;
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    if (specs[i].role == CoordinateRole::Position) {
+      sum += given.object[i];
+      count += 1;
+    }
+  Handle handle;
+  handle.id = given.id + ".whole";
+  handle.object = given.id;
+  handle.motion = Handle::Motion::Whole;
+  handle.at = sum / count;
+  // So the first position is the one that is snapped: parts of a middle would be no short numbers.
+  handle.base = handle.at - given.object[0];
+  return handle;
+}
+
+Handle lengthHandle(const Given<Object> &given, std::size_t index) {
+  Handle handle;
+  handle.id = coordinateId(given.id, coordinatesOf(given.object)[index]);
+  handle.object = given.id;
+  handle.motion = Handle::Motion::Length;
+  handle.coordinate = index;
+  handle.base = given.object[0];
+  handle.axis = {1, 0, 0};
+  handle.at = handle.base + handle.axis * given.object[index].x;
+  return handle;
+}
+
+} // namespace halfspace

@@ -1,0 +1,71 @@
+// A kind of objects. Each stands in one file of lessons/object/, and its file's name in the list of
+// lessons/CMakeLists.txt, from which the table is generated. From it follow the file format, the names for
+// --set, the rows of the inspector, the handles, the picture and what others snap to.
+#pragma once
+
+#include "lessons/figure/figure.h"
+#include "lessons/object/given.h"
+#include "lessons/object/handle.h"
+#include "lessons/object/surroundings.h"
+
+namespace halfspace {
+
+/// All that is said of a kind. None of it has a default: what is left out does not compile.
+struct Kind {
+  std::string_view word;    ///< in files, in small letters: plane
+  std::string_view meaning; ///< for the documentation, in half a sentence
+  /// With all vertices that there may be, which stand last. A direction starts from the first coordinate, a
+  /// position.
+  std::vector<CoordinateSpec> coordinates;
+  std::size_t leavableVertices; ///< so many of the last vertices may be missing
+  /// Brings the coordinates within what the kind allows: a number within its bounds, a length not below 0.
+  void (*settle)(Object &);
+  /// The marks, with the ids of the object and its coordinates: `E`, `E.n`. What has no length or no area is
+  /// left out.
+  std::vector<Mark> (*draw)(const Given<Object> &);
+  /// The handles besides those of positions and directions.
+  std::vector<Handle> (*ownHandles)(const Given<Object> &);
+  /// Adds what others can snap to on it.
+  void (*offer)(const Given<Object> &, Surroundings &);
+  /// Adds what a handle of one of its coordinates catches at, besides the places that every position catches
+  /// at.
+  void (*aim)(const Given<Object> &, const Handle &, const Surroundings &, std::vector<SnapTarget> &);
+
+  [[nodiscard]] std::size_t fewestCoordinates() const { return coordinates.size() - leavableVertices; }
+};
+
+/// All kinds, in the order of the CMake list.
+[[nodiscard]] const std::vector<Kind> &kinds();
+
+/// The kind of this word, or null.
+[[nodiscard]] const Kind *findKind(std::string_view word);
+
+// For kinds that have none:
+void settleNothing(Object &object);
+[[nodiscard]] std::vector<Handle> noHandles(const Given<Object> &given);
+void offerNothing(const Given<Object> &given, Surroundings &found);
+void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surroundings &found,
+                  std::vector<SnapTarget> &targets);
+
+// What several kinds have:
+
+/// What the mark of the whole object has; its label is the object's letter.
+[[nodiscard]] MarkBase wholeOf(const Given<Object> &given, Subject subject);
+/// What the mark of a coordinate has.
+[[nodiscard]] MarkBase partOf(const Given<Object> &given, std::size_t index, Subject subject);
+/// The point of a position, and the arrow of a direction ≠ 0 from the first position.
+[[nodiscard]] PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject);
+[[nodiscard]] ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject);
+
+/// Adds the object's position as a point, “start Q”.
+void offerPoint(const Given<Object> &given, std::size_t index, std::string words, Surroundings &found);
+/// Adds the vertices among its coordinates from `first` on, and the edges between neighbours; `closed`: the
+/// last and the first are neighbours too.
+void offerVertices(const Given<Object> &given, std::size_t first, bool closed, Surroundings &found);
+
+/// The handle that moves all positions together: at their middle, snapped as the first.
+[[nodiscard]] Handle wholeHandle(const Given<Object> &given);
+/// The handle of a length: on the axis x from the first position.
+[[nodiscard]] Handle lengthHandle(const Given<Object> &given, std::size_t index);
+
+} // namespace halfspace

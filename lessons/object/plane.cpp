@@ -1,0 +1,78 @@
+#include "lessons/object/plane.h"
+
+#include "lessons/object/drawing.h"
+#include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+
+namespace halfspace {
+namespace {
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  const Given<PlaneObject> plane = as<PlaneObject>(given);
+  const auto &[point, normal] = plane.object;
+  std::vector<Mark> marks;
+  if (!isZero(normal)) {
+    MarkBase patch = wholeOf(given, Subject::Plane);
+    patch.numbers = "\\colon\\ {" + latexOf(equationOf(termsOf(plane))) + "}";
+    marks.push_back(PlanePatchMark{std::move(patch), place(point), place(normal), {}});
+    marks.push_back(arrowMark(given, 1, Subject::Plane));
+  }
+  marks.push_back(pointMark(given, 0, Subject::Plane));
+  return marks;
+}
+
+/// The knob that moves the plane along its normal; a zero normal points nowhere, so there is none.
+std::vector<Handle> ownHandles(const Given<Object> &given) {
+  if (isZero(given.object[1]))
+    return {};
+  Handle handle;
+  handle.id = given.id + ".offset";
+  handle.object = given.id;
+  handle.motion = Handle::Motion::AlongNormal;
+  handle.at = given.object[0];
+  handle.axis = given.object[1];
+  return {handle};
+}
+
+void offer(const Given<Object> &given, Surroundings &found) {
+  if (!isZero(given.object[1]))
+    found.planes.push_back({given.object[0], given.object[1], plainText(given.symbol)});
+}
+
+void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
+         std::vector<SnapTarget> &targets) {
+  if (handle.motion == Handle::Motion::AlongNormal)
+    aimThroughPoints(found, handle.axis, targets);
+  else if (handle.coordinate == 1)
+    aimAlongAxes(handle.base, targets);
+}
+
+} // namespace
+
+PlaneTerms termsOf(const Given<PlaneObject> &plane) {
+  return {coordinateTerm(plane, 0), coordinateTerm(plane, 1)};
+}
+
+Chain equationOf(const PlaneTerms &plane) {
+  return condition(calculated(dot(plane.n, anyPoint() - plane.P0)) == 0);
+}
+
+namespace object_kinds {
+
+Kind plane() {
+  return {.word = PlaneObject::kind,
+          .meaning = "a plane by a point of it and its normal",
+          .coordinates = {{"P0", CoordinateRole::Position}, {"n", CoordinateRole::Direction}},
+          .leavableVertices = 0,
+          .settle = settleNothing,
+          .draw = draw,
+          .ownHandles = ownHandles,
+          .offer = offer,
+          .aim = aim};
+}
+
+} // namespace object_kinds
+} // namespace halfspace

@@ -1,0 +1,39 @@
+// Segments: what lies between two points.
+#include "lessons/object/drawing.h"
+#include "lessons/object/kind.h"
+
+namespace halfspace {
+namespace {
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  std::vector<Mark> marks;
+  if (given.object[0] != given.object[1]) // its ends have names enough
+    marks.push_back(
+        SegmentMark{{given.id, Role::Given, Subject::Ray}, place(given.object[0]), place(given.object[1])});
+  marks.push_back(pointMark(given, 0, Subject::Point));
+  marks.push_back(pointMark(given, 1, Subject::Point));
+  return marks;
+}
+
+std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
+
+void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, false, found); }
+
+} // namespace
+
+namespace object_kinds {
+
+Kind segment() {
+  return {.word = "segment",
+          .meaning = "a segment by its ends",
+          .coordinates = {{"A", CoordinateRole::Position}, {"B", CoordinateRole::Position}},
+          .leavableVertices = 0,
+          .settle = settleNothing,
+          .draw = draw,
+          .ownHandles = ownHandles,
+          .offer = offer,
+          .aim = aimAtNothing};
+}
+
+} // namespace object_kinds
+} // namespace halfspace

@@ -1,0 +1,75 @@
+#include "lessons/object/surroundings.h"
+
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+bool isBetween(const ExactVec3 &place, const NamedEdge &edge) {
+  const ExactVec3 whole = edge.to - edge.from;
+  const Rational along = dot(place - edge.from, whole);
+  return along >= 0 && along <= dot(whole, whole);
+}
+
+/// Whether the line from `base` in the direction of `place` crosses the edge between its ends. All lie in one
+/// plane.
+bool crossesEdge(const ExactVec3 &base, const ExactVec3 &place, const NamedEdge &edge) {
+  const ExactVec3 toFrom = edge.from - base;
+  const ExactVec3 toTo = edge.to - base;
+  const ExactVec3 direction = place - base;
+  // The ends lie on different sides of the line: their cross products with its direction point apart.
+  return !isZero(direction) && dot(cross(direction, toFrom), cross(direction, toTo)) <= 0;
+}
+
+} // namespace
+
+void aimAtPlaces(const Surroundings &found, std::vector<SnapTarget> &targets) {
+  for (const NamedPoint &point : found.points)
+    targets.push_back({Flat::point(point.at), point.name, {}});
+  for (const NamedEdge &edge : found.edges)
+    targets.push_back({Flat::line(edge.from, edge.to - edge.from), edge.name,
+                       [edge](const ExactVec3 &place) { return isBetween(place, edge); }});
+  for (const NamedLine &line : found.lines)
+    targets.push_back({Flat::line(line.through, line.direction), line.name, {}});
+  for (const NamedPlane &plane : found.planes)
+    targets.push_back(
+        {Flat::plane(plane.point, plane.normal), words("plane {name}", {{"name", plane.name}}), {}});
+}
+
+void aimAlongAxes(const ExactVec3 &base, std::vector<SnapTarget> &targets) {
+  for (int axis = 0; axis < 3; ++axis) {
+    ExactVec3 direction(0);
+    direction[axis] = 1;
+    targets.push_back({Flat::line(base, direction), words("axis-parallel"),
+                       [base](const ExactVec3 &place) { return place != base; }});
+  }
+}
+
+void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets) {
+  const auto pointsSomewhere = [base](const ExactVec3 &place) { return place != base; };
+  for (const NamedPoint &point : found.points)
+    if (point.at != base)
+      targets.push_back({Flat::line(base, point.at - base), words("through {name}", {{"name", point.name}}),
+                         pointsSomewhere});
+  aimAlongAxes(base, targets);
+  for (const NamedEdge &edge : found.edges) {
+    const ExactVec3 normal = cross(edge.from - base, edge.to - base);
+    if (!isZero(normal))
+      targets.push_back({Flat::plane(base, normal), words("through {name}", {{"name", edge.name}}),
+                         [base, edge](const ExactVec3 &place) { return crossesEdge(base, place, edge); }});
+  }
+  for (const NamedPlane &plane : found.planes) {
+    const bool startsInIt = dot(plane.normal, base - plane.point) == 0;
+    targets.push_back({Flat::plane(base, plane.normal),
+                       startsInIt ? words("in the plane {name}", {{"name", plane.name}})
+                                  : words("parallel to {name}", {{"name", plane.name}}),
+                       pointsSomewhere});
+  }
+}
+
+void aimThroughPoints(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets) {
+  for (const NamedPoint &point : found.points)
+    targets.push_back({Flat::plane(point.at, normal), words("through {name}", {{"name", point.name}}), {}});
+}
+
+} // namespace halfspace

@@ -1,0 +1,59 @@
+// What objects have that the handles of others can snap to.
+#pragma once
+
+#include "lessons/object/flat.h"
+
+#include <functional>
+
+namespace halfspace {
+
+struct NamedPoint {
+  ExactVec3 at;
+  std::string name; ///< “vertex P₁”
+};
+
+struct NamedEdge {
+  ExactVec3 from;
+  ExactVec3 to;
+  std::string name; ///< “edge P₀P₁”
+};
+
+struct NamedLine {
+  ExactVec3 through;
+  ExactVec3 direction; ///< not zero
+  std::string name;    ///< “line g”
+};
+
+struct NamedPlane {
+  ExactVec3 point;
+  ExactVec3 normal; ///< not zero
+  std::string name; ///< “E”
+};
+
+/// What the objects around a handle offer.
+struct Surroundings {
+  std::vector<NamedPoint> points;
+  std::vector<NamedEdge> edges;
+  std::vector<NamedLine> lines;
+  std::vector<NamedPlane> planes;
+};
+
+/// The places that make something special true of a handle, and the words for it.
+struct SnapTarget {
+  Flat places;
+  std::string name;
+  /// Whether a place of the flat counts: between an edge's ends, not a zero direction. Empty: all do.
+  std::function<bool(const ExactVec3 &)> counts;
+};
+
+/// Adds what every position catches at: points, edges, lines, planes.
+void aimAtPlaces(const Surroundings &found, std::vector<SnapTarget> &targets);
+/// Adds what an arrow from `base` catches at that stands for a direction alone: the axes.
+void aimAlongAxes(const ExactVec3 &base, std::vector<SnapTarget> &targets);
+/// Adds what an arrow from `base` catches at that leads somewhere: through a point or an edge, parallel to a
+/// plane or in it, along an axis.
+void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets);
+/// Adds where a plane of this normal, moved along it, goes through a point.
+void aimThroughPoints(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets);
+
+} // namespace halfspace

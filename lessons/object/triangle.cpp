@@ -1,0 +1,73 @@
+#include "lessons/object/triangle.h"
+
+#include "lessons/object/drawing.h"
+#include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+ExactVec3 normalOf(const Object &triangle) {
+  return cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+}
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  const auto [p0, p1, p2] = as<TriangleObject>(given).object;
+  std::vector<Mark> marks;
+  if (!isZero(normalOf(given.object))) // its corners have names enough
+    marks.push_back(
+        PolygonMark{{given.id, Role::Given, Subject::Triangle}, {place(p0), place(p1), place(p2)}});
+  for (std::size_t i = 0; i < 3; ++i)
+    marks.push_back(pointMark(given, i, Subject::Triangle));
+  return marks;
+}
+
+std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
+
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerVertices(given, 0, true, found);
+  if (const ExactVec3 normal = normalOf(given.object); !isZero(normal))
+    found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
+}
+
+/// In line with the two other corners: the degenerate case that a learner is asked to find.
+void aim(const Given<Object> &given, const Handle &handle, const Surroundings &,
+         std::vector<SnapTarget> &targets) {
+  const std::size_t first = handle.coordinate == 0 ? 1 : 0;
+  const std::size_t second = handle.coordinate == 2 ? 1 : 2;
+  const ExactVec3 &from = given.object[first];
+  const ExactVec3 &to = given.object[second];
+  if (from != to)
+    targets.push_back(
+        {Flat::line(from, to - from),
+         words("in line with {first} and {second}",
+               {{"first", plainText(given.letters[first])}, {"second", plainText(given.letters[second])}}),
+         {}});
+}
+
+} // namespace
+
+TriangleTerms termsOf(const Given<TriangleObject> &triangle) {
+  return {coordinateTerm(triangle, 0), coordinateTerm(triangle, 1), coordinateTerm(triangle, 2)};
+}
+
+namespace object_kinds {
+
+Kind triangle() {
+  return {.word = TriangleObject::kind,
+          .meaning = "a triangle by its corners",
+          .coordinates = {{"P0", CoordinateRole::Position},
+                          {"P1", CoordinateRole::Position},
+                          {"P2", CoordinateRole::Position}},
+          .leavableVertices = 0,
+          .settle = settleNothing,
+          .draw = draw,
+          .ownHandles = ownHandles,
+          .offer = offer,
+          .aim = aim};
+}
+
+} // namespace object_kinds
+} // namespace halfspace

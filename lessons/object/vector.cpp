@@ -1,0 +1,47 @@
+// Vectors, drawn from a point.
+#include "lessons/object/drawing.h"
+#include "lessons/object/kind.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  std::vector<Mark> marks;
+  if (!isZero(given.object[1]))
+    marks.push_back(arrowMark(given, 1, Subject::Neutral));
+  marks.push_back(pointMark(given, 0, Subject::Neutral));
+  return marks;
+}
+
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerPoint(given, 0, words("point {name}", {{"name", plainText(given.letters[0])}}), found);
+  offerPoint(given, 1, words("tip of {name}", {{"name", plainText(given.letters[1])}}), found);
+  found.points.back().at += given.object[0];
+}
+
+void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
+         std::vector<SnapTarget> &targets) {
+  if (handle.coordinate == 1)
+    aimAtSurroundings(found, handle.base, targets);
+}
+
+} // namespace
+
+namespace object_kinds {
+
+Kind vector() {
+  return {.word = "vector",
+          .meaning = "a vector, drawn from a point",
+          .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction}},
+          .leavableVertices = 0,
+          .settle = settleNothing,
+          .draw = draw,
+          .ownHandles = noHandles,
+          .offer = offer,
+          .aim = aim};
+}
+
+} // namespace object_kinds
+} // namespace halfspace

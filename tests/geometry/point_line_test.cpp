@@ -1,0 +1,57 @@
+#include "geometry/point_line.h"
+
+#include "tests/geometry/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+using Exact = Vec3<Rational>;
+
+TEST(PointLine, BesideAnAxis_IsAsFarAsTheOtherCoordinatesSay) {
+  const auto measured = measurePointLine(Exact(5, 3, 4), Exact(1, 0, 0), Exact(2, 0, 0));
+  EXPECT_EQ(measured.which, PointLineCase::Off);
+  EXPECT_EQ(measured.t, 2);
+  EXPECT_EQ(measured.foot, Exact(5, 0, 0));
+  EXPECT_EQ(measured.distance, Surd(5));
+}
+
+TEST(PointLine, OnTheLine_IsItsOwnFoot) {
+  const auto measured = measurePointLine(Exact(7, 7, 7), Exact(1, 1, 1), Exact(-3, -3, -3));
+  EXPECT_EQ(measured.which, PointLineCase::On);
+  EXPECT_EQ(measured.t, -2);
+  EXPECT_EQ(measured.distance, Surd(0));
+}
+
+TEST(PointLine, ALineWithoutDirection_IsToldAsOne) {
+  EXPECT_EQ(measurePointLine(Exact(1, 2, 3), Exact(1, 2, 3), Exact(0)).which, PointLineCase::ZeroDirection);
+}
+
+TEST(PointLine, OfAnyNumbers_HasAFootStraightBelowAndThePlueckerDistance) {
+  std::mt19937_64 engine(9);
+  const auto number = [&] {
+    return Rational(static_cast<int>(engine() % 41) - 20, 1 + static_cast<int>(engine() % 5));
+  };
+  const auto vector = [&] {
+    const Rational x = number();
+    const Rational y = number();
+    return Exact(x, y, number());
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Exact point = vector();
+    const Exact through = vector();
+    const Exact direction = vector();
+    if (isZero(direction))
+      continue;
+    const auto measured = measurePointLine(point, through, direction);
+    EXPECT_EQ(dot(Exact(point - measured.foot), direction), 0);
+    EXPECT_TRUE(isZero(cross(Exact(measured.foot - through), direction)));
+    // |w×v|/|v| by another way.
+    const Exact moment = cross(Exact(point - through), direction);
+    EXPECT_EQ(measured.distance, Surd::root(Rational(dot(moment, moment) / dot(direction, direction))));
+  }
+}
+
+} // namespace
+} // namespace halfspace
