@@ -94,6 +94,13 @@ struct PolygonMark : MarkBase {
   bool operator==(const PolygonMark &) const = default;
 };
 
+/// A ball that is seen through, with three great circles.
+struct SphereMark : MarkBase {
+  Place center{};
+  double radius = 0;
+  bool operator==(const SphereMark &) const = default;
+};
+
 /// The arc of an angle at `center` from the direction `from` to the direction `to` (neither need be unit).
 struct ArcMark : MarkBase {
   Place center{};
@@ -111,7 +118,7 @@ struct RightAngleMark : MarkBase {
 };
 
 using Mark = std::variant<PointMark, SegmentMark, RayMark, LineMark, ArrowMark, PlanePatchMark, PolygonMark,
-                          ArcMark, RightAngleMark>;
+                          SphereMark, ArcMark, RightAngleMark>;
 
 /// A place that the mark with this id is to be drawn up to: that a patch covers, that a ray meets.
 struct Reach {

@@ -26,6 +26,21 @@ ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subj
   return {drawn(letter, role, subject), from, place(letter)};
 }
 
+bool isFlatAndConvex(const std::vector<ExactVec3> &corners) {
+  const std::size_t count = corners.size();
+  const ExactVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[1]);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 2; k < count; ++k) {
+      // Every other corner on the same side of every edge: so a star that goes around twice is none.
+      const ExactVec3 &from = corners[i];
+      const ExactVec3 edge = corners[(i + 1) % count] - from;
+      const ExactVec3 other = corners[(i + k) % count] - from;
+      if (dot(normal, other) != 0 || dot(cross(edge, other), normal) <= 0)
+        return false;
+    }
+  return true;
+}
+
 Place unitOf(const ExactVec3 &direction) {
   // The largest coordinate is made 1 first: the squares of a very short direction's doubles would vanish.
   const auto size = [](const Rational &x) { return abs(x); };

@@ -32,12 +32,41 @@ ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subje
   return {partOf(given, index, subject), place(given.object[0]), place(given.object[index]), true};
 }
 
+void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks) {
+  std::vector<Place> places;
+  for (const ExactVec3 &corner : corners)
+    places.push_back(place(corner));
+  if (isFlatAndConvex(corners)) {
+    marks.push_back(PolygonMark{base, std::move(places)});
+    return;
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (const Place &next = places[(i + 1) % places.size()]; next != places[i])
+      marks.push_back(
+          SegmentMark{{base.id + "/side" + std::to_string(i), base.role, base.subject}, places[i], next});
+}
+
+void addFaces(const Given<Object> &given, const std::vector<ExactVec3> &corners,
+              const std::vector<std::vector<std::size_t>> &faces, std::vector<Mark> &marks) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    MarkBase base = wholeOf(given, Subject::Triangle);
+    if (i > 0) {
+      base.id += "/face" + std::to_string(i);
+      base.label.clear();
+    }
+    std::vector<ExactVec3> around;
+    for (const std::size_t corner : faces[i])
+      around.push_back(corners[corner]);
+    addFace(base, around, marks);
+  }
+}
+
 void offerPoint(const Given<Object> &given, std::size_t index, std::string words, Surroundings &found) {
   found.points.push_back({given.object[index], std::move(words)});
 }
 
-void offerVertices(const Given<Object> &given, std::size_t first, bool closed, Surroundings &found) {
-  const std::size_t end = given.object.size();
+void offerVertices(const Given<Object> &given, std::size_t first, std::size_t end, bool closed,
+                   Surroundings &found) {
   const auto nameOf = [&](std::size_t index) { return plainText(given.letters[index]); };
   for (std::size_t i = first; i < end; ++i) {
     offerPoint(given, i, words("vertex {name}", {{"name", nameOf(i)}}), found);
@@ -68,16 +97,23 @@ Handle wholeHandle(const Given<Object> &given) {
   return handle;
 }
 
-Handle lengthHandle(const Given<Object> &given, std::size_t index) {
+Handle lengthHandle(const Given<Object> &given, std::size_t index, int axis) {
   Handle handle;
   handle.id = coordinateId(given.id, coordinatesOf(given.object)[index]);
   handle.object = given.id;
   handle.motion = Handle::Motion::Length;
   handle.coordinate = index;
   handle.base = given.object[0];
-  handle.axis = {1, 0, 0};
+  handle.axis[axis] = 1;
   handle.at = handle.base + handle.axis * given.object[index].x;
   return handle;
+}
+
+void settleLengths(Object &object) {
+  const auto specs = coordinatesOf(object);
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    if (specs[i].role == CoordinateRole::Length)
+      object[i].x = abs(object[i].x);
 }
 
 } // namespace halfspace

@@ -57,15 +57,25 @@ void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surrou
 [[nodiscard]] PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject);
 [[nodiscard]] ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject);
 
+/// Adds a face: filled where it is flat and convex; else its sides alone, as marks that accompany it.
+void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks);
+/// Adds the faces of a solid, given by the indices of their corners. The first is the mark of the whole
+/// object, the others accompany it.
+void addFaces(const Given<Object> &given, const std::vector<ExactVec3> &corners,
+              const std::vector<std::vector<std::size_t>> &faces, std::vector<Mark> &marks);
+
 /// Adds the object's position as a point, “start Q”.
 void offerPoint(const Given<Object> &given, std::size_t index, std::string words, Surroundings &found);
-/// Adds the vertices among its coordinates from `first` on, and the edges between neighbours; `closed`: the
-/// last and the first are neighbours too.
-void offerVertices(const Given<Object> &given, std::size_t first, bool closed, Surroundings &found);
+/// Adds the vertices among its coordinates [first, end), and the edges between neighbours; `closed`: the last
+/// and the first are neighbours too.
+void offerVertices(const Given<Object> &given, std::size_t first, std::size_t end, bool closed,
+                   Surroundings &found);
 
 /// The handle that moves all positions together: at their middle, snapped as the first.
 [[nodiscard]] Handle wholeHandle(const Given<Object> &given);
-/// The handle of a length: on the axis x from the first position.
-[[nodiscard]] Handle lengthHandle(const Given<Object> &given, std::size_t index);
+/// The handle of a length: on an axis (0, 1, 2) from the first position.
+[[nodiscard]] Handle lengthHandle(const Given<Object> &given, std::size_t index, int axis);
+/// Settles an object whose lengths are not below 0.
+void settleLengths(Object &object);
 
 } // namespace halfspace

@@ -5,41 +5,12 @@
 namespace halfspace {
 namespace {
 
-std::vector<Place> places(const Object &polygon) {
-  std::vector<Place> all;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    all.push_back(place(polygon[i]));
-  return all;
-}
-
-/// Whether the corners lie in one plane and turn the same way everywhere, once around.
-bool isFlatAndConvex(const Object &polygon) {
-  const std::size_t count = polygon.size();
-  const ExactVec3 normal = cross(polygon[1] - polygon[0], polygon[2] - polygon[1]);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 2; k < count; ++k) {
-      // Every other corner on the same side of every edge: so a star that goes around twice is none.
-      const ExactVec3 &from = polygon[i];
-      const ExactVec3 edge = polygon[(i + 1) % count] - from;
-      const ExactVec3 other = polygon[(i + k) % count] - from;
-      const ExactVec3 turn = cross(edge, other);
-      if (dot(normal, other) != 0 || dot(turn, normal) <= 0)
-        return false;
-    }
-  return true;
-}
-
 std::vector<Mark> draw(const Given<Object> &given) {
+  std::vector<ExactVec3> corners;
+  for (std::size_t i = 0; i < given.object.size(); ++i)
+    corners.push_back(given.object[i]);
   std::vector<Mark> marks;
-  std::vector<Place> corners = places(given.object);
-  if (isFlatAndConvex(given.object)) {
-    marks.push_back(PolygonMark{wholeOf(given, Subject::Triangle), std::move(corners)});
-  } else {
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (const Place &next = corners[(i + 1) % corners.size()]; next != corners[i])
-        marks.push_back(SegmentMark{
-            {given.id + "/" + std::to_string(i), Role::Given, Subject::Triangle}, corners[i], next});
-  }
+  addFace(wholeOf(given, Subject::Triangle), corners, marks);
   for (std::size_t i = 0; i < given.object.size(); ++i)
     marks.push_back(pointMark(given, i, Subject::Triangle));
   return marks;
@@ -47,7 +18,9 @@ std::vector<Mark> draw(const Given<Object> &given) {
 
 std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
-void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, true, found); }
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerVertices(given, 0, given.object.size(), true, found);
+}
 
 } // namespace
 

@@ -17,7 +17,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
 
 std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
-void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, false, found); }
+void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 2, false, found); }
 
 } // namespace
 

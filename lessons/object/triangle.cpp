@@ -27,7 +27,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
 std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
 void offer(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, true, found);
+  offerVertices(given, 0, 3, true, found);
   if (const ExactVec3 normal = normalOf(given.object); !isZero(normal))
     found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
 }

@@ -51,6 +51,9 @@ std::vector<Place> placesOf(const Figure &figure) {
                           },
                           [&](const PlanePatchMark &patch) { add(cornersOf(patch)); },
                           [&](const PolygonMark &polygon) { add(polygon.corners); },
+                          [&](const SphereMark &sphere) {
+                            add({sphere.center - Place(sphere.radius), sphere.center + Place(sphere.radius)});
+                          },
                           [&](const ArcMark &arc) { add({arc.center}); },
                           [&](const RightAngleMark &corner) { add({corner.at}); }},
                mark);

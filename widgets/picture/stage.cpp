@@ -173,6 +173,12 @@ public:
     if (std::all_of(polygon.corners.begin(), polygon.corners.end(), isWithinReach))
       keep(std::move(polygon));
   }
+  void operator()(SphereMark sphere) {
+    sphere.center = position(sphere.center);
+    sphere.radius /= m_unit;
+    if (isWithinReach(sphere.center) && sphere.radius <= drawnReach)
+      keep(std::move(sphere));
+  }
   void operator()(ArcMark arc) {
     arc.center = position(arc.center);
     if (isWithinReach(arc.center))

@@ -295,6 +295,9 @@ private:
                      return places;
                    },
                    [](const PolygonMark &m) { return m.corners; },
+                   [](const SphereMark &m) {
+                     return std::vector{m.center, Place(m.radius)};
+                   },
                    [](const ArcMark &m) {
                      return std::vector{m.center, m.from, m.to};
                    },

@@ -144,7 +144,11 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn([] {
                              words.emplace_back(word);
                            return words;
                          }()),
-                         [](const auto &each) { return each.param; });
+                         [](const auto &each) {
+                           std::string name = each.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Polygon, OfAnyNumberOfCorners_GainsAndLosesThem) {
   Object polygon = *makeObject("polygon");
@@ -177,7 +181,7 @@ TEST(Polygon, FlatAndConvex_IsFilledAndOthersAreOutlined) {
   EXPECT_FALSE(isFilled(polygonOf({{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}}))) << "crossing itself";
   EXPECT_FALSE(isFilled(polygonOf({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}})));
   const Figure star = figureOf(evaluate({{{"A1", polygonOf({{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}})}}}));
-  EXPECT_NE(findMark(star, "A1/3"), nullptr) << "its last side";
+  EXPECT_NE(findMark(star, "A1/side3"), nullptr) << "its last side";
 }
 
 TEST(Number, ChangedBeyondItsBounds_StaysWithinThem) {

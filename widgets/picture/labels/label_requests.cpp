@@ -122,6 +122,10 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
                  [&](const PolygonMark &) {
                    anchors.add(middleOf(path), {0, 0}, 0);
                  },
+                 [&](const SphereMark &sphere) {
+                   anchors.addTip(sphere.center, sphere.center + Place(0, 0, sphere.radius));
+                   anchors.addTip(sphere.center, sphere.center + Place(0, sphere.radius, 0));
+                 },
                  [&](const ArcMark &arc) {
                    for (const double part : alongArcParts)
                      anchors.addTip(arc.center, path[static_cast<std::size_t>(part * double(path.size()))]);

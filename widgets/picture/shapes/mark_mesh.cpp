@@ -14,6 +14,7 @@ constexpr double rayRadius = 0.05;
 constexpr double polygonEdgeRadius = 0.05;
 constexpr double patchEdgeRadius = 0.045;
 constexpr double angleRadius = 0.04;
+constexpr double sphereRadius = 0.03;
 constexpr double dashLength = 0.42;
 
 /// More points than this are drawn as coarse balls.
@@ -107,6 +108,7 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
             addBorder(mesh, outline.path, patchEdgeRadius, border);
           },
           [&](const PolygonMark &) { addBorder(mesh, outline.path, polygonEdgeRadius, brush); },
+          [&](const SphereMark &) { line(sphereRadius); },
           [&](const ArcMark &) { addTube(mesh, outline.path, angleRadius * brush.width, brush.color); },
           [&](const RightAngleMark &) {
             addTube(mesh, outline.path, angleRadius * brush.width, brush.color);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 using Kind = MarkOutline::Kind;
 
 constexpr int arcPieces = 28;
+constexpr int circlePieces = 64;
 
 /// An arc is this much larger than the corner of a right angle.
 constexpr double arcPerCorner = 1.8;
@@ -30,6 +32,27 @@ std::vector<Place> arcPath(const ArcMark &arc, double radius) {
     const double turned = angle * i / arcPieces;
     path.push_back(arc.center + (start * std::cos(turned) + across * std::sin(turned)) * radius);
   }
+  return path;
+}
+
+/// Three great circles in one path: around z, around y, and after a quarter of the first around x.
+std::vector<Place> greatCircles(const SphereMark &sphere) {
+  std::vector<Place> path;
+  if (!(sphere.radius > 0))
+    return path;
+  const auto turn = [&](Place from, Place to, int pieces) {
+    for (int i = 0; i <= pieces; ++i) {
+      const double angle = 2 * std::numbers::pi * i / circlePieces;
+      path.push_back(sphere.center + (from * std::cos(angle) + to * std::sin(angle)) * sphere.radius);
+    }
+  };
+  const Place x(1, 0, 0);
+  const Place y(0, 1, 0);
+  const Place z(0, 0, 1);
+  turn(x, y, circlePieces);
+  turn(x, z, circlePieces);
+  turn(x, y, circlePieces / 4);
+  turn(y, z, circlePieces);
   return path;
 }
 
@@ -67,6 +90,9 @@ MarkOutline outlineOf(const Mark &mark, double size) {
                      },
                      [](const PolygonMark &polygon) {
                        return MarkOutline{Kind::Face, polygon.corners};
+                     },
+                     [](const SphereMark &sphere) {
+                       return MarkOutline{Kind::Line, greatCircles(sphere)};
                      },
                      [&](const ArcMark &arc) {
                        return MarkOutline{Kind::Line, arcPath(arc, size * arcPerCorner)};

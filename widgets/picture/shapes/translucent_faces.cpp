@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace halfspace {
@@ -18,6 +19,10 @@ constexpr double onPlaneTolerance = 1e-7;
 
 constexpr double ghostOpacity = 0.35;
 constexpr double highlightOpacity = 0.18;
+
+// The pieces of a ball's surface: flat, and few, as they are ordered anew in every frame.
+constexpr int ballMeridians = 20;
+constexpr int ballParallels = 10;
 
 /// Faces that all pass through one another would be cut into more pieces than anyone can draw. After so many
 /// cuts each face stays whole, on the side where its middle lies.
@@ -71,6 +76,27 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
   return face;
 }
 
+/// The surface of a ball, seen twice by whoever looks through it: each side is half as dense as a polygon.
+void addBall(const SphereMark &sphere, const Face &like, std::vector<Face> &faces) {
+  const auto at = [&](int meridian, int parallel) {
+    const double around = 2 * std::numbers::pi * meridian / ballMeridians;
+    const double up = std::numbers::pi * parallel / ballParallels - std::numbers::pi / 2;
+    return sphere.center +
+           Place(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)) *
+               sphere.radius;
+  };
+  for (int parallel = 0; parallel < ballParallels; ++parallel)
+    for (int meridian = 0; meridian < ballMeridians; ++meridian) {
+      std::vector<Place> corners{at(meridian, parallel), at(meridian + 1, parallel)};
+      if (parallel == 0)
+        corners.pop_back();
+      corners.push_back(at(meridian + 1, parallel + 1));
+      if (parallel + 1 < ballParallels)
+        corners.push_back(at(meridian, parallel + 1));
+      faces.push_back({std::move(corners), like.color, like.opacity / 2});
+    }
+}
+
 } // namespace
 
 std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
@@ -79,11 +105,15 @@ std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &hig
   std::vector<Face> polygons;
   for (const Mark &mark : figure.marks) {
     const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
-    if (!isPatch && !std::holds_alternative<PolygonMark>(mark))
+    const auto *sphere = std::get_if<SphereMark>(&mark);
+    if (!isPatch && !sphere && !std::holds_alternative<PolygonMark>(mark))
       continue;
     Face face = faceOf(mark, theme, highlighted.contains(baseOf(mark).id));
     face.opacity *= arrival.presenceOf(baseOf(mark));
-    (isPatch ? patches : polygons).push_back(std::move(face));
+    if (sphere)
+      addBall(*sphere, face, polygons);
+    else
+      (isPatch ? patches : polygons).push_back(std::move(face));
   }
   patches.insert(patches.end(), polygons.begin(), polygons.end());
   return patches;

@@ -18,8 +18,8 @@ struct Face {
   double opacity = 1;
 };
 
-/// The faces of a figure's plane patches and polygons. Patches come first: they lie under what is drawn on
-/// them.
+/// The faces of a figure's plane patches, polygons and balls. Patches come first: they lie under what is
+/// drawn on them.
 [[nodiscard]] std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &highlighted,
                                         const Theme &theme, const Arrival &arrival = {});
 

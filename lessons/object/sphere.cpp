@@ -1,0 +1,44 @@
+// Spheres.
+#include "lessons/object/drawing.h"
+#include "lessons/object/kind.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+enum Coordinates : std::uint8_t { Center, Radius };
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  std::vector<Mark> marks;
+  if (given.object[Radius].x != 0)
+    marks.push_back(SphereMark{wholeOf(given, Subject::Triangle), place(given.object[Center]),
+                               toDouble(given.object[Radius].x)});
+  marks.push_back(pointMark(given, Center, Subject::Triangle));
+  return marks;
+}
+
+std::vector<Handle> ownHandles(const Given<Object> &given) { return {lengthHandle(given, Radius, 0)}; }
+
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerPoint(given, Center, words("centre {name}", {{"name", plainText(given.letters[Center])}}), found);
+}
+
+} // namespace
+
+namespace object_kinds {
+
+Kind sphere() {
+  return {.word = "sphere",
+          .meaning = "a sphere by its centre and its radius",
+          .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},
+          .leavableVertices = 0,
+          .settle = settleLengths,
+          .draw = draw,
+          .ownHandles = ownHandles,
+          .offer = offer,
+          .aim = aimAtNothing};
+}
+
+} // namespace object_kinds
+} // namespace halfspace

@@ -1,0 +1,41 @@
+// Tetrahedra.
+#include "lessons/object/kind.h"
+
+namespace halfspace {
+namespace {
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  const Object &corners = given.object;
+  std::vector<Mark> marks;
+  addFaces(given, {corners[0], corners[1], corners[2], corners[3]},
+           {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, marks);
+  for (std::size_t i = 0; i < 4; ++i)
+    marks.push_back(pointMark(given, i, Subject::Triangle));
+  return marks;
+}
+
+std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
+
+void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 4, true, found); }
+
+} // namespace
+
+namespace object_kinds {
+
+Kind tetrahedron() {
+  return {.word = "tetrahedron",
+          .meaning = "a tetrahedron by its corners",
+          .coordinates = {{"P0", CoordinateRole::Position},
+                          {"P1", CoordinateRole::Position},
+                          {"P2", CoordinateRole::Position},
+                          {"P3", CoordinateRole::Position}},
+          .leavableVertices = 0,
+          .settle = settleNothing,
+          .draw = draw,
+          .ownHandles = ownHandles,
+          .offer = offer,
+          .aim = aimAtNothing};
+}
+
+} // namespace object_kinds
+} // namespace halfspace
