@@ -78,6 +78,8 @@ private:
   void createMenus();
   void createFileMenu();
   void createEditMenu();
+  /// The history's own actions know nothing of what goes on under the hand.
+  void connectInstead(QAction &action, void (SessionModel::*step)());
   void createViewMenu();
   void createSnapMenu(QMenu &menu);
   void createCameraItems(QMenu &menu);

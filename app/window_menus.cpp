@@ -51,11 +51,18 @@ void MainWindow::createFileMenu() {
   addItem(menu, tr("&Quit"), QKeySequence::Quit, this, [this] { close(); });
 }
 
+void MainWindow::connectInstead(QAction &action, void (SessionModel::*step)()) {
+  disconnect(&action, &QAction::triggered, nullptr, nullptr);
+  connect(&action, &QAction::triggered, &m_model, step);
+}
+
 void MainWindow::createEditMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&Edit"));
   QAction *undo = m_model.history().createUndoAction(this, tr("&Undo"));
+  connectInstead(*undo, &SessionModel::undo);
   undo->setShortcut(QKeySequence::Undo);
   QAction *redo = m_model.history().createRedoAction(this, tr("&Redo"));
+  connectInstead(*redo, &SessionModel::redo);
   redo->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
   menu.addAction(undo);
   menu.addAction(redo);

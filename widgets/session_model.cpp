@@ -18,14 +18,8 @@ public:
       : QUndoCommand(description), m_model(model), m_before(std::move(before)), m_after(std::move(after)),
         m_replaces(replaces) {}
 
-  void undo() override {
-    m_model.dropGesture();
-    go(m_before);
-  }
-  void redo() override {
-    m_model.dropGesture();
-    go(m_after);
-  }
+  void undo() override { go(m_before); }
+  void redo() override { go(m_after); }
 
 private:
   void go(Session session) {
@@ -52,8 +46,18 @@ SessionModel::SessionModel(LessonLibrary library, QObject *parent)
   startWith(startOf(m_library.lessons.front()));
 }
 
+void SessionModel::undo() {
+  settleGesture();
+  m_history.undo();
+}
+
+void SessionModel::redo() {
+  settleGesture();
+  m_history.redo();
+}
+
 void SessionModel::startWith(Session session) {
-  m_beforeGesture.reset();
+  dropGesture();
   m_history.clear();
   m_history.setClean(); // clear alone leaves a history without a clean state as it was
   m_unknownLesson = Lesson{};
@@ -125,6 +129,8 @@ void SessionModel::beginGesture() {
 }
 
 void SessionModel::moveGesture(const Edit &edit) {
+  if (!inGesture())
+    return;
   if (const auto moved = apply(m_session, edit); moved && !(*moved == m_session))
     show(*moved);
 }
@@ -197,7 +203,8 @@ void SessionModel::show(const Session &session) {
   }
   const auto step = static_cast<std::size_t>(m_session.step);
   static const LessonStep everything;
-  m_shown = shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_evaluation);
+  m_shown =
+      shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_evaluation, m_figure);
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)

@@ -51,6 +51,9 @@ public:
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.
   void startWith(Session session);
+  /// What goes on under the hand ends first, and is what is undone.
+  void undo();
+  void redo();
   /// Puts the current lesson's scene back to its start, as one undo step.
   void resetScene();
   /// Gives the scene other short numbers, as one undo step; see short_numbers.h.
@@ -84,7 +87,7 @@ private:
   bool takeStage();
   void finishGesture();
   void settleGesture();
-  /// The same for what brings another session, as undo does: nothing is recorded.
+  /// The same for what brings another history: nothing is recorded.
   void dropGesture();
   /// Another scene for the same lesson and step, as one undo step.
   void replaceScene(Scene scene, const QString &description);

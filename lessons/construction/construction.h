@@ -26,6 +26,7 @@ struct Construction {
   std::string_view id;
   std::vector<ConstructionRole> roles; ///< what it looks at
   std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
+  std::vector<std::string> ownLetters; ///< of what else stands in its lines: w, f, t
   /// Evaluates objects in the order of the roles; their kinds are those of the roles. Of the naming all but
   /// the letters for sentences is needed.
   std::function<std::shared_ptr<const Outcome>(Naming, GivenObjects)> evaluate;
@@ -50,12 +51,13 @@ template <class In, class Out> struct ConstructionFunctions {
   Figure (*draw)(const In &, const Out &);
 };
 
-/// Puts a construction together: its id, the roles' names, what it makes, its functions.
+/// Puts a construction together: its id, the roles' names, what it makes, its own letters, its functions.
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
 makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)> roles,
-                 std::vector<ConstructionRole> makes, ConstructionFunctions<In, Out> functions) {
-  Construction construction{id, {}, std::move(makes), {}};
+                 std::vector<ConstructionRole> makes, std::vector<std::string> ownLetters,
+                 ConstructionFunctions<In, Out> functions) {
+  Construction construction{id, {}, std::move(makes), std::move(ownLetters), {}};
   std::size_t next = 0;
   (construction.roles.push_back({roles.at(next++), Kinds::kind}), ...);
   construction.evaluate = [=, roles = construction.roles](Naming naming, GivenObjects objects) {

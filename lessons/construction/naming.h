@@ -5,6 +5,7 @@
 #include "lessons/words.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace halfspace {
@@ -23,9 +24,14 @@ struct Naming {
   /// For sentences, the letters of what it looks at and makes: {E}, {Q}, {F}, {n}, and {E.n} where two roles
   /// have a coordinate n.
   WordValues letters{};
+  /// Those of the construction's own letters that something else in the scene has too.
+  std::set<std::string> shared{};
 
   /// The id of one of its own marks: `distance.w`.
   [[nodiscard]] std::string mark(const std::string &own) const { return entry + "." + own; }
+
+  /// A letter of the construction's own; where something else has it too, with the entry's name.
+  [[nodiscard]] Symbol own(Symbol letter) const;
 
   bool operator==(const Naming &) const = default;
 };

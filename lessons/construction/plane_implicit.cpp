@@ -181,7 +181,7 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction plane_implicit() {
-  return makeConstruction<In, Out, PlaneObject>("plane-implicit", {"E"}, {{"P1", "point"}},
+  return makeConstruction<In, Out, PlaneObject>("plane-implicit", {"E"}, {{"P1", "point"}}, {},
                                                 {compute, tell, valuesOf, make, explain, draw});
 }
 

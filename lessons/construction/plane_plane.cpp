@@ -48,9 +48,9 @@ Out compute(const In &in) {
           constantOf(E, in.E.id, first.offset),
           constantOf(F, in.F.id, second.offset),
           madeName(in, "g", "v", meet.line.direction),
-          name(vectorLetter("m"), meet.line.moment),
+          name(in.own(vectorLetter("m")), meet.line.moment),
           madeName(in, "g", "A", meet.nearest),
-          applied(word("cos"), name(letter("φ"), std::nullopt), meet.cosine)};
+          applied(word("cos"), name(in.own(letter("φ")), std::nullopt), meet.cosine)};
 }
 
 CaseWords tell(const In &, const Out &at) {
@@ -96,7 +96,8 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 
 WorkingLine constantLine(const Term &d, const PlaneTerms &plane) {
   return asked(withNumbers(d == -dot(plane.n, plane.P0)),
-               words("The constant of the plane's equation n·P + d = 0."));
+               words("The constant of the plane's equation {n}·P + {d} = 0.",
+                     {{"n", plainText(plane.n)}, {"d", plainText(d)}}));
 }
 
 WorkingLine directionLine(const Out &at) {
@@ -104,7 +105,7 @@ WorkingLine directionLine(const Out &at) {
       withNumbers(at.v == cross(at.E.n, at.F.n)),
       at.meet.which == PlanePlaneCase::Line
           ? words("The line lies in both planes, so it is perpendicular to both normals.")
-          : words("The cross product is the zero vector: the normals have the same direction, and the "
+          : words("The cross product is the zero vector: the normals lie along the same line, and the "
                   "planes share no single line."),
       {{cross(at.F.n, at.E.n),
         words("{answer} is the cross product the other way round: {F.n} × {E.n}.", at.letters)}});
@@ -124,8 +125,10 @@ WorkingLine pointLine(const Out &at) {
 }
 
 WorkingLine angleLine(const Out &at) {
-  return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
-               words("φ is the angle between the normals, and so between the planes."));
+  return asked(
+      withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
+      words("φ is the angle between the normals. The planes meet at the same angle, or, where it is larger "
+            "than 90°, at what is left to 180°."));
 }
 
 Explanation explain(const In &, const Out &at) {
@@ -161,8 +164,8 @@ Figure draw(const In &in, const Out &at) {
 } // namespace
 
 Construction plane_plane() {
-  return makeConstruction<In, Out, PlaneObject, PlaneObject>("plane-plane", {"E", "F"}, {{"g", "line"}},
-                                                             {compute, tell, valuesOf, make, explain, draw});
+  return makeConstruction<In, Out, PlaneObject, PlaneObject>(
+      "plane-plane", {"E", "F"}, {{"g", "line"}}, {"m", "φ"}, {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

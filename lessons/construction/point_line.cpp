@@ -35,11 +35,11 @@ Out compute(const In &in) {
           g,
           measured,
           Q,
-          name(vectorLetter("w"), ExactVec3(point - through)).marked(in.mark("w")),
-          name(letter("t"), measured.t),
+          name(in.own(vectorLetter("w")), ExactVec3(point - through)).marked(in.mark("w")),
+          name(in.own(letter("t")), measured.t),
           madeName(in, "F", measured.foot),
-          name(vectorLetter("h"), ExactVec3(point - measured.foot)).marked(in.mark("h")),
-          name(word("dist"), measured.distance).marked(in.mark("h"))};
+          name(in.own(vectorLetter("h")), ExactVec3(point - measured.foot)).marked(in.mark("h")),
+          name(in.own(word("dist")), measured.distance).marked(in.mark("h"))};
 }
 
 CaseWords tell(const In &, const Out &at) {
@@ -135,6 +135,7 @@ Figure draw(const In &in, const Out &at) {
 
 Construction point_line() {
   return makeConstruction<In, Out, PointObject, LineObject>("point-line", {"Q", "g"}, {{"F", "point"}},
+                                                            {"w", "t", "h", "dist"},
                                                             {compute, tell, valuesOf, make, explain, draw});
 }
 

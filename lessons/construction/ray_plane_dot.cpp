@@ -42,11 +42,11 @@ Out compute(const In &in) {
           E,
           L,
           meet,
-          name(letter("d"), plane.offset).standingFor(-dot(E.n, E.P0)),
-          applied(letter("f"), L.Q, evaluate(plane, origin)).standingFor(dot(E.n, L.Q - E.P0)),
-          name(letter("t"), meet.t),
+          name(in.own(letter("d")), plane.offset).standingFor(-dot(E.n, E.P0)),
+          applied(in.own(letter("f")), L.Q, evaluate(plane, origin)).standingFor(dot(E.n, L.Q - E.P0)),
+          name(in.own(letter("t")), meet.t),
           madeName(in, "H", meet.point),
-          name(vectorLetter("n", "f"), facing).marked(in.mark("facing")),
+          name(in.own(vectorLetter("n", "f")), facing).marked(in.mark("facing")),
           dot(E.P0 - L.Q, E.n),
           dot(L.r, E.n)};
 }
@@ -206,6 +206,7 @@ Figure draw(const In &in, const Out &at) {
 
 Construction ray_plane_dot() {
   return makeConstruction<In, Out, PlaneObject, RayObject>("ray-plane-dot", {"E", "L"}, {{"H", "point"}},
+                                                           {"d", "f", "t", "nf"},
                                                            {compute, tell, valuesOf, make, explain, draw});
 }
 

@@ -42,19 +42,19 @@ Out compute(const In &in) {
           termsOf(in.T),
           termsOf(in.L),
           meet,
-          name(vectorLetter("u"), perps.u).marked(in.mark("u")),
-          name(vectorLetter("v"), perps.v).marked(in.mark("v")),
-          name(vectorLetter("n"), perps.normal).marked(in.mark("n")),
-          name(perpLetter("u"), perps.uPerp).marked(in.mark("uperp")),
-          name(perpLetter("v"), perps.vPerp).marked(in.mark("vperp")),
-          name(letter("D"), perps.denominator),
-          name(letter("λ"), meet.plane.t),
+          name(in.own(vectorLetter("u")), perps.u).marked(in.mark("u")),
+          name(in.own(vectorLetter("v")), perps.v).marked(in.mark("v")),
+          name(in.own(vectorLetter("n")), perps.normal).marked(in.mark("n")),
+          name(in.own(perpLetter("u")), perps.uPerp).marked(in.mark("uperp")),
+          name(in.own(perpLetter("v")), perps.vPerp).marked(in.mark("vperp")),
+          name(in.own(letter("D")), perps.denominator),
+          name(in.own(letter("λ")), meet.plane.t),
           madeName(in, "I", meet.plane.point),
-          name(vectorLetter("w"), meet.w).marked(in.mark("w")),
-          name(letter("s"), meet.s),
-          name(letter("t"), meet.tTriangle),
-          name(letter("a"), dot(meet.w, perps.uPerp)).marked(in.mark("a")),
-          name(letter("b"), dot(perps.v, perps.uPerp)).marked(in.mark("b"))};
+          name(in.own(vectorLetter("w")), meet.w).marked(in.mark("w")),
+          name(in.own(letter("s")), meet.s),
+          name(in.own(letter("t")), meet.tTriangle),
+          name(in.own(letter("a")), dot(meet.w, perps.uPerp)).marked(in.mark("a")),
+          name(in.own(letter("b")), dot(perps.v, perps.uPerp)).marked(in.mark("b"))};
 }
 
 /// Where in the triangle the point is, for people: inside the triangle, on the edge P₀P₁ …
@@ -69,7 +69,8 @@ std::string wherePlaced(const Out &at) {
     return words("inside the triangle");
   case FaceLocation::Edge: // named by the corner opposite to it
     return words("on the edge {edge}",
-                 {{"edge", cornerName(place.feature == 0 ? 1 : 0) + cornerName(place.feature == 2 ? 1 : 2)}});
+                 {{"edge", edgeName((*corners.at(place.feature == 0 ? 1 : 0))->symbol,
+                                    (*corners.at(place.feature == 2 ? 1 : 2))->symbol)}});
   case FaceLocation::Vertex:
     return words("at the corner {corner}", {{"corner", cornerName(place.feature)}});
   case FaceLocation::Outside:
@@ -356,7 +357,8 @@ Figure draw(const In &in, const Out &at) {
 
 Construction ray_triangle_perp() {
   return makeConstruction<In, Out, TriangleObject, RayObject>(
-      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}}, {compute, tell, valuesOf, make, explain, draw});
+      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}}, {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b"},
+      {compute, tell, valuesOf, make, explain, draw});
 }
 
 } // namespace halfspace

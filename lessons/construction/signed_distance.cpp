@@ -39,16 +39,16 @@ Out compute(const In &in) {
   const auto measured = measurePointPlane(in.Q.object.at, planeThrough(point, normal));
   const ExactVec3 w = in.Q.object.at - point;
   const bool hasAngle = measured.which != PointPlaneCase::ZeroNormal && !isZero(w);
-  const Term theta = name(letter("θ"), std::nullopt).marked(in.mark("theta"));
+  const Term theta = name(in.own(letter("θ")), std::nullopt).marked(in.mark("theta"));
   return {in,
           E,
           measured.which,
           measured.foot,
           isZero(w),
           Q,
-          applied(letter("f"), Q, measured.f),
-          name(vectorLetter("w"), w).standingFor(Q - E.P0).marked(in.mark("w")),
-          name(word("dist"), measured.signedDistance).marked(in.mark("distance")),
+          applied(in.own(letter("f")), Q, measured.f),
+          name(in.own(vectorLetter("w")), w).standingFor(Q - E.P0).marked(in.mark("w")),
+          name(in.own(word("dist")), measured.signedDistance).marked(in.mark("distance")),
           madeName(in, "F", measured.foot),
           theta,
           applied(word("cos"), theta,
@@ -199,6 +199,7 @@ Figure draw(const In &in, const Out &at) {
 
 Construction signed_distance() {
   return makeConstruction<In, Out, PlaneObject, PointObject>("signed-distance", {"E", "Q"}, {{"F", "point"}},
+                                                             {"f", "w", "dist", "θ"},
                                                              {compute, tell, valuesOf, make, explain, draw});
 }
 

@@ -153,8 +153,13 @@ struct Shown {
   bool degenerate = false; ///< one of them is a warning
 };
 
-/// The step's lines and, of the figure, the given marks, those that these lines name, and what accompanies
-/// them; everything where the step names no lines.
-[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation);
+/// The step's lines and, of the figure, which is that of the evaluation, the given marks, those that these
+/// lines name, and what accompanies them. Where the step names no lines, all marks and the lines of the last
+/// `mostWorkings` constructions.
+[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure);
+[[nodiscard]] inline Shown shownIn(const LessonStep &step, const Evaluation &evaluation) {
+  return shownIn(step, evaluation, figureOf(evaluation));
+}
+inline constexpr std::size_t mostWorkings = 4;
 
 } // namespace halfspace

@@ -78,7 +78,31 @@ bool addLines(const EvaluatedEntry &entry, const LessonStep &step, const Evaluat
 /// Whether the step names the entry, though the present case may not have the lines.
 bool names(const LessonStep &step, const EvaluatedEntry &entry) {
   return std::any_of(step.lines.begin(), step.lines.end(),
-                     [&](const std::string &name) { return name.substr(0, name.find('.')) == entry.name; });
+                     [&](const std::string &name) { return name.starts_with(entry.name + "."); });
+}
+
+/// Where the last few constructions begin, of which a step that names no lines shows all.
+std::size_t firstShown(const Evaluation &evaluation) {
+  std::size_t constructions = 0;
+  std::size_t first = evaluation.entries.size();
+  while (first > 0 && constructions < mostWorkings)
+    constructions += evaluation.entries[--first].isConstruction() ? 1U : 0U;
+  return first;
+}
+
+/// Leaves of a figure the given marks, those that lines name, and what accompanies them. Who names a
+/// coordinate names its object: a line's direction is shown on the line.
+void keepNamed(const Working &working, Figure &figure) {
+  std::set<std::string> named;
+  for (const WorkingLine &line : working.lines)
+    for (const std::string &mark : marksIn(line)) {
+      named.insert(mark);
+      if (const auto dot = mark.rfind('.'); dot != std::string::npos)
+        named.insert(mark.substr(0, dot));
+    }
+  std::erase_if(figure.marks, [&](const Mark &mark) {
+    return baseOf(mark).role != Role::Given && !named.contains(leadingId(baseOf(mark)));
+  });
 }
 
 void addCase(const CaseWords &told, Shown &shown) {
@@ -109,21 +133,19 @@ std::string withLiveValues(const std::string &markdown, const Scene &scene, cons
   return filled;
 }
 
-Shown shownIn(const LessonStep &step, const Evaluation &evaluation) {
+Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure) {
   Shown shown;
-  std::set<std::string> marks;
-  for (const EvaluatedEntry &entry : evaluation.entries)
+  const std::size_t first = step.lines.empty() ? firstShown(evaluation) : 0;
+  for (std::size_t i = first; i < evaluation.entries.size(); ++i) {
+    const EvaluatedEntry &entry = evaluation.entries[i];
     if (entry.isConstruction() && (addLines(entry, step, evaluation, shown.working) || names(step, entry)))
       addCase(*entry.outcome->told, shown);
+  }
   if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.description.empty())
     addCase(*last->outcome->told, shown);
-  for (const WorkingLine &line : shown.working.lines)
-    marks.merge(marksIn(line));
-  shown.figure = figureOf(evaluation);
   if (!step.lines.empty())
-    std::erase_if(shown.figure.marks, [&](const Mark &mark) {
-      return baseOf(mark).role != Role::Given && !marks.contains(leadingId(baseOf(mark)));
-    });
+    keepNamed(shown.working, figure);
+  shown.figure = std::move(figure);
   return shown;
 }
 

@@ -11,6 +11,16 @@ bool hasTooManyDigits(const Integer &value) {
 
 } // namespace
 
+bool hasEndlessNumbers(const Object &made) {
+  static const Integer limit = mp::pow(Integer(10), madeDigits);
+  for (std::size_t index = 0; index < made.size(); ++index)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const Rational &number = made[index][axis];
+          mp::abs(number.numerator()) > limit || number.denominator() > limit)
+        return true;
+  return false;
+}
+
 std::string sentenceForTooLarge() {
   return words("This number is too large: coordinates go from −{limit} to {limit}.",
                {{"limit", toText(coordinateLimit)}});

@@ -10,6 +10,12 @@ inline const Rational coordinateLimit = 1000000000;
 /// The most digits of a coordinate's numerator or denominator.
 inline constexpr std::size_t coordinateDigits = 40;
 
+/// What a construction makes may have longer numbers, but not without end: each one made of another has
+/// several times as many digits.
+inline constexpr std::size_t madeDigits = 400;
+/// Whether an object that was made has longer ones.
+[[nodiscard]] bool hasEndlessNumbers(const Object &made);
+
 /// The sentences for a number that is beyond the two bounds.
 [[nodiscard]] std::string sentenceForTooLarge();
 [[nodiscard]] std::string sentenceForTooLong();

@@ -28,16 +28,22 @@ ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subj
 
 bool isFlatAndConvex(const std::vector<ExactVec3> &corners) {
   const std::size_t count = corners.size();
-  const ExactVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[1]);
-  for (std::size_t i = 0; i < count; ++i)
+  ExactVec3 area(0);
+  for (std::size_t i = 1; i + 1 < count; ++i)
+    area += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  if (isZero(area))
+    return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ExactVec3 edge = corners[(i + 1) % count] - corners[i];
+    if (isZero(edge))
+      return false;
     for (std::size_t k = 2; k < count; ++k) {
       // Every other corner on the same side of every edge: so a star that goes around twice is none.
-      const ExactVec3 &from = corners[i];
-      const ExactVec3 edge = corners[(i + 1) % count] - from;
-      const ExactVec3 other = corners[(i + k) % count] - from;
-      if (dot(normal, other) != 0 || dot(cross(edge, other), normal) <= 0)
+      const ExactVec3 other = corners[(i + k) % count] - corners[i];
+      if (dot(area, other) != 0 || dot(cross(edge, other), area) < 0)
         return false;
     }
+  }
   return true;
 }
 

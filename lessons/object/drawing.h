@@ -19,7 +19,7 @@ namespace halfspace {
 [[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
 [[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 
-/// Whether the corners lie in one plane and go around it once, turning the same way at each.
+/// Whether the corners lie in one plane and go around a convex face once. Straight corners are allowed.
 [[nodiscard]] bool isFlatAndConvex(const std::vector<ExactVec3> &corners);
 
 /// The unit vector of a direction ≠ 0, however short it is.

@@ -1,6 +1,7 @@
 #include "lessons/object/kind.h"
 
 #include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
@@ -73,8 +74,9 @@ void offerVertices(const Given<Object> &given, std::size_t first, std::size_t en
     const std::size_t next = i + 1 == end ? first : i + 1;
     if ((i + 1 == end && !closed) || given.object[i] == given.object[next])
       continue;
-    const std::string edge = nameOf(std::min(i, next)) + nameOf(std::max(i, next));
-    found.edges.push_back({given.object[i], given.object[next], words("edge {name}", {{"name", edge}})});
+    found.edges.push_back({given.object[i], given.object[next],
+                           words("edge {name}", {{"name", edgeName(given.letters[std::min(i, next)],
+                                                                   given.letters[std::max(i, next)])}})});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 
@@ -10,6 +11,12 @@ Term detail::coordinateTerm(const std::string &id, const Symbol &letter, const O
   const bool isFree = id.find('.') == std::string::npos;
   const Term term = isFree ? given(letter, object[index], id, index) : name(letter, object[index]);
   return term.marked(coordinateId(id, coordinatesOf(object)[index]));
+}
+
+std::string edgeName(const Symbol &from, const Symbol &to) {
+  if (from.owner.empty() && to.owner.empty())
+    return plainText(from) + plainText(to);
+  return words("{from} to {to}", {{"from", plainText(from)}, {"to", plainText(to)}});
 }
 
 Term anyPoint() {

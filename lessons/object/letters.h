@@ -19,6 +19,9 @@ template <class Kind> [[nodiscard]] Term coordinateTerm(const Given<Kind> &given
   return detail::coordinateTerm(given.id, given.letters.at(index), given.object, index);
 }
 
+/// P₀P₁ in plain text; P₀_T to P₁_T where the letters say whose they are.
+[[nodiscard]] std::string edgeName(const Symbol &from, const Symbol &to);
+
 /// P = (x, y, z): any point of space.
 [[nodiscard]] Term anyPoint();
 

@@ -1,5 +1,6 @@
 #include "lessons/scene/evaluation.h"
 
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/scene/scene_letters.h"
 #include "lessons/term/plain_text.h"
@@ -28,15 +29,12 @@ std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given) {
               given});
 }
 
-/// The outcome of a construction that looks at something that is not there now.
-std::shared_ptr<const Outcome> withoutAnObject(const std::string &missing) {
-  const auto tell = [missing] {
-    return CaseWords{"missing-object",
-                     words("There is no {object} now, so nothing follows from it.", {{"object", missing}}),
-                     true};
-  };
+/// The outcome of a construction that looks at something that is not there now, for a reason.
+std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
   return std::make_shared<const Outcome>(Outcome{{},
-                                                 Lazy<CaseWords>(tell),
+                                                 Lazy<CaseWords>([reason] {
+                                                   return CaseWords{"missing-object", reason, true};
+                                                 }),
                                                  nothing<std::vector<NamedValue>>(),
                                                  nothing<Explanation>(),
                                                  nothing<Figure>(),
@@ -67,10 +65,10 @@ public:
   [[nodiscard]] Evaluation take() { return std::move(m_found); }
 
 private:
-  /// What later entries can look at; `isThere`: in the present case.
+  /// What later entries can look at, and why it is not there in the present case; empty where it is.
   struct Visible {
     SharedGiven given;
-    bool isThere = true;
+    std::string whyNot{};
   };
 
   void addObject(const std::string &name, const Object &object) {
@@ -93,8 +91,8 @@ private:
       if (seen == m_visible.end() || kindOf(seen->second.given->object) != role.kind)
         return;
       found.looksAt.push_back(seen->second.given);
-      if (!seen->second.isThere)
-        found.missing = plainText(seen->second.given->symbol);
+      if (found.missing.empty())
+        found.missing = seen->second.whyNot;
     }
     if (!takeOver(found))
       found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)
@@ -103,18 +101,27 @@ private:
     m_found.entries.push_back(std::move(found));
   }
 
-  /// What the construction makes is there for later entries; what it does not make in its case, too, as
-  /// missing.
+  /// What the construction makes is there for later entries; what it does not make in its case, with the
+  /// reason.
   void showMade(const std::string &entry, const Construction &construction, const Outcome &outcome) {
     for (const ConstructionRole &made : construction.makes) {
       const auto object = std::find_if(outcome.objects.begin(), outcome.objects.end(),
                                        [&](const MadeObject &each) { return each.name == made.name; });
-      const bool isThere = object != outcome.objects.end();
-      m_visible[entry + "." + made.name] = {
-          std::make_shared<const Given<Object>>(
-              m_letters.made(entry, made.name, isThere ? object->object : *makeObject(made.kind))),
-          isThere};
+      const bool isMade = object != outcome.objects.end();
+      const auto given = std::make_shared<const Given<Object>>(
+          m_letters.made(entry, made.name, isMade ? object->object : *makeObject(made.kind)));
+      m_visible[entry + "." + made.name] = {given, whyNot(entry, *given, isMade)};
     }
+  }
+
+  static std::string whyNot(const std::string &entry, const Given<Object> &made, bool isMade) {
+    const std::string object = plainText(made.symbol);
+    if (!isMade)
+      return words("In its present case {entry} makes no {object}, so nothing follows from it.",
+                   {{"entry", entry}, {"object", object}});
+    if (hasEndlessNumbers(made.object))
+      return words("The numbers of {object} are too long to go on with.", {{"object", object}});
+    return {};
   }
 
   /// Takes the outcome over from before, where it was made from the same.

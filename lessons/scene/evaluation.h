@@ -35,7 +35,7 @@ struct Evaluation {
 /// Evaluates a scene from top to bottom. An outcome of `before` is taken over where the entry and all that it
 /// looks at are what they were then. An entry is left out whose construction does not exist or whose roles
 /// name nothing above it of the right kind: no reader passes such ones. One that looks at something that
-/// another entry does not make in its present case says so (`nothing-to-look-at`).
+/// another entry does not make in its present case says so (`missing-object`).
 [[nodiscard]] Evaluation evaluate(const Scene &scene, const Evaluation &before = {});
 
 /// The marks of all entries.

@@ -47,9 +47,8 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
       return problemWith(std::string(refused->name), refused->sentence);
     if (!isSettled(*object))
       return problemWith(
-          "", words("The numbers of this {kind} do not fit together: a value lies within its bounds, "
-                    "and no length is below 0.",
-                    {{"kind", std::string(kindOf(*object))}}));
+          "", words("These numbers do not fit together: a value lies between its bounds, the lower bound "
+                    "comes first, and neither a step nor a length is below 0."));
     return {};
   }
   const auto &use = std::get<ConstructionUse>(entry.content);
@@ -105,6 +104,13 @@ std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const 
                                        {"name", bound->second},
                                        {"other", std::string(kind->second)}}));
   }
+  for (const auto &[role, name] : use.roles)
+    if (std::any_of(use.roles.begin(), use.roles.end(), [&role = role, &name = name](const auto &other) {
+          return other.first < role && other.second == name;
+        }))
+      return problemWith("of." + shortened(role),
+                         words("“{name}” stands in two roles: name another object in one of them.",
+                               {{"name", shortened(name)}}));
   for (const auto &[role, name] : use.roles)
     if (std::none_of(construction->roles.begin(), construction->roles.end(),
                      [&role = role](const ConstructionRole &known) { return known.name == role; }))

@@ -15,6 +15,8 @@ SceneLetters::SceneLetters(const Scene &scene) {
         count(made.name);
         countCoordinates(*makeObject(made.kind));
       }
+      for (const std::string &own : construction->ownLetters)
+        count(own);
     }
   }
 }
@@ -64,7 +66,7 @@ Given<Object> SceneLetters::made(const std::string &entry, const std::string &na
 
 Naming SceneLetters::namingOf(const Entry &entry) const {
   Naming naming{entry.name};
-  if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id))
+  if (const Construction *construction = findConstruction(std::get<ConstructionUse>(entry.content).id)) {
     for (const ConstructionRole &role : construction->makes) {
       const Given<Object> object = made(entry.name, role.name, *makeObject(role.kind));
       MadeLetters letters{object.symbol};
@@ -72,6 +74,10 @@ Naming SceneLetters::namingOf(const Entry &entry) const {
         letters.coordinates.emplace(coordinatesOf(object.object)[i].name, object.letters[i]);
       naming.made.emplace(role.name, std::move(letters));
     }
+    for (const std::string &own : construction->ownLetters)
+      if (isShared(own))
+        naming.shared.insert(own);
+  }
   return naming;
 }
 

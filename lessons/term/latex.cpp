@@ -32,7 +32,10 @@ std::string letterLatex(const std::string &letter) {
 std::string wordLatex(const std::string &word) {
   constexpr std::array<std::string_view, 3> known{"cos", "sin", "tan"};
   const bool isKnown = std::find(known.begin(), known.end(), word) != known.end();
-  return isKnown ? "\\" + word : "\\operatorname{" + word + "}";
+  if (isKnown)
+    return "\\" + word;
+  const std::string escaped = replacedAll(replacedAll(word, "_", "\\_"), "-", "\\mbox{-}");
+  return "\\operatorname{" + escaped + "}";
 }
 
 class LatexWriter : public TermWriter<std::string> {

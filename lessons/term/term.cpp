@@ -2,6 +2,7 @@
 
 #include "lessons/term/operate.h"
 #include "lessons/term/written.h"
+#include "lessons/text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -69,8 +70,9 @@ Symbol perpLetter(std::string letter) {
 Symbol word(std::string word) { return {.letter = std::move(word), .isWord = true}; }
 
 Symbol symbolOf(std::string_view name) {
-  const auto lastLetter = name.find_last_not_of("0123456789");
-  const std::string letters(name.substr(0, lastLetter + 1));
+  const auto lastOther = name.find_last_not_of("0123456789");
+  const bool isPlain = lastOther != std::string_view::npos && isLetter(name[lastOther]);
+  const std::string letters(name.substr(0, isPlain ? lastOther + 1 : name.size()));
   Symbol symbol = letters.size() > 1 ? word(letters) : letter(letters);
   symbol.subscript = name.substr(letters.size());
   return symbol;

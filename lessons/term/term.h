@@ -32,7 +32,7 @@ struct Symbol {
 /// u⊥
 [[nodiscard]] Symbol perpLetter(std::string letter);
 [[nodiscard]] Symbol word(std::string word);
-/// A name of ASCII letters and digits as it is spelled: `P12` is P with the index 12, a word stands upright.
+/// A name as it is spelled: `P12` is P with the index 12; a word, or a name with - or _, stands upright.
 [[nodiscard]] Symbol symbolOf(std::string_view name);
 
 /// The coordinate of the scene that a number or a vector is.

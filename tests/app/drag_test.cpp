@@ -1,4 +1,5 @@
 // Every handle of every lesson, dragged with the mouse in a real window.
+#include "lessons/object/plane.h"
 #include "tests/app/window_fixture.h"
 
 #include "lessons/construction/working.h"
@@ -154,6 +155,74 @@ private slots:
     fixture.release();
     QVERIFY(fixture.model().session() == before);
     QCOMPARE(fixture.model().history().count(), 0);
+  }
+
+  void edit_fromElsewhereDuringADrag_endsTheDragAsAStepOfItsOwn() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(60, 30));
+    const ExactVec3 dragged = fixture.value("Q");
+    QVERIFY(fixture.model().inGesture());
+    QCOMPARE(fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"), QString());
+    QVERIFY(!fixture.model().inGesture());
+    fixture.moveTo(from + QPoint(-60, 30)); // the hand goes on, and holds nothing
+    fixture.release();
+    QVERIFY(fixture.value("Q") == dragged);
+    QCOMPARE(fixture.model().history().count(), 2);
+    fixture.model().undo();
+    QVERIFY(fixture.value("Q") == dragged);
+    QVERIFY(fixture.value("E.n") == ExactVec3(1, 2, 2));
+    fixture.model().undo();
+    QVERIFY(fixture.model().session().scene == before.scene);
+  }
+
+  void undo_duringADrag_takesBackTheDragAlone() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QCOMPARE(fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"), QString());
+    const Session before = fixture.model().session();
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(60, 30));
+    const ExactVec3 dragged = fixture.value("Q");
+    fixture.model().undo();
+    QVERIFY(fixture.model().session().scene == before.scene);
+    fixture.release();
+    fixture.model().redo();
+    QVERIFY(fixture.value("Q") == dragged);
+  }
+
+  void otherButton_releasedDuringADrag_doesNotEndIt() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(40, 20));
+    QTest::mousePress(&fixture.scene(), Qt::RightButton, {}, from + QPoint(40, 20));
+    QTest::mouseRelease(&fixture.scene(), Qt::RightButton, {}, from + QPoint(40, 20));
+    QVERIFY(fixture.model().inGesture());
+    const ExactVec3 halfway = fixture.value("Q");
+    fixture.moveTo(from + QPoint(90, 45));
+    QVERIFY(fixture.value("Q") != halfway);
+    fixture.release();
+    QVERIFY(!fixture.model().inGesture());
+    QCOMPARE(fixture.model().history().count(), 1);
+  }
+
+  void refusedEdit_saysWhy_andChangesNothing() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const Session before = fixture.model().session();
+    QVERIFY(fixture.model().edit(RemoveEntry{"E"}, "remove").contains("distance"));
+    QVERIFY(fixture.model().session() == before);
+    QCOMPARE(fixture.model().history().count(), 0);
+    QCOMPARE(fixture.model().edit(RemoveEntry{"E", true}, "remove"), QString());
+    QCOMPARE(fixture.model().session().scene.entries.size(), std::size_t(1));
+    fixture.model().undo();
+    QVERIFY(fixture.model().session().scene == before.scene);
   }
 
   void arrow_isGrabbedAnywhereOnItsHead() {

@@ -15,12 +15,20 @@
 namespace halfspace {
 namespace {
 
+// More rows than this nobody looks through, and each costs time and memory.
+constexpr std::size_t mostGivenRows = 60;
+constexpr std::size_t mostResultRows = 60; ///< and those of the entry that is begun
+
 /// A value with the name of the entry that it is of.
 struct ShownValue {
   std::string entry;
   const NamedValue *value;
 
-  [[nodiscard]] std::string id() const { return entry + "." + value->name; }
+  /// What its row is made for.
+  [[nodiscard]] std::string id() const {
+    const auto *term = std::get_if<Term>(&value->label);
+    return entry + "." + value->name + " " + (term ? plainText(*term) : std::get<std::string>(value->label));
+  }
 };
 
 /// Adds the values that a learner sees, groups opened.
@@ -36,7 +44,8 @@ void addShown(const std::string &entry, const std::vector<NamedValue> &values,
 std::vector<ShownValue> shownValues(const Evaluation &evaluation) {
   std::vector<ShownValue> shown;
   for (const EvaluatedEntry &entry : evaluation.entries)
-    addShown(entry.name, *entry.outcome->values, shown);
+    if (shown.size() < mostResultRows)
+      addShown(entry.name, *entry.outcome->values, shown);
   return shown;
 }
 
@@ -76,9 +85,6 @@ void showValue(MathLabel &label, const Value &value) {
   }
   label.setFormula(formula, QString::fromStdString(text).trimmed());
 }
-
-/// More rows than this nobody looks through, and each costs time and memory.
-constexpr std::size_t mostGivenRows = 60;
 
 QLabel *heading(const QString &text) {
   auto *label = new QLabel(text);
@@ -182,6 +188,16 @@ void Inspector::buildResultRows() {
   m_resultsBox = box;
 }
 
+const Symbol &Inspector::letterOf(const CoordinateId &id) const {
+  return m_model.evaluation().find(id.object)->looksAt.front()->letters[id.index];
+}
+
+bool Inspector::isShownIn(const GivenRow &row, const CoordinateId &id) const {
+  const Object &object = *findObject(m_model.session().scene, id.object);
+  const auto numbers = static_cast<std::size_t>(numbersIn(coordinatesOf(object)[id.index].role));
+  return row.id == id && row.fields.size() == numbers && row.letter == letterOf(id);
+}
+
 void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   static const char *const axes[3] = {"x", "y", "z"};
   const int row = grid.rowCount();
@@ -189,7 +205,8 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   given.id = id;
   given.name = fullName(m_model.session().scene, id);
   auto *label = new MathLabel(m_typesetter);
-  const Symbol &letter = m_model.evaluation().find(id.object)->looksAt.front()->letters[id.index];
+  const Symbol &letter = letterOf(id);
+  given.letter = letter;
   label->setFormula(formulaOf(letter), QString::fromStdString(plainText(letter)));
   m_givenLabels.push_back(label);
   grid.addWidget(label, row, 0);
@@ -233,9 +250,10 @@ void Inspector::showSession() {
   ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.evaluation());
   // The given rows stay while results come and go: a field may be in use.
-  const bool sameGiven =
-      widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
-                             [](const CoordinateId &id, const GivenRow &row) { return id == row.id; });
+  const bool sameGiven = widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
+                                                [this](const CoordinateId &id, const GivenRow &row) {
+                                                  return isShownIn(row, id);
+                                                });
   if (!sameGiven)
     buildGivenRows();
   const bool sameResults =

@@ -40,16 +40,20 @@ public:
 private:
   struct GivenRow {
     CoordinateId id;
+    Symbol letter;
     std::string name;
     std::vector<NumberField *> fields; ///< three, or one
   };
   struct ResultRow {
-    std::string id; ///< entry and name
+    std::string id; ///< as ShownValue says
     MathLabel *value;
   };
 
   void buildGivenRows();
   void buildResultRows();
+  [[nodiscard]] const Symbol &letterOf(const CoordinateId &id) const;
+  /// Whether the row is made for this coordinate as it is now.
+  [[nodiscard]] bool isShownIn(const GivenRow &row, const CoordinateId &id) const;
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
   void addResultRow(QVBoxLayout &column, const NamedValue &value);
   void connectField(NumberField &field, const CoordinateNumber &number);

@@ -120,7 +120,7 @@ private:
   void showMoved();
   [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
-  void pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel);
+  void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
   void requestFrame();
   void frame();
   void followPointer();

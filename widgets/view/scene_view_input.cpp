@@ -101,11 +101,12 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
   mousePressEvent(event);
 }
 
-void SceneView::pressHandle(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
+void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel) {
+  const Handle handle = pressed; // the handles are made anew where another gesture ends
+  m_model.beginGesture();
   m_gesture = Gesture::Handle;
   m_fade.finish();
   m_drag.emplace(stagedScene(), handle, mode, pixel);
-  m_model.beginGesture();
   if (m_selected != handle.id)
     m_vertical = false;
   const bool wasSelected = m_selected == handle.id;

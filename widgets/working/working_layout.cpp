@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <optional>
 
 namespace halfspace {
 
@@ -41,9 +42,8 @@ struct Column {
 class LinePlacer {
 public:
   LinePlacer(SentenceBreaker &sentences, const QFont &font, Column column, double top)
-      : m_sentences(&sentences), m_font(font), m_em(emPixelsOf(font)),
-        m_left(column.left + sideMargin * m_em), m_right(column.left + column.width - sideMargin * m_em),
-        m_column(column), m_y(top) {}
+      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(column.left + sideMargin * m_em),
+        m_right(column.left + column.width - sideMargin * m_em), m_column(column), m_y(top) {}
 
   PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading) {
     m_placed = {};
@@ -142,7 +142,7 @@ private:
       return placed;
     m_y += sentenceGap * m_em;
     for (const SentenceBreaker::Line &line :
-         m_sentences->lines(words, m_font, std::max(m_right - left, 1.0))) {
+         m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
       placed.push_back({line.text, {left, m_y + line.ascent}});
       m_y += sentenceLineHeight * line.height;
     }
@@ -150,7 +150,7 @@ private:
     return placed;
   }
 
-  SentenceBreaker *m_sentences;
+  SentenceBreaker &m_sentences;
   QFont m_font;
   double m_em, m_left, m_right;
   Column m_column;
@@ -167,6 +167,51 @@ bool beginsWorking(const std::vector<TypesetLine> &lines, std::size_t index) {
   return index == 0 || entryOf(lines[index].source.id) != entryOf(lines[index - 1].source.id);
 }
 
+/// Lays out the workings of several constructions.
+struct WorkingsPlacer {
+  const std::vector<TypesetLine> &lines;
+  const std::map<std::string, QString> &remarks;
+  SentenceBreaker &sentences;
+  const QFont &font;
+  double width;
+  bool hasHeadings;
+
+  [[nodiscard]] PlacedLine place(std::size_t index, LinePlacer &placer) const {
+    const std::string &id = lines[index].source.id;
+    const auto remark = remarks.find(id);
+    const bool isHeaded = hasHeadings && beginsWorking(lines, index);
+    return placer.place(lines[index], remark == remarks.end() ? QString() : remark->second,
+                        isHeaded ? QString::fromStdString(entryOf(id)) : QString());
+  }
+
+  [[nodiscard]] PlacedWorking placeBelow() const {
+    LinePlacer placer(sentences, font, {0, width}, 0);
+    PlacedWorking placed;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      placed.lines.push_back(place(i, placer));
+    placed.size = {placer.right(), placer.bottom()};
+    return placed;
+  }
+
+  /// In columns of this width; nothing where a formula does not fit into its own.
+  [[nodiscard]] std::optional<PlacedWorking> placeBeside(double share) const {
+    PlacedWorking placed{{}, {width, 0}};
+    Column column{-share, share};
+    std::optional<LinePlacer> placer;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (beginsWorking(lines, i)) {
+        column.left += share;
+        placer.emplace(sentences, font, column, 0);
+      }
+      placed.lines.push_back(place(i, *placer));
+      placed.size.setHeight(std::max(placed.size.height(), placer->bottom()));
+      if (placer->right() > column.left + share)
+        return {};
+    }
+    return placed;
+  }
+};
+
 } // namespace
 
 double emPixelsOf(const QFont &font) { return formulaScale * QFontInfo(font).pixelSize(); }
@@ -181,26 +226,12 @@ PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
   int workings = 0;
   for (std::size_t i = 0; i < lines.size(); ++i)
     workings += beginsWorking(lines, i) ? 1 : 0;
+  WorkingsPlacer placer{lines, remarks, sentences, font, width, workings > 1};
   const double share = width / std::max(workings, 1);
-  const bool sideBySide = workings > 1 && share >= narrowestColumn * emPixelsOf(font);
-  Column column{0, sideBySide ? share : width};
-  LinePlacer placer(sentences, font, column, 0);
-  PlacedWorking placed{{}, {width, 0}};
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool begins = beginsWorking(lines, i);
-    if (begins && sideBySide && i > 0) {
-      column.left += share;
-      placer = LinePlacer(sentences, font, column, 0);
-    }
-    const std::string &id = lines[i].source.id;
-    const auto remark = remarks.find(id);
-    const QString heading = begins && workings > 1 ? QString::fromStdString(entryOf(id)) : QString();
-    placed.lines.push_back(
-        placer.place(lines[i], remark == remarks.end() ? QString() : remark->second, heading));
-    placed.size = {std::max(placed.size.width(), placer.right()),
-                   std::max(placed.size.height(), placer.bottom())};
-  }
-  return placed;
+  if (workings > 1 && share >= narrowestColumn * emPixelsOf(font))
+    if (auto placed = placer.placeBeside(share))
+      return std::move(*placed);
+  return placer.placeBelow();
 }
 
 } // namespace halfspace

@@ -234,6 +234,17 @@ TEST(ShownIn, AStepOverTwoConstructions_ShowsTheLinesThatItNames) {
   EXPECT_EQ(idsOf({"again.*"}).size(), 6U);
 }
 
+TEST(ShownIn, WhoNamesACoordinate_ShowsItsObject) {
+  const Scene scene{{test::planeE(),
+                     {"F", PlaneObject{{0, 0, 0}, {0, 0, 1}}},
+                     {"meet", ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}}}};
+  LessonStep step;
+  step.lines = {"direction"};
+  const Figure figure = shownIn(step, evaluate(scene)).figure;
+  EXPECT_NE(findMark(figure, "meet.g"), nullptr) << "the line whose direction is worked out";
+  EXPECT_EQ(findMark(figure, "meet.g.A"), nullptr);
+}
+
 TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
   Scene scene = test::distanceScene();
   scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
@@ -244,7 +255,7 @@ TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
   EXPECT_EQ(shownIn(step, all).description, first + " " + second);
   step.lines = {"distance.f"};
   EXPECT_EQ(shownIn(step, all).description, first);
-  step.lines = {"again.no-line-of-this-case"};
+  step.lines = {"again.no-line-of-this-case"}; // its case is told all the same
   EXPECT_EQ(shownIn(step, all).description, second);
 }
 

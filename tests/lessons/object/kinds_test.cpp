@@ -176,6 +176,8 @@ bool isFilled(const Object &polygon) {
 
 TEST(Polygon, FlatAndConvex_IsFilledAndOthersAreOutlined) {
   EXPECT_TRUE(isFilled(polygonOf({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}})));
+  EXPECT_TRUE(isFilled(polygonOf({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}})))
+      << "a straight corner";
   EXPECT_FALSE(isFilled(polygonOf({{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}))) << "bent";
   EXPECT_FALSE(isFilled(polygonOf({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}))) << "with a dent";
   EXPECT_FALSE(isFilled(polygonOf({{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}}))) << "crossing itself";

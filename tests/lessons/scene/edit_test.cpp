@@ -109,7 +109,7 @@ public:
   Edit next(const Scene &scene) {
     switch (below(6)) {
     case 0:
-      return ChangeObject{anyName(scene), anyObject()};
+      return anyChange(scene);
     case 1:
       return AddEntry{below(scene.entries.size() + 1), anyEntry(scene)};
     case 2:
@@ -139,6 +139,12 @@ private:
     const std::string name = anyName(scene);
     return below(2) == 0 ? name : name + "." + (below(2) == 0 ? "F" : "H");
   }
+  /// Mostly of the kind that the object is of.
+  Edit anyChange(const Scene &scene) {
+    const std::string name = anyName(scene);
+    const Object *object = findObject(scene, name);
+    return ChangeObject{name, object && below(4) > 0 ? objectOf(kindOf(*object)) : anyObject()};
+  }
   /// Of a role that there is, where there is one: to anything, or to what a construction looks at already.
   Edit anyRebinding(const Scene &scene) {
     std::vector<const Entry *> uses;
@@ -155,8 +161,9 @@ private:
     const auto other = others.find(role);
     return RebindRole{use->name, role, other == others.end() ? anyReference(scene) : other->second};
   }
-  Object anyObject() {
-    Object object = *makeObject(objectKinds()[below(objectKinds().size())]);
+  Object anyObject() { return objectOf(objectKinds()[below(objectKinds().size())]); }
+  Object objectOf(std::string_view kind) {
+    Object object = *makeObject(kind);
     for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i)
       for (int axis = 0; axis < numbersIn(coordinatesOf(object)[i].role); ++axis)
         coordinate(object, i)[axis] = small();

@@ -1,6 +1,7 @@
 #include "lessons/scene/evaluation.h"
 
 #include "lessons/lesson/condition.h"
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/term/plain_text.h"
 #include "tests/lessons/scenes.h"
 
@@ -117,11 +118,26 @@ TEST(Evaluate, AResult_FeedsALaterConstruction) {
 
 TEST(Evaluate, WhatTwoEntriesHave_SaysWhoseItIs) {
   const Working working = workingOf(evaluate(chainedScene()));
-  EXPECT_EQ(textOf(working, "distance.f"), "f(Q) = n_E·(Q − P₀_E) = (1, 2, 2)·(6, 11, 1) = 30");
-  EXPECT_EQ(textOf(working, "beyond.f"), "f(F_distance) = n_G·(F_distance − P₀_G) = "
+  EXPECT_EQ(textOf(working, "distance.f"), "f_distance(Q) = n_E·(Q − P₀_E) = (1, 2, 2)·(6, 11, 1) = 30");
+  EXPECT_EQ(textOf(working, "beyond.f"), "f_beyond(F_distance) = n_G·(F_distance − P₀_G) = "
                                          "(0, 0, 1)·(23/3, 25/3, 4/3) = 4/3");
   EXPECT_EQ(findLine(working, "beyond.foot")->sentence,
             "The foot: from F_distance straight along n_G to the plane, its nearest point.");
+}
+
+TEST(Evaluate, AnObjectCalledLikeALetterOfTheConstruction_IsToldApartFromIt) {
+  const Scene scene = edited(distanceScene(), {RenameEntry{"Q", "w"}});
+  const Working working = workingOf(evaluate(scene));
+  EXPECT_EQ(textOf(working, "distance.cosine").substr(0, 24), "cos θ = (n·w_distance)");
+  EXPECT_NE(textOf(working, "distance.f").find("w − P₀"), std::string::npos);
+}
+
+TEST(Evaluate, ANameWithHyphensOrUnderscores_IsWrittenAsOneWord) {
+  const Scene scene = edited(distanceScene(), {RenameEntry{"Q", "q_1-2"}});
+  const Working working = workingOf(evaluate(scene));
+  EXPECT_NE(textOf(working, "distance.f").find("q_1-2 − P₀"), std::string::npos);
+  EXPECT_NE(latexOf(*findLine(working, "distance.f")).find("\\operatorname{q\\_1\\mbox{-}2}"),
+            std::string::npos);
 }
 
 TEST(Evaluate, ANameOfTheScene_StandsInsteadOfTheRoles) {
@@ -143,9 +159,26 @@ TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
   const Evaluation gone = evaluate(parallel, there);
   EXPECT_EQ(gone.find("height")->outcome->told->name, "missing-object");
   EXPECT_EQ(gone.find("height")->outcome->told->description,
-            "There is no H now, so nothing follows from it.");
+            "In its present case meeting makes no H, so nothing follows from it.");
   EXPECT_TRUE(gone.find("height")->outcome->told->degenerate);
   EXPECT_EQ(evaluate(scene, gone).find("height")->outcome->told->name, "positive");
+}
+
+TEST(Evaluate, AChainWhoseNumbersGrowWithoutEnd_EndsWithASentence) {
+  const Rational odd(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)) + 7);
+  Scene scene{{{"E", PlaneObject{{odd, 1, 2}, {1, odd, 3}}},
+               {"G", PlaneObject{{0, odd, 1}, {odd, 2, 1}}},
+               {"d0", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "P"}}}}}};
+  scene.entries.insert(scene.entries.begin(), {"P", PointObject{{3, odd, 5}}});
+  for (int i = 1; i < 300; ++i)
+    scene.entries.push_back(
+        {"d" + std::to_string(i),
+         ConstructionUse{"signed-distance",
+                         {{"E", i % 2 == 0 ? "E" : "G"}, {"Q", "d" + std::to_string(i - 1) + ".F"}}}});
+  const Evaluation evaluation = evaluate(scene);
+  ASSERT_EQ(evaluation.entries.size(), scene.entries.size());
+  EXPECT_EQ(lastOutcome(evaluation).told->name, "missing-object");
+  EXPECT_NE(evaluation.find("d2")->outcome->told->name, "missing-object");
 }
 
 TEST(Evaluate, AfterAnEdit_KeepsTheOutcomesThatItDoesNotTouch) {

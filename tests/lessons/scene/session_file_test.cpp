@@ -158,7 +158,7 @@ TEST(SessionFile, WithFieldsMissingOrUnknown_SaysWhich) {
   EXPECT_EQ(problemOf(around(R"([{"name":"E","plane":{"P0":[0,0,0],"n":[0,0,1],"m":[0,0,1]}}])")).field,
             "scene[0].plane.m");
   EXPECT_EQ(problemOf(around(R"([{"name":"E","point":[0,0]}])")).field, "scene[0].point");
-  EXPECT_TRUE(mentions(problemOf(around(R"([{"name":"E","sphere":[0,0,0]}])")), "what it is"));
+  EXPECT_TRUE(mentions(problemOf(around(R"([{"name":"E","torus":[0,0,0]}])")), "what it is"));
   EXPECT_EQ(problemOf(R"({"format":"halfspace","version":1,"lesson":"x","step":-1,"scene":[]})").field,
             "step");
   EXPECT_EQ(problemOf(R"({"format":"halfspace","version":1,"lesson":"x","step":0})").field, "scene");
