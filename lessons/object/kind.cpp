@@ -35,6 +35,7 @@ ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subje
 
 void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks) {
   std::vector<Place> places;
+  places.reserve(corners.size());
   for (const ExactVec3 &corner : corners)
     places.push_back(place(corner));
   if (isFlatAndConvex(corners)) {

@@ -330,14 +330,16 @@ void renewAll(std::vector<Object *> objects, Dice &dice) {
 Scene shownPartOf(const Scene &scene) {
   std::set<std::string> needed;
   Scene part;
-  for (auto entry = scene.entries.rbegin(); entry != scene.entries.rend(); ++entry) {
-    const auto *use = std::get_if<ConstructionUse>(&entry->content);
-    if (use ? !needed.empty() && !needed.contains(entry->name) : !needed.contains(entry->name))
+  for (std::size_t i = scene.entries.size(); i-- > 0;) {
+    const Entry &entry = scene.entries[i];
+    const auto *use = std::get_if<ConstructionUse>(&entry.content);
+    const bool isLastUse = use && needed.empty();
+    if (!isLastUse && !needed.contains(entry.name))
       continue;
     if (use)
       for (const auto &[role, object] : use->roles)
         needed.insert(object.substr(0, object.find('.')));
-    part.entries.push_back(*entry);
+    part.entries.push_back(entry);
   }
   std::reverse(part.entries.begin(), part.entries.end());
   return part;

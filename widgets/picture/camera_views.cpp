@@ -90,7 +90,7 @@ Camera seenAlongPlane(const Figure &figure, Camera camera) {
 std::optional<RayObject> firstRay(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
     const auto *object = std::get_if<Object>(&entry.content);
-    const auto ray = object ? objectAs<RayObject>(*object) : std::nullopt;
+    auto ray = object ? objectAs<RayObject>(*object) : std::nullopt;
     if (ray && !isZero(ray->direction))
       return ray;
   }
