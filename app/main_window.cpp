@@ -110,6 +110,7 @@ bool MainWindow::isPredicting() {
 bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks(); }
 
 void MainWindow::showLesson() {
+  m_lessonList->setCurrentItem(nullptr); // a file may name a lesson that is not there
   for (int row = 0; row < m_lessonList->count(); ++row)
     if (m_lessonList->item(row)->data(Qt::UserRole).toString().toStdString() == m_model.session().lesson)
       m_lessonList->setCurrentRow(row);

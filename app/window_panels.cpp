@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -37,7 +38,10 @@ public:
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
     QStyleOptionViewItem narrower = option;
     const double em = QFontInfo(option.font).pixelSize();
-    narrower.rect.setWidth(option.rect.width() - static_cast<int>(std::ceil(titlePadding * em)));
+    // There may be a scroll bar later: a title is not measured anew for it.
+    const int scrollBar =
+        option.widget->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, option.widget);
+    narrower.rect.setWidth(option.rect.width() - static_cast<int>(std::ceil(titlePadding * em)) - scrollBar);
     return QStyledItemDelegate::sizeHint(narrower, index);
   }
 };

@@ -9,7 +9,12 @@
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "lessons/term/written.h"
 #include "lessons/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -22,10 +27,10 @@ struct In : Naming {
 struct Out : Naming {
   PlanePlane<Rational> meet;
   PlaneTerms E, F;
-  Term d1, d2; ///< the planes' constants
-  Term v, m;   ///< direction and moment of the line
-  Term A;      ///< its point nearest to the origin
-  Term cosine; ///< of the angle between the normals
+  Term d1, d2;      ///< the planes' constants
+  Term v, m;        ///< direction and moment of the line
+  Term A;           ///< its point nearest to the origin
+  Term phi, cosine; ///< of the angle between the normals
 };
 
 /// d of a plane: −n·P0.
@@ -41,6 +46,7 @@ Out compute(const In &in) {
   const auto meet = intersectPlanes(first, second);
   const PlaneTerms E = termsOf(in.E);
   const PlaneTerms F = termsOf(in.F);
+  const Term phi = name(in.own(letter("φ")), std::nullopt).marked(in.mark("phi"));
   return {in,
           meet,
           E,
@@ -50,7 +56,8 @@ Out compute(const In &in) {
           madeName(in, "g", "v", meet.line.direction),
           name(in.own(vectorLetter("m")), meet.line.moment),
           madeName(in, "g", "A", meet.nearest),
-          applied(word("cos"), name(in.own(letter("φ")), std::nullopt), meet.cosine)};
+          phi,
+          applied(word("cos"), phi, meet.cosine)};
 }
 
 CaseWords tell(const In &, const Out &at) {
@@ -95,7 +102,7 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 }
 
 WorkingLine constantLine(const Term &d, const PlaneTerms &plane) {
-  return asked(withNumbers(d == -dot(plane.n, plane.P0)),
+  return asked(withProducts(d == -dot(plane.n, plane.P0)),
                words("The constant of the plane's equation {n}·P + {d} = 0.",
                      {{"n", plainText(plane.n)}, {"d", plainText(d)}}));
 }
@@ -125,10 +132,17 @@ WorkingLine pointLine(const Out &at) {
 }
 
 WorkingLine angleLine(const Out &at) {
-  return asked(
-      withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
-      words("φ is the angle between the normals. The planes meet at the same angle, or, where it is larger "
-            "than 90°, at what is left to 180°."));
+  const double degrees =
+      std::acos(std::clamp(toDouble(*numberOf(at.cosine)), -1.0, 1.0)) * 180 / std::numbers::pi;
+  const std::string written = plainText(rounded(degrees));
+  return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
+               at.meet.which != PlanePlaneCase::Line
+                   ? words("The normals lie along the same line, so the angle φ between them is 0° or 180°.")
+               : degrees <= 90
+                   ? words("φ ≈ {degrees}° is the angle between the normals, and so between the planes.",
+                           {{"degrees", written}})
+                   : words("φ ≈ {degrees}° is the angle between the normals. The planes meet at 180° − φ.",
+                           {{"degrees", written}}));
 }
 
 Explanation explain(const In &, const Out &at) {
@@ -146,6 +160,15 @@ Explanation explain(const In &, const Out &at) {
   return lines;
 }
 
+/// The angle between the normals, both drawn once more from a point of the line.
+void drawAngle(Figure &figure, const Out &at, const Place &point) {
+  const Place first = place(at.E.n);
+  const Place second = place(at.F.n);
+  figure.add(ArcMark{drawn(at.phi, Role::Derived, Subject::Neutral), point, first, second});
+  figure.add(ArrowMark{{at.phi->mark + "/first", Role::Ghost, Subject::Plane}, point, first, true});
+  figure.add(ArrowMark{{at.phi->mark + "/second", Role::Ghost, Subject::Plane}, point, second, true});
+}
+
 Figure draw(const In &in, const Out &at) {
   Figure figure;
   if (at.meet.which != PlanePlaneCase::Line)
@@ -157,6 +180,7 @@ Figure draw(const In &in, const Out &at) {
   direction.isFree = true;
   figure.add(std::move(direction));
   figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
+  drawAngle(figure, at, point);
   figure.reaches = {{in.E.id, point}, {in.F.id, point}};
   return figure;
 }

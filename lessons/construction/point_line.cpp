@@ -124,6 +124,7 @@ Figure draw(const In &in, const Out &at) {
   figure.reaches = {{in.g.id, foot}};
   if (at.measured.which == PointLineCase::On)
     return figure;
+  figure.add(SegmentMark{{at.F->mark + "/way", Role::Helper, Subject::Measure}, foot, q});
   MarkBase way = drawn(at.h, Role::Result, Subject::Measure);
   figure.add(ArrowMark{std::move(way), foot, q - foot});
   figure.add(

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -69,9 +68,6 @@ struct Working {
   std::vector<WorkingLine> lines;
 
   void add(WorkingLine line) { lines.push_back(std::move(line)); }
-  void add(std::vector<WorkingLine> more) {
-    lines.insert(lines.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
-  }
 };
 
 /// The line with this id, or null.

@@ -138,7 +138,10 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
   const std::size_t first = step.lines.empty() ? firstShown(evaluation) : 0;
   for (std::size_t i = first; i < evaluation.entries.size(); ++i) {
     const EvaluatedEntry &entry = evaluation.entries[i];
-    if (entry.isConstruction() && (addLines(entry, step, evaluation, shown.working) || names(step, entry)))
+    if (!entry.isConstruction())
+      continue;
+    const bool hasLines = addLines(entry, step, evaluation, shown.working);
+    if (hasLines || step.lines.empty() || names(step, entry))
       addCase(*entry.outcome->told, shown);
   }
   if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.description.empty())

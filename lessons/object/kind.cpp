@@ -6,6 +6,8 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
+#include <algorithm>
+
 namespace halfspace {
 
 void settleNothing(Object &) {}
@@ -116,7 +118,7 @@ void settleLengths(Object &object) {
   const auto specs = coordinatesOf(object);
   for (std::size_t i = 0; i < specs.size(); ++i)
     if (specs[i].role == CoordinateRole::Length)
-      object[i].x = abs(object[i].x);
+      object[i].x = std::max(object[i].x, Rational(0));
 }
 
 } // namespace halfspace

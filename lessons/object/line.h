@@ -15,6 +15,7 @@ struct LineObject {
   bool operator==(const LineObject &) const = default;
 };
 
+/// The line's letters, with their values.
 struct LineTerms {
   Term A;
   Term v;

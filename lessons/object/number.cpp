@@ -9,7 +9,7 @@ namespace {
 enum Coordinates : std::uint8_t { Value, From, To, Step };
 
 void settle(Object &number) {
-  number[Step].x = abs(number[Step].x);
+  number[Step].x = std::max(number[Step].x, Rational(0));
   number[To].x = std::max(number[From].x, number[To].x);
   number[Value].x = std::clamp(number[Value].x, number[From].x, number[To].x);
 }
@@ -24,7 +24,7 @@ namespace object_kinds {
 Kind number() {
   return {.word = "number",
           .meaning = "a number with bounds and a step",
-          .coordinates = {{"value", CoordinateRole::Number},
+          .coordinates = {{"value", CoordinateRole::Number, true},
                           {"from", CoordinateRole::Number},
                           {"to", CoordinateRole::Number},
                           {"step", CoordinateRole::Number}},

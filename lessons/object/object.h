@@ -36,6 +36,10 @@ enum class CoordinateRole : std::uint8_t {
 struct CoordinateSpec {
   std::string_view name;
   CoordinateRole role;
+  bool isTheObject = false; ///< it has a name in files; people call it as the object: the value of a number
+
+  /// Whether people call it by the object's name.
+  [[nodiscard]] bool goesByObject() const { return name.empty() || isTheObject; }
 };
 
 /// A kind's coordinates as a struct, for code that is about this kind: it has the kind's word, and

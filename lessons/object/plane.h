@@ -6,6 +6,7 @@
 
 namespace halfspace {
 
+/// n is not normalized, and may be zero: then there is no plane.
 struct PlaneObject {
   static constexpr std::string_view kind = "plane";
   static auto coordinatesOf(auto &self) { return std::tie(self.point, self.normal); }
@@ -15,6 +16,7 @@ struct PlaneObject {
   bool operator==(const PlaneObject &) const = default;
 };
 
+/// The plane's letters, with their values.
 struct PlaneTerms {
   Term P0;
   Term n;

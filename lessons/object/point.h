@@ -5,6 +5,7 @@
 
 namespace halfspace {
 
+/// A place in space.
 struct PointObject {
   static constexpr std::string_view kind = "point";
   static auto coordinatesOf(auto &self) { return std::tie(self.at); }

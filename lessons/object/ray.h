@@ -15,6 +15,7 @@ struct RayObject {
   bool operator==(const RayObject &) const = default;
 };
 
+/// The ray's letters, with their values.
 struct RayTerms {
   Term Q;
   Term r;

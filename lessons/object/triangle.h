@@ -16,6 +16,7 @@ struct TriangleObject {
   bool operator==(const TriangleObject &) const = default;
 };
 
+/// The triangle's letters, with their values.
 struct TriangleTerms {
   Term P0;
   Term P1;

@@ -23,8 +23,6 @@ auto findEntry(Scene &scene, const std::string &name) {
                       [&](const Entry &entry) { return entry.name == name; });
 }
 
-std::string entryOfObject(const std::string &object) { return object.substr(0, object.find('.')); }
-
 /// The scene, if it can be evaluated.
 Result<Scene> checked(Scene scene) {
   if (auto problem = checkScene(scene))
@@ -78,7 +76,7 @@ struct Applier {
     for (Entry &other : scene.entries)
       if (auto *use = std::get_if<ConstructionUse>(&other.content))
         for (auto &[role, object] : use->roles)
-          if (entryOfObject(object) == edit.name)
+          if (ownerOf(object) == edit.name)
             object.replace(0, edit.name.size(), edit.newName);
     return checked(std::move(scene));
   }
@@ -122,7 +120,7 @@ std::vector<std::string> dependentsOf(const Scene &scene, const std::string &nam
   for (const Entry &entry : scene.entries)
     if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
       if (std::any_of(use->roles.begin(), use->roles.end(),
-                      [&](const auto &role) { return known.contains(entryOfObject(role.second)); })) {
+                      [&](const auto &role) { return known.contains(ownerOf(role.second)); })) {
         known.insert(entry.name);
         dependents.push_back(entry.name);
       }

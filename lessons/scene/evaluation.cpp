@@ -117,7 +117,7 @@ private:
   static std::string whyNot(const std::string &entry, const Given<Object> &made, bool isMade) {
     const std::string object = plainText(made.symbol);
     if (!isMade)
-      return words("In its present case {entry} makes no {object}, so nothing follows from it.",
+      return words("At the moment {entry} has no {object}, so there is nothing to go on with here.",
                    {{"entry", entry}, {"object", object}});
     if (hasEndlessNumbers(made.object))
       return words("The numbers of {object} are too long to go on with.", {{"object", object}});

@@ -238,7 +238,11 @@ std::string textOf(const EvaluatedEntry &entry) {
     if (!line.sentence.empty())
       text += "    " + line.sentence + "\n";
   }
-  return text + "\n" + valueLines(*entry.outcome->values) + "\n" + entry.outcome->told->description + "\n";
+  for (const std::string &part :
+       {valueLines(*entry.outcome->values), entry.outcome->told->description + "\n"})
+    if (!part.empty())
+      text += (text.empty() ? "" : "\n") + part;
+  return text;
 }
 
 std::string latexOf(const EvaluatedEntry &entry) {

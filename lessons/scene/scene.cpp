@@ -8,8 +8,8 @@ namespace {
 /// The name of a coordinate within its object; a point's goes by the point's own name.
 std::string_view ownName(const Entry &entry, const Object &object, std::size_t index) {
   const auto &specs = coordinatesOf(object);
-  return index < specs.size() && !specs[index].name.empty() ? specs[index].name
-                                                            : std::string_view(entry.name);
+  return index < specs.size() && !specs[index].goesByObject() ? specs[index].name
+                                                              : std::string_view(entry.name);
 }
 
 std::string_view ownName(const Scene &scene, const CoordinateId &id) {

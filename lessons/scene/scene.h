@@ -27,6 +27,11 @@ struct Scene {
   bool operator==(const Scene &) const = default;
 };
 
+/// The name of the entry that has an object: `distance` for the id `distance.F`, `Q` for `Q`.
+[[nodiscard]] inline std::string ownerOf(const std::string &objectId) {
+  return objectId.substr(0, objectId.find('.'));
+}
+
 /// The object that goes by this name, or null.
 [[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);
 [[nodiscard]] Object *findObject(Scene &scene, std::string_view name);

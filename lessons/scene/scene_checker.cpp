@@ -22,17 +22,26 @@ bool canBeName(const std::string &name) {
          std::all_of(name.begin(), name.end(), isNameCharacter);
 }
 
-bool isSettled(const Object &object) {
-  Object settled = object;
-  object.kind().settle(settled);
-  return settled == object;
-}
-
 } // namespace
 
 Problem tooManyEntries() {
   return problemWith("", words("The scene is too large: it may have {limit} entries.",
                                {{"limit", std::to_string(maxSceneEntries)}}));
+}
+
+std::optional<Problem> refuseUnfitting(const Object &object) {
+  Object settled = object;
+  object.kind().settle(settled);
+  const auto specs = coordinatesOf(object);
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    for (int axis = 0; axis < numbersIn(specs[i].role); ++axis)
+      if (const Rational &number = object[i][axis]; number != settled[i][axis])
+        return problemWith(std::string(specs[i].name),
+                           words("{name} cannot be {value} here: {fitting} is the nearest that fits.",
+                                 {{"name", std::string(specs[i].name)},
+                                  {"value", toText(number)},
+                                  {"fitting", toText(settled[i][axis])}}));
+  return {};
 }
 
 std::optional<Problem> SceneChecker::check(const Entry &entry) {
@@ -45,11 +54,7 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
     m_kinds.emplace(entry.name, kindOf(*object));
     if (const auto refused = refusedCoordinateOf(*object))
       return problemWith(std::string(refused->name), refused->sentence);
-    if (!isSettled(*object))
-      return problemWith(
-          "", words("These numbers do not fit together: a value lies between its bounds, the lower bound "
-                    "comes first, and neither a step nor a length is below 0."));
-    return {};
+    return refuseUnfitting(*object);
   }
   const auto &use = std::get<ConstructionUse>(entry.content);
   if (auto problem = checkUse(use))

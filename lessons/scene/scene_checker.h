@@ -16,6 +16,9 @@ inline constexpr std::size_t maxSceneEntries = 1000;
 /// The problem of a scene with more entries.
 [[nodiscard]] Problem tooManyEntries();
 
+/// Says which coordinate is beyond what the object's kind allows, and what would fit.
+[[nodiscard]] std::optional<Problem> refuseUnfitting(const Object &object);
+
 /// Takes the entries of a scene from top to bottom and says what is wrong with one: its name, a coordinate
 /// beyond the limits, a construction that does not exist or looks at what is not above it or of another kind.
 class SceneChecker {

@@ -23,7 +23,7 @@ SceneLetters::SceneLetters(const Scene &scene) {
 
 void SceneLetters::countCoordinates(const Object &object) {
   for (const CoordinateSpec &spec : coordinatesOf(object))
-    if (!spec.name.empty())
+    if (!spec.goesByObject())
       count(spec.name);
 }
 
@@ -43,9 +43,9 @@ std::vector<Symbol> SceneLetters::lettersOf(const Object &object, const Symbol &
                                             const std::string &owner) const {
   std::vector<Symbol> letters;
   for (const CoordinateSpec &spec : coordinatesOf(object)) {
-    Symbol letter = spec.name.empty() ? symbol : symbolOf(spec.name);
+    Symbol letter = spec.goesByObject() ? symbol : symbolOf(spec.name);
     letter.isVector = spec.role == CoordinateRole::Direction;
-    if (!spec.name.empty() && isShared(spec.name))
+    if (!spec.goesByObject() && isShared(spec.name))
       letter.owner = owner;
     letters.push_back(std::move(letter));
   }

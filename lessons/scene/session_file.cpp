@@ -1,8 +1,8 @@
 #include "lessons/scene/session_file.h"
 
 #include "lessons/files/read_file.h"
-#include "lessons/object/kind.h"
 #include "lessons/reading/typed_number.h"
+#include "lessons/scene/scene_checker.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/scene/scene_writer.h"
 #include "lessons/text.h"
@@ -121,7 +121,8 @@ Result<Session> withValue(Session session, std::string_view assignment) {
       return Problem{value.problem().sentence, "", 0, name};
     target[i] = *value;
   }
-  object.kind().settle(object);
+  if (const auto problem = refuseUnfitting(object))
+    return Problem{problem->sentence, "", 0, name};
   return session;
 }
 

@@ -338,7 +338,7 @@ Scene shownPartOf(const Scene &scene) {
       continue;
     if (use)
       for (const auto &[role, object] : use->roles)
-        needed.insert(object.substr(0, object.find('.')));
+        needed.insert(ownerOf(object));
     part.entries.push_back(entry);
   }
   std::reverse(part.entries.begin(), part.entries.end());

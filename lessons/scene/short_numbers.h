@@ -17,7 +17,7 @@ namespace halfspace {
 
 /// No new coordinate is larger, either way.
 inline constexpr int largestShortNumber = 9;
-/// The work is bounded by this many evaluations of the last construction.
+/// The work is bounded by this many evaluations of the last construction and what it follows from.
 inline constexpr int mostNumbersTried = 200;
 
 } // namespace halfspace

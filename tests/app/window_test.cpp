@@ -20,6 +20,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
@@ -389,6 +390,26 @@ private slots:
     QVERIFY(!isDone());
     turn({-1, 3, 2});
     QVERIFY(isDone());
+  }
+
+  void slider_ofANumber_changesItInStepsWithinItsBounds() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    Object number = *makeObject("number");
+    number[1].x = -1;
+    number[2].x = 2;
+    number[3].x = Rational(1, 2);
+    QCOMPARE(fixture.model().edit(AddEntry{0, {"k", number}}, "add"), QString());
+    auto *slider = fixture.window.findChild<Inspector *>()->findChild<QSlider *>();
+    QVERIFY(slider);
+    QCOMPARE(slider->maximum(), 6);
+    QCOMPARE(slider->value(), 2);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY((*findObject(fixture.model().session().scene, "k"))[0].x == Rational(1, 2));
+    QTest::keyClick(slider, Qt::Key_End);
+    QVERIFY((*findObject(fixture.model().session().scene, "k"))[0].x == 2);
+    fixture.model().undo();
+    QCOMPARE(slider->value(), 3);
   }
 
   void pointer_overAMark_lightsUpItsTerms() {

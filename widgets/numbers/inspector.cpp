@@ -10,10 +10,33 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QSlider>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
+
+/// A slider's steps from one bound to the other, and how many of them the value is above the lower one.
+struct SliderRange {
+  int steps;
+  int position;
+};
+
+/// More steps than this cannot be told apart on a slider.
+constexpr int mostSliderSteps = 10000;
+
+/// Of a number with bounds and a step; nothing for what has none.
+std::optional<SliderRange> rangeOf(const Object &object) {
+  if (kindOf(object) != "number" || object[3].x == 0)
+    return {};
+  const auto stepsTo = [&](const Rational &end) {
+    return static_cast<int>(
+        std::min(toDouble(Rational((end - object[1].x) / object[3].x)), double(mostSliderSteps)));
+  };
+  return SliderRange{stepsTo(object[2].x), stepsTo(object[0].x)};
+}
 
 // More rows than this nobody looks through, and each costs time and memory.
 constexpr std::size_t mostGivenRows = 60;
@@ -220,7 +243,36 @@ void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
     grid.addWidget(field, row, axis + 1);
     given.fields.push_back(field);
   }
+  if (const auto range = rangeOf(object); range && id.index == 0)
+    given.slider = addSlider(grid, row, id);
   m_given.push_back(given);
+}
+
+QSlider *Inspector::addSlider(QGridLayout &grid, int row, const CoordinateId &id) {
+  auto *slider = new QSlider(Qt::Horizontal);
+  slider->setAccessibleName(QString::fromStdString(fullName(m_model.session().scene, id)));
+  grid.addWidget(slider, row, 2, 1, 2);
+  connect(slider, &QSlider::sliderPressed, this, [this, id, slider] {
+    m_sliderStart = slider->value();
+    m_editor.beginScrub({id, 0});
+  });
+  connect(slider, &QSlider::valueChanged, this, [this, id, slider](int position) {
+    if (slider->isSliderDown())
+      m_editor.scrub(position - m_sliderStart);
+    else if (const auto range = rangeOf(*findObject(m_model.session().scene, id.object)))
+      m_editor.step({id, 0}, position - range->position);
+  });
+  connect(slider, &QSlider::sliderReleased, this, [this] { m_editor.endScrub(true); });
+  return slider;
+}
+
+void Inspector::showOnSlider(QSlider &slider, const CoordinateId &id) {
+  const auto range = rangeOf(*findObject(m_model.session().scene, id.object));
+  if (!range || slider.isSliderDown())
+    return;
+  const QSignalBlocker silent(slider);
+  slider.setRange(0, range->steps);
+  slider.setValue(range->position);
 }
 
 void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
@@ -269,6 +321,8 @@ void Inspector::showSession() {
     const ExactVec3 &value = coordinate(*object, row.id.index);
     for (std::size_t axis = 0; axis < row.fields.size(); ++axis)
       row.fields[axis]->setValue(value[static_cast<int>(axis)]);
+    if (row.slider)
+      showOnSlider(*row.slider, row.id);
   }
   for (std::size_t i = 0; i < values.size(); ++i)
     showValue(*m_results[i].value, values[i].value->value);

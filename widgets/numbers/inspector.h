@@ -8,6 +8,7 @@
 
 class QGridLayout;
 class QLabel;
+class QSlider;
 class QVBoxLayout;
 
 namespace halfspace {
@@ -43,6 +44,7 @@ private:
     Symbol letter;
     std::string name;
     std::vector<NumberField *> fields; ///< three, or one
+    QSlider *slider = nullptr;         ///< of a number within bounds
   };
   struct ResultRow {
     std::string id; ///< as ShownValue says
@@ -54,6 +56,8 @@ private:
   [[nodiscard]] const Symbol &letterOf(const CoordinateId &id) const;
   /// Whether the row is made for this coordinate as it is now.
   [[nodiscard]] bool isShownIn(const GivenRow &row, const CoordinateId &id) const;
+  [[nodiscard]] QSlider *addSlider(QGridLayout &grid, int row, const CoordinateId &id);
+  void showOnSlider(QSlider &slider, const CoordinateId &id);
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
   void addResultRow(QVBoxLayout &column, const NamedValue &value);
   void connectField(NumberField &field, const CoordinateNumber &number);
@@ -66,6 +70,7 @@ private:
   bool m_resultsHidden = false;
   std::vector<GivenRow> m_given;
   std::vector<ResultRow> m_results;
+  int m_sliderStart = 0; ///< where the slider stood that is held
   std::vector<MathLabel *> m_givenLabels;
   std::vector<MathLabel *> m_resultLabels;
   QVBoxLayout *m_layout = nullptr;

@@ -1,6 +1,7 @@
 // What every kind of objects promises, checked for each of the table.
 #include "lessons/object/kind.h"
 
+#include "lessons/files/read_file.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/scene/scene_writer.h"
@@ -138,6 +139,22 @@ TEST_P(EveryKind, IsSettledOnce) {
   }
 }
 
+/// As files have it: plane: {P0: [x, y, z], n: [x, y, z]}
+std::string spelled(const Kind &kind) {
+  std::string coordinates;
+  for (const CoordinateSpec &spec : coordinatesOf(Object(kind)))
+    coordinates += (coordinates.empty() ? "" : ", ") + std::string(spec.name) +
+                   (spec.name.empty() ? "" : ": ") + (numbersIn(spec.role) == 3 ? "[x, y, z]" : "x");
+  const bool isNameless = kind.coordinates.front().name.empty();
+  return std::string(kind.word) + ": " + (isNameless ? coordinates : "{" + coordinates + "}");
+}
+
+TEST_P(EveryKind, HasItsRowInTheDocumentation) {
+  const std::string text = *readFile(DOCUMENTATION_FOLDER "/writing-a-lesson.md", 1 << 20);
+  const std::string row = "| " + std::string(kind().meaning) + " | `" + spelled(kind()) + "` |";
+  EXPECT_NE(text.find(row), std::string::npos) << row;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn([] {
                            std::vector<std::string> words;
                            for (const std::string_view word : objectKinds())
@@ -194,9 +211,10 @@ TEST(Number, ChangedBeyondItsBounds_StaysWithinThem) {
   number[0].x = 7;
   scene = edited(scene, {ChangeObject{"k", number}});
   EXPECT_EQ((*findObject(scene, "k"))[0].x, 3);
-  EXPECT_EQ((*withValue({"x", 0, scene}, "value=-9")).scene.entries.size(), 1U);
-  EXPECT_EQ((*findObject(withValue({"x", 0, scene}, "value=-9")->scene, "k"))[0].x, -2);
-  EXPECT_FALSE(withValue({"x", 0, scene}, "value=1,2,3"));
+  EXPECT_EQ((*findObject(withValue({"x", 0, scene}, "k=-1")->scene, "k"))[0].x, -1);
+  EXPECT_EQ(withValue({"x", 0, scene}, "k=-9").problem().sentence,
+            "value cannot be -9 here: -2 is the nearest that fits.");
+  EXPECT_FALSE(withValue({"x", 0, scene}, "k=1,2,3"));
 }
 
 TEST(Number, BeyondItsBoundsInAFile_IsRefused) {

@@ -3,11 +3,12 @@
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/scene/session_file.h"
+#include "tests/lessons/scene/random_edits.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -100,89 +101,6 @@ TEST(MoveEntry, WithinWhatItLooksAtAndWhatLooksAtIt_StandsThere) {
   EXPECT_NE(refusal(chain(), MoveEntry{"distance", 1}), "");
   EXPECT_NE(refusal(chain(), MoveEntry{"E", 3}), "");
 }
-
-/// Makes edits at random, sensible ones and others.
-class RandomEdits {
-public:
-  explicit RandomEdits(std::uint64_t seed) : m_engine(seed) {}
-
-  Edit next(const Scene &scene) {
-    switch (below(6)) {
-    case 0:
-      return anyChange(scene);
-    case 1:
-      return AddEntry{below(scene.entries.size() + 1), anyEntry(scene)};
-    case 2:
-      return RemoveEntry{anyName(scene), below(3) == 0};
-    case 3:
-      return RenameEntry{anyName(scene), newName()};
-    case 4:
-      return anyRebinding(scene);
-    default:
-      return MoveEntry{anyName(scene), below(scene.entries.size() + 1)};
-    }
-  }
-
-private:
-  std::size_t below(std::size_t end) { return m_engine() % end; }
-  int small() { return static_cast<int>(below(19)) - 9; }
-  ExactVec3 vector() {
-    const int x = small();
-    const int y = small();
-    return {x, y, small()};
-  }
-  std::string newName() { return "N" + std::to_string(below(40)); }
-  std::string anyName(const Scene &scene) {
-    return scene.entries.empty() ? "none" : scene.entries[below(scene.entries.size())].name;
-  }
-  std::string anyReference(const Scene &scene) {
-    const std::string name = anyName(scene);
-    return below(2) == 0 ? name : name + "." + (below(2) == 0 ? "F" : "H");
-  }
-  /// Mostly of the kind that the object is of.
-  Edit anyChange(const Scene &scene) {
-    const std::string name = anyName(scene);
-    const Object *object = findObject(scene, name);
-    return ChangeObject{name, object && below(4) > 0 ? objectOf(kindOf(*object)) : anyObject()};
-  }
-  /// Of a role that there is, where there is one: to anything, or to what a construction looks at already.
-  Edit anyRebinding(const Scene &scene) {
-    std::vector<const Entry *> uses;
-    for (const Entry &entry : scene.entries)
-      if (std::holds_alternative<ConstructionUse>(entry.content))
-        uses.push_back(&entry);
-    if (uses.empty())
-      return RebindRole{anyName(scene), "E", anyReference(scene)};
-    const auto rolesOf = [](const Entry *entry) { return std::get<ConstructionUse>(entry->content).roles; };
-    const Entry *use = uses[below(uses.size())];
-    const auto roles = rolesOf(use);
-    const std::string role = std::next(roles.begin(), static_cast<int>(below(roles.size())))->first;
-    const auto others = rolesOf(uses[below(uses.size())]);
-    const auto other = others.find(role);
-    return RebindRole{use->name, role, other == others.end() ? anyReference(scene) : other->second};
-  }
-  Object anyObject() { return objectOf(objectKinds()[below(objectKinds().size())]); }
-  Object objectOf(std::string_view kind) {
-    Object object = *makeObject(kind);
-    for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i)
-      for (int axis = 0; axis < numbersIn(coordinatesOf(object)[i].role); ++axis)
-        coordinate(object, i)[axis] = small();
-    object.kind().settle(object);
-    return object;
-  }
-  Entry anyEntry(const Scene &scene) {
-    std::string name = newName();
-    if (below(2) == 0)
-      return {std::move(name), anyObject()};
-    const Construction &construction = constructions()[below(constructions().size())];
-    ConstructionUse use{std::string(construction.id), {}};
-    for (const ConstructionRole &role : construction.roles)
-      use.roles[role.name] = anyReference(scene);
-    return {std::move(name), std::move(use)};
-  }
-
-  std::mt19937_64 m_engine;
-};
 
 TEST(Edits, ThousandsAtRandom_LeaveScenesThatCanBeEvaluatedWrittenAndRead) {
   int accepted = 0;

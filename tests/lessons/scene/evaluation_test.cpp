@@ -159,7 +159,7 @@ TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
   const Evaluation gone = evaluate(parallel, there);
   EXPECT_EQ(gone.find("height")->outcome->told->name, "missing-object");
   EXPECT_EQ(gone.find("height")->outcome->told->description,
-            "In its present case meeting makes no H, so nothing follows from it.");
+            "At the moment meeting has no H, so there is nothing to go on with here.");
   EXPECT_TRUE(gone.find("height")->outcome->told->degenerate);
   EXPECT_EQ(evaluate(scene, gone).find("height")->outcome->told->name, "positive");
 }

@@ -1,0 +1,89 @@
+// Scenes that grow: what an edit, saving and opening cost in scenes of 10, 100 and 500 constructions, and the
+// list of 5, 20 and 1,000 lessons. Each should be flat or linear.
+#include "lessons/lesson/lesson.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/scene/session_file.h"
+#include "tests/bench/durations.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace halfspace::bench {
+namespace {
+
+/// Four distances for each plane and point, every tenth of them that of an earlier foot.
+Scene sceneOf(int constructions) {
+  Scene scene;
+  for (int i = 0; i < constructions; ++i) {
+    const std::string group = std::to_string(i / 4);
+    if (i % 4 == 0) {
+      scene.entries.push_back({"E" + group, PlaneObject{{i % 7, 4, 7}, {1, 2, 1 + i % 3}}});
+      scene.entries.push_back({"Q" + group, PointObject{{i % 11, i % 13, 8}}});
+    }
+    const std::string point = i % 10 == 9 ? "d" + std::to_string(i - 1) + ".F" : "Q" + group;
+    scene.entries.push_back(
+        {"d" + std::to_string(i), ConstructionUse{"signed-distance", {{"E", "E" + group}, {"Q", point}}}});
+  }
+  return scene;
+}
+
+template <class Work> double millisecondsOf(int times, Work work) {
+  const auto start = Clock::now();
+  for (int i = 0; i < times; ++i)
+    work(i);
+  return millisecondsSince(start) / times;
+}
+
+void measureScene(int constructions) {
+  Scene scene = sceneOf(constructions);
+  Evaluation evaluation = evaluate(scene);
+  const auto edit = [&](int i) {
+    const Edit move = ChangeObject{"Q0", PointObject{{i, 2, 3}}};
+    scene = *apply(std::move(scene), move);
+    evaluation = evaluate(scene, evaluation);
+  };
+  const double edited = millisecondsOf(50, edit);
+  const double looked = millisecondsOf(20, [&](int i) {
+    edit(i);
+    LessonStep step;
+    step.lines = {"d0.f"};
+    (void)shownIn(step, evaluation);
+  });
+  const double anew = millisecondsOf(5, [&](int) { (void)figureOf(evaluate(scene)); });
+  const Session session{"bench", 0, scene};
+  std::string text;
+  const double saved = millisecondsOf(10, [&](int) { text = writeSession(session); });
+  const double opened = millisecondsOf(10, [&](int) { (void)readSession(text, "bench"); });
+  std::printf("%5zu entries: edit %7.3f ms, edit and look %7.3f ms, all anew %7.3f ms, save %7.3f ms, open "
+              "%7.3f ms\n",
+              scene.entries.size(), edited, looked, anew, saved, opened);
+}
+
+void measureLessons(int count) {
+  const auto folder = std::filesystem::temp_directory_path() / "halfspace-bench-lessons";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (int i = 0; i < count; ++i)
+    std::ofstream(folder / (std::to_string(i) + ".md"))
+        << "---\nid: lesson-" << i << "\ntitle: Lesson\norder: " << i
+        << "\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n## A step\nWords with $f(Q)$.\n";
+  const double listed = millisecondsOf(3, [&](int) {
+    if (readLessons(folder).lessons.size() != static_cast<std::size_t>(count))
+      std::puts("lessons are missing");
+  });
+  std::printf("%5d lessons: listed in %8.3f ms\n", count, listed);
+  std::filesystem::remove_all(folder);
+}
+
+} // namespace
+} // namespace halfspace::bench
+
+int main() {
+  using namespace halfspace::bench;
+  for (const int constructions : {10, 100, 500})
+    measureScene(constructions);
+  for (const int lessons : {5, 20, 1000})
+    measureLessons(lessons);
+}
