@@ -136,11 +136,12 @@ void MainWindow::showStepWords() {
   const LessonStep *step = currentStep();
   if (!step)
     return m_lessonPanel->setMarkdown({});
+  static const Evaluation nothing;
   const Evaluation &evaluation = m_model.evaluation();
   StepProgress &done = progress();
   done.tasks.observe(step->tasks, evaluation);
   m_lessonPanel->setMarkdown(QString::fromStdString(
-      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? Evaluation() : evaluation)));
+      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? nothing : evaluation)));
   m_lessonPanel->setTasksDone(done.tasks.done());
   if (step->prediction)
     m_lessonPanel->setPredictionAnswer(done.chosen, done.right);

@@ -25,8 +25,8 @@ std::vector<Mark> draw(const Given<Object> &given) {
   return marks;
 }
 
-std::vector<Handle> ownHandles(const Given<Object> &given) {
-  return {lengthHandle(given, 1, 0), lengthHandle(given, 2, 1), lengthHandle(given, 3, 2)};
+std::vector<Handle> ownHandles(const std::string &name, const Object &box) {
+  return {lengthHandle(name, box, 1, 0), lengthHandle(name, box, 2, 1), lengthHandle(name, box, 3, 2)};
 }
 
 void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 1, false, found); }

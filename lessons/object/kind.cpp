@@ -12,7 +12,7 @@ namespace halfspace {
 
 void settleNothing(Object &) {}
 
-std::vector<Handle> noHandles(const Given<Object> &) { return {}; }
+std::vector<Handle> noHandles(const std::string &, const Object &) { return {}; }
 
 void offerNothing(const Given<Object> &, Surroundings &) {}
 
@@ -33,6 +33,13 @@ PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subje
 
 ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject) {
   return {partOf(given, index, subject), place(given.object[0]), place(given.object[index]), true};
+}
+
+void addPoints(const Given<Object> &given, Subject subject, std::vector<Mark> &marks) {
+  const auto specs = coordinatesOf(given.object);
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    if (specs[i].role == CoordinateRole::Position)
+      marks.push_back(pointMark(given, i, subject));
 }
 
 void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks) {
@@ -83,34 +90,51 @@ void offerVertices(const Given<Object> &given, std::size_t first, std::size_t en
   }
 }
 
-Handle wholeHandle(const Given<Object> &given) {
-  const auto specs = coordinatesOf(given.object);
+ExactVec3 normalOfCorners(const Object &object) {
+  return cross(object[1] - object[0], object[2] - object[0]);
+}
+
+void offerCorners(const Given<Object> &given, Surroundings &found) {
+  offerVertices(given, 0, 3, true, found);
+  if (const ExactVec3 normal = normalOfCorners(given.object); !isZero(normal))
+    found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
+}
+
+void aimDirections(const Given<Object> &given, const Handle &handle, const Surroundings &found,
+                   std::vector<SnapTarget> &targets) {
+  if (handle.motion == Handle::Motion::Coordinate &&
+      coordinatesOf(given.object)[handle.coordinate].role == CoordinateRole::Direction)
+    aimAtSurroundings(found, handle.base, targets);
+}
+
+std::vector<Handle> wholeHandle(const std::string &name, const Object &object) {
+  const auto specs = coordinatesOf(object);
   ExactVec3 sum(0);
   Rational count = 0;
   for (std::size_t i = 0; i < specs.size(); ++i)
     if (specs[i].role == CoordinateRole::Position) {
-      sum += given.object[i];
+      sum += object[i];
       count += 1;
     }
   Handle handle;
-  handle.id = given.id + ".whole";
-  handle.object = given.id;
+  handle.id = name + ".whole";
+  handle.object = name;
   handle.motion = Handle::Motion::Whole;
   handle.at = sum / count;
   // So the first position is the one that is snapped: parts of a middle would be no short numbers.
-  handle.base = handle.at - given.object[0];
-  return handle;
+  handle.base = handle.at - object[0];
+  return {handle};
 }
 
-Handle lengthHandle(const Given<Object> &given, std::size_t index, int axis) {
+Handle lengthHandle(const std::string &name, const Object &object, std::size_t index, int axis) {
   Handle handle;
-  handle.id = coordinateId(given.id, coordinatesOf(given.object)[index]);
-  handle.object = given.id;
+  handle.id = coordinateId(name, coordinatesOf(object)[index]);
+  handle.object = name;
   handle.motion = Handle::Motion::Length;
   handle.coordinate = index;
-  handle.base = given.object[0];
+  handle.base = object[0];
   handle.axis[axis] = 1;
-  handle.at = handle.base + handle.axis * given.object[index].x;
+  handle.at = handle.base + handle.axis * object[index].x;
   return handle;
 }
 

@@ -24,7 +24,7 @@ struct Kind {
   /// left out.
   std::vector<Mark> (*draw)(const Given<Object> &);
   /// The handles besides those of positions and directions.
-  std::vector<Handle> (*ownHandles)(const Given<Object> &);
+  std::vector<Handle> (*ownHandles)(const std::string &name, const Object &);
   /// Adds what others can snap to on it.
   void (*offer)(const Given<Object> &, Surroundings &);
   /// Adds what a handle of one of its coordinates catches at, besides the places that every position catches
@@ -42,7 +42,7 @@ struct Kind {
 
 // For kinds that have none:
 void settleNothing(Object &object);
-[[nodiscard]] std::vector<Handle> noHandles(const Given<Object> &given);
+[[nodiscard]] std::vector<Handle> noHandles(const std::string &name, const Object &object);
 void offerNothing(const Given<Object> &given, Surroundings &found);
 void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surroundings &found,
                   std::vector<SnapTarget> &targets);
@@ -57,6 +57,8 @@ void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surrou
 [[nodiscard]] PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject);
 [[nodiscard]] ArrowMark arrowMark(const Given<Object> &given, std::size_t index, Subject subject);
 
+/// Adds the points of all positions.
+void addPoints(const Given<Object> &given, Subject subject, std::vector<Mark> &marks);
 /// Adds a face: filled where it is flat and convex; else its sides alone, as marks that accompany it.
 void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks);
 /// Adds the faces of a solid, given by the indices of their corners. The first is the mark of the whole
@@ -71,10 +73,18 @@ void offerPoint(const Given<Object> &given, std::size_t index, std::string words
 void offerVertices(const Given<Object> &given, std::size_t first, std::size_t end, bool closed,
                    Surroundings &found);
 
-/// The handle that moves all positions together: at their middle, snapped as the first.
-[[nodiscard]] Handle wholeHandle(const Given<Object> &given);
+/// Perpendicular to the plane of the first three positions; zero where they lie on one line.
+[[nodiscard]] ExactVec3 normalOfCorners(const Object &object);
+/// Adds the first three positions as vertices, with the edges between them and their plane.
+void offerCorners(const Given<Object> &given, Surroundings &found);
+/// Adds what a direction that leads somewhere catches at.
+void aimDirections(const Given<Object> &given, const Handle &handle, const Surroundings &found,
+                   std::vector<SnapTarget> &targets);
+
+/// One handle, which moves all positions together: at their middle, snapped as the first.
+[[nodiscard]] std::vector<Handle> wholeHandle(const std::string &name, const Object &object);
 /// The handle of a length: on an axis (0, 1, 2) from the first position.
-[[nodiscard]] Handle lengthHandle(const Given<Object> &given, std::size_t index, int axis);
+[[nodiscard]] Handle lengthHandle(const std::string &name, const Object &object, std::size_t index, int axis);
 /// Settles an object whose lengths are not below 0.
 void settleLengths(Object &object);
 

@@ -27,12 +27,6 @@ void offer(const Given<Object> &given, Surroundings &found) {
         {given.object[0], given.object[1], words("line {name}", {{"name", plainText(given.symbol)}})});
 }
 
-void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
-         std::vector<SnapTarget> &targets) {
-  if (handle.coordinate == 1)
-    aimAtSurroundings(found, handle.base, targets);
-}
-
 } // namespace
 
 LineTerms termsOf(const Given<LineObject> &line) {
@@ -50,7 +44,7 @@ Kind line() {
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,
-          .aim = aim};
+          .aim = aimDirections};
 }
 
 } // namespace object_kinds

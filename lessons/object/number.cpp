@@ -1,4 +1,5 @@
-// Numbers, to be changed within bounds in steps.
+#include "lessons/object/number.h"
+
 #include "lessons/object/kind.h"
 
 #include <algorithm>
@@ -6,12 +7,12 @@
 namespace halfspace {
 namespace {
 
-enum Coordinates : std::uint8_t { Value, From, To, Step };
-
-void settle(Object &number) {
-  number[Step].x = std::max(number[Step].x, Rational(0));
-  number[To].x = std::max(number[From].x, number[To].x);
-  number[Value].x = std::clamp(number[Value].x, number[From].x, number[To].x);
+void settle(Object &object) {
+  NumberObject number = objectAs<NumberObject>(object).value();
+  number.step = std::max(number.step, Rational(0));
+  number.to = std::max(number.from, number.to);
+  number.value = std::clamp(number.value, number.from, number.to);
+  object = number;
 }
 
 /// A number is no part of the picture.
@@ -22,7 +23,7 @@ std::vector<Mark> draw(const Given<Object> &) { return {}; }
 namespace object_kinds {
 
 Kind number() {
-  return {.word = "number",
+  return {.word = NumberObject::kind,
           .meaning = "a number with bounds and a step",
           .coordinates = {{"value", CoordinateRole::Number, true},
                           {"from", CoordinateRole::Number},

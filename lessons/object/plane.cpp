@@ -25,15 +25,15 @@ std::vector<Mark> draw(const Given<Object> &given) {
 }
 
 /// The knob that moves the plane along its normal; a zero normal points nowhere, so there is none.
-std::vector<Handle> ownHandles(const Given<Object> &given) {
-  if (isZero(given.object[1]))
+std::vector<Handle> ownHandles(const std::string &name, const Object &plane) {
+  if (isZero(plane[1]))
     return {};
   Handle handle;
-  handle.id = given.id + ".offset";
-  handle.object = given.id;
+  handle.id = name + ".offset";
+  handle.object = name;
   handle.motion = Handle::Motion::AlongNormal;
-  handle.at = given.object[0];
-  handle.axis = given.object[1];
+  handle.at = plane[0];
+  handle.axis = plane[1];
   return {handle};
 }
 

@@ -6,26 +6,15 @@
 namespace halfspace {
 namespace {
 
-ExactVec3 normalOf(const Object &plane) { return cross(plane[1] - plane[0], plane[2] - plane[0]); }
-
 std::vector<Mark> draw(const Given<Object> &given) {
   std::vector<Mark> marks;
-  if (const ExactVec3 normal = normalOf(given.object); !isZero(normal))
+  if (const ExactVec3 normal = normalOfCorners(given.object); !isZero(normal))
     marks.push_back(PlanePatchMark{wholeOf(given, Subject::Plane),
                                    place(given.object[0]),
                                    unitOf(normal),
                                    {place(given.object[1]), place(given.object[2])}});
-  for (std::size_t i = 0; i < 3; ++i)
-    marks.push_back(pointMark(given, i, Subject::Plane));
+  addPoints(given, Subject::Plane, marks);
   return marks;
-}
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
-
-void offer(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, 3, true, found);
-  if (const ExactVec3 normal = normalOf(given.object); !isZero(normal))
-    found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
 }
 
 } // namespace
@@ -41,8 +30,8 @@ Kind plane_through_points() {
           .leavableVertices = 0,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
-          .offer = offer,
+          .ownHandles = wholeHandle,
+          .offer = offerCorners,
           .aim = aimAtNothing};
 }
 

@@ -11,12 +11,9 @@ std::vector<Mark> draw(const Given<Object> &given) {
     corners.push_back(given.object[i]);
   std::vector<Mark> marks;
   addFace(wholeOf(given, Subject::Triangle), corners, marks);
-  for (std::size_t i = 0; i < given.object.size(); ++i)
-    marks.push_back(pointMark(given, i, Subject::Triangle));
+  addPoints(given, Subject::Triangle, marks);
   return marks;
 }
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
 void offer(const Given<Object> &given, Surroundings &found) {
   offerVertices(given, 0, given.object.size(), true, found);
@@ -40,7 +37,7 @@ Kind polygon() {
           .leavableVertices = 5,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
+          .ownHandles = wholeHandle,
           .offer = offer,
           .aim = aimAtNothing};
 }

@@ -28,23 +28,13 @@ std::vector<Mark> draw(const Given<Object> &given) {
   addFaces(given, corners, faces, marks);
   if (!isZero(given.object[way]))
     marks.push_back(arrowMark(given, way, Subject::Triangle));
-  for (std::size_t i = 0; i < given.object.size(); ++i)
-    if (i != way)
-      marks.push_back(pointMark(given, i, Subject::Triangle));
+  addPoints(given, Subject::Triangle, marks);
   return marks;
 }
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
 void offer(const Given<Object> &given, Surroundings &found) {
   offerVertices(given, 0, 1, false, found);
   offerVertices(given, way + 1, given.object.size(), false, found);
-}
-
-void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
-         std::vector<SnapTarget> &targets) {
-  if (handle.motion == Handle::Motion::Coordinate && handle.coordinate == way)
-    aimAtSurroundings(found, handle.base, targets);
 }
 
 } // namespace
@@ -66,9 +56,9 @@ Kind prism() {
           .leavableVertices = 5,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
+          .ownHandles = wholeHandle,
           .offer = offer,
-          .aim = aim};
+          .aim = aimDirections};
 }
 
 } // namespace object_kinds

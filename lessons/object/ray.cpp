@@ -25,12 +25,6 @@ void offer(const Given<Object> &given, Surroundings &found) {
   offerPoint(given, 0, words("start {name}", {{"name", plainText(given.letters[0])}}), found);
 }
 
-void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
-         std::vector<SnapTarget> &targets) {
-  if (handle.coordinate == 1)
-    aimAtSurroundings(found, handle.base, targets);
-}
-
 } // namespace
 
 RayTerms termsOf(const Given<RayObject> &ray) { return {coordinateTerm(ray, 0), coordinateTerm(ray, 1)}; }
@@ -46,7 +40,7 @@ Kind ray() {
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,
-          .aim = aim};
+          .aim = aimDirections};
 }
 
 } // namespace object_kinds

@@ -10,12 +10,9 @@ std::vector<Mark> draw(const Given<Object> &given) {
   if (given.object[0] != given.object[1]) // its ends have names enough
     marks.push_back(
         SegmentMark{{given.id, Role::Given, Subject::Ray}, place(given.object[0]), place(given.object[1])});
-  marks.push_back(pointMark(given, 0, Subject::Point));
-  marks.push_back(pointMark(given, 1, Subject::Point));
+  addPoints(given, Subject::Point, marks);
   return marks;
 }
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
 void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 2, false, found); }
 
@@ -30,7 +27,7 @@ Kind segment() {
           .leavableVertices = 0,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
+          .ownHandles = wholeHandle,
           .offer = offer,
           .aim = aimAtNothing};
 }

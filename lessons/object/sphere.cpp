@@ -18,7 +18,9 @@ std::vector<Mark> draw(const Given<Object> &given) {
   return marks;
 }
 
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {lengthHandle(given, Radius, 0)}; }
+std::vector<Handle> ownHandles(const std::string &name, const Object &sphere) {
+  return {lengthHandle(name, sphere, Radius, 0)};
+}
 
 void offer(const Given<Object> &given, Surroundings &found) {
   offerPoint(given, Center, words("centre {name}", {{"name", plainText(given.letters[Center])}}), found);

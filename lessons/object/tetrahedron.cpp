@@ -9,12 +9,9 @@ std::vector<Mark> draw(const Given<Object> &given) {
   std::vector<Mark> marks;
   addFaces(given, {corners[0], corners[1], corners[2], corners[3]},
            {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, marks);
-  for (std::size_t i = 0; i < 4; ++i)
-    marks.push_back(pointMark(given, i, Subject::Triangle));
+  addPoints(given, Subject::Triangle, marks);
   return marks;
 }
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
 
 void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 4, true, found); }
 
@@ -32,7 +29,7 @@ Kind tetrahedron() {
           .leavableVertices = 0,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
+          .ownHandles = wholeHandle,
           .offer = offer,
           .aim = aimAtNothing};
 }

@@ -9,27 +9,14 @@
 namespace halfspace {
 namespace {
 
-ExactVec3 normalOf(const Object &triangle) {
-  return cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-}
-
 std::vector<Mark> draw(const Given<Object> &given) {
   const auto [p0, p1, p2] = as<TriangleObject>(given).object;
   std::vector<Mark> marks;
-  if (!isZero(normalOf(given.object))) // its corners have names enough
+  if (!isZero(normalOfCorners(given.object))) // its corners have names enough
     marks.push_back(
         PolygonMark{{given.id, Role::Given, Subject::Triangle}, {place(p0), place(p1), place(p2)}});
-  for (std::size_t i = 0; i < 3; ++i)
-    marks.push_back(pointMark(given, i, Subject::Triangle));
+  addPoints(given, Subject::Triangle, marks);
   return marks;
-}
-
-std::vector<Handle> ownHandles(const Given<Object> &given) { return {wholeHandle(given)}; }
-
-void offer(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, 3, true, found);
-  if (const ExactVec3 normal = normalOf(given.object); !isZero(normal))
-    found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
 }
 
 /// In line with the two other corners: the degenerate case that a learner is asked to find.
@@ -64,8 +51,8 @@ Kind triangle() {
           .leavableVertices = 0,
           .settle = settleNothing,
           .draw = draw,
-          .ownHandles = ownHandles,
-          .offer = offer,
+          .ownHandles = wholeHandle,
+          .offer = offerCorners,
           .aim = aim};
 }
 

@@ -21,12 +21,6 @@ void offer(const Given<Object> &given, Surroundings &found) {
   found.points.back().at += given.object[0];
 }
 
-void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
-         std::vector<SnapTarget> &targets) {
-  if (handle.coordinate == 1)
-    aimAtSurroundings(found, handle.base, targets);
-}
-
 } // namespace
 
 namespace object_kinds {
@@ -40,7 +34,7 @@ Kind vector() {
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,
-          .aim = aim};
+          .aim = aimDirections};
 }
 
 } // namespace object_kinds

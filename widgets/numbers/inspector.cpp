@@ -1,6 +1,6 @@
 #include "widgets/numbers/inspector.h"
 
-#include "lessons/object/letters.h"
+#include "lessons/object/number.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/written.h"
 #include "widgets/mark_ink.h"
@@ -29,13 +29,14 @@ constexpr int mostSliderSteps = 10000;
 
 /// Of a number with bounds and a step; nothing for what has none.
 std::optional<SliderRange> rangeOf(const Object &object) {
-  if (kindOf(object) != "number" || object[3].x == 0)
+  const auto number = objectAs<NumberObject>(object);
+  if (!number || number->step == 0)
     return {};
   const auto stepsTo = [&](const Rational &end) {
     return static_cast<int>(
-        std::min(toDouble(Rational((end - object[1].x) / object[3].x)), double(mostSliderSteps)));
+        std::min(toDouble(Rational((end - number->from) / number->step)), double(mostSliderSteps)));
   };
-  return SliderRange{stepsTo(object[2].x), stepsTo(object[0].x)};
+  return SliderRange{stepsTo(number->to), stepsTo(number->value)};
 }
 
 // More rows than this nobody looks through, and each costs time and memory.

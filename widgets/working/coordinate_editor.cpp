@@ -1,6 +1,7 @@
 #include "widgets/working/coordinate_editor.h"
 
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/number.h"
 
 #include <algorithm>
 
@@ -9,12 +10,8 @@ namespace {
 
 /// A number may say in which steps it goes.
 Rational stepOfNumber(const Object &object, const Rational &otherwise) {
-  const auto specs = coordinatesOf(object);
-  const auto step =
-      std::find_if(specs.begin(), specs.end(), [](const auto &spec) { return spec.name == "step"; });
-  const Rational own =
-      step == specs.end() ? Rational(0) : object[static_cast<std::size_t>(step - specs.begin())].x;
-  return own > 0 ? own : otherwise;
+  const auto number = objectAs<NumberObject>(object);
+  return number && number->step > 0 ? number->step : otherwise;
 }
 
 } // namespace

@@ -17,6 +17,15 @@ constexpr int circlePieces = 64;
 /// An arc is this much larger than the corner of a right angle.
 constexpr double arcPerCorner = 1.8;
 
+/// Goes on with a part of a circle around a centre, from one radius through an angle towards another at a
+/// right angle to it.
+void addArc(std::vector<Place> &path, Place center, Place from, Place across, double angle, int pieces) {
+  for (int i = 0; i <= pieces; ++i) {
+    const double turned = angle * i / pieces;
+    path.push_back(center + from * std::cos(turned) + across * std::sin(turned));
+  }
+}
+
 std::vector<Place> arcPath(const ArcMark &arc, double radius) {
   if (arc.from == Place(0) || arc.to == Place(0))
     return {};
@@ -28,10 +37,7 @@ std::vector<Place> arcPath(const ArcMark &arc, double radius) {
     axis = glm::cross(start, std::abs(start.z) < 0.9 ? Place(0, 0, 1) : Place(1, 0, 0));
   const Place across = glm::cross(glm::normalize(axis), start);
   std::vector<Place> path;
-  for (int i = 0; i <= arcPieces; ++i) {
-    const double turned = angle * i / arcPieces;
-    path.push_back(arc.center + (start * std::cos(turned) + across * std::sin(turned)) * radius);
-  }
+  addArc(path, arc.center, start * radius, across * radius, angle, arcPieces);
   return path;
 }
 
@@ -40,19 +46,14 @@ std::vector<Place> greatCircles(const SphereMark &sphere) {
   std::vector<Place> path;
   if (!(sphere.radius > 0))
     return path;
-  const auto turn = [&](Place from, Place to, int pieces) {
-    for (int i = 0; i <= pieces; ++i) {
-      const double angle = 2 * std::numbers::pi * i / circlePieces;
-      path.push_back(sphere.center + (from * std::cos(angle) + to * std::sin(angle)) * sphere.radius);
-    }
-  };
-  const Place x(1, 0, 0);
-  const Place y(0, 1, 0);
-  const Place z(0, 0, 1);
-  turn(x, y, circlePieces);
-  turn(x, z, circlePieces);
-  turn(x, y, circlePieces / 4);
-  turn(y, z, circlePieces);
+  constexpr double whole = 2 * std::numbers::pi;
+  const Place x(sphere.radius, 0, 0);
+  const Place y(0, sphere.radius, 0);
+  const Place z(0, 0, sphere.radius);
+  addArc(path, sphere.center, x, y, whole, circlePieces);
+  addArc(path, sphere.center, x, z, whole, circlePieces);
+  addArc(path, sphere.center, x, y, whole / 4, circlePieces / 4);
+  addArc(path, sphere.center, y, z, whole, circlePieces);
   return path;
 }
 

@@ -77,7 +77,7 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
 }
 
 /// The surface of a ball, seen twice by whoever looks through it: each side is half as dense as a polygon.
-void addBall(const SphereMark &sphere, const Face &like, std::vector<Face> &faces) {
+void addSurface(const SphereMark &sphere, const Face &like, std::vector<Face> &faces) {
   const auto at = [&](int meridian, int parallel) {
     const double around = 2 * std::numbers::pi * meridian / ballMeridians;
     const double up = std::numbers::pi * parallel / ballParallels - std::numbers::pi / 2;
@@ -111,7 +111,7 @@ std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &hig
     Face face = faceOf(mark, theme, highlighted.contains(baseOf(mark).id));
     face.opacity *= arrival.presenceOf(baseOf(mark));
     if (sphere)
-      addBall(*sphere, face, polygons);
+      addSurface(*sphere, face, polygons);
     else
       (isPatch ? patches : polygons).push_back(std::move(face));
   }
