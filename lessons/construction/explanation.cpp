@@ -5,26 +5,21 @@
 namespace halfspace {
 
 void Explanation::add(std::string id, std::function<WorkingLine()> make) {
-  Lazy<WorkingLine> line([id, make = std::move(make)] {
+  m_lines.emplace_back([id, make = std::move(make)] {
     WorkingLine made = make();
     made.id = id;
     return made;
   });
-  m_lines.push_back({std::move(id), std::move(line)});
+  m_ids.push_back(std::move(id));
 }
 
-std::vector<std::string> Explanation::ids() const {
-  std::vector<std::string> ids;
-  ids.reserve(m_lines.size());
-  for (const Line &line : m_lines)
-    ids.push_back(line.id);
-  return ids;
+bool Explanation::has(std::string_view id) const {
+  return std::find(m_ids.begin(), m_ids.end(), id) != m_ids.end();
 }
 
 const WorkingLine *Explanation::find(std::string_view id) const {
-  const auto found =
-      std::find_if(m_lines.begin(), m_lines.end(), [&](const Line &each) { return each.id == id; });
-  return found == m_lines.end() ? nullptr : &*found->line;
+  const auto found = std::find(m_ids.begin(), m_ids.end(), id);
+  return found == m_ids.end() ? nullptr : &*m_lines[static_cast<std::size_t>(found - m_ids.begin())];
 }
 
 } // namespace halfspace

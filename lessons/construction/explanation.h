@@ -14,16 +14,15 @@ public:
   void add(std::string id, std::function<WorkingLine()> make);
 
   /// The ids of the lines, in their order.
-  [[nodiscard]] std::vector<std::string> ids() const;
+  [[nodiscard]] const std::vector<std::string> &ids() const { return m_ids; }
+  /// Whether there is a line with this id; it is not made.
+  [[nodiscard]] bool has(std::string_view id) const;
   /// The line with this id, or null.
   [[nodiscard]] const WorkingLine *find(std::string_view id) const;
 
 private:
-  struct Line {
-    std::string id;
-    Lazy<WorkingLine> line;
-  };
-  std::vector<Line> m_lines;
+  std::vector<std::string> m_ids;
+  std::vector<Lazy<WorkingLine>> m_lines; ///< in the order of the ids
 };
 
 } // namespace halfspace

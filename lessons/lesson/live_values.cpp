@@ -48,19 +48,14 @@ std::size_t verbatimLength(std::string_view text) {
   return end == std::string_view::npos ? fence.size() : end + fence.size();
 }
 
-/// Whether a construction has a line.
-bool hasLine(const EvaluatedEntry &entry, std::string_view id) {
-  const std::vector<std::string> ids = entry.outcome->explanation->ids();
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
 /// Whether a name in a step means the line of an entry.
 bool means(const std::string &name, const EvaluatedEntry &entry, const std::string &id,
            const Evaluation &evaluation) {
   if (name == entry.name + ".*" || name == entry.name + "." + id)
     return true;
-  return name == id && std::count_if(evaluation.entries.begin(), evaluation.entries.end(),
-                                     [&](const EvaluatedEntry &each) { return hasLine(each, id); }) == 1;
+  return name == id &&
+         std::count_if(evaluation.entries.begin(), evaluation.entries.end(),
+                       [&](const EvaluatedEntry &each) { return each.outcome->explanation->has(id); }) == 1;
 }
 
 /// Adds those lines of an entry that a step shows; false where it shows none.

@@ -23,16 +23,6 @@ void Object::removeVertex(std::size_t index) {
 
 std::string_view kindOf(const Object &object) { return object.kind().word; }
 
-const std::vector<std::string_view> &objectKinds() {
-  static const std::vector<std::string_view> words = [] {
-    std::vector<std::string_view> all;
-    for (const Kind &kind : kinds())
-      all.push_back(kind.word);
-    return all;
-  }();
-  return words;
-}
-
 std::optional<Object> makeObject(std::string_view word) {
   const Kind *kind = findKind(word);
   return kind ? std::optional(Object(*kind)) : std::nullopt;

@@ -81,9 +81,6 @@ private:
 /// The word for the object's kind in files: point, plane, ray …
 [[nodiscard]] std::string_view kindOf(const Object &object);
 
-/// The kinds' words, in the order of the list in lessons/CMakeLists.txt.
-[[nodiscard]] const std::vector<std::string_view> &objectKinds();
-
 /// An object of this kind with all coordinates zero, or nothing for an unknown word.
 [[nodiscard]] std::optional<Object> makeObject(std::string_view kind);
 

@@ -90,19 +90,19 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
     entry.content = readUse(fields);
     return entry;
   }
-  for (const std::string_view kind : objectKinds())
-    if (const DocumentNode *coordinates = fields.optional(kind)) {
-      fields.allowOnly({"name", kind});
-      Object object = *makeObject(kind);
-      readObject(*coordinates, fields.pathOf(kind), fields, object);
+  for (const Kind &kind : kinds())
+    if (const DocumentNode *coordinates = fields.optional(kind.word)) {
+      fields.allowOnly({"name", kind.word});
+      Object object(kind);
+      readObject(*coordinates, fields.pathOf(kind.word), fields, object);
       entry.content = object;
       return entry;
     }
-  std::string kinds;
-  for (const std::string_view kind : objectKinds())
-    kinds += std::string(kind) + ", ";
+  std::string known;
+  for (const Kind &kind : kinds())
+    known += std::string(kind.word) + ", ";
   fields.complain(node, fields.pathOf(""),
-                  words("It does not say what it is: one of {kinds}construction.", {{"kinds", kinds}}));
+                  words("It does not say what it is: one of {kinds}construction.", {{"kinds", known}}));
   return entry;
 }
 

@@ -157,8 +157,8 @@ TEST_P(EveryKind, HasItsRowInTheDocumentation) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn([] {
                            std::vector<std::string> words;
-                           for (const std::string_view word : objectKinds())
-                             words.emplace_back(word);
+                           for (const Kind &kind : kinds())
+                             words.emplace_back(kind.word);
                            return words;
                          }()),
                          [](const auto &each) {

@@ -69,7 +69,7 @@ private:
     const auto other = others.find(role);
     return RebindRole{use->name, role, other == others.end() ? anyReference(scene) : other->second};
   }
-  Object anyObject() { return objectOf(objectKinds()[below(objectKinds().size())]); }
+  Object anyObject() { return objectOf(kinds()[below(kinds().size())].word); }
   Object objectOf(std::string_view kind) {
     Object object = *makeObject(kind);
     for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i)
