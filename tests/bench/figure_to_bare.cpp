@@ -95,7 +95,7 @@ void addLabels(BarePicture &picture, const SceneContent &content, const Theme &t
                const LabelPainter &painter, double scale) {
   const auto axes = axisLabels(axesFor({}), view.camera, 0, scale);
   for (const LabelText &text : labelTexts(content, axes, theme, view)) {
-    const auto image = painter(text.latex, text.style);
+    const auto image = painter.paint(painter.set(text.latex), text.style);
     if (image && image->width > 0 && !text.anchors.empty())
       picture.labels.push_back(
           {{image->width, image->height, image->rgba.data(), image},

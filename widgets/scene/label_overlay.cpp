@@ -15,8 +15,6 @@
 #include <vtkTexture.h>
 #include <vtkTexturedActor2D.h>
 
-#include <glm/common.hpp>
-
 namespace halfspace {
 namespace {
 
@@ -96,44 +94,28 @@ LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
 
 void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles,
                         const Theme &theme, const View &view) {
-  std::vector<LabelRequest> requests;
-  std::map<std::string, Picture> pictures;
-  std::map<std::string, double> opacities;
-  std::set<std::string> marks;
-  for (const LabelText &text : texts) {
-    const Picture picture = m_painter(text.latex, text.style);
-    if (picture->width == 0 || picture->height == 0)
-      continue;
-    requests.push_back({text.id, {picture->width, picture->height}, text.anchors, text.isPinned});
-    pictures[text.id] = picture;
-    opacities[text.id] = text.opacity;
-    if (text.isMark)
-      marks.insert(text.id);
+  m_labels = m_page.place(texts, obstacles, m_painter, view);
+  for (std::size_t i = 0; i < m_labels.size(); ++i) {
+    const LabelOnPage &label = m_labels[i];
+    sprite(i).show(m_painter.paint(label.formula, label.text.style), label.place.topLeft, view.size,
+                   label.text.opacity);
   }
-
-  const std::vector<PlacedLabel> placed = m_layout.place(requests, obstacles, view.size, view.pixelRatio);
-  m_markLabels.clear();
-  for (const PlacedLabel &label : placed)
-    if (marks.contains(label.id))
-      m_markLabels.push_back(label);
-  for (std::size_t i = 0; i < placed.size(); ++i)
-    sprite(i).show(pictures[placed[i].id], placed[i].topLeft, view.size, opacities[placed[i].id]);
-  for (std::size_t i = placed.size(); i < m_sprites.size(); ++i)
+  for (std::size_t i = m_labels.size(); i < m_sprites.size(); ++i)
     m_sprites[i]->actor->VisibilityOff();
-  showLeaders(placed, theme, view);
+  showLeaders(theme, view);
 }
 
-void LabelOverlay::showLeaders(const std::vector<PlacedLabel> &placed, const Theme &theme, const View &view) {
+void LabelOverlay::showLeaders(const Theme &theme, const View &view) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  for (const PlacedLabel &label : placed) {
-    if (!label.needsLeader)
-      continue;
-    const glm::dvec2 end = glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent);
-    const vtkIdType from = points->InsertNextPoint(label.anchor.x, view.size.height - label.anchor.y, 0);
-    const vtkIdType to = points->InsertNextPoint(end.x, view.size.height - end.y, 0);
-    lines->InsertNextCell({from, to});
-  }
+  const auto insert = [&](glm::dvec2 pixel) {
+    return points->InsertNextPoint(pixel.x, view.size.height - pixel.y, 0);
+  };
+  for (const LabelOnPage &label : m_labels)
+    if (const auto leader = leaderOf(label.place)) {
+      const vtkIdType from = insert(leader->from);
+      lines->InsertNextCell({from, insert(leader->to)});
+    }
   m_leaderLines->SetPoints(points);
   m_leaderLines->SetLines(lines);
   const Color color = theme.mutedInk;
@@ -149,10 +131,11 @@ void LabelOverlay::lowerBy(int pixels) {
 }
 
 std::string LabelOverlay::markAt(glm::dvec2 pixel) const {
-  for (const PlacedLabel &label : m_markLabels) {
-    const glm::dvec2 inside = pixel - label.topLeft;
-    if (inside.x >= 0 && inside.y >= 0 && inside.x < label.extent.x && inside.y < label.extent.y)
-      return label.id;
+  for (const auto &[text, formula, place] : m_labels) {
+    const glm::dvec2 inside = pixel - place.topLeft;
+    if (text.isMark && inside.x >= 0 && inside.y >= 0 && inside.x < place.extent.x &&
+        inside.y < place.extent.y)
+      return text.id;
   }
   return {};
 }

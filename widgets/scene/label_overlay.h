@@ -1,11 +1,13 @@
 // The labels on the screen: one textured rectangle each, a texel for a pixel, and leader lines.
 #pragma once
 
-#include "widgets/picture/labels/label_requests.h"
+#include "widgets/picture/labels/label_page.h"
 
 #include <vtkNew.h>
 
-#include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 class vtkActor2D;
 class vtkPolyData;
@@ -20,7 +22,7 @@ public:
   LabelOverlay(vtkRenderer *renderer, LabelPainter painter);
   ~LabelOverlay();
 
-  /// Has pictures made, places them and shows them; empty ones are left out.
+  /// Has labels set and placed, and shows their pictures; empty ones are left out.
   void show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles, const Theme &theme,
             const View &view);
 
@@ -35,15 +37,15 @@ private:
   struct Sprite;
 
   [[nodiscard]] Sprite &sprite(std::size_t number);
-  void showLeaders(const std::vector<PlacedLabel> &placed, const Theme &theme, const View &view);
+  void showLeaders(const Theme &theme, const View &view);
 
   vtkRenderer *m_renderer;
   LabelPainter m_painter;
-  LabelLayout m_layout;
+  LabelPage m_page;
+  std::vector<LabelOnPage> m_labels; ///< those on the screen
   std::vector<std::unique_ptr<Sprite>> m_sprites;
   vtkNew<vtkPolyData> m_leaderLines;
   vtkNew<vtkActor2D> m_leaders;
-  std::vector<PlacedLabel> m_markLabels; ///< those on the screen that belong to marks
 };
 
 } // namespace halfspace

@@ -7,27 +7,23 @@
 #include <QImage>
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace halfspace {
 
 namespace {
 
-/// The halo reaches this far around the strokes, in em.
-constexpr double haloWidth = 0.11;
-/// Nothing that is to be read is drawn larger.
-constexpr int largestLabelSide = 4096;
 /// How many labels are kept.
 constexpr int mostKept = 400;
 
+using Formula = LabelPainter::Formula;
+
 struct Label {
-  QString latex;
+  Formula formula;
   LabelStyle style;
   bool operator==(const Label &) const = default;
 };
-auto qHash(const Label &label) { return ::qHash(label.latex); }
+auto qHash(const Label &label) { return ::qHash(label.formula.get()); }
 
 LabelPicture fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
@@ -44,34 +40,38 @@ LabelPicture fromImage(const QImage &image) {
 
 LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
   const double em = style.pixelSize;
-  const double halo = haloWidth * em;
-  const int margin = static_cast<int>(std::ceil(halo)) + 1;
-  const auto side = [&](double length) {
-    return std::clamp(static_cast<int>(std::ceil(length * em)) + 1 + 2 * margin, 1, largestLabelSide);
-  };
-  QImage image(side(formula.width()), side(formula.height()), QImage::Format_ARGB32_Premultiplied);
+  const LabelRoom room = roomOf(*formula.layout(), style);
+  QImage image(room.width, room.height, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
   QPainter painter(&image);
-  // The baseline stands on a whole pixel, so that labels in a row are equally crisp.
-  const QPointF baseline(margin, margin + std::ceil(formula.ascent() * em));
-  formula.paintHalo(painter, baseline, em, halo, toQColor(style.halo));
+  const QPointF baseline(room.left, room.baseline);
+  formula.paintHalo(painter, baseline, em, haloWidth * em, toQColor(style.halo));
   formula.paint(painter, baseline, em, [&](const QString &) { return toQColor(style.ink); });
   painter.end();
   return fromImage(image);
 }
 
 LabelPainter labelPainter(const Typesetter &typesetter) {
+  const auto set = [&typesetter, kept = std::make_shared<QCache<QString, Formula>>(mostKept)](
+                       const std::string &latex) -> Formula {
+    const QString source = QString::fromStdString(latex);
+    if (const Formula *formula = kept->object(source))
+      return *formula;
+    Formula formula = typesetter.picture(source)->layout();
+    kept->insert(source, new Formula(formula));
+    return formula;
+  };
   using Picture = std::shared_ptr<const LabelPicture>;
-  using Cache = QCache<Label, Picture>;
-  return [&typesetter, kept = std::make_shared<Cache>(mostKept)](const std::string &latex,
-                                                                 const LabelStyle &style) -> Picture {
-    const Label label{QString::fromStdString(latex), style};
+  const auto paint = [&typesetter, kept = std::make_shared<QCache<Label, Picture>>(mostKept)](
+                         const Formula &formula, const LabelStyle &style) -> Picture {
+    const Label label{formula, style};
     if (const Picture *picture = kept->object(label))
       return *picture;
-    auto picture = std::make_shared<const LabelPicture>(paintLabel(*typesetter.picture(label.latex), style));
+    auto picture = std::make_shared<const LabelPicture>(paintLabel(*typesetter.picture(formula), style));
     kept->insert(label, new Picture(picture));
     return picture;
   };
+  return {set, paint};
 }
 
 } // namespace halfspace

@@ -8,7 +8,7 @@ namespace halfspace {
 class MathPicture;
 class Typesetter;
 
-/// Paints labels, and keeps the latest of them. The typesetter must outlive the painter.
+/// Sets and paints labels, and keeps the latest of them. The typesetter must outlive the painter.
 [[nodiscard]] LabelPainter labelPainter(const Typesetter &typesetter);
 
 /// The picture of a formula in the style's ink on its halo.

@@ -1,67 +1,27 @@
 #include "widgets/typeset/math_picture.h"
 
 #include "widgets/picture/math/break_lines.h"
-#include "widgets/picture/math/lay_out.h"
-#include "widgets/picture/math/read_latex.h"
 #include "widgets/typeset/paint_formula.h"
 
-#include <QCoreApplication>
-
 namespace halfspace {
-namespace {
-
-/// Of a source that is no formula, so many characters are shown.
-constexpr int longestSource = 60;
-
-struct MathPictureWords {
-  Q_DECLARE_TR_FUNCTIONS(halfspace::MathPicture)
-};
-
-math::Layout layOutSource(const QString &latex, const MathTypeface &typeface) {
-  QString source = latex.left(longestSource).simplified();
-  if (latex.size() > longestSource)
-    source += QChar(u'…');
-  return math::layOut(math::Row{math::words(source.toStdString(), math::Alphabet::Mono)}, typeface.fonts());
-}
-
-} // namespace
-
-MathPicture::MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface,
-                         const Macros &macros)
-    : m_typeface(std::move(typeface)) {
-  const auto read = math::readLatex(latex.toStdString(), macros);
-  if (const auto *row = std::get_if<math::Row>(&read)) {
-    layOut(*row);
-  } else {
-    const auto &error = std::get<math::ReadError>(read);
-    m_error = QString::fromStdString(error.sentence);
-    m_errorColumn = static_cast<int>(error.column);
-  }
-  if (!m_error.isEmpty())
-    m_layout = layOutSource(latex, *m_typeface);
+MathPicture::MathPicture(math::SetFormula formula, std::shared_ptr<const MathTypeface> typeface)
+    : m_typeface(std::move(typeface)),
+      m_layout(std::make_shared<const math::Layout>(std::move(formula.layout))),
+      m_error(QString::fromStdString(formula.error)), m_errorColumn(static_cast<int>(formula.errorColumn)) {
   takeTagBoxes();
 }
 
-MathPicture::MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface)
-    : m_typeface(std::move(typeface)) {
-  layOut(formula);
-  if (!m_error.isEmpty())
-    m_layout = layOutSource(QStringLiteral("…"), *m_typeface);
+MathPicture::MathPicture(std::shared_ptr<const math::Layout> layout,
+                         std::shared_ptr<const MathTypeface> typeface)
+    : m_typeface(std::move(typeface)), m_layout(std::move(layout)) {
   takeTagBoxes();
-}
-
-void MathPicture::layOut(const math::Row &formula) {
-  m_layout = math::layOut(formula, m_typeface->fonts());
-  const bool fits = width() < largestSide && height() < largestSide;
-  if (!fits) // said this way round, so that a size that is no number does not pass
-    m_error = MathPictureWords::tr("The formula is too large.");
 }
 
 MathPicture MathPicture::brokenTo(double widthInEm) const {
   MathPicture broken = *this;
   math::LineRules rules;
   rules.width = widthInEm;
-  broken.m_layout = math::breakLines(m_layout, rules);
+  broken.m_layout = std::make_shared<const math::Layout>(math::breakLines(*m_layout, rules));
   broken.takeTagBoxes();
   return broken;
 }
@@ -70,8 +30,8 @@ void MathPicture::takeTagBoxes() {
   m_markBoxes.clear();
   m_indexBoxes.clear();
   m_leftOut.reset();
-  for (const math::TagBox &tagged : m_layout.tagBoxes) {
-    const math::TagId &id = m_layout.tags[static_cast<std::size_t>(tagged.tag)].id;
+  for (const math::TagBox &tagged : m_layout->tagBoxes) {
+    const math::TagId &id = m_layout->tags[static_cast<std::size_t>(tagged.tag)].id;
     const QRectF box(tagged.box.x, tagged.box.y, tagged.box.width, tagged.box.height);
     if (const auto *index = std::get_if<std::size_t>(&id))
       m_indexBoxes.emplace_back(*index, box);
@@ -84,8 +44,8 @@ void MathPicture::takeTagBoxes() {
 
 std::vector<QColor> MathPicture::inksOfTags(const InkOf &inkOf, const QColor &plain) const {
   std::vector<QColor> inks;
-  inks.reserve(m_layout.tags.size());
-  for (const math::Tag &tag : m_layout.tags) {
+  inks.reserve(m_layout->tags.size());
+  for (const math::Tag &tag : m_layout->tags) {
     if (const auto *mark = std::get_if<std::string>(&tag.id))
       inks.push_back(inkOf(QString::fromStdString(*mark)));
     else // an index has no colour of its own
@@ -102,12 +62,12 @@ void MathPicture::paint(QPainter &painter, QPointF baseline, double emPixels, co
       return QColor(ink.color->red, ink.color->green, ink.color->blue);
     return ink.tag == math::noTag ? plain : marked[static_cast<std::size_t>(ink.tag)];
   };
-  paintFormula(painter, m_layout, *m_typeface, {baseline, emPixels, 0, colorOf});
+  paintFormula(painter, *m_layout, *m_typeface, {baseline, emPixels, 0, colorOf});
 }
 
 void MathPicture::paintHalo(QPainter &painter, QPointF baseline, double emPixels, double width,
                             const QColor &color) const {
-  paintFormula(painter, m_layout, *m_typeface,
+  paintFormula(painter, *m_layout, *m_typeface,
                {baseline, emPixels, width / emPixels, [&](const math::Ink &) { return color; }});
 }
 

@@ -1,9 +1,7 @@
-// A formula, laid out and ready to be painted: sharp at every size, on screens, in images and in PDF files.
+// A formula that is set, ready to be painted: sharp at every size, on screens, in images and in PDF files.
 #pragma once
 
-#include "lessons/lesson/macros.h"
-#include "widgets/picture/math/layout.h"
-#include "widgets/picture/math/math_tree.h"
+#include "widgets/picture/math/set_formula.h"
 
 #include <QColor>
 #include <QRectF>
@@ -27,28 +25,27 @@ public:
   /// The colour of a mark's terms by its id; an empty id stands for everything else.
   using InkOf = std::function<QColor(const QString &markId)>;
 
-  /// Wider and higher formulas are refused: nobody could read them, and nothing could draw them.
-  static constexpr double largestSide = 400;
-
-  /// The formula; or, where the LaTeX cannot be read, its source with an error.
-  MathPicture(const QString &latex, std::shared_ptr<const MathTypeface> typeface, const Macros &macros = {});
-  /// A formula that did not come from LaTeX.
-  MathPicture(const math::Row &formula, std::shared_ptr<const MathTypeface> typeface);
+  MathPicture(math::SetFormula formula, std::shared_ptr<const MathTypeface> typeface);
+  /// Of a formula that can be read.
+  MathPicture(std::shared_ptr<const math::Layout> layout, std::shared_ptr<const MathTypeface> typeface);
 
   /// The formula on lines of at most this width, where it can be broken.
   [[nodiscard]] MathPicture brokenTo(double widthInEm) const;
 
   /// Whether it stands on several lines.
-  [[nodiscard]] bool isBroken() const { return m_layout.lines.size() > 1; }
+  [[nodiscard]] bool isBroken() const { return m_layout->lines.size() > 1; }
+
+  /// The shapes that are painted.
+  [[nodiscard]] const std::shared_ptr<const math::Layout> &layout() const { return m_layout; }
 
   /// Why there is no formula; empty when there is one.
   [[nodiscard]] const QString &error() const { return m_error; }
   /// … and at which character of the LaTeX it shows, counted from 1; 0: at none.
   [[nodiscard]] int errorColumn() const { return m_errorColumn; }
-  [[nodiscard]] double width() const { return m_layout.width; }
-  [[nodiscard]] double ascent() const { return m_layout.ascent; } ///< above the baseline
+  [[nodiscard]] double width() const { return m_layout->width; }
+  [[nodiscard]] double ascent() const { return m_layout->ascent; } ///< above the baseline
   [[nodiscard]] double depth() const {
-    return m_layout.depth;
+    return m_layout->depth;
   } ///< below the baseline; negative when all is above it
   [[nodiscard]] double height() const { return ascent() + depth(); }
   /// The whole formula, around its origin.
@@ -69,13 +66,11 @@ public:
                  const QColor &color) const;
 
 private:
-  /// Lays the formula out, or says that it is too large.
-  void layOut(const math::Row &formula);
   void takeTagBoxes();
   [[nodiscard]] std::vector<QColor> inksOfTags(const InkOf &inkOf, const QColor &plain) const;
 
   std::shared_ptr<const MathTypeface> m_typeface;
-  math::Layout m_layout;
+  std::shared_ptr<const math::Layout> m_layout;
   std::vector<std::pair<QString, QRectF>> m_markBoxes;
   std::vector<std::pair<std::size_t, QRectF>> m_indexBoxes;
   std::optional<QRectF> m_leftOut;

@@ -13,11 +13,16 @@ Typesetter Typesetter::with(Macros macros) const {
 }
 
 Typesetter::Picture Typesetter::picture(const QString &latex) const {
-  return std::make_shared<const MathPicture>(latex, m_typeface, m_macros);
+  return std::make_shared<const MathPicture>(
+      math::setLatex(latex.toStdString(), m_typeface->fonts(), m_macros), m_typeface);
 }
 
 Typesetter::Picture Typesetter::picture(const math::Row &formula) const {
-  return std::make_shared<const MathPicture>(formula, m_typeface);
+  return std::make_shared<const MathPicture>(math::setFormula(formula, m_typeface->fonts()), m_typeface);
+}
+
+Typesetter::Picture Typesetter::picture(std::shared_ptr<const math::Layout> layout) const {
+  return std::make_shared<const MathPicture>(std::move(layout), m_typeface);
 }
 
 } // namespace halfspace

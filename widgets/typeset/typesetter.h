@@ -21,6 +21,8 @@ public:
   [[nodiscard]] Picture picture(const QString &latex) const;
   /// A formula that did not come from LaTeX; never null.
   [[nodiscard]] Picture picture(const math::Row &formula) const;
+  /// A formula that is set in this typesetter's type; never null.
+  [[nodiscard]] Picture picture(std::shared_ptr<const math::Layout> layout) const;
 
 private:
   std::shared_ptr<const MathTypeface> m_typeface;

@@ -27,7 +27,8 @@ class LabelPainterTest : public QObject {
 private slots:
   void labelHasInkHaloAndAClearRim() {
     Typesetter typesetter;
-    const auto label = labelPainter(typesetter)("\\mark{n}{\\rule{2em}{1em}}", style);
+    const LabelPainter painter = labelPainter(typesetter);
+    const auto label = painter.paint(painter.set("\\mark{n}{\\rule{2em}{1em}}"), style);
     QVERIFY(label);
     QCOMPARE(label->rgba.size(), static_cast<std::size_t>(4 * label->width * label->height));
     const Texel center = at(*label, label->width / 2, label->height / 2);
@@ -45,8 +46,8 @@ private slots:
     const LabelPainter painter = labelPainter(typesetter);
     LabelStyle large = style;
     large.pixelSize *= 2;
-    const auto one = painter("P_0", style);
-    const auto two = painter("P_0", large);
+    const auto one = painter.paint(painter.set("P_0"), style);
+    const auto two = painter.paint(painter.set("P_0"), large);
     QVERIFY(std::abs(two->width - 2 * one->width) <= 6);
     QVERIFY(std::abs(two->height - 2 * one->height) <= 6);
   }
@@ -54,10 +55,12 @@ private slots:
   void sameRequestGivesTheSamePicture() {
     Typesetter typesetter;
     const LabelPainter painter = labelPainter(typesetter);
-    QCOMPARE(painter("P_1", style), painter("P_1", style));
+    QCOMPARE(painter.set("P_1"), painter.set("P_1"));
+    const auto formula = painter.set("P_1");
+    QCOMPARE(painter.paint(formula, style), painter.paint(formula, style));
     LabelStyle other = style;
     other.ink = {0, 0, 1};
-    QVERIFY(painter("P_1", style) != painter("P_1", other));
+    QVERIFY(painter.paint(formula, style) != painter.paint(formula, other));
   }
 };
 

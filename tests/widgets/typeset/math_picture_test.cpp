@@ -231,7 +231,7 @@ private slots:
     clock.start();
     const auto picture = m_typesetter.picture(latex);
     QVERIFY(!picture->error().isEmpty());
-    QVERIFY(picture->width() < MathPicture::largestSide);
+    QVERIFY(picture->width() < math::largestFormula);
     QVERIFY2(clock.elapsed() < 200, qPrintable(QString::number(clock.elapsed())));
   }
 

@@ -1,21 +1,16 @@
-// Pictures of labels, which the scene gets through a function that it is handed.
+// What labels look like: their type as vectors, and their pictures, which the scene gets through functions
+// that it is handed.
 #pragma once
 
+#include "widgets/picture/math/layout.h"
 #include "widgets/picture/theme.h"
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace halfspace {
-
-/// A typeset label as an image: rows from top to bottom, four bytes a pixel (red, green, blue, straight
-/// alpha), one texel for one pixel of the screen.
-struct LabelPicture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgba;
-};
 
 /// What a label looks like.
 struct LabelStyle {
@@ -25,9 +20,37 @@ struct LabelStyle {
   bool operator==(const LabelStyle &) const = default;
 };
 
-/// Makes the picture of a piece of LaTeX, never null. The same request gives the same picture object again
-/// for as long as it is in use from frame to frame.
-using LabelPainter =
-    std::function<std::shared_ptr<const LabelPicture>(const std::string &latex, const LabelStyle &)>;
+/// The halo reaches this far around the strokes, in em.
+inline constexpr double haloWidth = 0.11;
+
+/// The room of a label on the screen, its halo included, in whole pixels.
+struct LabelRoom {
+  int width = 0;
+  int height = 0;
+  int left = 0;     ///< from its left side to where the formula begins
+  int baseline = 0; ///< from its upper side to the formula's baseline: a whole pixel, so that labels in a row
+                    ///< are equally crisp
+};
+
+[[nodiscard]] LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style);
+
+/// A label as an image: rows from top to bottom, four bytes a pixel (red, green, blue, straight alpha), one
+/// texel for one pixel of the screen.
+struct LabelPicture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// What makes labels; of each kind never null. The same request gives the same object again for as long as
+/// it is in use from frame to frame.
+struct LabelPainter {
+  using Formula = std::shared_ptr<const math::Layout>;
+
+  /// Sets a piece of LaTeX in type.
+  std::function<Formula(const std::string &latex)> set;
+  /// The picture of what was set, as large as its room.
+  std::function<std::shared_ptr<const LabelPicture>(const Formula &formula, const LabelStyle &style)> paint;
+};
 
 } // namespace halfspace

@@ -1,0 +1,56 @@
+#include "widgets/picture/labels/label_page.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace halfspace {
+namespace {
+
+/// Nothing that is to be read is drawn larger.
+constexpr int largestLabelSide = 4096;
+
+} // namespace
+
+LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style) {
+  const double em = style.pixelSize;
+  const int margin = static_cast<int>(std::ceil(haloWidth * em)) + 1;
+  const auto side = [&](double length) {
+    return std::clamp(static_cast<int>(std::ceil(length * em)) + 1 + 2 * margin, 1, largestLabelSide);
+  };
+  return {side(formula.width), side(formula.ascent + formula.depth), margin,
+          margin + static_cast<int>(std::ceil(formula.ascent * em))};
+}
+
+std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
+                                          const LabelObstacles &obstacles, const LabelPainter &painter,
+                                          const View &view) {
+  std::vector<LabelRequest> requests;
+  std::unordered_map<std::string, LabelOnPage> byId;
+  for (const LabelText &text : texts) {
+    LabelPainter::Formula formula = painter.set(text.latex);
+    if (formula->glyphs.empty() && formula->rules.empty())
+      continue;
+    const LabelRoom room = roomOf(*formula, text.style);
+    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.isPinned});
+    byId.insert_or_assign(text.id, LabelOnPage{text, std::move(formula), {}});
+  }
+  std::vector<LabelOnPage> page;
+  for (const PlacedLabel &placed : m_layout.place(requests, obstacles, view.size, view.pixelRatio)) {
+    LabelOnPage &label = byId.at(placed.id);
+    label.place = placed;
+    page.push_back(std::move(label));
+  }
+  return page;
+}
+
+std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label) {
+  if (!label.needsLeader)
+    return {};
+  return LabelObstacles::Segment{label.anchor,
+                                 glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent)};
+}
+
+} // namespace halfspace
