@@ -16,7 +16,7 @@ lessons/reading      : geometry lessons : JSON YAML
 lessons/files        : lessons lessons/reading
 lessons/object       : geometry lessons lessons/term lessons/figure
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
-lessons/scene        : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
+lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/picture      : geometry lessons/* : HarfBuzz
 widgets/scene        : geometry lessons/* widgets/picture : VTK OpenGL

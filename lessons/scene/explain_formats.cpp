@@ -1,5 +1,6 @@
 #include "lessons/scene/explain_formats.h"
 
+#include "eval/answer.h"
 #include "lessons/scene/scene_writer.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
@@ -17,34 +18,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json exactOf(const Surd &number) {
-  const auto text = toText(number);
-  return text ? Json(*text) : Json();
-}
+/// Writes a value as the eval format has it.
+struct ValueWriter {
+  Answer &answer;
+  const std::string &name;
 
-/// A value as in the eval format. A double beyond their range becomes null by itself.
-struct ValueJson {
-  Json operator()(const Surd &number) const {
-    return {{"value", toDouble(number)}, {"exact", exactOf(number)}};
-  }
-  Json operator()(const std::vector<Surd> &list) const {
-    Json values = Json::array();
-    Json exact = Json::array();
-    for (const Surd &number : list) {
-      values.push_back(toDouble(number));
-      exact.push_back(exactOf(number));
-    }
-    return {{"value", values}, {"exact", exact}};
-  }
-  Json operator()(const std::string &word) const { return word; }
-  Json operator()(int number) const { return number; }
-  Json operator()(const std::vector<NamedValue> &group) const {
-    Json json = Json::object();
+  void operator()(const Surd &number) const { answer.number(name, number); }
+  void operator()(const std::vector<Surd> &list) const { answer.numbers(name, list); }
+  void operator()(const std::string &word) const { answer.word(name, word); }
+  void operator()(int index) const { answer.index(name, static_cast<std::size_t>(index)); }
+  void operator()(const std::vector<NamedValue> &group) const {
+    answer.beginGroup(name);
     for (const NamedValue &each : group)
-      json[each.name] = std::visit(*this, each.value);
-    return json;
+      std::visit(ValueWriter{answer, each.name}, each.value);
+    answer.endGroup();
   }
 };
+
+Json valuesJson(const std::vector<NamedValue> &values) {
+  std::string fields;
+  Answer answer(fields);
+  for (const NamedValue &each : values)
+    std::visit(ValueWriter{answer, each.name}, each.value);
+  return Json::parse("{" + fields + "}");
+}
 
 std::string labelText(const NamedValue &value) {
   const auto *term = std::get_if<Term>(&value.label);
@@ -204,7 +201,7 @@ Json outcomeJson(const EvaluatedEntry &entry) {
   for (const MadeObject &made : outcome.objects)
     objects[made.name] = jsonOf(made.object);
   return {{"case", outcome.told->name},
-          {"values", ValueJson()(*outcome.values)},
+          {"values", valuesJson(*outcome.values)},
           {"objects", objects},
           {"working", workingJson(entry)},
           {"description", outcome.told->description}};
