@@ -4,6 +4,7 @@
 #include "widgets/picture/hand/mark_picker.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/silhouette.h"
 #include "widgets/scene/label_overlay.h"
 #include "widgets/scene/scene_actors.h"
 #include "widgets/scene/vtk_mesh.h"
@@ -154,7 +155,11 @@ void FigureScene::Impl::prepareGround() {
   actors.setShadowsVisible(ground && backgroundVisible && view.camera.eye().z > 0);
 }
 
-void FigureScene::Impl::prepareTools() { write(toolsMesh(content, theme, view), actors.tools()); }
+void FigureScene::Impl::prepareTools() {
+  Mesh mesh = toolsMesh(content, theme, view);
+  addSilhouettes(mesh, content.figure, content.arrival, theme, view);
+  write(mesh, actors.tools());
+}
 
 void FigureScene::Impl::prepareCamera() {
   const Camera &camera = view.camera;

@@ -83,5 +83,30 @@ TEST(Drag, WithoutADirectionIsRefused) {
   EXPECT_FALSE(isGrabbable(inPlane({0, 0, 0}), lookingDown(0.6), start));
 }
 
+TEST(Drag, OnASphere_FollowsThePointerOverTheSideWhereItWasGrabbed) {
+  const Camera camera = lookingDown(0.6);
+  const Place center = start - Place(4, 0, 0); // the camera looks along −x: the front is where x is larger
+  const Place front = center + 4.0 * glm::normalize(Place(1, 0.4, 0.3));
+  const auto there = dragTo(onSphere(center), camera, front);
+  ASSERT_TRUE(there);
+  EXPECT_NEAR(glm::distance(*there, front), 0, 1e-9);
+  const Place far = start - Place(8, 0, 0);
+  const auto behind =
+      dragged(onSphere(center), camera, size, far, pixelOf(camera, far), pixelOf(camera, front));
+  ASSERT_TRUE(behind);
+  EXPECT_NEAR(glm::distance(*behind, center), 4, 1e-9);
+  EXPECT_LT(behind->x, center.x) << "on the far side, under the same pixel";
+}
+
+TEST(Drag, BesideASphere_StaysOnItsOutline) {
+  const Camera camera = lookingDown(0.6);
+  const Place center = start - Place(4, 0, 0);
+  const auto place = dragged(onSphere(center), camera, size, start, pixelOf(camera, start), {5, 300});
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(glm::distance(*place, center), 4, 1e-9);
+  const SightLine sight = camera.sightThrough(pixelOf(camera, *place), size);
+  EXPECT_NEAR(glm::dot(*place - center, sight.direction), 0, 0.6) << "where sights touch it";
+}
+
 } // namespace
 } // namespace halfspace

@@ -295,4 +295,16 @@ void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, 
   addCone(mesh, neck, from + vector, width, color);
 }
 
+std::vector<Place> circleAround(Place center, Place axis, double radius, int corners) {
+  const Place aside = std::abs(axis.z) < std::abs(axis.x) ? Place(0, 0, 1) : Place(1, 0, 0);
+  const Place first = glm::normalize(glm::cross(axis, aside));
+  const Place second = glm::cross(axis, first);
+  std::vector<Place> circle;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    circle.push_back(center + (first * std::cos(angle) + second * std::sin(angle)) * radius);
+  }
+  return circle;
+}
+
 } // namespace halfspace

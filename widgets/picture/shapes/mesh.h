@@ -31,6 +31,9 @@ void addTube(Mesh &mesh, Place from, Place to, double radius, Color color);
 /// A tube around a closed path, whose last point is joined to the first.
 void addRing(Mesh &mesh, std::span<const Place> corners, double radius, Color color);
 
+/// The corners of a circle around a unit axis.
+[[nodiscard]] std::vector<Place> circleAround(Place center, Place axis, double radius, int corners);
+
 /// Short tubes with gaps between; the first and the last dash end at the ends. `dash` is the wanted length of
 /// a dash.
 void addDashes(Mesh &mesh, Place from, Place to, double radius, double dash, Color color);

@@ -29,13 +29,9 @@ constexpr int discCorners = 36;
 
 constexpr std::array<Place, 3> axes{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
 
-std::vector<Place> levelCircle(Place center, double radius) {
-  std::vector<Place> corners;
-  for (int i = 0; i < discCorners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / discCorners;
-    corners.push_back(center + Place(std::cos(angle), std::sin(angle), 0) * radius);
-  }
-  return corners;
+/// Around an axis ≠ 0.
+std::vector<Place> circle(Place center, Place axis, double radius) {
+  return circleAround(center, glm::normalize(axis), radius, discCorners);
 }
 
 /// Two arrows from a place, one each way along a direction.
@@ -69,7 +65,7 @@ void addMode(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, double unit) {
   case Gizmo::Mode::None:
     return;
   case Gizmo::Mode::Horizontal:
-    return addRing(mesh, levelCircle(gizmo.at, discRadius * unit), arrowRadius * unit, theme.accent);
+    return addRing(mesh, circle(gizmo.at, axes[2], discRadius * unit), arrowRadius * unit, theme.accent);
   case Gizmo::Mode::AlongX:
     return along(axes[0]);
   case Gizmo::Mode::AlongY:
@@ -77,6 +73,8 @@ void addMode(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, double unit) {
   case Gizmo::Mode::Vertical:
   case Gizmo::Mode::AlongZ:
     return along(axes[2]);
+  case Gizmo::Mode::InPlane:
+    return addRing(mesh, circle(gizmo.at, gizmo.normal, discRadius * unit), arrowRadius * unit, theme.accent);
   case Gizmo::Mode::AlongAxis:
     return along(gizmo.axis.value_or(Place(0)));
   }
@@ -123,7 +121,7 @@ void addDropLine(Mesh &mesh, const DropLine &line, bool toAxes, const Theme &the
     dashes(foot, {foot.x, 0, 0});
     dashes(foot, {0, foot.y, 0});
   }
-  addRing(mesh, levelCircle(foot, footRadius * unit), dropRadius * unit, theme.mutedInk);
+  addRing(mesh, circle(foot, axes[2], footRadius * unit), dropRadius * unit, theme.mutedInk);
 }
 
 } // namespace

@@ -1,0 +1,45 @@
+#include "widgets/picture/shapes/silhouette.h"
+
+#include "widgets/picture/shapes/mark_mesh.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr double lineRadius = 1.1; ///< in design pixels
+constexpr int corners = 96;
+
+} // namespace
+
+std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &camera) {
+  if (camera.orthographic)
+    return Silhouette{ball.center, -camera.viewDirection(), ball.radius};
+  const Place toEye = camera.eye() - ball.center;
+  const double distance = glm::length(toEye);
+  // A line of sight that touches, the radius to where it does, and the way to the centre: a right triangle.
+  const double cosine = ball.radius / distance;
+  if (!(cosine < 1))
+    return {};
+  const Place axis = toEye / distance;
+  return Silhouette{ball.center + axis * (ball.radius * cosine), axis,
+                    ball.radius * std::sqrt(1 - cosine * cosine)};
+}
+
+void addSilhouettes(Mesh &mesh, const Figure &figure, const Arrival &arrival, const Theme &theme,
+                    const View &view) {
+  for (const Mark &mark : figure.marks) {
+    const auto *ball = std::get_if<SphereMark>(&mark);
+    const auto circle = ball ? silhouetteOf(*ball, view.camera) : std::nullopt;
+    const double unit = circle ? view.unitsPerDesignPixel(circle->center) : 0;
+    const double presence = circle ? arrival.presenceOf(*ball) : 0;
+    if (unit > 0 && presence > 0)
+      addRing(mesh, circleAround(circle->center, circle->axis, circle->radius, corners),
+              lineRadius * unit * presence,
+              mix(theme.backgroundBottom, solidColor(*ball, theme, false), presence));
+  }
+}
+
+} // namespace halfspace

@@ -1,0 +1,26 @@
+// The outlines of balls as they are seen from where the eye is.
+#pragma once
+
+#include "widgets/picture/shapes/arrival.h"
+#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/view.h"
+
+#include <optional>
+
+namespace halfspace {
+
+/// The circle in which lines of sight touch a ball.
+struct Silhouette {
+  Place center{};
+  Place axis{}; ///< unit
+  double radius = 0;
+};
+
+/// Of a ball around a centre; nothing for an eye inside of it, or on it.
+[[nodiscard]] std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &camera);
+
+/// Adds the outlines of the figure's balls.
+void addSilhouettes(Mesh &mesh, const Figure &figure, const Arrival &arrival, const Theme &theme,
+                    const View &view);
+
+} // namespace halfspace
