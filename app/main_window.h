@@ -81,6 +81,7 @@ private:
   /// The history's own actions know nothing of what goes on under the hand.
   void connectInstead(QAction &action, void (SessionModel::*step)());
   void createViewMenu();
+  void createCornerItems(QMenu &menu);
   void createSnapMenu(QMenu &menu);
   void createCameraItems(QMenu &menu);
   void createSizeMenu(QMenu &menu);

@@ -72,7 +72,21 @@ void MainWindow::createEditMenu() {
     m_inspector->dropTyped();
     m_model.resetScene();
   });
+  createCornerItems(menu);
   createSnapMenu(*menu.addMenu(tr("S&nap To")));
+}
+
+/// For a selected corner of a polygon or a prism.
+void MainWindow::createCornerItems(QMenu &menu) {
+  QAction *add = addItem(menu, tr("&Add a Corner Here"), Qt::Key_Insert, m_scene, &SceneView::addCorner);
+  QAction *remove =
+      addItem(menu, tr("Re&move the Corner"), QKeySequence::Delete, m_scene, &SceneView::removeCorner);
+  const auto enable = [this, add, remove] {
+    add->setEnabled(m_scene->canAddCorner());
+    remove->setEnabled(m_scene->canRemoveCorner());
+  };
+  connect(m_scene, &SceneView::selectionChanged, this, enable);
+  enable();
 }
 
 void MainWindow::createSnapMenu(QMenu &menu) {

@@ -154,7 +154,7 @@ Result<std::vector<Condition>> parseConditions(std::string_view text) {
 std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {
   const auto dot = name.find('.');
   if (const EvaluatedEntry *entry = evaluation.find(name.substr(0, dot));
-      entry && entry->isConstruction() && dot != std::string_view::npos)
+      entry && dot != std::string_view::npos)
     return findOf(*entry, name.substr(dot + 1));
   if (name == caseName) {
     const EvaluatedEntry *last = evaluation.lastConstruction();

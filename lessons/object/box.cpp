@@ -43,6 +43,7 @@ Kind box() {
                           {"b", CoordinateRole::Length},
                           {"c", CoordinateRole::Length}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settleLengths,
           .draw = draw,
           .ownHandles = ownHandles,

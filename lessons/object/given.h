@@ -12,6 +12,7 @@ template <class Kind> struct Given {
   Symbol symbol;               ///< of the object itself
   std::vector<Symbol> letters; ///< of its coordinates, in their order
   Kind object;
+  bool isFree = true; ///< its coordinates are those of the scene; not so of what was made, or lies on another
   bool operator==(const Given &) const = default;
 };
 
@@ -22,7 +23,7 @@ template <class Kind> struct Given {
 
 /// The same object, which is of this kind, by its kind.
 template <class Kind> [[nodiscard]] Given<Kind> as(const Given<Object> &given) {
-  return {given.id, given.symbol, given.letters, objectAs<Kind>(given.object).value()};
+  return {given.id, given.symbol, given.letters, objectAs<Kind>(given.object).value(), given.isFree};
 }
 
 } // namespace halfspace

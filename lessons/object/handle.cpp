@@ -1,5 +1,7 @@
 #include "lessons/object/handle.h"
 
+#include "lessons/object/kind.h"
+
 namespace halfspace {
 namespace {
 
@@ -33,7 +35,22 @@ Object movedTo(const Object &object, const Handle &handle, const ExactVec3 &plac
   case Handle::Motion::Coordinate:
     coordinate(moved, handle.coordinate) = place - handle.base;
     break;
+  case Handle::Motion::OnHost:
+    moved = object.kind().binding->nearest(object, *handle.host, place);
+    object.kind().settle(moved);
+    break;
   }
+  return moved;
+}
+
+std::optional<ExactVec3> placeOn(const Object &host, const Object &bound) {
+  return bound.kind().binding->placeOf(bound, host);
+}
+
+Object movedToGrid(const Object &bound, const Handle &handle, const ExactVec3 &place, const Rational &step) {
+  const Kind &kind = bound.kind();
+  Object moved = kind.binding->onGrid(movedTo(bound, handle, place), *handle.host, step);
+  kind.settle(moved);
   return moved;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lessons/figure/figure.h"
+#include "lessons/object/binding.h"
 #include "lessons/object/given.h"
 #include "lessons/object/handle.h"
 #include "lessons/object/surroundings.h"
@@ -17,7 +18,8 @@ struct Kind {
   /// With all vertices that there may be, which stand last. A direction starts from the first coordinate, a
   /// position.
   std::vector<CoordinateSpec> coordinates;
-  std::size_t leavableVertices; ///< so many of the last vertices may be missing
+  std::size_t leavableVertices;   ///< so many of the last vertices may be missing
+  std::optional<Binding> binding; ///< of what lies on another object; nothing for free ones
   /// Brings the coordinates within what the kind allows: a number within its bounds, a length not below 0.
   void (*settle)(Object &);
   /// The marks, with the ids of the object and its coordinates: `E`, `E.n`. What has no length or no area is
@@ -39,6 +41,9 @@ struct Kind {
 
 /// The kind of this word, or null.
 [[nodiscard]] const Kind *findKind(std::string_view word);
+
+/// The word of the kind that others look at: of a bound object it is a point.
+[[nodiscard]] std::string_view seenKindOf(const Object &object);
 
 // For kinds that have none:
 void settleNothing(Object &object);

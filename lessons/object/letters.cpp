@@ -6,9 +6,8 @@
 
 namespace halfspace {
 
-Term detail::coordinateTerm(const std::string &id, const Symbol &letter, const Object &object,
+Term detail::coordinateTerm(const std::string &id, bool isFree, const Symbol &letter, const Object &object,
                             std::size_t index) {
-  const bool isFree = id.find('.') == std::string::npos;
   const Term term = isFree ? given(letter, object[index], id, index) : name(letter, object[index]);
   return term.marked(coordinateId(id, coordinatesOf(object)[index]));
 }

@@ -9,14 +9,14 @@
 namespace halfspace {
 
 namespace detail {
-[[nodiscard]] Term coordinateTerm(const std::string &id, const Symbol &letter, const Object &object,
-                                  std::size_t index);
+[[nodiscard]] Term coordinateTerm(const std::string &id, bool isFree, const Symbol &letter,
+                                  const Object &object, std::size_t index);
 } // namespace detail
 
 /// The letter of an object's coordinate. Of a free object it knows the coordinate that it is; what a
 /// construction made is told by that one's lines.
 template <class Kind> [[nodiscard]] Term coordinateTerm(const Given<Kind> &given, std::size_t index) {
-  return detail::coordinateTerm(given.id, given.letters.at(index), given.object, index);
+  return detail::coordinateTerm(given.id, given.isFree, given.letters.at(index), given.object, index);
 }
 
 /// P₀P₁ in plain text; P₀_T to P₁_T where the letters say whose they are.

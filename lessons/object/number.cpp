@@ -30,6 +30,7 @@ Kind number() {
                           {"to", CoordinateRole::Number},
                           {"step", CoordinateRole::Number}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settle,
           .draw = draw,
           .ownHandles = noHandles,

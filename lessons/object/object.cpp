@@ -1,6 +1,7 @@
 #include "lessons/object/object.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/object/point.h"
 
 #include <cassert>
 #include <stdexcept>
@@ -11,14 +12,14 @@ Object::Object() : Object(detail::kindNamed("point")) {}
 
 Object::Object(const Kind &kind) : m_kind(&kind), m_coordinates(kind.fewestCoordinates(), ExactVec3(0)) {}
 
-void Object::insertVertex(std::size_t index, const ExactVec3 &at) {
+void Object::addVertex() {
   assert(size() < m_kind->coordinates.size());
-  m_coordinates.insert(m_coordinates.begin() + static_cast<std::ptrdiff_t>(index), at);
+  m_coordinates.emplace_back(0);
 }
 
-void Object::removeVertex(std::size_t index) {
+void Object::removeLastVertex() {
   assert(size() > m_kind->fewestCoordinates());
-  m_coordinates.erase(m_coordinates.begin() + static_cast<std::ptrdiff_t>(index));
+  m_coordinates.pop_back();
 }
 
 std::string_view kindOf(const Object &object) { return object.kind().word; }
@@ -37,6 +38,10 @@ const Kind *findKind(std::string_view word) {
     if (kind.word == word)
       return &kind;
   return nullptr;
+}
+
+std::string_view seenKindOf(const Object &object) {
+  return object.kind().binding ? PointObject::kind : kindOf(object);
 }
 
 const Kind &detail::kindNamed(std::string_view word) {

@@ -66,10 +66,10 @@ public:
   [[nodiscard]] const ExactVec3 &operator[](std::size_t index) const { return m_coordinates.at(index); }
   [[nodiscard]] ExactVec3 &operator[](std::size_t index) { return m_coordinates.at(index); }
 
-  /// Puts a vertex before the one at an index of the coordinates, or takes it away. Requires a kind whose
+  /// Puts a vertex at the origin behind all coordinates, or takes the last one away. Requires a kind whose
   /// number of vertices allows it.
-  void insertVertex(std::size_t index, const ExactVec3 &at);
-  void removeVertex(std::size_t index);
+  void addVertex();
+  void removeLastVertex();
 
   bool operator==(const Object &) const = default;
 

@@ -35,6 +35,7 @@ Kind polygon() {
                           {"P6", CoordinateRole::Position},
                           {"P7", CoordinateRole::Position}},
           .leavableVertices = 5,
+          .binding = {},
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = wholeHandle,

@@ -54,6 +54,7 @@ Kind prism() {
                           {"P6", CoordinateRole::Position},
                           {"P7", CoordinateRole::Position}},
           .leavableVertices = 5,
+          .binding = {},
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = wholeHandle,

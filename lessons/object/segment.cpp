@@ -25,6 +25,7 @@ Kind segment() {
           .meaning = "a segment by its ends",
           .coordinates = {{"A", CoordinateRole::Position}, {"B", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = wholeHandle,

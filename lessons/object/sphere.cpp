@@ -35,6 +35,7 @@ Kind sphere() {
           .meaning = "a sphere by its centre and its radius",
           .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settleLengths,
           .draw = draw,
           .ownHandles = ownHandles,

@@ -27,6 +27,7 @@ Kind tetrahedron() {
                           {"P2", CoordinateRole::Position},
                           {"P3", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = wholeHandle,

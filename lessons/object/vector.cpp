@@ -30,6 +30,7 @@ Kind vector() {
           .meaning = "a vector, drawn from a point",
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction}},
           .leavableVertices = 0,
+          .binding = {},
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = noHandles,

@@ -74,19 +74,23 @@ struct Applier {
       return noEntry(edit.name);
     entry->name = edit.newName;
     for (Entry &other : scene.entries)
-      if (auto *use = std::get_if<ConstructionUse>(&other.content))
-        for (auto &[role, object] : use->roles)
-          if (ownerOf(object) == edit.name)
-            object.replace(0, edit.name.size(), edit.newName);
+      for (std::string *object : referencesIn(other))
+        if (ownerOf(*object) == edit.name)
+          object->replace(0, edit.name.size(), edit.newName);
     return checked(std::move(scene));
   }
 
   Result<Scene> operator()(const RebindRole &edit) {
     const auto entry = findEntry(scene, edit.name);
-    auto *use = entry == scene.entries.end() ? nullptr : std::get_if<ConstructionUse>(&entry->content);
-    if (!use)
+    if (entry == scene.entries.end())
       return noEntry(edit.name);
-    use->roles[edit.role] = edit.object;
+    if (auto *use = std::get_if<ConstructionUse>(&entry->content))
+      use->roles[edit.role] = edit.object;
+    else if (edit.role == hostRole)
+      entry->on = edit.object;
+    else
+      return refused(words("“{name}” looks at nothing as its {role}.",
+                           {{"name", edit.name}, {"role", shortened(edit.role)}}));
     return checked(std::move(scene));
   }
 
@@ -118,12 +122,11 @@ std::vector<std::string> dependentsOf(const Scene &scene, const std::string &nam
   std::set<std::string> known{name};
   std::vector<std::string> dependents;
   for (const Entry &entry : scene.entries)
-    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
-      if (std::any_of(use->roles.begin(), use->roles.end(),
-                      [&](const auto &role) { return known.contains(ownerOf(role.second)); })) {
-        known.insert(entry.name);
-        dependents.push_back(entry.name);
-      }
+    if (const auto ids = referencesIn(entry); std::any_of(
+            ids.begin(), ids.end(), [&](const std::string &id) { return known.contains(ownerOf(id)); })) {
+      known.insert(entry.name);
+      dependents.push_back(entry.name);
+    }
   return dependents;
 }
 

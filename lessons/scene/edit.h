@@ -30,10 +30,10 @@ struct RenameEntry {
   std::string newName;
 };
 
-/// Lets a construction look at another object in a role.
+/// Lets a construction look at another object in a role, or a bound object lie on another.
 struct RebindRole {
-  std::string name; ///< the entry's
-  std::string role;
+  std::string name;   ///< the entry's
+  std::string role;   ///< of a bound object `hostRole`
   std::string object; ///< `Q`, or `distance.F` for what another construction makes
 };
 

@@ -2,6 +2,7 @@
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
 #include "lessons/scene/scene_letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
@@ -18,15 +19,26 @@ template <class T> Lazy<T> nothing() {
   return Lazy<T>([] { return T(); });
 }
 
-/// The outcome of an object: itself, and its picture.
-std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given) {
+/// The outcome of an object: itself, its picture, and the values that it has beyond its coordinates.
+std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vector<NamedValue>> values) {
   return std::make_shared<const Outcome>(
       Outcome{{{"", given->object}},
               nothing<CaseWords>(),
-              nothing<std::vector<NamedValue>>(),
+              std::move(values),
               nothing<Explanation>(),
               Lazy<Figure>([given = given.get()] { return Figure{given->object.kind().draw(*given)}; }),
               given});
+}
+
+std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
+  return outcomeOf(given, nothing<std::vector<NamedValue>>());
+}
+
+/// A bound object has a place besides its freedoms.
+std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given) {
+  return outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
+                     return std::vector{listed("at", coordinateTerm(*given, 0))};
+                   }));
 }
 
 /// The outcome of a construction that looks at something that is not there now, for a reason.
@@ -56,7 +68,10 @@ public:
   }
 
   void add(const Entry &entry) {
-    if (const auto *object = std::get_if<Object>(&entry.content))
+    const auto *object = std::get_if<Object>(&entry.content);
+    if (object && isBound(entry))
+      addBound(entry, *object);
+    else if (object)
       addObject(entry.name, *object);
     else
       addUse(entry, std::get<ConstructionUse>(entry.content));
@@ -75,9 +90,32 @@ private:
     auto given = std::make_shared<const Given<Object>>(m_letters.given(name, object));
     EvaluatedEntry entry{name, {}, Naming{name}, {given}};
     if (!takeOver(entry))
-      entry.outcome = outcomeOf(given);
+      entry.outcome = outcomeOfFree(given);
+    entry.own = entry.looksAt.front();
     m_visible[name] = {entry.looksAt.front()};
     m_found.entries.push_back(std::move(entry));
+  }
+
+  /// A bound object is the point where it lies.
+  void addBound(const Entry &entry, const Object &object) {
+    const auto host = m_visible.find(entry.on);
+    if (host == m_visible.end() || kindOf(host->second.given->object) != object.kind().binding->host)
+      return;
+    const auto place = placeOn(host->second.given->object, object);
+    const auto given =
+        std::make_shared<const Given<Object>>(m_letters.bound(entry.name, place.value_or(ExactVec3(0))));
+    EvaluatedEntry found{entry.name, {}, Naming{entry.name}, {given, host->second.given}};
+    found.missing =
+        !host->second.whyNot.empty() ? host->second.whyNot
+        : place
+            ? whyTooLong(*given)
+            : words("At the moment {host} has no place for {object}.",
+                    {{"host", plainText(host->second.given->symbol)}, {"object", plainText(given->symbol)}});
+    if (!takeOver(found))
+      found.outcome = found.missing.empty() ? outcomeOfBound(given) : withoutAnObject(found.missing);
+    found.own = std::make_shared<const Given<Object>>(m_letters.given(entry.name, object));
+    m_visible[entry.name] = {found.looksAt.front(), found.missing};
+    m_found.entries.push_back(std::move(found));
   }
 
   void addUse(const Entry &entry, const ConstructionUse &use) {
@@ -119,9 +157,13 @@ private:
     if (!isMade)
       return words("At the moment {entry} has no {object}, so there is nothing to go on with here.",
                    {{"entry", entry}, {"object", object}});
-    if (hasEndlessNumbers(made.object))
-      return words("The numbers of {object} are too long to go on with.", {{"object", object}});
-    return {};
+    return whyTooLong(made);
+  }
+
+  static std::string whyTooLong(const Given<Object> &made) {
+    if (!hasEndlessNumbers(made.object))
+      return {};
+    return words("The numbers of {object} are too long to go on with.", {{"object", plainText(made.symbol)}});
   }
 
   /// Takes the outcome over from before, where it was made from the same.
@@ -161,6 +203,18 @@ const EvaluatedEntry *Evaluation::lastConstruction() const {
   const auto found = std::find_if(entries.rbegin(), entries.rend(),
                                   [](const EvaluatedEntry &each) { return each.isConstruction(); });
   return found == entries.rend() ? nullptr : &*found;
+}
+
+std::vector<PlacedObject> boundObjectsOf(const Scene &scene) {
+  std::vector<PlacedObject> found;
+  if (std::none_of(scene.entries.begin(), scene.entries.end(), isBound))
+    return found;
+  const Evaluation evaluation = evaluate(scene);
+  for (const Entry &entry : scene.entries)
+    if (const EvaluatedEntry *evaluated = isBound(entry) ? evaluation.find(entry.name) : nullptr;
+        evaluated && evaluated->missing.empty())
+      found.push_back({entry.name, *evaluated->looksAt[0], evaluated->looksAt[1]->object});
+  return found;
 }
 
 Figure figureOf(const Evaluation &evaluation) {

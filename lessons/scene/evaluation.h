@@ -13,11 +13,13 @@ struct EvaluatedEntry {
   std::string name;
   std::string construction; ///< its id; empty for an object
   Naming naming;
-  std::vector<std::shared_ptr<const Given<Object>>>
-      looksAt; ///< in the order of the roles; or the entry's own object
+  /// In the order of the roles; or the entry's own object, and behind a bound one what it lies on.
+  std::vector<std::shared_ptr<const Given<Object>>> looksAt;
   std::string
       missing{}; ///< what the construction looks at and is not there now, as it is written; empty for nothing
   std::shared_ptr<const Outcome> outcome{};
+  /// An object as it stands in the scene, a bound one by its freedoms; null for a construction.
+  std::shared_ptr<const Given<Object>> own{};
 
   [[nodiscard]] bool isConstruction() const { return !construction.empty(); }
 };
@@ -37,6 +39,16 @@ struct Evaluation {
 /// name nothing above it of the right kind: no reader passes such ones. One that looks at something that
 /// another entry does not make in its present case says so (`missing-object`).
 [[nodiscard]] Evaluation evaluate(const Scene &scene, const Evaluation &before = {});
+
+/// A bound object at its place, and what it lies on.
+struct PlacedObject {
+  std::string name;
+  Given<Object> point;
+  Object host;
+};
+
+/// The bound objects of a scene that have a place now. The scene is evaluated only where it has some.
+[[nodiscard]] std::vector<PlacedObject> boundObjectsOf(const Scene &scene);
 
 /// The marks of all entries.
 [[nodiscard]] Figure figureOf(const Evaluation &evaluation);

@@ -1,6 +1,7 @@
 #include "lessons/scene/handles.h"
 
-#include "lessons/object/kind.h"
+#include "lessons/object/bound_point.h"
+#include "lessons/scene/evaluation.h"
 
 namespace halfspace {
 namespace {
@@ -26,8 +27,11 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
 
 std::vector<Handle> handlesOf(const Scene &scene) {
   std::vector<Handle> handles;
+  for (const PlacedObject &bound : boundObjectsOf(scene))
+    handles.push_back(
+        boundHandle(bound.name, *findObject(scene, bound.name), bound.host, bound.point.object[0]));
   for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content)) {
+    if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       addCoordinateHandles(entry.name, *object, handles);
       for (Handle &own : object->kind().ownHandles(entry.name, *object))
         handles.push_back(std::move(own));

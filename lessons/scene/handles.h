@@ -6,8 +6,8 @@
 
 namespace halfspace {
 
-/// The handles of all free objects: one for each position and each direction, and those that the kinds have
-/// of their own.
+/// The handles of all objects: one for each bound one that has a place; of the free ones one for each
+/// position and each direction, and those that the kinds have of their own.
 [[nodiscard]] std::vector<Handle> handlesOf(const Scene &scene);
 
 } // namespace halfspace

@@ -29,7 +29,28 @@ bool isOnlyOne(const Scene &scene, std::string_view name) {
   return found == 1;
 }
 
+/// Calls a function for the id of each object that an entry looks at.
+template <class SomeEntry, class Function> void forEachReference(SomeEntry &entry, Function function) {
+  if (auto *use = std::get_if<ConstructionUse>(&entry.content))
+    for (auto &[role, object] : use->roles)
+      function(object);
+  if (!entry.on.empty())
+    function(entry.on);
+}
+
 } // namespace
+
+std::vector<std::string> referencesIn(const Entry &entry) {
+  std::vector<std::string> ids;
+  forEachReference(entry, [&](const std::string &id) { ids.push_back(id); });
+  return ids;
+}
+
+std::vector<std::string *> referencesIn(Entry &entry) {
+  std::vector<std::string *> ids;
+  forEachReference(entry, [&](std::string &id) { ids.push_back(&id); });
+  return ids;
+}
 
 const Object *findObject(const Scene &scene, std::string_view name) {
   for (const Entry &entry : scene.entries)

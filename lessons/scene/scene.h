@@ -15,11 +15,18 @@ struct ConstructionUse {
   bool operator==(const ConstructionUse &) const = default;
 };
 
+/// What the host of a bound object is called in files and edits.
+inline constexpr const char *hostRole = "on";
+
 struct Entry {
   std::string name;
   std::variant<Object, ConstructionUse> content;
+  std::string on{}; ///< the id of the object above that a bound object lies on
   bool operator==(const Entry &) const = default;
 };
+
+/// Whether the entry is an object that lies on another.
+[[nodiscard]] inline bool isBound(const Entry &entry) { return !entry.on.empty(); }
 
 /// Evaluated from top to bottom: an entry sees only those above it, so there are no cycles.
 struct Scene {
@@ -31,6 +38,10 @@ struct Scene {
 [[nodiscard]] inline std::string ownerOf(const std::string &objectId) {
   return objectId.substr(0, objectId.find('.'));
 }
+
+/// The ids of the objects that an entry looks at: those of its construction's roles, what it lies on.
+[[nodiscard]] std::vector<std::string> referencesIn(const Entry &entry);
+[[nodiscard]] std::vector<std::string *> referencesIn(Entry &entry);
 
 /// The object that goes by this name, or null.
 [[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);

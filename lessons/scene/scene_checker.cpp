@@ -51,7 +51,9 @@ std::optional<Problem> SceneChecker::check(const Entry &entry) {
     return problem;
   m_names.insert(entry.name);
   if (const auto *object = std::get_if<Object>(&entry.content)) {
-    m_kinds.emplace(entry.name, kindOf(*object));
+    if (auto problem = checkHost(entry, *object))
+      return problem;
+    m_kinds.emplace(entry.name, seenKindOf(*object));
     if (const auto refused = refusedCoordinateOf(*object))
       return problemWith(std::string(refused->name), refused->sentence);
     return refuseUnfitting(*object);
@@ -86,6 +88,28 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
   return {};
 }
 
+std::optional<Problem> SceneChecker::checkReference(const std::string &field, const std::string &id,
+                                                    std::string_view expected) const {
+  const auto kind = m_kinds.find(id);
+  if (kind == m_kinds.end())
+    return problemWith(field,
+                       words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}));
+  if (kind->second != expected)
+    return problemWith(
+        field, words("Here a {kind} is expected, but “{name}” is a {other}.",
+                     {{"kind", std::string(expected)}, {"name", id}, {"other", std::string(kind->second)}}));
+  return {};
+}
+
+std::optional<Problem> SceneChecker::checkHost(const Entry &entry, const Object &object) const {
+  const std::string field = std::string(kindOf(object)) + "." + hostRole;
+  if (const auto &binding = object.kind().binding)
+    return checkReference(field, entry.on, binding->host);
+  if (entry.on.empty())
+    return {};
+  return problemWith(field, words("A {kind} lies on nothing.", {{"kind", std::string(kindOf(object))}}));
+}
+
 std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const {
   const Construction *construction = findConstruction(use.id);
   if (!construction)
@@ -99,15 +123,8 @@ std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const 
     if (bound == use.roles.end())
       return problemWith(field, words("This construction looks at a {kind} {role}: name one.",
                                       {{"kind", std::string(role.kind)}, {"role", role.name}}));
-    const auto kind = m_kinds.find(bound->second);
-    if (kind == m_kinds.end())
-      return problemWith(field, words("Above this entry there is no object “{name}”.",
-                                      {{"name", shortened(bound->second)}}));
-    if (kind->second != role.kind)
-      return problemWith(field, words("Here a {kind} is expected, but “{name}” is a {other}.",
-                                      {{"kind", std::string(role.kind)},
-                                       {"name", bound->second},
-                                       {"other", std::string(kind->second)}}));
+    if (auto problem = checkReference(field, bound->second, role.kind))
+      return problem;
   }
   for (const auto &[role, name] : use.roles)
     if (std::any_of(use.roles.begin(), use.roles.end(), [&role = role, &name = name](const auto &other) {

@@ -32,6 +32,10 @@ public:
 
 private:
   [[nodiscard]] std::optional<Problem> checkName(const std::string &name) const;
+  /// Whether there is an object of a kind above that goes by an id.
+  [[nodiscard]] std::optional<Problem> checkReference(const std::string &field, const std::string &id,
+                                                      std::string_view kind) const;
+  [[nodiscard]] std::optional<Problem> checkHost(const Entry &entry, const Object &object) const;
   [[nodiscard]] std::optional<Problem> checkUse(const ConstructionUse &use) const;
 
   std::unordered_map<std::string, std::string_view> m_kinds;          ///< of what can be looked at, by id

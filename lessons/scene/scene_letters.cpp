@@ -1,6 +1,7 @@
 #include "lessons/scene/scene_letters.h"
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/point.h"
 
 namespace halfspace {
 
@@ -58,10 +59,16 @@ Given<Object> SceneLetters::given(const std::string &entry, Object object) const
   return {entry, std::move(symbol), std::move(letters), std::move(object)};
 }
 
+Given<Object> SceneLetters::bound(const std::string &entry, const ExactVec3 &place) const {
+  Given<Object> point = given(entry, PointObject{place});
+  point.isFree = false;
+  return point;
+}
+
 Given<Object> SceneLetters::made(const std::string &entry, const std::string &name, Object object) const {
   Symbol symbol = symbolOfMade(entry, name);
   std::vector<Symbol> letters = lettersOf(object, symbol, isShared(name) ? entry : name);
-  return {entry + "." + name, std::move(symbol), std::move(letters), std::move(object)};
+  return {entry + "." + name, std::move(symbol), std::move(letters), std::move(object), false};
 }
 
 Naming SceneLetters::namingOf(const Entry &entry) const {

@@ -20,6 +20,8 @@ public:
 
   /// An entry's own object.
   [[nodiscard]] Given<Object> given(const std::string &entry, Object object) const;
+  /// The point that an entry's bound object is, at its place.
+  [[nodiscard]] Given<Object> bound(const std::string &entry, const ExactVec3 &place) const;
   /// An object that an entry makes by this name.
   [[nodiscard]] Given<Object> made(const std::string &entry, const std::string &name, Object object) const;
   /// The names of a use of a construction.

@@ -39,22 +39,28 @@ void readCoordinate(const DocumentNode &node, const std::string &path, FieldRead
 void addVertices(const DocumentNode &node, Object &object) {
   const auto &all = object.kind().coordinates;
   while (object.size() < all.size() && node.find(all[object.size()].name))
-    object.insertVertex(object.size(), ExactVec3(0));
+    object.addVertex();
 }
 
-/// Reads an object's coordinates: of a point its three numbers, else a map by the coordinates' names.
-void readObject(const DocumentNode &node, const std::string &path, FieldReader &entry, Object &object) {
+/// Reads an object's coordinates: of a point its three numbers, else a map by the coordinates' names, and of
+/// a bound one what it lies on.
+void readObject(const DocumentNode &node, const std::string &path, FieldReader &entry, Object &object,
+                std::string &on) {
   addVertices(node, object);
   const auto specs = coordinatesOf(object);
   if (specs.front().name.empty())
     return readCoordinate(node, path, entry, specs.front().role, coordinate(object, 0));
   FieldReader fields(node, entry.file(), path);
+  const bool isBound = object.kind().binding.has_value();
+  if (isBound)
+    on = fields.text(hostRole);
   for (std::size_t index = 0; index < specs.size(); ++index)
     if (const DocumentNode *written = fields.required(specs[index].name))
       readCoordinate(*written, fields.pathOf(specs[index].name), fields, specs[index].role,
                      coordinate(object, index));
   for (const DocumentNode &child : node.children)
-    if (std::none_of(specs.begin(), specs.end(),
+    if (!(isBound && child.key == hostRole) &&
+        std::none_of(specs.begin(), specs.end(),
                      [&](const CoordinateSpec &spec) { return spec.name == child.key; }))
       fields.complain(child, fields.pathOf(shortened(child.key)),
                       words("A {kind} has no such coordinate. Remove it or mend its name.",
@@ -94,7 +100,7 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
     if (const DocumentNode *coordinates = fields.optional(kind.word)) {
       fields.allowOnly({"name", kind.word});
       Object object(kind);
-      readObject(*coordinates, fields.pathOf(kind.word), fields, object);
+      readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
       entry.content = object;
       return entry;
     }
@@ -140,9 +146,8 @@ Result<Scene> readScene(const DocumentNode &list, const std::string &file, const
     const DocumentNode &node = list.children[index];
     FieldReader fields(node, file, indexed(path, index));
     Entry entry = readEntry(node, fields);
-    if (auto *use = std::get_if<ConstructionUse>(&entry.content))
-      for (auto &[role, object] : use->roles)
-        object = checker.idOf(object);
+    for (std::string *object : referencesIn(entry))
+      *object = checker.idOf(*object);
     if (const auto problem = fields.problem() ? std::nullopt : checker.check(entry))
       fields.complain(node, fields.pathOf(problem->field), problem->sentence);
     if (fields.problem())

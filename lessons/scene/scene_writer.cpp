@@ -23,10 +23,18 @@ Json coordinatesJson(const Object &object) {
   return json;
 }
 
+/// The coordinates of a bound object, behind what it lies on.
+Json bound(const std::string &host, const Json &coordinates) {
+  Json json{{hostRole, host}};
+  json.update(coordinates);
+  return json;
+}
+
 Json jsonOf(const Entry &entry) {
   Json json{{"name", entry.name}};
   if (const auto *object = std::get_if<Object>(&entry.content)) {
-    json.update(halfspace::jsonOf(*object));
+    const Json coordinates = coordinatesJson(*object);
+    json[std::string(kindOf(*object))] = entry.on.empty() ? coordinates : bound(entry.on, coordinates);
     return json;
   }
   const auto &use = std::get<ConstructionUse>(entry.content);

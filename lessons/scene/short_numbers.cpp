@@ -336,9 +336,8 @@ Scene shownPartOf(const Scene &scene) {
     const bool isLastUse = use && needed.empty();
     if (!isLastUse && !needed.contains(entry.name))
       continue;
-    if (use)
-      for (const auto &[role, object] : use->roles)
-        needed.insert(ownerOf(object));
+    for (const std::string &id : referencesIn(entry))
+      needed.insert(ownerOf(id));
     part.entries.push_back(entry);
   }
   std::reverse(part.entries.begin(), part.entries.end());

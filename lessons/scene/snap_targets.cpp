@@ -1,16 +1,26 @@
 #include "lessons/scene/snap_targets.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/scene/edit.h"
+#include "lessons/scene/evaluation.h"
 #include "lessons/scene/scene_letters.h"
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
 
+/// What the objects offer that do not move with the handled one.
 Surroundings surroundingsOf(const Scene &scene, const SceneLetters &letters, const std::string &handled) {
   Surroundings found;
   for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled)
       object->kind().offer(letters.given(entry.name, *object), found);
+  const std::vector<std::string> dependents = dependentsOf(scene, handled);
+  for (const PlacedObject &bound : boundObjectsOf(scene))
+    if (bound.name != handled &&
+        std::find(dependents.begin(), dependents.end(), bound.name) == dependents.end())
+      bound.point.object.kind().offer(bound.point, found);
   return found;
 }
 
@@ -23,8 +33,9 @@ std::vector<SnapTarget> snapTargets(const Scene &scene, const Handle &handle) {
     return targets;
   const SceneLetters letters(scene);
   const Surroundings found = surroundingsOf(scene, letters, handle.object);
-  const bool isPosition = handle.motion == Handle::Motion::Coordinate &&
-                          coordinatesOf(*object)[handle.coordinate].role == CoordinateRole::Position;
+  const bool isPosition = handle.motion == Handle::Motion::OnHost ||
+                          (handle.motion == Handle::Motion::Coordinate &&
+                           coordinatesOf(*object)[handle.coordinate].role == CoordinateRole::Position);
   if (isPosition)
     aimAtPlaces(found, targets);
   object->kind().aim(letters.given(handle.object, *object), handle, found, targets);

@@ -49,7 +49,9 @@ int dominantAxis(const ExactVec3 &vector) {
 class Snapper {
 public:
   explicit Snapper(const SnapRequest &request)
-      : m_request(request), m_wanted(wantedPlace()), m_grid(gridPlace()) {}
+      : m_request(request),
+        m_bound(request.handle.host ? findObject(request.scene, request.handle.object) : nullptr),
+        m_wanted(wantedPlace()), m_grid(gridPlace()) {}
 
   SnappedPlace find() const {
     SnappedPlace best{m_grid, ""};
@@ -58,7 +60,7 @@ public:
     for (const SnapTarget &target : snapTargets(m_request.scene, m_request.handle)) {
       const std::size_t dimension = target.places.dimension();
       const auto common = Flat::intersection(m_request.freedom, target.places);
-      if (dimension > bestDimension || !common)
+      if (dimension > bestDimension || !common || (m_bound && isEverywhere(*common)))
         continue;
       const double pixels = pixelsTo(common->nearest(m_wanted));
       if (!(pixels <= m_request.catchPixels) || (dimension == bestDimension && pixels >= bestPixels))
@@ -87,6 +89,9 @@ private:
   }
 
   ExactVec3 gridPlace() const {
+    if (m_bound)
+      return *placeOn(*m_request.handle.host,
+                      movedToGrid(*m_bound, m_request.handle, m_wanted, m_request.step));
     const Flat &freedom = m_request.freedom;
     if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
       return gridPlaceOnLine(freedom.direction());
@@ -117,6 +122,9 @@ private:
   ExactVec3 withAxisOnGrid(const ExactVec3 &place, const ExactVec3 &direction, int axis) const {
     return place + direction * Rational((onGrid(place, axis) - place[axis]) / direction[axis]);
   }
+
+  /// Whether the handle cannot leave it, as a point on a line that line.
+  bool isEverywhere(const Flat &common) const { return common.dimension() == m_request.freedom.dimension(); }
 
   double pixelsTo(const ExactVec3 &at) const { return m_request.pixelsApart(place(at), m_request.raw); }
 
@@ -180,16 +188,34 @@ private:
 
   /// Whether the coordinates that move stay short and within bounds.
   bool isOffered(const ExactVec3 &at) const {
+    if (m_bound)
+      return isOnHost(at);
     for (int axis = 0; axis < 3; ++axis) {
       const Rational value = at[axis] - m_request.handle.base[axis];
-      const bool tooLong = denominatorOf(value).str().size() > longestSnapDenominator;
-      if (m_request.freedom.moves(axis) && (tooLong || refuseCoordinate(value)))
+      if (m_request.freedom.moves(axis) && (isTooLong(value) || refuseCoordinate(value)))
         return false;
     }
     return true;
   }
 
+  /// Whether the handle's bound object can lie there, with freedoms that stay short and within bounds.
+  bool isOnHost(const ExactVec3 &at) const {
+    const Object moved = movedTo(*m_bound, m_request.handle, at);
+    if (placeOn(*m_request.handle.host, moved) != at || refusedCoordinateOf(moved))
+      return false;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        if (isTooLong(moved[i][axis]))
+          return false;
+    return true;
+  }
+
+  static bool isTooLong(const Rational &value) {
+    return denominatorOf(value).str().size() > longestSnapDenominator;
+  }
+
   const SnapRequest &m_request;
+  const Object *m_bound; ///< the handle's object where it lies on another; else null
   ExactVec3 m_wanted;
   ExactVec3 m_grid;
 };

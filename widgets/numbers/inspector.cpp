@@ -213,7 +213,7 @@ void Inspector::buildResultRows() {
 }
 
 const Symbol &Inspector::letterOf(const CoordinateId &id) const {
-  return m_model.evaluation().find(id.object)->looksAt.front()->letters[id.index];
+  return m_model.evaluation().find(id.object)->own->letters[id.index];
 }
 
 bool Inspector::isShownIn(const GivenRow &row, const CoordinateId &id) const {

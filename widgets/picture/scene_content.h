@@ -14,11 +14,12 @@ namespace halfspace {
 /// The tool shown on the selected handle, of constant size on the screen.
 struct Gizmo {
   enum class Part { AxisX, AxisY, AxisZ, PlaneXY, PlaneYZ, PlaneZX };
-  enum class Mode { None, Horizontal, Vertical, AlongX, AlongY, AlongZ, AlongAxis };
+  enum class Mode { None, Horizontal, Vertical, AlongX, AlongY, AlongZ, AlongAxis, InPlane };
   Place at{};
   Mode mode = Mode::None;    ///< how the handle moves now: a flat disc, an upright arrow, or one locked axis
   bool axes = true;          ///< whether the three arrows and squares are shown
   std::optional<Place> axis; ///< the one direction of a handle that has no other (a plane's offset)
+  Place normal{};            ///< of the plane, or of the surface at the handle, for InPlane
   std::optional<Part> hot;   ///< the part under the pointer
   std::string note;          ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
   bool operator==(const Gizmo &) const = default;

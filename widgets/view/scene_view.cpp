@@ -182,6 +182,7 @@ void SceneView::selectHandle(const std::string &handleId) {
   m_selected = handleId;
   updateContent();
   showHint();
+  emit selectionChanged();
 }
 
 void SceneView::selectNext(bool forward) {
@@ -248,6 +249,7 @@ void SceneView::takeOutcome() {
   followTyped(before);
   if (!findHandle(m_selected))
     m_selected.clear();
+  emit selectionChanged();
   if (!findHandle(m_hovered))
     m_hovered.clear();
   m_fade.show(m_model.session(), m_model.shown().figure, m_motion && isVisible());
@@ -275,14 +277,15 @@ std::optional<Gizmo> SceneView::gizmo() const {
   const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera);
   if (!mode)
     return gizmo;
-  if (handle->hasAxis()) {
-    gizmo.axes = false;
+  gizmo.axes = !isOwn(*mode);
+  if (handle->hasAxis())
     gizmo.axis = toDouble(handle->axis);
-  }
+  gizmo.normal = handle->center ? toDouble(handle->at - *handle->center) : toDouble(handle->normal);
   static const std::pair<DragMode, Gizmo::Mode> modes[] = {
       {DragMode::Horizontal, Gizmo::Mode::Horizontal}, {DragMode::Vertical, Gizmo::Mode::Vertical},
       {DragMode::AxisX, Gizmo::Mode::AlongX},          {DragMode::AxisY, Gizmo::Mode::AlongY},
-      {DragMode::AxisZ, Gizmo::Mode::AlongZ},          {DragMode::OwnAxis, Gizmo::Mode::AlongAxis}};
+      {DragMode::AxisZ, Gizmo::Mode::AlongZ},          {DragMode::OwnAxis, Gizmo::Mode::AlongAxis},
+      {DragMode::OwnPlane, Gizmo::Mode::InPlane},      {DragMode::OwnSphere, Gizmo::Mode::InPlane}};
   for (const auto &[dragMode, gizmoMode] : modes)
     if (dragMode == *mode)
       gizmo.mode = gizmoMode;
@@ -359,7 +362,9 @@ SceneContent SceneView::interactiveContent() const {
     if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
       content.knobs.push_back(std::move(*knob));
   const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
-  if (dropped && dropped->motion == Handle::Motion::Coordinate && m_stage.hasGround())
+  const bool isPlace =
+      dropped && (dropped->motion == Handle::Motion::Coordinate || dropped->motion == Handle::Motion::OnHost);
+  if (isPlace && m_stage.hasGround())
     content.dropLine = DropLine{toDouble(dropped->at)};
   return content;
 }

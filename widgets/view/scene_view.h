@@ -69,12 +69,18 @@ public:
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
   void selectHandle(const std::string &handleId);
+  /// Whether the selected handle is a corner of a polygon or a prism that may get another behind it, or go.
+  [[nodiscard]] bool canAddCorner() const;
+  [[nodiscard]] bool canRemoveCorner() const;
+  void addCorner();
+  void removeCorner();
   /// Ends what the mouse began, as its release does.
   void finishDrag();
 
 signals:
   void markHovered(const QString &markId); ///< empty: none
   void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
+  void selectionChanged();                 ///< of a handle, or of what can be done with it
   void dismissed();                        ///< Escape, while nothing is dragged
   void frameDrawn(const halfspace::FrameTimes &times);
 
@@ -140,6 +146,8 @@ private:
   void followTyped(const std::vector<Handle> &before);
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
+  /// The object of the selected handle where that is one of its coordinates; null elsewhere.
+  [[nodiscard]] const Object *objectOfSelected() const;
   bool lockAxis(int key);
   void selectNext(bool forward);
   void showHint();

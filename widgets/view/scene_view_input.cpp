@@ -1,4 +1,5 @@
 // The scene view's mouse and keys.
+#include "lessons/object/corners.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/view/key_steps.h"
 #include "widgets/view/scene_view.h"
@@ -7,6 +8,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolTip>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -43,9 +46,13 @@ QString hintFor(DragMode mode) {
   case DragMode::PlaneZX:
     return SceneView::tr("Moves in x and z.");
   case DragMode::OwnAxis:
+    return SceneView::tr("Moves along its line only.");
+  case DragMode::OwnPlane:
+    return SceneView::tr("Moves in its plane only.");
+  case DragMode::OwnSphere:
     break;
   }
-  return SceneView::tr("Moves along its arrow only.");
+  return SceneView::tr("Moves on its sphere only.");
 }
 
 } // namespace
@@ -115,6 +122,7 @@ void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pix
   setCursor(Qt::ClosedHandCursor);
   updateContent();
   showHint();
+  emit selectionChanged();
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event) {
@@ -239,7 +247,7 @@ void SceneView::setDragMode(DragMode mode) {
 
 bool SceneView::lockAxis(int key) {
   const int axis = key == Qt::Key_X ? 0 : key == Qt::Key_Y ? 1 : key == Qt::Key_Z ? 2 : -1;
-  if (axis < 0 || !m_drag)
+  if (axis < 0 || !m_drag || isOwn(m_drag->mode()))
     return false;
   static const DragMode modes[3] = {DragMode::AxisX, DragMode::AxisY, DragMode::AxisZ};
   setDragMode(m_drag->mode() == modes[axis] ? DragMode::Horizontal : modes[axis]);
@@ -285,6 +293,43 @@ bool SceneView::stepSelected(const QKeyEvent &event) {
   m_model.edit(ChangeObject{handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
                tr("move %1").arg(QString::fromStdString(handle->id)));
   return true;
+}
+
+const Object *SceneView::objectOfSelected() const {
+  const Handle *handle = findHandle(m_selected);
+  return handle && handle->motion == Handle::Motion::Coordinate
+             ? findObject(m_model.session().scene, handle->object)
+             : nullptr;
+}
+
+bool SceneView::canAddCorner() const {
+  const Object *object = objectOfSelected();
+  return object && canAddCornerAfter(*object, findHandle(m_selected)->coordinate);
+}
+
+bool SceneView::canRemoveCorner() const {
+  const Object *object = objectOfSelected();
+  return object && halfspace::canRemoveCorner(*object, findHandle(m_selected)->coordinate);
+}
+
+void SceneView::addCorner() {
+  if (!canAddCorner())
+    return;
+  const Handle handle = *findHandle(m_selected);
+  const Object more = withCornerAfter(*objectOfSelected(), handle.coordinate);
+  m_model.edit(ChangeObject{handle.object, more}, tr("add a corner"));
+  const auto corners = cornersOf(more);
+  const auto next = std::upper_bound(corners.begin(), corners.end(), handle.coordinate);
+  if (next != corners.end())
+    selectHandle(coordinateId(handle.object, coordinatesOf(more)[*next]));
+}
+
+void SceneView::removeCorner() {
+  if (!canRemoveCorner())
+    return;
+  const Handle handle = *findHandle(m_selected);
+  m_model.edit(ChangeObject{handle.object, withoutCorner(*objectOfSelected(), handle.coordinate)},
+               tr("remove a corner"));
 }
 
 void SceneView::showHint() {

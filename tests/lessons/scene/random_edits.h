@@ -59,8 +59,8 @@ private:
     for (const Entry &entry : scene.entries)
       if (std::holds_alternative<ConstructionUse>(entry.content))
         uses.push_back(&entry);
-    if (uses.empty())
-      return RebindRole{anyName(scene), "E", anyReference(scene)};
+    if (uses.empty() || below(8) == 0)
+      return anyNewHost(scene);
     const auto rolesOf = [](const Entry *entry) { return std::get<ConstructionUse>(entry->content).roles; };
     const Entry *use = uses[below(uses.size())];
     const auto roles = rolesOf(use);
@@ -68,6 +68,12 @@ private:
     const auto others = rolesOf(uses[below(uses.size())]);
     const auto other = others.find(role);
     return RebindRole{use->name, role, other == others.end() ? anyReference(scene) : other->second};
+  }
+  Edit anyNewHost(const Scene &scene) {
+    for (const Entry &entry : scene.entries)
+      if (isBound(entry) && below(2) == 0)
+        return RebindRole{entry.name, hostRole, hostFor(std::get<Object>(entry.content).kind(), scene)};
+    return RebindRole{anyName(scene), hostRole, anyReference(scene)};
   }
   Object anyObject() { return objectOf(kinds()[below(kinds().size())].word); }
   Object objectOf(std::string_view kind) {
@@ -78,10 +84,29 @@ private:
     object.kind().settle(object);
     return object;
   }
+  /// On something of the right kind, where there is one.
+  Entry anyBoundEntry(const Scene &scene, std::string name) {
+    std::vector<const Kind *> bound;
+    for (const Kind &kind : kinds())
+      if (kind.binding)
+        bound.push_back(&kind);
+    const Kind &kind = *bound[below(bound.size())];
+    return {std::move(name), objectOf(kind.word), hostFor(kind, scene)};
+  }
+  std::string hostFor(const Kind &kind, const Scene &scene) {
+    std::vector<std::string> fitting;
+    for (const Entry &entry : scene.entries)
+      if (const auto *object = std::get_if<Object>(&entry.content);
+          object && kindOf(*object) == kind.binding->host)
+        fitting.push_back(entry.name);
+    return fitting.empty() ? anyReference(scene) : fitting[below(fitting.size())];
+  }
   Entry anyEntry(const Scene &scene) {
     std::string name = newName();
     if (below(2) == 0)
       return {std::move(name), anyObject()};
+    if (below(3) == 0)
+      return anyBoundEntry(scene, std::move(name));
     const Construction &construction = constructions()[below(constructions().size())];
     ConstructionUse use{std::string(construction.id), {}};
     for (const ConstructionRole &role : construction.roles)

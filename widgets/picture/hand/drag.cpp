@@ -34,9 +34,28 @@ std::optional<Place> onLine(const SightLine &sight, Place at, Place direction) {
   return place;
 }
 
+/// Where the sight meets the sphere around `center` through `at`, on the side where `at` is; beside the
+/// sphere the place of it that is nearest to the sight.
+std::optional<Place> onSphereAt(const SightLine &sight, Place at, Place center) {
+  const double radius = glm::length(at - center);
+  const double toMiddle = glm::dot(center - sight.origin, sight.direction);
+  const Place middle = sight.origin + sight.direction * toMiddle;
+  const Place aside = middle - center;
+  const double halfChord = radius * radius - glm::dot(aside, aside);
+  if (halfChord <= 0)
+    return center + aside * (radius / glm::length(aside));
+  const bool isFar = glm::dot(at - center, sight.direction) > 0;
+  const double distance = toMiddle + (isFar ? 1 : -1) * std::sqrt(halfChord);
+  if (!(distance > 0))
+    return {};
+  return sight.origin + sight.direction * distance;
+}
+
 std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constraint, const Camera &camera,
                                 PixelSize size, Place at) {
   const SightLine sight = camera.sightThrough(pixel, size);
+  if (constraint.kind == DragConstraint::Kind::Sphere)
+    return onSphereAt(sight, at, constraint.center);
   if (sineOfAngle(constraint, sight.direction) < std::sin(leastSightAngle))
     return {};
   return constraint.kind == DragConstraint::Kind::Line ? onLine(sight, at, constraint.direction)
@@ -46,6 +65,8 @@ std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constrai
 } // namespace
 
 bool isGrabbable(const DragConstraint &constraint, const Camera &camera, Place at) {
+  if (constraint.kind == DragConstraint::Kind::Sphere)
+    return at != constraint.center;
   if (constraint.direction == Place(0))
     return false;
   const Place sight = camera.orthographic ? camera.viewDirection() : glm::normalize(at - camera.eye());

@@ -5,18 +5,24 @@
 
 namespace halfspace {
 
-/// How a grabbed place may move: along a line or in a plane.
+/// How a grabbed place may move: along a line, in a plane or on a sphere.
 struct DragConstraint {
-  enum class Kind { Line, Plane };
+  enum class Kind { Line, Plane, Sphere };
   Kind kind = Kind::Line;
   Place direction{}; ///< of the line, or the plane's normal; not zero, need not be unit
+  Place center{};    ///< of the sphere that the grabbed place lies on
   bool operator==(const DragConstraint &) const = default;
 };
 
 [[nodiscard]] inline DragConstraint alongLine(Place direction) {
-  return {DragConstraint::Kind::Line, direction};
+  return {DragConstraint::Kind::Line, direction, {}};
 }
-[[nodiscard]] inline DragConstraint inPlane(Place normal) { return {DragConstraint::Kind::Plane, normal}; }
+[[nodiscard]] inline DragConstraint inPlane(Place normal) {
+  return {DragConstraint::Kind::Plane, normal, {}};
+}
+[[nodiscard]] inline DragConstraint onSphere(Place center) {
+  return {DragConstraint::Kind::Sphere, {}, center};
+}
 
 /// Nearer than this (15°) to the eye's direction a line cannot be grabbed: there a pixel would throw an
 /// object across the room.
@@ -33,7 +39,8 @@ inline constexpr double leastSightAngle = 0.0698131700797732;
 
 /// Where the place `start`, grabbed at the pixel `pressed`, is when the pointer is at `now`: the offset
 /// between the pointer and the place is kept. Nothing where the constraint is not grabbable or the sight
-/// misses what it moves on.
+/// misses what it moves on. On a sphere the place stays on the side, near or far, where it was grabbed, and
+/// beside the sphere it stays on its outline.
 [[nodiscard]] std::optional<Place> dragged(const DragConstraint &constraint, const Camera &camera,
                                            PixelSize size, Place start, glm::dvec2 pressed, glm::dvec2 now);
 

@@ -39,9 +39,22 @@ bool isPlanar(DragMode mode) {
   return mode == DragMode::Horizontal || mode == DragMode::PlaneYZ || mode == DragMode::PlaneZX;
 }
 
+/// How a handle moves that says so by itself.
+std::optional<DragMode> ownMode(const Handle &handle) {
+  if (handle.hasAxis())
+    return DragMode::OwnAxis;
+  if (!isZero(handle.normal))
+    return DragMode::OwnPlane;
+  return handle.center ? std::optional(DragMode::OwnSphere) : std::nullopt;
+}
+
 DragConstraint constraintOf(DragMode mode, const Handle &handle) {
   if (mode == DragMode::OwnAxis)
     return alongLine(toDouble(handle.axis));
+  if (mode == DragMode::OwnPlane)
+    return inPlane(toDouble(handle.normal));
+  if (mode == DragMode::OwnSphere)
+    return onSphere(toDouble(handle.center.value()));
   return isPlanar(mode) ? inPlane(unitAxis(mode)) : alongLine(unitAxis(mode));
 }
 
@@ -49,6 +62,10 @@ DragConstraint constraintOf(DragMode mode, const Handle &handle) {
 Flat freedomOf(DragMode mode, const Handle &handle) {
   if (mode == DragMode::OwnAxis)
     return Flat::line(handle.at, handle.axis);
+  if (mode == DragMode::OwnPlane)
+    return Flat::plane(handle.at, handle.normal);
+  if (mode == DragMode::OwnSphere)
+    return {};
   const Place axis = unitAxis(mode);
   const ExactVec3 exact{static_cast<int>(axis.x), static_cast<int>(axis.y), static_cast<int>(axis.z)};
   return isPlanar(mode) ? Flat::plane(handle.at, exact) : Flat::line(handle.at, exact);
@@ -61,11 +78,17 @@ Place inBox(Place place, const ExactVec3 &start) {
 
 } // namespace
 
+bool isOwn(DragMode mode) {
+  return mode == DragMode::OwnAxis || mode == DragMode::OwnPlane || mode == DragMode::OwnSphere;
+}
+
 std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera) {
   const Place at = shownPlace(handle);
   const auto grabbable = [&](DragMode mode) { return isGrabbable(constraintOf(mode, handle), camera, at); };
-  if (handle.hasAxis())
-    return grabbable(DragMode::OwnAxis) ? std::optional(DragMode::OwnAxis) : std::nullopt;
+  if (const auto own = ownMode(handle))
+    return grabbable(*own) ? own : std::nullopt;
+  if (handle.motion == Handle::Motion::OnHost)
+    return {}; // what it lies on is a single place
   const DragMode wished = vertical ? DragMode::Vertical : DragMode::Horizontal;
   const DragMode other = vertical ? DragMode::Horizontal : DragMode::Vertical;
   return grabbable(wished) ? wished : other;
@@ -99,6 +122,7 @@ Place shownPlace(const Handle &handle) {
 std::optional<Knob> knobOf(const Handle &handle, bool hot) {
   switch (handle.motion) {
   case Handle::Motion::Coordinate:
+  case Handle::Motion::OnHost:
     return {};
   case Handle::Motion::AlongNormal:
     return Knob{handle.id, shownPlace(handle), toDouble(handle.axis), Subject::Plane, hot};

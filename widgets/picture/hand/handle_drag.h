@@ -9,9 +9,23 @@
 namespace halfspace {
 
 /// The freedom that a drag has.
-enum class DragMode { Horizontal, Vertical, AxisX, AxisY, AxisZ, PlaneYZ, PlaneZX, OwnAxis };
+enum class DragMode {
+  Horizontal,
+  Vertical,
+  AxisX,
+  AxisY,
+  AxisZ,
+  PlaneYZ,
+  PlaneZX,
+  OwnAxis,
+  OwnPlane,
+  OwnSphere
+};
 
-/// The mode that a handle is grabbed in: its own axis if it has one, else horizontal or vertical as wished,
+/// Whether the handle says by itself how it moves.
+[[nodiscard]] bool isOwn(DragMode mode);
+
+/// The mode that a handle is grabbed in: its own if it has one, else horizontal or vertical as wished,
 /// or the other of the two where the camera makes the wished one ungrabbable. Nothing when it cannot be
 /// grabbed from here at all.
 [[nodiscard]] std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera);

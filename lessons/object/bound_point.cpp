@@ -1,0 +1,78 @@
+#include "lessons/object/bound_point.h"
+
+#include <array>
+
+namespace halfspace {
+namespace {
+
+enum Lambda : std::uint8_t { LambdaItself };
+enum Host : std::uint8_t { Start, Direction };
+
+std::optional<ExactVec3> placeByLambda(const Object &bound, const Object &host) {
+  return host[Start] + host[Direction] * bound[LambdaItself].x;
+}
+
+Object nearestByLambda(Object bound, const Object &host, const ExactVec3 &place) {
+  const ExactVec3 &direction = host[Direction];
+  if (!isZero(direction))
+    bound[LambdaItself].x = dot(place - host[Start], direction) / dot(direction, direction);
+  return bound;
+}
+
+Object lambdaOnGrid(Object bound, const Object &host, const Rational &step) {
+  const Rational squaredLength = dot(host[Direction], host[Direction]);
+  bound[LambdaItself].x = roundToMultiple(bound[LambdaItself].x, freedomStep(step, squaredLength));
+  return bound;
+}
+
+void guideAlong(const Object &host, Handle &handle) { handle.axis = host[Direction]; }
+
+/// What looks at it looks at a point, and draws that.
+std::vector<Mark> drawNothing(const Given<Object> &) { return {}; }
+
+} // namespace
+
+Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<CoordinateSpec> freedoms,
+                void (*settle)(Object &), const Binding &binding) {
+  return {.word = word,
+          .meaning = meaning,
+          .coordinates = std::move(freedoms),
+          .leavableVertices = 0,
+          .binding = binding,
+          .settle = settle,
+          .draw = drawNothing,
+          .ownHandles = noHandles,
+          .offer = offerNothing,
+          .aim = aimAtNothing};
+}
+
+Binding bindingByLambda(std::string_view host) {
+  return {.host = host,
+          .placeOf = placeByLambda,
+          .nearest = nearestByLambda,
+          .onGrid = lambdaOnGrid,
+          .guide = guideAlong};
+}
+
+Handle boundHandle(const std::string &name, const Object &bound, const Object &host, const ExactVec3 &at) {
+  Handle handle;
+  handle.id = name;
+  handle.object = name;
+  handle.motion = Handle::Motion::OnHost;
+  handle.at = at;
+  handle.host = std::make_shared<const Object>(host);
+  bound.kind().binding->guide(host, handle);
+  return handle;
+}
+
+Rational freedomStep(const Rational &gridStep, const Rational &squaredLength) {
+  static const std::array<Rational, 8> steps{Rational(1),      Rational(1, 2),   Rational(1, 4),
+                                             Rational(1, 10),  Rational(1, 20),  Rational(1, 100),
+                                             Rational(1, 200), Rational(1, 1000)};
+  for (const Rational &step : steps)
+    if (step * step * squaredLength <= gridStep * gridStep * 4)
+      return step;
+  return steps.back();
+}
+
+} // namespace halfspace

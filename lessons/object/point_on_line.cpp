@@ -1,0 +1,12 @@
+// Points that slide on a line.
+#include "lessons/object/bound_point.h"
+#include "lessons/object/line.h"
+
+namespace halfspace::object_kinds {
+
+Kind point_on_line() {
+  return boundPoint("point-on-line", "a point that slides on a line: A + λv",
+                    {{"lambda", CoordinateRole::Number}}, settleNothing, bindingByLambda(LineObject::kind));
+}
+
+} // namespace halfspace::object_kinds

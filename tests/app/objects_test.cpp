@@ -1,0 +1,156 @@
+// Objects that slide on others, and corners that come and go, by hand in a real window.
+#include "lessons/object/line.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/triangle.h"
+#include "tests/app/window_fixture.h"
+
+#include <QAction>
+
+using namespace halfspace;
+
+namespace {
+
+Object withNumbers(std::string_view kind, const std::vector<Rational> &numbers) {
+  Object object = *makeObject(kind);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    object[i].x = numbers[i];
+  return object;
+}
+
+Object polygonOf(const std::vector<ExactVec3> &corners) {
+  Object polygon = *makeObject("polygon");
+  while (polygon.size() < corners.size())
+    polygon.addVertex();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    polygon[i] = corners[i];
+  return polygon;
+}
+
+/// A window that shows a scene of its own, all of it in view.
+class SceneFixture : public WindowFixture {
+public:
+  explicit SceneFixture(Scene scene) : WindowFixture("signed-distance") {
+    model().startWith({"signed-distance", 0, std::move(scene)});
+    window.sceneView().fit();
+    QTest::qWait(100);
+  }
+
+  ExactVec3 placeOf(const std::string &bound) {
+    return model().evaluation().find(bound)->looksAt.front()->object[0];
+  }
+  /// Drags a handle so that what is seen under the pointer follows it to a place.
+  void dragTo(const std::string &handle, const Place &place) {
+    const QPoint from = *scene().handlePosition(handle);
+    drag(from, pixelOf(place));
+  }
+  QAction *action(const QString &text) {
+    for (QAction *each : window.findChildren<QAction *>())
+      if (each->text().remove('&') == text)
+        return each;
+    return nullptr;
+  }
+};
+
+} // namespace
+
+class ObjectsTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+  void pointOnALine_dragged_slidesOnItInOneUndoStep() {
+    SceneFixture fixture(
+        {{{"g", LineObject{{0, 0, 2}, {4, 2, 0}}}, {"P", withNumbers("point-on-line", {0}), "g"}}});
+    QVERIFY(fixture.ready);
+    fixture.dragTo("P", {4, 2, 2});
+    QCOMPARE(fixture.scene().selectedHandle(), std::string("P"));
+    QVERIFY(fixture.value("P.lambda").x > Rational(3, 4));
+    const ExactVec3 at = fixture.placeOf("P");
+    QVERIFY(at == ExactVec3(0, 0, 2) + ExactVec3(4, 2, 0) * Rational(fixture.value("P.lambda").x));
+    QCOMPARE(fixture.model().history().count(), 1);
+    fixture.model().undo();
+    QVERIFY(fixture.placeOf("P") == ExactVec3(0, 0, 2));
+  }
+
+  void pointInAPlane_dragged_staysInItAndGoesWithIt() {
+    SceneFixture fixture(
+        {{{"E", PlaneObject{{0, 0, 3}, {1, 2, 4}}}, {"P", *makeObject("point-on-plane"), "E"}}});
+    QVERIFY(fixture.ready);
+    const auto distance = [&] {
+      return dot(fixture.placeOf("P") - fixture.value("E.P0"), fixture.value("E.n"));
+    };
+    const ExactVec3 before = fixture.placeOf("P");
+    fixture.dragTo("P", {2, 1, 2});
+    QVERIFY(!(fixture.placeOf("P") == before));
+    QVERIFY(distance() == 0);
+    QVERIFY(fixture.model().edit(ChangeObject{"E", PlaneObject{{0, 0, 3}, {3, -1, 2}}}, "turn").isEmpty());
+    QVERIFY(distance() == 0);
+  }
+
+  void pointOfATriangle_draggedFarOut_stopsAtItsEdge() {
+    SceneFixture fixture({{{"T", TriangleObject{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}}},
+                           {"P", withNumbers("point-on-triangle", {Rational(1, 4), Rational(1, 4)}), "T"}}});
+    QVERIFY(fixture.ready);
+    fixture.dragTo("P", {7, 7, 0});
+    QVERIFY(fixture.value("P.s").x + fixture.value("P.t").x == 1);
+    QVERIFY(fixture.value("P.s").x >= 0 && fixture.value("P.t").x >= 0);
+  }
+
+  void pointOfASphere_draggedAside_staysOnIt() {
+    Object sphere = *makeObject("sphere");
+    sphere[0] = ExactVec3(1, 1, 3);
+    sphere[1].x = 3;
+    SceneFixture fixture({{{"S", sphere}, {"P", withNumbers("point-on-sphere", {1, -1}), "S"}}});
+    QVERIFY(fixture.ready);
+    const QPoint from = *fixture.scene().handlePosition("P");
+    const ExactVec3 before = fixture.placeOf("P");
+    fixture.drag(from, from + QPoint(40, 25));
+    const ExactVec3 way = fixture.placeOf("P") - sphere[0];
+    QVERIFY(!(fixture.placeOf("P") == before));
+    QVERIFY(dot(way, way) == 9);
+    const QPoint now = *fixture.scene().handlePosition("P");
+    QVERIFY2((now - from - QPoint(40, 25)).manhattanLength() < 30, "it follows the pointer");
+  }
+
+  void pointOnALine_withKeys_stepsAlongIt() {
+    SceneFixture fixture(
+        {{{"g", LineObject{{0, 0, 2}, {4, 2, 0}}}, {"P", withNumbers("point-on-line", {0}), "g"}}});
+    QVERIFY(fixture.ready);
+    fixture.scene().selectHandle("P");
+    QTest::keyClick(&fixture.scene(), Qt::Key_Right);
+    QVERIFY(fixture.value("P.lambda").x != 0);
+    QTest::keyClick(&fixture.scene(), Qt::Key_Left);
+    QVERIFY(fixture.value("P.lambda").x == 0);
+  }
+
+  void corner_selected_getsAnotherBehindItAndGoesByKeys() {
+    SceneFixture fixture({{{"A", polygonOf({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}})}}});
+    QVERIFY(fixture.ready);
+    QAction *add = fixture.action("Add a Corner Here");
+    QAction *remove = fixture.action("Remove the Corner");
+    QVERIFY(add && remove);
+    QVERIFY2(!add->isEnabled() && !remove->isEnabled(), "nothing is selected");
+    QTest::mouseClick(&fixture.scene(), Qt::LeftButton, {}, *fixture.scene().handlePosition("A.P1"));
+    QVERIFY(add->isEnabled() && remove->isEnabled());
+    QTest::keyClick(&fixture.scene(), Qt::Key_Insert);
+    const auto polygon = [&]() -> const Object & {
+      return *findObject(fixture.model().session().scene, "A");
+    };
+    QCOMPARE(polygon().size(), std::size_t(5));
+    QVERIFY(polygon()[2] == ExactVec3(6, 3, 0));
+    QCOMPARE(fixture.scene().selectedHandle(), std::string("A.P2"));
+    QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
+    QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
+    QCOMPARE(polygon().size(), std::size_t(3));
+    QVERIFY2(!remove->isEnabled(), "three are the fewest");
+    QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
+    QCOMPARE(polygon().size(), std::size_t(3));
+    for (int i = 0; i < 3; ++i)
+      fixture.model().undo();
+    QVERIFY(polygon() == polygonOf({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}}));
+  }
+};
+
+QTEST_MAIN(ObjectsTest)
+#include "objects_test.moc"
