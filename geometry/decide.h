@@ -10,9 +10,10 @@
 
 namespace halfspace {
 
-// Each of these takes finite doubles for exactly the numbers that they are, and gives the verdict that the
-// query of the same name gives over fractions. A filter decides nearly all inputs in plain arithmetic, with a
-// bound on its error; where the bound leaves a sign open, exact arithmetic decides.
+// Each of these takes doubles for exactly the numbers that they are, and requires finite ones.
+// (1) decide…(x) is the verdict of the query of the same name on exactly(x), for every x.
+// A filter decides nearly all inputs in plain arithmetic, with a bound on its error; where the bound leaves a
+// sign open, exact arithmetic decides.
 
 /// The side of a point, as of `measurePointPlane`.
 [[nodiscard]] PointPlaneCase decidePointPlane(const Vec3<double> &point, const Plane<double> &plane);
@@ -29,9 +30,11 @@ struct RayTriangleVerdict {
 [[nodiscard]] RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle);
 
 /// The t of a Hit of `intersectRayTriangle`, in exact arithmetic from the start; nothing in any other case.
+/// (1) It is plane.t of the query on exactly(ray) and exactly(triangle).
 [[nodiscard]] std::optional<Rational> exactHit(const Ray<double> &ray, const Triangle<double> &triangle);
 
-/// The t of `intersectRayTriangle`, for a ray whose line crosses the triangle's plane in one point.
+/// The t of `intersectRayTriangle`. Requires a ray whose line crosses the triangle's plane in one point.
+/// (1) It is plane.t of the query on exactly(ray) and exactly(triangle).
 [[nodiscard]] Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle);
 
 struct RaySphereVerdict {
@@ -39,10 +42,10 @@ struct RaySphereVerdict {
   SphereContacts contacts = SphereContacts::None;
 };
 
-/// The case and the contacts of `intersectRaySphere`.
+/// The case and the contacts of `intersectRaySphere`. Requires a radius > 0.
 [[nodiscard]] RaySphereVerdict decideRaySphere(const Ray<double> &ray, const Sphere<double> &sphere);
 
-/// The fractions that finite doubles are.
+/// The fractions that doubles are. Require finite ones.
 [[nodiscard]] Vec3<Rational> exactly(const Vec3<double> &vector);
 [[nodiscard]] Ray<Rational> exactly(const Ray<double> &ray);
 [[nodiscard]] Plane<Rational> exactly(const Plane<double> &plane);

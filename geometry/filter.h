@@ -20,6 +20,8 @@ inline constexpr double filterError = 0x1p-48;
 inline constexpr double underflowError = 0x1p-600;
 
 /// A double and how far the true value may be from it.
+/// (1) |true value − value| ≤ error for all that this file makes of tame numbers, and for the difference and
+///     the quotient of such.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -30,13 +32,14 @@ struct Bounded {
   }
 
   /// −1 or 1 where the true value surely has this sign; 0 where that is open.
+  /// (2) So a sign ≠ 0 is the true one.
   [[nodiscard]] int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 
   [[nodiscard]] Bounded operator-(const Bounded &other) const {
     const double difference = value - other.value;
     return {difference, error + other.error + filterError * std::abs(difference)};
   }
-  /// For a divisor whose sign is certain.
+  /// Requires a divisor whose sign is certain.
   [[nodiscard]] Bounded operator/(const Bounded &divisor) const {
     const double quotient = value / divisor.value;
     return {quotient,
@@ -68,12 +71,12 @@ struct Bounded {
   return std::abs(n.x * x.x) + std::abs(n.y * x.y) + std::abs(n.z * x.z);
 }
 
-/// n·x with a bound, for tame numbers.
+/// n·x with a bound. Requires tame numbers.
 [[nodiscard]] inline Bounded boundedDot(const Vec3<double> &n, const Vec3<double> &x) {
   return Bounded::of(dot(n, x), sizeOfDot(n, x));
 }
 
-/// f(x) = n·x + d with a bound, for tame numbers.
+/// f(x) = n·x + d with a bound. Requires tame numbers.
 [[nodiscard]] inline Bounded boundedEvaluate(const Plane<double> &plane, const Vec3<double> &x) {
   const Bounded product = boundedDot(plane.normal, x);
   return {product.value + plane.offset, product.error + filterError * std::abs(plane.offset)};
@@ -93,8 +96,11 @@ struct FilteredTriangle {
   TriangleProducts<Bounded> bounded{};
 };
 
-/// For a tame ray and a tame triangle. Computed from the triangle's first corner, like Cramer's determinants:
-/// seen from the ray's origin a small triangle far away would be lost in the rounding.
+/// Computed from the triangle's first corner, like Cramer's determinants: seen from the ray's origin a small
+/// triangle far away would be lost in the rounding. Requires a tame ray and a tame triangle.
+/// (1) surelyMissed only where `intersectRayTriangle` of the exact numbers is a Miss.
+/// (2) Else, within their bounds, the products and their sum are those of `intersectRayTrianglePlucker`, and
+///     the volume is detT of `intersectRayTriangleCramer`.
 [[nodiscard]] inline FilteredTriangle filterRayTriangle(const Ray<double> &ray,
                                                         const Triangle<double> &triangle) {
   const Vec3<double> u = triangle.p1 - triangle.p0;
@@ -124,6 +130,7 @@ struct FilteredTriangle {
 }
 
 /// The case that plain arithmetic is sure of, if it is. A Hit and a case Behind are inside the triangle.
+/// (1) It is that of `intersectRayTriangle` of the exact numbers.
 [[nodiscard]] inline std::optional<RayTriangleCase> surelyCaseOf(const FilteredTriangle &filtered) {
   if (filtered.surelyMissed)
     return RayTriangleCase::Miss;

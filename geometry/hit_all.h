@@ -26,6 +26,9 @@ template <class Scalar> struct TriangleHits {
 
 /// Intersects a ray with each of many triangles (note PG 7: the nearest fragment is the one with the smallest
 /// parameter). Requires a direction ≠ 0.
+/// (1) A triangle is among the hits, with its t and point, exactly where `intersectRayTriangle` says Hit.
+/// (2) The hits ascend by t, those of the same t by index.
+/// (3) The skipped ones ascend by index, and none of them is a hit.
 template <class Scalar>
 [[nodiscard]] TriangleHits<Scalar> hitAll(const Ray<Scalar> &ray,
                                           std::span<const Triangle<Scalar>> triangles) {

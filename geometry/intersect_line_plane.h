@@ -18,7 +18,12 @@ template <class Scalar> struct LinePlane {
 
 /// Intersects a line with a plane in homogeneous coordinates (note PL). Parallel: the weight is 0 and the
 /// point lies at infinity. InPlane: all four numbers are 0. With a zero normal, else with numbers of no real
-/// line, the case says so.
+/// line, the case says so; weighted point and weight are set in all of them.
+/// (1) The point lies on the line and on the plane.
+/// (2) k·line or k·[n, d], k ≠ 0, makes the weighted point and the weight k times as large and changes
+///     nothing else.
+/// (3) Of `lineOf` a ray the weight is the denominator of `intersectRayPlane`, and the point is the same;
+///     where the weight is 0, the weighted point is numerator·r.
 template <class Scalar>
 [[nodiscard]] LinePlane<Scalar> intersectLinePlane(const Line<Scalar> &line, const Plane<Scalar> &plane) {
   LinePlane<Scalar> result;

@@ -18,6 +18,11 @@ template <class Scalar> struct PlanePlane {
 
 /// Intersects two planes (note PL). The line's direction is n1×n2. Coincident planes may have normals of
 /// different lengths and directions. With a zero normal the case says so, and nothing else is set.
+/// (1) The line is real and lies in both planes.
+/// (2) intersectPlanes(b, a) has the negative line and is the same else.
+/// (3) k·[n, d] instead of one of them, k ≠ 0, makes the line's numbers k times as large, turns the sign of
+///     the cosine for k < 0, and changes nothing else.
+/// (4) The cosine is 1 or −1 exactly for Parallel and Coincident.
 template <class Scalar>
 [[nodiscard]] PlanePlane<Scalar> intersectPlanes(const Plane<Scalar> &a, const Plane<Scalar> &b) {
   PlanePlane<Scalar> result;

@@ -25,6 +25,10 @@ template <class Scalar> struct RayPlane {
 /// Intersects a ray with a plane by dot products (note PG 5).
 /// Hit: t ≥ 0. Behind: t < 0. Parallel: the denominator is 0. InPlane: the numerator is 0 too.
 /// With a zero normal, else a zero direction, the case says so.
+/// (1) It crosses exactly where the denominator is not 0.
+/// (2) The point lies on the plane: f(Q + t·r) = 0.
+/// (3) k·r instead of r, k ≠ 0, divides t by k: the point stays.
+/// (4) k·[n, d] instead of [n, d], k ≠ 0, multiplies numerator and denominator by k and changes nothing else.
 template <class Scalar>
 [[nodiscard]] RayPlane<Scalar> intersectRayPlane(const Ray<Scalar> &ray, const Plane<Scalar> &plane) {
   const Scalar zero(0);
@@ -49,6 +53,9 @@ template <class Scalar>
 
 /// The unit normal of a plane on the side that a ray's line comes from: n·r < 0 (note RP 28, which forgets to
 /// turn it). Requires a direction that is not parallel to the plane.
+/// (1) It is n/|n| or −n/|n|, so that its length is 1.
+/// (2) Its product with the direction is negative.
+/// (3) The same for k·n, k ≠ 0, and for a positive multiple of the direction; the negative for −direction.
 template <class Scalar>
 [[nodiscard]] std::array<Root<Scalar>, 3> facingNormal(const Vec3<Scalar> &normal,
                                                        const Vec3<Scalar> &direction) {

@@ -29,7 +29,10 @@ template <class Scalar> struct RayPolygon {
 
 /// The place where a line crosses the plane of a convex polygon, by its products with the edges (note PL) and
 /// the sign of direction·normal, where the edges go counterclockwise around the normal: inside all products
-/// have that sign, on an edge its own is 0.
+/// have that sign, on an edge its own is 0. Requires the products of a line that crosses the plane in one
+/// point.
+/// (1) Negative products with the other sign, which are those of the line turned round, give the same place.
+/// (2) Products that start with another edge give the same location, and its feature counted from there.
 template <class Scalar>
 [[nodiscard]] FacePlace placeByProducts(std::span<const Scalar> products, bool withNormal) {
   const Scalar zero(0);
@@ -53,6 +56,13 @@ template <class Scalar>
 /// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
 /// crosses the plane outside. Behind: it crosses the polygon at t < 0. With a zero direction the case says
 /// so. Requires a polygon whose shape is Convex.
+/// (1) The product with the edge from A to B is r·((A − Q)×(B − Q)), and all together are r·(twice the area
+///     vector).
+/// (2) The point is Q + t·r and lies in the plane.
+/// (3) Of a triangle case, t and point are those of `intersectRayTriangle`; its edge i is edge i + 1 here, or
+///     0 for i = 2.
+/// (4) The corners the other way round give the same case, t and point, and the negative products in
+///     the opposite order.
 template <class Scalar>
 [[nodiscard]] RayPolygon<Scalar> intersectRayPolygon(const Ray<Scalar> &ray,
                                                      std::span<const Vec3<Scalar>> corners) {

@@ -30,6 +30,13 @@ template <class Scalar> struct RaySolid {
 
 /// Intersects a ray with a convex solid (note PL). Hit: it leaves the solid at t ≥ 0. Behind: at t < 0. Miss:
 /// the line does not meet it. With a zero direction the case says so, and only the origin's place is set.
+/// Where the line meets the solid:
+/// (1) entered.t ≤ left.t, and they are the same exactly for One.
+/// (2) A point of the line is not Outside exactly where its t lies between them, both included; between them
+///     it is Inside for Two, On for Along.
+/// (3) Each point of the two is that of its t, and lies in its face.
+/// (4) k·r instead of r, k ≠ 0, divides both t by k and keeps points, faces and contacts; for k < 0 the two
+///     change places.
 template <class Scalar>
 [[nodiscard]] RaySolid<Scalar> intersectRaySolid(const Ray<Scalar> &ray, const ConvexSolid<Scalar> &solid) {
   const Scalar zero(0);

@@ -33,7 +33,15 @@ template <class Scalar> struct RaySphere {
 
 /// Intersects a ray with a sphere (note CG). Hit: some t ≥ 0, which is so when the ray starts inside or on
 /// it. Behind: all t < 0. Miss: the discriminant is negative. With a zero direction the case says so and only
-/// the origin's place is set.
+/// the origin's place is set. Requires a radius > 0.
+/// (1) Each contact is Q + t·d, and |contact − center| = radius.
+/// (2) Its normal is (contact − center)/radius, so that its length is 1.
+/// (3) The discriminant is (d·d)(radius² − distance²), with the distance of the center from the line: it is
+///     negative, 0 or positive exactly for None, Tangent and Two.
+/// (4) The two t have the sum −2(d·m)/(d·d) and the product (m·m − radius²)/(d·d), which is negative, 0 or
+///     positive for an origin Inside, On and Outside. For Tangent both are the one t.
+/// (5) k·d instead of d, k ≠ 0, divides each t by k and keeps the points and normals, in the opposite order
+///     for k < 0.
 template <class Scalar>
 [[nodiscard]] RaySphere<Scalar> intersectRaySphere(const Ray<Scalar> &ray, const Sphere<Scalar> &sphere) {
   const Scalar zero(0);

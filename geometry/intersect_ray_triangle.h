@@ -45,7 +45,10 @@ template <class Scalar> struct TrianglePerps {
   Scalar denominator{}; ///< (u·v)² − (u·u)(v·v) = −n·n; 0 exactly for a degenerate triangle
 };
 
-/// For any triangle; of a degenerate one normal and denominator are 0.
+/// For any triangle.
+/// (1) u⊥ = n×u and v⊥ = n×v, so that u⊥·u = v⊥·v = 0.
+/// (2) u⊥·v = −v⊥·u = n·n = −denominator.
+/// (3) Normal and denominator are 0 exactly for a degenerate triangle; else the denominator is negative.
 template <class Scalar> [[nodiscard]] TrianglePerps<Scalar> perpsOf(const Triangle<Scalar> &triangle) {
   TrianglePerps<Scalar> result;
   result.u = triangle.p1 - triangle.p0;
@@ -81,6 +84,13 @@ template <class Scalar> struct RayTriangle {
 /// Hit: t ≥ 0 inside or on the boundary. Miss: the line crosses the plane outside. Behind: it crosses the
 /// triangle at t < 0. Parallel and InPlane as for the triangle's plane. A degenerate triangle is named by its
 /// shape and only its perps are set; with a zero direction the case says so.
+/// (1) The point is Q + t·r and P0 + s·u + tTriangle·v.
+/// (2) The place is `placeInTriangle` of s and tTriangle. It is Outside exactly for Miss, where the line
+///     crosses the plane.
+/// (3) Corners in another order give the same case, t and point; the barycentric coordinates
+///     [1 − s − tTriangle, s, tTriangle] go with their corners.
+/// (4) k·r instead of r, k ≠ 0, divides t by k and keeps point, place, s and tTriangle. For k > 0 it keeps
+///     the case as well.
 template <class Scalar>
 [[nodiscard]] RayTriangle<Scalar> intersectRayTriangle(const Ray<Scalar> &ray,
                                                        const Triangle<Scalar> &triangle) {

@@ -26,6 +26,9 @@ template <class Scalar> struct RayTriangleCramer {
 /// Intersects a ray with a triangle by Cramer's rule (note CG). The four determinants share two cross
 /// products, which are computed once. Cases as for `intersectRayTriangle`; the determinants are set in all of
 /// them.
+/// (1) detSigma·(r−s) + detTau·(r−t) + detT·d = det·(r−o) for any ray and triangle.
+/// (2) det = d·n, with the normal n of the triangle.
+/// (3) Case, place, σ, τ and t are those of `intersectRayTriangle`.
 template <class Scalar>
 [[nodiscard]] RayTriangleCramer<Scalar> intersectRayTriangleCramer(const Ray<Scalar> &ray,
                                                                    const Triangle<Scalar> &triangle) {

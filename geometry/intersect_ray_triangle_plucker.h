@@ -22,7 +22,11 @@ template <class Scalar> struct RayTrianglePlucker {
 };
 
 /// The permuted inner products of a ray's line with a triangle's edges P1→P2, P2→P0, P0→P1 (note PL): of one
-/// sign where the line crosses the triangle, all zero where it lies in the plane.
+/// sign where the line crosses the triangle.
+/// (1) That with the edge from A to B is r·((A − Q)×(B − Q)).
+/// (2) Their sum is r·n.
+/// (3) All are 0 where the line lies in the plane, and of a proper triangle and r ≠ 0 only there.
+/// (4) Another origin on the ray's line gives the same; k·r instead of r, k times as large ones.
 template <class Scalar>
 [[nodiscard]] std::array<Scalar, 3> pluckerProducts(const Ray<Scalar> &ray,
                                                     const Triangle<Scalar> &triangle) {
@@ -35,6 +39,8 @@ template <class Scalar>
 /// Intersects a ray with a triangle by Plücker products (note PL). The products see the whole line: t decides
 /// between Hit and Behind. Cases as for `intersectRayTriangle`; the products and their sum are set in all of
 /// them.
+/// (1) The barycentric coordinates are [1 − s − tTriangle, s, tTriangle] of `intersectRayTriangle`.
+/// (2) Case, place, t and point are those of `intersectRayTriangle`.
 template <class Scalar>
 [[nodiscard]] RayTrianglePlucker<Scalar> intersectRayTrianglePlucker(const Ray<Scalar> &ray,
                                                                      const Triangle<Scalar> &triangle) {

@@ -17,13 +17,18 @@ template <class Scalar> struct Plane {
 };
 
 /// The plane through a point: d = −n·P0 (note PG 1).
+/// (1) f(P0) = 0.
+/// (2) The same for each point of the plane.
 template <class Scalar>
 [[nodiscard]] Plane<Scalar> planeThrough(const Vec3<Scalar> &point, const Vec3<Scalar> &normal) {
   return {normal, Scalar(-dot(normal, point))};
 }
 
-/// The plane through three points with the normal (p1 − p0)×(p2 − p0), which is zero when they lie on one
-/// line.
+/// The plane through three points with the normal (p1 − p0)×(p2 − p0): on its positive side they are seen
+/// counterclockwise.
+/// (1) f is 0 at all three.
+/// (2) The same for the points in turn (p1, p2, p0), the negative [n, d] with two of them swapped.
+/// (3) Normal and offset are zero exactly where the points lie on one line.
 template <class Scalar>
 [[nodiscard]] Plane<Scalar> planeThrough(const Vec3<Scalar> &p0, const Vec3<Scalar> &p1,
                                          const Vec3<Scalar> &p2) {
@@ -31,11 +36,16 @@ template <class Scalar>
 }
 
 /// f(x) = n·x + d: zero on the plane, its sign is the side of x (note PG 3.4). A distance only when |n| = 1.
+/// (1) f(x + v) = f(x) + n·v.
+/// (2) The plane k·[n, d] gives k·f(x).
 template <class Scalar> [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane, const Vec3<Scalar> &x) {
   return dot(plane.normal, x) + plane.offset;
 }
 
-/// [a, b, c, d] divided by |n| (note PG 3.3): with them f is the signed distance. Requires n ≠ 0.
+/// [a, b, c, d] divided by |n| (note PG 3.3). Requires n ≠ 0.
+/// (1) a² + b² + c² = 1.
+/// (2) The same for k·[n, d] with k > 0, the negatives for k < 0.
+/// (3) f with them is the signed distance of `measurePointPlane`.
 template <class Scalar>
 [[nodiscard]] std::array<Root<Scalar>, 4> normalizedCoefficients(const Plane<Scalar> &plane) {
   assert(!isZero(plane.normal));
@@ -44,7 +54,7 @@ template <class Scalar>
           overRoot(plane.normal.z, square), overRoot(plane.offset, square)};
 }
 
-/// The positive multiple of [a, b, c, d] in integers without a common factor. Requires n ≠ 0.
+/// [a, b, c, d] as `primitiveIntegers`. Requires n ≠ 0.
 [[nodiscard]] std::array<Integer, 4> primitiveCoefficients(const Plane<Rational> &plane);
 
 } // namespace halfspace

@@ -16,11 +16,13 @@ template <class Scalar> struct PointLine {
   Root<Scalar> distance{}; ///< never negative
 };
 
-/// Measures a point against the line through `through` along `direction`:
-/// 1. t = (point − through)·direction / direction·direction, and foot = through + t·direction;
-/// 2. (point − foot)·direction = 0;
-/// 3. distance = |point − foot|, which is 0 exactly for On.
-/// With a zero direction the case says so, and nothing else is set.
+/// Measures a point against the line through `through` along `direction`. With a zero direction the case says
+/// so, and nothing else is set. Else:
+/// (1) t = (point − through)·direction / direction·direction, and foot = through + t·direction.
+/// (2) (point − foot)·direction = 0.
+/// (3) distance = |point − foot|, which is 0 exactly for On.
+/// (4) |point − X|² = |point − foot|² + |foot − X|² for each point X of the line: none is nearer.
+/// (5) Another point of the line as `through`, or k·direction with k ≠ 0, changes t alone.
 template <class Scalar>
 [[nodiscard]] PointLine<Scalar> measurePointLine(const Vec3<Scalar> &point, const Vec3<Scalar> &through,
                                                  const Vec3<Scalar> &direction) {

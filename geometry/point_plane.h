@@ -18,7 +18,12 @@ template <class Scalar> struct PointPlane {
 };
 
 /// Side, signed distance and foot of a point (notes PG 3.4 and 3.5).
-/// With a zero normal the case says so, and only f and normalSquared are set.
+/// With a zero normal the case says so, and only f and normalSquared are set. Else:
+/// (1) The foot lies on the plane, and Q − foot is a multiple of n.
+/// (2) |signedDistance| = |Q − foot|, and its sign is that of f: it is 0, and Q its own foot, exactly for On.
+/// (3) |Q − X|² = |Q − foot|² + |foot − X|² for each point X of the plane: none is nearer.
+/// (4) k·[n, d] instead of [n, d], k ≠ 0: f is k times as large, the foot stays, and so does the distance but
+///     for its sign, which changes for k < 0.
 template <class Scalar>
 [[nodiscard]] PointPlane<Scalar> measurePointPlane(const Vec3<Scalar> &point, const Plane<Scalar> &plane) {
   PointPlane<Scalar> result;

@@ -16,7 +16,11 @@ template <class Scalar> using Polygon = std::vector<Vec3<Scalar>>;
 enum class PolygonShape { Convex, NotPlanar, NotConvex };
 
 /// A positive multiple of the plane of a polygon: through its first corner, the first one that differs from
-/// it, and the first one off their line. Its normal is zero when all corners lie on one line.
+/// it, and the first one off their line. Requires a corner, and equal ones to be written in the same way, as
+/// `weighted` does.
+/// (1) Of planar corners all lie in it.
+/// (2) Its normal is zero exactly where all corners lie on one line.
+/// (3) Its normal points to where a convex polygon goes counterclockwise.
 template <class Scalar> [[nodiscard]] Plane<Scalar> planeOf(std::span<const WeightedPoint<Scalar>> corners) {
   const WeightedPoint<Scalar> &first = corners.front();
   std::size_t second = 1;
@@ -77,7 +81,11 @@ template <class Scalar>
   return rounds == 1;
 }
 
-/// Whether the corners are those of a strictly convex polygon, in time linear in their number.
+/// Whether the corners are those of a strictly convex polygon, in time linear in their number. Requires a
+/// corner, and equal ones to be written in the same way, as `weighted` does.
+/// (1) The same whichever corner comes first and whichever way round they go.
+/// (2) Of three corners: Convex where the triangle is Proper, else NotConvex.
+/// (3) Convex exactly where from each edge all other corners lie on one side, none on its line, in a plane.
 template <class Scalar> [[nodiscard]] PolygonShape shapeOf(std::span<const WeightedPoint<Scalar>> corners) {
   const Plane<Scalar> plane = planeOf(corners);
   for (const WeightedPoint<Scalar> &corner : corners)

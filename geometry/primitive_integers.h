@@ -9,6 +9,9 @@
 namespace halfspace {
 
 /// The positive multiple of the fractions in integers without a common factor. Requires one that is not 0.
+/// (1) They are in the proportion of the fractions, with the same signs.
+/// (2) Their greatest common divisor is 1.
+/// (3) The same for k times the fractions with k > 0, the negatives for k < 0.
 template <std::size_t size>
 [[nodiscard]] std::array<Integer, size> primitiveIntegers(const std::array<Rational, size> &given) {
   Integer commonDenominator = 1;

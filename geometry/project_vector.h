@@ -16,8 +16,12 @@ template <class Scalar> struct ProjectedVector {
   Vec3<Scalar> rejection{};  ///< vector − projection, perpendicular to onto
 };
 
-/// Projects a vector onto another (note PG 6.1). Projecting twice changes nothing. Onto a zero vector the
-/// case says so, and nothing else is set.
+/// Projects a vector onto another (note PG 6.1). Onto a zero vector the case says so, and nothing else is
+/// set. Else:
+/// (1) vector = projection + rejection; projection is a multiple of onto, and rejection·onto = 0.
+/// (2) |scalar| = |projection|, and its sign is that of vector·onto.
+/// (3) Projected again, the projection stays as it is, and the rejection becomes 0.
+/// (4) k·onto instead of onto, k ≠ 0, changes nothing but the scalar's sign, and that for k < 0.
 template <class Scalar>
 [[nodiscard]] ProjectedVector<Scalar> projectVector(const Vec3<Scalar> &vector, const Vec3<Scalar> &onto) {
   ProjectedVector<Scalar> result;

@@ -14,7 +14,9 @@ template <class Scalar> struct PreparedTriangle {
   Plane<Scalar> t; ///< t(x) = uPerp·(x − P0)/(v·uPerp)
 };
 
-/// For a triangle that is not degenerate.
+/// Requires a triangle that is not degenerate.
+/// (1) plane, s and t are 0, 0, 0 at P0; 0, 1, 0 at P1; and 0, 0, 1 at P2.
+/// (2) plane is `planeThrough` the corners.
 template <class Scalar> [[nodiscard]] PreparedTriangle<Scalar> prepare(const Triangle<Scalar> &triangle) {
   const TrianglePerps<Scalar> perps = perpsOf(triangle);
   const auto form = [&](const Vec3<Scalar> &perp, const Vec3<Scalar> &along) {
@@ -32,8 +34,8 @@ template <class Scalar> struct QuickHit {
   Scalar tTriangle{};
 };
 
-/// The hits of `intersectRayTriangle`, and nothing else: exact over fractions, subject to rounding over
-/// doubles.
+/// The hits of `intersectRayTriangle`, and nothing else; over doubles subject to rounding.
+/// (1) Over fractions hit is true exactly where that is a Hit, with its t, s and tTriangle.
 template <class Scalar>
 [[nodiscard]] QuickHit<Scalar> quickHit(const Ray<Scalar> &ray, const PreparedTriangle<Scalar> &triangle) {
   const Scalar zero(0);
@@ -51,7 +53,7 @@ template <class Scalar>
   return {true, t, s, tTriangle};
 }
 
-/// The same with a triangle of which nothing is kept, by Cramer's rule (note CG; see
+/// The same, law (1) too, with any triangle, of which nothing is kept, by Cramer's rule (note CG; see
 /// `intersectRayTriangleCramer`).
 template <class Scalar>
 [[nodiscard]] QuickHit<Scalar> quickHit(const Ray<Scalar> &ray, const Triangle<Scalar> &triangle) {

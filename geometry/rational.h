@@ -30,6 +30,9 @@ using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 #endif
 
 /// A fraction in lowest terms with a positive denominator, of any size.
+/// (1) Sums, differences, products, quotients and comparisons are exact.
+/// (2) Equal values have the same numerator, denominator and text, however they were come by.
+/// (3) `words` is set exactly where numerator and denominator are at most 2^63 − 1 in magnitude.
 ///
 /// Nearly all that a lesson or a question computes with fits two machine words and is kept in them; only what
 /// does not is handed to GMP, or to Boost where it is built without. A small sum or product costs some
@@ -46,7 +49,7 @@ public:
       *this = Rational(Integer(value));
   }
   explicit Rational(const Integer &value);
-  /// p/q; requires q ≠ 0.
+  /// p/q. Requires q ≠ 0, as the next one does.
   template <std::integral P, std::integral Q> Rational(P p, Q q) { *this = Rational(p) / Rational(q); }
   Rational(const Integer &p, const Integer &q);
 
@@ -139,6 +142,7 @@ inline constexpr std::size_t maxDigits = 200;
 inline constexpr int maxExponent = 400;
 
 /// The fraction that a text spells: a decimal or `p/q` (below), nothing for any other text.
+/// (1) parseRational(toText(x)) = x, where numerator and denominator have at most `maxDigits` digits.
 [[nodiscard]] std::optional<Rational> parseRational(std::string_view text);
 
 /// The fraction that a decimal is, exactly: `-1.5`, `2e-3`. Without spaces; nothing for any other text or
@@ -157,26 +161,34 @@ enum class NotRead { NoNumber, TooLong, TooLarge };
 [[nodiscard]] NotRead whyNotRead(std::string_view text);
 
 /// 10 to a whole power.
+/// (1) powerOfTen(a)·powerOfTen(b) = powerOfTen(a + b).
 [[nodiscard]] Rational powerOfTen(int exponent);
 
 /// `p` or `p/q` in lowest terms.
 [[nodiscard]] std::string toText(const Rational &value);
 
-/// The double nearest to the exact value; ±infinity beyond the range of doubles.
+/// The double nearest to the exact value, of two as near the even one; ±infinity beyond the range of doubles.
+/// (1) toDouble(−x) = −toDouble(x).
+/// (2) toDouble(x) ≤ toDouble(y) for x ≤ y.
+/// (3) toDouble(exactly(x)) = x.
 [[nodiscard]] double toDouble(const Rational &value);
 /// So that an algorithm written for both scalars can say `toDouble` of either.
 [[nodiscard]] inline double toDouble(double value) { return value; }
 
-/// The exact value of a finite double.
+/// The exact value of a double. Requires a finite one.
 [[nodiscard]] Rational exactly(double value);
 
-/// The double nearest to p/q (q > 0) scaled by 2^exponent; ±infinity beyond the range of doubles.
+/// The double nearest to p/q·2^exponent; ±infinity beyond the range of doubles. Requires q > 0.
+/// (1) It is `toDouble` of that number.
 [[nodiscard]] double nearestDouble(const Integer &p, const Integer &q, int exponent = 0);
 
-/// The multiple of `step` (> 0) nearest to the value; halves go up.
+/// The multiple of `step` nearest to the value; halves go up. Requires step > 0.
+/// (1) It is a whole number of steps and at most step/2 away.
+/// (2) A multiple of the step stays as it is.
+/// (3) round(x + k·step) = round(x) + k·step for whole k.
 [[nodiscard]] Rational roundToMultiple(const Rational &value, const Rational &step);
 
-/// The exact value of a finite double, rounded to the nearest multiple of `step`.
+/// The exact value of a double, rounded to the nearest multiple of `step`. Requires a finite one.
 [[nodiscard]] Rational roundToMultiple(double value, const Rational &step);
 
 } // namespace halfspace

@@ -18,8 +18,15 @@ template <class Scalar> struct LineLine {
   Vec3<Scalar> point{};       ///< set only for Intersecting
 };
 
-/// How two real lines lie to each other (note PL). If one of them is not real, the case says so and only the
-/// product is set.
+/// How two lines lie to each other (note PL). If one of them is not real, the case says so and only the
+/// product is set. Of real lines:
+/// (1) relateLines(b, a) is the same.
+/// (2) The product is ≠ 0 exactly for Skew.
+/// (3) The distance is 0 exactly for Same, Opposite and Intersecting, never negative, and |product|/|d1×d2|
+///     where the lines are not parallel.
+/// (4) The point of Intersecting lies on both lines.
+/// (5) k·a instead of a, k ≠ 0: the product is k times as large, and for k < 0 Same and Opposite change
+///     places; all else stays.
 template <class Scalar>
 [[nodiscard]] LineLine<Scalar> relateLines(const Line<Scalar> &a, const Line<Scalar> &b) {
   const Scalar zero(0);

@@ -44,21 +44,26 @@ struct FaceEdge {
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> ends() const { return std::minmax(from, to); }
 };
 
-/// All edges of all faces; those between the same two vertices stand together.
+/// All edges of all faces, in the order of their ends and then of their faces: those between the same two
+/// vertices stand together.
 [[nodiscard]] std::vector<FaceEdge> edgesByEnds(const std::vector<std::vector<std::uint32_t>> &faces);
 
-/// Whether each edge is had by two faces, in opposite directions.
+/// Whether each edge is had by two faces, in opposite directions. Requires the order of `edgesByEnds`.
 [[nodiscard]] bool isClosed(const std::vector<FaceEdge> &edgesByEnds);
 
-/// A positive multiple of the plane of a convex face: its normal points to where the face is
-/// counterclockwise.
+/// A positive multiple of the plane of a face: its normal points to where the face is counterclockwise.
+/// Requires a convex one.
 template <class Scalar>
 [[nodiscard]] Plane<Scalar> planeOf(const std::vector<std::uint32_t> &face,
                                     const std::vector<WeightedPoint<Scalar>> &vertices) {
   return planeThrough(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
 }
 
-/// The solid of vertices and faces whose shape is Convex.
+/// The solid of vertices and faces. Requires that their shape is Convex.
+/// (1) Each edge is held once and is a side of two faces, of one forward and of one backward.
+/// (2) No vertex lies in front of a face's plane, and the face's own lie in it.
+/// (3) Planes and lines are k·those of the mesh, each with some k > 0; over fractions all their numbers are
+///     whole.
 template <class Scalar>
 [[nodiscard]] ConvexSolid<Scalar> solidOf(const std::vector<WeightedPoint<Scalar>> &vertices,
                                           const std::vector<std::vector<std::uint32_t>> &faces) {
@@ -94,6 +99,7 @@ template <class Scalar>
 /// Whether a line crosses a face (its boundary included), by its products with all edges of the solid and the
 /// sign of direction·normal ≠ 0: those with the face's own edges, as the face has them, all have that sign or
 /// are 0.
+/// (1) Negative products with the other sign, which are those of the line turned round, give the same.
 template <class Scalar>
 [[nodiscard]] bool crossesFace(const typename ConvexSolid<Scalar>::Face &face,
                                const std::vector<Scalar> &products, bool withNormal) {

@@ -25,7 +25,9 @@ template <class Scalar> struct FaceSet {
   std::vector<FaceEdge> edges;
 };
 
-/// Whether a point lies inside a tetrahedron, not on its surface.
+/// Whether a point lies inside a tetrahedron, not on its surface. Requires corners that do not all lie in one
+/// plane.
+/// (1) The same for the corners in any order.
 template <class Scalar>
 [[nodiscard]] bool isInside(const WeightedPoint<Scalar> &point,
                             const std::array<WeightedPoint<Scalar>, 4> &corners) {
@@ -40,7 +42,7 @@ template <class Scalar>
 }
 
 /// A point inside the hull of the vertices, not on its surface; nothing where all lie in the first face's
-/// plane. That face must be a convex polygon.
+/// plane. Requires a convex polygon as that face.
 template <class Scalar>
 [[nodiscard]] std::optional<WeightedPoint<Scalar>> pointWithin(const FaceSet<Scalar> &set) {
   const auto &face = set.faces.front();
@@ -134,8 +136,9 @@ template <class Scalar>
   });
 }
 
-/// Whether no vertex lies in front of a face and some vertex lies behind each. The faces must be convex
+/// Whether no vertex lies in front of a face and some vertex lies behind each. Requires faces that are convex
 /// polygons.
+/// (1) The answer of `areAllBehindOneByOne` with the faces' planes, which takes longer.
 ///
 /// Closed faces that all bend backwards at their edges, behind which one point lies, and that go round it
 /// once, are the surface of a convex body (Mehlhorn and others, Checking geometric programs or verification
@@ -174,6 +177,9 @@ template <class Scalar> [[nodiscard]] bool areAllBehind(const FaceSet<Scalar> &s
 /// The first of NotPlanar, NotConvex and NotClosed that holds of a mesh, else Convex. The time is linear in
 /// the number of corners for a closed solid whose vertices are all in faces. Else boxes and doubles keep it
 /// near to that; where doubles do not tell the points apart, it grows with the product of vertices and faces.
+/// Requires faces of at least three vertices.
+/// (1) The same for the faces and the vertices in any order and for any first corner of a face.
+/// (2) A mesh inside out, every face turned over, is NotConvex where it was Convex.
 template <class Scalar> [[nodiscard]] SolidShape shapeOf(const SolidMesh<Scalar> &mesh) {
   const FaceSet<Scalar> set{weighted(mesh.vertices), mesh.faces, edgesByEnds(mesh.faces)};
   bool convex = true;

@@ -10,13 +10,15 @@
 
 namespace halfspace {
 
-/// The exponent of a power of two near |p/q|, for p, q ≠ 0: at most 1 off. Fractions must be whole numbers.
+/// The exponent of a power of two near |p/q|. Requires p, q ≠ 0, and fractions that are whole numbers.
+/// (1) Over fractions 2^(exponent − 1) < |p/q| < 2^(exponent + 1).
 [[nodiscard]] int binaryExponent(const Rational &p, const Rational &q);
 template <class Scalar> [[nodiscard]] int binaryExponent(const Scalar &p, const Scalar &q) {
   return std::ilogb(toDouble(p)) - std::ilogb(toDouble(q));
 }
 
-/// The double nearest to p/q·2^exponent, for q > 0. Fractions must be whole numbers.
+/// p/q·2^exponent as a double, over fractions the nearest one. Requires q > 0, and fractions that are whole
+/// numbers.
 [[nodiscard]] double nearestQuotient(const Rational &p, const Rational &q, int exponent);
 template <class Scalar> [[nodiscard]] double nearestQuotient(const Scalar &p, const Scalar &q, int exponent) {
   return std::ldexp(toDouble(p) / toDouble(q), exponent);
@@ -29,7 +31,7 @@ template <class Scalar> [[nodiscard]] double nearestQuotient(const Scalar &p, co
 /// of about the size of the whole, and from a point nearby where the origin lies far off.
 template <class Scalar> class VertexTree {
 public:
-  /// At least one point.
+  /// Requires at least one point.
   explicit VertexTree(const std::vector<WeightedPoint<Scalar>> &points) : m_from(points.front()) {
     for (const auto &point : points)
       m_points.push_back({point, {}});
@@ -40,7 +42,8 @@ public:
     build(0, m_points.size());
   }
 
-  /// Whether f(x) > 0 for one of the points. Over fractions the plane must be one of whole numbers.
+  /// Whether one of the points lies in front of a plane. Over fractions requires one of whole numbers.
+  /// (1) Over fractions the answer is exactly whether evaluate(plane, x) > 0 for one of the points x.
   [[nodiscard]] bool hasInFront(const Plane<Scalar> &plane) const {
     return hasInFront({plane, nearby(plane)}, 0);
   }

@@ -24,6 +24,8 @@ template <class Scalar> struct WeightedPoint {
 
 /// Over fractions the weight is the least common denominator of the coordinates; of no more than one point:
 /// that of many points would be as long as all their denominators together.
+/// (1) position = weight·point.
+/// (2) Over fractions position and weight are whole numbers whose greatest common divisor is 1.
 [[nodiscard]] WeightedPoint<Rational> weighted(const Vec3<Rational> &point);
 template <class Scalar> [[nodiscard]] WeightedPoint<Scalar> weighted(const Vec3<Scalar> &point) {
   return {point, Scalar(1)};
@@ -38,7 +40,9 @@ template <class Scalar>
   return result;
 }
 
-/// A positive multiple of the plane through three points, which is zero when they lie on one line.
+/// A positive multiple of the plane through three points.
+/// (1) It is that of the points themselves times the product of the weights; so it is zero exactly where they
+///     lie on one line.
 template <class Scalar>
 [[nodiscard]] Plane<Scalar> planeThrough(const WeightedPoint<Scalar> &p0, const WeightedPoint<Scalar> &p1,
                                          const WeightedPoint<Scalar> &p2) {
@@ -50,18 +54,21 @@ template <class Scalar>
 }
 
 /// A positive multiple of the line from p to q.
+/// (1) It is that of the points themselves times the product of the weights.
 template <class Scalar>
 [[nodiscard]] Line<Scalar> lineThrough(const WeightedPoint<Scalar> &p, const WeightedPoint<Scalar> &q) {
   return {q.position * p.weight - p.position * q.weight, cross(p.position, q.position)};
 }
 
 /// A positive multiple of f(x) = n·x + d.
+/// (1) It is that of the point itself times its weight.
 template <class Scalar>
 [[nodiscard]] Scalar evaluate(const Plane<Scalar> &plane, const WeightedPoint<Scalar> &x) {
   return dot(plane.normal, x.position) + plane.offset * x.weight;
 }
 
-/// The mean of some points.
+/// The mean of some points. Requires at least one.
+/// (1) position/weight is the sum of the points divided by their number.
 template <class Scalar>
 [[nodiscard]] WeightedPoint<Scalar> meanOf(std::initializer_list<WeightedPoint<Scalar>> points) {
   WeightedPoint<Scalar> mean{{}, Scalar(1)};

@@ -1,6 +1,10 @@
-// Millions of doubles, random and adversarial: no verdict may differ from the exact one.
+// Millions of doubles, random and adversarial: no verdict may differ from the exact one, which is law (1) of
+// them all.
 #include "geometry/decide.h"
 
+#include "geometry/filter.h"
+#include "geometry/intersect_ray_triangle_cramer.h"
+#include "geometry/intersect_ray_triangle_plucker.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +115,11 @@ void expectExactVerdict(const Ray<double> &ray, const Triangle<double> &triangle
   ASSERT_EQ(verdict.which, exact.which);
   ASSERT_EQ(verdict.place.location, exact.place.location);
   ASSERT_EQ(verdict.place.feature, exact.place.feature);
+
+  const auto hit = exactHit(ray, triangle);
+  ASSERT_EQ(hit.has_value(), exact.which == RayTriangleCase::Hit);
+  ASSERT_TRUE(!hit || *hit == exact.plane.t);
+  ASSERT_TRUE(!exact.crosses() || exactT(ray, triangle) == exact.plane.t);
 }
 
 TEST(DecideRayTriangle, AimedAtEdgesAndCorners_IsTheExactVerdict) {
@@ -152,6 +161,73 @@ TEST(DecideRaySphere, NearlyTangent_IsTheExactVerdict) {
     tangents += exact.contacts == SphereContacts::Tangent ? 1 : 0;
   }
   EXPECT_GT(tangents, 100);
+}
+
+bool holds(const Bounded &bounded, const Rational &exact) {
+  return abs(exact - exactly(bounded.value)) <= exactly(bounded.error) &&
+         (bounded.sign() == 0 || bounded.sign() == exact.sign());
+}
+
+TEST(Bounded, ProductsDifferencesAndQuotients_AreWithinTheirBounds) { // laws (1) and (2)
+  NastyDoubles nasty(6);
+  int quotients = 0;
+  for (int i = 0; i < times(4000); ++i) {
+    Plane<double> plane{nasty.vector(), nasty.number()};
+    const Vec3<double> x = nasty.vector();
+    Vec3<double> y = nasty.nudged(x);
+    if (i % 2 == 0) { // nearly across the normal: what is left of the product is hardly more than its error
+      y = nasty.ordinaryVector();
+      plane.normal = cross(y, nasty.ordinaryVector());
+      y += plane.normal * std::ldexp(nasty.uniform(), -40);
+    }
+    if (!isTame(plane) || !isTame(x) || !isTame(y))
+      continue;
+    const auto first = boundedEvaluate(plane, x);
+    const auto second = boundedDot(plane.normal, y);
+    const Rational exactFirst = evaluate(exactly(plane), exactly(x));
+    const Rational exactSecond = dot(exactly(plane.normal), exactly(y));
+    ASSERT_TRUE(holds(first, exactFirst)) << i;
+    ASSERT_TRUE(holds(second, exactSecond)) << i;
+    ASSERT_TRUE(holds(first - second, Rational(exactFirst - exactSecond))) << i;
+    if (second.sign() != 0) {
+      ++quotients;
+      ASSERT_TRUE(holds(first / second, Rational(exactFirst / exactSecond))) << i;
+      ASSERT_TRUE(holds(Bounded::of(1, 1) / second, Rational(1 / exactSecond))) << i;
+    }
+  }
+  EXPECT_GT(quotients, 500);
+}
+
+TEST(FilterRayTriangle, AnyTameNumbers_AreMissedSurelyOrWithinTheirBounds) {
+  NastyDoubles nasty(7);
+  int missed = 0;
+  int sure = 0;
+  for (int i = 0; i < times(4000); ++i) {
+    const Triangle<double> triangle =
+        i % 4 == 0 ? Triangle<double>{nasty.vector(), nasty.vector(), nasty.vector()}
+                   : Triangle<double>{nasty.ordinaryVector(), nasty.ordinaryVector(), nasty.ordinaryVector()};
+    const Ray<double> ray =
+        i % 2 == 0 ? Ray<double>{nasty.vector(), nasty.vector()} : aimedRay(nasty, triangle);
+    if (!isTame(ray) || !isTame(triangle))
+      continue;
+    const auto filtered = filterRayTriangle(ray, triangle);
+    const auto exact = intersectRayTrianglePlucker(exactly(ray), exactly(triangle));
+    if (const auto which = surelyCaseOf(filtered)) { // law (1) of both
+      ++sure;
+      ASSERT_EQ(*which, exact.which) << i;
+    }
+    if (filtered.surelyMissed) {
+      ++missed;
+      continue;
+    }
+    for (std::size_t edge = 0; edge < 3; ++edge) // law (2)
+      ASSERT_TRUE(holds(filtered.bounded.products[edge], exact.products[edge])) << i;
+    ASSERT_TRUE(holds(filtered.bounded.sum, exact.sum)) << i;
+    const auto volume = intersectRayTriangleCramer(exactly(ray), exactly(triangle)).detT;
+    ASSERT_TRUE(holds(filtered.bounded.volume, volume)) << i;
+  }
+  EXPECT_GT(missed, 100);
+  EXPECT_GT(sure - missed, 20);
 }
 
 } // namespace

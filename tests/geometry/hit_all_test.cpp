@@ -51,7 +51,7 @@ TEST(HitAll, NoTriangles_AreNoHits) {
   EXPECT_TRUE(hitsOf(up, {}).skipped.empty());
 }
 
-TEST(HitAll, ManyTriangles_GiveThoseThatAreHitOneByOneInOrder) {
+TEST(HitAll, ManyTriangles_GiveThoseThatAreHitOneByOneInOrder) { // laws (1) to (3)
   RandomNumbers random(131);
   std::size_t hits = 0;
   for (int i = 0; i < 100; ++i) {

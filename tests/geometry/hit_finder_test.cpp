@@ -67,8 +67,8 @@ void expectAsTheExactLoop(const HitFinder &finder, const Triangles &triangles, c
   ASSERT_EQ(found.has_value(), !all.hits.empty());
   if (!found)
     return;
-  EXPECT_EQ(found->index, all.hits.front().index);
-  const double t = toDouble(all.hits.front().t);
+  EXPECT_EQ(found->index, all.hits.front().index); // law (1)
+  const double t = toDouble(all.hits.front().t);   // law (4)
   EXPECT_NEAR(found->t, t,
               std::abs(t) * 1e-12); // far coarser than promised, far finer than any wrong triangle
 }
@@ -84,7 +84,7 @@ TEST(HitFinder, RandomTriangles_AgreesWithTheExactLoop) {
   }
 }
 
-TEST(HitFinder, AimedAtSharedEdgesAndCorners_NoRaySlipsThrough) {
+TEST(HitFinder, AimedAtSharedEdgesAndCorners_NoRaySlipsThrough) { // law (2)
   Scenes scenes(2);
   for (const Vec3<double> corner : {Vec3<double>(0), Vec3<double>(1e6, 1e6, 0)}) {
     const Triangles triangles = terrain(scenes, 12, corner);
@@ -110,7 +110,7 @@ TEST(HitFinder, AimedAtCornersFromAnywhere_AgreesWithTheExactLoop) {
   }
 }
 
-TEST(HitFinder, TrianglesAtTheSamePlace_GiveTheLowestIndex) {
+TEST(HitFinder, TrianglesAtTheSamePlace_GiveTheLowestIndex) { // law (3)
   const Triangle<double> low{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
   const Triangle<double> high{{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
   const HitFinder finder(Triangles{high, low, low, high, low});
@@ -131,7 +131,7 @@ TEST(HitFinder, HitsThatDoublesCannotTellApart_AreOrderedExactly) {
   EXPECT_EQ(hit->index, 1u);
 }
 
-TEST(HitFinder, DegenerateAndInPlaneTriangles_ArePassedOver) {
+TEST(HitFinder, DegenerateAndInPlaneTriangles_ArePassedOver) { // law (3)
   const Triangle<double> point{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
   const Triangle<double> line{{0, 0, 2}, {1, 1, 2}, {2, 2, 2}};
   const Triangle<double> inPlane{{1, 1, 0}, {1, 1, 5}, {3, 1, 0}};

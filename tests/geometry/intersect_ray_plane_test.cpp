@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace halfspace {
 namespace {
 
@@ -61,20 +63,38 @@ TEST(IntersectRayPlane, AnyRay_MeetsThePlaneAtItsPoint) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = intersectRayPlane(ray, plane);
-    if (!result.crosses()) {
-      EXPECT_EQ(dot(ray.direction, plane.normal), 0);
+    EXPECT_EQ(result.crosses(), dot(ray.direction, plane.normal) != 0); // law (1)
+    if (!result.crosses())
       continue;
-    }
-    EXPECT_EQ(evaluate(plane, result.point), 0);
+    EXPECT_EQ(evaluate(plane, result.point), 0); // law (2)
     EXPECT_EQ(result.point, pointAt(ray, result.t));
     EXPECT_EQ(result.which, result.t < 0 ? RayPlaneCase::Behind : RayPlaneCase::Hit);
 
-    const auto reversed = intersectRayPlane({ray.origin, -ray.direction}, plane);
-    EXPECT_EQ(reversed.t, -result.t);
-    EXPECT_EQ(reversed.point, result.point);
-    const auto stretched = intersectRayPlane({ray.origin, ray.direction * Rational(3)}, plane);
-    EXPECT_EQ(stretched.t, result.t / 3);
+    const Rational k = i % 2 == 0 ? Rational(-1) : random.nonZeroRational();
+    const auto stretched = intersectRayPlane({ray.origin, ray.direction * k}, plane); // law (3)
+    EXPECT_EQ(stretched.t, result.t / k);
+    EXPECT_EQ(stretched.point, result.point);
   }
+}
+
+TEST(IntersectRayPlane, MultipleOfThePlane_MultipliesTheFractionAndKeepsTheRest) { // law (4)
+  RandomNumbers random(185);
+  std::map<RayPlaneCase, int> cases;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<Rational> ray{random.wholeVector(1), random.wholeVector(1)};
+    const Plane<Rational> plane{random.wholeVector(1), random.integer(-1, 1)};
+    const Rational k = random.nonZeroRational();
+    const auto result = intersectRayPlane(ray, plane);
+    const auto scaled = intersectRayPlane(ray, {plane.normal * k, Rational(plane.offset * k)});
+    ++cases[result.which];
+    EXPECT_EQ(scaled.which, result.which);
+    EXPECT_EQ(scaled.numerator, result.numerator * k);
+    EXPECT_EQ(scaled.denominator, result.denominator * k);
+    EXPECT_EQ(scaled.t, result.t);
+    EXPECT_EQ(scaled.point, result.point);
+    EXPECT_EQ(result.crosses(), result.denominator != 0); // law (1)
+  }
+  EXPECT_EQ(cases.size(), 6U) << "a case did not come up";
 }
 
 TEST(IntersectRayPlane, FacingNormal_IsUnitAndAgainstTheRayOnWhicheverSideTheNormalPoints) {
@@ -86,12 +106,18 @@ TEST(IntersectRayPlane, FacingNormal_IsUnitAndAgainstTheRayOnWhicheverSideTheNor
     if (!result.crosses())
       continue;
     const auto facing = facingNormal(plane.normal, ray.direction);
-    EXPECT_EQ(facingNormal(ExactVec3(-plane.normal), ray.direction), facing);
+    const Rational k = i % 2 == 0 ? Rational(-1) : random.nonZeroRational();
+    EXPECT_EQ(facingNormal(ExactVec3(plane.normal * k), ray.direction), facing); // law (3)
+    EXPECT_EQ(facingNormal(plane.normal, ExactVec3(ray.direction * abs(k))), facing);
+    const std::array<Surd, 3> back{-facing[0], -facing[1], -facing[2]};
+    EXPECT_EQ(facingNormal(plane.normal, ExactVec3(-ray.direction)), back);
     const double length = std::hypot(toDouble(facing[0]), toDouble(facing[1]), toDouble(facing[2]));
     EXPECT_DOUBLE_EQ(length, 1);
-    // All three share one root, so their signs and ratios are those of ±n.
+    // All three share one root, so their signs and ratios are those of ±n: laws (1) and (2).
     const Rational side = result.denominator > 0 ? -1 : 1;
-    EXPECT_EQ(facing[0], overRoot(Rational(plane.normal.x * side), dot(plane.normal, plane.normal)));
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(facing[static_cast<std::size_t>(axis)],
+                overRoot(Rational(plane.normal[axis] * side), dot(plane.normal, plane.normal)));
     EXPECT_LT(Rational(dot(ray.direction, plane.normal) * side), 0);
   }
 }

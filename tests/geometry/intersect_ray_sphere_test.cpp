@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace halfspace {
@@ -57,9 +58,9 @@ bool liesOnLine(const SurdVec3 &point, const Ray<Rational> &ray) {
 void expectSoundContact(const SphereContact<Rational> &contact, const Ray<Rational> &ray,
                         const Sphere<Rational> &sphere) {
   EXPECT_TRUE(rootsAreShared(contact.point));
-  EXPECT_TRUE(liesOnSphere(contact.point, sphere));
+  EXPECT_TRUE(liesOnSphere(contact.point, sphere)); // law (1)
   EXPECT_TRUE(liesOnLine(contact.point, ray));
-  EXPECT_TRUE(hasSquare(partsOf(contact.normal), 1));
+  EXPECT_TRUE(hasSquare(partsOf(contact.normal), 1)); // law (2)
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<int>(i);
     EXPECT_EQ(contact.t * ray.direction[axis] + ray.origin[axis], contact.point[i]);
@@ -131,7 +132,7 @@ TEST(IntersectRaySphere, AnyRay_HasItsContactsExactlyOnTheSphere) {
   EXPECT_EQ(cases.size(), 3U) << "a case did not come up";
 }
 
-TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRadius) {
+TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRadius) { // law (3)
   RandomNumbers random(102);
   for (int i = 0; i < 2000; ++i) {
     const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
@@ -140,11 +141,57 @@ TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRa
     const Rational squaredDistance = dot(moment, moment) / dot(ray.direction, ray.direction);
     const auto meet = intersectRaySphere(ray, sphere);
     const int side = (squaredDistance - sphere.radius * sphere.radius).sign();
-    EXPECT_EQ(meet.discriminant.sign(), -side);
+    EXPECT_EQ(meet.discriminant,
+              dot(ray.direction, ray.direction) * (sphere.radius * sphere.radius - squaredDistance));
     EXPECT_EQ(meet.contacts, side > 0    ? SphereContacts::None
                              : side == 0 ? SphereContacts::Tangent
                                          : SphereContacts::Two);
   }
+}
+
+TEST(IntersectRaySphere, BothT_HaveTheSumAndProductOfTheQuadratic) { // law (4)
+  RandomNumbers random(187);
+  for (int i = 0; i < 1500; ++i) {
+    const Ray<Rational> ray{random.wholeVector(5), random.nonZeroWholeVector(5)};
+    const Sphere<Rational> sphere{random.wholeVector(5), random.integer(1, 6)};
+    const auto meet = intersectRaySphere(ray, sphere);
+    if (meet.along.empty())
+      continue;
+    const ExactVec3 m = ray.origin - sphere.center;
+    const Rational square = dot(ray.direction, ray.direction);
+    const Rational product = (dot(m, m) - sphere.radius * sphere.radius) / square;
+    // A − B·√n and A + B·√n, or two fractions.
+    const Surd &first = meet.along.front().t;
+    const Surd &last = meet.along.back().t;
+    const Rational rootSquare = last.rootFactor() * last.rootFactor() * Rational(last.radicand());
+    EXPECT_EQ(first.rootFactor(), -last.rootFactor());
+    EXPECT_EQ(first.rationalPart() + last.rationalPart(), -2 * dot(ray.direction, m) / square);
+    EXPECT_EQ(first.rationalPart() * last.rationalPart() - rootSquare, product);
+    EXPECT_EQ(product.sign(), meet.origin == SolidPlace::Inside ? -1 : meet.origin == SolidPlace::On ? 0 : 1);
+  }
+}
+
+TEST(IntersectRaySphere, MultipleOfTheDirection_DividesTAndKeepsThePoints) { // law (5)
+  RandomNumbers random(188);
+  std::map<SphereContacts, int> contacts;
+  for (int i = 0; i < 1500; ++i) {
+    const Ray<Rational> ray{random.wholeVector(4), random.nonZeroWholeVector(2)};
+    const Sphere<Rational> sphere{random.wholeVector(4), random.integer(1, 4)};
+    const Rational k = random.nonZeroRational(3);
+    const auto meet = intersectRaySphere(ray, sphere);
+    auto scaled = intersectRaySphere(Ray<Rational>{ray.origin, ray.direction * k}, sphere);
+    ++contacts[meet.contacts];
+    if (k < 0)
+      std::reverse(scaled.along.begin(), scaled.along.end());
+    EXPECT_EQ(scaled.contacts, meet.contacts);
+    ASSERT_EQ(scaled.along.size(), meet.along.size());
+    for (std::size_t j = 0; j < meet.along.size(); ++j) {
+      EXPECT_EQ(scaled.along[j].t, meet.along[j].t * (1 / k));
+      EXPECT_EQ(scaled.along[j].point, meet.along[j].point);
+      EXPECT_EQ(scaled.along[j].normal, meet.along[j].normal);
+    }
+  }
+  EXPECT_EQ(contacts.size(), 3U) << "a number of contacts did not come up";
 }
 
 TEST(IntersectRaySphere, TangentRay_TouchesExactlyOnceWhereItWasAimed) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace halfspace {
 namespace {
 
@@ -110,13 +112,16 @@ TEST(PerpsOf, AnyTriangle_ObeysTheNotesIdentities) {
     if (i % 4 == 0) // the identities hold for collinear corners too
       triangle.p2 = pointIn(triangle, random.rational(), 0);
     const auto perps = perpsOf(triangle);
+    EXPECT_EQ(perps.uPerp, cross(perps.normal, perps.u)); // law (1)
+    EXPECT_EQ(perps.vPerp, cross(perps.normal, perps.v));
     EXPECT_EQ(dot(perps.uPerp, perps.u), 0);
     EXPECT_EQ(dot(perps.vPerp, perps.v), 0);
-    EXPECT_EQ(perps.uPerp, cross(perps.normal, perps.u));
-    EXPECT_EQ(perps.vPerp, cross(perps.normal, perps.v));
-    EXPECT_EQ(perps.denominator, -dot(perps.normal, perps.normal));
+    EXPECT_EQ(perps.denominator, -dot(perps.normal, perps.normal)); // law (2)
     EXPECT_EQ(dot(perps.uPerp, perps.v), -perps.denominator);
-    EXPECT_EQ(perps.denominator == 0, shapeOf(triangle) != TriangleShape::Proper);
+    EXPECT_EQ(dot(perps.vPerp, perps.u), perps.denominator);
+    const bool degenerate = shapeOf(triangle) != TriangleShape::Proper;
+    EXPECT_EQ(perps.denominator.sign(), degenerate ? 0 : -1); // law (3)
+    EXPECT_EQ(isZero(perps.normal), degenerate);
   }
 }
 
@@ -131,12 +136,12 @@ TEST(IntersectRayTriangle, RayAimedAtParameters_FindsExactlyThese) {
     EXPECT_EQ(result.plane.t, 2);
     EXPECT_EQ(result.s, s);
     EXPECT_EQ(result.tTriangle, t);
-    EXPECT_EQ(result.w, ExactVec3(result.perps.u * s + result.perps.v * t));
+    EXPECT_EQ(result.w, ExactVec3(result.perps.u * s + result.perps.v * t)); // law (1)
     // The notes' own quotients, t = w·u⊥/v·u⊥ and s = w·v⊥/u·v⊥, give the same.
     EXPECT_EQ(Rational(dot(result.w, result.perps.uPerp) / dot(result.perps.v, result.perps.uPerp)), t);
     EXPECT_EQ(Rational(dot(result.w, result.perps.vPerp) / dot(result.perps.u, result.perps.vPerp)), s);
     const bool inside = s >= 0 && t >= 0 && s + t <= 1;
-    EXPECT_EQ(result.which, inside ? RayTriangleCase::Hit : RayTriangleCase::Miss);
+    EXPECT_EQ(result.which, inside ? RayTriangleCase::Hit : RayTriangleCase::Miss); // law (2)
   }
 }
 
@@ -159,7 +164,7 @@ TEST(IntersectRayTriangle, RayAimedAtEdgesAndCorners_NeverSlipsThrough) {
   }
 }
 
-TEST(IntersectRayTriangle, CornersInAnotherOrder_GiveTheSameHit) {
+TEST(IntersectRayTriangle, CornersInAnotherOrder_GiveTheSameHit) { // law (3)
   RandomNumbers random(54);
   for (int i = 0; i < 250; ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
@@ -170,12 +175,38 @@ TEST(IntersectRayTriangle, CornersInAnotherOrder_GiveTheSameHit) {
     const auto flipped = intersectRayTriangle(ray, {triangle.p0, triangle.p2, triangle.p1});
     EXPECT_EQ(turned.which, result.which);
     EXPECT_EQ(turned.plane.t, result.plane.t);
+    EXPECT_EQ(turned.plane.point, result.plane.point);
     EXPECT_EQ(turned.tTriangle, Rational(1 - result.s - result.tTriangle));
     EXPECT_EQ(turned.s, result.tTriangle);
     EXPECT_EQ(flipped.which, result.which);
+    EXPECT_EQ(flipped.plane.t, result.plane.t);
     EXPECT_EQ(flipped.s, result.tTriangle);
     EXPECT_EQ(flipped.tTriangle, result.s);
   }
+}
+
+TEST(IntersectRayTriangle, MultipleOfTheDirection_DividesTAndKeepsThePlace) { // law (4)
+  RandomNumbers random(189);
+  std::map<RayTriangleCase, int> cases;
+  for (int i = 0; i < 3000; ++i) {
+    const Triangle<Rational> triangle{random.wholeVector(2), random.wholeVector(2), random.wholeVector(2)};
+    const Ray<Rational> ray{random.wholeVector(2), random.wholeVector(2)};
+    const Rational k = random.nonZeroRational(3);
+    const auto result = intersectRayTriangle(ray, triangle);
+    const auto scaled = intersectRayTriangle({ray.origin, ray.direction * k}, triangle);
+    ++cases[result.which];
+    ASSERT_EQ(scaled.crosses(), result.crosses());
+    EXPECT_TRUE(k < 0 || scaled.which == result.which);
+    EXPECT_EQ(scaled.plane.t, result.plane.t / k);
+    EXPECT_EQ(scaled.plane.point, result.plane.point);
+    expectPlace(scaled.place, result.place.location, result.place.feature);
+    EXPECT_EQ(scaled.s, result.s);
+    EXPECT_EQ(scaled.tTriangle, result.tTriangle);
+    // Law (2).
+    EXPECT_EQ(result.crosses() && result.place.location == FaceLocation::Outside,
+              result.which == RayTriangleCase::Miss);
+  }
+  EXPECT_EQ(cases.size(), 8U) << "a case did not come up";
 }
 
 TEST(IntersectRayTriangle, TriangleSqueezedToALine_KeepsItsParametersUntilItIsOne) {

@@ -37,14 +37,17 @@ TEST(LineThrough, TwoPoints_ContainsBothAndIsReal) {
     const Line<Rational> line = lineThrough(p, q);
     EXPECT_TRUE(contains(line, p));
     EXPECT_TRUE(contains(line, q));
-    EXPECT_EQ(relation(line), 0);
+    EXPECT_EQ(relation(line), 0); // law (1) of lineAlong
     EXPECT_TRUE(isReal(line));
     EXPECT_EQ(line.direction, ExactVec3(q - p));
-    EXPECT_EQ(line.moment, cross(p, q));
+    EXPECT_EQ(line.moment, cross(p, q)); // law (1)
+    const Line<Rational> back = lineThrough(q, p);
+    EXPECT_EQ(back.direction, ExactVec3(-line.direction)); // law (2)
+    EXPECT_EQ(back.moment, ExactVec3(-line.moment));
   }
 }
 
-TEST(LineAlong, AnyOtherPointOfIt_HasTheSameMoment) {
+TEST(LineAlong, AnyOtherPointOfIt_HasTheSameMoment) { // law (2)
   RandomNumbers random(82);
   for (int i = 0; i < 1000; ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
@@ -70,9 +73,9 @@ TEST(NearestToOrigin, AnyLine_IsOnItAndPerpendicularToItsDirection) {
       point = direction * random.rational();
     const Line<Rational> line = lineAlong(point, direction);
     const ExactVec3 nearest = nearestToOrigin(line);
-    EXPECT_TRUE(contains(line, nearest));
-    EXPECT_EQ(dot(nearest, direction), 0);
-    EXPECT_EQ(passesThroughOrigin(line), isZero(nearest));
+    EXPECT_TRUE(contains(line, nearest));                  // law (1)
+    EXPECT_EQ(dot(nearest, direction), 0);                 // law (2)
+    EXPECT_EQ(passesThroughOrigin(line), isZero(nearest)); // law (4)
   }
 }
 
@@ -86,10 +89,22 @@ TEST(PermutedInnerProduct, AnyLines_IsTheVolumeTheySpanAndItsSignTurnsWithEither
     const Line<Rational> a = lineAlong(p, d);
     const Line<Rational> b = lineAlong(q, e);
     const Rational product = permutedInnerProduct(a, b);
-    EXPECT_EQ(product, -dot(ExactVec3(q - p), cross(d, e)));
-    EXPECT_EQ(permutedInnerProduct(b, a), product);
+    EXPECT_EQ(product, -dot(ExactVec3(q - p), cross(d, e))); // law (3)
+    EXPECT_EQ(permutedInnerProduct(b, a), product);          // law (1)
     EXPECT_EQ(permutedInnerProduct(lineAlong(p, ExactVec3(-d)), b), -product);
     EXPECT_EQ(permutedInnerProduct(lineThrough(p, ExactVec3(p + d)), b), product);
+  }
+}
+
+TEST(PermutedInnerProduct, AnySixNumbers_AreScaledWithItAndGiveTwiceTheirRelationWithThemselves) {
+  RandomNumbers random(180);
+  for (int i = 0; i < 1000; ++i) {
+    const Line<Rational> a{random.vector(), random.vector()};
+    const Line<Rational> b{random.vector(), random.vector()};
+    const Rational k = random.rational();
+    EXPECT_EQ(permutedInnerProduct(Line<Rational>{a.direction * k, a.moment * k}, b),
+              permutedInnerProduct(a, b) * k);              // law (2)
+    EXPECT_EQ(permutedInnerProduct(a, a), 2 * relation(a)); // law (5)
   }
 }
 
@@ -137,8 +152,15 @@ TEST(RelateLines, AnyTwo_AgreeWithDroppingAPerpendicular) {
     EXPECT_EQ(related.distance,
               Surd::root(squaredDistance(first.origin, first.direction, second.origin, second.direction)));
     EXPECT_EQ(related.perpendicular, dot(first.direction, second.direction) == 0);
+    // Law (2), and law (4) of the product.
     EXPECT_EQ(related.product == 0, related.which != LineLineCase::Skew);
-    if (related.which == LineLineCase::Intersecting) {
+    const bool apart = related.which == LineLineCase::Skew || related.which == LineLineCase::Parallel;
+    EXPECT_EQ(related.distance.sign(), apart ? 1 : 0); // law (3)
+    const ExactVec3 common = cross(first.direction, second.direction);
+    if (!isZero(common)) {
+      EXPECT_EQ(related.distance, overRoot(abs(related.product), dot(common, common)));
+    }
+    if (related.which == LineLineCase::Intersecting) { // law (4)
       EXPECT_TRUE(contains(lineOf(first), related.point));
       EXPECT_TRUE(contains(lineOf(second), related.point));
     }
@@ -146,7 +168,7 @@ TEST(RelateLines, AnyTwo_AgreeWithDroppingAPerpendicular) {
   EXPECT_EQ(cases.size(), 5U) << "a case did not come up";
 }
 
-TEST(RelateLines, InTheOtherOrder_GivesTheSame) {
+TEST(RelateLines, InTheOtherOrder_GivesTheSame) { // law (1)
   RandomNumbers random(86);
   for (int i = 0; i < 2000; ++i) {
     const auto [first, second] = somePair(i % 4, random);
@@ -156,6 +178,27 @@ TEST(RelateLines, InTheOtherOrder_GivesTheSame) {
     EXPECT_EQ(swapped.distance, related.distance);
     EXPECT_EQ(swapped.product, related.product);
     EXPECT_EQ(swapped.point, related.point);
+    EXPECT_EQ(swapped.perpendicular, related.perpendicular);
+  }
+}
+
+TEST(RelateLines, MultipleOfOne_MultipliesTheProductAndTurnsSameIntoOpposite) { // law (5)
+  RandomNumbers random(181);
+  for (int i = 0; i < 2000; ++i) {
+    const auto [first, second] = somePair(i % 4, random);
+    const Line<Rational> line = lineOf(first);
+    const Rational k = random.nonZeroRational();
+    const auto related = relateLines(line, lineOf(second));
+    const auto scaled = relateLines({line.direction * k, line.moment * k}, lineOf(second));
+    const auto expected = k > 0                                     ? related.which
+                          : related.which == LineLineCase::Same     ? LineLineCase::Opposite
+                          : related.which == LineLineCase::Opposite ? LineLineCase::Same
+                                                                    : related.which;
+    EXPECT_EQ(scaled.which, expected);
+    EXPECT_EQ(scaled.product, related.product * k);
+    EXPECT_EQ(scaled.distance, related.distance);
+    EXPECT_EQ(scaled.point, related.point);
+    EXPECT_EQ(scaled.perpendicular, related.perpendicular);
   }
 }
 
@@ -166,7 +209,7 @@ TEST(RelateLines, PluckerCoordinatesScaled_DescribeTheSameLine) {
     const Rational k = random.nonZeroRational();
     const Line<Rational> scaled{line.direction * k, line.moment * k};
     EXPECT_EQ(relateLines(line, scaled).which, k > 0 ? LineLineCase::Same : LineLineCase::Opposite);
-    EXPECT_EQ(nearestToOrigin(scaled), nearestToOrigin(line));
+    EXPECT_EQ(nearestToOrigin(scaled), nearestToOrigin(line)); // law (3)
   }
 }
 

@@ -30,7 +30,7 @@ TEST(IntersectPlanes, AnyTwo_MeetInALineThatLiesInBoth) {
       EXPECT_TRUE(isZero(cross(a.normal, b.normal)));
       continue;
     }
-    EXPECT_TRUE(isReal(meet.line));
+    EXPECT_TRUE(isReal(meet.line)); // law (1)
     EXPECT_EQ(meet.line.direction, cross(a.normal, b.normal));
     EXPECT_EQ(dot(meet.nearest, meet.line.direction), 0);
     EXPECT_EQ(cross(meet.nearest, meet.line.direction), meet.line.moment);
@@ -53,6 +53,34 @@ TEST(IntersectPlanes, MultiplesOfANormal_AreParallelOrCoincidentByTheirOffsets) 
     const Plane<Rational> moved{same.normal, Rational(same.offset + random.nonZeroRational())};
     EXPECT_EQ(intersectPlanes(plane, moved).which, PlanePlaneCase::Parallel);
   }
+}
+
+TEST(IntersectPlanes, InTheOtherOrderOrMultiplied_TurnsAndStretchesTheLine) {
+  RandomNumbers random(186);
+  std::map<PlanePlaneCase, int> cases;
+  for (int i = 0; i < 2000; ++i) {
+    const Plane<Rational> a{random.wholeVector(1), random.integer(-1, 1)};
+    const Plane<Rational> b{random.wholeVector(1), random.integer(-1, 1)};
+    const auto meet = intersectPlanes(a, b);
+    ++cases[meet.which];
+    const auto swapped = intersectPlanes(b, a); // law (2)
+    EXPECT_EQ(swapped.which, meet.which);
+    EXPECT_EQ(swapped.line.direction, ExactVec3(-meet.line.direction));
+    EXPECT_EQ(swapped.line.moment, ExactVec3(-meet.line.moment));
+    EXPECT_EQ(swapped.nearest, meet.nearest);
+    EXPECT_EQ(swapped.cosine, meet.cosine);
+    const Rational k = random.nonZeroRational();
+    const auto scaled = intersectPlanes({a.normal * k, Rational(a.offset * k)}, b); // law (3)
+    EXPECT_EQ(scaled.which, meet.which);
+    EXPECT_EQ(scaled.line.direction, ExactVec3(meet.line.direction * k));
+    EXPECT_EQ(scaled.line.moment, ExactVec3(meet.line.moment * k));
+    EXPECT_EQ(scaled.nearest, meet.nearest);
+    EXPECT_EQ(scaled.cosine, k < 0 ? -meet.cosine : meet.cosine);
+    const bool sameNormal =
+        meet.which == PlanePlaneCase::Parallel || meet.which == PlanePlaneCase::Coincident;
+    EXPECT_EQ(sameNormal, meet.cosine == Surd(1) || meet.cosine == Surd(-1)); // law (4)
+  }
+  EXPECT_EQ(cases.size(), 4U) << "a case did not come up";
 }
 
 TEST(IntersectPlanes, Cosine_IsThatOfTheNormals) {
@@ -113,13 +141,27 @@ TEST(IntersectLinePlane, AnyLine_AgreesWithTheRaysDotProducts) {
     const auto byDots = intersectRayPlane(ray, plane);
     const auto meet = intersectLinePlane(lineOf(ray), plane);
     ++cases[meet.which];
-    EXPECT_EQ(meet.weight, byDots.denominator);
+    EXPECT_EQ(meet.weight, byDots.denominator); // law (3)
     EXPECT_EQ(meet.which == LinePlaneCase::Point, byDots.crosses());
     EXPECT_EQ(meet.which == LinePlaneCase::InPlane, byDots.which == RayPlaneCase::InPlane);
     EXPECT_EQ(meet.which == LinePlaneCase::Parallel, byDots.which == RayPlaneCase::Parallel);
     EXPECT_EQ(meet.point, byDots.point);
     EXPECT_EQ(meet.weighted, byDots.crosses() ? ExactVec3(byDots.point * byDots.denominator)
                                               : ExactVec3(ray.direction * byDots.numerator));
+    if (meet.which == LinePlaneCase::Point) { // law (1)
+      EXPECT_EQ(evaluate(plane, meet.point), 0);
+      EXPECT_EQ(cross(meet.point, ray.direction), lineOf(ray).moment);
+    }
+    const Line<Rational> line = lineOf(ray);
+    const Rational k = random.nonZeroRational();
+    for (const auto &scaled : // law (2)
+         {intersectLinePlane({line.direction * k, line.moment * k}, plane),
+          intersectLinePlane(line, {plane.normal * k, Rational(plane.offset * k)})}) {
+      EXPECT_EQ(scaled.which, meet.which);
+      EXPECT_EQ(scaled.weighted, ExactVec3(meet.weighted * k));
+      EXPECT_EQ(scaled.weight, meet.weight * k);
+      EXPECT_EQ(scaled.point, meet.point);
+    }
   }
   EXPECT_EQ(cases.size(), 3U) << "a case did not come up";
 }

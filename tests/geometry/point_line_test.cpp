@@ -45,11 +45,23 @@ TEST(PointLine, OfAnyNumbers_HasAFootStraightBelowAndThePlueckerDistance) {
     if (isZero(direction))
       continue;
     const auto measured = measurePointLine(point, through, direction);
-    EXPECT_EQ(dot(Exact(point - measured.foot), direction), 0);
-    EXPECT_TRUE(isZero(cross(Exact(measured.foot - through), direction)));
-    // |w×v|/|v| by another way.
+    EXPECT_EQ(measured.foot, Exact(through + direction * measured.t)); // law (1)
+    EXPECT_EQ(dot(Exact(point - measured.foot), direction), 0);        // law (2)
+    // |w×v|/|v| by another way: law (3).
     const Exact moment = cross(Exact(point - through), direction);
     EXPECT_EQ(measured.distance, Surd::root(Rational(dot(moment, moment) / dot(direction, direction))));
+    EXPECT_EQ(measured.which == PointLineCase::On, measured.distance == Surd(0));
+
+    const Exact other = through + direction * number();
+    const Exact way = point - measured.foot;
+    const Exact longer = point - other;
+    const Exact along = measured.foot - other;
+    EXPECT_EQ(dot(longer, longer), dot(way, way) + dot(along, along)); // law (4)
+    const Rational k = i % 2 == 0 ? 3 : Rational(-1, 2);
+    const auto again = measurePointLine(point, other, Exact(direction * k));
+    EXPECT_EQ(again.which, measured.which); // law (5)
+    EXPECT_EQ(again.foot, measured.foot);
+    EXPECT_EQ(again.distance, measured.distance);
   }
 }
 

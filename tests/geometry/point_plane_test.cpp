@@ -39,25 +39,32 @@ TEST(MeasurePointPlane, Foot_LiesOnThePlaneAlongTheNormalFromThePoint) {
     const ExactVec3 point = random.vector();
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = measurePointPlane(point, plane);
-    EXPECT_EQ(evaluate(plane, result.foot), 0);
+    EXPECT_EQ(evaluate(plane, result.foot), 0); // law (1)
     EXPECT_TRUE(isZero(cross(ExactVec3(result.foot - point), plane.normal)));
+    EXPECT_EQ(ExactVec3(point - plane.normal * result.footParameter), result.foot);
     EXPECT_EQ(result.signedDistance.sign(), result.f.sign());
     EXPECT_EQ(measurePointPlane(result.foot, plane).which, PointPlaneCase::On);
     const ExactVec3 way = point - result.foot;
-    EXPECT_EQ(result.signedDistance, Surd::root(dot(way, way), result.f.sign()));
+    EXPECT_EQ(result.signedDistance, Surd::root(dot(way, way), result.f.sign())); // law (2)
+    const ExactVec3 other = result.foot + cross(plane.normal, random.vector());
+    const ExactVec3 longer = point - other;
+    const ExactVec3 along = result.foot - other;
+    EXPECT_EQ(dot(longer, longer), dot(way, way) + dot(along, along)); // law (3)
   }
 }
 
-TEST(MeasurePointPlane, FlippedNormal_FlipsTheDistanceAndKeepsTheFoot) {
+TEST(MeasurePointPlane, MultipleOfThePlane_KeepsTheFootAndAllOfTheDistanceButItsSign) { // law (4)
   RandomNumbers random(32);
   for (int i = 0; i < 1000; ++i) {
     const ExactVec3 point = random.vector();
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = measurePointPlane(point, plane);
-    const auto flipped = measurePointPlane(point, Plane<Rational>{-plane.normal, Rational(-plane.offset)});
-    EXPECT_EQ(flipped.signedDistance, -result.signedDistance);
-    EXPECT_EQ(flipped.foot, result.foot);
-    EXPECT_EQ(flipped.f, -result.f);
+    const Rational k = i % 2 == 0 ? Rational(-1) : random.nonZeroRational();
+    const auto scaled =
+        measurePointPlane(point, Plane<Rational>{plane.normal * k, Rational(plane.offset * k)});
+    EXPECT_EQ(scaled.signedDistance, k < 0 ? -result.signedDistance : result.signedDistance);
+    EXPECT_EQ(scaled.foot, result.foot);
+    EXPECT_EQ(scaled.f, result.f * k);
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -24,7 +26,8 @@ Polygon<Rational> slanted(const std::vector<std::pair<int, int>> &corners) {
   return polygon;
 }
 
-/// Convex by the words of the format: from each edge all other corners lie on one side, none on its line.
+/// Convex by the words of the format, which are law (3): from each edge all other corners lie on one side,
+/// none on its line.
 bool isConvexByEveryEdge(const Polygon<Rational> &corners) {
   const std::size_t count = corners.size();
   const auto points = weighted(corners);
@@ -118,6 +121,63 @@ TEST(PolygonShape, RandomConvexPolygons_AreConvex) {
     EXPECT_EQ(shapeOfPolygon(randomPolygon(random)), PolygonShape::Convex);
 }
 
+TEST(PolygonShape, AnotherFirstCornerOrTheOtherWayRound_IsTheSame) { // law (1)
+  RandomNumbers random(191);
+  std::map<PolygonShape, int> shapes;
+  for (int i = 0; i < 2000; ++i) {
+    Polygon<Rational> corners;
+    for (int left = random.integer(3, 5); left > 0; --left)
+      corners.emplace_back(random.integer(0, 2), random.integer(0, 2), i % 4 == 0 ? random.integer(0, 1) : 0);
+    const PolygonShape shape = shapeOfPolygon(corners);
+    ++shapes[shape];
+    for (std::size_t first = 0; first < corners.size(); ++first) {
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      ASSERT_EQ(shapeOfPolygon(corners), shape) << "figure " << i;
+      ASSERT_EQ(shapeOfPolygon({corners.rbegin(), corners.rend()}), shape) << "figure " << i;
+    }
+    if (corners.size() == 3) { // law (2)
+      const auto triangle = shapeOf(Triangle<Rational>{corners[0], corners[1], corners[2]});
+      EXPECT_EQ(shape, triangle == TriangleShape::Proper ? PolygonShape::Convex : PolygonShape::NotConvex);
+    }
+  }
+  EXPECT_EQ(shapes.size(), 3U) << "a shape did not come up";
+}
+
+TEST(PlaneOfPolygon, AnyPlanarCorners_LieInItAndItIsNoneOnOneLine) {
+  RandomNumbers random(192);
+  int onOneLine = 0;
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<std::pair<int, int>> figure;
+    for (int left = random.integer(3, 5); left > 0; --left)
+      figure.emplace_back(random.integer(0, 2), random.integer(0, 2));
+    const auto corners = slanted(figure);
+    const auto points = weighted(corners);
+    const auto plane = planeOf(std::span<const WeightedPoint<Rational>>(points));
+    bool allOnOneLine = true;
+    for (const ExactVec3 &a : corners) {
+      EXPECT_EQ(evaluate(plane, a), 0); // law (1)
+      for (const ExactVec3 &b : corners)
+        allOnOneLine = allOnOneLine && isZero(cross(ExactVec3(a - corners[0]), ExactVec3(b - corners[0])));
+    }
+    EXPECT_EQ(isZero(plane.normal), allOnOneLine); // law (2)
+    onOneLine += allOnOneLine ? 1 : 0;
+  }
+  EXPECT_GT(onOneLine, 100);
+}
+
+TEST(PlaneOfPolygon, ConvexPolygon_GoesCounterclockwiseAroundItsNormal) { // law (3)
+  RandomNumbers random(193);
+  for (int i = 0; i < 500; ++i) {
+    const Polygon<Rational> corners = randomPolygon(random);
+    const auto points = weighted(corners);
+    const auto plane = planeOf(std::span<const WeightedPoint<Rational>>(points));
+    for (std::size_t j = 0; j + 2 < corners.size(); ++j)
+      EXPECT_GT(dot(plane.normal,
+                    cross(ExactVec3(corners[j + 1] - corners[j]), ExactVec3(corners[j + 2] - corners[j]))),
+                0);
+  }
+}
+
 /// The same by a fan of triangles from corner 0: what is a diagonal there is inside here.
 FacePlace placeByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
   const auto last = static_cast<int>(corners.size()) - 1;
@@ -181,7 +241,7 @@ TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
     ASSERT_EQ(meet.place.location, expected.location) << "pair " << i;
     ASSERT_EQ(meet.place.feature, expected.feature) << "pair " << i;
     EXPECT_EQ(meet.t, t);
-    EXPECT_EQ(meet.point, target);
+    EXPECT_EQ(meet.point, target); // law (2)
     EXPECT_EQ(meet.which, expected.location == FaceLocation::Outside ? RayPolygonCase::Miss
                           : t < 0                                    ? RayPolygonCase::Behind
                                                                      : RayPolygonCase::Hit);
@@ -189,7 +249,7 @@ TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
   EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }
 
-TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTheArea) {
+TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTheArea) { // law (1)
   RandomNumbers random(114);
   for (int i = 0; i < 1000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
@@ -208,6 +268,83 @@ TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTh
     }
     EXPECT_EQ(sum, dot(area, ray.direction));
   }
+}
+
+TEST(IntersectRayPolygon, Triangle_IsMetAsByThePerps) { // law (3)
+  RandomNumbers random(194);
+  std::map<FaceLocation, int> locations;
+  for (int i = 0; i < 4000; ++i) {
+    const Polygon<Rational> corners{random.wholeVector(2), random.wholeVector(2), random.wholeVector(2)};
+    const Triangle<Rational> triangle{corners[0], corners[1], corners[2]};
+    if (shapeOf(triangle) != TriangleShape::Proper)
+      continue;
+    const Ray<Rational> ray{random.wholeVector(2), random.wholeVector(2)};
+    const auto meet = intersect(ray, corners);
+    const auto perps = intersectRayTriangle(ray, triangle);
+    ASSERT_EQ(meet.crosses(), perps.crosses());
+    if (!meet.crosses())
+      continue;
+    ++locations[meet.place.location];
+    EXPECT_EQ(meet.which == RayPolygonCase::Hit, perps.which == RayTriangleCase::Hit);
+    EXPECT_EQ(meet.which == RayPolygonCase::Behind, perps.which == RayTriangleCase::Behind);
+    EXPECT_EQ(meet.t, perps.plane.t);
+    EXPECT_EQ(meet.point, perps.plane.point);
+    EXPECT_EQ(meet.place.location, perps.place.location);
+    const bool isEdge = perps.place.location == FaceLocation::Edge;
+    EXPECT_EQ(meet.place.feature, isEdge ? (perps.place.feature + 1) % 3 : perps.place.feature);
+  }
+  EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
+}
+
+TEST(IntersectRayPolygon, CornersTheOtherWayRound_GiveTheSameAndNegativeProducts) { // law (4)
+  RandomNumbers random(195);
+  for (int i = 0; i < 1000; ++i) {
+    const Polygon<Rational> corners = randomPolygon(random);
+    const Polygon<Rational> reversed(corners.rbegin(), corners.rend());
+    const ExactVec3 direction = random.wholeVector(4);
+    const Ray<Rational> ray{someTarget(corners, random) - direction * random.rational(2), direction};
+    const auto meet = intersect(ray, corners);
+    const auto back = intersect(ray, reversed);
+    EXPECT_EQ(back.which, meet.which);
+    EXPECT_EQ(back.t, meet.t);
+    EXPECT_EQ(back.point, meet.point);
+    EXPECT_EQ(back.place.location, meet.place.location);
+    const std::size_t count = corners.size();
+    for (std::size_t edge = 0; edge < count; ++edge)
+      EXPECT_EQ(back.products[edge], -meet.products[(2 * count - 2 - edge) % count]);
+  }
+}
+
+TEST(PlaceByProducts, LineTurnedRoundOrAnotherFirstEdge_IsTheSamePlace) {
+  RandomNumbers random(196);
+  std::map<FaceLocation, int> locations;
+  for (int i = 0; i < 2000; ++i) {
+    const Polygon<Rational> corners = randomPolygon(random);
+    const ExactVec3 direction = random.nonZeroWholeVector(4);
+    const auto meet = intersect({someTarget(corners, random) - direction, direction}, corners);
+    if (!meet.crosses())
+      continue;
+    ++locations[meet.place.location];
+    auto products = meet.products;
+    const auto place = [&](bool withNormal) {
+      return placeByProducts(std::span<const Rational>(products), withNormal);
+    };
+    // The sum is direction·(twice the area vector).
+    const bool withNormal = std::accumulate(products.begin(), products.end(), Rational(0)) > 0;
+    EXPECT_EQ(place(withNormal).location, meet.place.location);
+    const int count = static_cast<int>(products.size());
+    for (int first = 1; first < count; ++first) { // law (2)
+      std::rotate(products.begin(), products.begin() + 1, products.end());
+      const auto moved = place(withNormal);
+      EXPECT_EQ(moved.location, meet.place.location);
+      EXPECT_EQ(moved.feature < 0 ? -1 : (moved.feature + first) % count, meet.place.feature);
+    }
+    std::rotate(products.begin(), products.begin() + 1, products.end());
+    std::transform(products.begin(), products.end(), products.begin(), std::negate());
+    EXPECT_EQ(place(!withNormal).location, meet.place.location); // law (1)
+    EXPECT_EQ(place(!withNormal).feature, meet.place.feature);
+  }
+  EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }
 
 TEST(IntersectRayPolygon, RayAlongThePlane_IsParallelOrInThePlane) {

@@ -32,15 +32,15 @@ TEST(ProjectVector, AnyVectors_SplitIntoAPartAlongAndAPartAcross) {
     const ExactVec3 vector = random.vector();
     const ExactVec3 onto = random.nonZeroVector();
     const auto result = projectVector(vector, onto);
-    EXPECT_EQ(ExactVec3(result.projection + result.rejection), vector);
+    EXPECT_EQ(ExactVec3(result.projection + result.rejection), vector); // law (1)
     EXPECT_EQ(dot(result.rejection, onto), 0);
     EXPECT_TRUE(isZero(cross(result.projection, onto)));
-    EXPECT_EQ(result.scalar, Surd::root(dot(result.projection, result.projection), result.scalar.sign()));
-    EXPECT_EQ(result.scalar.sign(), dot(result.projection, onto).sign());
+    EXPECT_EQ(result.scalar,
+              Surd::root(dot(result.projection, result.projection), dot(vector, onto).sign())); // law (2)
   }
 }
 
-TEST(ProjectVector, ProjectedAgain_StaysAsItIs) {
+TEST(ProjectVector, ProjectedAgain_StaysAsItIs) { // law (3)
   RandomNumbers random(72);
   for (int i = 0; i < 1000; ++i) {
     const ExactVec3 onto = random.nonZeroVector();
@@ -53,7 +53,7 @@ TEST(ProjectVector, ProjectedAgain_StaysAsItIs) {
   }
 }
 
-TEST(ProjectVector, LengthAndTurnOfTheOther_ChangeOnlyTheScalarsSign) {
+TEST(ProjectVector, LengthAndTurnOfTheOther_ChangeOnlyTheScalarsSign) { // law (4)
   RandomNumbers random(73);
   for (int i = 0; i < 1000; ++i) {
     const ExactVec3 vector = random.vector();
@@ -62,6 +62,7 @@ TEST(ProjectVector, LengthAndTurnOfTheOther_ChangeOnlyTheScalarsSign) {
     const auto result = projectVector(vector, onto);
     const auto scaled = projectVector(vector, ExactVec3(onto * k));
     EXPECT_EQ(scaled.projection, result.projection);
+    EXPECT_EQ(scaled.rejection, result.rejection);
     EXPECT_EQ(scaled.scalar, k > 0 ? result.scalar : -result.scalar);
   }
 }

@@ -7,7 +7,24 @@
 namespace halfspace {
 namespace {
 
-TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) {
+TEST(Prepare, AnyProperTriangle_HasFormsThatTellItsCornersApart) {
+  RandomNumbers random(197);
+  for (int i = 0; i < 500; ++i) {
+    const Triangle<Rational> triangle = random.properTriangle();
+    const auto prepared = prepare(triangle);
+    const auto formsAt = [&](const ExactVec3 &x) { // law (1)
+      return ExactVec3(evaluate(prepared.plane, x), evaluate(prepared.s, x), evaluate(prepared.t, x));
+    };
+    EXPECT_EQ(formsAt(triangle.p0), ExactVec3(0, 0, 0));
+    EXPECT_EQ(formsAt(triangle.p1), ExactVec3(0, 1, 0));
+    EXPECT_EQ(formsAt(triangle.p2), ExactVec3(0, 0, 1));
+    const auto plane = planeThrough(triangle.p0, triangle.p1, triangle.p2); // law (2)
+    EXPECT_EQ(prepared.plane.normal, plane.normal);
+    EXPECT_EQ(prepared.plane.offset, plane.offset);
+  }
+}
+
+TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) { // law (1)
   RandomNumbers random(165);
   int hits = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -27,6 +44,16 @@ TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) {
     }
   }
   EXPECT_GT(hits, 200);
+}
+
+TEST(QuickHit, DegenerateTriangleOrNoDirection_IsNoHit) { // law (1)
+  const ExactVec3 a(1, 2, 3);
+  const ExactVec3 zero(0, 0, 0);
+  const Triangle<Rational> proper{a, ExactVec3(3, 0, 0), ExactVec3(0, 4, 0)};
+  EXPECT_FALSE(quickHit(Ray<Rational>{zero, a}, Triangle<Rational>{a, a, a}).hit);
+  EXPECT_FALSE(quickHit(Ray<Rational>{zero, a}, Triangle<Rational>{zero, a, a + a}).hit);
+  EXPECT_FALSE(quickHit(Ray<Rational>{a, zero}, proper).hit);
+  EXPECT_FALSE(quickHit(Ray<Rational>{a, zero}, prepare(proper)).hit);
 }
 
 TEST(QuickHit, DoublesThatOverflow_AreNoHit) {

@@ -80,11 +80,15 @@ TEST(ToText, Fraction_IsInLowestTermsWithoutDenominatorOne) {
   EXPECT_EQ(toText(Rational(14, 7)), "2");
 }
 
-TEST(ToText, ReadBack_GivesTheSameFraction) {
+TEST(ToText, ReadBack_GivesTheSameFraction) { // law (1) of parseRational
   RandomNumbers random(1);
   for (int i = 0; i < 1000; ++i) {
     const Rational value = random.rational(1000000);
     EXPECT_EQ(parseRational(toText(value)), value);
+    const Rational limit = tenToThe(static_cast<int>(maxDigits));
+    const Rational large = (limit - random.integer(1, 999)) / (limit - random.integer(1, 999));
+    EXPECT_EQ(parseRational(toText(large)), large);
+    EXPECT_EQ(parseRational(toText(-large)), -large);
   }
 }
 
@@ -98,7 +102,17 @@ TEST(ToDouble, DecimalsOfEverySize_AreRoundedAsTheCLibraryDoes) {
   }
 }
 
-TEST(ToDouble, AnyDouble_IsItself) {
+TEST(ToDouble, LargerFraction_IsNoSmallerDoubleAndTheNegativeOneIsTheNegative) {
+  RandomNumbers random(206);
+  for (int i = 0; i < 5000; ++i) {
+    const Rational x = random.rational() * tenToThe(random.integer(-330, 315));
+    const Rational step = abs(x) * tenToThe(-random.integer(14, 18)) * random.integer(0, 3);
+    EXPECT_EQ(toDouble(Rational(-x)), -toDouble(x));      // law (1)
+    EXPECT_LE(toDouble(x), toDouble(Rational(x + step))); // law (2)
+  }
+}
+
+TEST(ToDouble, AnyDouble_IsItself) { // law (3)
   RandomNumbers random(3);
   for (int i = 0; i < 10000; ++i) {
     const double value = random.anyDouble();
@@ -145,6 +159,25 @@ TEST(ToDouble, BeyondTheLargestDouble_IsInfinite) {
   EXPECT_EQ(toDouble(tenToThe(400)), infinity);
 }
 
+TEST(NearestDouble, AnyFractionAndExponent_IsTheDoubleOfTheirProduct) { // law (1)
+  RandomNumbers random(207);
+  for (int i = 0; i < 3000; ++i) {
+    const Rational value = random.rational() * tenToThe(random.integer(-30, 30));
+    const int exponent = random.integer(-1200, 1200);
+    const Rational power(Integer(Integer(1) << std::abs(exponent)));
+    EXPECT_EQ(nearestDouble(value.numerator(), value.denominator(), exponent),
+              toDouble(exponent < 0 ? Rational(value / power) : Rational(value * power)));
+  }
+}
+
+TEST(PowerOfTen, AnyTwoExponents_MultiplyToTheirSums) { // law (1)
+  for (int a = -40; a <= 40; ++a) {
+    EXPECT_EQ(powerOfTen(a), tenToThe(a));
+    for (int b = -40; b <= 40; ++b)
+      EXPECT_EQ(powerOfTen(a) * powerOfTen(b), powerOfTen(a + b));
+  }
+}
+
 TEST(NearestDouble, ScaledByAPowerOfTwo_IsTheScaledFraction) {
   EXPECT_EQ(nearestDouble(3, 4, 10), 768);
   EXPECT_EQ(nearestDouble(-3, 4, -1074), -smallest);
@@ -166,9 +199,11 @@ TEST(RoundToMultiple, AnyValueAndStep_GivesTheNearestMultiple) {
     const Rational value = random.rational(1000);
     const Rational step = abs(random.nonZeroRational());
     const Rational rounded = roundToMultiple(value, step);
-    EXPECT_EQ((rounded / step).denominator(), 1);
+    EXPECT_EQ((rounded / step).denominator(), 1); // law (1)
     EXPECT_LE(abs(rounded - value), step / 2);
-    EXPECT_EQ(roundToMultiple(rounded, step), rounded);
+    EXPECT_EQ(roundToMultiple(rounded, step), rounded); // law (2)
+    const Rational shift = step * random.integer(-9, 9);
+    EXPECT_EQ(roundToMultiple(Rational(value + shift), step), rounded + shift); // law (3)
   }
 }
 

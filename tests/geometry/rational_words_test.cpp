@@ -42,7 +42,8 @@ Pair randomFraction(RandomNumbers &random) {
 
 bool fitsWord(const mp::cpp_int &value) { return mp::abs(value) <= largestWord; }
 
-/// The same value, in lowest terms over a positive denominator, and in words exactly when it fits.
+/// The same value, in lowest terms over a positive denominator (law (2)), and in words exactly when it fits
+/// (law (3)).
 testing::AssertionResult isSame(const Rational &ours, const Oracle &oracle) {
   const mp::cpp_int p = mp::numerator(oracle);
   const mp::cpp_int q = mp::denominator(oracle);
@@ -54,7 +55,7 @@ testing::AssertionResult isSame(const Rational &ours, const Oracle &oracle) {
               : testing::AssertionFailure() << toText(ours) << " instead of " << p << "/" << q;
 }
 
-TEST(RationalWords, ArithmeticAtTheBorder_IsThatOfBoost) {
+TEST(RationalWords, ArithmeticAtTheBorder_IsThatOfBoost) { // law (1)
   RandomNumbers random(141);
   for (int i = 0; i < 20'000; ++i) {
     const Pair a = randomFraction(random);
@@ -71,7 +72,7 @@ TEST(RationalWords, ArithmeticAtTheBorder_IsThatOfBoost) {
   }
 }
 
-TEST(RationalWords, ComparisonAtTheBorder_IsThatOfBoost) {
+TEST(RationalWords, ComparisonAtTheBorder_IsThatOfBoost) { // law (1)
   RandomNumbers random(142);
   int equal = 0;
   for (int i = 0; i < 20'000; ++i) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -54,7 +55,7 @@ TEST(SolidShape, FaceTurnedOver_IsNotConvex) {
   }
 }
 
-TEST(SolidShape, InsideOut_IsNotConvex) {
+TEST(SolidShape, InsideOut_IsNotConvex) { // law (2)
   Mesh mesh = octahedronMesh();
   for (auto &face : mesh.faces)
     std::reverse(face.begin(), face.end());
@@ -115,9 +116,168 @@ TEST(SolidOf, EachEdge_IsHeldOnceAndUsedByTwoFacesInOppositeDirections) {
         ++uses[side.edge];
         directions[side.edge] += side.forward ? 1 : -1;
       }
-    EXPECT_EQ(solid.edges.size() * 2, sides);
+    EXPECT_EQ(solid.edges.size() * 2, sides); // law (1)
     EXPECT_EQ(uses, std::vector<int>(solid.edges.size(), 2));
     EXPECT_EQ(directions, std::vector<int>(solid.edges.size(), 0));
+  }
+}
+
+bool areWhole(const ExactVec3 &v) { return v.x.isInteger() && v.y.isInteger() && v.z.isInteger(); }
+
+TEST(SolidOf, PlanesAndLines_AreWholeMultiplesOfThoseOfTheMeshWithAllVerticesBehind) {
+  RandomNumbers random(198);
+  for (int i = 0; i < 100; ++i) {
+    const Mesh mesh = randomSolid(random);
+    const auto solid = solidOf(mesh);
+    for (std::size_t j = 0; j < mesh.faces.size(); ++j) {
+      const auto &plane = solid.faces[j].plane;
+      const std::set<std::uint32_t> own(mesh.faces[j].begin(), mesh.faces[j].end());
+      for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) { // law (2)
+        const Rational side = evaluate(plane, mesh.vertices[vertex]);
+        EXPECT_LE(side, 0);
+        EXPECT_TRUE(!own.contains(vertex) || side == 0);
+      }
+      const ExactVec3 normal = meshNormal(mesh, mesh.faces[j]); // law (3)
+      EXPECT_TRUE(isZero(cross(plane.normal, normal)));
+      EXPECT_GT(dot(plane.normal, normal), 0);
+      EXPECT_TRUE(areWhole(plane.normal) && plane.offset.isInteger());
+    }
+    for (const auto &edge : solid.edges) {
+      EXPECT_TRUE(isReal(edge));
+      EXPECT_TRUE(areWhole(edge.direction) && areWhole(edge.moment));
+    }
+  }
+}
+
+/// The same mesh with vertices and faces in another order, and faces that start with another corner.
+Mesh shuffled(const Mesh &mesh, std::mt19937_64 &engine) {
+  std::vector<std::uint32_t> places(mesh.vertices.size());
+  std::iota(places.begin(), places.end(), 0U);
+  std::shuffle(places.begin(), places.end(), engine);
+  Mesh result = mesh;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    result.vertices[places[i]] = mesh.vertices[i];
+  for (auto &face : result.faces) {
+    for (std::uint32_t &corner : face)
+      corner = places[corner];
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(engine() % face.size()), face.end());
+  }
+  std::shuffle(result.faces.begin(), result.faces.end(), engine);
+  return result;
+}
+
+/// The mesh with one vertex moved, one face turned over or left out, a point added, or as it is.
+Mesh damaged(Mesh mesh, RandomNumbers &random) {
+  const auto index = [&](std::size_t count) {
+    return static_cast<std::size_t>(random.integer(0, static_cast<int>(count) - 1));
+  };
+  auto &face = mesh.faces[index(mesh.faces.size())];
+  switch (random.integer(0, 4)) {
+  case 0:
+    mesh.vertices[index(mesh.vertices.size())] += random.wholeVector(1) * Rational(1, 2);
+    break;
+  case 1:
+    std::reverse(face.begin(), face.end());
+    break;
+  case 2:
+    std::swap(face, mesh.faces.back());
+    mesh.faces.pop_back();
+    break;
+  case 3:
+    mesh.vertices.push_back((mesh.vertices[face[0]] + mesh.vertices[face[1]]) * Rational(1, 2) +
+                            random.wholeVector(1) * Rational(random.integer(0, 1), 4));
+    break;
+  default:
+    break;
+  }
+  return mesh;
+}
+
+TEST(SolidShape, AnotherOrderOfFacesVerticesAndCorners_IsTheSame) { // law (1)
+  RandomNumbers random(199);
+  std::mt19937_64 engine(199);
+  std::map<SolidShape, int> shapes;
+  for (int i = 0; i < 400; ++i) {
+    const Mesh mesh = damaged(randomSolid(random), random);
+    const SolidShape shape = shapeOf(mesh);
+    ++shapes[shape];
+    for (int j = 0; j < 5; ++j)
+      ASSERT_EQ(shapeOf(shuffled(mesh, engine)), shape) << "mesh " << i;
+    Mesh insideOut = mesh; // law (2)
+    for (auto &face : insideOut.faces)
+      std::reverse(face.begin(), face.end());
+    EXPECT_TRUE(shape != SolidShape::Convex || shapeOf(insideOut) == SolidShape::NotConvex);
+  }
+  EXPECT_EQ(shapes.size(), 4U) << "a shape did not come up";
+}
+
+/// The hull of more points than are looked at one by one.
+Mesh largeHull(RandomNumbers &random) {
+  for (;;) {
+    Mesh mesh;
+    for (int i = 0; i < 22; ++i) {
+      // Near to a sphere, so that most of them are corners.
+      const ExactVec3 way = random.nonZeroWholeVector(50);
+      const auto length = static_cast<int>(std::sqrt(toDouble(dot(way, way))));
+      mesh.vertices.push_back(way * Rational(100, std::max(1, length)));
+    }
+    if (addHull(mesh))
+      return mesh;
+  }
+}
+
+TEST(AreAllBehind, ManyVertices_AreBehindAsOneByOne) { // law (1)
+  RandomNumbers random(200);
+  int behind = 0;
+  int notBehind = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Mesh hull = largeHull(random);
+    for (int j = 0; j < 20; ++j) {
+      Mesh mesh = hull;
+      if (j % 3 == 0) { // not closed, so that faces in front of a vertex need not be its neighbours'
+        mesh.vertices[0] += random.wholeVector(60);
+        mesh.faces.resize(mesh.faces.size() / 2);
+      }
+      mesh = damaged(mesh, random);
+      ASSERT_GT(mesh.vertices.size(), 16U);
+      const FaceSet<Rational> set{weighted(mesh.vertices), mesh.faces, edgesByEnds(mesh.faces)};
+      std::vector<Plane<Rational>> planes;
+      for (const auto &face : mesh.faces)
+        planes.push_back(planeOf(face, set.vertices));
+      const bool expected = areAllBehindOneByOne(set, planes);
+      (expected ? behind : notBehind) += 1;
+      ASSERT_EQ(areAllBehind(set), expected) << "hull " << i << ", mesh " << j;
+    }
+  }
+  EXPECT_GT(behind, 50);
+  EXPECT_GT(notBehind, 50);
+}
+
+TEST(IsInside, CornersInAnyOrder_TellTheSameAsBarycentricCoordinates) { // law (1)
+  RandomNumbers random(201);
+  for (int i = 0; i < 300; ++i) {
+    std::array<ExactVec3, 4> corners;
+    const auto volume = [&] {
+      return dot(ExactVec3(corners[1] - corners[0]),
+                 cross(ExactVec3(corners[2] - corners[0]), ExactVec3(corners[3] - corners[0])));
+    };
+    do
+      for (ExactVec3 &corner : corners)
+        corner = random.wholeVector(3);
+    while (volume() == 0);
+    // Inside exactly where all four coordinates are positive.
+    const std::array<int, 3> parts{random.integer(-1, 4), random.integer(-1, 4), random.integer(-1, 4)};
+    const int last = 6 - parts[0] - parts[1] - parts[2];
+    const bool inside = parts[0] > 0 && parts[1] > 0 && parts[2] > 0 && last > 0;
+    const ExactVec3 point = (corners[0] * Rational(parts[0]) + corners[1] * Rational(parts[1]) +
+                             corners[2] * Rational(parts[2]) + corners[3] * Rational(last)) *
+                            Rational(1, 6);
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    do
+      EXPECT_EQ(isInside(weighted(point), {weighted(corners[order[0]]), weighted(corners[order[1]]),
+                                           weighted(corners[order[2]]), weighted(corners[order[3]])}),
+                inside);
+    while (std::next_permutation(order.begin(), order.end()));
   }
 }
 
@@ -281,6 +441,57 @@ TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
     EXPECT_GE(cases[which], enough) << static_cast<int>(which);
   for (const auto place : {SolidPlace::Outside, SolidPlace::On, SolidPlace::Inside})
     EXPECT_GE(origins[place], enough) << static_cast<int>(place);
+}
+
+TEST(IntersectRaySolid, AnySolidAndRay_IsMetBetweenTheTwoAndTheSameWhenStretched) {
+  RandomNumbers random(202);
+  std::map<SolidContacts, int> contacts;
+  for (int i = 0; i < 1500; ++i) {
+    const Mesh mesh = randomSolid(random);
+    const auto solid = solidOf(mesh);
+    const auto &face = someFace(mesh, random);
+    const ExactVec3 direction = someDirection(mesh, face, random);
+    if (isZero(direction))
+      continue;
+    const Ray<Rational> ray{someTarget(mesh, face, random) - direction * random.rational(2), direction};
+    const auto meet = intersectRaySolid(ray, solid);
+    ++contacts[meet.contacts];
+    const Rational k = random.nonZeroRational(3);
+    const auto scaled = intersectRaySolid({ray.origin, ray.direction * k}, solid);
+    EXPECT_EQ(scaled.contacts, meet.contacts); // law (4)
+    EXPECT_EQ(scaled.origin, meet.origin);
+    ASSERT_EQ(meet.entered && meet.left, meet.contacts != SolidContacts::None);
+    ASSERT_EQ(scaled.entered && scaled.left, meet.contacts != SolidContacts::None);
+    if (meet.contacts == SolidContacts::None)
+      continue;
+    const auto &entered = k > 0 ? scaled.entered : scaled.left;
+    const auto &left = k > 0 ? scaled.left : scaled.entered;
+    EXPECT_EQ(entered->t, meet.entered->t / k);
+    EXPECT_EQ(entered->point, meet.entered->point);
+    EXPECT_EQ(entered->face, meet.entered->face);
+    EXPECT_EQ(left->t, meet.left->t / k);
+    EXPECT_EQ(left->point, meet.left->point);
+    EXPECT_EQ(left->face, meet.left->face);
+
+    EXPECT_LE(meet.entered->t, meet.left->t); // law (1)
+    EXPECT_EQ(meet.entered->t == meet.left->t, meet.contacts == SolidContacts::One);
+    for (const auto &crossing : {meet.entered, meet.left}) { // law (3)
+      EXPECT_EQ(crossing->point, pointAt(ray, crossing->t));
+      EXPECT_TRUE(faceContains(mesh, mesh.faces[crossing->face], crossing->point));
+    }
+    const auto placeAt = [&](const Rational &t) { // law (2)
+      return intersectRaySolid({pointAt(ray, t), ray.direction}, solid).origin;
+    };
+    EXPECT_EQ(placeAt(meet.entered->t), SolidPlace::On);
+    EXPECT_EQ(placeAt(meet.left->t), SolidPlace::On);
+    EXPECT_EQ(placeAt(Rational(meet.entered->t - tenToThe(-30))), SolidPlace::Outside);
+    EXPECT_EQ(placeAt(Rational(meet.left->t + tenToThe(-30))), SolidPlace::Outside);
+    if (meet.contacts != SolidContacts::One) {
+      EXPECT_EQ(placeAt(Rational(meet.entered->t + (meet.left->t - meet.entered->t) / 3)),
+                meet.contacts == SolidContacts::Two ? SolidPlace::Inside : SolidPlace::On);
+    }
+  }
+  EXPECT_EQ(contacts.size(), 4U) << "a kind of contact did not come up";
 }
 
 TEST(IntersectRaySolid, CubeTouchedAtACornerAndAlongAnEdgeAndInAFace_SaysWhich) {

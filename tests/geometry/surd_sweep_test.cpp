@@ -72,7 +72,7 @@ TEST(SurdSweep, AnyOrderOfOperations_HasATextExactlyWhereTheValueIsWithinTheLimi
       (expected ? within : beyond) += 1;
       ASSERT_EQ(value.canonical(), expected) << "value " << i << ", step " << step;
       ASSERT_EQ(value, direct.value());
-      ASSERT_EQ(toText(value), toText(direct.value()));
+      ASSERT_EQ(toText(value), toText(direct.value())); // law (1) of the text
       if (expected) {
         ASSERT_EQ(value.rootFactor() * value.rootFactor() * Rational(value.radicand()),
                   value.isRational() ? Rational(0) : direct.rootSquare());

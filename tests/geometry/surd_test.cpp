@@ -71,11 +71,29 @@ TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
     const Surd value = surd(square, factor);
     ASSERT_TRUE(value.canonical());
     EXPECT_TRUE(isSquareFree(value.radicand())) << value.radicand();
-    EXPECT_EQ(value.sign(), factor.sign());
+    EXPECT_EQ(value.sign(), factor.sign()); // law (1)
     const Rational root = value.isRational() ? value.rationalPart() : value.rootFactor();
     EXPECT_EQ(Rational(root * root * Rational(value.radicand())), Rational(square * factor * factor));
     EXPECT_EQ(value.isRational(), value.radicand() == 1);
   }
+}
+
+TEST(SurdRoot, FactorTakenUnderTheRoot_HasTheSamePartsWithinAndBeyondTheLimit) { // law (2)
+  RandomNumbers random(203);
+  int beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Rational square = abs(random.rational(50)) * tenToThe(random.integer(-40, 40));
+    const Rational factor = random.rational();
+    const Rational k = i % 10 == 0 ? Rational(0) : abs(random.nonZeroRational());
+    const Surd inside = surd(Rational(k * k * square), factor);
+    const Surd outside = surd(square, Rational(k * factor));
+    EXPECT_EQ(inside.rationalPart(), outside.rationalPart());
+    EXPECT_EQ(inside.rootFactor(), outside.rootFactor());
+    EXPECT_EQ(inside.radicand(), outside.radicand());
+    EXPECT_EQ(inside.canonical(), outside.canonical());
+    beyond += inside.canonical() ? 0 : 1;
+  }
+  EXPECT_GT(beyond, 50);
 }
 
 TEST(SurdRoot, LargePrimeFactors_AreFoundUpToTheLimit) {
@@ -124,6 +142,25 @@ TEST(SurdArithmetic, ScalingShiftingAndNegating_ActOnBothParts) {
   EXPECT_EQ(toText(Surd(Rational(2, 3)) * Rational(3)), "2");
 }
 
+TEST(SurdArithmetic, AnyValueWithinAndBeyondTheLimit_ObeysItsLaws) {
+  RandomNumbers random(204);
+  int beyond = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Rational square = abs(random.rational(50)) * tenToThe(random.integer(-40, 40));
+    const Surd x = surd(square, random.rational(), random.rational());
+    const Rational r = random.rational();
+    const Rational k = i % 10 == 0 ? Rational(0) : random.nonZeroRational();
+    EXPECT_EQ((x + r) * k, x * k + Rational(r * k)); // law (1)
+    EXPECT_EQ(-x, x * Rational(-1));                 // law (2)
+    EXPECT_EQ(x + r + Rational(-r), x);              // law (3)
+    EXPECT_TRUE(k == 0 || x * k * Rational(1 / k) == x);
+    EXPECT_EQ((-x).sign(), -x.sign());     // law (1) of the sign
+    EXPECT_EQ(toDouble(-x), -toDouble(x)); // law (1) of the double
+    beyond += x.canonical() ? 0 : 1;
+  }
+  EXPECT_GT(beyond, 50);
+}
+
 TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
   int expected = -1;
   for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {
@@ -134,7 +171,7 @@ TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
   }
 }
 
-TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) {
+TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) { // law (2)
   RandomNumbers random(12);
   for (int i = 0; i < 3000; ++i) {
     const Rational square = abs(random.nonZeroRational(50));
@@ -188,6 +225,17 @@ TEST(OverRoot, DoubleAndFraction_Agree) {
   EXPECT_DOUBLE_EQ(overRoot(30.0, 9.0), 10.0);
   EXPECT_EQ(overRoot(Rational(30), Rational(9)), Surd(10));
   EXPECT_DOUBLE_EQ(overRoot(1.0, 3.0), toDouble(overRoot(Rational(1), Rational(3))));
+}
+
+TEST(OverRoot, AnyFraction_IsTheSameForAMultipleAndTheRootBySquare) {
+  RandomNumbers random(205);
+  for (int i = 0; i < 1000; ++i) {
+    const Rational value = random.rational();
+    const Rational square = abs(random.nonZeroRational());
+    const Rational k = abs(random.nonZeroRational());
+    EXPECT_EQ(overRoot(Rational(k * value), Rational(k * k * square)), overRoot(value, square)); // law (1)
+    EXPECT_EQ(overRoot(value, square) * square, timesRoot(value, square));                       // law (2)
+  }
 }
 
 } // namespace

@@ -87,6 +87,7 @@ bool samePlace(const FacePlace &a, const FacePlace &b) {
   return a.location == b.location && a.feature == b.feature;
 }
 
+/// Law (3) of Cramer's rule; laws (1) and (2) of the Plücker products.
 bool methodsAgree(const Ray<Rational> &ray, const Triangle<Rational> &triangle) {
   const auto perps = intersectRayTriangle(ray, triangle);
   const auto cramer = intersectRayTriangleCramer(ray, triangle);
@@ -158,7 +159,43 @@ TEST(Cramer, AnyRayAndTriangle_HasTheDeterminantsOfItsColumns) {
     EXPECT_EQ(cramer.detSigma, determinant(toO, toT, ray.direction));
     EXPECT_EQ(cramer.detTau, determinant(toS, toO, ray.direction));
     EXPECT_EQ(cramer.detT, determinant(toS, toT, toO));
+    EXPECT_EQ(ExactVec3(toS * cramer.detSigma + toT * cramer.detTau + ray.direction * cramer.detT),
+              ExactVec3(toO * cramer.det));                              // law (1)
+    EXPECT_EQ(cramer.det, dot(ray.direction, perpsOf(triangle).normal)); // law (2)
   }
+}
+
+TEST(PluckerProducts, AnyRayAndTriangle_ObeyTheirLaws) {
+  RandomNumbers random(190);
+  int inPlane = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Triangle<Rational> triangle = someTriangle(random);
+    const Ray<Rational> ray = someRay(triangle, random);
+    const auto products = pluckerProducts(ray, triangle);
+    for (int edge = 0; edge < 3; ++edge) {
+      const ExactVec3 from = cornerOf(triangle, (edge + 1) % 3) - ray.origin;
+      const ExactVec3 to = cornerOf(triangle, (edge + 2) % 3) - ray.origin;
+      EXPECT_EQ(products[static_cast<std::size_t>(edge)], dot(ray.direction, cross(from, to))); // law (1)
+    }
+    const ExactVec3 normal = perpsOf(triangle).normal;
+    EXPECT_EQ(products[0] + products[1] + products[2], dot(ray.direction, normal)); // law (2)
+
+    const bool inItsPlane =
+        dot(ray.direction, normal) == 0 && dot(ExactVec3(ray.origin - triangle.p0), normal) == 0;
+    const bool allZero = products == std::array<Rational, 3>{};
+    if (shapeOf(triangle) == TriangleShape::Proper && !isZero(ray.direction)) {
+      EXPECT_EQ(allZero, inItsPlane); // law (3)
+      inPlane += allZero ? 1 : 0;
+    }
+
+    const Rational k = random.nonZeroRational(3);
+    const Ray<Rational> moved{pointAt(ray, k), ray.direction};
+    EXPECT_EQ(pluckerProducts(moved, triangle), products); // law (4)
+    const auto scaled = pluckerProducts({ray.origin, ray.direction * k}, triangle);
+    for (std::size_t edge = 0; edge < 3; ++edge)
+      EXPECT_EQ(scaled[edge], products[edge] * k);
+  }
+  EXPECT_GT(inPlane, 100);
 }
 
 TEST(PluckerProducts, Normalized_AreTheBarycentricCoordinatesAndSumToOne) {
