@@ -1,5 +1,6 @@
 #include "eval/queries.h"
 
+#include "geometry/case_names.h"
 #include "geometry/hit_all.h"
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
@@ -17,90 +18,6 @@
 
 namespace halfspace {
 namespace {
-
-// --- Words for cases
-
-// The cases that the reader has ruled out before (a zero normal, a degenerate triangle …) have no word.
-
-std::string_view wordOf(PointPlaneCase side) {
-  return side == PointPlaneCase::Positive ? "positive" : side == PointPlaneCase::Negative ? "negative" : "on";
-}
-
-/// Of a ray and something flat, which it may run along.
-template <class Case> std::string_view wordOfFlat(Case which) {
-  switch (which) {
-  case Case::Hit:
-    return "hit";
-  case Case::Behind:
-    return "behind";
-  case Case::Parallel:
-    return "parallel";
-  case Case::InPlane:
-    return "in-plane";
-  default:
-    return "miss"; // a plane has no such case
-  }
-}
-std::string_view wordOf(RayPlaneCase which) { return wordOfFlat(which); }
-std::string_view wordOf(RayTriangleCase which) { return wordOfFlat(which); }
-std::string_view wordOf(RayPolygonCase which) { return wordOfFlat(which); }
-
-/// Of a ray and a body.
-template <class Case> std::string_view wordOfBody(Case which) {
-  return which == Case::Hit ? "hit" : which == Case::Behind ? "behind" : "miss";
-}
-std::string_view wordOf(RaySphereCase which) { return wordOfBody(which); }
-std::string_view wordOf(RaySolidCase which) { return wordOfBody(which); }
-
-std::string_view wordOf(SolidPlace place) {
-  return place == SolidPlace::Outside ? "outside" : place == SolidPlace::Inside ? "inside" : "on";
-}
-
-std::string_view wordOf(SphereContacts contacts) {
-  return contacts == SphereContacts::Two ? "two" : contacts == SphereContacts::Tangent ? "tangent" : "none";
-}
-
-std::string_view wordOf(SolidContacts contacts) {
-  switch (contacts) {
-  case SolidContacts::None:
-    return "none";
-  case SolidContacts::One:
-    return "one";
-  case SolidContacts::Two:
-    return "two";
-  case SolidContacts::Along:
-    return "along";
-  }
-  return {};
-}
-
-std::string_view wordOf(PlanePlaneCase which) {
-  return which == PlanePlaneCase::Line       ? "line"
-         : which == PlanePlaneCase::Parallel ? "parallel"
-                                             : "coincident";
-}
-
-std::string_view wordOf(LineLineCase which) {
-  switch (which) {
-  case LineLineCase::Same:
-    return "same";
-  case LineLineCase::Opposite:
-    return "opposite";
-  case LineLineCase::Parallel:
-    return "parallel";
-  case LineLineCase::Intersecting:
-    return "intersecting";
-  case LineLineCase::Skew:
-    return "skew";
-  case LineLineCase::NotALine:
-    return {};
-  }
-  return {};
-}
-
-std::string_view wordOf(LinePlaneCase which) {
-  return which == LinePlaneCase::Point ? "point" : which == LinePlaneCase::Parallel ? "parallel" : "in-plane";
-}
 
 // --- The queries
 
@@ -126,7 +43,7 @@ void pointPlane(Operands &operands, Answer &answer) {
   const auto measured = measurePointPlane(point, plane);
   answer.number("f", measured.f);
   answer.number("signed_distance", measured.signedDistance);
-  answer.word("side", wordOf(measured.which));
+  answer.word("side", nameOf(measured.which));
   answer.vector("foot", measured.foot);
 }
 
@@ -147,7 +64,7 @@ void rayPlane(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectRayPlane(ray, plane);
-  answer.word("case", wordOf(meet.which));
+  answer.word("case", nameOf(meet.which));
   answer.number("numerator", meet.numerator);
   answer.number("denominator", meet.denominator);
   if (!meet.crosses())
@@ -191,7 +108,7 @@ void rayTriangle(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectRayTriangle(ray, triangle);
-  answer.word("case", wordOf(meet.which));
+  answer.word("case", nameOf(meet.which));
   if (meet.crosses()) {
     addPlace(answer, meet.place);
     answer.number("t", meet.plane.t);
@@ -214,9 +131,9 @@ void raySphere(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectRaySphere(ray, sphere);
-  answer.word("case", wordOf(meet.which));
-  answer.word("contacts", wordOf(meet.contacts));
-  answer.word("origin", wordOf(meet.origin));
+  answer.word("case", nameOf(meet.which));
+  answer.word("contacts", nameOf(meet.contacts));
+  answer.word("origin", nameOf(meet.origin));
   answer.number("discriminant", meet.discriminant);
   if (meet.along.empty())
     return;
@@ -239,7 +156,7 @@ void rayPolygon(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectRayPolygon(ray, std::span<const ExactVec3>(polygon));
-  answer.word("case", wordOf(meet.which));
+  answer.word("case", nameOf(meet.which));
   if (meet.crosses()) {
     addPlace(answer, meet.place);
     answer.number("t", meet.t);
@@ -254,9 +171,9 @@ void raySolid(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectRaySolid(ray, solid);
-  answer.word("case", wordOf(meet.which));
-  answer.word("contacts", wordOf(meet.contacts));
-  answer.word("origin", wordOf(meet.origin));
+  answer.word("case", nameOf(meet.which));
+  answer.word("contacts", nameOf(meet.contacts));
+  answer.word("origin", nameOf(meet.origin));
   if (!meet.entered || !meet.left)
     return;
   const auto coordinates = [](const ExactVec3 &point) {
@@ -273,7 +190,7 @@ void planePlane(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectPlanes(first, second);
-  answer.word("case", wordOf(meet.which));
+  answer.word("case", nameOf(meet.which));
   answer.number("cos_angle", meet.cosine);
   if (meet.which != PlanePlaneCase::Line)
     return;
@@ -303,7 +220,7 @@ void lineLine(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto related = relateLines(first, second);
-  answer.word("case", wordOf(related.which));
+  answer.word("case", nameOf(related.which));
   answer.number("product", related.product);
   answer.truth("perpendicular", related.perpendicular);
   answer.number("distance", related.distance);
@@ -317,7 +234,7 @@ void linePlane(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   const auto meet = intersectLinePlane(line, plane);
-  answer.word("case", wordOf(meet.which));
+  answer.word("case", nameOf(meet.which));
   answer.numbers("homogeneous", std::array{meet.weighted.x, meet.weighted.y, meet.weighted.z, meet.weight});
   if (meet.which == LinePlaneCase::Point)
     answer.vector("point", meet.point);

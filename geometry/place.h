@@ -1,8 +1,6 @@
 // Where a point lies in a face or in a body.
 #pragma once
 
-#include <string_view>
-
 namespace halfspace {
 
 /// Of a point in the plane of a triangle or a polygon.
@@ -14,20 +12,5 @@ struct FacePlace {
 
 /// On: on the body's surface.
 enum class SolidPlace { Outside, On, Inside };
-
-/// For programs: interior, edge, vertex, outside.
-[[nodiscard]] constexpr std::string_view nameOf(FaceLocation location) {
-  switch (location) {
-  case FaceLocation::Interior:
-    return "interior";
-  case FaceLocation::Edge:
-    return "edge";
-  case FaceLocation::Vertex:
-    return "vertex";
-  case FaceLocation::Outside:
-    break;
-  }
-  return "outside";
-}
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 // The line that two planes have in common, by Plücker coordinates (note PL; its point nearest to the origin).
 #include "lessons/object/plane.h"
+#include "geometry/case_names.h"
 #include "geometry/intersect_planes.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
@@ -61,24 +62,24 @@ Out compute(const In &in) {
 }
 
 CaseWords tell(const In &, const Out &at) {
+  const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case PlanePlaneCase::Line:
-    return {"line", words("The planes {E} and {F} meet in a line, with the direction {v}.", at.letters,
-                          {{"v", equation(at.v)}})};
+    return {caseName, words("The planes {E} and {F} meet in a line, with the direction {v}.", at.letters,
+                            {{"v", equation(at.v)}})};
   case PlanePlaneCase::Parallel:
-    return {"parallel",
+    return {caseName,
             words("{E.n} and {F.n} have the same direction, but no point lies in both planes: {E} and "
                   "{F} are parallel.",
                   at.letters)};
   case PlanePlaneCase::Coincident:
-    return {"coincident",
-            words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
-                  "the other.",
-                  at.letters)};
+    return {caseName, words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
+                            "the other.",
+                            at.letters)};
   case PlanePlaneCase::ZeroNormal:
     break;
   }
-  return {"zero-normal",
+  return {caseName,
           words("One of the normals {E.n} and {F.n} is the zero vector: it points nowhere, so there "
                 "is no plane.",
                 at.letters),

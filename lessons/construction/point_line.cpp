@@ -1,5 +1,6 @@
 // How far a point is from a line, by its foot (note PG 6.1: the part of a vector along another).
 #include "geometry/point_line.h"
+#include "geometry/case_names.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -43,16 +44,17 @@ Out compute(const In &in) {
 }
 
 CaseWords tell(const In &, const Out &at) {
+  const std::string caseName(nameOf(at.measured.which));
   switch (at.measured.which) {
   case PointLineCase::Off:
-    return {"off", words("{Q} is beside the line {g}: {distance}.", at.letters,
-                         {{"distance", equation(name(word("distance"), at.dist->value))}})};
+    return {caseName, words("{Q} is beside the line {g}: {distance}.", at.letters,
+                            {{"distance", equation(name(word("distance"), at.dist->value))}})};
   case PointLineCase::On:
-    return {"on", words("{Q} lies on the line {g}, and is its own foot.", at.letters)};
+    return {caseName, words("{Q} lies on the line {g}, and is its own foot.", at.letters)};
   case PointLineCase::ZeroDirection:
     break;
   }
-  return {"zero-direction",
+  return {caseName,
           words("The direction {v} is the zero vector: it points nowhere, so there is no line.", at.letters),
           true};
 }

@@ -1,5 +1,6 @@
 // Where a ray meets a plane, by substitution and by dot products (notes PG 4 and 5; facing normal: note RP
 // 28).
+#include "geometry/case_names.h"
 #include "geometry/intersect_ray_plane.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
@@ -53,23 +54,24 @@ Out compute(const In &in) {
 
 CaseWords tell(const In &, const Out &at) {
   const std::string t = equation(at.t);
+  const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case RayPlaneCase::Hit:
     if (at.meet.t == 0)
-      return {"hit", words("t = 0: the ray starts in the plane, so it hits at its own start.")};
-    return {"hit", words("{t} is positive: the ray hits the plane.", {{"t", t}})};
+      return {caseName, words("t = 0: the ray starts in the plane, so it hits at its own start.")};
+    return {caseName, words("{t} is positive: the ray hits the plane.", {{"t", t}})};
   case RayPlaneCase::Behind:
-    return {"behind",
+    return {caseName,
             words("{t} is negative: the plane is behind the ray's start, so the ray does not hit it.",
                   {{"t", t}})};
   case RayPlaneCase::Parallel:
     return {
-        "parallel",
+        caseName,
         words(
             "{r}·{n} = 0 but ({P0} − {Q})·{n} is not: the ray runs parallel to the plane and never meets it.",
             at.letters)};
   case RayPlaneCase::InPlane:
-    return {"in-plane",
+    return {caseName,
             words("{r}·{n} = 0 and ({P0} − {Q})·{n} = 0: the ray lies in the plane. Every t fits, so "
                   "0/0 names no single point.",
                   at.letters)};

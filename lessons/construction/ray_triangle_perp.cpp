@@ -1,5 +1,6 @@
 // Where a ray meets a triangle, by u⊥ and v⊥ with five dot products (note PG 6.2, figure 4). The ray's
 // parameter is λ here, because s and t belong to the triangle.
+#include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
@@ -81,32 +82,32 @@ std::string wherePlaced(const Out &at) {
 
 CaseWords tell(const In &in, const Out &at) {
   const std::string lambda = equation(at.lambda);
+  const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {"hit",
+    return {caseName,
             words("The ray hits {place}, at {lambda}.", {{"place", wherePlaced(at)}, {"lambda", lambda}})};
   case RayTriangleCase::Behind:
-    return {"behind", words("{lambda} is negative: the triangle is behind the ray's start. The line "
+    return {caseName, words("{lambda} is negative: the triangle is behind the ray's start. The line "
                             "backwards would meet it {place}.",
                             {{"place", wherePlaced(at)}, {"lambda", lambda}})};
   case RayTriangleCase::Miss:
-    return {"miss", words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
-                          {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
+    return {caseName, words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
+                            {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
   case RayTriangleCase::Parallel:
-    return {"parallel", words("{r}·n = 0: the ray runs parallel to the triangle's plane and never meets it.",
-                              at.letters)};
+    return {caseName, words("{r}·n = 0: the ray runs parallel to the triangle's plane and never meets it.",
+                            at.letters)};
   case RayTriangleCase::InPlane:
-    return {"in-plane",
-            words("{r}·n = 0 and {Q} lies in the triangle's plane: the ray runs inside it, and no "
-                  "single point is the hit.",
-                  at.letters)};
+    return {caseName, words("{r}·n = 0 and {Q} lies in the triangle's plane: the ray runs inside it, and no "
+                            "single point is the hit.",
+                            at.letters)};
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident: {
     const auto &[p0, p1, p2] = in.T.object;
     const Term &first = p0 == p1 || p0 == p2 ? at.P0 : at.P1;
     const Term &second = p0 == p1 ? at.P1 : at.P2;
-    return {"coincident",
+    return {caseName,
             words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
                   {{"first", plainText(first)}, {"second", plainText(second)}}),
             true};
@@ -114,7 +115,7 @@ CaseWords tell(const In &in, const Out &at) {
   case RayTriangleCase::Collinear:
     break;
   }
-  return {"collinear",
+  return {caseName,
           words("{P0}, {P1} and {P2} lie on one line: (u·v)² equals (u·u)(v·v), so the denominator is 0 and "
                 "there is no triangle to hit.",
                 at.letters),

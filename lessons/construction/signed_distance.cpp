@@ -1,4 +1,5 @@
 // How far a point is from a plane, and on which side (notes PG 3.4 and 3.5, figure 1).
+#include "geometry/case_names.h"
 #include "geometry/point_plane.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
@@ -58,25 +59,20 @@ Out compute(const In &in) {
 CaseWords tell(const In &, const Out &at) {
   const std::string f = equation(at.f);
   const std::string distance = equation(name(word("signed distance"), at.dist->value));
+  const std::string caseName(nameOf(at.which));
   switch (at.which) {
   case PointPlaneCase::Positive:
-    return {"positive", words("{f} is positive: {Q} lies on the side that {n} points to, {distance}.",
-                              at.letters, {{"f", f}, {"distance", distance}})};
+    return {caseName, words("{f} is positive: {Q} lies on the side that {n} points to, {distance}.",
+                            at.letters, {{"f", f}, {"distance", distance}})};
   case PointPlaneCase::Negative:
-    return {"negative", words("{f} is negative: {Q} lies on the side that {n} points away from, {distance}.",
-                              at.letters, {{"f", f}, {"distance", distance}})};
+    return {caseName, words("{f} is negative: {Q} lies on the side that {n} points away from, {distance}.",
+                            at.letters, {{"f", f}, {"distance", distance}})};
   case PointPlaneCase::On:
-    return {"on", words("f({Q}) = 0: {Q} lies in the plane, and is its own foot.", at.letters)};
+    return {caseName, words("f({Q}) = 0: {Q} lies in the plane, and is its own foot.", at.letters)};
   case PointPlaneCase::ZeroNormal:
     break;
   }
   return zeroNormalWords(at);
-}
-
-std::string sideName(PointPlaneCase which) {
-  return which == PointPlaneCase::Positive   ? "positive"
-         : which == PointPlaneCase::Negative ? "negative"
-                                             : "on";
 }
 
 std::vector<NamedValue> valuesOf(const In &, const Out &at) {
@@ -84,7 +80,7 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   if (at.which == PointPlaneCase::ZeroNormal)
     return values;
   values.push_back(listed("signed_distance", at.dist));
-  values.push_back({"side", words("side"), sideName(at.which)});
+  values.push_back({"side", words("side"), std::string(nameOf(at.which))});
   values.push_back(listed("foot", at.F));
   if (!at.atP0)
     values.push_back(listed("cos_angle", at.cosine));
