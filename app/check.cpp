@@ -1,10 +1,10 @@
 #include "app/check.h"
 
 #include "lessons/reading/document.h"
+#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
-#include "widgets/text/rich_text.h"
 
 #include <algorithm>
 #include <tuple>
@@ -22,24 +22,25 @@ LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
   return {{std::move(*lesson)}, {}};
 }
 
+void addIfUnreadable(const MarkdownFormula::Source &formula, const LessonWords &piece, const Lesson &lesson,
+                     std::vector<Problem> &problems) {
+  const auto read = math::readLatex(formula.latex, lesson.macros);
+  const auto *error = std::get_if<math::ReadError>(&read);
+  if (error)
+    problems.push_back(
+        {words("In “{formula}”, column {column}: {sentence}", {{"formula", shortened(formula.latex)},
+                                                               {"column", std::to_string(error->column)},
+                                                               {"sentence", error->sentence}}),
+         lesson.file, piece.lineAt(formula.place), piece.field});
+}
+
 /// The formulas in a lesson's words that cannot be read, each with its line and the column within it.
 void addUnreadableFormulas(const Lesson &lesson, std::vector<Problem> &problems) {
-  for (const LessonWords &piece : wordsOf(lesson)) {
-    const QString text = QString::fromStdString(piece.text);
-    for (const MarkdownWithMath::Source &formula : separateMath(text).sources) {
-      const std::string latex = formula.latex.toStdString();
-      const auto read = math::readLatex(latex, lesson.macros);
-      const auto *error = std::get_if<math::ReadError>(&read);
-      if (!error)
-        continue;
-      const auto place = static_cast<std::size_t>(text.left(formula.place).toUtf8().size());
-      problems.push_back(
-          {words("In “{formula}”, column {column}: {sentence}", {{"formula", shortened(latex)},
-                                                                 {"column", std::to_string(error->column)},
-                                                                 {"sentence", error->sentence}}),
-           lesson.file, piece.lineAt(place), piece.field});
-    }
-  }
+  for (const LessonWords &piece : wordsOf(lesson))
+    if (const auto markdown = readMarkdown(piece.text))
+      for (const MarkdownFormula &formula : markdown->formulas)
+        for (const MarkdownFormula::Source &source : formula.sources)
+          addIfUnreadable(source, piece, lesson, problems);
 }
 
 } // namespace

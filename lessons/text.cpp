@@ -58,6 +58,20 @@ std::size_t characterLength(std::string_view text) {
   return overlong || halfAPair || beyondUnicode ? 0 : length;
 }
 
+std::string utf8(unsigned code) {
+  const auto last = [code](unsigned shift) { return static_cast<char>(0x80U | (code >> shift & 0x3FU)); };
+  std::string text;
+  if (code < 0x80)
+    text = {static_cast<char>(code)};
+  else if (code < 0x800)
+    text = {static_cast<char>(0xC0U | code >> 6U), last(0)};
+  else if (code < 0x10000)
+    text = {static_cast<char>(0xE0U | code >> 12U), last(6), last(0)};
+  else if (code < 0x110000)
+    text = {static_cast<char>(0xF0U | code >> 18U), last(12), last(6), last(0)};
+  return characterLength(text) == text.size() ? text : "";
+}
+
 std::optional<std::size_t> firstNoText(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
     const std::string_view rest = bytes.substr(at);

@@ -27,6 +27,9 @@ namespace halfspace {
 /// forms and halves of surrogate pairs are not).
 [[nodiscard]] std::size_t characterLength(std::string_view text);
 
+/// The character of a number as text; empty where the number is no character's.
+[[nodiscard]] std::string utf8(unsigned code);
+
 /// Where a text stops being text: at a byte that is not UTF-8, or at a control character other than a tab or
 /// an end of a line. Nothing for a text.
 [[nodiscard]] std::optional<std::size_t> firstNoText(std::string_view bytes);

@@ -12,7 +12,7 @@ eval                 : geometry
 lessons              :
 lessons/term         : geometry lessons
 lessons/figure       : lessons
-lessons/reading      : geometry lessons : JSON YAML
+lessons/reading      : geometry lessons : JSON YAML MD4C
 lessons/files        : lessons lessons/reading
 lessons/object       : geometry lessons lessons/term lessons/figure
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
@@ -54,7 +54,7 @@ grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \
     function libraryOf(header) {
       return header ~ /^(vtk|QVTK)/ ? "VTK" : header ~ /^Q/ ? "Qt" : header ~ /^embree/ ? "Embree" : \
         header ~ /gmp/ ? "GMP" : header ~ /^hb/ ? "HarfBuzz" : header ~ /^(EGL|GL)\// ? "OpenGL" : \
-        header ~ /^yaml-cpp/ ? "YAML" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
+        header ~ /^yaml-cpp/ ? "YAML" : header ~ /^md4c/ ? "MD4C" : header ~ /^nlohmann/ ? "JSON" : header ~ /^CLI\// ? "CLI11" : ""
     }
     {
       split($0, parts, ":")

@@ -3,6 +3,7 @@
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson_reader.h"
 #include "lessons/reading/document.h"
+#include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -171,6 +172,14 @@ Problem tooLarge(const std::string &file) {
           file, 0, ""};
 }
 
+/// What keeps a lesson's words from being read as Markdown, if anything does.
+std::optional<Problem> problemOfWords(const Lesson &lesson) {
+  for (const LessonWords &piece : wordsOf(lesson))
+    if (const auto markdown = readMarkdown(piece.text); !markdown)
+      return Problem{markdown.problem().sentence, lesson.file, piece.lineAt(0), piece.field};
+  return {};
+}
+
 } // namespace
 
 Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file) {
@@ -222,6 +231,8 @@ Result<Lesson> parseLesson(std::string_view text, const std::string &file) {
     return steps.problem();
   lesson->steps = std::move(*steps);
   lesson->file = file;
+  if (auto problem = problemOfWords(*lesson))
+    return std::move(*problem);
   return lesson;
 }
 

@@ -1,49 +1,21 @@
 // Lesson words: Markdown with `$…$` formulas as a document that can be laid out and painted.
 #pragma once
 
+#include "lessons/reading/markdown.h"
+#include "widgets/text/rich_text_style.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QCoreApplication>
-#include <QFont>
-#include <QTextCursor>
+#include <QTextCharFormat>
 #include <QTextDocument>
-#include <QVector>
 
 #include <map>
 #include <memory>
 
 namespace halfspace {
 
-/// Markdown in which every formula stands as a placeholder.
-struct MarkdownWithMath {
-  /// What stands between dollars, without spaces at its ends.
-  struct Source {
-    int place; ///< in the text that was given
-    QString latex;
-  };
-
-  QString markdown;
-  QStringList formulas; ///< LaTeX, in order: set as in a line of text, or large when alone in a paragraph or
-                        ///< in `$$…$$`
-  QVector<Source> sources; ///< as they were written; some formulas above are made of two
-};
-
-/// Takes the formulas out. A `$` in code or after a backslash is no formula, nor is one without a partner in
-/// its paragraph.
-[[nodiscard]] MarkdownWithMath separateMath(const QString &markdown);
-
-/// The distance of lines, as part of their height. Qt puts the extra space below each line.
-inline constexpr double richLineSpacing = 1.28;
-
-/// What rich text looks like.
-struct RichTextStyle {
-  QFont font;
-  QColor ink;
-  QColor warning{}; ///< for formulas that cannot be read; not valid: the ink
-};
-
-/// A text ready to be painted, and to be read out. HTML stands as it is written, links lead nowhere, and
-/// nothing is loaded: an image is its description.
+/// A text ready to be painted, and to be read out. One that is too large to be read as Markdown stands as it
+/// is written.
 class RichText {
   Q_DECLARE_TR_FUNCTIONS(RichText)
 
@@ -67,15 +39,17 @@ public:
 
 private:
   void makeDocument();
-  void placeFormula(QTextCursor place, int index);
-  void replaceFormulas(const QStringList &before);
-  [[nodiscard]] QString problemOf(int formula) const;
+  [[nodiscard]] QTextCharFormat formulaFormat(std::size_t formula, QTextCharFormat text);
+  void replaceFormulas(const std::vector<MarkdownFormula> &before);
+  [[nodiscard]] QString problemOf(std::size_t formula) const;
+  [[nodiscard]] QString plainFormula(std::size_t formula) const;
 
   const Typesetter *m_typesetter;
   RichTextStyle m_style;
-  MarkdownWithMath m_text;
-  QString m_plain;                             ///< with placeholders
-  std::map<int, Typesetter::Picture> m_failed; ///< formulas that cannot be read, by index
+  Markdown m_markdown;
+  QString m_plain;                                     ///< with a character for each formula
+  std::vector<std::size_t> m_shown;                    ///< the formulas, in the order of the document
+  std::map<std::size_t, Typesetter::Picture> m_failed; ///< formulas that cannot be read
   std::unique_ptr<QTextDocument> m_document;
 };
 

@@ -6,6 +6,7 @@
 namespace halfspace {
 
 /// The text with `t = −10/3` and `|n|` kept in one line each: no break beside a relation or inside the bars.
+/// It is one character longer for each bar.
 [[nodiscard]] QString unbroken(QString text);
 
 } // namespace halfspace

@@ -197,6 +197,18 @@ TEST(LessonProblems, TooLarge_IsRefused) {
   EXPECT_NE(problemOf(std::string(maxLessonBytes + 1, 'a')).sentence.find("too large"), std::string::npos);
 }
 
+TEST(LessonProblems, OfWordsThatCannotBeReadAsMarkdown_NameTheirLine) {
+  const Problem deep = problemOf(frontMatter + "## One\n\n" + std::string(50, '>') + " a\n");
+  EXPECT_NE(deep.sentence.find("too deeply"), std::string::npos);
+  EXPECT_EQ(deep.line, 14);
+  const Problem task =
+      problemOf(frontMatter + "## One\n```task\ndo: '" + std::string(50, '>') + " a'\nwhen: t = 1\n```\n");
+  EXPECT_EQ(task.line, 14);
+  EXPECT_EQ(task.field, "do");
+  EXPECT_NE(problemOf(frontMatter + "## One\n" + std::string(100000, 'a')).sentence.find("too long"),
+            std::string::npos);
+}
+
 TEST(LessonProblems, OfAFileThatIsNotThere_IsAProblem) {
   EXPECT_FALSE(readLesson("/no/such/lesson.md"));
   EXPECT_FALSE(readLesson("/"));

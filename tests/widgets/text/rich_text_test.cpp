@@ -4,7 +4,9 @@
 #include <QHelpEvent>
 #include <QImage>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTextBlock>
+#include <QTextList>
 #include <QToolTip>
 #include <QtTest>
 
@@ -30,23 +32,7 @@ class RichTextTest : public QObject {
   Q_OBJECT
 
 private slots:
-  void formulasAreTakenOutAndMarkdownKeptFromThem() {
-    const MarkdownWithMath text = separateMath("Let $P_0$ and $Q_0$ be *points*.");
-    QCOMPARE(text.formulas, (QStringList{"\\textstyle P_0", "\\textstyle Q_0"}));
-    QVERIFY(!text.markdown.contains('_'));
-    QVERIFY(text.markdown.contains("*points*"));
-  }
-
-  void formulaAloneInItsParagraphIsLarge() {
-    QCOMPARE(separateMath("Words\n\n$\\frac{1}{2}$\n\nmore").formulas, QStringList{"\\frac{1}{2}"});
-    QCOMPARE(separateMath("so $$\\frac{1}{2}$$ it is").formulas, QStringList{"\\frac{1}{2}"});
-  }
-
   void whatBelongsToAFormulaIsNotTornOffByTheEndOfALine() {
-    QCOMPARE(
-        separateMath("now $t$ = $3$, or $u$ $\\approx 2$; not $v$ $w$").formulas,
-        (QStringList{"\\textstyle t = 3\\mathclose{\\text{,}}",
-                     "\\textstyle u  \\approx 2\\mathclose{\\text{;}}", "\\textstyle v", "\\textstyle w"}));
     const Typesetter typesetter;
     QCOMPARE(plain("now $t$ = $3$, so", typesetter), QString("now t = 3, so"));
     const RichText rich("word |n| = (2√43)/3 word", typesetter, {QFont(), Qt::black});
@@ -54,21 +40,6 @@ private slots:
     rich.document().size(); // lays it out
     const QTextLine first = rich.document().begin().layout()->lineAt(0);
     QCOMPARE(rich.document().begin().text().left(first.textLength()), QString("word "));
-  }
-
-  void dollarsThatAreNoFormulaStay_data() {
-    QTest::addColumn<QString>("markdown");
-    QTest::newRow("escaped") << "It costs 5\\$ or 6\\$.";
-    QTest::newRow("code") << "Write `$x$` here.";
-    QTest::newRow("alone") << "It costs 5$ only.";
-    QTest::newRow("other paragraph") << "5$ one\n\nand two 6$";
-    QTest::newRow("empty") << "a $$ b";
-  }
-  void dollarsThatAreNoFormulaStay() {
-    QFETCH(QString, markdown);
-    const MarkdownWithMath text = separateMath(markdown);
-    QVERIFY(text.formulas.isEmpty());
-    QCOMPARE(text.markdown, markdown);
   }
 
   void everyFormulaStandsInTheDocument() {
@@ -134,6 +105,52 @@ private slots:
 
   void plainTextReadsTheFormulas() {
     QCOMPARE(plain("Is $P_0$ **here**?", Typesetter()), QString("Is P₀ here?"));
+    QCOMPARE(plain("a\\\n$x$,\n\n- b\n- $y$ c\n\n```\nd\ne\n```", Typesetter()),
+             QString("a\nx,\nb\ny c\nd\ne"));
+    QCOMPARE(plain(QString("a $x$ ") + QChar(QChar::ObjectReplacementCharacter) + " $y$", Typesetter()),
+             QString("a x  y"));
+  }
+
+  void blocksLookLikeWhatTheyAre() {
+    const Typesetter typesetter;
+    const RichText rich("# a $x$ b\n\n> c\n\n3. d\n   - e\n\n   f\n\n```\ng\nh\n```\n\n---\n\n- [x] i",
+                        typesetter, {QFont(), Qt::black});
+    QStringList looks;
+    for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next()) {
+      const QTextBlockFormat format = block.blockFormat();
+      looks << QStringList{block.text().replace(QChar::ObjectReplacementCharacter, '$'),
+                           block.textList() ? block.textList()->itemText(block) +
+                                                  QString::number(block.textList()->format().indent())
+                                            : QString(),
+                           format.headingLevel() > 0 ? "heading" : "",
+                           format.leftMargin() > 0 ? "quote" : "",
+                           format.indent() > 0 ? "indented" : "",
+                           block.charFormat().fontFixedPitch() ? "code" : "",
+                           format.hasProperty(QTextFormat::BlockTrailingHorizontalRulerWidth) ? "rule" : "",
+                           format.marker() == QTextBlockFormat::MarkerType::Checked ? "ticked" : ""}
+                   .filter(QRegularExpression("."))
+                   .join(' ');
+    }
+    QCOMPARE(looks, (QStringList{"a $ b heading", "c quote", "d 1.1", "e .2", "f indented", "g code",
+                                 "h code", "rule", "i .1 ticked"}));
+  }
+
+  void wordsOfAHeadingKeepItsSizeBehindAFormulaAndInOtherFaces() {
+    const Typesetter typesetter;
+    const RichText rich("# a $x$ *b* `c` d", typesetter, {QFont(), Qt::black});
+    const QTextBlock heading = rich.document().begin();
+    for (auto fragment = heading.begin(); !fragment.atEnd(); ++fragment) {
+      const QTextCharFormat format = fragment.fragment().charFormat();
+      QCOMPARE(format.intProperty(QTextFormat::FontSizeAdjustment), 3);
+      QCOMPARE(format.fontWeight(), int(QFont::Bold));
+    }
+  }
+
+  void wordsThatAreTooLongForMarkdownStandAsTheyAreWritten() {
+    const Typesetter typesetter;
+    const QString words("*a* $x$ ");
+    const QString tooLong = words.repeated(int(maxMarkdownBytes) / words.size() + 1);
+    QCOMPARE(plain(tooLong, typesetter), tooLong.trimmed());
   }
 
   void macrosAreKnownToTheEyeAndToTheEar() {
@@ -167,16 +184,6 @@ private slots:
     rich.setMarkdown("Words, $x$ and $y$.");
     QCOMPARE(rich.plain(), QString("Words, x and y."));
     QVERIFY(rich.problemAt(QPointF(120, 10)).isEmpty());
-  }
-
-  void sourcesAreKeptAsTheyWereWritten() {
-    const auto sources = separateMath("now $ t$ = $\\frac{1}$, $$b$$").sources;
-    QCOMPARE(sources.size(), 3);
-    QCOMPARE(sources[0].place, 6);
-    QCOMPARE(sources[0].latex, QString("t"));
-    QCOMPARE(sources[1].place, 12);
-    QCOMPARE(sources[1].latex, QString("\\frac{1}"));
-    QCOMPARE(sources[2].latex, QString("b"));
   }
 
   void text_withOtherValuesInTheSameWords_isAsIfMadeAnew() {

@@ -1,0 +1,74 @@
+// Markdown with `$…$` formulas as a tree of blocks, for whatever shows a lesson's words. Links lead nowhere
+// and nothing is loaded: of a link its text is left, of an image its description. HTML stands as it is
+// written.
+#pragma once
+
+#include "lessons/reading/problem.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace halfspace {
+
+/// What stands between dollars. A `$` in code or after a backslash is no formula, nor is one without a
+/// partner in its paragraph.
+struct MarkdownFormula {
+  /// As it was written, without spaces at its ends.
+  struct Source {
+    std::size_t place; ///< in bytes of the text that was read
+    std::string latex;
+  };
+
+  std::string latex;  ///< `t = 3` where `$t$ = $3$` was written, as no line shall end between them
+  bool large = false; ///< it was in `$$…$$` or alone in its paragraph; else it is set as in a line
+  std::optional<char> punctuation{}; ///< what follows and no line shall begin with: , . ; : ! or ?
+  std::vector<Source> sources{};     ///< one, or the two that `latex` was made of
+};
+
+/// A piece of a line.
+struct MarkdownSpan {
+  enum class Kind { Text, Formula, LineBreak };
+  struct Face {
+    bool strong = false;
+    bool emphasized = false;
+    bool struck = false;
+    bool code = false;
+    bool operator==(const Face &) const = default;
+  };
+
+  Kind kind = Kind::Text;
+  std::string text{};      ///< of a text; not empty, and without ends of lines
+  std::size_t formula = 0; ///< of a formula: its index
+  Face face{};
+  bool operator==(const MarkdownSpan &) const = default;
+};
+
+struct MarkdownBlock {
+  enum class Kind { Paragraph, Heading, Code, Rule, Quote, List, Item };
+
+  Kind kind = Kind::Paragraph;
+  int level = 0; ///< of a heading: from 1 to 6
+  char mark = 0; ///< of a list: its bullet - + or *, or what stands behind its numbers: . or )
+  std::optional<unsigned> number{};      ///< of an item of a numbered list
+  std::optional<bool> ticked{};          ///< of an item with a box
+  std::vector<MarkdownSpan> spans{};     ///< of a paragraph, a heading or code, with breaks between its lines
+  std::vector<MarkdownBlock> children{}; ///< of a quote, a list (its items) or an item
+  bool operator==(const MarkdownBlock &) const = default;
+};
+
+struct Markdown {
+  std::vector<MarkdownBlock> blocks;
+  std::vector<MarkdownFormula> formulas; ///< in the order of the text, also those that no span shows
+};
+
+inline constexpr std::size_t maxMarkdownBytes = 1U << 16U;
+/// So many quotes, lists and items in each other are read.
+inline constexpr std::size_t maxMarkdownDepth = 32;
+
+/// Reads a text in UTF-8. A problem, without a place, where it is larger or nested deeper than the bounds.
+[[nodiscard]] Result<Markdown> readMarkdown(std::string_view text);
+
+} // namespace halfspace

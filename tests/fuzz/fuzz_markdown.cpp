@@ -1,0 +1,49 @@
+// Whatever the bytes: blocks that are not too deep, whose formulas are there, or a problem with a sentence.
+#include "lessons/reading/markdown.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace {
+
+using namespace halfspace;
+
+void demand(bool holds) {
+  if (!holds)
+    std::abort();
+}
+
+void demandSound(const MarkdownBlock &block, const Markdown &markdown, std::size_t depth) {
+  demand(depth <= maxMarkdownDepth + 1);
+  demand(block.spans.empty() || block.children.empty());
+  for (const MarkdownSpan &span : block.spans) {
+    demand(span.text.empty() == (span.kind != MarkdownSpan::Kind::Text));
+    demand(span.text.find('\n') == std::string::npos);
+    demand(span.kind != MarkdownSpan::Kind::Formula || span.formula < markdown.formulas.size());
+  }
+  for (const MarkdownBlock &child : block.children)
+    demandSound(child, markdown, depth + 1);
+}
+
+void demandSound(const MarkdownFormula &formula, std::string_view text) {
+  demand(!formula.sources.empty() && formula.sources.size() <= 2);
+  for (const MarkdownFormula::Source &source : formula.sources)
+    demand(source.place + source.latex.size() <= text.size() &&
+           formula.latex.find(source.latex) != std::string::npos);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char *>(data), size);
+  const auto markdown = readMarkdown(text);
+  if (!markdown) {
+    demand(!markdown.problem().sentence.empty());
+    return 0;
+  }
+  for (const MarkdownBlock &block : markdown->blocks)
+    demandSound(block, *markdown, 1);
+  for (const MarkdownFormula &formula : markdown->formulas)
+    demandSound(formula, text);
+  return 0;
+}
