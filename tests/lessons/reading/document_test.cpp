@@ -93,6 +93,7 @@ TEST(Json, Nodes_KnowTheirKindsAndLines) {
   EXPECT_EQ(document->find("c")->kind, Kind::Map);
   EXPECT_EQ(document->find("c")->line, 5);
   EXPECT_EQ(list.find("a"), nullptr) << "a list has no keys";
+  EXPECT_EQ(parseJson("{\"a\": 1\n}", "a", depth)->find("a")->line, 1) << "a number that ends its line";
 }
 
 TEST(Json, ThatIsDamaged_NamesTheLine) {

@@ -2,12 +2,14 @@
 #include "widgets/lesson/lesson_panel.h"
 
 #include <QHelpEvent>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolTip>
+#include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
@@ -198,19 +200,24 @@ private slots:
     QCOMPARE(requested.takeFirst().at(0).toInt(), 2);
   }
 
-  void answeredQuestion_handsTheFocusToTheWayOn() {
-    LessonPanel panel(m_typesetter);
-    panel.resize(420, 500);
-    panel.show();
+  void answeredQuestion_handsTheFocusToTheWayOn_andThatToNoOther() {
+    QWidget window;
+    auto *panel = new LessonPanel(m_typesetter);
+    auto *number = new QLineEdit; // the next key there would change the scene
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(panel);
+    layout->addWidget(number);
+    window.resize(420, 600);
+    window.show();
     Lesson lesson = someLesson();
     std::swap(lesson.steps[1], lesson.steps[2]);
-    panel.setLesson(lesson);
-    panel.setStep(1);
-    QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2);
-    QTest::mouseClick(shown<ChoiceButton>(panel)[0], Qt::LeftButton);
-    QCOMPARE(panel.focusWidget(), button(panel, "Next"));
-    panel.setStep(2); // the last: its way on is disabled
-    QVERIFY(!qobject_cast<QPushButton *>(panel.focusWidget()));
+    panel->setLesson(lesson);
+    panel->setStep(1);
+    QTRY_COMPARE(shown<ChoiceButton>(*panel).size(), 2);
+    QTest::mouseClick(shown<ChoiceButton>(*panel)[0], Qt::LeftButton);
+    QCOMPARE(window.focusWidget(), button(*panel, "Next"));
+    panel->setStep(2); // the last: its way on is disabled
+    QVERIFY(window.focusWidget() != number);
   }
 
   void lessonWithoutSteps_showsNoWayAnywhere() {
