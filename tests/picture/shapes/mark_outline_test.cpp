@@ -59,6 +59,8 @@ TEST(Outline, OfAnArc_GoesAroundItsCentreFromOneDirectionToTheOther) {
     EXPECT_EQ(place.x, center.x) << "it stays in the plane of both";
   }
   EXPECT_NEAR(lengthOf(path), radius * std::numbers::pi / 2, 0.01 * radius);
+  EXPECT_NEAR(glm::distance(pathOf(arcBetween({0, 0, 1}, {0, 1, 0})).front(), center), radius, rounding)
+      << "however long the directions are";
 }
 
 TEST(Outline, OfAnArcAtTwiceTheSize_IsTwiceAsLarge) {

@@ -147,13 +147,20 @@ TEST(Faces, OfABall_CoverItsSurfaceOnce) {
   sphere.center = {1, 2, 3};
   sphere.radius = 2;
   double area = 0;
+  double low = 3;
+  double high = 3;
   for (const Face &face : facesOfMark(sphere)) {
     area += areaOf(face);
-    for (const Place &corner : face.corners)
+    for (const Place &corner : face.corners) {
       EXPECT_NEAR(glm::distance(corner, sphere.center), 2, 1e-9);
+      low = std::min(low, corner.z);
+      high = std::max(high, corner.z);
+    }
     EXPECT_GE(face.corners.size(), 3U);
     EXPECT_DOUBLE_EQ(face.opacity, theme().polygonOpacity / 2) << "it is looked through twice";
   }
+  EXPECT_NEAR(low, 1, 1e-9);
+  EXPECT_NEAR(high, 5, 1e-9);
   EXPECT_NEAR(area, 4 * std::numbers::pi * 4, 0.05 * 4 * std::numbers::pi * 4);
 }
 
