@@ -1,6 +1,7 @@
 #include "widgets/picture/labels/label_layout.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -94,6 +95,54 @@ TEST(LabelLayout, HemmedInALabelMovesAwayAndGetsALeaderLine) {
   const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, crowd, size, 1);
   ASSERT_EQ(placed.size(), 1U);
   EXPECT_TRUE(placed[0].needsLeader);
+}
+
+TEST(LabelLayout, PinnedALabelIsCentredOnItsAnchorWhateverIsThere) {
+  LabelObstacles crowd;
+  crowd.discs.push_back({{400, 300}, 30});
+  const LabelRequest tick{"tick", {60, 24}, {{{400, 300}, {}, 9}}, true};
+  const auto placed = LabelLayout().place({tick}, crowd, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_EQ(placed[0].topLeft, glm::dvec2(370, 288));
+}
+
+TEST(LabelLayout, WithALineOnTheLikedSideALabelTakesAnother) {
+  LabelObstacles line;
+  line.segments.push_back({{390, 280}, {500, 280}});
+  const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, line, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  const double top = placed[0].topLeft.y;
+  EXPECT_TRUE(top > 280 || top + 24 < 280) << "it does not cross the line";
+  EXPECT_LT(glm::distance(placed[0].anchor, placed[0].topLeft), 100) << "nor does it go far";
+}
+
+TEST(LabelLayout, OnAFinerScreenALabelStandsTwiceAsFarOff) {
+  const auto gapAt = [](double pixelRatio) {
+    LabelRequest request = labelAt("Q", {400, 300});
+    request.anchors[0] = {{400, 300}, {1, 0}, 0};
+    return LabelLayout().place({request}, {}, size, pixelRatio)[0].topLeft.x - 400;
+  };
+  EXPECT_GT(gapAt(1), 0);
+  EXPECT_DOUBLE_EQ(gapAt(2), 2 * gapAt(1));
+}
+
+TEST(LabelLayout, WithoutALikedSideALabelStandsSomewhereBesideItsAnchor) {
+  LabelRequest request = labelAt("T", {400, 300});
+  request.anchors[0].toward = {0, 0};
+  const auto placed = LabelLayout().place({request}, {}, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_LT(glm::distance(placed[0].topLeft + glm::dvec2(30, 12), glm::dvec2(400, 300)), 80);
+}
+
+TEST(LabelLayout, ForgottenForAFrameALabelIsPlacedAnew) {
+  LabelLayout layout;
+  LabelObstacles crowd;
+  crowd.discs.push_back({{430, 280}, 20});
+  const glm::dvec2 dodging = layout.place({labelAt("Q", {400, 300})}, crowd, size, 1)[0].topLeft;
+  const glm::dvec2 kept = layout.place({labelAt("Q", {400, 300})}, {}, size, 1)[0].topLeft;
+  EXPECT_EQ(kept, dodging) << "it stays where it was";
+  (void)layout.place({}, {}, size, 1);
+  EXPECT_NE(layout.place({labelAt("Q", {400, 300})}, {}, size, 1)[0].topLeft, dodging);
 }
 
 } // namespace

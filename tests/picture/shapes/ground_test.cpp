@@ -1,10 +1,13 @@
 #include "widgets/picture/shapes/ground.h"
 
+#include "tests/picture/marks.h"
 #include "widgets/picture/labels/number_text.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -43,6 +46,86 @@ TEST(Ground, AxesAreNumberedAtEveryFifthStepAndNamed) {
   for (const AxisLabel &label : axisLabels({}, Camera(), 0, 1))
     texts.push_back(label.latex);
   EXPECT_EQ(texts, (std::vector<std::string>{"5", "10", "x", "5", "10", "15", "y", "5", "10", "z"}));
+}
+
+TEST(Ground, GridLinesStandAtWholeStepsWithTheMajorOnesOnTop) {
+  Camera camera;
+  camera.target = {103.4, -17.2, 5};
+  camera.height = 105;
+  const double step = gridStep(camera.height);
+  bool sawMajor = false;
+  for (const Grid::Line &line : gridAround(camera).lines) {
+    const bool alongX = line.points.front().y == line.points.back().y;
+    const double number = (alongX ? line.points.front().y : line.points.front().x) / step;
+    EXPECT_NEAR(number, std::round(number), 1e-9);
+    EXPECT_EQ(line.isMajor, std::fmod(std::abs(std::round(number)), 5) == 0) << number;
+    EXPECT_TRUE(line.isMajor || !sawMajor);
+    sawMajor = sawMajor || line.isMajor;
+    for (const Place &point : line.points) {
+      EXPECT_EQ(point.z, 0);
+      EXPECT_LT(glm::distance(point, Place(103.4, -17.2, 0)), 0.63 * camera.height);
+    }
+  }
+  EXPECT_TRUE(sawMajor);
+}
+
+TEST(Ground, AxesGoFromTheirLowEndsToTheirHighOnesWithATickForEachNumber) {
+  const AxesReach reach{{-3.2, 0, 0}, {12.2, 16.2, 11.2}};
+  const Mesh mesh = axesMesh(reach, Camera(), themes().front(), 1);
+  glm::vec3 low(0);
+  glm::vec3 high(0);
+  for (const glm::vec3 &position : mesh.positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  EXPECT_NEAR(low.x, -3.2, 1e-5);
+  EXPECT_NEAR(high.x, 12.2, 1e-5);
+  EXPECT_NEAR(high.y, 16.2, 1e-5);
+  EXPECT_NEAR(high.z, 11.2, 1e-5);
+  const auto standsAt = [&](const Place &tip) {
+    return std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                       [&](const glm::vec3 &p) { return glm::distance(Place(p), tip) < 0.06; });
+  };
+  EXPECT_TRUE(standsAt({5, -0.35, 0}) && standsAt({10, -0.35, 0})) << "beside x";
+  EXPECT_TRUE(standsAt({-0.35, 15, 0})) << "beside y";
+  EXPECT_FALSE(standsAt({0, -0.35, 0})) << "the origin has none";
+}
+
+TEST(Ground, NegativePartsOfAnAxisAreNumberedToo) {
+  std::vector<std::string> ofX;
+  for (const AxisLabel &label : axisLabels({{-11.2, 0, 0}, {12.2, 16.2, 11.2}}, Camera(), 0, 1))
+    if (label.at.y < 0 && label.at.z == 0)
+      ofX.push_back(label.latex);
+  EXPECT_EQ(ofX, (std::vector<std::string>{"-10", "-5", "5", "10"}));
+}
+
+TEST(Ground, FromVeryNearOnlyTheTicksInSightAreNumbered) {
+  Camera near;
+  near.target = {30, 0, 0};
+  near.height = 0.1;
+  const auto labels = axisLabels({{-60, 0, 0}, {60, 60, 60}}, near, 0, 0.01);
+  EXPECT_GT(labels.size(), 6U);
+  EXPECT_LT(labels.size(), 400U);
+  for (const AxisLabel &label : labels)
+    if (!label.isName && label.at.x > 1) {
+      EXPECT_NEAR(label.at.x, 30, 1);
+    }
+}
+
+TEST(Ground, NumbersStandBesideTheirPlacesAtTheAxes) {
+  const AxisLabel ofX = axisNumber(0, 7, 0, 1);
+  EXPECT_EQ(ofX.latex, "7");
+  EXPECT_EQ(ofX.at.x, 7);
+  EXPECT_LT(ofX.at.y, 0);
+  EXPECT_LT(axisNumber(1, 7, 0, 1).at.x, 0);
+  EXPECT_EQ(axisNumber(2, 7, 3, 1).latex, "7000") << "in units of the scene";
+  EXPECT_DOUBLE_EQ(axisNumber(0, 7, 0, 2).at.y, 2 * ofX.at.y);
+}
+
+TEST(Ground, AxesOfAFigureReachBeyondItsPointsAndNotBeyondItsPatches) {
+  EXPECT_GT(axesAround({{pointAt({20, 0, 0})}}).high.x, 20);
+  EXPECT_LT(axesAround({{pointAt({0, -4.5, 0})}}).low.y, -4.5);
+  EXPECT_EQ(axesAround({{patchAt({20, 30, 40}, {0, 0, 1})}}), AxesReach());
 }
 
 TEST(NumberText, LeavesOutDigitsThatSayNothing) {

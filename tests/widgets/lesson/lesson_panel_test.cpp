@@ -2,12 +2,14 @@
 #include "widgets/lesson/lesson_panel.h"
 
 #include <QHelpEvent>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolTip>
+#include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
@@ -163,6 +165,69 @@ private slots:
     panel.setStep(0);
     QVERIFY(shown<ChoiceButton>(panel).isEmpty());
     QVERIFY(shown<TaskRow>(panel).isEmpty());
+  }
+
+  void widePanel_hasTheTasksBesideTheWords_andANarrowOneBelow() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    panel.setStep(1);
+    panel.setMarkdown("Some words about the distance.");
+    panel.resize(1200, 500);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const auto placeOf = [&](QWidget *widget) { return widget->mapTo(&panel, QPoint(0, 0)); };
+    QWidget *task = panel.findChild<TaskRow *>();
+    QWidget *words = nullptr;
+    for (RichLabel *label : shown<RichLabel>(panel))
+      if (label->accessibleName().startsWith("Some words"))
+        words = label;
+    QVERIFY(words);
+    QTRY_VERIFY(placeOf(task).x() > placeOf(words).x() + words->width() / 2);
+    panel.resize(400, 500);
+    QTRY_VERIFY(placeOf(task).y() > placeOf(words).y());
+    QVERIFY(placeOf(task).x() < placeOf(words).x() + words->width() / 2);
+  }
+
+  void dotsOfTheSteps_clicked_askForTheirStep() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    panel.resize(420, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QSignalSpy requested(&panel, &LessonPanel::stepRequested);
+    auto *dots = panel.findChild<StepDots *>();
+    QTest::mouseClick(dots, Qt::LeftButton, {}, {dots->width() - 2, dots->height() / 2});
+    QCOMPARE(requested.takeFirst().at(0).toInt(), 2);
+  }
+
+  void answeredQuestion_handsTheFocusToTheWayOn_andThatToNoOther() {
+    QWidget window;
+    auto *panel = new LessonPanel(m_typesetter);
+    auto *number = new QLineEdit; // the next key there would change the scene
+    auto *layout = new QVBoxLayout(&window);
+    layout->addWidget(panel);
+    layout->addWidget(number);
+    window.resize(420, 600);
+    window.show();
+    Lesson lesson = someLesson();
+    std::swap(lesson.steps[1], lesson.steps[2]);
+    panel->setLesson(lesson);
+    panel->setStep(1);
+    QTRY_COMPARE(shown<ChoiceButton>(*panel).size(), 2);
+    QTest::mouseClick(shown<ChoiceButton>(*panel)[0], Qt::LeftButton);
+    QCOMPARE(window.focusWidget(), button(*panel, "Next"));
+    panel->setStep(2); // the last: its way on is disabled
+    QVERIFY(window.focusWidget() != number);
+  }
+
+  void lessonWithoutSteps_showsNoWayAnywhere() {
+    LessonPanel panel(m_typesetter);
+    panel.setLesson(someLesson());
+    panel.setLesson({});
+    QVERIFY(!button(panel, "Back")->isEnabled() && !button(panel, "Next")->isEnabled());
+    QVERIFY(shown<TaskRow>(panel).isEmpty());
+    panel.setTasksDone({true});
+    panel.setPredictionAnswer("negative", "positive");
   }
 
   void newValuesKeepThePlaceThatWasScrolledTo() {

@@ -5,6 +5,12 @@
 
 using namespace halfspace;
 
+namespace {
+
+math::Row formulaOf(const std::string &text) { return {math::words(text)}; }
+
+} // namespace
+
 class NamedValueRowTest : public QObject {
   Q_OBJECT
 
@@ -24,6 +30,34 @@ private slots:
     row.resize(narrow, row.heightForWidth(narrow));
     QVERIFY(row.value().y() >= row.name().sizeHint().height());
     QVERIFY2(row.value().width() >= row.value().sizeHint().width(), "the value has its full size");
+  }
+
+  void values_besideShortNames_standInOneColumn() {
+    Typesetter typesetter;
+    NamedValueRow shortRow(typesetter);
+    NamedValueRow longerRow(typesetter);
+    shortRow.name().setFormula(formulaOf("t"), "");
+    longerRow.name().setFormula(formulaOf("dist"), "");
+    for (NamedValueRow *row : {&shortRow, &longerRow}) {
+      row->value().setFormula(math::number("-27"), "");
+      row->resize(400, row->heightForWidth(400));
+      row->show();
+    }
+    QVERIFY(shortRow.name().sizeHint().width() < longerRow.name().sizeHint().width());
+    QCOMPARE(shortRow.value().x(), longerRow.value().x());
+  }
+
+  void value_thatGrowsWhileItIsShown_isGivenItsRoom() {
+    Typesetter typesetter;
+    NamedValueRow row(typesetter);
+    row.name().setFormula(formulaOf("t"), "");
+    row.value().setFormula(math::number("1"), "");
+    row.resize(row.sizeHint());
+    row.show();
+    QCOMPARE(row.value().y(), 0);
+    row.value().setFormula(formulaOf("a value that is much longer than before"), "");
+    QTRY_VERIFY(row.value().y() > 0); // there is no room for it beside the name any more
+    QVERIFY(row.sizeHint().width() > row.width());
   }
 };
 

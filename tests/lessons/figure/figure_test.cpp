@@ -1,0 +1,169 @@
+// Figures: how far their marks are drawn, and what is left out of them.
+#include "tests/picture/marks.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace halfspace {
+namespace {
+
+constexpr double rounding = 1e-9;
+
+RayMark rayFrom(Place origin, Place direction) {
+  RayMark ray;
+  ray.id = "L";
+  ray.origin = origin;
+  ray.direction = direction;
+  return ray;
+}
+
+LineMark lineThrough(Place through, Place direction, std::vector<Place> covers = {}) {
+  LineMark line;
+  line.id = "g";
+  line.through = through;
+  line.direction = direction;
+  line.covers = std::move(covers);
+  return line;
+}
+
+/// The only mark of a figure after it was drawn up to some places.
+template <class MarkKind> MarkKind reached(MarkKind mark, const std::vector<Place> &places) {
+  Figure figure{{mark}};
+  for (const Place &place : places)
+    figure.reaches.push_back({mark.id, place});
+  return std::get<MarkKind>(reaching(figure).marks.front());
+}
+
+TEST(Reaching, ARayThatMeetsSeveralPlaces_GoesToTheFarthest) {
+  const RayMark ray = rayFrom({0, 0, 0}, {1, 0, 0});
+  EXPECT_EQ(reached(ray, {{4, 0, 0}, {9, 0, 0}, {2, 0, 0}}).meets, Place(9, 0, 0));
+  EXPECT_FALSE(reached(ray, {}).meets);
+}
+
+TEST(Reaching, PatchesAndLines_CoverAllPlaces) {
+  const std::vector<Place> places{{4, 0, 0}, {0, 9, 0}};
+  EXPECT_EQ(reached(named(patchAt({0, 0, 0}, {0, 0, 1}, {{1, 1, 0}}), "E"), places).covers,
+            (std::vector<Place>{{1, 1, 0}, {4, 0, 0}, {0, 9, 0}}));
+  EXPECT_EQ(reached(lineThrough({0, 0, 0}, {1, 0, 0}), places).covers, places);
+}
+
+TEST(Reaching, MarksWithEndsOfTheirOwn_StayAsTheyAre) {
+  const SegmentMark segment = named(segmentBetween({0, 0, 0}, {1, 0, 0}), "s");
+  EXPECT_EQ(reached(segment, {{9, 9, 9}}), segment);
+}
+
+TEST(Reaching, AMarkThatIsNotThere_ChangesNothing) {
+  Figure figure{{rayFrom({0, 0, 0}, {1, 0, 0})}, {{"M", {5, 0, 0}}}};
+  figure = reaching(figure);
+  EXPECT_FALSE(std::get<RayMark>(figure.marks.front()).meets);
+  EXPECT_TRUE(figure.reaches.empty()) << "they are used up";
+}
+
+TEST(Ray, ThatMeetsSomething_EndsALittleBehindIt) {
+  RayMark ray = rayFrom({1, 0, 0}, {0, 0, 2});
+  ray.meets = Place(1, 0, 6);
+  EXPECT_EQ(endOf(ray), Place(1, 0, 6 + beyondHit));
+}
+
+TEST(Ray, ThatMeetsNothing_IsAsLongWhateverItsDirection) {
+  for (const double length : {0.01, 1.0, 500.0})
+    EXPECT_NEAR(glm::distance(endOf(rayFrom({1, 2, 3}, Place(2, -1, 2) * length)), Place(1, 2, 3)),
+                openRayLength, rounding);
+}
+
+TEST(Line, AloneGoesBothWaysAlike) {
+  const auto [low, high] = endsOf(lineThrough({1, 2, 3}, {0, 0, 5}));
+  EXPECT_EQ(low, Place(1, 2, 3 - lineReach));
+  EXPECT_EQ(high, Place(1, 2, 3 + lineReach));
+}
+
+TEST(Line, ThatCoversAPlace_GoesOnBehindItOnThatSideAlone) {
+  const auto [low, high] = endsOf(lineThrough({0, 0, 0}, {0, 0, 5}, {{0, 0, 40}, {0, 0, 3}}));
+  EXPECT_EQ(high, Place(0, 0, 40 + beyondHit));
+  EXPECT_EQ(low, Place(0, 0, -lineReach));
+}
+
+TEST(Arrow, WithALengthOfThePicture_KeepsItsDirectionAlone) {
+  ArrowMark arrow;
+  arrow.vector = {0, 300, 400};
+  EXPECT_EQ(shownVector(arrow), arrow.vector);
+  arrow.drawnLength = 5;
+  EXPECT_NEAR(glm::distance(shownVector(arrow), Place(0, 3, 4)), 0, rounding);
+}
+
+TEST(Marks, ThatReachFarther_AreTheSameMarks) {
+  EXPECT_EQ(named(patchAt({1, 2, 3}, {0, 0, 1}, {{9, 9, 3}}), "E"),
+            named(patchAt({1, 2, 3}, {0, 0, 1}), "E"));
+  EXPECT_EQ(lineThrough({1, 2, 3}, {0, 0, 1}, {{1, 2, 90}}), lineThrough({1, 2, 3}, {0, 0, 1}));
+  EXPECT_NE(named(patchAt({1, 2, 3}, {0, 0, 1}), "E"), named(patchAt({1, 2, 3}, {0, 0, 2}), "E"));
+  EXPECT_NE(lineThrough({1, 2, 3}, {0, 0, 1}), lineThrough({1, 2, 4}, {0, 0, 1}));
+}
+
+TEST(FindMark, ByAnId_FindsItselfAndNotWhatAccompaniesIt) {
+  const Figure figure{{named(pointAt({1, 0, 0}), "F/angle"), named(pointAt({2, 0, 0}), "F")}};
+  EXPECT_EQ(findMark(figure, "F"), &figure.marks[1]);
+  EXPECT_EQ(findMark(figure, "F/angle"), &figure.marks[0]);
+  EXPECT_EQ(findMark(figure, "angle"), nullptr);
+  EXPECT_EQ(leadingId(baseOf(figure.marks[0])), "F");
+  EXPECT_EQ(leadingId(baseOf(figure.marks[1])), "F");
+}
+
+TEST(WithoutNumbers, AFigure_KeepsItsLettersAndItsPlaces) {
+  PointMark point = named(pointAt({1, 2, 3}), "d");
+  point.label = "d";
+  point.numbers = " = 10";
+  const Figure figure = withoutNumbers({{point, named(pointAt({4, 5, 6}), "Q")}});
+  point.numbers.clear();
+  EXPECT_EQ(figure.marks.front(), Mark(point));
+  EXPECT_EQ(figure.marks.size(), 2U);
+}
+
+/// Numbers that mean nothing, the same in every run.
+struct RandomPlaces {
+  std::mt19937_64 engine{7};
+  Place next(double size) {
+    std::uniform_real_distribution<double> number(-size, size);
+    return {number(engine), number(engine), number(engine)};
+  }
+};
+
+/// Whether a place of a plane lies on the patch, at least so far from its sides.
+void expectInside(const std::vector<Place> &corners, const Place &place, double margin) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Place inward = glm::normalize(corners[(i + 2) % 4] - corners[(i + 1) % 4]);
+    EXPECT_GE(glm::dot(place - corners[i], inward), margin - rounding) << "side " << i;
+  }
+}
+
+TEST(PatchCorners, OfRandomPlanes_AreRectanglesAroundTheFeetOfWhatTheyCover) {
+  RandomPlaces random;
+  for (int i = 0; i < 200; ++i) {
+    const Place center = random.next(5);
+    const Place normal = glm::normalize(random.next(1));
+    const Place covered = center + random.next(8);
+    const std::vector<Place> corners = cornersOf(patchAt(center, normal, {covered}));
+    ASSERT_EQ(corners.size(), 4U);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Place side = corners[(c + 1) % 4] - corners[c];
+      EXPECT_NEAR(glm::dot(side, corners[(c + 2) % 4] - corners[(c + 1) % 4]), 0, 1e-6);
+      EXPECT_NEAR(glm::dot(corners[c] - center, normal), 0, rounding);
+      EXPECT_GE(glm::length(side), minimumPatchSide - rounding);
+    }
+    EXPECT_NEAR(corners[0].z, corners[1].z, rounding) << "one pair of sides is level";
+    expectInside(corners, covered - normal * glm::dot(covered - center, normal), patchMargin);
+    expectInside(corners, center, minimumPatchSide / 2);
+  }
+}
+
+TEST(PatchCorners, WhereNothingCanBeDrawn_AreNone) {
+  const double endless = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(cornersOf(patchAt({0, 0, 0}, {0, endless, 0})).empty());
+  EXPECT_TRUE(cornersOf(patchAt({endless, 0, 0}, {0, 0, 1})).empty());
+  EXPECT_FALSE(isFinite({0, std::nan(""), 0}));
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,207 @@
+// Where labels of marks may stand, how they look, and what they keep clear of.
+#include "widgets/picture/labels/label_requests.h"
+
+#include "tests/picture/marks.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/screen_shapes.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+const Theme &theme() { return themes().front(); }
+
+View usualView(double pixelRatio = 1) {
+  CameraView from;
+  from.at = {2, 2, 2};
+  return {Camera(from), {900, 600}, pixelRatio};
+}
+
+template <class MarkKind> MarkKind labelled(MarkKind mark, const std::string &id, const std::string &label) {
+  mark.id = id;
+  mark.label = label;
+  return mark;
+}
+
+std::vector<LabelText> textsOf(const SceneContent &content, const View &view = usualView()) {
+  return labelTexts(content, {}, theme(), view);
+}
+
+std::vector<LabelAnchor> anchorsFor(const Mark &mark, const View &view = usualView()) {
+  SceneContent content;
+  content.figure.marks.push_back(mark);
+  const auto texts = textsOf(content, view);
+  return texts.size() == 1 ? texts.front().anchors : std::vector<LabelAnchor>();
+}
+
+glm::dvec2 pixelOf(const Place &place) {
+  return glm::dvec2(usualView().camera.project(place, usualView().size).value());
+}
+
+ArrowMark arrowFrom(Place from, Place vector) {
+  ArrowMark arrow;
+  arrow.from = from;
+  arrow.vector = vector;
+  return arrow;
+}
+
+TEST(LabelAnchors, OfASegment_LieAlongItAndPointAwayFromIt) {
+  const Place from(0, 0, 0);
+  const Place to(0, 6, 3);
+  const auto anchors = anchorsFor(labelled(segmentBetween(from, to), "s", "s"));
+  ASSERT_GE(anchors.size(), 3U);
+  const glm::dvec2 along = glm::normalize(pixelOf(to) - pixelOf(from));
+  for (const LabelAnchor &anchor : anchors) {
+    EXPECT_LT(distanceToSegment(anchor.pixel, pixelOf(from), pixelOf(to)), 1);
+    EXPECT_NEAR(glm::dot(glm::normalize(anchor.toward), along), 0, 1e-9);
+    EXPECT_LT(anchor.toward.y, 0) << "above it";
+  }
+  EXPECT_LT(glm::distance(anchors.front().pixel, pixelOf((from + to) / 2.0)), 1) << "its middle first";
+}
+
+TEST(LabelAnchors, OfAnArrow_BeginBeyondItsTip) {
+  const auto anchors = anchorsFor(labelled(arrowFrom({0, 0, 0}, {0, 5, 0}), "n", "n"));
+  ASSERT_GE(anchors.size(), 2U);
+  EXPECT_LT(glm::distance(anchors.front().pixel, pixelOf({0, 5, 0})), 1e-6);
+  EXPECT_GT(glm::dot(anchors.front().toward, pixelOf({0, 5, 0}) - pixelOf({0, 0, 0})), 0);
+}
+
+TEST(LabelAnchors, OfAPatch_AreItsCornersFromTheHighestDown) {
+  const auto anchors = anchorsFor(labelled(patchAt({2, 2, 2}, {1, 2, 2}), "E", "E"));
+  ASSERT_EQ(anchors.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(anchors.begin(), anchors.end(),
+                             [](const auto &a, const auto &b) { return a.pixel.y < b.pixel.y; }));
+}
+
+TEST(LabelAnchors, OfAPolygon_AreInItsMiddle) {
+  const auto anchors = anchorsFor(labelled(polygonOf({{0, 0, 0}, {6, 0, 0}, {0, 6, 3}}), "T", "T"));
+  ASSERT_EQ(anchors.size(), 1U);
+  EXPECT_LT(glm::distance(anchors.front().pixel, pixelOf({2, 2, 1})), 1e-6);
+  EXPECT_EQ(anchors.front().clearance, 0);
+}
+
+TEST(LabelAnchors, OfABall_AreOutsideOfIt) {
+  SphereMark sphere;
+  sphere.center = {2, 2, 2};
+  sphere.radius = 3;
+  const auto anchors = anchorsFor(labelled(sphere, "S", "S"));
+  ASSERT_FALSE(anchors.empty());
+  EXPECT_LT(glm::distance(anchors.front().pixel, pixelOf({2, 2, 5})), 1e-6) << "its top";
+}
+
+TEST(LabelAnchors, OfARightAngle_AreInItsCorner) {
+  RightAngleMark corner;
+  corner.at = {2, 2, 2};
+  corner.first = {0, 3, 0};
+  corner.second = {0, 0, 3};
+  const auto anchors = anchorsFor(labelled(corner, "c", "90"));
+  ASSERT_EQ(anchors.size(), 1U);
+  const double scale = designScale(usualView().camera, usualView().size, 1);
+  EXPECT_LT(glm::distance(anchors.front().pixel, pixelOf(corner.at + Place(0, 0.9, 0.9) * scale)), 1e-6);
+}
+
+TEST(LabelAnchors, OfWhatIsBehindTheEyeOrNotFinite_AreNone) {
+  const Place behind = usualView().camera.eye() * 2.0;
+  EXPECT_TRUE(anchorsFor(labelled(pointAt(behind), "P", "P")).empty());
+  EXPECT_TRUE(anchorsFor(labelled(pointAt({0, std::nan(""), 0}), "P", "P")).empty());
+}
+
+TEST(LabelAnchors, OnFinerScreens_KeepOffAsFarToTheEye) {
+  const PointMark point = labelled(pointAt({2, 2, 2}), "P", "P");
+  EXPECT_DOUBLE_EQ(anchorsFor(point, usualView(2)).front().clearance,
+                   2 * anchorsFor(point, usualView()).front().clearance);
+}
+
+TEST(LabelTexts, OfMarks_HaveTheirLettersNumbersAndInks) {
+  SceneContent content;
+  PointMark plain = labelled(pointAt({2, 2, 2}), "d", "d");
+  plain.numbers = " = 10";
+  plain.subject = Subject::Ray;
+  PointMark warned = labelled(pointAt({1, 2, 2}), "w", "w");
+  warned.role = Role::Warning;
+  content.figure.marks = {plain, warned, pointAt({0, 0, 0})};
+  const auto texts = textsOf(content);
+  ASSERT_EQ(texts.size(), 2U) << "a mark without a label has none";
+  EXPECT_EQ(texts[0].latex, "d = 10");
+  EXPECT_EQ(texts[0].style.ink, theme().inkOf(Subject::Ray));
+  EXPECT_EQ(texts[1].style.ink, theme().warning);
+  EXPECT_TRUE(texts[0].isMark && !texts[0].isPinned);
+}
+
+TEST(LabelTexts, OfMarksThatFadeIn_AreAsFar) {
+  SceneContent content;
+  content.figure.marks = {labelled(pointAt({2, 2, 2}), "P", "P"), labelled(pointAt({1, 2, 2}), "R", "R")};
+  content.arrival = {{"P"}, 0.25};
+  const auto texts = textsOf(content);
+  ASSERT_EQ(texts.size(), 2U);
+  EXPECT_DOUBLE_EQ(texts[0].opacity, 0.25);
+  EXPECT_DOUBLE_EQ(texts[1].opacity, 1);
+}
+
+TEST(LabelTexts, OnFinerScreensAndInLargerType_AreLarger) {
+  SceneContent content;
+  content.figure.marks = {labelled(pointAt({2, 2, 2}), "P", "P")};
+  Theme large = theme();
+  large.textScale = 1.5;
+  EXPECT_DOUBLE_EQ(labelTexts(content, {}, large, usualView(2)).front().style.pixelSize, 3 * markTextSize);
+}
+
+TEST(LabelTexts, OfADropLine_StandAtTheAxesInsteadOfTheTicksThere) {
+  SceneContent content;
+  content.dropLine = DropLine{{5, 3, 4}};
+  const View view = usualView();
+  const auto axes = axisLabels({}, view.camera, 0, designScale(view.camera, view.size, 1));
+  const auto texts = labelTexts(content, axes, theme(), view);
+  const auto count = [&](const std::string &latex, Color ink) {
+    return std::count_if(texts.begin(), texts.end(), [&](const LabelText &text) {
+      return text.latex == latex && text.style.ink == ink && text.isPinned;
+    });
+  };
+  EXPECT_EQ(count("5", theme().accent), 1) << "of x";
+  EXPECT_EQ(count("3", theme().accent), 1) << "of y";
+  EXPECT_EQ(count("5", theme().mutedInk), 2) << "the ticks of y and z, and not that of x";
+  content.stage.middle = {1000, 0, 0}; // the axes lie elsewhere
+  EXPECT_TRUE(textsOf(content).empty());
+}
+
+TEST(LabelTexts, OfTheGizmo_TellsItsNoteIfItHasOne) {
+  SceneContent content;
+  content.gizmo.emplace();
+  content.gizmo->at = {2, 2, 2};
+  EXPECT_TRUE(textsOf(content).empty());
+  content.gizmo->note = "z = 7";
+  ASSERT_EQ(textsOf(content).size(), 1U);
+  EXPECT_EQ(textsOf(content).front().latex, "z = 7");
+  EXPECT_FALSE(textsOf(content).front().isMark);
+}
+
+TEST(Obstacles, OfAPicture_AreItsPointsKnobsLinesAndAxes) {
+  SceneContent content;
+  content.figure.marks = {pointAt({2, 2, 2}), segmentBetween({0, 0, 0}, {0, 6, 3})};
+  content.knobs.push_back({"k", {1, 1, 1}, {}, Subject::Plane, false});
+  const LabelObstacles found = obstaclesOf(content, {}, theme(), usualView());
+  ASSERT_EQ(found.discs.size(), 2U);
+  EXPECT_LT(glm::distance(found.discs[0].center, pixelOf({2, 2, 2})), 1e-6);
+  ASSERT_EQ(found.segments.size(), 1U);
+  EXPECT_LT(glm::distance(found.segments[0].to, pixelOf({0, 6, 3})), 1e-6);
+  EXPECT_EQ(obstaclesOf(content, AxesReach(), theme(), usualView()).segments.size(), 1U + 3U);
+  content.gizmo.emplace();
+  content.gizmo->at = {2, 2, 2};
+  EXPECT_GT(obstaclesOf(content, {}, theme(), usualView()).segments.size(), 1U + 3U);
+}
+
+TEST(Obstacles, OnFinerScreens_AreAsLargeToTheEye) {
+  SceneContent content;
+  content.figure.marks = {pointAt({2, 2, 2})};
+  const auto radius = [&](double ratio) {
+    return obstaclesOf(content, {}, theme(), usualView(ratio)).discs.front().radius;
+  };
+  EXPECT_DOUBLE_EQ(radius(2), 2 * radius(1));
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,168 @@
+// How the role of a mark, and what is done with it, show in lines and faces.
+#include "tests/picture/marks.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/translucent_faces.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+const Theme &theme() { return themes().front(); }
+
+/// A segment along z.
+SegmentMark segmentOf(Role role) {
+  SegmentMark segment = named(segmentBetween({0, 0, 0}, {0, 0, 8}), "s", Subject::Plane);
+  segment.role = role;
+  return segment;
+}
+
+Mesh meshOfMark(const Mark &mark, double scale = 1) { return meshOf({{mark}}, {}, theme(), scale); }
+
+double thicknessOf(const Mesh &mesh) {
+  double most = 0;
+  for (const glm::vec3 &position : mesh.positions)
+    most = std::max<double>(most, position.x);
+  return 2 * most;
+}
+
+/// How much of a line along z is there between its gaps.
+double partDrawn(const Mesh &mesh, double length) {
+  std::set<double> ends;
+  for (const glm::vec3 &position : mesh.positions)
+    ends.insert(std::round(double(position.z) * 1e4) / 1e4);
+  double drawn = 0;
+  for (auto end = ends.begin(); end != ends.end() && std::next(end) != ends.end(); std::advance(end, 2))
+    drawn += *std::next(end) - *end;
+  return drawn / length;
+}
+
+std::vector<Face> facesOfMark(const Mark &mark, const std::set<std::string> &highlighted = {}) {
+  return facesOf({{mark}}, highlighted, theme());
+}
+
+PolygonMark triangle(Role role = Role::Given) {
+  PolygonMark mark = named(polygonOf({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}), "T", Subject::Triangle);
+  mark.role = role;
+  return mark;
+}
+
+double areaOf(const Face &face) {
+  Place area(0);
+  for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
+    area += glm::cross(face.corners[i] - face.corners[0], face.corners[i + 1] - face.corners[0]) / 2.0;
+  return glm::length(area);
+}
+
+TEST(Lines, OfHelpersAndGhosts_AreDashedAndOthersAreNot) {
+  for (const Role role : {Role::Given, Role::Derived, Role::Result, Role::Warning})
+    EXPECT_DOUBLE_EQ(partDrawn(meshOfMark(segmentOf(role)), 8), 1);
+  for (const Role role : {Role::Helper, Role::Ghost}) {
+    EXPECT_LT(partDrawn(meshOfMark(segmentOf(role)), 8), 0.7);
+    EXPECT_GT(partDrawn(meshOfMark(segmentOf(role)), 8), 0.5);
+  }
+}
+
+TEST(Lines, OfWhatIsGiven_AreThickerThanThoseOfHelpers) {
+  const auto thickness = [](Role role) { return thicknessOf(meshOfMark(segmentOf(role))); };
+  EXPECT_GT(thickness(Role::Given), thickness(Role::Derived));
+  EXPECT_GT(thickness(Role::Derived), thickness(Role::Helper));
+  EXPECT_EQ(thickness(Role::Result), thickness(Role::Given));
+}
+
+TEST(Lines, SeenFromFartherAway_AreThickerInTheScene) {
+  EXPECT_NEAR(thicknessOf(meshOfMark(segmentOf(Role::Given), 3)),
+              3 * thicknessOf(meshOfMark(segmentOf(Role::Given))), 1e-6);
+}
+
+TEST(Lines, OfGhosts_ArePaler) {
+  const Color ghost = meshOfMark(segmentOf(Role::Ghost)).colors.front();
+  EXPECT_NE(ghost, theme().colorOf(Subject::Plane));
+  EXPECT_EQ(meshOfMark(segmentOf(Role::Helper)).colors.front(), theme().colorOf(Subject::Plane));
+  const auto brightness = [](Color color) { return color.red + color.green + color.blue; };
+  EXPECT_GT(brightness(ghost), brightness(theme().colorOf(Subject::Plane))) << "on a light background";
+}
+
+TEST(Lines, OfAPatch_ArePalerThanItsNormal_ButNotWhereItWarns) {
+  PlanePatchMark patch = named(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane);
+  EXPECT_NE(meshOfMark(patch).colors.front(), theme().colorOf(Subject::Plane));
+  patch.role = Role::Warning;
+  EXPECT_EQ(meshOfMark(patch).colors.front(), theme().warning);
+}
+
+TEST(Lines, OfADashedBorder_CloseAroundTheFace) {
+  const Mesh mesh = meshOfMark(triangle(Role::Ghost));
+  double nearest = 1e9;
+  for (const glm::vec3 &position : mesh.positions) // the side from the last corner to the first
+    nearest = std::min(nearest, glm::distance(Place(position), Place(0, 1, 0)));
+  EXPECT_LT(nearest, 0.6);
+}
+
+TEST(Points, ThatAreFreeToMove_AreTheThickest) {
+  PointMark point = named(pointAt({0, 0, 0}), "Q", Subject::Point);
+  EXPECT_EQ(ballRadius(point), freePointRadius);
+  point.role = Role::Derived;
+  EXPECT_LT(ballRadius(point), freePointRadius);
+  point = named(pointAt({0, 0, 0}), "P0", Subject::Plane);
+  EXPECT_LT(ballRadius(point), freePointRadius);
+}
+
+TEST(Faces, OfPatches_LieUnderThoseOfPolygons) {
+  const auto faces =
+      facesOf({{triangle(), named(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane)}}, {}, theme());
+  ASSERT_EQ(faces.size(), 2U);
+  EXPECT_EQ(faces[0].color, theme().planeFace);
+  EXPECT_EQ(faces[1].color, theme().colorOf(Subject::Triangle));
+}
+
+TEST(Faces, OfMarksWithoutAny_AreNone) {
+  EXPECT_TRUE(facesOfMark(segmentOf(Role::Given)).empty());
+  EXPECT_TRUE(facesOfMark(named(pointAt({0, 0, 0}), "Q")).empty());
+}
+
+TEST(Faces, OfRolesAndHighlights_AreMoreOrLessDense) {
+  const double usual = facesOfMark(triangle()).front().opacity;
+  EXPECT_DOUBLE_EQ(usual, theme().polygonOpacity);
+  EXPECT_LT(facesOfMark(triangle(Role::Ghost)).front().opacity, 0.5 * usual);
+  EXPECT_GT(facesOfMark(triangle(), {"T"}).front().opacity, usual);
+  EXPECT_EQ(facesOfMark(triangle(Role::Warning)).front().color, theme().warning);
+}
+
+TEST(Faces, OfWhatArrives_BecomeAsDenseAsItIsThere) {
+  const auto opacity = [](double presence) {
+    return facesOf({{triangle()}}, {}, theme(), {{"T"}, presence}).front().opacity;
+  };
+  EXPECT_EQ(opacity(0), 0);
+  EXPECT_DOUBLE_EQ(opacity(0.5), 0.5 * opacity(1));
+  EXPECT_DOUBLE_EQ(facesOf({{triangle()}}, {}, theme(), {{"other"}, 0.5}).front().opacity, opacity(1));
+}
+
+TEST(Faces, OfABall_CoverItsSurfaceOnce) {
+  SphereMark sphere = named(SphereMark(), "S", Subject::Triangle);
+  sphere.center = {1, 2, 3};
+  sphere.radius = 2;
+  double area = 0;
+  double low = 3;
+  double high = 3;
+  for (const Face &face : facesOfMark(sphere)) {
+    area += areaOf(face);
+    for (const Place &corner : face.corners) {
+      EXPECT_NEAR(glm::distance(corner, sphere.center), 2, 1e-9);
+      low = std::min(low, corner.z);
+      high = std::max(high, corner.z);
+    }
+    EXPECT_GE(face.corners.size(), 3U);
+    EXPECT_DOUBLE_EQ(face.opacity, theme().polygonOpacity / 2) << "it is looked through twice";
+  }
+  EXPECT_NEAR(low, 1, 1e-9);
+  EXPECT_NEAR(high, 5, 1e-9);
+  EXPECT_NEAR(area, 4 * std::numbers::pi * 4, 0.05 * 4 * std::numbers::pi * 4);
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,133 @@
+// A question with its choices: answering it, and what is told then.
+#include "widgets/lesson/prediction_box.h"
+
+#include "widgets/colors.h"
+
+#include <QPixmap>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+Prediction question() {
+  return {"On which side is $Q$?",
+          "side",
+          {{"positive", "The side of $\\vec n$"}, {"negative", "The other side"}, {"on", "In the plane"}},
+          "The sign of $f(Q)$ tells."};
+}
+
+struct ShownBox {
+  ShownBox() {
+    box.setTheme(themes().front());
+    box.resize(400, 300);
+    box.show();
+    ready = QTest::qWaitForWindowExposed(&box);
+  }
+  std::vector<Verdict> verdicts() const {
+    std::vector<Verdict> each;
+    for (const ChoiceButton *choice : box.choices())
+      each.push_back(choice->verdict());
+    return each;
+  }
+  QString reason() const { return box.reason()->isVisible() ? box.reason()->accessibleName() : QString(); }
+
+  Typesetter typesetter;
+  PredictionBox box{typesetter, question()};
+  QSignalSpy chosen{&box, &PredictionBox::chosen};
+  bool ready = false;
+};
+
+using enum Verdict;
+
+} // namespace
+
+class PredictionBoxTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void choice_clickedOrPressedByAKey_isToldByItsWord() {
+    ShownBox shown;
+    QVERIFY(shown.ready);
+    QTest::mouseClick(shown.box.choices()[2], Qt::LeftButton);
+    QCOMPARE(shown.chosen.takeFirst().at(0).toString(), QString("on"));
+    shown.box.choices()[0]->setFocus();
+    QTest::keyClick(shown.box.choices()[0], Qt::Key_Space);
+    QCOMPARE(shown.chosen.takeFirst().at(0).toString(), QString("positive"));
+  }
+
+  void words_onAChoice_areClickedThrough() {
+    ShownBox shown;
+    QVERIFY(shown.ready);
+    QWidget *words = shown.box.choices()[1]->findChild<RichLabel *>();
+    const QPoint middle = words->mapTo(&shown.box, words->rect().center());
+    QCOMPARE(shown.box.childAt(middle), static_cast<QWidget *>(shown.box.choices()[1]));
+  }
+
+  void answer_givenRight_isMarkedAloneAndExplained() {
+    ShownBox shown;
+    shown.box.setAnswer("negative", "negative");
+    QVERIFY((shown.verdicts() == std::vector{Open, Right, Open}));
+    QCOMPARE(shown.reason(), QString("Right. The sign of f(Q) tells."));
+    QCOMPARE(shown.box.choices()[1]->accessibleDescription(), QString("Right"));
+  }
+
+  void answer_givenWrong_isMarkedBesideTheRightOne() {
+    ShownBox shown;
+    shown.box.setAnswer("on", "positive");
+    QVERIFY((shown.verdicts() == std::vector{Right, Open, Wrong}));
+    QVERIFY2(shown.reason().startsWith("Not quite."), qPrintable(shown.reason()));
+    QCOMPARE(shown.box.choices()[2]->accessibleDescription(), QString("Wrong"));
+  }
+
+  void answer_whereNoneIsRight_isExplainedWithoutAVerdict() {
+    ShownBox shown;
+    shown.box.setAnswer("on", "");
+    QVERIFY((shown.verdicts() == std::vector{Open, Open, Open}));
+    QCOMPARE(shown.reason(), QString("The sign of f(Q) tells."));
+  }
+
+  void choices_afterTheAnswer_areAnsweredAndAskedAgainWithIt() {
+    ShownBox shown;
+    QVERIFY(shown.ready);
+    QCOMPARE(shown.reason(), QString());
+    shown.box.setAnswer("on", "positive");
+    QTest::mouseClick(shown.box.choices()[1], Qt::LeftButton);
+    QVERIFY(shown.chosen.isEmpty());
+    shown.box.setAnswer({}, "positive");
+    QCOMPARE(shown.reason(), QString());
+    QVERIFY((shown.verdicts() == std::vector{Open, Open, Open}));
+    QCOMPARE(shown.box.choices()[2]->accessibleDescription(), QString());
+    QTest::mouseClick(shown.box.choices()[1], Qt::LeftButton);
+    QCOMPARE(shown.chosen.count(), 1);
+  }
+
+  void verdict_onAChoice_isPaintedInItsInk_data() {
+    QTest::addColumn<int>("choice");
+    QTest::addColumn<QColor>("ink");
+    const Theme &theme = themes().front();
+    QTest::newRow("right") << 0 << toQColor(theme.inkOf(Subject::Triangle));
+    QTest::newRow("wrong") << 2 << toQColor(theme.warning);
+  }
+
+  void verdict_onAChoice_isPaintedInItsInk() {
+    QFETCH(int, choice);
+    QFETCH(QColor, ink);
+    ShownBox shown;
+    QVERIFY(shown.ready);
+    const auto paints = [&] {
+      const QImage image = shown.box.choices()[choice]->grab().toImage();
+      for (int x = 0; x < 34; ++x)
+        if (image.pixelColor(x, image.height() / 2).rgb() == ink.rgb())
+          return true;
+      return false;
+    };
+    QVERIFY(!paints());
+    shown.box.setAnswer("on", "positive");
+    QVERIFY(paints());
+  }
+};
+
+QTEST_MAIN(PredictionBoxTest)
+#include "prediction_box_test.moc"

@@ -1,0 +1,87 @@
+// A task beside its mark, and the marks of verdicts.
+#include "widgets/lesson/task_row.h"
+
+#include "widgets/colors.h"
+
+#include <QPainter>
+#include <QPixmap>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+const Theme &theme() { return themes().front(); }
+QColor rightInk() { return toQColor(theme().inkOf(Subject::Triangle)); }
+
+QImage painted(Verdict verdict) {
+  QImage image(40, 40, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  paintVerdict(painter, {20, 20}, 15, verdict, theme());
+  return image;
+}
+
+int pixelsOf(const QImage &image, const QColor &ink) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      count += image.pixelColor(x, y).rgb() == ink.rgb();
+  return count;
+}
+
+} // namespace
+
+class TaskRowTest : public QObject {
+  Q_OBJECT
+
+private:
+  Typesetter m_typesetter;
+
+private slots:
+  void verdicts_paintedAlike_haveFilledCirclesOfTheirOwnInk() {
+    const double disc = 15 * 15 * 3.14;
+    QVERIFY(pixelsOf(painted(Verdict::Right), rightInk()) > disc / 2);
+    QVERIFY(pixelsOf(painted(Verdict::Wrong), toQColor(theme().warning)) > disc / 2);
+    QCOMPARE(painted(Verdict::Open).pixelColor(20, 20), QColor(Qt::white));
+    QVERIFY(painted(Verdict::Open).pixelColor(5, 20) != QColor(Qt::white)); // its circle
+  }
+
+  void verdicts_seenWithoutColours_differInShape() {
+    const auto middle = [](Verdict verdict) { return painted(verdict).pixelColor(20, 20); };
+    QCOMPARE(middle(Verdict::Wrong), toQColor(theme().panel)); // where the cross crosses itself
+    QVERIFY(middle(Verdict::Right) != toQColor(theme().panel));
+  }
+
+  void row_ofATaskThatIsDone_paintsTheMarkAndSaysSo() {
+    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    row.resize(300, 40);
+    QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
+    QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
+    row.setDone(true);
+    QCOMPARE(row.accessibleName(), QString("Done: Make f(Q) = 0."));
+    QVERIFY(pixelsOf(row.grab().toImage(), rightInk()) > 40);
+    row.setDone(false); // the scene was moved on
+    QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
+  }
+
+  void mark_besideAnyType_leavesTheWordsTheirRoom() {
+    TaskRow row(m_typesetter, "Drag Q.");
+    for (const double textScale : {1.0, 2.0}) {
+      Theme large = theme();
+      large.textScale = textScale;
+      row.setTheme(large);
+      row.resize(400, 60);
+      row.setDone(true);
+      row.grab(); // lays it out
+      const QImage image = row.grab().toImage();
+      const auto *words = row.findChild<RichLabel *>();
+      const QImage mark = image.copy(0, 0, words->x(), image.height());
+      QVERIFY(pixelsOf(mark, rightInk()) > 40 * textScale * textScale);
+      QCOMPARE(pixelsOf(image, rightInk()), pixelsOf(mark, rightInk()));
+    }
+  }
+};
+
+QTEST_MAIN(TaskRowTest)
+#include "task_row_test.moc"

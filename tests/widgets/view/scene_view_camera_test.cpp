@@ -1,0 +1,229 @@
+// Looking around in the 3D view, and what its picture shows.
+#include "tests/widgets/view/view_fixture.h"
+
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+void turnWheel(ViewFixture &fixture, QPoint at, int clicks) {
+  QWheelEvent wheel(at, fixture.view.mapToGlobal(at), {}, {0, 120 * clicks}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&fixture.view, &wheel);
+}
+
+bool areNear(double a, double b) { return std::abs(a - b) < 1e-9; }
+
+/// How far a place is from the pixel that it was at.
+double pixelsMoved(const ViewFixture &fixture, const Place &place, glm::dvec2 before) {
+  return glm::length(glm::dvec2(*fixture.view.camera().project(place, fixture.view.pixelSize())) - before);
+}
+
+bool seesAllHandles(const ViewFixture &fixture) {
+  const auto handles = handlesOf(fixture.model.session().scene);
+  return std::all_of(handles.begin(), handles.end(),
+                     [&](const Handle &each) { return fixture.view.handlePosition(each.id).has_value(); });
+}
+
+} // namespace
+
+class SceneViewCameraTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void dragBesideEverything_turnsOrMovesTheCameraByItsButton_data() {
+    QTest::addColumn<int>("button");
+    QTest::addColumn<int>("modifiers");
+    QTest::addColumn<bool>("turns");
+    QTest::newRow("left") << int(Qt::LeftButton) << int(Qt::NoModifier) << true;
+    QTest::newRow("left with shift") << int(Qt::LeftButton) << int(Qt::ShiftModifier) << false;
+    QTest::newRow("right") << int(Qt::RightButton) << int(Qt::NoModifier) << false;
+    QTest::newRow("middle") << int(Qt::MiddleButton) << int(Qt::NoModifier) << false;
+  }
+
+  void dragBesideEverything_turnsOrMovesTheCameraByItsButton() {
+    QFETCH(int, button);
+    QFETCH(int, modifiers);
+    QFETCH(bool, turns);
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Session session = fixture.model.session();
+    const Camera before = fixture.view.camera();
+    fixture.dragBeside({80, 50}, static_cast<Qt::MouseButton>(button), Qt::KeyboardModifiers(modifiers));
+    const Camera &after = fixture.view.camera();
+    QCOMPARE(after.azimuth != before.azimuth && after.elevation != before.elevation, turns);
+    QCOMPARE(after.target != before.target, !turns);
+    QCOMPARE(after.height, before.height);
+    QVERIFY(fixture.model.session() == session);
+  }
+
+  void pan_ofThePicture_followsThePointer() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Place target = fixture.view.camera().target;
+    const glm::dvec2 before(*fixture.view.camera().project(target, fixture.view.pixelSize()));
+    fixture.dragBeside({80, 50}, Qt::RightButton);
+    const double ratio = fixture.view.devicePixelRatioF();
+    QVERIFY(pixelsMoved(fixture, target, before + glm::dvec2(80, 50) * ratio) < 1e-6);
+  }
+
+  void wheel_comesNearerToWhatIsUnderThePointer() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const double height = fixture.view.camera().height;
+    const Place target = fixture.view.camera().target;
+    const glm::dvec2 pixel(*fixture.view.camera().project(target, fixture.view.pixelSize()));
+    const double ratio = fixture.view.devicePixelRatioF();
+    turnWheel(fixture, QPoint(int(std::lround(pixel.x / ratio)), int(std::lround(pixel.y / ratio))), 3);
+    QVERIFY(fixture.view.camera().height < 0.8 * height);
+    QVERIFY(pixelsMoved(fixture, target, pixel) < 1);
+    turnWheel(fixture, {10, 10}, -3);
+    QVERIFY(areNear(fixture.view.camera().height, height));
+  }
+
+  void axisViews_lookAgainstTheirAxis_data() {
+    QTest::addColumn<int>("view");
+    QTest::addColumn<int>("axis");
+    QTest::newRow("front") << int(AxisView::Front) << 0;
+    QTest::newRow("right") << int(AxisView::Right) << 1;
+    QTest::newRow("top") << int(AxisView::Top) << 2;
+  }
+
+  void axisViews_lookAgainstTheirAxis() {
+    QFETCH(int, view);
+    QFETCH(int, axis);
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setAxisView(static_cast<AxisView>(view));
+    QVERIFY(fixture.view.camera().viewDirection()[axis] < -0.999);
+  }
+
+  void lookAlongPlane_andDownTheRay_seeThemAsALineAndAPoint() {
+    ViewFixture fixture({{planeE(), rayL()}});
+    QVERIFY(fixture.ready);
+    fixture.view.lookAlongPlane();
+    QVERIFY(areNear(glm::dot(fixture.view.camera().viewDirection(), Place(1, 2, 2)), 0) ||
+            areNear(glm::dot(fixture.view.camera().right(), glm::normalize(Place(1, 2, 0))), 1) ||
+            areNear(glm::dot(fixture.view.camera().right(), glm::normalize(Place(1, 2, 0))), -1));
+    fixture.view.lookDownRay();
+    const Place along = glm::normalize(Place(-1, 3, 2));
+    QVERIFY(glm::dot(fixture.view.camera().viewDirection(), along) > 0.999999);
+  }
+
+  void homeKey_afterLookingAround_bringsTheFirstViewBack() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera home = fixture.view.camera();
+    fixture.dragBeside({120, 30});
+    turnWheel(fixture, {300, 300}, 4);
+    QVERIFY(!(fixture.view.camera() == home));
+    fixture.view.goHome();
+    QVERIFY(fixture.view.camera() == home);
+  }
+
+  void fit_afterComingNear_hasAllHandlesInView_fromTheSameSide() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.dragBeside({120, 30});
+    turnWheel(fixture, {10, 10}, 12);
+    QVERIFY(!seesAllHandles(fixture));
+    const double azimuth = fixture.view.camera().azimuth;
+    fixture.view.fit();
+    QVERIFY(seesAllHandles(fixture));
+    QCOMPARE(fixture.view.camera().azimuth, azimuth);
+  }
+
+  void resizing_keepsTheFigureInView_untilTheCameraWasMoved() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera wide = fixture.view.camera();
+    fixture.window.resize(400, 700);
+    QTRY_VERIFY(fixture.view.width() < 500);
+    QVERIFY(!(fixture.view.camera() == wide));
+    QVERIFY(seesAllHandles(fixture));
+    fixture.dragBeside({40, 10});
+    const Camera mine = fixture.view.camera();
+    fixture.window.resize(900, 700);
+    QTRY_VERIFY(fixture.view.width() > 500);
+    QVERIFY(fixture.view.camera() == mine);
+  }
+
+  void glide_withMotion_takesItsTime_andArrivesAtOnceWhenMotionIsTurnedOff() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setMotion(true);
+    const Camera before = fixture.view.camera();
+    fixture.view.setAxisView(AxisView::Top);
+    QVERIFY(fixture.view.camera() == before);
+    QTRY_VERIFY(fixture.view.camera().elevation > before.elevation);
+    fixture.view.setMotion(false);
+    QCOMPARE(fixture.view.camera().elevation, Camera::maxElevation);
+  }
+
+  void glide_interruptedByAPress_staysWhereItIs() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setMotion(true);
+    fixture.view.setAxisView(AxisView::Top);
+    QTest::qWait(50);
+    fixture.press({6, 6});
+    const Camera stopped = fixture.view.camera();
+    QTest::qWait(100);
+    QVERIFY(fixture.view.camera() == stopped);
+    QVERIFY(stopped.elevation < Camera::maxElevation);
+    fixture.release({6, 6});
+  }
+
+  void position_typedOutOfView_takesTheViewAlong() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera before = fixture.view.camera();
+    fixture.model.edit(ChangeObject{"Q", PointObject{{11, 15, 7}}}, "near by");
+    QVERIFY(fixture.view.camera() == before);
+    fixture.model.edit(ChangeObject{"Q", PointObject{{100, 15, 8}}}, "far away");
+    QVERIFY(!(fixture.view.camera() == before));
+    QVERIFY(fixture.view.handlePosition("Q"));
+  }
+
+  void hugeScene_isInView_onAStageOfItsOwn() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model.edit(ChangeObject{"Q", PointObject{{1000000, 15, 8}}}, "very far away");
+    QVERIFY(fixture.view.handlePosition("Q"));
+    fixture.view.selectHandle("Q");
+    QTest::keyClick(&fixture.view, Qt::Key_PageUp); // a step of that stage
+    QVERIFY2(fixture.value("Q").z > 1000, "a step that can be seen");
+  }
+
+  void numbers_hiddenByAQuestion_areNotInThePicture() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto hasNumbers = [&] {
+      const Figure figure = fixture.view.pictureContent().figure;
+      return std::any_of(figure.marks.begin(), figure.marks.end(),
+                         [](const Mark &mark) { return !baseOf(mark).numbers.empty(); });
+    };
+    QVERIFY(hasNumbers());
+    fixture.view.setNumbersHidden(true);
+    QVERIFY(!hasNumbers());
+  }
+
+  void sizeScale_makesAllPixelsOfTheDesignLarger() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const double before = fixture.view.designRatio();
+    fixture.view.setSizeScale(1.5);
+    QCOMPARE(fixture.view.designRatio(), 1.5 * before);
+    QVERIFY(seesAllHandles(fixture)); // at home, with room for larger labels
+  }
+};
+
+QTEST_MAIN(SceneViewCameraTest)
+#include "scene_view_camera_test.moc"

@@ -1,0 +1,225 @@
+// The mouse and the keys over the 3D view: hovering, grabbing, letting go, choosing handles.
+#include "tests/widgets/view/view_fixture.h"
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+QString lastOf(const QSignalSpy &spy) { return spy.isEmpty() ? QString() : spy.last().at(0).toString(); }
+
+} // namespace
+
+class SceneViewInputTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void pointer_overAHandle_tellsItsMark_andThatItLeaves() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy hovered(&fixture.view, &SceneView::markHovered);
+    movePointer(fixture.view, fixture.at("Q"));
+    QCOMPARE(lastOf(hovered), QString("Q"));
+    QCOMPARE(fixture.view.cursor().shape(), Qt::OpenHandCursor);
+    movePointer(fixture.view, fixture.at("Q") + QPoint(1, 0));
+    QCOMPARE(hovered.count(), 1);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&fixture.view, &leave);
+    QCOMPARE(lastOf(hovered), QString());
+    QVERIFY(fixture.view.cursor().shape() != Qt::OpenHandCursor);
+  }
+
+  void click_onAHandle_selectsItAndChangesNothing() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model.setSnapStep(Rational(1, 1000));
+    const Session before = fixture.model.session();
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    QVERIFY(fixture.model.inGesture());
+    movePointer(fixture.view, at + QPoint(2, -1), Qt::LeftButton); // the hand trembles
+    fixture.release(at + QPoint(2, -1));
+    QCOMPARE(fixture.view.selectedHandle(), std::string("Q"));
+    QVERIFY(!fixture.model.inGesture());
+    QVERIFY(fixture.model.session() == before);
+    QCOMPARE(fixture.model.history().count(), 0);
+  }
+
+  void doubleClick_onAHandle_grabsItLikeAPress() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("Q");
+    QMouseEvent twice(QEvent::MouseButtonDblClick, at, Qt::LeftButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&fixture.view, &twice);
+    QVERIFY(fixture.model.inGesture());
+    fixture.release(at);
+  }
+
+  void drag_whoseReleaseWentElsewhere_endsWithTheNextMove() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    movePointer(fixture.view, at + QPoint(60, 30), Qt::LeftButton);
+    movePointer(fixture.view, at + QPoint(70, 30)); // with no button down
+    QVERIFY(!fixture.model.inGesture());
+    QCOMPARE(fixture.model.history().count(), 1);
+    const ExactVec3 dragged = fixture.value("Q");
+    QVERIFY(dragged != ExactVec3(11, 15, 8));
+    movePointer(fixture.view, at - QPoint(70, 30));
+    QVERIFY(fixture.value("Q") == dragged);
+  }
+
+  void manyMoves_beforeAFrame_areOneEvaluation() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("Q");
+    fixture.model.setSnapStep(Rational(1, 1000));
+    fixture.press(at);
+    QSignalSpy outcomes(&fixture.model, &SessionModel::outcomeChanged);
+    for (int x = 0; x <= 100; ++x)
+      movePointer(fixture.view, at + QPoint(x, 0), Qt::LeftButton);
+    fixture.release(at + QPoint(100, 0));
+    QVERIFY2(outcomes.count() <= 2, qPrintable(QString::number(outcomes.count())));
+    QVERIFY(fixture.value("Q") != ExactVec3(11, 15, 8));
+  }
+
+  void shortcuts_whileAHandleIsHeld_belongToTheDrag() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto takesShortcut = [&] {
+      QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_X, Qt::NoModifier);
+      key.ignore();
+      QCoreApplication::sendEvent(&fixture.view, &key);
+      return key.isAccepted();
+    };
+    QVERIFY(!takesShortcut());
+    fixture.press(fixture.at("Q"));
+    QVERIFY(takesShortcut());
+    fixture.release(fixture.at("Q"));
+    QVERIFY(!takesShortcut());
+  }
+
+  void escape_withNothingHeld_dismissesTheSelection() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q");
+    QSignalSpy dismissed(&fixture.view, &SceneView::dismissed);
+    QTest::keyClick(&fixture.view, Qt::Key_Escape);
+    QCOMPARE(dismissed.count(), 1);
+    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    fixture.press(fixture.at("Q"));
+    QTest::keyClick(&fixture.view, Qt::Key_Escape); // this one is for the drag
+    QCOMPARE(dismissed.count(), 1);
+    fixture.release(fixture.at("Q"));
+  }
+
+  void tab_behindTheLastHandle_leavesTheView() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q"); // the last
+    QTest::keyClick(&fixture.view, Qt::Key_Tab);
+    QCOMPARE(fixture.window.focusWidget(), &fixture.other);
+    QCOMPARE(fixture.view.selectedHandle(), std::string());
+  }
+
+  void tab_fromNoHandle_beginsAtTheFirst_andBackwardsAtTheLast() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QTest::keyClick(&fixture.view, Qt::Key_Tab);
+    QCOMPARE(fixture.view.selectedHandle(), std::string("E.P0"));
+    fixture.view.selectHandle({});
+    for (const char *id : {"Q", "E.offset"}) {
+      QTest::keyClick(&fixture.view, Qt::Key_Backtab, Qt::ShiftModifier);
+      QCOMPARE(fixture.view.selectedHandle(), std::string(id));
+    }
+  }
+
+  void arrowKeys_onAHandleThatMovesUpAndDown_goAlongZ() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    for (int click = 0; click < 2; ++click)
+      QTest::mouseClick(&fixture.view, Qt::LeftButton, {}, fixture.at("Q"));
+    QTest::keyClick(&fixture.view, Qt::Key_Up);
+    QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 9));
+    fixture.view.selectHandle("E.P0"); // another handle begins in x and y again
+    QTest::keyClick(&fixture.view, Qt::Key_Up);
+    QVERIFY(fixture.value("E").z == 7);
+    QVERIFY(fixture.value("E") != ExactVec3(5, 4, 7));
+  }
+
+  void keys_withNoHandleSelected_moveNothing() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const Qt::Key key : {Qt::Key_Up, Qt::Key_PageUp, Qt::Key_X})
+      QTest::keyClick(&fixture.view, key);
+    QCOMPARE(fixture.model.history().count(), 0);
+  }
+
+  void axisKey_pressedTwiceDuringADrag_locksAndFreesTheAxis() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("Q");
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    fixture.press(at);
+    const QString free = lastOf(hints);
+    QVERIFY2(free.startsWith("Moves in x and y"), qPrintable(free));
+    QTest::keyClick(&fixture.view, Qt::Key_X);
+    QCOMPARE(lastOf(hints), QString("Moves along x only."));
+    movePointer(fixture.view, at + QPoint(0, 80), Qt::LeftButton);
+    QTRY_VERIFY(fixture.value("Q").x != 11);
+    QVERIFY(fixture.value("Q").y == 15);
+    QTest::keyClick(&fixture.view, Qt::Key_X);
+    QCOMPARE(lastOf(hints), free);
+    fixture.release(at + QPoint(0, 80));
+  }
+
+  void shift_pressedAndReleasedDuringADrag_movesUpAndDownMeanwhile() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("Q");
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    fixture.press(at);
+    QTest::keyPress(&fixture.view, Qt::Key_Shift);
+    QVERIFY(lastOf(hints).startsWith("Moves up and down"));
+    movePointer(fixture.view, at - QPoint(0, 60), Qt::LeftButton);
+    QTRY_VERIFY(fixture.value("Q").z > 8);
+    QVERIFY(fixture.value("Q").x == 11 && fixture.value("Q").y == 15);
+    QTest::keyRelease(&fixture.view, Qt::Key_Shift);
+    QVERIFY(lastOf(hints).startsWith("Moves in x and y"));
+    fixture.release(at - QPoint(0, 60));
+  }
+
+  void handle_withAnAxisOfItsOwn_isToldToMoveAlongItOnly() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    const QPoint at = fixture.at("E.offset");
+    fixture.press(at);
+    QCOMPARE(lastOf(hints), QString("Moves along its arrow only."));
+    QTest::keyClick(&fixture.view, Qt::Key_X); // it has no other
+    QCOMPARE(lastOf(hints), QString("Moves along its arrow only."));
+    fixture.release(at);
+  }
+
+  void selection_ofWhatIsRemoved_isGone() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q");
+    QCOMPARE(fixture.model.edit(RemoveEntry{"Q", true}, "remove"), QString());
+    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    QVERIFY(!fixture.view.handlePosition("Q"));
+  }
+
+  void selection_inAnotherLesson_isGone() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q");
+    fixture.model.openLesson("lesson1"); // it has a point Q too
+    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    QVERIFY(fixture.view.handlePosition("Q"));
+  }
+};
+
+QTEST_MAIN(SceneViewInputTest)
+#include "scene_view_input_test.moc"
