@@ -1,124 +1,11 @@
-// A figure: a list of marks of a small closed set. It says what is drawn, never how: colours, widths and
-// pixels belong to the visitors (the 3D scene, exports, the description in words).
+// A figure: a list of marks.
 #pragma once
 
-#include <glm/vec3.hpp>
+#include "lessons/figure/mark.h"
 
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
+#include <string_view>
 
 namespace halfspace {
-
-using Place = glm::dvec3; ///< a place or a vector of the drawing, in scene units
-
-[[nodiscard]] inline bool isFinite(const Place &p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-/// The part a mark plays. It decides width, dash and paleness.
-enum class Role { Given, Derived, Helper, Result, Warning, Ghost };
-
-/// What a mark belongs to. It decides the colour, in the figure and in the formulas alike.
-enum class Subject { Neutral, Plane, Point, Ray, Triangle, EdgeU, EdgeV, Measure };
-
-/// What all marks have.
-struct MarkBase {
-  /// Unique in the figure and stable from one evaluation to the next: `E.n`, `distance.F`. A mark
-  /// `distance.F/angle` accompanies the mark `distance.F`: a step that shows one shows the other.
-  std::string id;
-  Role role = Role::Given;
-  Subject subject = Subject::Neutral;
-  std::string label{};   ///< LaTeX written beside the mark; empty for none
-  std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
-  bool operator==(const MarkBase &) const = default;
-};
-
-struct PointMark : MarkBase {
-  Place at{};
-  bool operator==(const PointMark &) const = default;
-};
-
-/// A straight piece between two points. Helpers and ghosts are dashed.
-struct SegmentMark : MarkBase {
-  Place from{};
-  Place to{};
-  bool operator==(const SegmentMark &) const = default;
-};
-
-/// The thin line of a ray from its start; its direction, which is not zero, is an arrow of its own.
-struct RayMark : MarkBase {
-  Place origin{};
-  Place direction{};
-  std::optional<Place> meets{}; ///< what it meets ahead
-  bool operator==(const RayMark &) const = default;
-};
-
-/// The thin line that goes on in both directions; it is not zero.
-struct LineMark : MarkBase {
-  Place through{};
-  Place direction{};
-  std::vector<Place> covers{}; ///< places of the line that it is to be drawn up to
-  /// The same line, however far it must reach.
-  bool operator==(const LineMark &other) const {
-    return MarkBase::operator==(other) && through == other.through && direction == other.direction;
-  }
-};
-
-struct ArrowMark : MarkBase {
-  Place from{};
-  Place vector{};
-  bool isFree = false; ///< a normal or a ray's direction: where its length cannot be shown, its direction can
-  std::optional<double>
-      drawnLength{}; ///< in units of the picture, where only the direction of the vector matters
-  bool operator==(const ArrowMark &) const = default;
-};
-
-/// A rectangle of a plane around `center`, large enough to hold the points of the plane that matter.
-struct PlanePatchMark : MarkBase {
-  Place center{};
-  Place normal{};
-  std::vector<Place> covers;
-  /// The same patch of the same plane, however far it must reach.
-  bool operator==(const PlanePatchMark &other) const {
-    return MarkBase::operator==(other) && center == other.center && normal == other.normal;
-  }
-};
-
-/// A filled polygon, planar and convex, with its outline.
-struct PolygonMark : MarkBase {
-  std::vector<Place> corners;
-  bool operator==(const PolygonMark &) const = default;
-};
-
-/// A ball that is seen through, with three great circles.
-struct SphereMark : MarkBase {
-  Place center{};
-  double radius = 0;
-  bool operator==(const SphereMark &) const = default;
-};
-
-/// The arc of an angle at `center` from the direction `from` to the direction `to` (neither need be unit).
-struct ArcMark : MarkBase {
-  Place center{};
-  Place from{};
-  Place to{};
-  bool operator==(const ArcMark &) const = default;
-};
-
-/// The corner mark of a right angle at `at`, between two directions (neither need be unit).
-struct RightAngleMark : MarkBase {
-  Place at{};
-  Place first{};
-  Place second{};
-  bool operator==(const RightAngleMark &) const = default;
-};
-
-using Mark = std::variant<PointMark, SegmentMark, RayMark, LineMark, ArrowMark, PlanePatchMark, PolygonMark,
-                          SphereMark, ArcMark, RightAngleMark>;
 
 /// A place that the mark with this id is to be drawn up to: that a patch covers, that a ray meets.
 struct Reach {
@@ -137,23 +24,6 @@ struct Figure {
 /// meets the farthest.
 [[nodiscard]] Figure reaching(Figure figure);
 
-/// For std::visit with one lambda a kind: a kind without one does not compile.
-template <class... Visitors> struct Overloaded : Visitors... { using Visitors::operator()...; };
-template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
-
-/// What all marks have, of any mark.
-[[nodiscard]] inline const MarkBase &baseOf(const Mark &mark) {
-  return std::visit([](const MarkBase &base) -> const MarkBase & { return base; }, mark);
-}
-[[nodiscard]] inline MarkBase &baseOf(Mark &mark) {
-  return std::visit([](MarkBase &base) -> MarkBase & { return base; }, mark);
-}
-
-/// The id of the mark that a mark accompanies: `F` for `F/angle`; its own for all others.
-[[nodiscard]] inline std::string leadingId(const MarkBase &mark) {
-  return mark.id.substr(0, mark.id.find('/'));
-}
-
 /// The mark with this id, or null.
 [[nodiscard]] inline const Mark *findMark(const Figure &figure, std::string_view id) {
   for (const Mark &mark : figure.marks)
@@ -162,35 +32,7 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
   return nullptr;
 }
 
-/// A patch is at least this long on each side, in units of the picture …
-inline constexpr double minimumPatchSide = 14;
-/// … goes on this far behind a covered point …
-inline constexpr double patchMargin = 1;
-/// … and ends this far from its centre, so that a far point does not make it fill the picture.
-inline constexpr double maximumPatchReach = 24;
-
-/// A ray runs on so far behind what it meets, in units of the picture …
-inline constexpr double beyondHit = 2.5;
-/// … and so far where it meets nothing.
-inline constexpr double openRayLength = 16;
-
-/// Where the drawn line of a ray ends.
-[[nodiscard]] Place endOf(const RayMark &ray);
-
-/// A line is drawn so far both ways, in units of the picture, and so far behind what it covers.
-inline constexpr double lineReach = 12;
-/// The two ends of what is drawn of a line.
-[[nodiscard]] std::pair<Place, Place> endsOf(const LineMark &line);
-
-/// From the start of an arrow to the tip that is drawn.
-[[nodiscard]] Place shownVector(const ArrowMark &arrow);
-
 /// The figure without the numbers in its labels: `d` for `d = 10`, `E` for `E: x + 2y + 2z − 27 = 0`.
 [[nodiscard]] Figure withoutNumbers(Figure figure);
-
-/// The corners, in order around it, of the rectangle that a patch is drawn as: one pair of sides horizontal,
-/// reaching beyond the covered points (their feet on the plane) as far as the bounds above let it. Empty for
-/// a zero normal.
-[[nodiscard]] std::vector<Place> cornersOf(const PlanePatchMark &patch);
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 // What the figures of all constructions are made with.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 #include "lessons/object/object.h"
 #include "lessons/term/term.h"
 

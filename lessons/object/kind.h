@@ -3,7 +3,7 @@
 // --set, the rows of the inspector, the handles, the picture and what others snap to.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 #include "lessons/object/binding.h"
 #include "lessons/object/given.h"
 #include "lessons/object/handle.h"

@@ -2,7 +2,7 @@
 // how far apart two places are on the screen is asked of a function.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 #include "lessons/object/flat.h"
 #include "lessons/scene/handles.h"
 

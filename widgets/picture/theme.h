@@ -1,7 +1,7 @@
 // The themes: which colour and width a mark's subject and role have.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // New marks of a step fade in.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "lessons/scene/session.h"
 #include "widgets/picture/shapes/arrival.h"
 

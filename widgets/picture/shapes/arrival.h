@@ -1,7 +1,7 @@
 // Marks on their way into a picture.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 
 #include <set>
 

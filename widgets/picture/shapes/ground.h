@@ -1,6 +1,7 @@
 // The ground grid and the axes.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "widgets/picture/camera.h"
 #include "widgets/picture/shapes/mesh.h"
 

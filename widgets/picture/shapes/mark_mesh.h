@@ -1,6 +1,7 @@
 // The opaque parts of a figure: tubes, balls, arrows, dashes.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
 #include "widgets/picture/shapes/mesh.h"
 

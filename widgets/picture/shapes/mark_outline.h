@@ -2,7 +2,7 @@
 // the way.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 
 namespace halfspace {
 

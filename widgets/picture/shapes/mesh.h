@@ -2,7 +2,7 @@
 // drag.
 #pragma once
 
-#include "lessons/figure/figure.h"
+#include "lessons/figure/mark.h"
 #include "widgets/picture/theme.h"
 
 #include <glm/ext/vector_int3.hpp>

@@ -1,6 +1,7 @@
 // The outlines of balls as they are seen from where the eye is.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
 #include "widgets/picture/shapes/mesh.h"
 #include "widgets/picture/view.h"

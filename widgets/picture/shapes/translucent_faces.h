@@ -2,6 +2,7 @@
 // another.
 #pragma once
 
+#include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
 #include "widgets/picture/theme.h"
 
