@@ -74,10 +74,10 @@ void rayPlane(Operands &operands, Answer &answer) {
   answer.numbers("facing_normal", facingNormal(plane.normal, ray.direction));
 }
 
-void addPlace(Answer &answer, const auto &place) {
-  answer.word("location", nameOf(place.location));
-  if (place.feature >= 0)
-    answer.index("feature", static_cast<std::size_t>(place.feature));
+void addLocation(Answer &answer, const auto &location) {
+  answer.word("location", nameOf(location.part));
+  if (location.feature >= 0)
+    answer.index("feature", static_cast<std::size_t>(location.feature));
 }
 
 void addPerps(Answer &answer, const RayTriangle<Rational> &meet) {
@@ -110,7 +110,7 @@ void rayTriangle(Operands &operands, Answer &answer) {
   const auto meet = intersectRayTriangle(ray, triangle);
   answer.word("case", nameOf(meet.which));
   if (meet.crosses()) {
-    addPlace(answer, meet.place);
+    addLocation(answer, meet.location);
     answer.number("t", meet.plane.t);
     answer.vector("point", meet.plane.point);
     answer.number("s", meet.s);
@@ -158,7 +158,7 @@ void rayPolygon(Operands &operands, Answer &answer) {
   const auto meet = intersectRayPolygon(ray, std::span<const ExactVec3>(polygon));
   answer.word("case", nameOf(meet.which));
   if (meet.crosses()) {
-    addPlace(answer, meet.place);
+    addLocation(answer, meet.location);
     answer.number("t", meet.t);
     answer.vector("point", meet.point);
   }
@@ -247,7 +247,7 @@ void parametric(Operands &operands, Answer &answer) {
   if (operands.fault())
     return;
   answer.vector("point", pointOf(triangle, s, t));
-  answer.word("location", nameOf(placeInTriangle(s, t).location));
+  answer.word("location", nameOf(locationInTriangle(s, t).part));
   answer.truth("in_parallelogram", isInParallelogram(s, t));
 }
 

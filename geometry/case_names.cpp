@@ -7,7 +7,7 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/intersect_ray_triangle.h"
-#include "geometry/place.h"
+#include "geometry/location.h"
 #include "geometry/point_line.h"
 #include "geometry/point_plane.h"
 #include "geometry/relate_lines.h"
@@ -16,15 +16,15 @@ namespace halfspace {
 
 // A case that is missing here does not compile.
 
-std::string_view nameOf(FaceLocation which) {
+std::string_view nameOf(FacePart which) {
   switch (which) {
-  case FaceLocation::Interior:
+  case FacePart::Interior:
     return "interior";
-  case FaceLocation::Edge:
+  case FacePart::Edge:
     return "edge";
-  case FaceLocation::Vertex:
+  case FacePart::Vertex:
     return "vertex";
-  case FaceLocation::Outside:
+  case FacePart::Outside:
     return "outside";
   }
   return {};
@@ -204,13 +204,13 @@ std::string_view nameOf(SolidContacts which) {
   return {};
 }
 
-std::string_view nameOf(SolidPlace which) {
+std::string_view nameOf(SolidLocation which) {
   switch (which) {
-  case SolidPlace::Outside:
+  case SolidLocation::Outside:
     return "outside";
-  case SolidPlace::On:
+  case SolidLocation::On:
     return "on";
-  case SolidPlace::Inside:
+  case SolidLocation::Inside:
     return "inside";
   }
   return {};

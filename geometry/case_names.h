@@ -6,7 +6,7 @@
 
 namespace halfspace {
 
-enum class FaceLocation;
+enum class FacePart;
 enum class LineLineCase;
 enum class LinePlaneCase;
 enum class PlanePlaneCase;
@@ -18,10 +18,10 @@ enum class RaySolidCase;
 enum class RaySphereCase;
 enum class RayTriangleCase;
 enum class SolidContacts;
-enum class SolidPlace;
+enum class SolidLocation;
 enum class SphereContacts;
 
-[[nodiscard]] std::string_view nameOf(FaceLocation location);
+[[nodiscard]] std::string_view nameOf(FacePart location);
 [[nodiscard]] std::string_view nameOf(LineLineCase which);
 [[nodiscard]] std::string_view nameOf(LinePlaneCase which);
 [[nodiscard]] std::string_view nameOf(PlanePlaneCase which);
@@ -33,7 +33,7 @@ enum class SphereContacts;
 [[nodiscard]] std::string_view nameOf(RaySphereCase which);
 [[nodiscard]] std::string_view nameOf(RayTriangleCase which);
 [[nodiscard]] std::string_view nameOf(SolidContacts contacts);
-[[nodiscard]] std::string_view nameOf(SolidPlace place);
+[[nodiscard]] std::string_view nameOf(SolidLocation location);
 [[nodiscard]] std::string_view nameOf(SphereContacts contacts);
 
 } // namespace halfspace

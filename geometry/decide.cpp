@@ -96,8 +96,8 @@ RayTriangleVerdict verdictOf(const TriangleProducts<Integer> &exact) {
     const bool inPlane = first == 0 && second == 0 && third == 0;
     return {inPlane ? RayTriangleCase::InPlane : RayTriangleCase::Parallel, {}};
   }
-  const FacePlace place = placeBySigns(signs);
-  return {caseOfCrossing(place, signOf(exact.volume) * sum < 0), place};
+  const FaceLocation location = locationBySigns(signs);
+  return {caseOfCrossing(location, signOf(exact.volume) * sum < 0), location};
 }
 
 RayTriangleVerdict verdictOf(const WholeNumbers &whole, const TriangleProducts<Integer> &exact) {
@@ -119,7 +119,7 @@ RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<doub
   if (isTame(ray) && isTame(triangle))
     if (const auto which = surelyCaseOf(filterRayTriangle(ray, triangle))) {
       const bool outside = *which == RayTriangleCase::Miss;
-      return {*which, {outside ? FaceLocation::Outside : FaceLocation::Interior, -1}};
+      return {*which, {outside ? FacePart::Outside : FacePart::Interior, -1}};
     }
   const WholeNumbers whole(ray, triangle);
   return verdictOf(whole, whole.products());

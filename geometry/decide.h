@@ -23,7 +23,7 @@ namespace halfspace {
 
 struct RayTriangleVerdict {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  FacePlace place; ///< Outside, too, where the line does not cross the plane in one point
+  FaceLocation location; ///< Outside, too, where the line does not cross the plane in one point
 };
 
 /// The case and the place of `intersectRayTriangle`.

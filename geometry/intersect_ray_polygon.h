@@ -3,7 +3,7 @@
 
 #include "geometry/intersect_ray_plane.h"
 #include "geometry/line.h"
-#include "geometry/place.h"
+#include "geometry/location.h"
 #include "geometry/polygon.h"
 
 #include <cassert>
@@ -17,24 +17,25 @@ enum class RayPolygonCase { Hit, Miss, Behind, Parallel, InPlane, ZeroDirection 
 template <class Scalar> struct RayPolygon {
   RayPolygonCase which = RayPolygonCase::ZeroDirection;
   std::vector<Scalar> products; ///< with each edge i → i + 1
-  FacePlace place;              ///< edge i runs from corner i to corner i + 1
+  FaceLocation location;        ///< edge i runs from corner i to corner i + 1
   Scalar t{};
   Vec3<Scalar> point{};
 
-  /// Whether the ray's line crosses the polygon's plane in one point; place, t and point are set only then.
+  /// Whether the ray's line crosses the polygon's plane in one point; location, t and point are set only
+  /// then.
   [[nodiscard]] bool crosses() const {
     return which == RayPolygonCase::Hit || which == RayPolygonCase::Miss || which == RayPolygonCase::Behind;
   }
 };
 
-/// The place where a line crosses the plane of a convex polygon, by its products with the edges (note PL) and
-/// the sign of direction·normal, where the edges go counterclockwise around the normal: inside all products
-/// have that sign, on an edge its own is 0. Requires the products of a line that crosses the plane in one
-/// point.
-/// (1) Negative products with the other sign, which are those of the line turned round, give the same place.
-/// (2) Products that start with another edge give the same location, and its feature counted from there.
+/// The location where a line crosses the plane of a convex polygon, by its products with the edges (note PL)
+/// and the sign of direction·normal, where the edges go counterclockwise around the normal: inside all
+/// products have that sign, on an edge its own is 0. Requires the products of a line that crosses the plane
+/// in one point. (1) Negative products with the other sign, which are those of the line turned round, give
+/// the same location. (2) Products that start with another edge give the same location, and its feature
+/// counted from there.
 template <class Scalar>
-[[nodiscard]] FacePlace placeByProducts(std::span<const Scalar> products, bool withNormal) {
+[[nodiscard]] FaceLocation locationByProducts(std::span<const Scalar> products, bool withNormal) {
   const Scalar zero(0);
   std::vector<int> zeros;
   for (std::size_t i = 0; i < products.size(); ++i) {
@@ -44,13 +45,13 @@ template <class Scalar>
       return {};
   }
   if (zeros.empty())
-    return {FaceLocation::Interior, -1};
+    return {FacePart::Interior, -1};
   if (zeros.size() == 1)
-    return {FaceLocation::Edge, zeros.front()};
+    return {FacePart::Edge, zeros.front()};
   // Two neighbours meet in the corner where the second one starts; the last edge and the first one in corner
   // 0.
   const bool aroundTheEnd = zeros[1] != zeros[0] + 1;
-  return {FaceLocation::Vertex, aroundTheEnd ? 0 : zeros[1]};
+  return {FacePart::Vertex, aroundTheEnd ? 0 : zeros[1]};
 }
 
 /// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
@@ -84,10 +85,10 @@ template <class Scalar>
   }
   result.t = plane.t;
   result.point = plane.point;
-  result.place = placeByProducts(std::span<const Scalar>(result.products), plane.denominator > zero);
-  result.which = result.place.location == FaceLocation::Outside ? RayPolygonCase::Miss
-                 : plane.which == RayPlaneCase::Behind          ? RayPolygonCase::Behind
-                                                                : RayPolygonCase::Hit;
+  result.location = locationByProducts(std::span<const Scalar>(result.products), plane.denominator > zero);
+  result.which = result.location.part == FacePart::Outside ? RayPolygonCase::Miss
+                 : plane.which == RayPlaneCase::Behind     ? RayPolygonCase::Behind
+                                                           : RayPolygonCase::Hit;
   return result;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/intersect_ray_plane.h"
-#include "geometry/place.h"
+#include "geometry/location.h"
 #include "geometry/solid.h"
 
 namespace halfspace {
@@ -23,8 +23,8 @@ template <class Scalar> struct SolidCrossing {
 template <class Scalar> struct RaySolid {
   RaySolidCase which = RaySolidCase::ZeroDirection;
   SolidContacts contacts = SolidContacts::None;
-  SolidPlace origin = SolidPlace::Outside;      ///< where the ray starts
-  std::optional<SolidCrossing<Scalar>> entered; ///< both are there, unless the case is Miss or ZeroDirection
+  SolidLocation origin = SolidLocation::Outside; ///< where the ray starts
+  std::optional<SolidCrossing<Scalar>> entered;  ///< both are there, unless the case is Miss or ZeroDirection
   std::optional<SolidCrossing<Scalar>> left;
 };
 
@@ -48,14 +48,14 @@ template <class Scalar>
       productsWith({direction * origin.weight, cross(origin.position, direction)}, solid);
 
   bool inFacePlane = false;
-  result.origin = SolidPlace::Inside;
+  result.origin = SolidLocation::Inside;
   for (std::size_t i = 0; i < solid.faces.size(); ++i) {
     const auto &face = solid.faces[i];
     const Scalar f = evaluate(face.plane, origin);
     if (f > zero)
-      result.origin = SolidPlace::Outside;
-    else if (f == zero && result.origin == SolidPlace::Inside)
-      result.origin = SolidPlace::On;
+      result.origin = SolidLocation::Outside;
+    else if (f == zero && result.origin == SolidLocation::Inside)
+      result.origin = SolidLocation::On;
     const Scalar approach = dot(direction, face.plane.normal);
     if (approach == zero) {
       inFacePlane = inFacePlane || f == zero;

@@ -1,7 +1,7 @@
 // A ray and a sphere.
 #pragma once
 
-#include "geometry/place.h"
+#include "geometry/location.h"
 #include "geometry/ray.h"
 #include "geometry/sphere.h"
 #include "geometry/surd.h"
@@ -26,8 +26,8 @@ template <class Scalar> struct SphereContact {
 template <class Scalar> struct RaySphere {
   RaySphereCase which = RaySphereCase::ZeroDirection;
   SphereContacts contacts = SphereContacts::None;
-  SolidPlace origin = SolidPlace::Outside; ///< where the ray starts
-  Scalar discriminant{};                   ///< (d·m)² − (d·d)(m·m − r²) with m = origin − center
+  SolidLocation origin = SolidLocation::Outside; ///< where the ray starts
+  Scalar discriminant{}; ///< (d·m)² − (d·d)(m·m − r²) with m = origin − center
   std::vector<SphereContact<Scalar>> along{}; ///< by ascending t
 };
 
@@ -49,7 +49,9 @@ template <class Scalar>
   const Vec3<Scalar> &d = ray.direction;
   const Vec3<Scalar> m = ray.origin - sphere.center;
   const Scalar outside = dot(m, m) - sphere.radius * sphere.radius;
-  result.origin = outside > zero ? SolidPlace::Outside : outside < zero ? SolidPlace::Inside : SolidPlace::On;
+  result.origin = outside > zero   ? SolidLocation::Outside
+                  : outside < zero ? SolidLocation::Inside
+                                   : SolidLocation::On;
   if (isZero(d))
     return result;
   const Scalar square = dot(d, d);

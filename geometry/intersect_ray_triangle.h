@@ -26,8 +26,8 @@ enum class RayTriangleCase { Hit, Miss, Behind, Parallel, InPlane, Coincident, C
 }
 
 /// The case of a ray whose line crosses the triangle's plane in one point.
-[[nodiscard]] inline RayTriangleCase caseOfCrossing(const FacePlace &place, bool behind) {
-  if (place.location == FaceLocation::Outside)
+[[nodiscard]] inline RayTriangleCase caseOfCrossing(const FaceLocation &location, bool behind) {
+  if (location.part == FacePart::Outside)
     return RayTriangleCase::Miss;
   return behind ? RayTriangleCase::Behind : RayTriangleCase::Hit;
 }
@@ -68,7 +68,7 @@ template <class Scalar> struct RayTriangle {
   RayTriangleCase which = RayTriangleCase::Coincident;
   TrianglePerps<Scalar> perps;
   RayPlane<Scalar> plane; ///< the ray and the triangle's plane: t, point
-  FacePlace place;
+  FaceLocation location;
   Vec3<Scalar> w{};   ///< point − P0
   Scalar wu{};        ///< w·u, one of the five dot products
   Scalar wv{};        ///< w·v
@@ -85,7 +85,7 @@ template <class Scalar> struct RayTriangle {
 /// triangle at t < 0. Parallel and InPlane as for the triangle's plane. A degenerate triangle is named by its
 /// shape and only its perps are set; with a zero direction the case says so.
 /// (1) The point is Q + t·r and P0 + s·u + tTriangle·v.
-/// (2) The place is `placeInTriangle` of s and tTriangle. It is Outside exactly for Miss, where the line
+/// (2) The place is `locationInTriangle` of s and tTriangle. It is Outside exactly for Miss, where the line
 ///     crosses the plane.
 /// (3) Corners in another order give the same case, t and point; the barycentric coordinates
 ///     [1 − s − tTriangle, s, tTriangle] go with their corners.
@@ -113,8 +113,8 @@ template <class Scalar>
   result.wv = dot(result.w, perps.v);
   result.s = (perps.uv * result.wv - perps.vv * result.wu) / perps.denominator;
   result.tTriangle = (perps.uv * result.wu - perps.uu * result.wv) / perps.denominator;
-  result.place = placeInTriangle(result.s, result.tTriangle);
-  result.which = caseOfCrossing(result.place, result.plane.which == RayPlaneCase::Behind);
+  result.location = locationInTriangle(result.s, result.tTriangle);
+  result.which = caseOfCrossing(result.location, result.plane.which == RayPlaneCase::Behind);
   return result;
 }
 

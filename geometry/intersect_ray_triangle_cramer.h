@@ -9,7 +9,7 @@ namespace halfspace {
 /// ray: M = [r−s | r−t | d] by columns, and r−o in place of column 1, 2, 3 for σ, τ and the ray's parameter.
 template <class Scalar> struct RayTriangleCramer {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  FacePlace place;
+  FaceLocation location;
   Scalar det{};      ///< det M = d·n; 0 when parallel, and for a degenerate triangle
   Scalar detSigma{}; ///< σ = detSigma/det, which is s of the perps
   Scalar detTau{};   ///< τ = detTau/det, which is t of the perps
@@ -51,8 +51,8 @@ template <class Scalar>
   result.sigma = result.detSigma / result.det;
   result.tau = result.detTau / result.det;
   result.t = result.detT / result.det;
-  result.place = placeInTriangle(result.sigma, result.tau);
-  result.which = caseOfCrossing(result.place, result.t < zero);
+  result.location = locationInTriangle(result.sigma, result.tau);
+  result.which = caseOfCrossing(result.location, result.t < zero);
   return result;
 }
 

@@ -9,7 +9,7 @@ namespace halfspace {
 /// Where a ray meets a triangle, by the side on which its line passes each edge.
 template <class Scalar> struct RayTrianglePlucker {
   RayTriangleCase which = RayTriangleCase::Coincident;
-  FacePlace place;
+  FaceLocation location;
   std::array<Scalar, 3> products{}; ///< with the edges P1→P2, P2→P0, P0→P1: edge i is opposite corner i
   Scalar sum{};                     ///< of the products: r·n; 0 when parallel
   std::array<Scalar, 3> barycentric{}; ///< products/sum
@@ -59,8 +59,8 @@ template <class Scalar>
   const auto &[first, second, third] = result.barycentric;
   result.point = triangle.p0 * first + triangle.p1 * second + triangle.p2 * third;
   result.t = dot(Vec3<Scalar>(result.point - ray.origin), ray.direction) / dot(ray.direction, ray.direction);
-  result.place = placeInTriangle(second, third);
-  result.which = caseOfCrossing(result.place, result.t < zero);
+  result.location = locationInTriangle(second, third);
+  result.which = caseOfCrossing(result.location, result.t < zero);
   return result;
 }
 

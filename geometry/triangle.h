@@ -1,7 +1,7 @@
 // Triangles.
 #pragma once
 
-#include "geometry/place.h"
+#include "geometry/location.h"
 #include "geometry/vector.h"
 
 #include <array>
@@ -37,7 +37,7 @@ template <class Scalar>
 }
 
 /// Whether P0 + s·u + t·v lies in the parallelogram of u and v, its boundary included (note PG 2).
-/// (1) So exactly where `placeInTriangle` of (s, t) or of (1 − s, 1 − t) is not Outside.
+/// (1) So exactly where `locationInTriangle` of (s, t) or of (1 − s, 1 − t) is not Outside.
 template <class Scalar> [[nodiscard]] bool isInParallelogram(const Scalar &s, const Scalar &t) {
   const Scalar zero(0);
   const Scalar one(1);
@@ -50,19 +50,18 @@ template <class Scalar> [[nodiscard]] int signOf(const Scalar &value) {
   return value < zero ? -1 : value > zero ? 1 : 0;
 }
 
-/// The place of a point by the signs of its barycentric coordinates (note PG 2; note CG). An edge's feature
-/// is the index of the corner opposite. A coordinate 0 is an edge only where the other two are positive, a
-/// corner where one more is 0. Requires signs that are not all 0.
-/// (1) Outside exactly where a sign is −1.
-/// (2) Signs in another order give the same location, and its feature at the new index.
-[[nodiscard]] inline FacePlace placeBySigns(const std::array<int, 3> &signs) {
+/// The location of a point by the signs of its barycentric coordinates (note PG 2; note CG). An edge's
+/// feature is the index of the corner opposite. A coordinate 0 is an edge only where the other two are
+/// positive, a corner where one more is 0. Requires signs that are not all 0. (1) Outside exactly where a
+/// sign is −1. (2) Signs in another order give the same location, and its feature at the new index.
+[[nodiscard]] inline FaceLocation locationBySigns(const std::array<int, 3> &signs) {
   int zeros = 0;
   int lastZero = -1;
   int lastPositive = -1;
   for (int i = 0; i < 3; ++i) {
     const int sign = signs[static_cast<std::size_t>(i)];
     if (sign < 0)
-      return {FaceLocation::Outside, -1};
+      return {FacePart::Outside, -1};
     if (sign == 0) {
       ++zeros;
       lastZero = i;
@@ -71,15 +70,15 @@ template <class Scalar> [[nodiscard]] int signOf(const Scalar &value) {
     }
   }
   if (zeros == 0)
-    return {FaceLocation::Interior, -1};
-  return zeros == 1 ? FacePlace{FaceLocation::Edge, lastZero} : FacePlace{FaceLocation::Vertex, lastPositive};
+    return {FacePart::Interior, -1};
+  return zeros == 1 ? FaceLocation{FacePart::Edge, lastZero} : FaceLocation{FacePart::Vertex, lastPositive};
 }
 
-/// The place of the point with barycentric coordinates [1 − s − t, s, t].
+/// The location of the point with barycentric coordinates [1 − s − t, s, t].
 /// (1) Outside exactly where s < 0, t < 0 or s + t > 1.
-/// (2) (t, s) gives the place of (s, t) with the features 1 and 2 swapped.
-template <class Scalar> [[nodiscard]] FacePlace placeInTriangle(const Scalar &s, const Scalar &t) {
-  return placeBySigns({signOf(Scalar(Scalar(1) - s - t)), signOf(s), signOf(t)});
+/// (2) (t, s) gives the location of (s, t) with the features 1 and 2 swapped.
+template <class Scalar> [[nodiscard]] FaceLocation locationInTriangle(const Scalar &s, const Scalar &t) {
+  return locationBySigns({signOf(Scalar(Scalar(1) - s - t)), signOf(s), signOf(t)});
 }
 
 } // namespace halfspace

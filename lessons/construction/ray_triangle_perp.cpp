@@ -60,21 +60,21 @@ Out compute(const In &in) {
 
 /// Where in the triangle the point is, for people: inside the triangle, on the edge P₀P₁ …
 std::string wherePlaced(const Out &at) {
-  const FacePlace &place = at.meet.place;
+  const FaceLocation &location = at.meet.location;
   const std::array corners{&at.P0, &at.P1, &at.P2};
   const auto cornerName = [&](int corner) {
     return plainText(*corners.at(static_cast<std::size_t>(corner)));
   };
-  switch (place.location) {
-  case FaceLocation::Interior:
+  switch (location.part) {
+  case FacePart::Interior:
     return words("inside the triangle");
-  case FaceLocation::Edge: // named by the corner opposite to it
+  case FacePart::Edge: // named by the corner opposite to it
     return words("on the edge {edge}",
-                 {{"edge", edgeName((*corners.at(place.feature == 0 ? 1 : 0))->symbol,
-                                    (*corners.at(place.feature == 2 ? 1 : 2))->symbol)}});
-  case FaceLocation::Vertex:
-    return words("at the corner {corner}", {{"corner", cornerName(place.feature)}});
-  case FaceLocation::Outside:
+                 {{"edge", edgeName((*corners.at(location.feature == 0 ? 1 : 0))->symbol,
+                                    (*corners.at(location.feature == 2 ? 1 : 2))->symbol)}});
+  case FacePart::Vertex:
+    return words("at the corner {corner}", {{"corner", cornerName(location.feature)}});
+  case FacePart::Outside:
     break;
   }
   return words("outside the triangle");
@@ -137,9 +137,9 @@ std::vector<NamedValue> perpValues(const Out &at) {
 std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   std::vector<NamedValue> values;
   if (at.meet.crosses()) {
-    values.push_back({"location", words("place"), std::string(nameOf(at.meet.place.location))});
-    if (at.meet.place.feature >= 0)
-      values.push_back({"feature", {}, at.meet.place.feature});
+    values.push_back({"location", words("place"), std::string(nameOf(at.meet.location.part))});
+    if (at.meet.location.feature >= 0)
+      values.push_back({"feature", {}, at.meet.location.feature});
     values.push_back(listed("t", at.lambda));
     values.push_back(listed("point", at.I));
     values.push_back(listed("s", at.s));

@@ -87,7 +87,7 @@ std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_v
 constexpr std::string_view caseName = "case";
 
 std::optional<Value> findOf(const EvaluatedEntry &entry, std::string_view name) {
-  if (name == caseName)
+  if (name == caseName && (entry.isConstruction() || !entry.missing.empty()))
     return entry.outcome->told->name;
   return findIn(*entry.outcome->values, name);
 }

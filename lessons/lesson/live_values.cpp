@@ -31,8 +31,10 @@ std::string markdownOf(std::string_view name, const Scene &scene, const Evaluati
   if (const auto value = findValue(evaluation, name))
     return markdownOf(*value);
   if (const auto id = findCoordinate(scene, name)) {
-    const ExactVec3 &at = coordinate(*findObject(scene, id->object), id->index);
-    return markdownOf(std::vector<Surd>{at.x, at.y, at.z});
+    const Object &object = *findObject(scene, id->object);
+    const ExactVec3 &at = object[id->index];
+    const bool isSingle = numbersIn(coordinatesOf(object)[id->index].role) == 1;
+    return markdownOf(isSingle ? Value(Surd(at.x)) : std::vector<Surd>{at.x, at.y, at.z});
   }
   return std::string(noValue);
 }

@@ -1,7 +1,5 @@
 #include "lessons/object/bound_point.h"
 
-#include <array>
-
 namespace halfspace {
 namespace {
 
@@ -66,13 +64,14 @@ Handle boundHandle(const std::string &name, const Object &bound, const Object &h
 }
 
 Rational freedomStep(const Rational &gridStep, const Rational &squaredLength) {
-  static const std::array<Rational, 8> steps{Rational(1),      Rational(1, 2),   Rational(1, 4),
-                                             Rational(1, 10),  Rational(1, 20),  Rational(1, 100),
-                                             Rational(1, 200), Rational(1, 1000)};
-  for (const Rational &step : steps)
-    if (step * step * squaredLength <= gridStep * gridStep * 4)
-      return step;
-  return steps.back();
+  const auto isFineEnough = [&](const Rational &step) {
+    return step * step * squaredLength <= gridStep * gridStep * 4;
+  };
+  for (Rational decimal = 1; decimal > finestFreedom; decimal /= 10)
+    for (const Rational &step : {decimal, Rational(decimal / 2), Rational(decimal / 4)})
+      if (isFineEnough(step))
+        return step;
+  return finestFreedom;
 }
 
 } // namespace halfspace

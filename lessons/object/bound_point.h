@@ -18,8 +18,11 @@ namespace halfspace {
 [[nodiscard]] Handle boundHandle(const std::string &name, const Object &bound, const Object &host,
                                  const ExactVec3 &at);
 
-/// The largest of 1, 1/2, 1/4, 1/10 … 1/1000 by which a freedom may go forward so that the point moves at
-/// most two steps of the grid, where it moves by this length while the freedom grows by 1.
+/// No freedom goes in finer steps.
+inline const Rational finestFreedom(1, 1000000000);
+/// The largest of 1, 1/2, 1/4, 1/10, 1/20, 1/40 … by which a freedom may go forward so that the point moves
+/// at most two steps of the grid, where it moves by this length while the freedom grows by 1; but
+/// finestFreedom at least.
 [[nodiscard]] Rational freedomStep(const Rational &gridStep, const Rational &squaredLength);
 
 } // namespace halfspace

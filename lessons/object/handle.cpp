@@ -43,7 +43,7 @@ Object movedTo(const Object &object, const Handle &handle, const ExactVec3 &plac
   return moved;
 }
 
-std::optional<ExactVec3> placeOn(const Object &host, const Object &bound) {
+std::optional<ExactVec3> placeOn(const Object &bound, const Object &host) {
   return bound.kind().binding->placeOf(bound, host);
 }
 

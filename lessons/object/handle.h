@@ -35,7 +35,7 @@ struct Handle {
 [[nodiscard]] Object movedTo(const Object &object, const Handle &handle, const ExactVec3 &place);
 
 /// Where an object lies that is bound to a host; nothing where the host has no places.
-[[nodiscard]] std::optional<ExactVec3> placeOn(const Object &host, const Object &bound);
+[[nodiscard]] std::optional<ExactVec3> placeOn(const Object &bound, const Object &host);
 /// The bound object after its handle was moved to the step of the grid that is nearest to a place.
 [[nodiscard]] Object movedToGrid(const Object &bound, const Handle &handle, const ExactVec3 &place,
                                  const Rational &step);

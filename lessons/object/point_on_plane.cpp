@@ -17,8 +17,11 @@ std::optional<ExactVec3> placeOf(const Object &bound, const Object &host) {
 }
 
 Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
-  bound[Near] = place;
-  bound[Near] = placeOf(bound, host).value_or(place);
+  Object moved = bound;
+  moved[Near] = place;
+  const auto foot = placeOf(moved, host);
+  if (foot)
+    bound[Near] = *foot;
   return bound;
 }
 

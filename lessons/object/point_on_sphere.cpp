@@ -18,8 +18,8 @@ enum Host : std::uint8_t { Center, Radius };
 
 /// Nearer to the lowest point nobody can see the difference.
 const Rational farthestFreedom = 1000;
-/// A place that is not on the sphere is brought there to this fineness of s and t, as drags are elsewhere.
-const Rational fineness(1, 1000);
+/// A place that is not on the sphere is brought there to this fineness of s and t: far below what is seen.
+const Rational fineness(1, 1000000);
 
 void settle(Object &bound) {
   for (const Freedoms freedom : {S, T})

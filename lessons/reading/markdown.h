@@ -13,8 +13,8 @@
 
 namespace halfspace {
 
-/// What stands between dollars. A `$` in code or after a backslash is no formula, nor is one without a
-/// partner in its paragraph.
+/// What stands between dollars. A `$` between marks of code or after a backslash is no formula, nor is one
+/// without a partner in its paragraph.
 struct MarkdownFormula {
   /// As it was written, without spaces at its ends.
   struct Source {

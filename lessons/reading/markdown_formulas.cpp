@@ -85,7 +85,7 @@ public:
       const char character = m_text[m_next];
       if (character == '\\')
         copy(2);
-      else if (character == '`')
+      else if (character == '`' || beginsTildeFence())
         passCode();
       else if (character != '$' || !takeFormula())
         copy(1);
@@ -99,8 +99,14 @@ private:
     m_next += count;
   }
 
+  /// Whether ~~~ begins a line here.
+  [[nodiscard]] bool beginsTildeFence() const {
+    return m_text.substr(m_next).starts_with("~~~") && (m_next == 0 || m_text[m_next - 1] == '\n');
+  }
+
   void passCode() {
-    const std::size_t fence = std::min(m_text.find_first_not_of('`', m_next), m_text.size()) - m_next;
+    const char mark = m_text[m_next];
+    const std::size_t fence = std::min(m_text.find_first_not_of(mark, m_next), m_text.size()) - m_next;
     const auto close = m_text.find(m_text.substr(m_next, fence), m_next + fence);
     copy(close == std::string_view::npos ? fence : close + fence - m_next);
   }

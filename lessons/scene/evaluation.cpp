@@ -41,7 +41,7 @@ std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given) {
                    }));
 }
 
-/// The outcome of a construction that looks at something that is not there now, for a reason.
+/// The outcome of what cannot be told now, for a reason.
 std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
   return std::make_shared<const Outcome>(Outcome{{},
                                                  Lazy<CaseWords>([reason] {
@@ -101,7 +101,7 @@ private:
     const auto host = m_visible.find(entry.on);
     if (host == m_visible.end() || kindOf(host->second.given->object) != object.kind().binding->host)
       return;
-    const auto place = placeOn(host->second.given->object, object);
+    const auto place = placeOn(object, host->second.given->object);
     const auto given =
         std::make_shared<const Given<Object>>(m_letters.bound(entry.name, place.value_or(ExactVec3(0))));
     EvaluatedEntry found{entry.name, {}, Naming{entry.name}, {given, host->second.given}};
@@ -203,18 +203,6 @@ const EvaluatedEntry *Evaluation::lastConstruction() const {
   const auto found = std::find_if(entries.rbegin(), entries.rend(),
                                   [](const EvaluatedEntry &each) { return each.isConstruction(); });
   return found == entries.rend() ? nullptr : &*found;
-}
-
-std::vector<PlacedObject> boundObjectsOf(const Scene &scene) {
-  std::vector<PlacedObject> found;
-  if (std::none_of(scene.entries.begin(), scene.entries.end(), isBound))
-    return found;
-  const Evaluation evaluation = evaluate(scene);
-  for (const Entry &entry : scene.entries)
-    if (const EvaluatedEntry *evaluated = isBound(entry) ? evaluation.find(entry.name) : nullptr;
-        evaluated && evaluated->missing.empty())
-      found.push_back({entry.name, *evaluated->looksAt[0], evaluated->looksAt[1]->object});
-  return found;
 }
 
 Figure figureOf(const Evaluation &evaluation) {

@@ -15,8 +15,9 @@ struct EvaluatedEntry {
   Naming naming;
   /// In the order of the roles; or the entry's own object, and behind a bound one what it lies on.
   std::vector<std::shared_ptr<const Given<Object>>> looksAt;
-  std::string
-      missing{}; ///< what the construction looks at and is not there now, as it is written; empty for nothing
+  /// Why the entry cannot be told now: what its construction looks at is not there, or there is no place for
+  /// the bound object. A sentence; empty for nothing.
+  std::string missing{};
   std::shared_ptr<const Outcome> outcome{};
   /// An object as it stands in the scene, a bound one by its freedoms; null for a construction.
   std::shared_ptr<const Given<Object>> own{};
@@ -36,19 +37,9 @@ struct Evaluation {
 
 /// Evaluates a scene from top to bottom. An outcome of `before` is taken over where the entry and all that it
 /// looks at are what they were then. An entry is left out whose construction does not exist or whose roles
-/// name nothing above it of the right kind: no reader passes such ones. One that looks at something that
-/// another entry does not make in its present case says so (`missing-object`).
+/// name nothing above it of the right kind, and a bound object without a host: no reader passes such ones.
+/// One that looks at something that is not there in the present case says so (`missing-object`).
 [[nodiscard]] Evaluation evaluate(const Scene &scene, const Evaluation &before = {});
-
-/// A bound object at its place, and what it lies on.
-struct PlacedObject {
-  std::string name;
-  Given<Object> point;
-  Object host;
-};
-
-/// The bound objects of a scene that have a place now. The scene is evaluated only where it has some.
-[[nodiscard]] std::vector<PlacedObject> boundObjectsOf(const Scene &scene);
 
 /// The marks of all entries.
 [[nodiscard]] Figure figureOf(const Evaluation &evaluation);

@@ -1,7 +1,6 @@
 #include "lessons/scene/handles.h"
 
 #include "lessons/object/bound_point.h"
-#include "lessons/scene/evaluation.h"
 
 namespace halfspace {
 namespace {
@@ -25,12 +24,12 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
 
 } // namespace
 
-std::vector<Handle> handlesOf(const Scene &scene) {
+std::vector<Handle> handlesOf(const PlacedScene &placed) {
   std::vector<Handle> handles;
-  for (const PlacedObject &bound : boundObjectsOf(scene))
+  for (const PlacedObject &bound : placed.bound)
     handles.push_back(
-        boundHandle(bound.name, *findObject(scene, bound.name), bound.host, bound.point.object[0]));
-  for (const Entry &entry : scene.entries)
+        boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host, bound.point.object[0]));
+  for (const Entry &entry : placed.scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       addCoordinateHandles(entry.name, *object, handles);
       for (Handle &own : object->kind().ownHandles(entry.name, *object))

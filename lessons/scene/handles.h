@@ -2,12 +2,12 @@
 #pragma once
 
 #include "lessons/object/handle.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/placed_scene.h"
 
 namespace halfspace {
 
 /// The handles of all objects: one for each bound one that has a place; of the free ones one for each
 /// position and each direction, and those that the kinds have of their own.
-[[nodiscard]] std::vector<Handle> handlesOf(const Scene &scene);
+[[nodiscard]] std::vector<Handle> handlesOf(const PlacedScene &scene);
 
 } // namespace halfspace

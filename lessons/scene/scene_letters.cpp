@@ -29,7 +29,7 @@ void SceneLetters::countCoordinates(const Object &object) {
 }
 
 bool SceneLetters::isShared(std::string_view name) const {
-  const auto found = m_count.find(std::string(name));
+  const auto found = m_count.find(std::string(spelledLetter(name)));
   return found != m_count.end() && found->second > 1;
 }
 

@@ -2,7 +2,6 @@
 
 #include "lessons/object/kind.h"
 #include "lessons/scene/edit.h"
-#include "lessons/scene/evaluation.h"
 #include "lessons/scene/scene_letters.h"
 
 #include <algorithm>
@@ -11,13 +10,14 @@ namespace halfspace {
 namespace {
 
 /// What the objects offer that do not move with the handled one.
-Surroundings surroundingsOf(const Scene &scene, const SceneLetters &letters, const std::string &handled) {
+Surroundings surroundingsOf(const PlacedScene &placed, const SceneLetters &letters,
+                            const std::string &handled) {
   Surroundings found;
-  for (const Entry &entry : scene.entries)
+  for (const Entry &entry : placed.scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled)
       object->kind().offer(letters.given(entry.name, *object), found);
-  const std::vector<std::string> dependents = dependentsOf(scene, handled);
-  for (const PlacedObject &bound : boundObjectsOf(scene))
+  const std::vector<std::string> dependents = dependentsOf(placed.scene, handled);
+  for (const PlacedObject &bound : placed.bound)
     if (bound.name != handled &&
         std::find(dependents.begin(), dependents.end(), bound.name) == dependents.end())
       bound.point.object.kind().offer(bound.point, found);
@@ -26,13 +26,13 @@ Surroundings surroundingsOf(const Scene &scene, const SceneLetters &letters, con
 
 } // namespace
 
-std::vector<SnapTarget> snapTargets(const Scene &scene, const Handle &handle) {
-  const Object *object = findObject(scene, handle.object);
+std::vector<SnapTarget> snapTargets(const PlacedScene &placed, const Handle &handle) {
+  const Object *object = findObject(placed.scene, handle.object);
   std::vector<SnapTarget> targets;
   if (!object || handle.motion == Handle::Motion::Whole)
     return targets;
-  const SceneLetters letters(scene);
-  const Surroundings found = surroundingsOf(scene, letters, handle.object);
+  const SceneLetters letters(placed.scene);
+  const Surroundings found = surroundingsOf(placed, letters, handle.object);
   const bool isPosition = handle.motion == Handle::Motion::OnHost ||
                           (handle.motion == Handle::Motion::Coordinate &&
                            coordinatesOf(*object)[handle.coordinate].role == CoordinateRole::Position);

@@ -7,6 +7,6 @@
 namespace halfspace {
 
 /// The targets for a handle among the other objects of its scene, as their kinds and its own say.
-[[nodiscard]] std::vector<SnapTarget> snapTargets(const Scene &scene, const Handle &handle);
+[[nodiscard]] std::vector<SnapTarget> snapTargets(const PlacedScene &scene, const Handle &handle);
 
 } // namespace halfspace

@@ -50,7 +50,7 @@ class Snapper {
 public:
   explicit Snapper(const SnapRequest &request)
       : m_request(request),
-        m_bound(request.handle.host ? findObject(request.scene, request.handle.object) : nullptr),
+        m_bound(request.handle.host ? findObject(request.scene.scene, request.handle.object) : nullptr),
         m_wanted(wantedPlace()), m_grid(gridPlace()) {}
 
   SnappedPlace find() const {
@@ -90,8 +90,8 @@ private:
 
   ExactVec3 gridPlace() const {
     if (m_bound)
-      return *placeOn(*m_request.handle.host,
-                      movedToGrid(*m_bound, m_request.handle, m_wanted, m_request.step));
+      return *placeOn(movedToGrid(*m_bound, m_request.handle, m_wanted, m_request.step),
+                      *m_request.handle.host);
     const Flat &freedom = m_request.freedom;
     if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
       return gridPlaceOnLine(freedom.direction());
@@ -201,7 +201,7 @@ private:
   /// Whether the handle's bound object can lie there, with freedoms that stay short and within bounds.
   bool isOnHost(const ExactVec3 &at) const {
     const Object moved = movedTo(*m_bound, m_request.handle, at);
-    if (placeOn(*m_request.handle.host, moved) != at || refusedCoordinateOf(moved))
+    if (placeOn(moved, *m_request.handle.host) != at || refusedCoordinateOf(moved))
       return false;
     for (std::size_t i = 0; i < moved.size(); ++i)
       for (int axis = 0; axis < 3; ++axis)

@@ -12,10 +12,10 @@ namespace halfspace {
 
 /// What a drag knows when it asks where its handle comes to rest.
 struct SnapRequest {
-  const Scene &scene;
+  const PlacedScene &scene;
   const Handle &handle; ///< as it is before this move
   Place raw;            ///< where the pointer wants it
-  Flat freedom;         ///< where it may go: a plane or a line through handle.at
+  Flat freedom;         ///< where it may go: a plane or a line through handle.at; for a sphere all of space
   Rational step;        ///< of the grid
   std::function<double(const Place &, const Place &)> pixelsApart;
   double catchPixels; ///< what is further away on the screen does not catch
@@ -30,7 +30,8 @@ struct SnappedPlace {
 /// The exact place for a dragged handle.
 ///
 /// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
-/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction.
+/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction. A bound
+/// object rests where its freedoms are round (Binding::onGrid), and never off its host.
 ///
 /// A special place of another object (a vertex, an edge, a plane; for a direction: parallel, through a vertex
 /// or an edge, along an axis) catches within `catchPixels`: points before lines before planes, then the

@@ -56,18 +56,6 @@ void collectNames(const Term &term, std::vector<Term> &names) {
     collectNames(part, names);
 }
 
-/// The Greek letter that a name spells out, as files write it; empty for other names.
-std::string_view greekLetter(std::string_view name) {
-  static constexpr std::pair<std::string_view, std::string_view> letters[] = {
-      {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"},
-      {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},    {"rho", "ρ"},   {"sigma", "σ"},
-      {"tau", "τ"},   {"phi", "φ"},    {"omega", "ω"}};
-  for (const auto &[spelled, letter] : letters)
-    if (spelled == name)
-      return letter;
-  return {};
-}
-
 } // namespace
 
 Symbol letter(std::string letter, std::string subscript) {
@@ -81,14 +69,23 @@ Symbol perpLetter(std::string letter) {
 }
 Symbol word(std::string word) { return {.letter = std::move(word), .isWord = true}; }
 
+std::string_view spelledLetter(std::string_view name) {
+  static constexpr std::pair<std::string_view, std::string_view> letters[] = {
+      {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"},
+      {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},    {"rho", "ρ"},   {"sigma", "σ"},
+      {"tau", "τ"},   {"phi", "φ"},    {"omega", "ω"}};
+  for (const auto &[spelled, letter] : letters)
+    if (spelled == name)
+      return letter;
+  return name;
+}
+
 Symbol symbolOf(std::string_view name) {
   const auto lastOther = name.find_last_not_of("0123456789");
   const bool isPlain = lastOther != std::string_view::npos && isLetter(name[lastOther]);
   const std::string letters(name.substr(0, isPlain ? lastOther + 1 : name.size()));
-  const std::string_view greek = greekLetter(letters);
-  Symbol symbol = !greek.empty()       ? letter(std::string(greek))
-                  : letters.size() > 1 ? word(letters)
-                                       : letter(letters);
+  const std::string_view spelled = spelledLetter(letters);
+  Symbol symbol = letters.size() > 1 && spelled == letters ? word(letters) : letter(std::string(spelled));
   symbol.subscript = name.substr(letters.size());
   return symbol;
 }

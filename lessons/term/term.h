@@ -32,6 +32,8 @@ struct Symbol {
 /// u⊥
 [[nodiscard]] Symbol perpLetter(std::string letter);
 [[nodiscard]] Symbol word(std::string word);
+/// The Greek letter that a name spells out, as files write it: λ for lambda; other names are themselves.
+[[nodiscard]] std::string_view spelledLetter(std::string_view name);
 /// A name as it is spelled: `P12` is P with the index 12; a word, or a name with - or _, stands upright.
 [[nodiscard]] Symbol symbolOf(std::string_view name);
 

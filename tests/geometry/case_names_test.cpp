@@ -28,7 +28,7 @@ template <class Case> void expectNamesApart(Case last) {
 }
 
 TEST(CaseNames, OfEveryQuery_AreThereAndApart) {
-  expectNamesApart(FaceLocation::Outside);
+  expectNamesApart(FacePart::Outside);
   expectNamesApart(LineLineCase::NotALine);
   expectNamesApart(LinePlaneCase::ZeroNormal);
   expectNamesApart(PlanePlaneCase::ZeroNormal);
@@ -38,7 +38,7 @@ TEST(CaseNames, OfEveryQuery_AreThereAndApart) {
   expectNamesApart(RaySphereCase::ZeroDirection);
   expectNamesApart(RayTriangleCase::ZeroDirection);
   expectNamesApart(SolidContacts::Along);
-  expectNamesApart(SolidPlace::Inside);
+  expectNamesApart(SolidLocation::Inside);
   expectNamesApart(SphereContacts::Two);
 }
 

@@ -113,8 +113,8 @@ void expectExactVerdict(const Ray<double> &ray, const Triangle<double> &triangle
   const auto verdict = decideRayTriangle(ray, triangle);
   const auto exact = intersectRayTriangle(exactly(ray), exactly(triangle));
   ASSERT_EQ(verdict.which, exact.which);
-  ASSERT_EQ(verdict.place.location, exact.place.location);
-  ASSERT_EQ(verdict.place.feature, exact.place.feature);
+  ASSERT_EQ(verdict.location.part, exact.location.part);
+  ASSERT_EQ(verdict.location.feature, exact.location.feature);
 
   const auto hit = exactHit(ray, triangle);
   ASSERT_EQ(hit.has_value(), exact.which == RayTriangleCase::Hit);

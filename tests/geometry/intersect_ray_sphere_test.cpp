@@ -96,7 +96,7 @@ TEST(IntersectRaySphere, RayThroughTheCenter_MeetsItTwice) {
                                        Sphere<Rational>{ExactVec3(6, 0, 0), 2});
   EXPECT_EQ(meet.which, RaySphereCase::Hit);
   EXPECT_EQ(meet.contacts, SphereContacts::Two);
-  EXPECT_EQ(meet.origin, SolidPlace::Outside);
+  EXPECT_EQ(meet.origin, SolidLocation::Outside);
   EXPECT_EQ(meet.discriminant, 16);
   ASSERT_EQ(meet.along.size(), 2U);
   EXPECT_EQ(meet.along[0].t, Surd(2));
@@ -167,7 +167,9 @@ TEST(IntersectRaySphere, BothT_HaveTheSumAndProductOfTheQuadratic) { // law (4)
     EXPECT_EQ(first.rootFactor(), -last.rootFactor());
     EXPECT_EQ(first.rationalPart() + last.rationalPart(), -2 * dot(ray.direction, m) / square);
     EXPECT_EQ(first.rationalPart() * last.rationalPart() - rootSquare, product);
-    EXPECT_EQ(product.sign(), meet.origin == SolidPlace::Inside ? -1 : meet.origin == SolidPlace::On ? 0 : 1);
+    EXPECT_EQ(product.sign(), meet.origin == SolidLocation::Inside ? -1
+                              : meet.origin == SolidLocation::On   ? 0
+                                                                   : 1);
   }
 }
 
@@ -208,7 +210,7 @@ TEST(IntersectRaySphere, TangentRay_TouchesExactlyOnceWhereItWasAimed) {
     EXPECT_EQ(meet.discriminant, 0);
     EXPECT_EQ(meet.contacts, SphereContacts::Tangent);
     EXPECT_EQ(meet.which, t < 0 ? RaySphereCase::Behind : RaySphereCase::Hit);
-    EXPECT_EQ(meet.origin, t == 0 ? SolidPlace::On : SolidPlace::Outside);
+    EXPECT_EQ(meet.origin, t == 0 ? SolidLocation::On : SolidLocation::Outside);
     ASSERT_EQ(meet.along.size(), 1U);
     EXPECT_EQ(meet.along[0].t, Surd(t));
     EXPECT_EQ(meet.along[0].point, (SurdVec3{touch.x, touch.y, touch.z}));
@@ -238,14 +240,14 @@ TEST(IntersectRaySphere, StartInsideOnOrOutside_IsSaidAndDecidesTheSignsOfT) {
       return intersectRaySphere(Ray<Rational>{sphere.center + arm * part, direction}, sphere);
     };
     const auto inside = from(Rational(random.integer(0, 9), 10));
-    EXPECT_EQ(inside.origin, SolidPlace::Inside);
+    EXPECT_EQ(inside.origin, SolidLocation::Inside);
     EXPECT_EQ(inside.which, RaySphereCase::Hit);
     EXPECT_EQ(inside.along.front().t.sign() * inside.along.back().t.sign(), -1);
     const auto on = from(1);
-    EXPECT_EQ(on.origin, SolidPlace::On);
+    EXPECT_EQ(on.origin, SolidLocation::On);
     EXPECT_EQ(on.which, RaySphereCase::Hit);
     EXPECT_TRUE(on.along.front().t == Surd(0) || on.along.back().t == Surd(0));
-    EXPECT_EQ(from(Rational(11, 10)).origin, SolidPlace::Outside);
+    EXPECT_EQ(from(Rational(11, 10)).origin, SolidLocation::Outside);
   }
 }
 
@@ -253,7 +255,7 @@ TEST(IntersectRaySphere, ZeroDirection_IsACaseOfItsOwnButKnowsItsPlace) {
   const Sphere<Rational> sphere{ExactVec3(0, 0, 0), 2};
   const auto still = intersectRaySphere(Ray<Rational>{ExactVec3(0, 1, 0), ExactVec3(0, 0, 0)}, sphere);
   EXPECT_EQ(still.which, RaySphereCase::ZeroDirection);
-  EXPECT_EQ(still.origin, SolidPlace::Inside);
+  EXPECT_EQ(still.origin, SolidLocation::Inside);
   EXPECT_TRUE(still.along.empty());
 }
 

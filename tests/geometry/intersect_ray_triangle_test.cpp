@@ -27,9 +27,9 @@ Ray<Rational> rayThrough(const ExactVec3 &point, const Triangle<Rational> &trian
       return {point - direction * Rational(2), direction};
 }
 
-void expectPlace(const FacePlace &place, FaceLocation location, int feature) {
-  EXPECT_EQ(place.location, location);
-  EXPECT_EQ(place.feature, feature);
+void expectLocation(const FaceLocation &found, FacePart part, int feature) {
+  EXPECT_EQ(found.part, part);
+  EXPECT_EQ(found.feature, feature);
 }
 
 TEST(IntersectRayTriangle, RayThroughTheInside_HitsWithItsParameters) {
@@ -44,7 +44,7 @@ TEST(IntersectRayTriangle, RayThroughTheInside_HitsWithItsParameters) {
   EXPECT_EQ(result.perps.vPerp, ExactVec3(-64, 0, 0));
   EXPECT_EQ(result.wu, 4);
   EXPECT_EQ(result.wv, 8);
-  expectPlace(result.place, FaceLocation::Interior, -1);
+  expectLocation(result.location, FacePart::Interior, -1);
 }
 
 TEST(IntersectRayTriangle, RayFromBehind_IsBehindOrMissesByWhereItsLineCrosses) {
@@ -78,30 +78,30 @@ TEST(IntersectRayTriangle, DegenerateInput_IsNamed) {
 
 TEST(PlaceInTriangle, CornersAndEdges_AreNamedByTheirIndex) {
   const Rational half(1, 2);
-  expectPlace(placeInTriangle(Rational(0), Rational(0)), FaceLocation::Vertex, 0);
-  expectPlace(placeInTriangle(Rational(1), Rational(0)), FaceLocation::Vertex, 1);
-  expectPlace(placeInTriangle(Rational(0), Rational(1)), FaceLocation::Vertex, 2);
-  expectPlace(placeInTriangle(half, half), FaceLocation::Edge, 0);
-  expectPlace(placeInTriangle(Rational(0), half), FaceLocation::Edge, 1);
-  expectPlace(placeInTriangle(half, Rational(0)), FaceLocation::Edge, 2);
+  expectLocation(locationInTriangle(Rational(0), Rational(0)), FacePart::Vertex, 0);
+  expectLocation(locationInTriangle(Rational(1), Rational(0)), FacePart::Vertex, 1);
+  expectLocation(locationInTriangle(Rational(0), Rational(1)), FacePart::Vertex, 2);
+  expectLocation(locationInTriangle(half, half), FacePart::Edge, 0);
+  expectLocation(locationInTriangle(Rational(0), half), FacePart::Edge, 1);
+  expectLocation(locationInTriangle(half, Rational(0)), FacePart::Edge, 2);
 }
 
 TEST(PlaceInTriangle, EdgeLineBeyondTheCorners_IsOutside) {
-  expectPlace(placeInTriangle(Rational(0), Rational(2)), FaceLocation::Outside, -1);
-  expectPlace(placeInTriangle(Rational(-1), Rational(0)), FaceLocation::Outside, -1);
-  expectPlace(placeInTriangle(Rational(3), Rational(-2)), FaceLocation::Outside, -1);
+  expectLocation(locationInTriangle(Rational(0), Rational(2)), FacePart::Outside, -1);
+  expectLocation(locationInTriangle(Rational(-1), Rational(0)), FacePart::Outside, -1);
+  expectLocation(locationInTriangle(Rational(3), Rational(-2)), FacePart::Outside, -1);
 }
 
 TEST(PlaceInTriangle, PointMovedOverAnEdge_IsOnItOnlyAtZero) {
   for (int k = 1; k <= 60; ++k) {
     const Rational step = tenToThe(-k);
     const Rational half(1, 2);
-    expectPlace(placeInTriangle(step, half), FaceLocation::Interior, -1);
-    expectPlace(placeInTriangle(Rational(-step), half), FaceLocation::Outside, -1);
-    expectPlace(placeInTriangle(half, Rational(half - step)), FaceLocation::Interior, -1);
-    expectPlace(placeInTriangle(half, Rational(half + step)), FaceLocation::Outside, -1);
-    expectPlace(placeInTriangle(Rational(1 - step), Rational(0)), FaceLocation::Edge, 2);
-    expectPlace(placeInTriangle(Rational(1 + step), Rational(0)), FaceLocation::Outside, -1);
+    expectLocation(locationInTriangle(step, half), FacePart::Interior, -1);
+    expectLocation(locationInTriangle(Rational(-step), half), FacePart::Outside, -1);
+    expectLocation(locationInTriangle(half, Rational(half - step)), FacePart::Interior, -1);
+    expectLocation(locationInTriangle(half, Rational(half + step)), FacePart::Outside, -1);
+    expectLocation(locationInTriangle(Rational(1 - step), Rational(0)), FacePart::Edge, 2);
+    expectLocation(locationInTriangle(Rational(1 + step), Rational(0)), FacePart::Outside, -1);
   }
 }
 
@@ -155,11 +155,11 @@ TEST(IntersectRayTriangle, RayAimedAtEdgesAndCorners_NeverSlipsThrough) {
       const ExactVec3 &last = corners[(vertex + 2) % 3];
       const auto atCorner = intersectRayTriangle(rayThrough(corners[vertex], triangle, random), triangle);
       EXPECT_EQ(atCorner.which, RayTriangleCase::Hit);
-      expectPlace(atCorner.place, FaceLocation::Vertex, vertex);
+      expectLocation(atCorner.location, FacePart::Vertex, vertex);
       const ExactVec3 between = next + (last - next) * (Rational(random.integer(1, 99)) / 100);
       const auto onEdge = intersectRayTriangle(rayThrough(between, triangle, random), triangle);
       EXPECT_EQ(onEdge.which, RayTriangleCase::Hit);
-      expectPlace(onEdge.place, FaceLocation::Edge, vertex);
+      expectLocation(onEdge.location, FacePart::Edge, vertex);
     }
   }
 }
@@ -199,11 +199,11 @@ TEST(IntersectRayTriangle, MultipleOfTheDirection_DividesTAndKeepsThePlace) { //
     EXPECT_TRUE(k < 0 || scaled.which == result.which);
     EXPECT_EQ(scaled.plane.t, result.plane.t / k);
     EXPECT_EQ(scaled.plane.point, result.plane.point);
-    expectPlace(scaled.place, result.place.location, result.place.feature);
+    expectLocation(scaled.location, result.location.part, result.location.feature);
     EXPECT_EQ(scaled.s, result.s);
     EXPECT_EQ(scaled.tTriangle, result.tTriangle);
     // Law (2).
-    EXPECT_EQ(result.crosses() && result.place.location == FaceLocation::Outside,
+    EXPECT_EQ(result.crosses() && result.location.part == FacePart::Outside,
               result.which == RayTriangleCase::Miss);
   }
   EXPECT_EQ(cases.size(), 8U) << "a case did not come up";

@@ -179,26 +179,27 @@ TEST(PlaneOfPolygon, ConvexPolygon_GoesCounterclockwiseAroundItsNormal) { // law
 }
 
 /// The same by a fan of triangles from corner 0: what is a diagonal there is inside here.
-FacePlace placeByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
+FaceLocation locationByFan(const Ray<Rational> &ray, const Polygon<Rational> &corners) {
   const auto last = static_cast<int>(corners.size()) - 1;
   for (int i = 1; i < last; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const FacePlace place = intersectRayTriangle(ray, {corners[0], corners[at], corners[at + 1]}).place;
-    switch (place.location) {
-    case FaceLocation::Outside:
+    const FaceLocation location =
+        intersectRayTriangle(ray, {corners[0], corners[at], corners[at + 1]}).location;
+    switch (location.part) {
+    case FacePart::Outside:
       continue;
-    case FaceLocation::Interior:
-      return {FaceLocation::Interior, -1};
-    case FaceLocation::Vertex:
-      return {FaceLocation::Vertex, place.feature == 0 ? 0 : i + place.feature - 1};
-    case FaceLocation::Edge:
-      if (place.feature == 0)
-        return {FaceLocation::Edge, i};
-      if (place.feature == 2 && i == 1)
-        return {FaceLocation::Edge, 0};
-      if (place.feature == 1 && i + 1 == last)
-        return {FaceLocation::Edge, last};
-      return {FaceLocation::Interior, -1};
+    case FacePart::Interior:
+      return {FacePart::Interior, -1};
+    case FacePart::Vertex:
+      return {FacePart::Vertex, location.feature == 0 ? 0 : i + location.feature - 1};
+    case FacePart::Edge:
+      if (location.feature == 0)
+        return {FacePart::Edge, i};
+      if (location.feature == 2 && i == 1)
+        return {FacePart::Edge, 0};
+      if (location.feature == 1 && i + 1 == last)
+        return {FacePart::Edge, last};
+      return {FacePart::Interior, -1};
     }
   }
   return {};
@@ -226,7 +227,7 @@ ExactVec3 someTarget(const Polygon<Rational> &corners, RandomNumbers &random) {
 
 TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
   RandomNumbers random(113);
-  std::map<FaceLocation, int> locations;
+  std::map<FacePart, int> locations;
   for (int i = 0; i < 5000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const ExactVec3 target = someTarget(corners, random);
@@ -236,15 +237,15 @@ TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
     const auto meet = intersect(ray, corners);
     if (!meet.crosses())
       continue;
-    const FacePlace expected = placeByFan(ray, corners);
-    ++locations[meet.place.location];
-    ASSERT_EQ(meet.place.location, expected.location) << "pair " << i;
-    ASSERT_EQ(meet.place.feature, expected.feature) << "pair " << i;
+    const FaceLocation expected = locationByFan(ray, corners);
+    ++locations[meet.location.part];
+    ASSERT_EQ(meet.location.part, expected.part) << "pair " << i;
+    ASSERT_EQ(meet.location.feature, expected.feature) << "pair " << i;
     EXPECT_EQ(meet.t, t);
     EXPECT_EQ(meet.point, target); // law (2)
-    EXPECT_EQ(meet.which, expected.location == FaceLocation::Outside ? RayPolygonCase::Miss
-                          : t < 0                                    ? RayPolygonCase::Behind
-                                                                     : RayPolygonCase::Hit);
+    EXPECT_EQ(meet.which, expected.part == FacePart::Outside ? RayPolygonCase::Miss
+                          : t < 0                            ? RayPolygonCase::Behind
+                                                             : RayPolygonCase::Hit);
   }
   EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }
@@ -272,7 +273,7 @@ TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTh
 
 TEST(IntersectRayPolygon, Triangle_IsMetAsByThePerps) { // law (3)
   RandomNumbers random(194);
-  std::map<FaceLocation, int> locations;
+  std::map<FacePart, int> locations;
   for (int i = 0; i < 4000; ++i) {
     const Polygon<Rational> corners{random.wholeVector(2), random.wholeVector(2), random.wholeVector(2)};
     const Triangle<Rational> triangle{corners[0], corners[1], corners[2]};
@@ -284,14 +285,14 @@ TEST(IntersectRayPolygon, Triangle_IsMetAsByThePerps) { // law (3)
     ASSERT_EQ(meet.crosses(), perps.crosses());
     if (!meet.crosses())
       continue;
-    ++locations[meet.place.location];
+    ++locations[meet.location.part];
     EXPECT_EQ(meet.which == RayPolygonCase::Hit, perps.which == RayTriangleCase::Hit);
     EXPECT_EQ(meet.which == RayPolygonCase::Behind, perps.which == RayTriangleCase::Behind);
     EXPECT_EQ(meet.t, perps.plane.t);
     EXPECT_EQ(meet.point, perps.plane.point);
-    EXPECT_EQ(meet.place.location, perps.place.location);
-    const bool isEdge = perps.place.location == FaceLocation::Edge;
-    EXPECT_EQ(meet.place.feature, isEdge ? (perps.place.feature + 1) % 3 : perps.place.feature);
+    EXPECT_EQ(meet.location.part, perps.location.part);
+    const bool isEdge = perps.location.part == FacePart::Edge;
+    EXPECT_EQ(meet.location.feature, isEdge ? (perps.location.feature + 1) % 3 : perps.location.feature);
   }
   EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }
@@ -308,7 +309,7 @@ TEST(IntersectRayPolygon, CornersTheOtherWayRound_GiveTheSameAndNegativeProducts
     EXPECT_EQ(back.which, meet.which);
     EXPECT_EQ(back.t, meet.t);
     EXPECT_EQ(back.point, meet.point);
-    EXPECT_EQ(back.place.location, meet.place.location);
+    EXPECT_EQ(back.location.part, meet.location.part);
     const std::size_t count = corners.size();
     for (std::size_t edge = 0; edge < count; ++edge)
       EXPECT_EQ(back.products[edge], -meet.products[(2 * count - 2 - edge) % count]);
@@ -317,32 +318,32 @@ TEST(IntersectRayPolygon, CornersTheOtherWayRound_GiveTheSameAndNegativeProducts
 
 TEST(PlaceByProducts, LineTurnedRoundOrAnotherFirstEdge_IsTheSamePlace) {
   RandomNumbers random(196);
-  std::map<FaceLocation, int> locations;
+  std::map<FacePart, int> locations;
   for (int i = 0; i < 2000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const ExactVec3 direction = random.nonZeroWholeVector(4);
     const auto meet = intersect({someTarget(corners, random) - direction, direction}, corners);
     if (!meet.crosses())
       continue;
-    ++locations[meet.place.location];
+    ++locations[meet.location.part];
     auto products = meet.products;
-    const auto place = [&](bool withNormal) {
-      return placeByProducts(std::span<const Rational>(products), withNormal);
+    const auto locate = [&](bool withNormal) {
+      return locationByProducts(std::span<const Rational>(products), withNormal);
     };
     // The sum is direction·(twice the area vector).
     const bool withNormal = std::accumulate(products.begin(), products.end(), Rational(0)) > 0;
-    EXPECT_EQ(place(withNormal).location, meet.place.location);
+    EXPECT_EQ(locate(withNormal).part, meet.location.part);
     const int count = static_cast<int>(products.size());
     for (int first = 1; first < count; ++first) { // law (2)
       std::rotate(products.begin(), products.begin() + 1, products.end());
-      const auto moved = place(withNormal);
-      EXPECT_EQ(moved.location, meet.place.location);
-      EXPECT_EQ(moved.feature < 0 ? -1 : (moved.feature + first) % count, meet.place.feature);
+      const auto moved = locate(withNormal);
+      EXPECT_EQ(moved.part, meet.location.part);
+      EXPECT_EQ(moved.feature < 0 ? -1 : (moved.feature + first) % count, meet.location.feature);
     }
     std::rotate(products.begin(), products.begin() + 1, products.end());
     std::transform(products.begin(), products.end(), products.begin(), std::negate());
-    EXPECT_EQ(place(!withNormal).location, meet.place.location); // law (1)
-    EXPECT_EQ(place(!withNormal).feature, meet.place.feature);
+    EXPECT_EQ(locate(!withNormal).part, meet.location.part); // law (1)
+    EXPECT_EQ(locate(!withNormal).feature, meet.location.feature);
   }
   EXPECT_EQ(locations.size(), 4U) << "a place did not come up";
 }
@@ -370,8 +371,8 @@ TEST(IntersectRayPolygon, Doubles_AgreeWithFractionsOnSmallIntegers) {
     const auto doubles = intersectRayPolygon(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)},
                                              std::span<const Vec3<double>>(rounded));
     EXPECT_EQ(doubles.which, fractions.which);
-    EXPECT_EQ(doubles.place.location, fractions.place.location);
-    EXPECT_EQ(doubles.place.feature, fractions.place.feature);
+    EXPECT_EQ(doubles.location.part, fractions.location.part);
+    EXPECT_EQ(doubles.location.feature, fractions.location.feature);
     EXPECT_EQ(doubles.t, toDouble(fractions.t));
   }
 }

@@ -287,7 +287,7 @@ struct Clipped {
   Rational enter;
   Rational leave;
   bool inFacePlane = false;
-  SolidPlace origin = SolidPlace::Inside;
+  SolidLocation origin = SolidLocation::Inside;
 };
 
 Clipped clip(const Ray<Rational> &ray, const Mesh &mesh) {
@@ -314,7 +314,7 @@ Clipped clip(const Ray<Rational> &ray, const Mesh &mesh) {
     else
       leave = leave ? std::min(*leave, t) : t;
   }
-  clipped.origin = outside ? SolidPlace::Outside : onSomePlane ? SolidPlace::On : SolidPlace::Inside;
+  clipped.origin = outside ? SolidLocation::Outside : onSomePlane ? SolidLocation::On : SolidLocation::Inside;
   clipped.enter = *enter;
   clipped.leave = *leave;
   clipped.meets = !passesBeside && clipped.enter <= clipped.leave;
@@ -416,7 +416,7 @@ TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
   constexpr int enough = 100;
   std::map<SolidContacts, int> contacts;
   std::map<RaySolidCase, int> cases;
-  std::map<SolidPlace, int> origins;
+  std::map<SolidLocation, int> origins;
   for (int i = 0; i < 300; ++i) {
     const Mesh mesh = randomSolid(random);
     const auto solid = solidOf(mesh);
@@ -439,7 +439,7 @@ TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
     EXPECT_GE(contacts[kind], enough) << static_cast<int>(kind);
   for (const auto which : {RaySolidCase::Hit, RaySolidCase::Behind, RaySolidCase::Miss})
     EXPECT_GE(cases[which], enough) << static_cast<int>(which);
-  for (const auto place : {SolidPlace::Outside, SolidPlace::On, SolidPlace::Inside})
+  for (const auto place : {SolidLocation::Outside, SolidLocation::On, SolidLocation::Inside})
     EXPECT_GE(origins[place], enough) << static_cast<int>(place);
 }
 
@@ -482,13 +482,13 @@ TEST(IntersectRaySolid, AnySolidAndRay_IsMetBetweenTheTwoAndTheSameWhenStretched
     const auto placeAt = [&](const Rational &t) { // law (2)
       return intersectRaySolid({pointAt(ray, t), ray.direction}, solid).origin;
     };
-    EXPECT_EQ(placeAt(meet.entered->t), SolidPlace::On);
-    EXPECT_EQ(placeAt(meet.left->t), SolidPlace::On);
-    EXPECT_EQ(placeAt(Rational(meet.entered->t - tenToThe(-30))), SolidPlace::Outside);
-    EXPECT_EQ(placeAt(Rational(meet.left->t + tenToThe(-30))), SolidPlace::Outside);
+    EXPECT_EQ(placeAt(meet.entered->t), SolidLocation::On);
+    EXPECT_EQ(placeAt(meet.left->t), SolidLocation::On);
+    EXPECT_EQ(placeAt(Rational(meet.entered->t - tenToThe(-30))), SolidLocation::Outside);
+    EXPECT_EQ(placeAt(Rational(meet.left->t + tenToThe(-30))), SolidLocation::Outside);
     if (meet.contacts != SolidContacts::One) {
       EXPECT_EQ(placeAt(Rational(meet.entered->t + (meet.left->t - meet.entered->t) / 3)),
-                meet.contacts == SolidContacts::Two ? SolidPlace::Inside : SolidPlace::On);
+                meet.contacts == SolidContacts::Two ? SolidLocation::Inside : SolidLocation::On);
     }
   }
   EXPECT_EQ(contacts.size(), 4U) << "a kind of contact did not come up";
@@ -523,7 +523,7 @@ TEST(IntersectRaySolid, FacesThatShareAPlane_GiveTheLowestIndexThatContainsThePo
 TEST(IntersectRaySolid, ZeroDirection_IsACaseOfItsOwnButKnowsItsPlace) {
   const auto still = intersectRaySolid({ExactVec3(1, 1, 1), ExactVec3(0, 0, 0)}, solidOf(cubeMesh()));
   EXPECT_EQ(still.which, RaySolidCase::ZeroDirection);
-  EXPECT_EQ(still.origin, SolidPlace::Inside);
+  EXPECT_EQ(still.origin, SolidLocation::Inside);
 }
 
 } // namespace

@@ -83,8 +83,8 @@ Ray<Rational> someRay(const Triangle<Rational> &triangle, RandomNumbers &random)
   }
 }
 
-bool samePlace(const FacePlace &a, const FacePlace &b) {
-  return a.location == b.location && a.feature == b.feature;
+bool areSame(const FaceLocation &a, const FaceLocation &b) {
+  return a.part == b.part && a.feature == b.feature;
 }
 
 /// Law (3) of Cramer's rule; laws (1) and (2) of the Plücker products.
@@ -98,7 +98,7 @@ bool methodsAgree(const Ray<Rational> &ray, const Triangle<Rational> &triangle) 
     return false;
   if (!perps.crosses())
     return true;
-  return samePlace(perps.place, cramer.place) && samePlace(perps.place, plucker.place) &&
+  return areSame(perps.location, cramer.location) && areSame(perps.location, plucker.location) &&
          perps.plane.t == cramer.t && perps.plane.t == plucker.t && perps.s == cramer.sigma &&
          perps.s == plucker.barycentric[1] && perps.tTriangle == cramer.tau &&
          perps.tTriangle == plucker.barycentric[2] && perps.plane.point == plucker.point &&
@@ -112,22 +112,21 @@ TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
   constexpr int enough = 200;
   RandomNumbers random(61);
   std::map<RayTriangleCase, int> cases;
-  std::map<FaceLocation, int> locations;
+  std::map<FacePart, int> locations;
   for (int i = 0; i < pairs; ++i) {
     const Triangle<Rational> triangle = someTriangle(random);
     const Ray<Rational> ray = someRay(triangle, random);
     const auto meet = intersectRayTriangle(ray, triangle);
     ++cases[meet.which];
     if (meet.crosses())
-      ++locations[meet.place.location];
+      ++locations[meet.location.part];
     ASSERT_TRUE(methodsAgree(ray, triangle)) << "pair " << i;
   }
   for (const auto which : {RayTriangleCase::Hit, RayTriangleCase::Miss, RayTriangleCase::Behind,
                            RayTriangleCase::Parallel, RayTriangleCase::InPlane, RayTriangleCase::Coincident,
                            RayTriangleCase::Collinear, RayTriangleCase::ZeroDirection})
     EXPECT_GE(cases[which], enough) << static_cast<int>(which);
-  for (const auto location :
-       {FaceLocation::Interior, FaceLocation::Edge, FaceLocation::Vertex, FaceLocation::Outside})
+  for (const auto location : {FacePart::Interior, FacePart::Edge, FacePart::Vertex, FacePart::Outside})
     EXPECT_GE(locations[location], enough) << static_cast<int>(location);
 }
 

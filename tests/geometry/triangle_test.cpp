@@ -56,41 +56,40 @@ TEST(IsInParallelogram, AnyParameters_AreInOneOfItsTwoTriangles) { // law (1)
     for (int t = -2; t <= 6; ++t) {
       const Rational u(s, 4);
       const Rational v(t, 4);
-      const bool inHalf = placeInTriangle(u, v).location != FaceLocation::Outside;
-      const bool inOther =
-          placeInTriangle(Rational(1 - u), Rational(1 - v)).location != FaceLocation::Outside;
+      const bool inHalf = locationInTriangle(u, v).part != FacePart::Outside;
+      const bool inOther = locationInTriangle(Rational(1 - u), Rational(1 - v)).part != FacePart::Outside;
       EXPECT_EQ(isInParallelogram(u, v), inHalf || inOther) << s << "/4, " << t << "/4";
     }
 }
 
-TEST(PlaceBySigns, AnySignsInAnyOrder_GiveTheSamePlaceByItsNewIndex) {
+TEST(LocationBySigns, AnySignsInAnyOrder_GiveTheSameLocationByItsNewIndex) {
   for (int code = 0; code < 27; ++code) {
     const std::array<int, 3> signs{code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1};
     if (signs == std::array{0, 0, 0})
       continue;
-    const FacePlace place = placeBySigns(signs);
-    EXPECT_EQ(place.location == FaceLocation::Outside,
+    const FaceLocation location = locationBySigns(signs);
+    EXPECT_EQ(location.part == FacePart::Outside,
               std::find(signs.begin(), signs.end(), -1) != signs.end()); // law (1)
     for (const auto &order : orders()) {                                 // law (2)
-      const FacePlace moved = placeBySigns({signs[order[0]], signs[order[1]], signs[order[2]]});
-      EXPECT_EQ(moved.location, place.location);
+      const FaceLocation moved = locationBySigns({signs[order[0]], signs[order[1]], signs[order[2]]});
+      EXPECT_EQ(moved.part, location.part);
       const auto feature =
           moved.feature < 0 ? -1 : static_cast<int>(order[static_cast<std::size_t>(moved.feature)]);
-      EXPECT_EQ(feature, place.feature);
+      EXPECT_EQ(feature, location.feature);
     }
   }
 }
 
-TEST(PlaceInTriangle, AnyParameters_AreOutsideByTheThreeInequalitiesAndSwapTheirFeatures) {
+TEST(LocationInTriangle, AnyParameters_AreOutsideByTheThreeInequalitiesAndSwapTheirFeatures) {
   for (int s = -2; s <= 6; ++s)
     for (int t = -2; t <= 6; ++t) {
       const Rational u(s, 4);
       const Rational v(t, 4);
-      const FacePlace place = placeInTriangle(u, v);
-      EXPECT_EQ(place.location == FaceLocation::Outside, s < 0 || t < 0 || s + t > 4); // law (1)
-      const FacePlace swapped = placeInTriangle(v, u);                                 // law (2)
-      EXPECT_EQ(swapped.location, place.location);
-      EXPECT_EQ(swapped.feature, place.feature < 1 ? place.feature : 3 - place.feature);
+      const FaceLocation location = locationInTriangle(u, v);
+      EXPECT_EQ(location.part == FacePart::Outside, s < 0 || t < 0 || s + t > 4); // law (1)
+      const FaceLocation swapped = locationInTriangle(v, u);                      // law (2)
+      EXPECT_EQ(swapped.part, location.part);
+      EXPECT_EQ(swapped.feature, location.feature < 1 ? location.feature : 3 - location.feature);
     }
 }
 

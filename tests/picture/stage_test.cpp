@@ -1,3 +1,4 @@
+#include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
@@ -16,6 +17,28 @@ Scene sceneOf(std::vector<Object> objects) {
   for (Object &object : objects)
     scene.entries.push_back({"O" + std::to_string(scene.entries.size()), std::move(object)});
   return scene;
+}
+
+TEST(Stage, WithABoundPoint_HasItsPlaceAndItsHostInItsUnits) {
+  Object far = *makeObject("point-on-line");
+  far[0].x = 300;
+  const Scene scene{{{"E", PlaneObject{{500, 0, 0}, {1, 0, 0}}},
+                     {"F", PlaneObject{{0, 500, 0}, {0, 1, 0}}},
+                     {"meet", ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}},
+                     {"P", far, "meet.g"}}};
+  const PlacedScene placed(scene);
+  const Stage stage = stageOf(placed);
+  EXPECT_GT(stage.exponent, 0);
+  const PlacedObject &bound = toStage(placed, stage).bound.front();
+  EXPECT_EQ(bound.point.object[0], toStage({500, 500, 300}, CoordinateRole::Position, stage));
+  EXPECT_EQ(placeOn(far, bound.host), bound.point.object[0]) << "with the same freedom";
+}
+
+TEST(Stage, OfAPointFarOutOnItsLine_ReachesToIt) {
+  Object far = *makeObject("point-on-line");
+  far[0].x = 1000000;
+  const Scene scene{{{"g", LineObject{{0, 0, 0}, {1, 0, 0}}}, {"P", far, "g"}}};
+  EXPECT_EQ(stageOf(scene), stageOf(sceneOf({PointObject{{1000000, 0, 0}}})));
 }
 
 TEST(Stage, OfASceneOfUsualSize_IsTheScenesOwnSpace) {
@@ -84,7 +107,7 @@ TEST(Stage, OfASinglePositionFarAway_HasTheOriginToo) {
 TEST(Stage, PutOnAndTakenBack_IsExactlyTheSame) {
   const Stage stage{{1000000, -25, 0}, -3};
   const Object ray = RayObject{{Rational(1, 3), 7, Rational(-10, 7)}, {Rational(2, 9), 0, 5}};
-  const Scene staged = toStage(sceneOf({ray}), stage);
+  const Scene staged = toStage(sceneOf({ray}), stage).scene;
   EXPECT_EQ(fromStage(std::get<Object>(staged.entries.front().content), stage), ray);
   EXPECT_EQ(toStage(ExactVec3(1, 0, 0), CoordinateRole::Direction, stage), ExactVec3(1000, 0, 0));
 }

@@ -63,11 +63,13 @@ void add(CoordinateRole role, const Place &start, const Place &value, Box &posit
 
 /// The box around all positions of a scene. Directions count where all positions are the origin: usually
 /// their size has nothing to do with that of the positions.
-Box boxAround(const Scene &scene) {
+Box boxAround(const PlacedScene &placed) {
   Box positions;
   Box tips;
-  for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content)) {
+  for (const PlacedObject &bound : placed.bound)
+    positions.add(toDouble(bound.point.object[0]));
+  for (const Entry &entry : placed.scene.entries)
+    if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       const auto specs = coordinatesOf(*object);
       const Place start = toDouble(coordinate(*object, 0));
       for (std::size_t i = 0; i < specs.size(); ++i)
@@ -216,7 +218,7 @@ int suitingExponent(double across) {
   return 0;
 }
 
-Stage stageOf(const Scene &scene) {
+Stage stageOf(const PlacedScene &scene) {
   Stage stage;
   const Box box = boxAround(scene);
   const double distance = box.distance();
@@ -247,14 +249,21 @@ ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &st
   return role == CoordinateRole::Position ? length + stage.middle : length;
 }
 
-Scene toStage(Scene scene, const Stage &stage) {
+PlacedScene toStage(PlacedScene placed, const Stage &stage) {
   if (stage == Stage())
-    return scene;
-  for (Entry &entry : scene.entries)
+    return placed;
+  const auto move = [&](Object &object) {
+    for (std::size_t i = 0; i < object.size(); ++i)
+      object[i] = toStage(object[i], coordinatesOf(object)[i].role, stage);
+  };
+  for (Entry &entry : placed.scene.entries)
     if (auto *object = std::get_if<Object>(&entry.content))
-      for (std::size_t i = 0; i < coordinatesOf(*object).size(); ++i)
-        coordinate(*object, i) = toStage(coordinate(*object, i), coordinatesOf(*object)[i].role, stage);
-  return scene;
+      move(*object);
+  for (PlacedObject &bound : placed.bound) {
+    move(bound.point.object);
+    move(bound.host);
+  }
+  return placed;
 }
 
 Object fromStage(Object object, const Stage &stage) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/figure/figure.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/placed_scene.h"
 
 namespace halfspace {
 
@@ -25,9 +25,9 @@ struct Stage {
   bool operator==(const Stage &) const = default;
 };
 
-/// The stage for the positions of a scene's objects (for its directions, where all positions are the origin).
-/// The origin belongs to it unless the objects stand together far away from it.
-[[nodiscard]] Stage stageOf(const Scene &scene);
+/// The stage for the positions of a scene's objects, bound ones where they are (for its directions, where all
+/// positions are the origin). The origin belongs to it unless the objects stand together far away from it.
+[[nodiscard]] Stage stageOf(const PlacedScene &scene);
 
 /// The power of ten in which a length is neither long nor short: 0 for usual ones, else one that leaves it 2
 /// to 20 units long, or 5 to 50.
@@ -41,7 +41,7 @@ inline constexpr double drawnReach = 1000;
 /// Coordinates in units of the stage, exactly; and back.
 [[nodiscard]] ExactVec3 toStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage);
 [[nodiscard]] ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &stage);
-[[nodiscard]] Scene toStage(Scene scene, const Stage &stage);
+[[nodiscard]] PlacedScene toStage(PlacedScene scene, const Stage &stage);
 [[nodiscard]] Object fromStage(Object object, const Stage &stage);
 
 /// A figure in units of the stage, all its places finite and within drawnReach: lines are cut off there, an

@@ -157,7 +157,7 @@ void FigureScene::Impl::prepareGround() {
 
 void FigureScene::Impl::prepareTools() {
   Mesh mesh = toolsMesh(content, theme, view);
-  addSilhouettes(mesh, content.figure, content.arrival, theme, view);
+  addSilhouettes(mesh, content.figure, content.highlighted, content.arrival, theme, view);
   write(mesh, actors.tools());
 }
 

@@ -237,7 +237,8 @@ void SceneView::followTyped(const std::vector<Handle> &before) {
   for (const Handle &handle : m_handles) {
     const auto old = std::find_if(before.begin(), before.end(),
                                   [&](const Handle &other) { return other.id == handle.id; });
-    const bool isPosition = handle.motion == Handle::Motion::Coordinate && isZero(handle.base);
+    const bool isPosition = handle.motion == Handle::Motion::OnHost ||
+                            (handle.motion == Handle::Motion::Coordinate && isZero(handle.base));
     if (isPosition && old != before.end() && !(old->at == handle.at) && !isInView(handle))
       return showAll();
   }
@@ -275,9 +276,9 @@ std::optional<Gizmo> SceneView::gizmo() const {
   gizmo.at = shownPlace(*handle);
   gizmo.hot = m_hotPart;
   const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera);
+  gizmo.axes = mode && !isOwn(*mode);
   if (!mode)
     return gizmo;
-  gizmo.axes = !isOwn(*mode);
   if (handle->hasAxis())
     gizmo.axis = toDouble(handle->axis);
   gizmo.normal = handle->center ? toDouble(handle->at - *handle->center) : toDouble(handle->normal);

@@ -117,7 +117,9 @@ private:
   void takeOutcome();
   void takeStage();
   /// The session's scene in units of the stage.
-  [[nodiscard]] Scene stagedScene() const { return toStage(m_model.session().scene, m_stage); }
+  [[nodiscard]] PlacedScene stagedScene() const {
+    return toStage({m_model.session().scene, m_model.evaluation()}, m_stage);
+  }
   [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
   void prepare();
   /// Takes the content anew, and draws it.
@@ -146,6 +148,8 @@ private:
   void followTyped(const std::vector<Handle> &before);
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
+  /// Tells why an edit was refused; false where it was not.
+  bool showRefusal(const QString &sentence);
   /// The object of the selected handle where that is one of its coordinates; null elsewhere.
   [[nodiscard]] const Object *objectOfSelected() const;
   bool lockAxis(int key);

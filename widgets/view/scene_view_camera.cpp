@@ -86,7 +86,7 @@ void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera));
 
 void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.figure()), m_camera)); }
 
-void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene(), m_camera)); }
+void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene().scene, m_camera)); }
 
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();

@@ -238,7 +238,7 @@ void SceneView::leaveEvent(QEvent *event) {
 }
 
 void SceneView::setDragMode(DragMode mode) {
-  if (!m_drag || m_drag->mode() == DragMode::OwnAxis)
+  if (!m_drag || isOwn(m_drag->mode()))
     return;
   m_drag->setMode(mode);
   updateContent();
@@ -247,7 +247,7 @@ void SceneView::setDragMode(DragMode mode) {
 
 bool SceneView::lockAxis(int key) {
   const int axis = key == Qt::Key_X ? 0 : key == Qt::Key_Y ? 1 : key == Qt::Key_Z ? 2 : -1;
-  if (axis < 0 || !m_drag || isOwn(m_drag->mode()))
+  if (axis < 0 || !m_drag)
     return false;
   static const DragMode modes[3] = {DragMode::AxisX, DragMode::AxisY, DragMode::AxisZ};
   setDragMode(m_drag->mode() == modes[axis] ? DragMode::Horizontal : modes[axis]);
@@ -282,7 +282,7 @@ void SceneView::keyReleaseEvent(QKeyEvent *event) {
 
 bool SceneView::stepSelected(const QKeyEvent &event) {
   const Handle *handle = findHandle(m_selected);
-  const Scene scene = handle ? stagedScene() : Scene();
+  const Scene scene = handle ? stagedScene().scene : Scene();
   const Object *object = handle ? findObject(scene, handle->object) : nullptr;
   if (!object || m_gesture != Gesture::None)
     return false;
@@ -290,9 +290,21 @@ bool SceneView::stepSelected(const QKeyEvent &event) {
                                   event.modifiers(), m_model.snapStep(), m_camera);
   if (!place)
     return false;
-  m_model.edit(ChangeObject{handle->object, fromStage(movedTo(*object, *handle, *place), m_stage)},
-               tr("move %1").arg(QString::fromStdString(handle->id)));
+  // On a plane or a ball the place is brought back to it; with half the step as a grid no press is lost.
+  const ExactVec3 way = *place - handle->at;
+  const Rational halfStep = (abs(way.x) + abs(way.y) + abs(way.z)) / 2;
+  const bool isOnSurface = handle->host && !handle->hasAxis();
+  const Object moved =
+      isOnSurface ? movedToGrid(*object, *handle, *place, halfStep) : movedTo(*object, *handle, *place);
+  showRefusal(m_model.edit(ChangeObject{handle->object, fromStage(moved, m_stage)},
+                           tr("move %1").arg(QString::fromStdString(handle->id))));
   return true;
+}
+
+bool SceneView::showRefusal(const QString &sentence) {
+  if (!sentence.isEmpty())
+    emit hint(sentence);
+  return !sentence.isEmpty();
 }
 
 const Object *SceneView::objectOfSelected() const {
@@ -317,7 +329,8 @@ void SceneView::addCorner() {
     return;
   const Handle handle = *findHandle(m_selected);
   const Object more = withCornerAfter(*objectOfSelected(), handle.coordinate);
-  m_model.edit(ChangeObject{handle.object, more}, tr("add a corner"));
+  if (showRefusal(m_model.edit(ChangeObject{handle.object, more}, tr("add a corner"))))
+    return;
   const auto corners = cornersOf(more);
   const auto next = std::upper_bound(corners.begin(), corners.end(), handle.coordinate);
   if (next != corners.end())

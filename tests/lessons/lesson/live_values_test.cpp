@@ -23,6 +23,18 @@ TEST(LiveValues, OfCoordinates_GoByShortAndFullNames) {
             "$\\left(11,\\,15,\\,8\\right)$ $\\left(1,\\,2,\\,2\\right)$ $\\left(1,\\,2,\\,2\\right)$");
 }
 
+TEST(LiveValues, OfBoundPoints_AreTheirFreedomsAndTheirPlace) {
+  Object half = *makeObject("point-on-line");
+  half[0].x = Rational(1, 2);
+  const Scene scene{{{"g", LineObject{{1, 0, 0}, {4, 0, 2}}}, {"P", half, "g"}}};
+  const auto shown = [&](const std::string &markdown) {
+    return withLiveValues(markdown, scene, evaluate(scene));
+  };
+  EXPECT_EQ(shown("{lambda} {P.lambda}"), "$\\tfrac{1}{2}$ $\\tfrac{1}{2}$");
+  EXPECT_EQ(shown("{P.at} {at.x}"), "$\\left(3,\\,0,\\,1\\right)$ $3$");
+  EXPECT_EQ(shown("{P.case} {g.case}"), "— —") << "objects have no case";
+}
+
 TEST(LiveValues, InFormulasAndCode_AreLeftAlone) {
   for (const char *text : {"$\\frac{f}{2}$", "$$\\frac{f}{2}$$", "`{f}`", "``a ` {f}``", "\\{f}"})
     EXPECT_EQ(filled(text), text);

@@ -42,7 +42,7 @@ ExactVec3 placeOfP(const Scene &scene) {
   return point->looksAt.front()->object[0];
 }
 
-/// A host at random numbers, never one without extent.
+/// Hosts and places at random. Lengths are never 0; what else could be without extent is made anew.
 class Randomly {
 public:
   explicit Randomly(std::uint64_t seed) : m_engine(seed) {}
@@ -55,9 +55,9 @@ public:
     return {x, y, number()};
   }
   Object host(std::string_view kind) {
-    Object host = *makeObject(kind);
-    for (std::size_t i = 0; i < host.size(); ++i)
-      host[i] = numbersIn(coordinatesOf(host)[i].role) == 3 ? vector() : ExactVec3(abs(number()) + 1, 0, 0);
+    Object host = anyHost(kind);
+    while (!hasExtent(host))
+      host = anyHost(kind);
     return host;
   }
   Object bound(const Kind &kind) {
@@ -69,6 +69,16 @@ public:
   }
 
 private:
+  Object anyHost(std::string_view kind) {
+    Object host = *makeObject(kind);
+    for (std::size_t i = 0; i < host.size(); ++i)
+      host[i] = numbersIn(coordinatesOf(host)[i].role) == 3 ? vector() : ExactVec3(abs(number()) + 1, 0, 0);
+    return host;
+  }
+  static bool hasExtent(const Object &host) {
+    return kindOf(host) == "triangle" ? !isZero(normalOfCorners(host)) : !isZero(host[1]);
+  }
+
   std::mt19937_64 m_engine;
 };
 
@@ -101,7 +111,7 @@ TEST_P(EveryBoundKind, WithAnyFreedoms_LiesOnItsHostExactly) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Randomly random(seed);
     const Object host = random.host(hostKind());
-    const auto at = placeOn(host, random.bound(kind()));
+    const auto at = placeOn(random.bound(kind()), host);
     ASSERT_TRUE(at);
     EXPECT_TRUE(liesOn(host, *at)) << seed;
   }
@@ -112,15 +122,15 @@ TEST_P(EveryBoundKind, MovedToAPlace_LiesOnItsHostAndNowhereNearer) {
     Randomly random(seed);
     const Object host = random.host(hostKind());
     const Object bound = random.bound(kind());
-    const Handle handle = boundHandle("P", bound, host, *placeOn(host, bound));
+    const Handle handle = boundHandle("P", bound, host, *placeOn(bound, host));
     const ExactVec3 wanted = random.vector();
-    const auto at = placeOn(host, movedTo(bound, handle, wanted));
+    const auto at = placeOn(movedTo(bound, handle, wanted), host);
     ASSERT_TRUE(liesOn(host, *at)) << seed;
     // A sphere's nearest place is no fraction: it is found to 1/1000 of s and t.
     const double slack = hostKind() == "sphere" ? 0.05 : 0;
     const double found = glm::distance(toDouble(*at), toDouble(wanted));
     for (int i = 0; i < 200; ++i)
-      EXPECT_LE(found, glm::distance(toDouble(*placeOn(host, random.bound(kind()))), toDouble(wanted)) +
+      EXPECT_LE(found, glm::distance(toDouble(*placeOn(random.bound(kind()), host)), toDouble(wanted)) +
                            1e-9 + slack)
           << seed;
   }
@@ -131,8 +141,8 @@ TEST_P(EveryBoundKind, MovedToWhereItIs_StaysThere) {
     Randomly random(seed);
     const Object host = random.host(hostKind());
     const Object bound = random.bound(kind());
-    const ExactVec3 at = *placeOn(host, bound);
-    EXPECT_EQ(placeOn(host, movedTo(bound, boundHandle("P", bound, host, at), at)), at) << seed;
+    const ExactVec3 at = *placeOn(bound, host);
+    EXPECT_EQ(placeOn(movedTo(bound, boundHandle("P", bound, host, at), at), host), at) << seed;
   }
 }
 
@@ -223,7 +233,7 @@ TEST(PointOnTriangle, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
     const Scene scene{{{"T", flat}, {"P", withNumbers("point-on-triangle", {q(1, 2), q(1, 4)}), "T"}}};
     const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1});
     const ExactVec3 end = flat.p2.x == 0 ? ExactVec3(0) : ExactVec3(4, 0, 0);
-    EXPECT_EQ(placeOn(flat, moved), end);
+    EXPECT_EQ(placeOn(moved, flat), end);
   }
 }
 
@@ -231,7 +241,7 @@ TEST(PointOnSphere, TowardsItsLowestPoint_ComesAsNearAsOneSees) {
   const Scene scene{{sphereS(), {"P", withNumbers("point-on-sphere", {0, 0}), "S"}}};
   EXPECT_EQ(placeOfP(scene), ExactVec3(1, 2, q(11, 2))) << "the highest";
   const Object lowest = movedTo(*findObject(scene, "P"), handle(scene, "P"), {1, 2, -100});
-  EXPECT_NEAR(toDouble(placeOn(std::get<Object>(sphereS().content), lowest)->z), 0.5, 1e-4);
+  EXPECT_NEAR(toDouble(placeOn(lowest, std::get<Object>(sphereS().content))->z), 0.5, 1e-4);
   EXPECT_EQ(movedTo(lowest, handle(scene, "P"), {1, 2, 3}), lowest) << "the centre says nothing";
 }
 
@@ -287,9 +297,11 @@ Scene meetingScene() {
 TEST(BoundPoint, OnALineThatAConstructionMakes_FeedsTheNextAndFollows) {
   const Scene scene = meetingScene();
   const ExactVec3 at = placeOfP(scene);
-  EXPECT_EQ(dot(at - ExactVec3(5, 4, 7), ExactVec3(1, 2, 2)), 0);
-  EXPECT_EQ(dot(at - ExactVec3(2, 6, 0), ExactVec3(0, 1, 1)), 0);
-  EXPECT_EQ(lastCase(scene), at.z == 0 ? "on" : at.z > 0 ? "positive" : "negative");
+  EXPECT_EQ(at, ExactVec3(15, 2, 4)) << "two directions from the line's point";
+  EXPECT_EQ(lastCase(scene), "positive");
+  const ExactVec3 tilted = placeOfP(edited(scene, {ChangeObject{"F", PlaneObject{{2, 6, 0}, {0, 1, 2}}}}));
+  EXPECT_EQ(dot(tilted - ExactVec3(5, 4, 7), ExactVec3(1, 2, 2)), 0);
+  EXPECT_EQ(dot(tilted - ExactVec3(2, 6, 0), ExactVec3(0, 1, 2)), 0);
   const auto handles = handlesOf(scene);
   EXPECT_TRUE(std::any_of(handles.begin(), handles.end(), [](const Handle &each) { return each.id == "P"; }));
 }
@@ -356,6 +368,40 @@ TEST(BoundPoint, WhenItsHostIsEdited_GoesWithItOrKeepsIt) {
   EXPECT_NE(refusalOf(scene, RebindRole{"h", hostRole, "g"}), "") << "a line lies on nothing";
   EXPECT_NE(refusalOf(scene, MoveEntry{"P", 0}), "");
   EXPECT_NE(refusalOf(scene, AddEntry{4, {"S", PointObject{}, "g"}}), "");
+}
+
+TEST(FreedomStep, ForAnyLength_MovesThePointTwoStepsOfTheGridAtMost) {
+  for (const Rational &gridStep : {Rational(1), q(1, 2), q(1, 10), q(1, 1000)})
+    for (const int length : {1, 3, 40, 1000, 1000000}) {
+      const Rational step = freedomStep(gridStep, Rational(length) * length);
+      EXPECT_LE(step * length, 2 * gridStep);
+      EXPECT_GT(step * length * 5, 2 * gridStep) << "and is no finer than it must be";
+    }
+  EXPECT_EQ(freedomStep(1, 1), 1);
+  EXPECT_EQ(freedomStep(1, 0), 1) << "of what does not move";
+  EXPECT_EQ(freedomStep(q(1, 10), Rational(1000000000) * 1000000000), finestFreedom);
+}
+
+TEST(BoundPoint, BesideALetterOfAConstruction_IsToldApartFromIt) {
+  const Scene scene{{triangleT(),
+                     rayL(),
+                     {"P", withNumbers("point-on-ray", {1}), "L"},
+                     {"hit", ConstructionUse{"ray-triangle-perp", {{"T", "T"}, {"L", "L"}}}}}};
+  const Evaluation evaluation = evaluate(scene);
+  EXPECT_EQ(plainText(evaluation.find("P")->own->letters.front()), "λ_P");
+  EXPECT_TRUE(evaluation.find("hit")->naming.shared.contains("λ"));
+}
+
+TEST(BoundPoint, OnTheStageOfALargeScene_IsHandledWhereItIsSeen) {
+  const Scene scene{{{"E", PlaneObject{{500, 0, 0}, {1, 0, 0}}},
+                     {"F", PlaneObject{{0, 500, 0}, {0, 1, 0}}},
+                     {"meet", ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}},
+                     {"P", withNumbers("point-on-line", {300}), "meet.g"}}};
+  const PlacedScene placed(scene, evaluate(scene));
+  ASSERT_EQ(placed.bound.size(), 1U);
+  EXPECT_EQ(placed.bound.front().point.object[0], ExactVec3(500, 500, 300));
+  EXPECT_EQ(PlacedScene(scene).bound.front().host, placed.bound.front().host);
+  EXPECT_EQ(handle(scene, "P").at, ExactVec3(500, 500, 300));
 }
 
 } // namespace

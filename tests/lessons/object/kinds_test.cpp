@@ -119,7 +119,7 @@ TEST_P(EveryKind, HasHandlesThatMoveWhatTheySay) {
       EXPECT_TRUE(ids.insert(handle.id).second) << handle.id << " stands twice";
       EXPECT_EQ(handle.object, "A1");
       if (handle.host) { // how it keeps to its host is tested for each
-        EXPECT_EQ(placeOn(*handle.host, movedTo(object, handle, handle.at)), handle.at);
+        EXPECT_EQ(placeOn(movedTo(object, handle, handle.at), *handle.host), handle.at);
         continue;
       }
       EXPECT_EQ(movedTo(object, handle, handle.at), object) << handle.id << " moves what stays where it is";

@@ -185,5 +185,11 @@ TEST(Markdown, TooLongOrNestedTooDeeply_IsRefused) {
   }
 }
 
+TEST(Markdown, DollarsInFencesOfTildes_AreNoFormulas) {
+  EXPECT_TRUE(formulasIn("~~~\n$x$\n~~~").empty());
+  EXPECT_TRUE(formulasIn("words\n\n~~~~\n$x$\n~~~~\n").empty());
+  EXPECT_EQ(formulasIn("~~a~~ $x$"), std::vector<std::string>{"x"}) << "struck words are no fence";
+}
+
 } // namespace
 } // namespace halfspace

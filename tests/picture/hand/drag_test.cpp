@@ -98,6 +98,18 @@ TEST(Drag, OnASphere_FollowsThePointerOverTheSideWhereItWasGrabbed) {
   EXPECT_LT(behind->x, center.x) << "on the far side, under the same pixel";
 }
 
+TEST(Drag, OnTheFarSideOfASphereAcrossItsMiddle_StaysThere) {
+  Camera camera = lookingDown(0);
+  const Place center = camera.eye() - Place(8, 0, 0);
+  const Place left = center + Place(0, -4, 0); // seen from so near it belongs to the far side
+  for (const double aside : {-3.0, -1.0, 0.0, 1.0, 3.0}) {
+    const auto place = dragged(onSphere(center), camera, size, left, pixelOf(camera, left),
+                               pixelOf(camera, center + Place(0, aside, 0)));
+    ASSERT_TRUE(place);
+    EXPECT_GT(glm::dot(*place - center, *place - camera.eye()), 0) << aside;
+  }
+}
+
 TEST(Drag, BesideASphere_StaysOnItsOutline) {
   const Camera camera = lookingDown(0.6);
   const Place center = start - Place(4, 0, 0);
@@ -105,7 +117,7 @@ TEST(Drag, BesideASphere_StaysOnItsOutline) {
   ASSERT_TRUE(place);
   EXPECT_NEAR(glm::distance(*place, center), 4, 1e-9);
   const SightLine sight = camera.sightThrough(pixelOf(camera, *place), size);
-  EXPECT_NEAR(glm::dot(*place - center, sight.direction), 0, 0.6) << "where sights touch it";
+  EXPECT_NEAR(glm::dot(*place - center, sight.direction), 0, 1e-6) << "where sights touch it";
 }
 
 } // namespace

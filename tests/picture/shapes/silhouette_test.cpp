@@ -51,7 +51,7 @@ TEST(Silhouette, OfAFigure_IsDrawnForEachBallThatIsThere) {
   const View view{cameraFrom({1, -2, 0.5}), {800, 600}, 1};
   const auto corners = [&](const Figure &figure) {
     Mesh mesh;
-    addSilhouettes(mesh, figure, {}, themes().front(), view);
+    addSilhouettes(mesh, figure, {}, {}, themes().front(), view);
     return mesh.positions.size();
   };
   EXPECT_EQ(corners({{PointMark{{"Q"}, {0, 0, 0}}}}), 0U);

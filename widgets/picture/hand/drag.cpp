@@ -34,17 +34,30 @@ std::optional<Place> onLine(const SightLine &sight, Place at, Place direction) {
   return place;
 }
 
+/// The place of a sphere's outline that is nearest to a sight that passes it by, from an eye outside.
+Place onOutline(const SightLine &sight, Place center, double radius, const Camera &camera) {
+  const Place aside =
+      sight.origin + sight.direction * glm::dot(center - sight.origin, sight.direction) - center;
+  if (camera.orthographic)
+    return center + glm::normalize(aside) * radius;
+  const Place toEye = camera.eye() - center;
+  const double sine = radius / glm::length(toEye);
+  const Place ahead = glm::normalize(toEye);
+  const Place across = glm::normalize(aside - ahead * glm::dot(aside, ahead));
+  return center + (ahead * sine + across * std::sqrt(1 - sine * sine)) * radius;
+}
+
 /// Where the sight meets the sphere around `center` through `at`, on the side where `at` is; beside the
-/// sphere the place of it that is nearest to the sight.
-std::optional<Place> onSphereAt(const SightLine &sight, Place at, Place center) {
+/// sphere the place of its outline that is nearest to the sight.
+std::optional<Place> onSphereAt(const SightLine &sight, Place at, Place center, const Camera &camera) {
   const double radius = glm::length(at - center);
   const double toMiddle = glm::dot(center - sight.origin, sight.direction);
-  const Place middle = sight.origin + sight.direction * toMiddle;
-  const Place aside = middle - center;
+  const Place aside = sight.origin + sight.direction * toMiddle - center;
   const double halfChord = radius * radius - glm::dot(aside, aside);
   if (halfChord <= 0)
-    return center + aside * (radius / glm::length(aside));
-  const bool isFar = glm::dot(at - center, sight.direction) > 0;
+    return onOutline(sight, center, radius, camera);
+  const Place toAt = camera.orthographic ? camera.viewDirection() : at - camera.eye();
+  const bool isFar = glm::dot(at - center, toAt) > 0;
   const double distance = toMiddle + (isFar ? 1 : -1) * std::sqrt(halfChord);
   if (!(distance > 0))
     return {};
@@ -55,7 +68,7 @@ std::optional<Place> placeUnder(glm::dvec2 pixel, const DragConstraint &constrai
                                 PixelSize size, Place at) {
   const SightLine sight = camera.sightThrough(pixel, size);
   if (constraint.kind == DragConstraint::Kind::Sphere)
-    return onSphereAt(sight, at, constraint.center);
+    return onSphereAt(sight, at, constraint.center, camera);
   if (sineOfAngle(constraint, sight.direction) < std::sin(leastSightAngle))
     return {};
   return constraint.kind == DragConstraint::Kind::Line ? onLine(sight, at, constraint.direction)

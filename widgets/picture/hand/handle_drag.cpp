@@ -58,7 +58,8 @@ DragConstraint constraintOf(DragMode mode, const Handle &handle) {
   return isPlanar(mode) ? inPlane(unitAxis(mode)) : alongLine(unitAxis(mode));
 }
 
-/// The same, exactly: through where the handle was when the mode began.
+/// The same, exactly, through where the handle was when the mode began; of a sphere, which is no flat, all of
+/// space.
 Flat freedomOf(DragMode mode, const Handle &handle) {
   if (mode == DragMode::OwnAxis)
     return Flat::line(handle.at, handle.axis);
@@ -134,7 +135,7 @@ std::optional<Knob> knobOf(const Handle &handle, bool hot) {
   return Knob{handle.id, shownPlace(handle), std::nullopt, Subject::Triangle, hot};
 }
 
-HandleDrag::HandleDrag(Scene scene, Handle handle, DragMode mode, glm::dvec2 pressed)
+HandleDrag::HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed)
     : m_scene(std::move(scene)), m_handle(std::move(handle)), m_mode(mode), m_anchor(m_handle),
       m_pressed(pressed), m_at(m_handle.at), m_pixel(pressed) {}
 
@@ -150,7 +151,7 @@ std::optional<DragMove> HandleDrag::moveTo(glm::dvec2 pixel, const Rational &ste
   const Place beside = start - toDouble(m_anchor.at);
   const auto place =
       dragged(constraintOf(m_mode, m_anchor), screen.camera, screen.size, start, m_pressed, pixel);
-  const Object *object = findObject(m_scene, m_handle.object);
+  const Object *object = findObject(m_scene.scene, m_handle.object);
   if (!place || !object)
     return {};
   const auto pixelsApart = [&](const Place &a, const Place &b) {

@@ -54,7 +54,7 @@ struct DragMove {
 class HandleDrag {
 public:
   /// `scene` is the scene at the press: what the drag starts from.
-  HandleDrag(Scene scene, Handle handle, DragMode mode, glm::dvec2 pressed);
+  HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed);
 
   [[nodiscard]] const Handle &handle() const { return m_handle; }
   [[nodiscard]] DragMode mode() const { return m_mode; }
@@ -67,7 +67,7 @@ public:
   [[nodiscard]] std::optional<DragMove> moveTo(glm::dvec2 pixel, const Rational &step, const View &screen);
 
 private:
-  Scene m_scene;
+  PlacedScene m_scene;
   Handle m_handle;
   DragMode m_mode;
   Handle m_anchor;      ///< the handle as it was where the current mode began

@@ -13,6 +13,7 @@ struct LabelOnPage {
 };
 
 /// Sets labels and places them, from frame to frame. Empty ones, and those without a place, are left out.
+/// Requires ids that stand once.
 class LabelPage {
 public:
   [[nodiscard]] std::vector<LabelOnPage> place(const std::vector<LabelText> &texts,

@@ -10,6 +10,7 @@ namespace halfspace {
 namespace {
 
 constexpr double lineRadius = 1.1; ///< in design pixels
+constexpr double highlightedWidth = 1.6;
 constexpr int corners = 96;
 
 } // namespace
@@ -28,17 +29,19 @@ std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &cam
                     ball.radius * std::sqrt(1 - cosine * cosine)};
 }
 
-void addSilhouettes(Mesh &mesh, const Figure &figure, const Arrival &arrival, const Theme &theme,
-                    const View &view) {
+void addSilhouettes(Mesh &mesh, const Figure &figure, const std::set<std::string> &highlighted,
+                    const Arrival &arrival, const Theme &theme, const View &view) {
   for (const Mark &mark : figure.marks) {
     const auto *ball = std::get_if<SphereMark>(&mark);
     const auto circle = ball ? silhouetteOf(*ball, view.camera) : std::nullopt;
     const double unit = circle ? view.unitsPerDesignPixel(circle->center) : 0;
     const double presence = circle ? arrival.presenceOf(*ball) : 0;
-    if (unit > 0 && presence > 0)
-      addRing(mesh, circleAround(circle->center, circle->axis, circle->radius, corners),
-              lineRadius * unit * presence,
-              mix(theme.backgroundBottom, solidColor(*ball, theme, false), presence));
+    if (!(unit > 0 && presence > 0))
+      continue;
+    const bool standsOut = highlighted.contains(ball->id);
+    addRing(mesh, circleAround(circle->center, circle->axis, circle->radius, corners),
+            lineRadius * theme.lineScale * (standsOut ? highlightedWidth : 1) * unit * presence,
+            mix(theme.backgroundBottom, solidColor(*ball, theme, standsOut), presence));
   }
 }
 

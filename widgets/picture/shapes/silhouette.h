@@ -7,6 +7,7 @@
 #include "widgets/picture/view.h"
 
 #include <optional>
+#include <set>
 
 namespace halfspace {
 
@@ -21,7 +22,7 @@ struct Silhouette {
 [[nodiscard]] std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &camera);
 
 /// Adds the outlines of the figure's balls.
-void addSilhouettes(Mesh &mesh, const Figure &figure, const Arrival &arrival, const Theme &theme,
-                    const View &view);
+void addSilhouettes(Mesh &mesh, const Figure &figure, const std::set<std::string> &highlighted,
+                    const Arrival &arrival, const Theme &theme, const View &view);
 
 } // namespace halfspace

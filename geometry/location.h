@@ -4,13 +4,13 @@
 namespace halfspace {
 
 /// Of a point in the plane of a triangle or a polygon.
-enum class FaceLocation { Interior, Edge, Vertex, Outside };
-struct FacePlace {
-  FaceLocation location = FaceLocation::Outside;
+enum class FacePart { Interior, Edge, Vertex, Outside };
+struct FaceLocation {
+  FacePart part = FacePart::Outside;
   int feature = -1; ///< the corner's index, or that of the edge; set only for Vertex and Edge
 };
 
 /// On: on the body's surface.
-enum class SolidPlace { Outside, On, Inside };
+enum class SolidLocation { Outside, On, Inside };
 
 } // namespace halfspace

@@ -1,0 +1,25 @@
+// A scene with its bound objects where they are.
+#pragma once
+
+#include "lessons/scene/evaluation.h"
+
+namespace halfspace {
+
+/// A bound object at its place, and what it lies on.
+struct PlacedObject {
+  std::string name; ///< the entry's
+  Given<Object> point;
+  Object host;
+};
+
+struct PlacedScene {
+  /// Of any scene: it is evaluated where it has bound objects.
+  PlacedScene(Scene scene); // NOLINT(google-explicit-constructor): it is the scene, told more fully
+  /// With what the scene comes to.
+  PlacedScene(Scene scene, const Evaluation &evaluation);
+
+  Scene scene;
+  std::vector<PlacedObject> bound; ///< those that have a place now
+};
+
+} // namespace halfspace
