@@ -145,6 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Corners{"Triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, true},
                     Corners{"Line", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, false},
                     Corners{"Slanted", {{0, 0, 0}, {2, 0, 1}, {2, 2, 2}, {0, 2, 1}}, true},
+                    Corners{"Dented", {{0, 0, 0}, {1, 0, 0}, {q(1, 4), q(1, 4), 0}, {0, 1, 0}}, false},
                     Corners{"Repeated", {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, false},
                     Corners{"Pentagram", {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}}, false},
                     Corners{"NearlyFlat", {{0, 0, 0}, {1, 0, 0}, {1, 1, q(1, 1000000)}, {0, 1, 0}}, false}),

@@ -94,9 +94,14 @@ TEST(Offers, OfAnObject_AreNotForItsOwnHandles) {
 }
 
 TEST(Aims, OfATrianglesCorner_AreInLineWithTheOthers) {
-  const auto targets = targetsIn(spelledEntry("triangle"), "K.P1");
-  ASSERT_EQ(targets.count("in line with P₀ and P₂"), 1U);
-  EXPECT_TRUE(takes(targets.at("in line with P₀ and P₂"), {0, -7, 0}));
+  const auto lineOf = [](const std::string &corner, const std::string &name, const ExactVec3 &place) {
+    const auto targets = targetsIn(spelledEntry("triangle"), corner);
+    const auto found = targets.find(name);
+    return found != targets.end() && takes(found->second, place);
+  };
+  EXPECT_TRUE(lineOf("K.P0", "in line with P₁ and P₂", {2, 1, 0}));
+  EXPECT_TRUE(lineOf("K.P1", "in line with P₀ and P₂", {0, -7, 0}));
+  EXPECT_TRUE(lineOf("K.P2", "in line with P₀ and P₁", {-7, 0, 0}));
 }
 
 TEST(Aims, OfAPlanesOffset_GoThroughThePointsOfOthers) {
