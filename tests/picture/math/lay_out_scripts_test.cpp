@@ -29,7 +29,7 @@ TEST(Superscripts, OnASlantedLetter_StandFartherRightThanSubscripts) {
 }
 
 TEST(Superscripts, WithDescenders_StayClearOfTheBaseline) {
-  for (const char *script : {"g", "y", "\\frac gy"}) {
+  for (const char *script : {"g", "\\frac gy", "\\begin{matrix}1\\\\2\\\\3\\end{matrix}"}) {
     const Layout layout = laidOut("x^{" + std::string(script) + "}");
     for (std::size_t i = 1; i < layout.glyphs.size(); ++i)
       EXPECT_LT(inkOf(layout.glyphs[i]).bottom(), 0) << script;
@@ -82,6 +82,13 @@ TEST(Limits, AboveAndBelow_KeepTheirDistanceFromTheOperator) {
   EXPECT_GT(sum.y - inkOf(letterIn(layout, 'g')).bottom(), 0.1);
 }
 
+TEST(Limits, ThatAreTall_StayClearToo) {
+  const Layout layout = laidOut("\\sum_{\\frac ab}^{\\frac cg}");
+  const Rectangle sum = inkOf(layout.glyphs.front());
+  EXPECT_GT(inkOf(letterIn(layout, 'a')).y - sum.bottom(), 0.05);
+  EXPECT_GT(sum.y - inkOf(letterIn(layout, 'g')).bottom(), 0.05);
+}
+
 TEST(Limits, OfWords_AreWrittenBelowThem) {
   const Layout layout = laidOut("\\lim_{n\\to\\infty}a");
   EXPECT_GT(letterIn(layout, 'n').y, 0.3);
@@ -114,6 +121,8 @@ TEST(Binomials, HaveNoBarAndDoNotTouch) {
   const Layout layout = laidOut("\\binom{g}{h}");
   EXPECT_TRUE(layout.rules.empty());
   EXPECT_GT(inkOf(letterIn(layout, 'h')).y - inkOf(letterIn(layout, 'g')).bottom(), 0.1);
+  const Layout tall = laidOut("\\binom{\\frac ag}{\\frac bc}");
+  EXPECT_GT(inkOf(letterIn(tall, 'b')).y - inkOf(letterIn(tall, 'g')).bottom(), 0.1);
 }
 
 TEST(Roots, OfSmallAndTallLetters_HaveTheirBarAboveThemAll) {
@@ -123,6 +132,10 @@ TEST(Roots, OfSmallAndTallLetters_HaveTheirBarAboveThemAll) {
     const double barBottom = root.rules.back().box.bottom();
     EXPECT_GT(-barBottom - inside.ascent, 0) << radicand;
     EXPECT_LE(-root.rules.back().box.y, root.ascent + rounding) << radicand;
+    double signBottom = -1;
+    for (std::size_t i = inside.glyphs.size(); i < root.glyphs.size(); ++i)
+      signBottom = std::max(signBottom, inkOf(root.glyphs[i]).bottom());
+    EXPECT_GE(signBottom, inside.depth - rounding) << radicand << ": the sign goes down to its foot";
   }
 }
 
