@@ -144,6 +144,21 @@ TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
 
 INSTANTIATE_TEST_SUITE_P(Heights, Views, testing::Values(1.0, 21.0, 400.0));
 
+TEST(HighPlaces, FromTheSide_CutOffNothingThatStandsHigh) {
+  const Place high(6, 8, 600);
+  PictureRequest request = requestFor({{named(pointAt(high), "Q")}});
+  request.content.stage.middle = {1000, 1000, 0}; // without axes, which would reach as far
+  request.camera.elevation = 1.2;
+  request.camera.height = 400;
+  FigureScene scene(noLabels);
+  scene.setContent(request.content);
+  scene.setView(request.camera, request.size, 1);
+  scene.prepare();
+  double range[2] = {0, 0};
+  scene.renderer()->GetActiveCamera()->GetClippingRange(range);
+  EXPECT_GT(glm::dot(high - request.camera.eye(), request.camera.viewDirection()), range[0]);
+}
+
 TEST(Strips, OfAView_LookWhereTheirPartOfItIs) {
   const PictureRequest request = requestFor(pointQ());
   FigureScene scene(noLabels);

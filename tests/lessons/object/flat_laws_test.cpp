@@ -97,6 +97,18 @@ TEST(FlatLaws, PlacesBesideAFlat_AreNoneOfItAndDoNotMeetIt) {
   }
 }
 
+TEST(FlatLaws, LinesAlongTheAxes_MoveAlongThemAlone) {
+  for (int axis = 0; axis < 3; ++axis) {
+    ExactVec3 direction(0);
+    direction[axis] = -3;
+    const Flat line = Flat::line({1, 2, 3}, direction);
+    ASSERT_EQ(line.dimension(), 1U);
+    for (int other = 0; other < 3; ++other)
+      EXPECT_EQ(line.moves(other), other == axis);
+    EXPECT_TRUE(isZero(cross(line.direction(), direction)));
+  }
+}
+
 TEST(FlatLaws, ALineOfTwoPlanes_HasTheirCommonDirection) {
   RandomNumbers random(6);
   for (int i = 0; i < cases; ++i) {

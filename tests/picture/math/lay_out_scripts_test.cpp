@@ -83,7 +83,7 @@ TEST(Limits, AboveAndBelow_KeepTheirDistanceFromTheOperator) {
 }
 
 TEST(Limits, ThatAreTall_StayClearToo) {
-  const Layout layout = laidOut("\\sum_{\\frac ab}^{\\frac cg}");
+  const Layout layout = laidOut("\\sum_{\\begin{matrix}a\\\\b\\\\d\\end{matrix}}^{\\frac cg}");
   const Rectangle sum = inkOf(layout.glyphs.front());
   EXPECT_GT(inkOf(letterIn(layout, 'a')).y - sum.bottom(), 0.05);
   EXPECT_GT(sum.y - inkOf(letterIn(layout, 'g')).bottom(), 0.05);
