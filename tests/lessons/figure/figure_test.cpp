@@ -111,6 +111,17 @@ TEST(FindMark, ByAnId_FindsItselfAndNotWhatAccompaniesIt) {
   EXPECT_EQ(leadingId(baseOf(figure.marks[1])), "F");
 }
 
+TEST(Figure, OfEveryKindOfMark_SaysWhatTheyAllHave) {
+  Figure figure;
+  figure.add(named(pointAt({0, 0, 0}), "a"));
+  figure.add(named(SphereMark(), "b", Subject::Triangle));
+  figure.add(named(ArcMark(), "c"));
+  baseOf(figure.marks[1]).label = "S";
+  EXPECT_EQ(baseOf(figure.marks[2]).id, "c");
+  EXPECT_EQ(std::get<SphereMark>(figure.marks[1]).label, "S");
+  EXPECT_EQ(baseOf(figure.marks[1]).subject, Subject::Triangle);
+}
+
 TEST(WithoutNumbers, AFigure_KeepsItsLettersAndItsPlaces) {
   PointMark point = named(pointAt({1, 2, 3}), "d");
   point.label = "d";

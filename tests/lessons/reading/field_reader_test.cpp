@@ -22,6 +22,13 @@ private:
   std::optional<FieldReader> m_reader;
 };
 
+TEST_F(FieldReading, OfALaterFault_StillGivesTheFieldsBeforeIt) {
+  FieldReader &fields = read("name: E\ntitle: [a]");
+  (void)fields.text("title");
+  EXPECT_EQ(fields.text("name"), "E");
+  EXPECT_EQ(problem().field, "scene[1].title");
+}
+
 TEST_F(FieldReading, OfTextsThatAreThere_GivesThem) {
   FieldReader &fields = read("name: E\ntitle: ''");
   EXPECT_EQ(fields.text("name"), "E");

@@ -3,6 +3,7 @@
 
 #include "lessons/lesson/typed_answer.h"
 #include "lessons/scene/session_file.h"
+#include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,38 @@ TEST(PlainSpelling, OfWhatPeopleType_IsThatOfFiles) {
   EXPECT_EQ(plainSpelling("1 234.5"), "1234.5");
   EXPECT_EQ(plainSpelling("-,5", ','), "-0.5");
   EXPECT_EQ(plainSpelling("1 1/0"), "11/0") << "no number in either spelling";
+}
+
+/// As people write it who avoid improper fractions: −3 1/3.
+std::string mixedText(const Rational &value) {
+  const Integer below(value.denominator());
+  const Integer above = mp::abs(Integer(value.numerator()));
+  return std::string(value < 0 ? "-" : "") + Integer(above / below).str() + " " +
+         Integer(above % below).str() + "/" + below.str();
+}
+
+TEST(TypedNumbers, InEverySpelling_AreTheSame) {
+  RandomNumbers random(3);
+  for (int i = 0; i < 300; ++i) {
+    const Rational value = random.rational(50);
+    const std::string exact = toText(value);
+    EXPECT_EQ(parseRational(plainSpelling(exact)), value) << exact;
+    EXPECT_EQ(parseRational(plainSpelling(" " + exact + " ")), value) << exact;
+    if (value < 0) {
+      EXPECT_EQ(parseRational(plainSpelling("−" + exact.substr(1))), value) << exact;
+    } else {
+      EXPECT_EQ(parseRational(plainSpelling("+" + exact)), value) << exact;
+    }
+    EXPECT_EQ(parseMixed(mixedText(value)), value) << mixedText(value);
+    EXPECT_EQ(parseRational(plainSpelling(mixedText(value))), value) << mixedText(value);
+  }
+}
+
+TEST(TypedNumbers, WithADecimalComma_AreReadOnlyWhereThatIsTheMark) {
+  EXPECT_EQ(parseRational(plainSpelling("1,25", ',')), Rational(5, 4));
+  EXPECT_FALSE(parseRational(plainSpelling("1,25")));
+  EXPECT_EQ(parseRational(plainSpelling("1.25", ',')), Rational(5, 4)) << "as in files";
+  EXPECT_FALSE(parseRational(plainSpelling("1,2,5", ',')));
 }
 
 TEST(MixedNumbers, InBlanksAndSetValues_AreMixedNumbers) {

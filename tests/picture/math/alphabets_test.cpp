@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace halfspace::math {
 namespace {
 
@@ -46,6 +51,47 @@ TEST(WithoutAlphabet, ACharacterOfAnAlphabet_IsItsLetter) {
   EXPECT_EQ(withoutAlphabet(U'𝛌'), U'λ');
   EXPECT_EQ(withoutAlphabet(U'x'), 0U);
   EXPECT_EQ(withoutAlphabet(U'+'), 0U);
+}
+
+const std::vector<Alphabet> allAlphabets{Alphabet::Italic,     Alphabet::Upright,    Alphabet::Bold,
+                                         Alphabet::BoldItalic, Alphabet::Blackboard, Alphabet::Script,
+                                         Alphabet::Fraktur,    Alphabet::Sans,       Alphabet::Mono};
+
+/// All Latin and Greek letters and digits.
+std::u32string allLetters() {
+  std::u32string letters;
+  for (const auto &[first, last] :
+       {std::pair{U'A', U'Z'}, {U'a', U'z'}, {U'0', U'9'}, {U'Α', U'Ρ'}, {U'α', U'ω'}})
+    for (char32_t letter = first; letter <= last; ++letter)
+      letters += letter;
+  return letters;
+}
+
+TEST(Alphabets, OfAnyLetter_GiveItBack) {
+  for (const Alphabet alphabet : allAlphabets)
+    for (const char32_t letter : allLetters()) {
+      const char32_t character = inAlphabet(letter, alphabet);
+      if (character != letter) {
+        EXPECT_EQ(withoutAlphabet(character), letter) << static_cast<unsigned>(letter);
+      }
+      EXPECT_EQ(inAlphabet(character, alphabet), character) << "it has its form already";
+    }
+}
+
+TEST(Alphabets, OfDifferentLetters_AreDifferentCharacters) {
+  for (const Alphabet alphabet : allAlphabets) {
+    std::set<char32_t> characters;
+    for (const char32_t letter : allLetters())
+      EXPECT_TRUE(characters.insert(inAlphabet(letter, alphabet)).second) << static_cast<unsigned>(letter);
+  }
+}
+
+TEST(Alphabets, ForLatinLetters_HaveFormsForAllOfThem) {
+  for (const Alphabet alphabet : allAlphabets)
+    for (char32_t letter = 'A'; letter <= 'z'; ++letter)
+      if ((letter <= 'Z' || letter >= 'a') && alphabet != Alphabet::Upright) {
+        EXPECT_NE(inAlphabet(letter, alphabet), letter) << static_cast<unsigned>(letter);
+      }
 }
 
 } // namespace

@@ -80,7 +80,7 @@ TEST(Tokens, OfBytesThatAreNoUtf8_AreRefusedAtTheirColumn) {
   EXPECT_EQ(failsAt("\xE2\x82"), 1U) << "cut off";
   EXPECT_EQ(failsAt("ab\xC1\x81"), 3U) << "longer than it need be";
   EXPECT_EQ(failsAt("\xE0\x80\xAF"), 1U);
-  EXPECT_EQ(failsAt("\xF0\x80\x80\xAF"), 1U);
+  EXPECT_EQ(failsAt("\xF0\x8F\xBF\xBF"), 1U);
   EXPECT_EQ(failsAt("\xED\xBF\xBF"), 1U) << "half of a pair";
   EXPECT_EQ(failsAt("\xF4\x90\x80\x80"), 1U) << "beyond Unicode";
   EXPECT_EQ(failsAt("a\\λ"), 0U) << "any character may name a command";

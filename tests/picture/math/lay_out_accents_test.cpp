@@ -96,7 +96,7 @@ TEST(Braces, OverOneLetter_LeaveItInTheirMiddle) {
   const Rectangle letter = inkOf(layout.glyphs.front());
   const Rectangle brace = inkBehind(layout, 1);
   EXPECT_GT(brace.width, letter.width);
-  EXPECT_NEAR(letter.x + letter.width / 2, brace.x + brace.width / 2, 0.1);
+  EXPECT_NEAR(letter.x + letter.width / 2, brace.x + brace.width / 2, 0.04);
   EXPECT_NEAR(layout.width, brace.width, 0.2);
 }
 
@@ -146,6 +146,9 @@ TEST(Tables, OfSeveralPairs_SetEachRelationBelowTheOthers) {
   EXPECT_NEAR(relations[0].x, relations[2].x, rounding);
   EXPECT_NEAR(relations[1].x, relations[3].x, rounding);
   EXPECT_GT(relations[1].x - relations[0].x, 2) << "the pairs stand apart";
+  EXPECT_LT(relations[0].x - glyphsOf(layout, inAlphabet('a', Alphabet::Italic))[0].x, 1) << "and no halves";
+  const auto cs = glyphsOf(layout, inAlphabet('c', Alphabet::Italic));
+  EXPECT_NEAR(cs[0].x, cs.back().x, rounding) << "what stands before a relation ends at it";
 }
 
 TEST(Tables, InScripts_AreAsSmall) {

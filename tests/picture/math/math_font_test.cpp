@@ -115,5 +115,81 @@ TEST(MathFont, APrime_HasAFormForScripts) {
   EXPECT_EQ(font.scriptForm(equals, 1), equals);
 }
 
+TEST(FontFace, OfACharacterItLacks_GivesGlyphZeroAndItsSize) {
+  const FontFace &face = fonts().math.face();
+  EXPECT_EQ(face.glyph(U'ж'), 0U);
+  EXPECT_EQ(face.glyph(0x10FFFF), 0U);
+  EXPECT_GT(face.metrics(0).advance, 0) << "a box that says that something is missing";
+  EXPECT_EQ(face.metrics(static_cast<GlyphId>(face.glyphCount()) + 7).advance, face.metrics(0).advance);
+}
+
+TEST(FontFace, OfASpace_HasRoomAndNoInk) {
+  const FontFace &face = fonts().math.face();
+  const GlyphId space = face.glyph(' ');
+  EXPECT_GT(face.metrics(space).advance, 0.2);
+  EXPECT_TRUE(face.outline(space).empty());
+}
+
+TEST(FontFace, CutOffAnywhere_IsReadOrRefusedButNeverBeyondItsEnd) {
+  std::ifstream stream(TEXT_FONT, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  for (std::size_t size = 1; size < bytes.size(); size = size * 3 + 1) {
+    const std::vector<char> part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    if (const auto face = FontFace::fromMemory(std::as_bytes(std::span(part)))) {
+      EXPECT_LE(face->metrics(face->glyph('x')).advance, 10);
+      EXPECT_LT(face->outline(face->glyph('x')).size(), 10000U);
+    }
+  }
+}
+
+TEST(FontFace, ShapedWords_GoFromLeftToRightAlsoInOtherScripts) {
+  ASSERT_TRUE(fonts().text);
+  const ShapedText text = fonts().text->shape("длина x");
+  ASSERT_EQ(text.glyphs.size(), 7U);
+  for (std::size_t i = 1; i < text.glyphs.size(); ++i)
+    EXPECT_GT(text.glyphs[i].x, text.glyphs[i - 1].x);
+  EXPECT_GT(text.width, text.glyphs.back().x);
+  EXPECT_EQ(fonts().text->shape("").width, 0);
+}
+
+TEST(MathFont, SlantedLetters_AreCorrectedForAndUprightOnesAreNot) {
+  const MathFont &font = fonts().math;
+  EXPECT_GT(font.italicsCorrection(font.face().glyph(inAlphabet('f', Alphabet::Italic))), 0.05);
+  EXPECT_EQ(font.italicsCorrection(font.face().glyph('0')), 0);
+}
+
+TEST(MathFont, TheMiddleOfAnAccent_LiesOverTheLetter) {
+  const MathFont &font = fonts().math;
+  for (const char32_t letter : {U'u', U'n', U'B', U'f'}) {
+    const GlyphId glyph = font.face().glyph(inAlphabet(letter, Alphabet::Italic));
+    EXPECT_GT(font.accentAttachment(glyph), 0) << static_cast<char>(letter);
+    EXPECT_LT(font.accentAttachment(glyph), 1.3 * font.face().metrics(glyph).advance);
+  }
+}
+
+TEST(MathFont, FormsForScriptsOfScripts_AreFormsOfTheSameGlyph) {
+  const MathFont &font = fonts().math;
+  const GlyphId prime = font.face().glyph(U'′');
+  EXPECT_NE(font.scriptForm(prime, 2), prime);
+  EXPECT_GT(font.face().metrics(font.scriptForm(prime, 2)).height, 0);
+}
+
+TEST(MathFont, AStretchedArrow_IsAtLeastAsLongAsAskedForAndItselfWhereItIsAlready) {
+  const MathFont &font = fonts().math;
+  const GlyphId arrow = font.face().glyph(U'→');
+  EXPECT_EQ(font.stretch(arrow, 0.1, Direction::Horizontal).parts.front().glyph, arrow);
+  for (const double length : {1.5, 3.0, 12.0})
+    EXPECT_GE(font.stretch(arrow, length, Direction::Horizontal).length, length - 0.002);
+}
+
+TEST(MathFont, ALetterThatCannotGrow_StaysAsItIs) {
+  const MathFont &font = fonts().math;
+  const GlyphId letter = font.face().glyph('x');
+  const Stretched stretched = font.stretch(letter, 9, Direction::Vertical);
+  ASSERT_EQ(stretched.parts.size(), 1U);
+  EXPECT_EQ(stretched.parts.front().glyph, letter);
+  EXPECT_LT(stretched.length, 1);
+}
+
 } // namespace
 } // namespace halfspace::math
