@@ -78,9 +78,10 @@ void MainWindow::createEditMenu() {
 
 /// For a selected corner of a polygon or a prism.
 void MainWindow::createCornerItems(QMenu &menu) {
-  QAction *add = addItem(menu, tr("&Add a Corner Here"), Qt::Key_Insert, m_scene, &SceneView::addCorner);
-  QAction *remove =
-      addItem(menu, tr("Re&move the Corner"), QKeySequence::Delete, m_scene, &SceneView::removeCorner);
+  QAction *add =
+      addItem(menu, tr("&Add a Corner Here"), Qt::Key_Insert, m_scene, [this] { m_scene->addCorner(); });
+  QAction *remove = addItem(menu, tr("Re&move the Corner"), QKeySequence::Delete, m_scene,
+                            [this] { m_scene->removeCorner(); });
   const auto enable = [this, add, remove] {
     add->setEnabled(m_scene->canAddCorner());
     remove->setEnabled(m_scene->canRemoveCorner());

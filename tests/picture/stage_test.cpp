@@ -1,3 +1,4 @@
+#include "lessons/object/handle.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
@@ -42,7 +43,7 @@ TEST(Stage, OfAPointFarOutOnItsLine_ReachesToIt) {
 }
 
 TEST(Stage, OfASceneOfUsualSize_IsTheScenesOwnSpace) {
-  EXPECT_EQ(stageOf({}), Stage());
+  EXPECT_EQ(stageOf(Scene{}), Stage());
   EXPECT_EQ(stageOf(sceneOf({PointObject{}})), Stage());
   EXPECT_EQ(stageOf(sceneOf({PlaneObject{{5, 4, 7}, {1, 2, 2}}, PointObject{{11, 15, 8}}})), Stage());
   EXPECT_EQ(stageOf(sceneOf({PointObject{{-150, 3, 60}}})), Stage());

@@ -20,17 +20,32 @@ constexpr Rgba magenta{255, 0, 255, 255};
 constexpr int labelWidth = 31;
 constexpr int labelHeight = 13;
 
-/// Only the mark's label has a picture: a plain rectangle.
-std::shared_ptr<const LabelPicture> magentaForQ(const std::string &latex, const LabelStyle &) {
-  if (latex != "Q")
-    return noLabels({}, {});
+/// Of type at 22 pixels a formula of this size has a label of that size.
+math::Layout smallFormula() {
+  math::Layout formula;
+  formula.width = 1;
+  formula.ascent = 0.17;
+  formula.rules.emplace_back();
+  return formula;
+}
+
+std::shared_ptr<const LabelPicture> paintMagenta(const LabelPainter::Formula &formula,
+                                                 const LabelStyle &style) {
+  const LabelRoom room = roomOf(*formula, style);
   auto picture = std::make_shared<LabelPicture>();
-  picture->width = labelWidth;
-  picture->height = labelHeight;
-  for (int i = 0; i < labelWidth * labelHeight; ++i)
+  picture->width = room.width;
+  picture->height = room.height;
+  for (int i = 0; i < room.width * room.height; ++i)
     picture->rgba.insert(picture->rgba.end(), {255, 0, 255, 255});
   return picture;
 }
+
+/// Only the mark's label is not empty: a plain rectangle.
+const LabelPainter magentaForQ{[](const std::string &latex) {
+                                 return std::make_shared<const math::Layout>(latex == "Q" ? smallFormula()
+                                                                                          : math::Layout());
+                               },
+                               paintMagenta};
 
 Figure labelledPoint() {
   PointMark point = named(pointAt({11, 15, 8}), "point.Q", Subject::Point);
@@ -74,18 +89,19 @@ TEST(FigureScene, ShowsOfALabelWhatItWasGivenLast) {
     return scene.markAt(glm::dvec2(*point) + glm::dvec2(30, -14));
   };
   EXPECT_EQ(markAtLabel("Q"), "point.Q");
-  EXPECT_EQ(markAtLabel("R"), ""); // has no picture
+  EXPECT_EQ(markAtLabel("R"), ""); // is empty
   EXPECT_EQ(markAtLabel("Q"), "point.Q");
 }
 
 TEST(FigureScene, AsksForTypeInProportionToPixelRatioAndTheme) {
   const PictureRequest request = requestFor(labelledPoint());
   double asked = 0;
-  FigureScene scene([&](const std::string &latex, const LabelStyle &style) {
-    if (latex == "Q")
-      asked = style.pixelSize;
-    return noLabels({}, {});
-  });
+  LabelPainter painter = magentaForQ;
+  painter.paint = [&](const LabelPainter::Formula &formula, const LabelStyle &style) {
+    asked = style.pixelSize;
+    return paintMagenta(formula, style);
+  };
+  FigureScene scene(painter);
   Theme theme = *findTheme("light");
   theme.textScale = 1.5;
   scene.setTheme(theme);

@@ -26,9 +26,8 @@ inline Rgba pixelAt(const LabelPicture &picture, glm::dvec3 pixel) {
 }
 
 /// Labels are off in these pictures.
-inline std::shared_ptr<const LabelPicture> noLabels(const std::string &, const LabelStyle &) {
-  return std::make_shared<LabelPicture>();
-}
+inline const LabelPainter noLabels{[](const std::string &) { return std::make_shared<const math::Layout>(); },
+                                   {}};
 
 inline PictureRequest requestFor(Figure figure) {
   PictureRequest request;
