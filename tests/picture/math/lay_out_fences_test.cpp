@@ -29,13 +29,13 @@ std::pair<double, double> spanOf(const Layout &layout) {
   return {top, bottom};
 }
 
-struct EveryFence : testing::TestWithParam<const char *> {
+struct GrowingFences : testing::TestWithParam<const char *> {
   [[nodiscard]] static Layout around(int rows) {
     return laidOut("\\left" + std::string(GetParam()) + "\\phantom{" + rowsOf(rows) + "}\\right.");
   }
 };
 
-TEST_P(EveryFence, AroundMoreAndMore_GrowsWithItOnTheAxis) {
+TEST_P(GrowingFences, AroundMoreAndMore_GrowsWithItOnTheAxis) {
   double last = 0;
   for (const int rows : {1, 2, 3, 5, 9, 15}) {
     const auto [top, bottom] = spanOf(around(rows));
@@ -46,14 +46,14 @@ TEST_P(EveryFence, AroundMoreAndMore_GrowsWithItOnTheAxis) {
   }
 }
 
-TEST_P(EveryFence, AroundMoreAndMore_StaysNarrow) {
+TEST_P(GrowingFences, AroundMoreAndMore_StaysNarrow) {
   for (const int rows : {1, 5, 15}) {
     const double inside = laidOut("\\phantom{" + rowsOf(rows) + "}").width;
     EXPECT_LT(around(rows).width - inside, 1.3) << rows;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Characters, EveryFence,
+INSTANTIATE_TEST_SUITE_P(Characters, GrowingFences,
                          testing::Values("(", "[", "\\{", "|", "\\|", "\\lfloor", "\\rceil", "\\lceil"));
 
 TEST(Fences, OfOnePair_AreAsTallAsEachOther) {
