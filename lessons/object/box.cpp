@@ -29,7 +29,7 @@ std::vector<Handle> ownHandles(const std::string &name, const Object &box) {
   return {lengthHandle(name, box, 1, 0), lengthHandle(name, box, 2, 1), lengthHandle(name, box, 3, 2)};
 }
 
-void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 1, false, found); }
+void offer(const Given<Object> &given, Surroundings &found) { offerVertex(given, 0, found); }
 
 } // namespace
 

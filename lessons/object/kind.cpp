@@ -76,17 +76,22 @@ void offerPoint(const Given<Object> &given, std::size_t index, std::string words
   found.points.push_back({given.object[index], std::move(words)});
 }
 
-void offerVertices(const Given<Object> &given, std::size_t first, std::size_t end, bool closed,
-                   Surroundings &found) {
-  const auto nameOf = [&](std::size_t index) { return plainText(given.letters[index]); };
-  for (std::size_t i = first; i < end; ++i) {
-    offerPoint(given, i, words("vertex {name}", {{"name", nameOf(i)}}), found);
-    const std::size_t next = i + 1 == end ? first : i + 1;
-    if ((i + 1 == end && !closed) || given.object[i] == given.object[next])
-      continue;
-    found.edges.push_back({given.object[i], given.object[next],
-                           words("edge {name}", {{"name", edgeName(given.letters[std::min(i, next)],
-                                                                   given.letters[std::max(i, next)])}})});
+void offerVertex(const Given<Object> &given, std::size_t index, Surroundings &found) {
+  offerPoint(given, index, words("vertex {name}", {{"name", plainText(given.letters[index])}}), found);
+}
+
+void offerEdge(const Given<Object> &given, std::size_t from, std::size_t to, Surroundings &found) {
+  if (given.object[from] != given.object[to])
+    found.edges.push_back(
+        {given.object[from], given.object[to],
+         words("edge {name}", {{"name", edgeName(given.letters[from], given.letters[to])}})});
+}
+
+void offerRing(const Given<Object> &given, const std::vector<std::size_t> &corners, Surroundings &found) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    offerVertex(given, corners[i], found);
+    offerEdge(given, corners[std::min(i, next)], corners[std::max(i, next)], found);
   }
 }
 
@@ -95,7 +100,7 @@ ExactVec3 normalOfCorners(const Object &object) {
 }
 
 void offerCorners(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, 3, true, found);
+  offerRing(given, {0, 1, 2}, found);
   if (const ExactVec3 normal = normalOfCorners(given.object); !isZero(normal))
     found.planes.push_back({given.object[0], normal, plainText(given.symbol)});
 }

@@ -73,10 +73,11 @@ void addFaces(const Given<Object> &given, const std::vector<ExactVec3> &corners,
 
 /// Adds the object's position as a point, “start Q”.
 void offerPoint(const Given<Object> &given, std::size_t index, std::string words, Surroundings &found);
-/// Adds the vertices among its coordinates [first, end), and the edges between neighbours; `closed`: the last
-/// and the first are neighbours too.
-void offerVertices(const Given<Object> &given, std::size_t first, std::size_t end, bool closed,
-                   Surroundings &found);
+/// Adds a coordinate as a vertex; the edge between two, where they differ; and the corners of a face in their
+/// order, with the edges between neighbours.
+void offerVertex(const Given<Object> &given, std::size_t index, Surroundings &found);
+void offerEdge(const Given<Object> &given, std::size_t from, std::size_t to, Surroundings &found);
+void offerRing(const Given<Object> &given, const std::vector<std::size_t> &corners, Surroundings &found);
 
 /// Perpendicular to the plane of the first three positions; zero where they lie on one line.
 [[nodiscard]] ExactVec3 normalOfCorners(const Object &object);

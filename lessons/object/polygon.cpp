@@ -1,4 +1,5 @@
 // Polygons: flat and convex ones are filled, others only outlined.
+#include "lessons/object/corners.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
 
@@ -16,7 +17,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
 }
 
 void offer(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, given.object.size(), true, found);
+  offerRing(given, cornersOf(given.object), found);
 }
 
 } // namespace

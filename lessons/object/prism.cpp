@@ -1,4 +1,5 @@
 // Prisms: a polygon and the same moved along an arrow.
+#include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
 
 namespace halfspace {
@@ -8,9 +9,9 @@ namespace {
 constexpr std::size_t way = 1;
 
 std::vector<ExactVec3> baseOf(const Object &prism) {
-  std::vector<ExactVec3> base{prism[0]};
-  for (std::size_t i = way + 1; i < prism.size(); ++i)
-    base.push_back(prism[i]);
+  std::vector<ExactVec3> base;
+  for (const std::size_t corner : cornersOf(prism))
+    base.push_back(prism[corner]);
   return base;
 }
 
@@ -33,8 +34,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
 }
 
 void offer(const Given<Object> &given, Surroundings &found) {
-  offerVertices(given, 0, 1, false, found);
-  offerVertices(given, way + 1, given.object.size(), false, found);
+  offerRing(given, cornersOf(given.object), found);
 }
 
 } // namespace

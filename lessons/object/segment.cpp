@@ -14,7 +14,11 @@ std::vector<Mark> draw(const Given<Object> &given) {
   return marks;
 }
 
-void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 2, false, found); }
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerVertex(given, 0, found);
+  offerVertex(given, 1, found);
+  offerEdge(given, 0, 1, found);
+}
 
 } // namespace
 

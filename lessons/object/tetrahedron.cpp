@@ -13,7 +13,11 @@ std::vector<Mark> draw(const Given<Object> &given) {
   return marks;
 }
 
-void offer(const Given<Object> &given, Surroundings &found) { offerVertices(given, 0, 4, true, found); }
+void offer(const Given<Object> &given, Surroundings &found) {
+  offerRing(given, {0, 1, 2, 3}, found);
+  offerEdge(given, 0, 2, found);
+  offerEdge(given, 1, 3, found);
+}
 
 } // namespace
 

@@ -26,15 +26,16 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
 
 std::vector<Handle> handlesOf(const PlacedScene &placed) {
   std::vector<Handle> handles;
-  for (const PlacedObject &bound : placed.bound)
-    handles.push_back(
-        boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host, bound.point.object[0]));
   for (const Entry &entry : placed.scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       addCoordinateHandles(entry.name, *object, handles);
       for (Handle &own : object->kind().ownHandles(entry.name, *object))
         handles.push_back(std::move(own));
     }
+  // Last, so that where a bound point lies on a handle of its host it is the one to be grabbed.
+  for (const PlacedObject &bound : placed.bound)
+    handles.push_back(
+        boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host, bound.point.object[0]));
   return handles;
 }
 

@@ -102,6 +102,7 @@ private slots:
     sphere[1].x = 3;
     SceneFixture fixture({{{"S", sphere}, {"P", withNumbers("point-on-sphere", {1, -1}), "S"}}});
     QVERIFY(fixture.ready);
+    fixture.model().setSnapStep(Rational(1, 10));
     const QPoint from = *fixture.scene().handlePosition("P");
     const ExactVec3 before = fixture.placeOf("P");
     fixture.drag(from, from + QPoint(40, 25));
@@ -130,6 +131,8 @@ private slots:
     QAction *remove = fixture.action("Remove the Corner");
     QVERIFY(add && remove);
     QVERIFY2(!add->isEnabled() && !remove->isEnabled(), "nothing is selected");
+    fixture.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
     QTest::mouseClick(&fixture.scene(), Qt::LeftButton, {}, *fixture.scene().handlePosition("A.P1"));
     QVERIFY(add->isEnabled() && remove->isEnabled());
     QTest::keyClick(&fixture.scene(), Qt::Key_Insert);

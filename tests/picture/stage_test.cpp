@@ -30,7 +30,7 @@ TEST(Stage, WithABoundPoint_HasItsPlaceAndItsHostInItsUnits) {
   const PlacedScene placed(scene);
   const Stage stage = stageOf(placed);
   EXPECT_GT(stage.exponent, 0);
-  const PlacedObject &bound = toStage(placed, stage).bound.front();
+  const PlacedObject bound = toStage(placed, stage).bound.front();
   EXPECT_EQ(bound.point.object[0], toStage({500, 500, 300}, CoordinateRole::Position, stage));
   EXPECT_EQ(placeOn(far, bound.host), bound.point.object[0]) << "with the same freedom";
 }

@@ -17,10 +17,10 @@ namespace halfspace {
 namespace {
 
 constexpr Rgba magenta{255, 0, 255, 255};
-constexpr int labelWidth = 31;
-constexpr int labelHeight = 13;
+constexpr int labelWidth = 18;
+constexpr int labelHeight = 9;
 
-/// Of type at 22 pixels a formula of this size has a label of that size.
+/// Of type at 11 pixels, half of the usual, a formula of this size has a label of that size.
 math::Layout smallFormula() {
   math::Layout formula;
   formula.width = 1;

@@ -22,7 +22,7 @@ class SessionModelTest : public QObject {
 private slots:
   void randomEdits_undoneAndRedone_giveEqualSessions() {
     int steps = 0;
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < 18; ++seed) {
       SessionModel model(library());
       test::RandomEdits random(seed);
       std::vector<Session> sessions{model.session()};

@@ -297,7 +297,7 @@ Scene meetingScene() {
 TEST(BoundPoint, OnALineThatAConstructionMakes_FeedsTheNextAndFollows) {
   const Scene scene = meetingScene();
   const ExactVec3 at = placeOfP(scene);
-  EXPECT_EQ(at, ExactVec3(15, 2, 4)) << "two directions from the line's point";
+  EXPECT_EQ(at, ExactVec3(15, 1, 5)) << "two directions from the line's point";
   EXPECT_EQ(lastCase(scene), "positive");
   const ExactVec3 tilted = placeOfP(edited(scene, {ChangeObject{"F", PlaneObject{{2, 6, 0}, {0, 1, 2}}}}));
   EXPECT_EQ(dot(tilted - ExactVec3(5, 4, 7), ExactVec3(1, 2, 2)), 0);

@@ -61,7 +61,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Offer{"polygon", "vertex P₃", {0, 4, 0}}, Offer{"polygon", "edge P₀P₃", {0, 1, 0}},
                     Offer{"polygon", "edge P₁P₂", {4, 1, 0}}, Offer{"tetrahedron", "vertex P₃", {0, 0, 4}},
                     Offer{"prism", "vertex P₂", {0, 3, 0}}, Offer{"prism", "vertex P₀", {0, 0, 0}},
-                    Offer{"box", "vertex P₀", {1, 2, 3}}, Offer{"sphere", "centre c", {1, 2, 3}}));
+                    Offer{"prism", "edge P₀P₁", {1, 0, 0}}, Offer{"prism", "edge P₀P₂", {0, 1, 0}},
+                    Offer{"tetrahedron", "edge P₀P₂", {0, 1, 0}},
+                    Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "vertex P₀", {1, 2, 3}},
+                    Offer{"sphere", "centre c", {1, 2, 3}}));
 
 TEST(Offers, OfAnEdge_EndWithItsEnds) {
   const auto targets = offeredBy("segment");

@@ -15,7 +15,7 @@ TEST(SetFormula, OfLatexThatCannotBeRead_ShowsItsSourceAndWhere) {
   const SetFormula formula = setLatex("x + \\foo", fonts());
   EXPECT_NE(formula.error.find("\\foo"), std::string::npos);
   EXPECT_EQ(formula.errorColumn, 5U);
-  EXPECT_EQ(formula.layout.glyphs.size(), 6U) << "x+\\foo, as spaces have no ink";
+  EXPECT_EQ(formula.layout.glyphs.size(), 8U) << "its eight characters";
 }
 
 TEST(SetFormula, OfALongSource_ShowsItsBeginningOnOneLine) {

@@ -196,9 +196,9 @@ private slots:
     QSignalSpy hints(&fixture.view, &SceneView::hint);
     const QPoint at = fixture.at("E.offset");
     fixture.press(at);
-    QCOMPARE(lastOf(hints), QString("Moves along its arrow only."));
+    QCOMPARE(lastOf(hints), QString("Moves along its line only."));
     QTest::keyClick(&fixture.view, Qt::Key_X); // it has no other
-    QCOMPARE(lastOf(hints), QString("Moves along its arrow only."));
+    QCOMPARE(lastOf(hints), QString("Moves along its line only."));
     fixture.release(at);
   }
 
