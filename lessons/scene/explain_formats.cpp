@@ -227,6 +227,15 @@ std::vector<const EvaluatedEntry *> constructionsOf(const Evaluation &evaluation
   return constructions;
 }
 
+/// Where bound points are, one to a line; or why one is nowhere.
+std::string placesText(const Evaluation &evaluation) {
+  std::string text;
+  for (const EvaluatedEntry &entry : evaluation.entries)
+    if (!entry.isConstruction())
+      text += entry.missing.empty() ? valueLines(*entry.outcome->values) : entry.missing + "\n";
+  return text;
+}
+
 std::string textOf(const EvaluatedEntry &entry) {
   std::string text;
   for (const std::string &id : entry.outcome->explanation->ids()) {
@@ -265,6 +274,8 @@ std::string explanationJson(const std::string &lesson, const Scene &scene, const
 std::string explanationText(const std::string &title, const Evaluation &evaluation) {
   const auto entries = constructionsOf(evaluation);
   std::string text = title + "\n";
+  if (const std::string places = placesText(evaluation); !places.empty())
+    text += "\n" + places;
   for (const EvaluatedEntry *entry : entries)
     text += "\n" + (entries.size() > 1 ? entry->name + ":\n\n" : "") + textOf(*entry);
   return text;

@@ -72,6 +72,18 @@ TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
     EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
 }
 
+TEST(ExplanationText, OfABoundPoint_TellsWhereItIsOrWhyNowhere) {
+  Object half = *makeObject("point-on-line");
+  half[0].x = Rational(1, 2);
+  const Object nowhere = *makeObject("point-on-plane");
+  const Scene scene{{{"g", LineObject{{1, 0, 0}, {4, 0, 2}}},
+                     {"P", half, "g"},
+                     {"E", PlaneObject{{0, 0, 0}, {0, 0, 0}}},
+                     {"S", nowhere, "E"}}};
+  EXPECT_EQ(explanationText("Places", evaluate(scene)),
+            "Places\n\nP = (3, 0, 1)\nAt the moment E has no place for S.\n");
+}
+
 TEST(ExplanationLatex, AlignsAtTheFirstRelationAndEscapesWords) {
   const std::string latex = explanationLatex("50 %", sample());
   for (const char *part :
