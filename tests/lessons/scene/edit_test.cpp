@@ -105,7 +105,7 @@ TEST(MoveEntry, WithinWhatItLooksAtAndWhatLooksAtIt_StandsThere) {
 TEST(Edits, ThousandsAtRandom_LeaveScenesThatCanBeEvaluatedWrittenAndRead) {
   int accepted = 0;
   std::array<int, 6> byKind{};
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
     RandomEdits random(seed);
     Scene scene = chain();
     Evaluation evaluation = evaluate(scene);
