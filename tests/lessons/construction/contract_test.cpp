@@ -1,7 +1,7 @@
 // What every construction promises, checked on thousands of scenes: its values by a second calculation, its
 // worked lines by calculating what they say, its figure by the places that it names.
+#include "tests/lessons/construction/expected/expected.h"
 #include "tests/lessons/construction/random_objects.h"
-#include "tests/lessons/construction/recomputed.h"
 
 #include "geometry/surd.h"
 #include "lessons/files/read_file.h"
@@ -63,7 +63,7 @@ public:
     m_evaluation = evaluate(m_scene);
     m_working = workingOf(m_evaluation);
     m_figure = figureOf(m_evaluation);
-    m_expected = recompute(construction.id, pointers);
+    m_expected = expectedOf(construction).recompute(pointers);
   }
 
   const Working &working() const { return m_working; }
@@ -423,15 +423,7 @@ protected:
 };
 
 TEST_P(EveryConstruction, OnSmallIntegers_IsRightInEveryCaseItHas) {
-  static const std::map<std::string, std::set<std::string>> allCases{
-      {"plane-implicit", {"plane", "zero-normal"}},
-      {"signed-distance", {"negative", "on", "positive", "zero-normal"}},
-      {"ray-plane-dot", {"behind", "hit", "in-plane", "parallel", "zero-direction", "zero-normal"}},
-      {"ray-triangle-perp",
-       {"behind", "coincident", "collinear", "hit", "in-plane", "miss", "parallel", "zero-direction"}},
-      {"plane-plane", {"coincident", "line", "parallel", "zero-normal"}},
-      {"point-line", {"off", "on", "zero-direction"}}};
-  EXPECT_EQ(checkScenes(Writing::SmallIntegers), allCases.at(GetParam()));
+  EXPECT_EQ(checkScenes(Writing::SmallIntegers), expectedOf(construction()).cases);
 }
 
 TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(checkScenes(Writing::Halves).size(), 1U); }

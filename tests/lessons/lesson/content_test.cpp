@@ -60,14 +60,19 @@ const Solution *solutionOf(const Lesson &lesson, const Task &task) {
   return nullptr;
 }
 
-TEST(Content, AllLessons_AreReadInTheirOrder) {
+TEST(Content, EveryFile_IsALessonOfItsNameInItsPlace) {
   for (const Problem &problem : library().problems)
     ADD_FAILURE() << problem.text();
-  std::vector<std::string> ids;
+  std::set<std::string> files;
+  for (const auto &file : std::filesystem::directory_iterator(LESSON_FOLDER))
+    files.insert(file.path().stem());
+  std::set<std::string> ids;
   for (const Lesson &lesson : library().lessons)
-    ids.push_back(lesson.id);
-  EXPECT_EQ(ids, (std::vector<std::string>{"plane-implicit", "signed-distance", "ray-plane-dot",
-                                           "ray-triangle-perp", "plane-plane", "point-line"}));
+    ids.insert(lesson.id);
+  EXPECT_EQ(ids, files);
+  EXPECT_EQ(library().lessons.front().id, "plane-implicit");
+  EXPECT_TRUE(std::is_sorted(library().lessons.begin(), library().lessons.end(),
+                             [](const Lesson &a, const Lesson &b) { return a.order < b.order; }));
 }
 
 TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {

@@ -1,5 +1,5 @@
 // How many wrong answers are named: those that a learner reads more about than that they are wrong.
-#include "tests/lessons/lesson/wrong_workings.h"
+#include "tests/lessons/construction/expected/expected.h"
 
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/lessons/scenes.h"
@@ -45,7 +45,7 @@ std::vector<const Object *> pointersTo(const std::vector<Object> &objects) {
 void judgeWrongAnswers(const Construction &construction, const std::vector<Object> &objects, Named &count) {
   const Working working = ownLines(sceneOf(construction, objects));
   std::set<std::pair<std::string, std::string>> judged;
-  for (const WrongAnswer &wrong : wrongAnswers(construction.id, pointersTo(objects))) {
+  for (const WrongAnswer &wrong : expectedOf(construction).wrongAnswers(pointersTo(objects))) {
     if (wrong.typed.size() > longestAnswer || !judged.emplace(wrong.line, wrong.typed).second)
       continue;
     const WorkingLine &line = *findLine(working, wrong.line);
@@ -68,16 +68,12 @@ template <class Use> void forScenes(const Construction &construction, Use use) {
 }
 
 TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
-  // Measured: 0.35, 0.50, 0.52, 0.48.
-  const std::map<std::string_view, double> leastShares{{"plane-implicit", 0.34}, {"signed-distance", 0.48},
-                                                       {"ray-plane-dot", 0.50},  {"ray-triangle-perp", 0.46},
-                                                       {"plane-plane", 0.4},     {"point-line", 0.4}};
   for (const Construction &construction : constructions()) {
     Named count;
     forScenes(construction,
               [&](const std::vector<Object> &objects) { judgeWrongAnswers(construction, objects, count); });
     RecordProperty(std::string(construction.id), std::to_string(count.share()));
-    EXPECT_GT(count.share(), leastShares.at(construction.id))
+    EXPECT_GT(count.share(), expectedOf(construction).leastShareNamed)
         << construction.id << ": " << count.named << " of " << count.all;
     EXPECT_GT(count.all, 1000) << construction.id;
   }
