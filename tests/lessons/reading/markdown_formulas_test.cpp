@@ -103,15 +103,12 @@ TEST(NumberedEntities, WithNumbersOfCharacters_AreTheSameInBothBases) {
   }
 }
 
-struct NamedCharacter {
-  std::string_view entity;
-  std::string_view character;
-};
+using NamedCharacter = std::pair<std::string, std::string>;
 
 class Entities : public testing::TestWithParam<NamedCharacter> {};
 
 TEST_P(Entities, ByTheirNames_AreCharactersAndUnknownOnesStand) {
-  EXPECT_EQ(characterOfEntity(GetParam().entity), GetParam().character);
+  EXPECT_EQ(characterOfEntity(GetParam().first), GetParam().second);
 }
 
 INSTANTIATE_TEST_SUITE_P(Names, Entities,
