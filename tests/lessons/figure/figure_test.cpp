@@ -181,15 +181,14 @@ TEST(PatchCorners, OfALevelPlane_AreASquareAlongTheAxes) {
 
 TEST(PatchCorners, CoveringAFarPlace_EndAtTheFarthestReachOnThatSideAlone) {
   const double half = minimumPatchSide / 2;
-  const std::vector<Place> corners = cornersOf(patchAt({0, 0, 0}, {0, 0, 1}, {{900, 0, 0}, {0, -9, 50}}));
-  ASSERT_EQ(corners.size(), 4U);
-  double low = 0;
-  for (const Place &corner : corners) {
-    EXPECT_TRUE(corner.x == -half || corner.x == maximumPatchReach) << corner.x;
-    EXPECT_TRUE(corner.y == half || corner.y == -9 - patchMargin) << corner.y;
-    low = std::min(low, corner.y);
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<Place> corners =
+        cornersOf(patchAt({0, 0, 0}, {0, 0, 1}, {{side * 900, 0, 0}, {0, side * 9, 50}}));
+    ASSERT_EQ(corners.size(), 4U);
+    for (const double x : {-half, maximumPatchReach})
+      for (const double y : {-half, 9 + patchMargin})
+        EXPECT_EQ(std::count(corners.begin(), corners.end(), Place(side * x, side * y, 0)), 1);
   }
-  EXPECT_EQ(low, -9 - patchMargin);
 }
 
 TEST(PatchCorners, CoveringAPlaceThatIsNone_AreAsWithoutIt) {

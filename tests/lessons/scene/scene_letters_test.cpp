@@ -68,6 +68,16 @@ TEST(SceneLetters, OfWhatTwoConstructionsMake_SayWhoseItIs) {
   EXPECT_EQ(letters.namingOf(scene.entries.back()).made.at("F").symbol.owner, "other");
 }
 
+TEST(SceneLetters, OfAConstructionsOwn_AreSharedOnlyWhereAnotherHasThem) {
+  Scene scene = distanceScene();
+  const auto shared = [&] { return SceneLetters(scene).namingOf(scene.entries[2]).shared; };
+  EXPECT_TRUE(shared().empty());
+  scene.entries.push_back({"w", PointObject{}});
+  EXPECT_EQ(shared(), std::set<std::string>{"w"});
+  scene.entries.push_back({"other", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "w"}}}});
+  EXPECT_GT(shared().size(), 1U) << "another of its kind has them all";
+}
+
 /// Every way in which something of the scene is written, one a letter.
 Texts allLettersOf(const Scene &scene) {
   const SceneLetters letters(scene);
