@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -166,6 +167,52 @@ TEST(PatchCorners, OfRandomPlanes_AreRectanglesAroundTheFeetOfWhatTheyCover) {
     EXPECT_NEAR(corners[0].z, corners[1].z, rounding) << "one pair of sides is level";
     expectInside(corners, covered - normal * glm::dot(covered - center, normal), patchMargin);
     expectInside(corners, center, minimumPatchSide / 2);
+  }
+}
+
+TEST(PatchCorners, OfALevelPlane_AreASquareAlongTheAxes) {
+  const double half = minimumPatchSide / 2;
+  const std::vector<Place> corners = cornersOf(patchAt({1, 2, 3}, {0, 0, 5}));
+  ASSERT_EQ(corners.size(), 4U);
+  for (const Place &expected : {Place(1 - half, 2 - half, 3), Place(1 + half, 2 - half, 3),
+                                Place(1 + half, 2 + half, 3), Place(1 - half, 2 + half, 3)})
+    EXPECT_EQ(std::count(corners.begin(), corners.end(), expected), 1);
+}
+
+TEST(PatchCorners, CoveringAFarPlace_EndAtTheFarthestReachOnThatSideAlone) {
+  const double half = minimumPatchSide / 2;
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<Place> corners =
+        cornersOf(patchAt({0, 0, 0}, {0, 0, 1}, {{side * 900, 0, 0}, {0, side * 9, 50}}));
+    ASSERT_EQ(corners.size(), 4U);
+    for (const double x : {-half, maximumPatchReach})
+      for (const double y : {-half, 9 + patchMargin})
+        EXPECT_EQ(std::count(corners.begin(), corners.end(), Place(side * x, side * y, 0)), 1);
+  }
+}
+
+TEST(PatchCorners, CoveringAPlaceThatIsNone_AreAsWithoutIt) {
+  const Place normal(1, 2, 2);
+  const double endless = std::numeric_limits<double>::infinity();
+  const std::vector<Place> nowhere{{endless, 0, 0}, {0, std::nan(""), 0}};
+  EXPECT_EQ(cornersOf(patchAt({0, 0, 0}, normal, nowhere)), cornersOf(patchAt({0, 0, 0}, normal)));
+}
+
+TEST(LineEnds, OfRandomLines_LieOnThemBehindAllThatTheyCover) {
+  RandomPlaces random;
+  for (int i = 0; i < 200; ++i) {
+    const LineMark line =
+        lineThrough(random.next(5), random.next(3), {random.next(40), random.next(40), random.next(5)});
+    const auto [low, high] = endsOf(line);
+    const Place along = glm::normalize(line.direction);
+    EXPECT_NEAR(glm::length(glm::cross(low - line.through, along)), 0, rounding);
+    EXPECT_NEAR(glm::length(glm::cross(high - line.through, along)), 0, rounding);
+    EXPECT_LE(glm::dot(low - line.through, along), -lineReach + rounding);
+    EXPECT_GE(glm::dot(high - line.through, along), lineReach - rounding);
+    for (const Place &covered : line.covers) {
+      EXPECT_GE(glm::dot(high - covered, along), beyondHit - rounding);
+      EXPECT_GE(glm::dot(covered - low, along), beyondHit - rounding);
+    }
   }
 }
 
