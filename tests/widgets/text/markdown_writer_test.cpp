@@ -6,6 +6,8 @@
 #include <QTextList>
 #include <QtTest>
 
+#include <memory>
+
 using namespace halfspace;
 
 namespace {
