@@ -3,6 +3,7 @@
 #include "lessons/lesson/prose.h"
 #include "widgets/text/markdown_writer.h"
 #include "widgets/text/math_object.h"
+#include "widgets/text/unbroken.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QTextBlock>
@@ -123,7 +124,7 @@ void RichText::makeDocument() {
       m_markdown.blocks, m_style,
       [this](std::size_t formula, const QTextCharFormat &text) { return formulaFormat(formula, text); },
       *m_document);
-  m_plain = m_document->toPlainText();
+  m_plain = breakable(m_document->toPlainText());
 }
 
 QTextCharFormat RichText::formulaFormat(std::size_t formula, QTextCharFormat text) {

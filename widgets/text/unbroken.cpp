@@ -3,13 +3,19 @@
 #include <QRegularExpression>
 
 namespace halfspace {
+namespace {
+
+constexpr QChar wordJoiner(0x2060);
+
+} // namespace
 
 QString unbroken(QString text) {
   static const QRegularExpression besideRelation(QStringLiteral("(?<=\\S) ([=≈<>≤≥]) (?=\\S)"));
-  constexpr QChar wordJoiner(0x2060);
   text.replace(besideRelation, QChar(QChar::Nbsp) + QStringLiteral("\\1") + QChar(QChar::Nbsp));
   // Lines may break behind a bar, even before a space that else joins.
   return text.replace(QChar('|'), QStringLiteral("|") + wordJoiner);
 }
+
+QString breakable(QString text) { return text.remove(wordJoiner).replace(QChar(QChar::Nbsp), QChar(' ')); }
 
 } // namespace halfspace

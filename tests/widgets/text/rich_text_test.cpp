@@ -161,6 +161,12 @@ private slots:
     QCOMPARE(rich.plain(), QString("So |n| is"));
   }
 
+  void barsAndRelationsInWords_areReadOutAsTheyAreWritten() {
+    const Typesetter typesetter;
+    const RichText rich("So |n| = 3 here", typesetter, {QFont(), Qt::black});
+    QCOMPARE(rich.plain(), QString("So |n| = 3 here"));
+  }
+
   void formulaThatCannotBeReadStandsOutAndSaysWhyToEyeAndEar() {
     const Typesetter typesetter;
     RichText rich("Words, $x$ and $\\foo$.", typesetter, {QFont(), Qt::black, Qt::red});
