@@ -83,8 +83,8 @@ void MainWindow::createCornerItems(QMenu &menu) {
   QAction *remove = addItem(menu, tr("Re&move the Corner"), QKeySequence::Delete, m_scene,
                             [this] { m_scene->removeCorner(); });
   const auto enable = [this, add, remove] {
-    add->setEnabled(m_scene->canAddCorner());
-    remove->setEnabled(m_scene->canRemoveCorner());
+    add->setEnabled(m_scene->isCornerSelected());
+    remove->setEnabled(m_scene->isCornerSelected());
   };
   connect(m_scene, &SceneView::selectionChanged, this, enable);
   enable();

@@ -20,25 +20,29 @@ template <class T> Lazy<T> nothing() {
 }
 
 /// The outcome of an object: itself, its picture, and the values that it has beyond its coordinates.
-std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vector<NamedValue>> values) {
+std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vector<NamedValue>> values,
+                                         std::vector<Reach> reaches) {
   return std::make_shared<const Outcome>(
       Outcome{{{"", given->object}},
               nothing<CaseWords>(),
               std::move(values),
               nothing<Explanation>(),
-              Lazy<Figure>([given = given.get()] { return Figure{given->object.kind().draw(*given)}; }),
+              Lazy<Figure>([given = given.get(), reaches = std::move(reaches)] {
+                return Figure{given->object.kind().draw(*given), reaches};
+              }),
               given});
 }
 
 std::shared_ptr<const Outcome> outcomeOfFree(const SharedGiven &given) {
-  return outcomeOf(given, nothing<std::vector<NamedValue>>());
+  return outcomeOf(given, nothing<std::vector<NamedValue>>(), {});
 }
 
-/// A bound object has a place besides its freedoms.
-std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given) {
+/// A bound object has a place besides its freedoms, up to which its host is drawn.
+std::shared_ptr<const Outcome> outcomeOfBound(const SharedGiven &given, const std::string &host) {
   return outcomeOf(given, Lazy<std::vector<NamedValue>>([given = given.get()] {
                      return std::vector{listed("at", coordinateTerm(*given, 0))};
-                   }));
+                   }),
+                   {{host, toDouble(given->object[0])}});
 }
 
 /// The outcome of what cannot be told now, for a reason.
@@ -112,8 +116,9 @@ private:
             : words("At the moment {host} has no place for {object}.",
                     {{"host", plainText(host->second.given->symbol)}, {"object", plainText(given->symbol)}});
     if (!takeOver(found))
-      found.outcome = found.missing.empty() ? outcomeOfBound(given) : withoutAnObject(found.missing);
-    found.own = std::make_shared<const Given<Object>>(m_letters.given(entry.name, object));
+      found.outcome =
+          found.missing.empty() ? outcomeOfBound(given, entry.on) : withoutAnObject(found.missing);
+    found.own = std::make_shared<const Given<Object>>(m_letters.freedoms(entry.name, object));
     m_visible[entry.name] = {found.looksAt.front(), found.missing};
     m_found.entries.push_back(std::move(found));
   }

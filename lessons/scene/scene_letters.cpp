@@ -59,6 +59,13 @@ Given<Object> SceneLetters::given(const std::string &entry, Object object) const
   return {entry, std::move(symbol), std::move(letters), std::move(object)};
 }
 
+Given<Object> SceneLetters::freedoms(const std::string &entry, Object object) const {
+  Given<Object> own = given(entry, std::move(object));
+  for (Symbol &letter : own.letters)
+    letter.owner = entry;
+  return own;
+}
+
 Given<Object> SceneLetters::bound(const std::string &entry, const ExactVec3 &place) const {
   Given<Object> point = given(entry, PointObject{place});
   point.isFree = false;

@@ -20,6 +20,8 @@ public:
 
   /// An entry's own object.
   [[nodiscard]] Given<Object> given(const std::string &entry, Object object) const;
+  /// The freedoms of a bound object, which always say whose they are: λ alone could be of any line.
+  [[nodiscard]] Given<Object> freedoms(const std::string &entry, Object object) const;
   /// The point that an entry's bound object is, at its place.
   [[nodiscard]] Given<Object> bound(const std::string &entry, const ExactVec3 &place) const;
   /// An object that an entry makes by this name.

@@ -5,6 +5,7 @@
 #include "tests/app/window_fixture.h"
 
 #include <QAction>
+#include <QSignalSpy>
 
 using namespace halfspace;
 
@@ -145,8 +146,10 @@ private slots:
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
     QCOMPARE(polygon().size(), std::size_t(3));
-    QVERIFY2(!remove->isEnabled(), "three are the fewest");
+    fixture.scene().selectHandle("A.P1");
+    QSignalSpy hints(&fixture.scene(), &SceneView::hint);
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
+    QCOMPARE(hints.last().first().toString(), QString("It has 3 corners, as few as there can be."));
     QCOMPARE(polygon().size(), std::size_t(3));
     for (int i = 0; i < 3; ++i)
       fixture.model().undo();

@@ -69,9 +69,10 @@ public:
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
   void selectHandle(const std::string &handleId);
-  /// Whether the selected handle is a corner of a polygon or a prism that may get another behind it, or go.
-  [[nodiscard]] bool canAddCorner() const;
-  [[nodiscard]] bool canRemoveCorner() const;
+  /// Whether the selected handle is a corner of an object whose corners come and go: a polygon, a prism.
+  [[nodiscard]] bool isCornerSelected() const;
+  /// Puts a corner behind the selected one, or takes that away; where there are as many or as few as there
+  /// may be, the hint says so.
   void addCorner();
   void removeCorner();
   /// Ends what the mouse began, as its release does.

@@ -314,35 +314,43 @@ const Object *SceneView::objectOfSelected() const {
              : nullptr;
 }
 
-bool SceneView::canAddCorner() const {
+bool SceneView::isCornerSelected() const {
   const Object *object = objectOfSelected();
-  return object && canAddCornerAfter(*object, findHandle(m_selected)->coordinate);
-}
-
-bool SceneView::canRemoveCorner() const {
-  const Object *object = objectOfSelected();
-  return object && halfspace::canRemoveCorner(*object, findHandle(m_selected)->coordinate);
+  const auto corners = object ? cornersOf(*object) : std::vector<std::size_t>();
+  return object && std::binary_search(corners.begin(), corners.end(), findHandle(m_selected)->coordinate);
 }
 
 void SceneView::addCorner() {
-  if (!canAddCorner())
+  if (!isCornerSelected())
     return;
   const Handle handle = *findHandle(m_selected);
-  const Object more = withCornerAfter(*objectOfSelected(), handle.coordinate);
+  const Object &object = *objectOfSelected();
+  if (!canAddCornerAfter(object, handle.coordinate)) {
+    emit hint(tr("It has %n corners, as many as there can be.", nullptr,
+                 static_cast<int>(cornersOf(object).size())));
+    return;
+  }
+  const Object more = withCornerAfter(object, handle.coordinate);
   if (showRefusal(m_model.edit(ChangeObject{handle.object, more}, tr("add a corner"))))
     return;
   const auto corners = cornersOf(more);
-  const auto next = std::upper_bound(corners.begin(), corners.end(), handle.coordinate);
-  if (next != corners.end())
-    selectHandle(coordinateId(handle.object, coordinatesOf(more)[*next]));
+  selectHandle(coordinateId(
+      handle.object,
+      coordinatesOf(more)[*std::upper_bound(corners.begin(), corners.end(), handle.coordinate)]));
 }
 
 void SceneView::removeCorner() {
-  if (!canRemoveCorner())
+  if (!isCornerSelected())
     return;
   const Handle handle = *findHandle(m_selected);
-  m_model.edit(ChangeObject{handle.object, withoutCorner(*objectOfSelected(), handle.coordinate)},
-               tr("remove a corner"));
+  const Object &object = *objectOfSelected();
+  if (!canRemoveCorner(object, handle.coordinate)) {
+    emit hint(tr("It has %n corners, as few as there can be.", nullptr,
+                 static_cast<int>(cornersOf(object).size())));
+    return;
+  }
+  showRefusal(m_model.edit(ChangeObject{handle.object, withoutCorner(object, handle.coordinate)},
+                           tr("remove a corner")));
 }
 
 void SceneView::showHint() {

@@ -306,6 +306,18 @@ TEST(BoundPoint, OnALineThatAConstructionMakes_FeedsTheNextAndFollows) {
   EXPECT_TRUE(std::any_of(handles.begin(), handles.end(), [](const Handle &each) { return each.id == "P"; }));
 }
 
+TEST(BoundPoint, FarOutOnALine_HasItsLineDrawnUpToIt) {
+  const Scene scene = edited(meetingScene(), {ChangeObject{"P", withNumbers("point-on-line", {40})}});
+  const Figure figure = figureOf(evaluate(scene));
+  const Mark *mark = findMark(figure, "meet.g");
+  const auto *line = mark ? std::get_if<LineMark>(mark) : nullptr;
+  ASSERT_TRUE(line);
+  const auto [low, high] = endsOf(*line);
+  const Place at = toDouble(placeOfP(scene));
+  EXPECT_GT(glm::dot(at - low, high - low), 0);
+  EXPECT_GT(glm::dot(high - at, high - low), 0) << "it does not end before the point";
+}
+
 TEST(BoundPoint, OnALineThatIsNotThereNow_SaysSoAndComesBack) {
   const Scene parallel = edited(meetingScene(), {ChangeObject{"F", PlaneObject{{0, 0, 0}, {1, 2, 2}}}});
   const Evaluation evaluation = evaluate(parallel);

@@ -1,5 +1,6 @@
 #include "widgets/picture/labels/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,8 +17,12 @@ constexpr std::size_t longestText =
 constexpr int longestDecimal = 5;
 constexpr int shortestDecimal = -2;
 
+/// As part of a number: a double that stands for a decimal is off by far less, one that does not by more.
+constexpr double noise = 1e-9;
+
 std::string decimalText(double number) {
   const double rounded = std::round(number * 1000) / 1000;
+  const bool isExact = std::abs(rounded - number) <= noise * std::max(1.0, std::abs(number));
   std::array<char, longestText> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), rounded == 0 ? 0.0 : rounded,
                                  std::chars_format::fixed, 3)
@@ -26,7 +31,7 @@ std::string decimalText(double number) {
   digits.erase(digits.find_last_not_of('0') + 1);
   if (digits.back() == '.')
     digits.pop_back();
-  return digits;
+  return isExact ? digits : "\\approx " + digits;
 }
 
 } // namespace

@@ -18,7 +18,7 @@ std::string onOneLine(std::string_view text) {
   std::size_t characters = 0;
   for (text = trimmed(text); !text.empty() && characters < longestSource; ++characters) {
     const std::string_view rest = trimmed(text);
-    const std::size_t spaces = static_cast<std::size_t>(rest.data() - text.data());
+    const auto spaces = static_cast<std::size_t>(rest.data() - text.data());
     const std::size_t length = std::max<std::size_t>(spaces > 0 ? spaces : characterLength(text), 1);
     line += spaces > 0 ? " " : text.substr(0, length);
     text.remove_prefix(length);
