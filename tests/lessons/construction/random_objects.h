@@ -21,7 +21,8 @@ public:
   explicit RandomObjects(std::uint64_t seed) : m_engine(seed) {}
 
   /// Objects for the roles of a construction. Every second scene has something in it that is special: a zero
-  /// vector, a ray along the plane, a point on it, a corner that is hit exactly, corners on one line …
+  /// vector, a ray along the plane, a point on it, a corner that is hit exactly, corners on one line, two
+  /// that are the same …
   std::vector<Object> objectsFor(const Construction &construction, Writing writing) {
     m_writing = writing;
     std::vector<Object> objects;
@@ -88,6 +89,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    for (std::size_t i = 1; i < objects.size(); ++i)
+      if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
+        objects[i] = objects[0];
     Found<PointObject> point(objects);
     Found<RayObject> ray(objects);
     Found<PlaneObject> plane(objects);
