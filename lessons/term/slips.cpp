@@ -31,7 +31,8 @@ void addOfSum(const Term &term, std::vector<Replacement> &found) {
   if (isDifference(term)) {
     const Term &to = term->parts[0];
     const Term &from = term->parts[1]->parts[0];
-    found.push_back({Slip::ReversedDifference, from - to});
+    if (!readAlike(from, to)) // v − v is the same reversed
+      found.push_back({Slip::ReversedDifference, from - to});
     found.push_back({Slip::AddedInstead, to + from});
   }
   for (std::size_t i = 0; i < term->parts.size(); ++i) {
