@@ -87,7 +87,7 @@ int runRender(const RenderCommand &command) {
     return fail(opened.problem());
   const Evaluation evaluation = evaluate(opened->session.scene);
   const Figure whole = figureOf(evaluation);
-  const Stage stage = stageOf({opened->session.scene, evaluation});
+  const Stage stage = stageOf(opened->session.scene, boundObjectsOf(opened->session.scene, evaluation));
   const CameraView view = opened->lesson ? opened->lesson->camera : CameraView{};
   const Camera camera = homeView(view, toStage(whole, stage), stage.hasAxes(), command.size,
                                  command.size.height / designHeight);

@@ -175,7 +175,8 @@ void SessionModel::finishGesture() {
 bool SessionModel::takeStage() {
   if (inGesture())
     return false;
-  const Stage before = std::exchange(m_stage, stageOf({m_session.scene, m_evaluation}));
+  const Stage before =
+      std::exchange(m_stage, stageOf(m_session.scene, boundObjectsOf(m_session.scene, m_evaluation)));
   return !(m_stage == before);
 }
 

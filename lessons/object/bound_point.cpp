@@ -25,9 +25,6 @@ Object lambdaOnGrid(Object bound, const Object &host, const Rational &step) {
 
 void guideAlong(const Object &host, Handle &handle) { handle.axis = host[Direction]; }
 
-/// What looks at it looks at a point, and draws that.
-std::vector<Mark> drawNothing(const Given<Object> &) { return {}; }
-
 } // namespace
 
 Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<CoordinateSpec> freedoms,
@@ -38,7 +35,7 @@ Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<Coo
           .leavableVertices = 0,
           .binding = binding,
           .settle = settle,
-          .draw = drawNothing,
+          .draw = drawNothing, // what looks at it looks at a point, and draws that
           .ownHandles = noHandles,
           .offer = offerNothing,
           .aim = aimAtNothing};

@@ -12,6 +12,8 @@ namespace halfspace {
 
 void settleNothing(Object &) {}
 
+std::vector<Mark> drawNothing(const Given<Object> &) { return {}; }
+
 std::vector<Handle> noHandles(const std::string &, const Object &) { return {}; }
 
 void offerNothing(const Given<Object> &, Surroundings &) {}

@@ -47,6 +47,7 @@ struct Kind {
 
 // For kinds that have none:
 void settleNothing(Object &object);
+[[nodiscard]] std::vector<Mark> drawNothing(const Given<Object> &given);
 [[nodiscard]] std::vector<Handle> noHandles(const std::string &name, const Object &object);
 void offerNothing(const Given<Object> &given, Surroundings &found);
 void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surroundings &found,

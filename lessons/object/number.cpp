@@ -15,9 +15,6 @@ void settle(Object &object) {
   object = number;
 }
 
-/// A number is no part of the picture.
-std::vector<Mark> draw(const Given<Object> &) { return {}; }
-
 } // namespace
 
 namespace object_kinds {
@@ -32,7 +29,7 @@ Kind number() {
           .leavableVertices = 0,
           .binding = {},
           .settle = settle,
-          .draw = draw,
+          .draw = drawNothing,
           .ownHandles = noHandles,
           .offer = offerNothing,
           .aim = aimAtNothing};

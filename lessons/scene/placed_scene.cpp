@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace halfspace {
-namespace {
 
 std::vector<PlacedObject> boundObjectsOf(const Scene &scene, const Evaluation &evaluation) {
   std::vector<PlacedObject> bound;
@@ -13,8 +12,6 @@ std::vector<PlacedObject> boundObjectsOf(const Scene &scene, const Evaluation &e
       bound.push_back({entry.name, *evaluated->looksAt[0], evaluated->looksAt[1]->object});
   return bound;
 }
-
-} // namespace
 
 PlacedScene::PlacedScene(Scene itself) : scene(std::move(itself)) {
   if (std::any_of(scene.entries.begin(), scene.entries.end(), isBound))

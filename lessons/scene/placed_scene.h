@@ -12,6 +12,9 @@ struct PlacedObject {
   Object host;
 };
 
+/// The bound objects of a scene that have a place in what it comes to.
+[[nodiscard]] std::vector<PlacedObject> boundObjectsOf(const Scene &scene, const Evaluation &evaluation);
+
 struct PlacedScene {
   /// Of any scene: it is evaluated where it has bound objects.
   PlacedScene(Scene scene); // NOLINT(google-explicit-constructor): it is the scene, told more fully

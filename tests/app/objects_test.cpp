@@ -3,29 +3,16 @@
 #include "lessons/object/plane.h"
 #include "lessons/object/triangle.h"
 #include "tests/app/window_fixture.h"
+#include "tests/lessons/objects.h"
 
 #include <QAction>
 #include <QSignalSpy>
 
 using namespace halfspace;
+using test::polygonOf;
+using test::withNumbers;
 
 namespace {
-
-Object withNumbers(std::string_view kind, const std::vector<Rational> &numbers) {
-  Object object = *makeObject(kind);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    object[i].x = numbers[i];
-  return object;
-}
-
-Object polygonOf(const std::vector<ExactVec3> &corners) {
-  Object polygon = *makeObject("polygon");
-  while (polygon.size() < corners.size())
-    polygon.addVertex();
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    polygon[i] = corners[i];
-  return polygon;
-}
 
 /// A window that shows a scene of its own, all of it in view.
 class SceneFixture : public WindowFixture {

@@ -63,12 +63,12 @@ void add(CoordinateRole role, const Place &start, const Place &value, Box &posit
 
 /// The box around all positions of a scene. Directions count where all positions are the origin: usually
 /// their size has nothing to do with that of the positions.
-Box boxAround(const PlacedScene &placed) {
+Box boxAround(const Scene &scene, const std::vector<PlacedObject> &boundObjects) {
   Box positions;
   Box tips;
-  for (const PlacedObject &bound : placed.bound)
+  for (const PlacedObject &bound : boundObjects)
     positions.add(toDouble(bound.point.object[0]));
-  for (const Entry &entry : placed.scene.entries)
+  for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       const auto specs = coordinatesOf(*object);
       const Place start = toDouble(coordinate(*object, 0));
@@ -218,9 +218,9 @@ int suitingExponent(double across) {
   return 0;
 }
 
-Stage stageOf(const PlacedScene &scene) {
+Stage stageOf(const Scene &scene, const std::vector<PlacedObject> &bound) {
   Stage stage;
-  const Box box = boxAround(scene);
+  const Box box = boxAround(scene, bound);
   const double distance = box.distance();
   const double across = box.across(); // 0 for a single position: then there is nothing to be told apart
   const bool standsApart = distance > stageReach && across > 0 && across < togetherPart * distance;

@@ -27,7 +27,8 @@ struct Stage {
 
 /// The stage for the positions of a scene's objects, bound ones where they are (for its directions, where all
 /// positions are the origin). The origin belongs to it unless the objects stand together far away from it.
-[[nodiscard]] Stage stageOf(const PlacedScene &scene);
+[[nodiscard]] Stage stageOf(const Scene &scene, const std::vector<PlacedObject> &bound);
+[[nodiscard]] inline Stage stageOf(const PlacedScene &placed) { return stageOf(placed.scene, placed.bound); }
 
 /// The power of ten in which a length is neither long nor short: 0 for usual ones, else one that leaves it 2
 /// to 20 units long, or 5 to 50.

@@ -5,6 +5,7 @@
 #include "lessons/scene/session_file.h"
 #include "lessons/scene/snapping.h"
 #include "lessons/term/plain_text.h"
+#include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -17,19 +18,6 @@ namespace halfspace {
 namespace {
 
 using namespace test;
-
-Object objectOf(std::string_view kind, const std::vector<ExactVec3> &coordinates) {
-  Object object = *makeObject(kind);
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    object[i] = coordinates[i];
-  return object;
-}
-Object withNumbers(std::string_view kind, const std::vector<Rational> &numbers) {
-  Object object = *makeObject(kind);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    object[i].x = numbers[i];
-  return object;
-}
 
 Entry sphereS() { return {"S", objectOf("sphere", {{1, 2, 3}, {q(5, 2), 0, 0}})}; }
 

@@ -1,5 +1,6 @@
 #include "lessons/object/corners.h"
 
+#include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -8,13 +9,6 @@ namespace halfspace {
 namespace {
 
 using namespace test;
-
-Object objectOf(std::string_view kind, const std::vector<ExactVec3> &coordinates) {
-  Object object = *makeObject(kind);
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    object[i] = coordinates[i];
-  return object;
-}
 
 std::vector<ExactVec3> placesOf(const Object &object) {
   std::vector<ExactVec3> places;

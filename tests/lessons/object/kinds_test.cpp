@@ -8,6 +8,7 @@
 #include "lessons/scene/session_file.h"
 #include "lessons/scene/short_numbers.h"
 #include "lessons/scene/snap_targets.h"
+#include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -189,15 +190,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn([] {
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
-
-Object polygonOf(const std::vector<ExactVec3> &corners) {
-  Object polygon = *makeObject("polygon");
-  while (polygon.size() < corners.size())
-    polygon.addVertex();
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    polygon[i] = corners[i];
-  return polygon;
-}
 
 bool isFilled(const Object &polygon) {
   return findMark(figureOf(evaluate({{{"A1", polygon}}})), "A1") != nullptr;

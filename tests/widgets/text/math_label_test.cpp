@@ -3,34 +3,21 @@
 
 #include "widgets/picture/math/read_latex.h"
 
+#include "tests/widgets/ink.h"
+
 #include <QHBoxLayout>
 #include <QImage>
 #include <QtTest>
 
 using namespace halfspace;
+using test::inkBox;
+using test::painted;
 
 namespace {
 
 math::Row formula(const QString &latex) { return std::get<math::Row>(math::readLatex(latex.toStdString())); }
 
 const QString longSum = QString("x") + QString("+x").repeated(12);
-
-QImage painted(MathLabel &label, const QSize &size) {
-  label.resize(size);
-  QImage image(size, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  label.render(&image, {}, {}, QWidget::DrawChildren);
-  return image;
-}
-
-QRect inkBox(const QImage &image) {
-  QRect box;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (qGray(image.pixel(x, y)) < 160)
-        box |= QRect(x, y, 1, 1);
-  return box;
-}
 
 /// Whether a pixel is nearly of this colour.
 bool hasInk(const QImage &image, const QColor &ink) {
@@ -65,9 +52,9 @@ private slots:
     MathLabel label(m_typesetter);
     label.setFormula(formula(latex), "words");
     const QSize size = label.sizeHint();
-    const QRect ink = inkBox(painted(label, size));
+    const QRect ink = inkBox(painted(label, size), 160);
     // As large as in a place with more than enough room around it.
-    const QRect free = inkBox(painted(label, size + QSize(60, 60)));
+    const QRect free = inkBox(painted(label, size + QSize(60, 60)), 160);
     QVERIFY(!ink.isEmpty());
     QCOMPARE(ink.size(), free.size());
     QVERIFY(size.width() - ink.width() < 12);
@@ -77,7 +64,7 @@ private slots:
     MathLabel label(m_typesetter);
     QCOMPARE(label.sizeHint().width(), 0);
     QVERIFY(label.sizeHint().height() >= label.fontMetrics().height());
-    QVERIFY(inkBox(painted(label, {40, 20})).isEmpty());
+    QVERIFY(inkBox(painted(label, {40, 20}), 160).isEmpty());
   }
 
   void rowsOfFlatFormulas_areEquallyTall() {
@@ -105,11 +92,11 @@ private slots:
     QFont font = label.font();
     font.setPixelSize(15);
     label.setFont(font);
-    const QRect small = inkBox(painted(label, {200, 200}));
+    const QRect small = inkBox(painted(label, {200, 200}), 160);
     const QSize smallHint = label.sizeHint();
     font.setPixelSize(45);
     label.setFont(font);
-    const QRect large = inkBox(painted(label, {200, 200}));
+    const QRect large = inkBox(painted(label, {200, 200}), 160);
     QVERIFY(std::abs(large.height() - 3 * small.height()) <= 6);
     QVERIFY(label.sizeHint().height() > 2 * smallHint.height());
     QVERIFY(label.sizeHint().width() > 2 * smallHint.width());
@@ -119,9 +106,9 @@ private slots:
     MathLabel label(m_typesetter);
     label.setFormula(formula(longSum), "sum");
     const QSize wanted = label.sizeHint();
-    const QRect whole = inkBox(painted(label, wanted));
+    const QRect whole = inkBox(painted(label, wanted), 160);
     const QSize narrow(wanted.width() * 7 / 10, wanted.height());
-    const QRect smaller = inkBox(painted(label, narrow));
+    const QRect smaller = inkBox(painted(label, narrow), 160);
     QVERIFY(smaller.right() < narrow.width());
     QVERIFY2(std::abs(smaller.width() - 0.7 * whole.width()) < 6,
              qPrintable(QString::number(smaller.width())));
@@ -134,9 +121,9 @@ private slots:
     const QSize least = label.minimumSizeHint();
     QVERIFY(std::abs(least.width() - label.sizeHint().width() / 2) <= 1);
     QCOMPARE(least.height(), label.sizeHint().height());
-    const QRect smallest = inkBox(painted(label, least));
+    const QRect smallest = inkBox(painted(label, least), 160);
     QVERIFY(smallest.right() < least.width());
-    const QRect cut = inkBox(painted(label, {least.width() / 2, least.height()}));
+    const QRect cut = inkBox(painted(label, {least.width() / 2, least.height()}), 160);
     QCOMPARE(cut.height(), smallest.height());
   }
 
@@ -144,7 +131,7 @@ private slots:
     MathLabel label(m_typesetter);
     label.setFormula(formula("\\rule{1em}{1em}"), "box");
     for (const int height : {40, 80, 121}) {
-      const QRect ink = inkBox(painted(label, {100, height}));
+      const QRect ink = inkBox(painted(label, {100, height}), 160);
       QVERIFY(std::abs(ink.top() - (height - 1 - ink.bottom())) <= 2);
     }
   }

@@ -1,32 +1,19 @@
 // A label of words with formulas: the room it asks for, its inks and its font.
 #include "widgets/text/rich_label.h"
 
+#include "tests/widgets/ink.h"
+
 #include <QImage>
 #include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
+using test::inkBox;
+using test::painted;
 
 namespace {
 
 const QString manyWords = QString("some words ").repeated(40);
-
-QImage painted(RichLabel &label, const QSize &size) {
-  label.resize(size);
-  QImage image(size, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  label.render(&image, {}, {}, QWidget::DrawChildren);
-  return image;
-}
-
-QRect inkBox(const QImage &image) {
-  QRect box;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (qGray(image.pixel(x, y)) < 200)
-        box |= QRect(x, y, 1, 1);
-  return box;
-}
 
 /// How many pixels are red rather than green.
 int redPixels(const QImage &image) {

@@ -2,6 +2,8 @@
 #include "widgets/typeset/paint_formula.h"
 #include "widgets/typeset/typesetter.h"
 
+#include "tests/widgets/ink.h"
+
 #include <QImage>
 #include <QPainter>
 #include <QPicture>
@@ -10,6 +12,7 @@
 #include <set>
 
 using namespace halfspace;
+using test::inkBox;
 
 namespace {
 
@@ -23,15 +26,6 @@ QImage painted(const Paint &paint) {
   QPainter painter(&image);
   paint(painter);
   return image;
-}
-
-QRect inkBox(const QImage &image) {
-  QRect box;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (qGray(image.pixel(x, y)) < 200)
-        box |= QRect(x, y, 1, 1);
-  return box;
 }
 
 /// How many pixels are neither black nor white.
