@@ -202,14 +202,27 @@ void SessionModel::show(const Session &session) {
     m_figure = figureOf(m_evaluation);
     takeStage();
   }
-  const auto step = static_cast<std::size_t>(m_session.step);
-  static const LessonStep everything;
-  m_shown =
-      shownIn(step < m_lesson->steps.size() ? m_lesson->steps[step] : everything, m_evaluation, m_figure);
+  takeShown();
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)
     emit stepChanged();
+  emit outcomeChanged();
+}
+
+const LessonStep &SessionModel::step() const {
+  static const LessonStep everything{{}, {StepLines()}};
+  const auto step = static_cast<std::size_t>(m_session.step);
+  return step < m_lesson->steps.size() ? m_lesson->steps[step] : everything;
+}
+
+void SessionModel::takeShown() { m_shown = shownIn(step(), m_evaluation, m_figure, m_question); }
+
+void SessionModel::setQuestion(Question question) {
+  if (question == m_question)
+    return;
+  m_question = question;
+  takeShown();
   emit outcomeChanged();
 }
 

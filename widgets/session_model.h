@@ -29,7 +29,9 @@ public:
   [[nodiscard]] const Evaluation &evaluation() const { return m_evaluation; }
   /// All of its marks.
   [[nodiscard]] const Figure &figure() const { return m_figure; }
-  /// What the current step shows of it.
+  /// The current step; of a lesson that is not in the library, one that shows everything.
+  [[nodiscard]] const LessonStep &step() const;
+  /// What the current step shows of the scene.
   [[nodiscard]] const Shown &shown() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
   [[nodiscard]] const QUndoStack &history() const { return m_history; }
@@ -59,6 +61,8 @@ public:
   /// Gives the scene other short numbers, as one undo step; see short_numbers.h.
   void renewNumbers(std::uint64_t seed);
   void setStep(int step);
+  /// Whether the current step's question is answered, if it has one: see shownIn.
+  void setQuestion(Question question);
 
   /// An edit that stands on its own: one undo step. Why it is refused; else empty.
   QString edit(const Edit &edit, const QString &description);
@@ -73,7 +77,7 @@ public:
 
 signals:
   void gestureSettled(); ///< a gesture has ended because something else was done
-  void outcomeChanged(); ///< after every change of scene, stage or step
+  void outcomeChanged(); ///< after every change of scene, stage, step or question
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
   void stepChanged();    ///< before outcomeChanged, when another step or lesson is shown
   void sceneReplaced();  ///< after outcomeChanged, when all of the lesson's scene is another one at once
@@ -81,6 +85,7 @@ signals:
 private:
   friend class SessionCommand;
   void show(const Session &session);
+  void takeShown();
   [[nodiscard]] int lastStep() const;
   void record(const Session &before, const QString &description, bool replaces = false);
   /// True where the stage is another one now.
@@ -98,6 +103,7 @@ private:
   Session m_session;
   Evaluation m_evaluation;
   Figure m_figure;
+  Question m_question = Question::Answered;
   Shown m_shown;
   std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;

@@ -81,37 +81,88 @@ Result<Fence> readFence(LineScanner &lines, const std::string &file) {
       file, openedAt, ""};
 }
 
+/// The words that a step goes on with.
+StepWords &wordsAtEnd(LessonStep &step) {
+  if (step.blocks.empty() || !std::holds_alternative<StepWords>(step.blocks.back()))
+    step.blocks.emplace_back(StepWords());
+  return std::get<StepWords>(step.blocks.back());
+}
+
+void addLine(StepWords &words, std::string_view line, int number) {
+  words.markdown += std::string(line) + "\n";
+  words.lines.push_back(number);
+}
+
+void addLines(StepWords &words, const TextBlock &block) {
+  LineScanner lines(block.text, block.firstLine);
+  while (lines.next())
+    addLine(words, lines.line(), lines.number());
+}
+
+/// Takes away empty lines before and behind the words, and what is empty at their ends.
+void trimEnds(StepWords &words) {
+  std::string &markdown = words.markdown;
+  const auto begin = std::min(markdown.find_first_not_of(" \t\n"), markdown.size());
+  const auto end = markdown.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
+  const auto linesBefore = [&](std::size_t place) {
+    return std::count(markdown.begin(), markdown.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  };
+  words.lines.erase(words.lines.begin(), words.lines.begin() + linesBefore(begin));
+  markdown = begin < end ? markdown.substr(begin, end - begin) : "";
+  if (!markdown.empty())
+    words.lines.resize(static_cast<std::size_t>(linesBefore(markdown.size())) + 1);
+}
+
+Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
+  LineScanner lines(block.text, block.firstLine);
+  StepNote note;
+  while (note.title.empty() && lines.next()) {
+    note.title = trimmed(lines.line());
+    note.titleLine = lines.number();
+  }
+  addLines(note.words, {std::string(lines.rest()), lines.number() + 1});
+  trimEnds(note.words);
+  if (note.words.markdown.empty())
+    return Problem{words("A note needs a title in its first line, and words below it."), file,
+                   block.firstLine - 1, "note"};
+  return note;
+}
+
+/// Puts what a block of a step holds in its place; or why it cannot be read.
+template <class T> std::optional<Problem> addBlock(Result<T> read, LessonStep &step) {
+  if (!read)
+    return read.problem();
+  step.blocks.emplace_back(std::move(*read));
+  return {};
+}
+
+/// Puts what a block says of the whole step where it belongs; or why it cannot be read.
+template <class T, class Told> std::optional<Problem> take(Result<T> read, Told &told) {
+  if (!read)
+    return read.problem();
+  told = std::move(*read);
+  return {};
+}
+
 /// Puts a fenced block where it belongs in the step.
 std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std::string &file) {
-  if (fence.word == "lines") {
-    auto ids = readLineIds(fence.content, file);
-    if (!ids)
-      return ids.problem();
-    step.lines.insert(step.lines.end(), ids->begin(), ids->end());
-  } else if (fence.word == "blank") {
-    const auto fading = readFading(fence.content, file);
-    if (!fading)
-      return fading.problem();
-    step.blank = *fading;
-  } else if (fence.word == "task") {
-    auto task = readTask(fence.content, file);
-    if (!task)
-      return task.problem();
-    step.tasks.push_back(std::move(*task));
-  } else if (fence.word == "predict") {
-    if (step.prediction)
+  if (fence.word == "lines")
+    return addBlock(readLines(fence.content, file), step);
+  if (fence.word == "note")
+    return addBlock(readNote(fence.content, file), step);
+  if (fence.word == "task")
+    return addBlock(readTask(fence.content, file), step);
+  if (fence.word == "predict") {
+    if (predictionOf(step))
       return Problem{words("A step asks one question. Move the second into a step of its own."), file,
                      fence.content.firstLine - 1, "predict"};
-    auto prediction = readPrediction(fence.content, file);
-    if (!prediction)
-      return prediction.problem();
-    step.prediction = std::move(*prediction);
-  } else {
-    const auto count = std::count(fence.whole.begin(), fence.whole.end(), '\n');
-    for (int line = fence.content.firstLine - 1, end = line + static_cast<int>(count); line < end; ++line)
-      step.markdownLines.push_back(line);
-    step.markdown += fence.whole;
+    return addBlock(readPrediction(fence.content, file), step);
   }
+  if (fence.word == "blank")
+    return take(readFading(fence.content, file), step.blank);
+  if (fence.word == "draw")
+    return take(readMarkIds(fence.content, file), step.drawn);
+  addLines(wordsAtEnd(step), {fence.whole, fence.content.firstLine - 1});
   return {};
 }
 
@@ -142,23 +193,26 @@ std::optional<std::string> stepTitle(std::string_view line) {
   return std::string(trimmed(line.substr(heading.size())));
 }
 
-/// Takes away empty lines before and behind the words, and what is empty at their ends.
-void trimEnds(LessonStep &step) {
-  std::string &markdown = step.markdown;
-  const auto begin = std::min(markdown.find_first_not_of(" \t\n"), markdown.size());
-  const auto end = markdown.find_last_not_of(" \t\n") + 1; // 0 where there is nothing else
-  const auto linesBefore = [&](std::size_t place) {
-    return std::count(markdown.begin(), markdown.begin() + static_cast<std::ptrdiff_t>(place), '\n');
-  };
-  step.markdownLines.erase(step.markdownLines.begin(), step.markdownLines.begin() + linesBefore(begin));
-  markdown = begin < end ? markdown.substr(begin, end - begin) : "";
-  if (!markdown.empty())
-    step.markdownLines.resize(static_cast<std::size_t>(linesBefore(markdown.size())) + 1);
+bool isEmptyWords(const StepBlock &block) {
+  const auto *words = std::get_if<StepWords>(&block);
+  return words && words->markdown.empty();
 }
 
-void addLine(LessonStep &step, std::string_view line, int number) {
-  step.markdown += std::string(line) + "\n";
-  step.markdownLines.push_back(number);
+/// Where a step says nothing of lines, all stand behind its first words.
+void addAllLines(LessonStep &step) {
+  const auto isLines = [](const StepBlock &block) { return std::holds_alternative<StepLines>(block); };
+  if (std::any_of(step.blocks.begin(), step.blocks.end(), isLines))
+    return;
+  const bool hasWords = !step.blocks.empty() && std::holds_alternative<StepWords>(step.blocks.front());
+  step.blocks.insert(step.blocks.begin() + (hasWords ? 1 : 0), StepLines());
+}
+
+void finish(LessonStep &step) {
+  for (StepBlock &block : step.blocks)
+    if (auto *words = std::get_if<StepWords>(&block))
+      trimEnds(*words);
+  std::erase_if(step.blocks, isEmptyWords);
+  addAllLines(step);
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -198,7 +252,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
       continue;
     }
     if (fenceOf(lines.line()).empty()) {
-      addLine(steps.back(), lines.line(), lines.number());
+      addLine(wordsAtEnd(steps.back()), lines.line(), lines.number());
       continue;
     }
     const auto fence = readFence(lines, file);
@@ -211,7 +265,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
     return Problem{words("The lesson has no steps. Each begins with a heading ##."), file, lines.number(),
                    ""};
   for (LessonStep &step : steps)
-    trimEnds(step);
+    finish(step);
   return steps;
 }
 
@@ -248,18 +302,42 @@ int LessonWords::lineAt(std::size_t place) const {
 
 std::vector<LessonWords> wordsOf(const Lesson &lesson) {
   std::vector<LessonWords> words;
-  for (const LessonStep &step : lesson.steps) {
-    words.push_back({step.markdown, step.markdownLines, ""});
-    for (const Task &task : step.tasks)
-      words.push_back({task.instruction, {task.line}, "do"});
-    if (!step.prediction)
-      continue;
-    words.push_back({step.prediction->question, {step.prediction->questionLine}, "ask"});
-    for (const Prediction::Choice &choice : step.prediction->choices)
-      words.push_back({choice.text, {choice.line}, "choices"});
-    words.push_back({step.prediction->reason, {step.prediction->reasonLine}, "why"});
-  }
+  const Overloaded add{[&](const StepWords &block) {
+                         words.push_back({block.markdown, block.lines, ""});
+                       },
+                       [](const StepLines &) {},
+                       [&](const StepNote &note) {
+                         words.push_back({note.title, {note.titleLine}, "note"});
+                         words.push_back({note.words.markdown, note.words.lines, "note"});
+                       },
+                       [&](const Task &task) {
+                         words.push_back({task.instruction, {task.line}, "do"});
+                       },
+                       [&](const Prediction &prediction) {
+                         words.push_back({prediction.question, {prediction.questionLine}, "ask"});
+                         for (const Prediction::Choice &choice : prediction.choices)
+                           words.push_back({choice.text, {choice.line}, "choices"});
+                         words.push_back({prediction.reason, {prediction.reasonLine}, "why"});
+                       }};
+  for (const LessonStep &step : lesson.steps)
+    for (const StepBlock &block : step.blocks)
+      std::visit(add, block);
   return words;
+}
+
+const Prediction *predictionOf(const LessonStep &step) {
+  for (const StepBlock &block : step.blocks)
+    if (const auto *prediction = std::get_if<Prediction>(&block))
+      return prediction;
+  return nullptr;
+}
+
+std::vector<Task> tasksOf(const LessonStep &step) {
+  std::vector<Task> tasks;
+  for (const StepBlock &block : step.blocks)
+    if (const auto *task = std::get_if<Task>(&block))
+      tasks.push_back(*task);
+  return tasks;
 }
 
 const Lesson *LessonLibrary::find(std::string_view id) const {

@@ -31,6 +31,13 @@
 //   choices: {positive: The side that n points to, negative: The other side, on: On the plane}
 //   why: The sign of f(Q) tells.
 //   ```
+//   ```draw
+//   F
+//   ```
+//   ```note
+//   For readers of the lecture notes
+//   Words that are folded away.
+//   ```
 #pragma once
 
 #include "lessons/lesson/macros.h"
@@ -39,6 +46,7 @@
 #include "lessons/scene/evaluation.h"
 
 #include <filesystem>
+#include <variant>
 
 namespace halfspace {
 
@@ -73,17 +81,43 @@ struct Prediction {
   int reasonLine = 0;
 };
 
+/// Markdown with LaTeX and live values.
+struct StepWords {
+  std::string markdown;
+  std::vector<int> lines{}; ///< where each of its lines stands in the file
+};
+
+/// Worked lines, by their ids: `distance.f`, `f` where only one construction has an f, or `distance.*` for
+/// all of one; empty: all.
+struct StepLines {
+  std::vector<std::string> ids;
+};
+
+/// Words that are folded away under their title, for those whom they concern.
+struct StepNote {
+  std::string title;
+  StepWords words;
+  int titleLine = 0; ///< in the file
+};
+
+/// What stands on the page of a step.
+using StepBlock = std::variant<StepWords, StepLines, StepNote, Task, Prediction>;
+
 struct LessonStep {
   std::string title;
-  std::string markdown; ///< the words, without the title and the fenced blocks above
-  /// The worked lines shown: `distance.f`, `f` where only one construction has an f, or `distance.*` for all
-  /// of one; empty: all.
-  std::vector<std::string> lines;
-  std::vector<Task> tasks;
-  std::optional<Prediction> prediction;
-  std::optional<Fading> blank{};    ///< which lines the step leaves to the learner; nothing: as it was before
-  std::vector<int> markdownLines{}; ///< where each line of the words stands in the file
+  std::vector<StepBlock> blocks; ///< from top to bottom; at least one StepLines and at most one Prediction
+  /// The marks that its figure has besides the given ones and those that its lines speak of, named as lines
+  /// are.
+  std::vector<std::string> drawn{};
+  std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
 };
+
+// The blocks of one sort, from top to bottom.
+
+/// Null in a step that asks nothing.
+[[nodiscard]] const Prediction *predictionOf(const LessonStep &step);
+/// Their places among the tasks of the step number what a learner has done.
+[[nodiscard]] std::vector<Task> tasksOf(const LessonStep &step);
 
 /// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units
 /// fill the view from bottom to top there.
@@ -147,18 +181,26 @@ struct LessonLibrary {
 
 /// What a step shows of a scene.
 struct Shown {
-  Working working;
+  Working working; ///< all lines, in the order of the page
+  /// How many of them stand in each of the step's StepLines. A line that several name stands in the first.
+  std::vector<std::size_t> linesIn;
   Figure figure;
   std::string description; ///< the cases of the constructions whose lines are shown, in plain words
   bool degenerate = false; ///< one of them is a warning
 };
 
+/// Whether the question of a step, if it has one, is answered. While it is not, the figure has what is given
+/// alone: the rest would give the answer away.
+enum class Question { Open, Answered };
+
 /// The step's lines and, of the figure, which is that of the evaluation, the given marks, those that these
-/// lines name, and what accompanies them. Where the step names no lines, all marks and the lines of the last
-/// `mostWorkings` constructions.
-[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure);
-[[nodiscard]] inline Shown shownIn(const LessonStep &step, const Evaluation &evaluation) {
-  return shownIn(step, evaluation, figureOf(evaluation));
+/// lines and the step name, and what accompanies them. Where a step names no lines, all marks and the lines
+/// of the last `mostWorkings` constructions.
+[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure,
+                            Question question = Question::Answered);
+[[nodiscard]] inline Shown shownIn(const LessonStep &step, const Evaluation &evaluation,
+                                   Question question = Question::Answered) {
+  return shownIn(step, evaluation, figureOf(evaluation), question);
 }
 inline constexpr std::size_t mostWorkings = 4;
 

@@ -136,6 +136,18 @@ std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReade
   return choices;
 }
 
+/// What stands between commas or spaces.
+std::vector<std::string> namesIn(const std::string &text) {
+  constexpr std::string_view between = ", \t\r\n";
+  std::vector<std::string> names;
+  for (auto begin = text.find_first_not_of(between); begin != std::string::npos;) {
+    const auto end = text.find_first_of(between, begin);
+    names.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(between, end);
+  }
+  return names;
+}
+
 } // namespace
 
 Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) {
@@ -204,24 +216,30 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
   return prediction;
 }
 
-Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file) {
-  constexpr std::string_view between = ", \t\r\n";
+Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
   constexpr std::string_view allOfOne = ".*";
-  std::vector<std::string> ids;
-  const std::string &text = block.text;
-  for (auto begin = text.find_first_not_of(between); begin != std::string::npos;) {
-    const auto end = text.find_first_of(between, begin);
-    ids.push_back(text.substr(begin, end - begin));
-    const std::string_view id = ids.back();
+  StepLines lines{namesIn(block.text)};
+  for (const std::string_view id : lines.ids)
     if (!isValueName(id.ends_with(allOfOne) ? id.substr(0, id.size() - allOfOne.size()) : id))
-      return Problem{words("“{text}” cannot be the id of a line: write ids between commas.",
-                           {{"text", shortened(ids.back())}}),
-                     file, block.firstLine, "lines"};
-    begin = text.find_first_not_of(between, end);
-  }
-  if (ids.empty())
+      return Problem{
+          words("“{text}” cannot be the id of a line: write ids between commas.", {{"text", shortened(id)}}),
+          file, block.firstLine, "lines"};
+  if (lines.ids.empty())
     return Problem{words("No line is named here. Name some, or leave the block out to show all."), file,
                    block.firstLine, "lines"};
+  return lines;
+}
+
+Result<std::vector<std::string>> readMarkIds(const TextBlock &block, const std::string &file) {
+  std::vector<std::string> ids = namesIn(block.text);
+  for (const std::string &id : ids)
+    if (!isValueName(id))
+      return Problem{
+          words("“{text}” cannot be the id of a mark: write ids between commas.", {{"text", shortened(id)}}),
+          file, block.firstLine, "draw"};
+  if (ids.empty())
+    return Problem{words("No mark is named here. Name some, or leave the block out."), file, block.firstLine,
+                   "draw"};
   return ids;
 }
 

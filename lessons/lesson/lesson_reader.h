@@ -21,9 +21,12 @@ struct TextBlock {
 [[nodiscard]] Result<Prediction> readPrediction(const TextBlock &block, const std::string &file);
 
 /// Reads a ```lines block: ids between commas or spaces.
-[[nodiscard]] Result<std::vector<std::string>> readLineIds(const TextBlock &block, const std::string &file);
+[[nodiscard]] Result<StepLines> readLines(const TextBlock &block, const std::string &file);
 
-/// Reads a ```blank block: none, last or all.
+/// Reads a ```draw block: likewise.
+[[nodiscard]] Result<std::vector<std::string>> readMarkIds(const TextBlock &block, const std::string &file);
+
+/// Reads a ```blank block: none, gaps, last or all.
 [[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);
 
 /// Reads all that follows the front matter.

@@ -48,7 +48,7 @@ void measureScene(int constructions) {
   const double looked = millisecondsOf(20, [&](int i) {
     edit(i);
     LessonStep step;
-    step.lines = {"d0.f"};
+    step.blocks = {StepLines{{"d0.f"}}};
     (void)shownIn(step, evaluation);
   });
   const double anew = millisecondsOf(5, [&](int) { (void)figureOf(evaluate(scene)); });

@@ -18,11 +18,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   if (lesson->steps.empty())
     std::abort();
   const Evaluation outcome = evaluate(lesson->scene);
+  for (const LessonWords &words : wordsOf(*lesson)) {
+    (void)withLiveValues(words.text, lesson->scene, outcome);
+    (void)plainProse(words.text, lesson->macros);
+  }
   for (const LessonStep &step : lesson->steps) {
-    (void)withLiveValues(step.markdown, lesson->scene, outcome);
-    (void)plainProse(step.markdown, lesson->macros);
+    if (predictionOf(step))
+      (void)shownIn(step, outcome, Question::Open);
     (void)shownIn(step, outcome);
-    for (const Task &task : step.tasks)
+    for (const Task &task : tasksOf(step))
       (void)isDone(task, outcome);
   }
   return 0;

@@ -503,7 +503,7 @@ TEST(Contract, TheStartOfEveryLesson_LeavesTasksToDo) {
     const Evaluation evaluation = evaluate(lesson.scene);
     std::vector<const Task *> tasks;
     for (const LessonStep &step : lesson.steps)
-      for (const Task &task : step.tasks)
+      for (const Task &task : tasksOf(step))
         tasks.push_back(&task);
     EXPECT_TRUE(std::any_of(tasks.begin(), tasks.end(), [&](const Task *task) {
       return !isDone(*task, evaluation);

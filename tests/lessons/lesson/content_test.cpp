@@ -90,16 +90,19 @@ TEST(Content, EveryLineThatAStepNames_IsWorkedAtTheStart) {
   for (const Lesson &lesson : library().lessons) {
     const Working working = test::ownLines(lesson.scene);
     for (const LessonStep &step : lesson.steps)
-      for (const std::string &id : step.lines)
-        EXPECT_TRUE(findLine(working, id)) << lesson.id << ", " << step.title << ": " << id;
+      for (const StepBlock &block : step.blocks) {
+        const auto *lines = std::get_if<StepLines>(&block);
+        for (const std::string &id : lines ? lines->ids : std::vector<std::string>())
+          EXPECT_TRUE(findLine(working, id)) << lesson.id << ", " << step.title << ": " << id;
+      }
   }
 }
 
 TEST(Content, EveryLiveValue_HasAValueAtTheStart) {
   for (const Lesson &lesson : library().lessons)
-    for (const LessonStep &step : lesson.steps) {
-      const std::string filled = withLiveValues(step.markdown, lesson.scene, evaluate(lesson.scene));
-      EXPECT_EQ(filled.find("—"), std::string::npos) << lesson.id << ", " << step.title << ":\n" << filled;
+    for (const LessonWords &words : wordsOf(lesson)) {
+      const std::string filled = withLiveValues(words.text, lesson.scene, evaluate(lesson.scene));
+      EXPECT_EQ(filled.find("—"), std::string::npos) << lesson.id << ":\n" << filled;
     }
 }
 
@@ -107,16 +110,15 @@ TEST(Content, EveryQuestion_HasExactlyOneRightChoiceAtTheStart) {
   for (const Lesson &lesson : library().lessons) {
     int questions = 0;
     for (const LessonStep &step : lesson.steps)
-      if (step.prediction) {
+      if (const Prediction *prediction = predictionOf(step)) {
         ++questions;
         const Evaluation outcome = evaluate(lesson.scene);
-        EXPECT_EQ(
-            std::count_if(
-                step.prediction->choices.begin(), step.prediction->choices.end(),
-                [&](const Prediction::Choice &choice) {
-                  return holds({step.prediction->value, Condition::Relation::Equal, choice.word}, outcome);
-                }),
-            1)
+        EXPECT_EQ(std::count_if(
+                      prediction->choices.begin(), prediction->choices.end(),
+                      [&](const Prediction::Choice &choice) {
+                        return holds({prediction->value, Condition::Relation::Equal, choice.word}, outcome);
+                      }),
+                  1)
             << lesson.id << ", " << step.title;
       }
     EXPECT_EQ(questions, 1) << lesson.id;
@@ -127,7 +129,7 @@ TEST(Content, EveryTask_CanBeDone) {
   for (const Lesson &lesson : library().lessons) {
     int tasks = 0;
     for (const LessonStep &step : lesson.steps)
-      for (const Task &task : step.tasks) {
+      for (const Task &task : tasksOf(step)) {
         ++tasks;
         const Solution *solution = solutionOf(lesson, task);
         ASSERT_NE(solution, nullptr) << lesson.id << ": " << task.instruction;

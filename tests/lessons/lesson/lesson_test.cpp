@@ -29,6 +29,23 @@ Problem problemOf(const std::string &text) {
   return lesson.problem();
 }
 
+/// The words of a step, with a | where something stands between them.
+std::string wordsIn(const LessonStep &step) {
+  std::string words;
+  for (const StepBlock &block : step.blocks)
+    if (const auto *own = std::get_if<StepWords>(&block))
+      words += (words.empty() ? "" : "|") + own->markdown;
+  return words;
+}
+
+std::vector<std::string> linesIn(const LessonStep &step) {
+  std::vector<std::string> ids;
+  for (const StepBlock &block : step.blocks)
+    if (const auto *lines = std::get_if<StepLines>(&block))
+      ids.insert(ids.end(), lines->ids.begin(), lines->ids.end());
+  return ids;
+}
+
 std::string replaced(std::string text, const std::string &from, const std::string &to) {
   return text.replace(text.find(from), from.size(), to);
 }
@@ -107,15 +124,66 @@ why: So.
   ASSERT_EQ(lesson->steps.size(), 2U);
   const LessonStep &first = lesson->steps[0];
   EXPECT_EQ(first.title, "First");
-  EXPECT_EQ(first.markdown, "Some $f(Q)$ words.\nMore.");
-  EXPECT_EQ(first.lines, (std::vector<std::string>{"f", "side", "foot"}));
-  ASSERT_EQ(first.tasks.size(), 1U);
-  EXPECT_EQ(first.tasks[0].instruction, "Go there.");
-  ASSERT_EQ(first.tasks[0].conditions.size(), 2U);
-  EXPECT_EQ(first.tasks[0].conditions[1].relation, Condition::Relation::Less);
-  EXPECT_EQ(first.tasks[0].conditions[1].against, "-1/2");
-  ASSERT_TRUE(lesson->steps[1].prediction);
-  EXPECT_EQ(lesson->steps[1].prediction->choices.at(1).word, "negative");
+  EXPECT_EQ(wordsIn(first), "Some $f(Q)$ words.|More.");
+  EXPECT_EQ(linesIn(first), (std::vector<std::string>{"f", "side", "foot"}));
+  const std::vector<Task> tasks = tasksOf(first);
+  ASSERT_EQ(tasks.size(), 1U);
+  EXPECT_EQ(tasks[0].instruction, "Go there.");
+  ASSERT_EQ(tasks[0].conditions.size(), 2U);
+  EXPECT_EQ(tasks[0].conditions[1].relation, Condition::Relation::Less);
+  EXPECT_EQ(tasks[0].conditions[1].against, "-1/2");
+  const Prediction *prediction = predictionOf(lesson->steps[1]);
+  ASSERT_TRUE(prediction);
+  EXPECT_EQ(prediction->choices.at(1).word, "negative");
+}
+
+/// The sorts of a step's blocks, from top to bottom.
+std::string sortsIn(const LessonStep &step) {
+  std::string sorts;
+  for (const StepBlock &block : step.blocks)
+    sorts += std::visit(
+        Overloaded{[](const StepWords &) { return "words "; }, [](const StepLines &) { return "lines "; },
+                   [](const StepNote &) { return "note "; }, [](const Task &) { return "task "; },
+                   [](const Prediction &) { return "question "; }},
+        block);
+  return sorts;
+}
+
+TEST(Lesson, Blocks_StandInTheOrderOfTheFile) {
+  const std::string task = "```task\ndo: Go.\nwhen: f = 0\n```\n";
+  const std::string ask = "```predict\nask: A?\nanswer: side\nchoices: {a: b, c: d}\nwhy: So.\n```\n";
+  const auto lesson =
+      parseLesson(frontMatter + "## One\nA.\n```lines\nf\n```\n\n" + task + "\nB.\n\n```lines\nside\n```\n" +
+                      ask + "```note\nT\nW.\n```\n## Two\n" + task + "## Three\nA.\n" + task + "C.\n",
+                  "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(sortsIn(lesson->steps[0]), "words lines task words lines question note ");
+  EXPECT_EQ(sortsIn(lesson->steps[1]), "lines task ") << "all lines, where none are named";
+  EXPECT_EQ(sortsIn(lesson->steps[2]), "words lines task words ");
+}
+
+TEST(Lesson, ANote_HasATitleAndWordsThatAreFoldedAway) {
+  const auto lesson = parseLesson(
+      frontMatter + "## One\n```note\n\nFor *readers* of $n$\n\nA word.\n\nAnother $\\foo$.\n```\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  const auto *note = std::get_if<StepNote>(&lesson->steps[0].blocks.back());
+  ASSERT_TRUE(note);
+  EXPECT_EQ(note->title, "For *readers* of $n$");
+  EXPECT_EQ(note->titleLine, 15);
+  EXPECT_EQ(note->words.markdown, "A word.\n\nAnother $\\foo$.");
+  EXPECT_EQ(note->words.lines, (std::vector<int>{17, 18, 19}));
+  const Problem problem = problemOf(frontMatter + "## One\n```note\nA title alone\n```\n");
+  EXPECT_EQ(problem.line, 13);
+  EXPECT_NE(problem.sentence.find("words below it"), std::string::npos);
+}
+
+TEST(Lesson, ADrawBlock_NamesMarks) {
+  const auto lesson = parseLesson(frontMatter + "## One\n```draw\nF, d.w\n```\n## Two\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->steps[0].drawn, (std::vector<std::string>{"F", "d.w"}));
+  EXPECT_TRUE(lesson->steps[1].drawn.empty());
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```draw\nF; w\n```\n").field, "draw");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```draw\n\n```\n").field, "draw");
 }
 
 TEST(Lesson, ABlankBlock_SaysWhichLinesAreLeftToTheLearner) {
@@ -134,7 +202,7 @@ TEST(Lesson, AHeadingInABlockOfCode_IsNoStep) {
   const auto lesson = parseLesson(frontMatter + "## One\n````\n```task\n## not a step\n````\n", "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();
   EXPECT_EQ(lesson->steps.size(), 1U);
-  EXPECT_NE(lesson->steps[0].markdown.find("## not a step"), std::string::npos);
+  EXPECT_NE(wordsIn(lesson->steps[0]).find("## not a step"), std::string::npos);
 }
 
 TEST(Lesson, WithWindowsLineEndsAndAByteOrderMark_IsReadTheSame) {
@@ -143,7 +211,7 @@ TEST(Lesson, WithWindowsLineEndsAndAByteOrderMark_IsReadTheSame) {
     text += c == '\n' ? std::string("\r\n") : std::string(1, c);
   const auto lesson = parseLesson(text, "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();
-  EXPECT_EQ(lesson->steps[0].markdown, "Words.");
+  EXPECT_EQ(wordsIn(lesson->steps[0]), "Words.");
 }
 
 TEST(LessonProblems, InTheFrame_NameTheLine) {
@@ -218,7 +286,7 @@ TEST(LessonProblems, OfAFileThatIsNotThere_IsAProblem) {
 TEST(ShownIn, AStepWithLines_KeepsThoseLinesTheirMarksAndTheGivens) {
   const Evaluation all = evaluate(test::distanceScene());
   LessonStep step;
-  step.lines = {"foot"};
+  step.blocks = {StepLines{{"foot"}}};
   const Shown shown = shownIn(step, all);
   ASSERT_EQ(shown.working.lines.size(), 1U);
   EXPECT_EQ(shown.working.lines[0].id, "distance.foot");
@@ -228,13 +296,52 @@ TEST(ShownIn, AStepWithLines_KeepsThoseLinesTheirMarksAndTheGivens) {
   EXPECT_EQ(findMark(shown.figure, "distance.theta"), nullptr);
 }
 
+TEST(ShownIn, EveryBlockOfLines_HasItsOwnInTheOrderOfThePage) {
+  const Evaluation all = evaluate(test::distanceScene());
+  const LessonStep step{"", {StepLines{{"foot", "f"}}, StepWords{"Words."}, StepLines{{"side", "f"}}}};
+  const Shown shown = shownIn(step, all);
+  EXPECT_EQ(shown.linesIn, (std::vector<std::size_t>{2, 1}));
+  std::vector<std::string> ids;
+  for (const WorkingLine &line : shown.working.lines)
+    ids.push_back(line.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"distance.f", "distance.foot", "distance.side"}));
+}
+
+TEST(ShownIn, MarksThatAStepDraws_AreThereBesidesThoseOfItsLines) {
+  Scene scene = test::distanceScene();
+  LessonStep step{"", {StepLines{{"f"}}}};
+  const auto has = [&](const std::string &mark) {
+    return findMark(shownIn(step, evaluate(scene)).figure, mark) != nullptr;
+  };
+  EXPECT_FALSE(has("distance.F"));
+  step.drawn = {"F"};
+  EXPECT_TRUE(has("distance.F"));
+  scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
+  step.blocks = {StepLines{{"distance.f"}}};
+  EXPECT_FALSE(has("distance.F") || has("again.F")) << "both have one";
+  step.drawn = {"again.F"};
+  EXPECT_TRUE(has("again.F"));
+  EXPECT_FALSE(has("distance.F"));
+}
+
+TEST(ShownIn, WhileTheQuestionIsOpen_OnlyWhatIsGivenIsDrawn) {
+  const Evaluation all = evaluate(test::distanceScene());
+  for (const LessonStep &step :
+       {LessonStep{"", {StepLines{{"foot"}}}, {"F"}}, LessonStep{"", {StepLines()}}}) {
+    for (const Mark &mark : shownIn(step, all, Question::Open).figure.marks)
+      EXPECT_EQ(baseOf(mark).role, Role::Given) << baseOf(mark).id;
+    EXPECT_NE(findMark(shownIn(step, all, Question::Open).figure, "Q"), nullptr);
+    EXPECT_NE(findMark(shownIn(step, all).figure, "distance.F"), nullptr);
+  }
+}
+
 TEST(ShownIn, AStepOverTwoConstructions_ShowsTheLinesThatItNames) {
   Scene scene = test::distanceScene();
   scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
   const Evaluation all = evaluate(scene);
   const auto idsOf = [&](std::vector<std::string> names) {
     LessonStep step;
-    step.lines = std::move(names);
+    step.blocks = {StepLines{std::move(names)}};
     std::vector<std::string> ids;
     for (const WorkingLine &line : shownIn(step, all).working.lines)
       ids.push_back(line.id);
@@ -251,7 +358,7 @@ TEST(ShownIn, WhoNamesACoordinate_ShowsItsObject) {
                      {"F", PlaneObject{{0, 0, 0}, {0, 0, 1}}},
                      {"meet", ConstructionUse{"plane-plane", {{"E", "E"}, {"F", "F"}}}}}};
   LessonStep step;
-  step.lines = {"direction"};
+  step.blocks = {StepLines{{"direction"}}};
   const Figure figure = shownIn(step, evaluate(scene)).figure;
   EXPECT_NE(findMark(figure, "meet.g"), nullptr) << "the line whose direction is worked out";
   EXPECT_EQ(findMark(figure, "meet.g.A"), nullptr);
@@ -265,16 +372,17 @@ TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
   const std::string second = all.find("again")->outcome->told->description;
   LessonStep step;
   EXPECT_EQ(shownIn(step, all).description, first + " " + second);
-  step.lines = {"distance.f"};
+  step.blocks = {StepLines{{"distance.f"}}};
   EXPECT_EQ(shownIn(step, all).description, first);
-  step.lines = {"again.no-line-of-this-case"}; // its case is told all the same
+  step.blocks = {StepLines{{"again.no-line-of-this-case"}}}; // its case is told all the same
   EXPECT_EQ(shownIn(step, all).description, second);
 }
 
 TEST(ShownIn, AStepWithoutLines_ShowsAll) {
   const Evaluation all = evaluate(test::distanceScene());
-  EXPECT_EQ(shownIn(LessonStep{}, all).working.lines.size(), workingOf(all).lines.size());
-  EXPECT_EQ(shownIn(LessonStep{}, all).figure.marks.size(), figureOf(all).marks.size());
+  const LessonStep step{"", {StepLines()}};
+  EXPECT_EQ(shownIn(step, all).working.lines.size(), workingOf(all).lines.size());
+  EXPECT_EQ(shownIn(step, all).figure.marks.size(), figureOf(all).marks.size());
 }
 
 } // namespace
