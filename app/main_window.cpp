@@ -2,9 +2,9 @@
 
 #include "app/standard_streams.h"
 #include "app/window_style.h"
+#include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
-#include "widgets/lesson/contents_drawer.h"
 #include "widgets/numbers/inspector.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/text/unbroken.h"
@@ -105,9 +105,7 @@ bool MainWindow::isPredicting() { return predictionOf(m_model.step()) && !progre
 
 bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks(); }
 
-void MainWindow::takeQuestion() {
-  m_model.setQuestion(isPredicting() ? Question::Open : Question::Answered);
-}
+void MainWindow::takeQuestion() { m_model.setQuestion(isPredicting() ? Question::Open : Question::Answered); }
 
 void MainWindow::showLesson() {
   m_contents->close();
@@ -162,9 +160,8 @@ void MainWindow::showStepWords() {
   m_page->setTasksDone(done.tasks.done());
   if (predictionOf(step))
     m_page->setPredictionAnswer(done.chosen, done.right);
-  m_page->showWords([&](const std::string &markdown) {
-    return withLiveValues(markdown, m_model.session().scene, told);
-  });
+  m_page->showWords(
+      [&](const std::string &markdown) { return withLiveValues(markdown, m_model.session().scene, told); });
 }
 
 void MainWindow::followGesture() {
@@ -261,6 +258,7 @@ void MainWindow::applyLook() {
 }
 
 void MainWindow::showFitting() {
+  m_scene->setFocus(); // its keys work at once
   const QSize room = screen()->availableSize() - QSize(0, usualFrameHeight);
   if (width() > room.width() || height() > room.height())
     showMaximized();

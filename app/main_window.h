@@ -152,8 +152,8 @@ private:
   [[nodiscard]] UnsavedWork unsavedWork() const;
   /// A moment after a change, and never during a drag: the disk is waited for.
   void keepUnsavedSoon();
-  /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case line
-  /// says as long as it holds.
+  /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case
+  /// line says as long as it holds.
   std::optional<Problem> keepOrForget();
   void keepProgress();
   void say(const QString &sentence);

@@ -23,7 +23,8 @@ inline constexpr double pageShareBelow = 0.46;     ///< of its height, where the
 /// unless fewer than the least letters would be left.
 [[nodiscard]] inline int pageWidthIn(QSize window, const QFontMetrics &type) {
   const int letter = type.averageCharWidth();
-  const int least = std::min(leastPageLetters * letter, static_cast<int>(mostNarrowPageShare * window.width()));
+  const int least =
+      std::min(leastPageLetters * letter, static_cast<int>(mostNarrowPageShare * window.width()));
   const int most = std::max(least, static_cast<int>(mostPageShare * window.width()));
   return std::clamp(usualPageLetters * letter, least, most);
 }

@@ -70,9 +70,8 @@ std::string toText(const UnsavedWork &work) {
   QJsonArray left;
   for (const auto &[lesson, session] : work.left)
     left.append(textOf(session));
-  return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
-                                   {"left", left},
-                                   {"file", toJson(work.file)}})
+  return QJsonDocument(
+             QJsonObject{{"session", textOf(work.session)}, {"left", left}, {"file", toJson(work.file)}})
       .toJson()
       .toStdString();
 }

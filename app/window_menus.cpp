@@ -146,8 +146,8 @@ void MainWindow::createCameraItems(QMenu &menu) {
           [this] { m_scene->setAxisView(AxisView::Right); });
   addItem(menu, tr("From the &Top (z)"), QKeySequence("3"), this,
           [this] { m_scene->setAxisView(AxisView::Top); });
-  m_alongPlane = addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this,
-                         [this] { m_scene->lookAlongPlane(); });
+  m_alongPlane =
+      addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
   m_downRay = addItem(menu, tr("Down the Ra&y"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
   m_downRay->setObjectName("downRay");
   QAction *orthographic = menu.addAction(tr("&Orthographic"));
@@ -216,7 +216,8 @@ void MainWindow::createHelpMenu() {
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
            "orthographic, <b>1</b>–<b>5</b> are views. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
            "larger and smaller. <b>F9</b> shows the scene alone, <b>F8</b> the page, <b>F11</b> fills the "
-           "screen; <b>Ctrl I</b> shows all numbers, <b>Ctrl L</b> all lessons.</p><p><b>Point at a term</b> of the working and its "
+           "screen; <b>Ctrl I</b> shows all numbers, <b>Ctrl L</b> all lessons.</p><p><b>Point at a term</b> "
+           "of the working and its "
            "mark lights up in the scene, and the other way round. <b>Click a number</b> to see where it "
            "comes "
            "from; drag one that is a coordinate sideways, or double-click it to type.</p>"));

@@ -108,10 +108,11 @@ void MainWindow::connectWorking() {
             if (const auto number = numberOf(source))
               m_editor.change(*number, value);
           });
-  connect(m_working, &StepWorking::coordinateStepped, this, [this](const CoordinateSource &source, int steps) {
-    if (const auto number = numberOf(source))
-      m_editor.step(*number, steps);
-  });
+  connect(m_working, &StepWorking::coordinateStepped, this,
+          [this](const CoordinateSource &source, int steps) {
+            if (const auto number = numberOf(source))
+              m_editor.step(*number, steps);
+          });
   connect(m_working, &StepWorking::scrubStarted, this, [this](const CoordinateSource &source) {
     if (const auto number = numberOf(source))
       m_editor.beginScrub(*number);
@@ -131,7 +132,8 @@ void MainWindow::sharePage() {
   if (m_isSplitChosen)
     return;
   const int whole = below ? m_split->height() : m_split->width();
-  const int page = below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(size(), m_page->fontMetrics());
+  const int page =
+      below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(size(), m_page->fontMetrics());
   m_split->setSizes({whole - page, page});
 }
 

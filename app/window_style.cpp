@@ -45,10 +45,11 @@ QString styleSheetOf(const Theme &theme) {
     QSplitter::handle { background: %1; }
     QSplitter::handle:horizontal { width: 1px; }
     QSplitter::handle:vertical { height: 1px; }
-    QLabel#lessonTitle { color: %2; padding: 0 1.1em; }
+    QLabel#lessonTitle { color: %2; padding: 0.35em 1.1em; }
     QToolButton#contentsButton { margin: 0 0.3em; }
     QToolButton#sceneTool { background: %3; border: 1px solid %1; border-radius: 5px; padding: 0.35em; }
     QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
+    QToolButton#fading { padding-right: 1em; }
     QToolButton::menu-indicator { subcontrol-position: right center; }
     QLabel#case { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }

@@ -5,8 +5,8 @@
 
 namespace halfspace {
 
-/// It looks from the direction `from` at the point `at`, and `height` scene units fill the view from bottom to
-/// top there.
+/// It looks from the direction `from` at the point `at`, and `height` scene units fill the view from bottom
+/// to top there.
 struct CameraView {
   glm::dvec3 from{1.25, -0.10, 0.60};
   glm::dvec3 at{6.0, 8.0, 4.0};

@@ -8,8 +8,8 @@
 
 namespace halfspace {
 
-/// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked at
-/// from; older files are read all the same.
+/// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked
+/// at from; older files are read all the same.
 inline constexpr int sessionFileVersion = 3;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;

@@ -105,7 +105,8 @@ void ContentsDrawer::setLessons(const std::vector<Entry> &lessons, const QString
     item->setData(Qt::UserRole, lesson.id);
     item->setData(stateRole, static_cast<int>(lesson.state));
     item->setData(Qt::AccessibleTextRole,
-                  state.isEmpty() ? lesson.title : tr("%1, %2", "a lesson and its state").arg(lesson.title, state));
+                  state.isEmpty() ? lesson.title
+                                  : tr("%1, %2", "a lesson and its state").arg(lesson.title, state));
     if (lesson.id == current)
       m_list->setCurrentItem(item);
   }

@@ -23,8 +23,8 @@ class WorkingPractice;
 class LessonPage : public QWidget {
   Q_OBJECT
 public:
-  /// What it sets has the macros of the lesson that is shown. `practice` becomes a part of the page, and shows
-  /// the lines.
+  /// What it sets has the macros of the lesson that is shown. `practice` becomes a part of the page, and
+  /// shows the lines.
   LessonPage(const Typesetter &typesetter, WorkingPractice &practice, QWidget *parent = nullptr);
   ~LessonPage() override;
 
@@ -34,8 +34,8 @@ public:
   void setStep(int step);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title);
-  /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place that
-  /// was scrolled to.
+  /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place
+  /// that was scrolled to.
   void showWords(const std::function<std::string(const std::string &)> &filled);
   /// Which of the step's tasks are done, in their order.
   void setTasksDone(const std::vector<bool> &done);

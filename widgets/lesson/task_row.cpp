@@ -81,7 +81,8 @@ void TaskRow::paintEvent(QPaintEvent *) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius, cornerRadius);
   const double firstLine = m_words->y() + fontMetrics().ascent() - fontMetrics().capHeight() / 2.0;
   const double radius = markRadius * m_theme.textScale;
-  paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, firstLine}, radius, m_done ? Verdict::Right : Verdict::Open, m_theme);
+  paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, firstLine}, radius,
+               m_done ? Verdict::Right : Verdict::Open, m_theme);
 }
 
 } // namespace halfspace

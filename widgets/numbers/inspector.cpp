@@ -184,8 +184,8 @@ void Inspector::buildResultRows() {
 
 void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   const int place = grid.rowCount();
-  auto &row = *m_given.emplace_back(
-      std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+  auto &row =
+      *m_given.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
   grid.addWidget(row.letter(), place, 0);
   int column = 1;
   for (NumberField *field : row.fields())
@@ -211,10 +211,9 @@ void Inspector::showSession() {
   ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.evaluation());
   // The given rows stay while results come and go: a field may be in use.
-  const bool sameGiven = widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
-                                                [](const CoordinateId &id, const auto &row) {
-                                                  return row->isMadeFor(id);
-                                                });
+  const bool sameGiven =
+      widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
+                             [](const CoordinateId &id, const auto &row) { return row->isMadeFor(id); });
   if (!sameGiven)
     buildGivenRows();
   const bool sameResults =

@@ -55,7 +55,8 @@ NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidge
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(cardMargins);
   layout->setSpacing(rowGap);
-  for (QWidget *widget : {m_numbers, static_cast<QWidget *>(m_complaint), static_cast<QWidget *>(m_hintLabel)})
+  for (QWidget *widget :
+       {m_numbers, static_cast<QWidget *>(m_complaint), static_cast<QWidget *>(m_hintLabel)})
     layout->addWidget(widget);
   setAccessibleName(tr("Numbers of the selected object"));
   setSelection({});
@@ -88,7 +89,8 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
   flow->setContentsMargins(0, 0, 0, 0);
   flow->setSpacing(groupGap);
   for (const CoordinateId &id : ids) {
-    auto &row = *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+    auto &row =
+        *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
     row.setInkOf(markInk(m_model, m_theme));
     connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
       m_complaint->setText(sentence);

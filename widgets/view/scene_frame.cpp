@@ -77,7 +77,8 @@ void SceneFrame::arrange() {
   const QSize tools = m_tools->sizeHint();
   m_tools->setGeometry(width() - tools.width() - edgeGap, edgeGap, tools.width(), tools.height());
   const int cardWidth = std::min(m_card.sizeHint().width(), width() - 2 * edgeGap);
-  const int cardHeight = m_card.layout()->totalHeightForWidth(cardWidth);
+  const int cardHeight =
+      m_card.hasHeightForWidth() ? m_card.heightForWidth(cardWidth) : m_card.sizeHint().height();
   m_card.setGeometry(edgeGap, height() - cardHeight - edgeGap, cardWidth, cardHeight);
   m_card.raise();
   m_tools->raise();

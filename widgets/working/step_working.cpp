@@ -16,7 +16,8 @@ WorkingBlock *StepWorking::addBlock() {
   connect(block, &WorkingBlock::showRequested, this, &StepWorking::showRequested);
   connect(block, &WorkingBlock::traceRequested, this, &StepWorking::trace);
   connect(block, &WorkingBlock::traceDropped, this, &StepWorking::endTrace);
-  connect(block, &WorkingBlock::reached, this, [this, block](const QRect &place) { emit reached(block, place); });
+  connect(block, &WorkingBlock::reached, this,
+          [this, block](const QRect &place) { emit reached(block, place); });
   connect(block, &WorkingBlock::coordinateTyped, this, &StepWorking::coordinateTyped);
   connect(block, &WorkingBlock::coordinateStepped, this, &StepWorking::coordinateStepped);
   connect(block, &WorkingBlock::scrubStarted, this, &StepWorking::scrubStarted);
@@ -33,8 +34,8 @@ void StepWorking::dropBlocks() {
   m_blocks.clear();
 }
 
-void StepWorking::setWorking(const Working &working, const std::vector<std::size_t> &linesIn, const Fade &fade,
-                             const std::map<std::string, LineRemark> &remarks) {
+void StepWorking::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,
+                             const Fade &fade, const std::map<std::string, LineRemark> &remarks) {
   m_working = working;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < m_blocks.size(); ++i) {
@@ -97,9 +98,9 @@ void StepWorking::endTrace() {
 
 void StepWorking::followTrace() {
   const Term *number = tracedTerm();
-  Provenance traced = number ? provenanceOf(*number, m_tracedNumber->line,
-                                            m_wholeWorking ? m_wholeWorking() : m_working)
-                             : Provenance();
+  Provenance traced =
+      number ? provenanceOf(*number, m_tracedNumber->line, m_wholeWorking ? m_wholeWorking() : m_working)
+             : Provenance();
   for (WorkingBlock *block : m_blocks)
     block->setTrace(m_tracedNumber, traced.lines);
   if (traced == m_traced)

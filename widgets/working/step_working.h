@@ -13,8 +13,8 @@ public:
   /// The typesetter must outlive it.
   explicit StepWorking(const Typesetter &typesetter, QObject *parent = nullptr);
 
-  /// A block for the lines behind those of the block before; it belongs to the caller, and shows nothing until
-  /// the next setWorking.
+  /// A block for the lines behind those of the block before; it belongs to the caller, and shows nothing
+  /// until the next setWorking.
   [[nodiscard]] WorkingBlock *addBlock();
   /// The blocks so far hear nothing more, and are heard no more.
   void dropBlocks();

@@ -53,7 +53,8 @@ void WorkingBlock::setWorking(const Working &working, Fade fade, std::map<std::s
 
 std::vector<WorkingLine> WorkingBlock::ownLines() const {
   const auto first = m_working.lines.begin();
-  return {first + static_cast<std::ptrdiff_t>(m_shown.begin), first + static_cast<std::ptrdiff_t>(m_shown.end)};
+  return {first + static_cast<std::ptrdiff_t>(m_shown.begin),
+          first + static_cast<std::ptrdiff_t>(m_shown.end)};
 }
 
 void WorkingBlock::showLines(const Working &working) {

@@ -176,7 +176,7 @@ private:
   std::function<QColor(const QString &)> m_inkOf;
   std::set<std::string> m_highlighted;
   Working m_working; ///< of the step
-  LineRange m_shown;
+  LineRange m_shown{0, 0};
   Fade m_fade;
   std::map<std::string, LineRemark> m_remarks;
   std::map<std::string, BlankField *> m_fields; ///< by the lines' ids

@@ -7,7 +7,6 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
-
 namespace halfspace {
 
 void WorkingBlock::resizeEvent(QResizeEvent *) {
@@ -54,9 +53,8 @@ void WorkingBlock::mouseReleaseEvent(QMouseEvent *event) {
 }
 
 void WorkingBlock::mouseDoubleClickEvent(QMouseEvent *event) {
-  const auto number = event->button() == Qt::LeftButton
-                          ? shownNumbers().at(QPointF(event->pos()))
-                          : std::nullopt;
+  const auto number =
+      event->button() == Qt::LeftButton ? shownNumbers().at(QPointF(event->pos())) : std::nullopt;
   if (number && number->coordinate())
     openNumberField(*number);
   else
@@ -130,7 +128,8 @@ bool WorkingBlock::stepByKey(int key) {
 
 bool WorkingBlock::stepLine(int way) {
   const std::size_t count = m_lines.size();
-  const std::size_t next = !m_current ? (way > 0 ? 0 : count - 1) : *m_current + static_cast<std::size_t>(way);
+  const std::size_t next =
+      !m_current ? (way > 0 ? 0 : count - 1) : *m_current + static_cast<std::size_t>(way);
   if (next >= count) // beyond the last, or before the first
     return false;
   setCurrentLine(next);

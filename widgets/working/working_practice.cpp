@@ -23,8 +23,8 @@ QToolButton *tool(const QString &explanation) {
 } // namespace
 
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_blocks(typesetter), m_chooser(tool(tr("How much of the lines you work out yourself"))),
-      m_choices(new QActionGroup(this)),
+    : QWidget(parent), m_blocks(typesetter),
+      m_chooser(tool(tr("How much of the lines you work out yourself"))), m_choices(new QActionGroup(this)),
       m_newNumbers(tool(tr("Work with other short numbers; the case stays the same."))), m_score(new QLabel) {
   auto *menu = new QMenu(m_chooser);
   menu->setToolTipsVisible(true);
@@ -108,7 +108,8 @@ void WorkingPractice::refresh() {
   m_newNumbers->setEnabled(!m_hidden);
   showChoice();
   m_fade = m_hidden ? withheld(m_working) : fade(m_working, fading(), openedLines());
-  m_blocks.setWorking(m_working, m_linesIn, m_fade, m_hidden ? std::map<std::string, LineRemark>() : remarks());
+  m_blocks.setWorking(m_working, m_linesIn, m_fade,
+                      m_hidden ? std::map<std::string, LineRemark>() : remarks());
   showScore();
 }
 

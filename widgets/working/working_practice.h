@@ -13,9 +13,10 @@ class QToolButton;
 
 namespace halfspace {
 
-/// A row of tools: the choice of how much is blank, new numbers, the score. Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
-/// until their numbers change, and choosing how much is blank makes them blank anew, as do new numbers. Lines
-/// that are blank stay so and ask for the new number.
+/// A row of tools: the choice of how much is blank, new numbers, the score. Keeps for every step of every
+/// lesson which lines the learner has completed or had shown; they stay open until their numbers change, and
+/// choosing how much is blank makes them blank anew, as do new numbers. Lines that are blank stay so and ask
+/// for the new number.
 class WorkingPractice : public QWidget {
   Q_OBJECT
 public:
@@ -26,8 +27,8 @@ public:
 
   /// The lesson and step whose lines come next; `asked` is what the step leaves to the learner if it says so.
   void setStep(const std::string &lesson, int step, std::optional<Fading> asked);
-  /// Shows a working, so many lines in each block. `hidden`: no line shows numbers or asks for them, because a
-  /// question goes before.
+  /// Shows a working, so many lines in each block. `hidden`: no line shows numbers or asks for them, because
+  /// a question goes before.
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn, bool hidden);
 
   /// How much is blank where neither the step nor the learner has said anything else: the learner's last
