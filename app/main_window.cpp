@@ -112,7 +112,7 @@ void MainWindow::showLesson() {
   m_page->setLesson(m_model.lesson(), m_model.session().step);
   const Lesson *next = nextLesson();
   m_page->setNextLesson(next ? QString::fromStdString(next->title) : QString());
-  m_lessonTitle->setText(QString::fromStdString(m_model.lesson().title));
+  showLessonTitle();
   updateTitle();
 }
 
@@ -252,6 +252,7 @@ void MainWindow::applyLook() {
   m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
   m_page->setTheme(panels);
   sharePage();
+  showLessonTitle();
   m_working->setInkOf(markInk(m_model, panels));
   m_larger->setEnabled(panels.textScale < largestSizeScale);
   m_smaller->setEnabled(m_sizeScale > smallestSizeScale);

@@ -80,6 +80,8 @@ private:
   void createContents();
   void createInspector();
   void createHeader();
+  /// Beside the menus, where there is room.
+  void showLessonTitle();
   void connectWorking();
   void connectPage();
   /// The scene's number that a number in the working is.

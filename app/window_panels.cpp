@@ -30,7 +30,11 @@ void MainWindow::createPanels() {
   m_split->setStretchFactor(0, 1);
   m_split->setStretchFactor(1, 0);
   connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
-  setCentralWidget(m_split);
+  auto *center = new QWidget;
+  auto *room = new QVBoxLayout(center);
+  room->setContentsMargins(0, 0, 0, 0);
+  room->addWidget(m_split);
+  setCentralWidget(center);
   createInspector();
   createContents();
   connectWorking();
@@ -60,7 +64,7 @@ void MainWindow::createInspector() {
 }
 
 void MainWindow::createContents() {
-  m_contents = new ContentsDrawer(m_split);
+  m_contents = new ContentsDrawer(centralWidget());
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
           [this](const QString &id) { m_model.openLesson(id.toStdString()); });
 }
@@ -140,6 +144,13 @@ void MainWindow::sharePage() {
 void MainWindow::resizeEvent(QResizeEvent *event) {
   QMainWindow::resizeEvent(event);
   sharePage();
+  showLessonTitle();
+}
+
+void MainWindow::showLessonTitle() {
+  m_lessonTitle->setText(QString::fromStdString(m_model.lesson().title));
+  m_lessonTitle->hide(); // the menus alone
+  m_lessonTitle->setVisible(menuBar()->sizeHint().width() + m_lessonTitle->sizeHint().width() <= width());
 }
 
 void MainWindow::showParts(Parts parts) {

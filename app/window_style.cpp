@@ -42,6 +42,8 @@ QString styleSheetOf(const Theme &theme) {
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
     QMenuBar { background: %3; padding: 0.1em 0.3em; }
+    QMenuBar::item { padding: 0.35em 0.55em; background: transparent; }
+    QMenuBar::item:selected { background: %5; }
     QSplitter::handle { background: %1; }
     QSplitter::handle:horizontal { width: 1px; }
     QSplitter::handle:vertical { height: 1px; }

@@ -35,7 +35,9 @@ std::vector<QRect> FlowLayout::placesIn(int width) const {
   for (std::size_t i = 0; i < m_items.size(); ++i) {
     if (m_items[i]->isEmpty())
       continue;
-    const QSize size = m_items[i]->sizeHint().boundedTo({std::max(width, 0), QWIDGETSIZE_MAX});
+    QSize size = m_items[i]->sizeHint().boundedTo({std::max(width, 0), QWIDGETSIZE_MAX});
+    if (m_items[i]->hasHeightForWidth())
+      size.setHeight(m_items[i]->heightForWidth(size.width()));
     if (next.x() > 0 && next.x() + size.width() > width) {
       next = {0, next.y() + rowHeight + spacing()};
       rowBegin = i;

@@ -2,6 +2,7 @@
 
 #include "lessons/object/number.h"
 #include "lessons/term/plain_text.h"
+#include "widgets/mark_ink.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/picture/term_formula.h"
 
@@ -119,6 +120,11 @@ void CoordinateRow::showNumbers() {
     m_fields[axis]->setValue(value[static_cast<int>(axis)]);
   if (m_slider)
     showOnSlider();
+}
+
+void CoordinateRow::setTheme(const Theme &theme) {
+  const QColor ink = markInk(m_model, theme)(QString::fromStdString(m_name));
+  m_label->setInkOf([ink](const QString &) { return ink; });
 }
 
 QString CoordinateRow::enterTyped() {

@@ -35,7 +35,8 @@ public:
   [[nodiscard]] bool isMadeFor(const CoordinateId &id) const;
   /// Writes the numbers as they are in the session.
   void showNumbers();
-  void setInkOf(const MathPicture::InkOf &inkOf) { m_label->setInkOf(inkOf); }
+  /// The letter is as its mark in the figure.
+  void setTheme(const Theme &theme);
 
   /// Ends a scrub, and enters what is typed and not entered yet. Why it is refused; else empty.
   [[nodiscard]] QString enterTyped();

@@ -241,7 +241,7 @@ void Inspector::setTheme(const Theme &theme) {
 void Inspector::applyInk() {
   const auto inkOf = markInk(m_model, m_theme);
   for (const auto &row : m_given)
-    row->setInkOf(inkOf);
+    row->setTheme(m_theme);
   for (MathLabel *label : m_resultLabels)
     label->setInkOf(inkOf);
 }

@@ -1,7 +1,6 @@
 #include "widgets/numbers/number_card.h"
 
 #include "widgets/flow_layout.h"
-#include "widgets/mark_ink.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/repolish.h"
 
@@ -91,7 +90,7 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
   for (const CoordinateId &id : ids) {
     auto &row =
         *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
-    row.setInkOf(markInk(m_model, m_theme));
+    row.setTheme(m_theme);
     connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
       m_complaint->setText(sentence);
       m_complaint->setVisible(!sentence.isEmpty());

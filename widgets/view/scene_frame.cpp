@@ -17,8 +17,9 @@ namespace {
 /// Between what lies over the view and its edges, in pixels.
 constexpr int edgeGap = 10;
 constexpr int toolGap = 6;
-/// An icon's side at a text scale of 1, likewise.
+/// An icon's side at a text scale of 1, likewise; larger icons would take too much of the view.
 constexpr int iconSide = 18;
+constexpr double largestIconScale = 1.5;
 
 } // namespace
 
@@ -54,7 +55,7 @@ void SceneFrame::addTool(QAction &action, ToolIcon icon) {
 }
 
 void SceneFrame::setTheme(const Theme &theme) {
-  const int side = qRound(iconSide * theme.textScale);
+  const int side = qRound(iconSide * std::min(theme.textScale, largestIconScale));
   for (const auto &[button, icon] : m_buttons) {
     button->setIcon(iconOf(icon, toQColor(theme.ink)));
     button->setIconSize({side, side});

@@ -1,7 +1,8 @@
 #include "widgets/working/working_practice.h"
 
+#include "widgets/flow_layout.h"
+
 #include <QActionGroup>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -41,7 +42,7 @@ WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
   m_score->setForegroundRole(QPalette::PlaceholderText);
   m_score->setToolTip(tr("What you filled in right at the first try. A line that was shown does not count."));
   m_score->hide();
-  auto *row = new QHBoxLayout(this);
+  auto *row = new FlowLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   for (QWidget *widget : {static_cast<QWidget *>(m_score), static_cast<QWidget *>(m_chooser),
