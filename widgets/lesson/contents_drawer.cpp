@@ -18,7 +18,7 @@ namespace {
 
 constexpr int stateRole = Qt::UserRole + 1;
 /// How wide the drawer is, in letters.
-constexpr int lettersInDrawer = 44;
+constexpr int lettersInDrawer = 52;
 /// Both sides of a title, as in the style sheet, in em, and before it the mark of what is done.
 constexpr double titlePadding = 2 * 0.45;
 constexpr double markRoom = 2.0;
