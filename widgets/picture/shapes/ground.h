@@ -56,8 +56,8 @@ struct AxisLabel {
 };
 
 /// A number at its place beside an axis (0, 1, 2 for x, y, z), written in scene units: a unit of the stage is
-/// 10^exponent of them.
-[[nodiscard]] AxisLabel axisNumber(int axis, double number, int exponent, double scale);
+/// 10^exponent of them. Whichever way the camera looks, it is seen beside the axis, never over it.
+[[nodiscard]] AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale);
 
 /// The axes with ticks, those that the camera may see.
 [[nodiscard]] Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale);
