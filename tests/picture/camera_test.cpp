@@ -102,12 +102,12 @@ TEST_P(CameraOfEitherKind, ResizedKeepsWhatWasBetweenTheSides) {
   const Camera camera = slanted(GetParam());
   const Place left = camera.target - camera.right() * 14.0;
   for (const PixelSize now : {PixelSize{300, 700}, PixelSize{1280, 400}, PixelSize{2000, 800}}) {
-    const auto pixel = resized(camera, size, now).project(left, now);
+    const auto pixel = keptBetweenSides(camera, size, now).project(left, now);
     ASSERT_TRUE(pixel);
     EXPECT_GE(pixel->x, 0) << now.width;
     EXPECT_LT(pixel->x, now.width / 2.0);
   }
-  EXPECT_EQ(resized(camera, size, {1000, 400}), camera) << "there is more room";
+  EXPECT_EQ(keptBetweenSides(camera, size, {1000, 400}), camera) << "there is more room";
 }
 
 TEST_P(CameraOfEitherKind, UnitsPerPixelMatchesTheProjection) {

@@ -44,7 +44,7 @@ TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {
   const std::vector<Place> places = placesOf(figure);
   View view{Camera(library().find("signed-distance")->camera), {840, 725}, 1};
   const Camera alone = fitted(view, places);
-  view.covered = {{{0, 500}, {420, 725}}, {{800, 0}, {840, 150}}};
+  view.covered = {{{0, 500}, {420, 725}}, {{300, 0}, {840, 150}}};
   const Camera beside = fitted(view, places);
   const auto isCovered = [&](const Camera &camera) {
     return std::any_of(places.begin(), places.end(), [&](const Place &place) {

@@ -10,6 +10,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace halfspace {
 namespace {
 
@@ -18,10 +21,14 @@ const LessonLibrary &library() {
   return lessons;
 }
 
-/// Two handles nearer than this, in design pixels, are grabbed one for the other.
-constexpr double leastHandleDistance = 20;
-/// Lines that meet at a smaller angle than this on the screen look like one.
-constexpr double leastAngle = 0.12; // 7°
+/// Two handles nearer than this, in design pixels, are grabbed one for the other …
+constexpr double leastHandleDistance = 22;
+/// … but for an arrow's tip and its start: the arrow shows which is which.
+constexpr double leastArrowLength = 11;
+/// Lines that meet at a smaller angle than this on the screen look like one, in radians; axes, like none that are
+/// square to each other.
+constexpr double leastAngle = 0.12;
+constexpr double leastAxesAngle = 0.3;
 
 /// A step's picture as it is seen when the lesson begins there.
 struct Page {
@@ -67,19 +74,24 @@ PixelBox boxOf(const LabelOnPage &label) {
   return {label.place.topLeft, label.place.topLeft + label.place.extent};
 }
 
-/// A straight thing on the screen.
+/// A straight thing, in space and on the screen.
 struct Stroke {
   std::string name;
+  Place along{};
   glm::dvec2 from{};
   glm::dvec2 to{};
 };
+
+Stroke strokeOf(const Page &page, const std::string &name, const Place &from, const Place &to) {
+  return {name, to - from, page.pixelOf(from), page.pixelOf(to)};
+}
 
 std::vector<Stroke> axesOf(const Page &page) {
   static const std::array<std::string, 3> names{"x", "y", "z"};
   std::vector<Stroke> strokes;
   const auto ends = axisEnds(axesAround(page.content.figure));
   for (std::size_t i = 0; i < ends.size(); ++i)
-    strokes.push_back({names[i], page.pixelOf(ends[i].low), page.pixelOf(ends[i].high)});
+    strokes.push_back(strokeOf(page, names[i], ends[i].low, ends[i].high));
   return strokes;
 }
 
@@ -87,8 +99,21 @@ std::vector<Stroke> arrowsOf(const Page &page) {
   std::vector<Stroke> strokes;
   for (const Mark &mark : page.content.figure.marks)
     if (const auto *arrow = std::get_if<ArrowMark>(&mark))
-      strokes.push_back(
-          {arrow->id, page.pixelOf(arrow->from), page.pixelOf(arrow->from + shownVector(*arrow))});
+      strokes.push_back(strokeOf(page, arrow->id, arrow->from, arrow->from + shownVector(*arrow)));
+  return strokes;
+}
+
+/// The sides of polygons, each from both of its ends.
+std::vector<Stroke> sidesOf(const Page &page) {
+  std::vector<Stroke> strokes;
+  for (const Mark &mark : page.content.figure.marks)
+    if (const auto *polygon = std::get_if<PolygonMark>(&mark))
+      for (std::size_t i = 0; i < polygon->corners.size(); ++i) {
+        const Place &from = polygon->corners[i];
+        const Place &to = polygon->corners[(i + 1) % polygon->corners.size()];
+        strokes.push_back(strokeOf(page, "a side of " + polygon->id, from, to));
+        strokes.push_back(strokeOf(page, "a side of " + polygon->id, to, from));
+      }
   return strokes;
 }
 
@@ -151,29 +176,41 @@ std::vector<std::string> handlesInTheWay(const Page &page) {
       if (handle.id >= other.id || at == otherAt)
         continue;
       const double distance = glm::distance(page.pixelOf(at), page.pixelOf(otherAt));
-      if (distance < leastHandleDistance * page.view.pixelRatio)
+      const bool isArrow = handle.base == other.at || other.base == handle.at;
+      const double least = isArrow ? leastArrowLength : leastHandleDistance;
+      if (distance < least * page.view.pixelRatio)
         wrong.push_back(handle.id + " and " + other.id + " are " + std::to_string(distance) + " apart");
     }
   return wrong;
 }
 
-/// Whether two directions look like those of one line.
-bool lookAlike(const Stroke &a, const Stroke &b) {
+/// The sine of the angle between two strokes on the screen.
+double angleBetween(const Stroke &a, const Stroke &b) {
   const glm::dvec2 first = glm::normalize(a.to - a.from);
   const glm::dvec2 second = glm::normalize(b.to - b.from);
-  return std::abs(first.x * second.y - first.y * second.x) < leastAngle;
+  return std::abs(first.x * second.y - first.y * second.x);
 }
 
+bool areParallel(const Stroke &a, const Stroke &b) {
+  constexpr double rounding = 1e-9;
+  return glm::length(glm::cross(glm::normalize(a.along), glm::normalize(b.along))) < rounding;
+}
+
+/// What meets and is seen as one line although it is none.
 std::vector<std::string> falseLines(const Page &page) {
   std::vector<std::string> wrong;
-  const auto compare = [&](const std::vector<Stroke> &strokes) {
+  const auto compare = [&](const std::vector<Stroke> &strokes, double least) {
     for (std::size_t i = 0; i < strokes.size(); ++i)
       for (std::size_t j = i + 1; j < strokes.size(); ++j)
-        if (strokes[i].from == strokes[j].from && lookAlike(strokes[i], strokes[j]))
+        if (strokes[i].from == strokes[j].from && !areParallel(strokes[i], strokes[j]) &&
+            angleBetween(strokes[i], strokes[j]) < least)
           wrong.push_back(strokes[i].name + " and " + strokes[j].name + " look like one line");
   };
-  compare(axesOf(page));
-  compare(arrowsOf(page));
+  compare(axesOf(page), leastAxesAngle);
+  std::vector<Stroke> figure = arrowsOf(page);
+  for (Stroke &side : sidesOf(page))
+    figure.push_back(std::move(side));
+  compare(figure, leastAngle);
   return wrong;
 }
 

@@ -166,7 +166,7 @@ Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, c
   return camera;
 }
 
-Camera resized(Camera camera, PixelSize before, PixelSize now) {
+Camera keptBetweenSides(Camera camera, PixelSize before, PixelSize now) {
   const double narrower =
       static_cast<double>(before.width) * now.height / (static_cast<double>(before.height) * now.width);
   camera.height = std::min(camera.height * std::max(1.0, narrower), Camera::maxHeight);

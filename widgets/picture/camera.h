@@ -85,6 +85,6 @@ public:
                             const PixelBox &room);
 
 /// The camera for a view that had another size: whatever was between the left and the right side still is.
-[[nodiscard]] Camera resized(Camera camera, PixelSize before, PixelSize now);
+[[nodiscard]] Camera keptBetweenSides(Camera camera, PixelSize before, PixelSize now);
 
 } // namespace halfspace

@@ -101,7 +101,7 @@ void SceneView::keepInView() {
     return;
   if (!m_resize || !(m_resize->after == m_camera))
     m_resize = Resize{m_camera, before, m_camera};
-  m_camera = resized(m_resize->before, m_resize->size, m_size);
+  m_camera = keptBetweenSides(m_resize->before, m_resize->size, m_size);
   m_resize->after = m_camera;
 }
 

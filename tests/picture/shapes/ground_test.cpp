@@ -140,7 +140,10 @@ TEST(Ground, NumbersAreWrittenInUnitsOfTheScene) {
   EXPECT_DOUBLE_EQ(axisNumber(0, 7, camera, 0, 2).at.y, 2 * ofX.at.y);
 }
 
-TEST(Ground, AxesOfAFigureReachBeyondItsPointsAndNotBeyondItsPatches) {
+TEST(Ground, AxesOfAFigureReachBeyondItsPointsAndNotBeyondWhatRunsOn) {
+  LineMark line;
+  line.direction = {-1, -1, 0};
+  EXPECT_EQ(axesAround({{line}}), AxesReach());
   EXPECT_GT(axesAround({{pointAt({20, 0, 0})}}).high.x, 20);
   EXPECT_LT(axesAround({{pointAt({0, -4.5, 0})}}).low.y, -4.5);
   EXPECT_EQ(axesAround({{patchAt({20, 30, 40}, {0, 0, 1})}}), AxesReach());

@@ -95,6 +95,12 @@ Place tickDirection(std::size_t axis, const Camera &camera) {
   return across / (glm::dot(across, tickSides[axis]) < 0 ? -length : length);
 }
 
+/// Whether only part of a mark is drawn, because there is no end to it.
+bool runsOn(const Mark &mark) {
+  return std::holds_alternative<PlanePatchMark>(mark) || std::holds_alternative<RayMark>(mark) ||
+         std::holds_alternative<LineMark>(mark);
+}
+
 } // namespace
 
 double gridStep(double viewHeight) {
@@ -140,7 +146,7 @@ AxesReach axesFor(const std::vector<Place> &places) {
 AxesReach axesAround(const Figure &figure) {
   std::vector<Place> places;
   for (const Mark &mark : figure.marks)
-    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
+    if (!runsOn(mark)) {
       const MarkOutline outline = outlineOf(mark, 0);
       places.insert(places.end(), outline.path.begin(), outline.path.end());
     }

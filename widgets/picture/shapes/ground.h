@@ -45,7 +45,7 @@ struct AxisEnds {
 /// Long enough for all places, but not without bound: what is far away does not stretch them.
 [[nodiscard]] AxesReach axesFor(const std::vector<Place> &places);
 
-/// The axes of a figure: patches and rays may reach beyond them.
+/// The axes of a figure: patches, rays and lines may reach beyond them.
 [[nodiscard]] AxesReach axesAround(const Figure &figure);
 
 /// A number or a name written at an axis.
