@@ -24,8 +24,8 @@ inline constexpr int shownDigits = 6;
 [[nodiscard]] WrittenNumber written(const Real &number);
 
 /// The numbers of a list, one way for all of them: as they would stand alone where that is alike; else all as
-/// decimals where every decimal ends, all as fractions where one does not, and all as rounded decimals where one
-/// has to be rounded. Whole numbers go with all of these.
+/// decimals where every decimal ends, all as fractions where one does not, and all as rounded decimals where
+/// one has to be rounded. Whole numbers go with all of these.
 [[nodiscard]] std::vector<WrittenNumber> writtenAlike(const std::vector<Real> &numbers);
 
 /// The value rounded to `shownDigits` significant digits, as a term of digits; ∞ beyond all numbers.

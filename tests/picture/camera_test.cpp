@@ -78,8 +78,8 @@ TEST_P(CameraOfEitherKind, PanMovesThePictureWithThePointer) {
 
 TEST_P(CameraOfEitherKind, FittedShowsAllPlacesInTheRoomAndFillsIt) {
   const std::vector<Place> places{{0, 0, 0}, {11, 15, 8}, {5, -2, 9}, {30, 3, -4}};
-  for (const PixelBox &room : {PixelBox{{0, 0}, {1280, 800}}, PixelBox{{700, 100}, {1200, 700}},
-                               PixelBox{{20, 500}, {1260, 790}}}) {
+  for (const PixelBox &room :
+       {PixelBox{{0, 0}, {1280, 800}}, PixelBox{{700, 100}, {1200, 700}}, PixelBox{{20, 500}, {1260, 790}}}) {
     const Camera camera = fitted(slanted(GetParam()), places, size, room);
     glm::dvec2 low = room.high;
     glm::dvec2 high = room.low;

@@ -21,7 +21,8 @@ const LessonLibrary &library() {
 TEST(HomeView, OfEveryLesson_ShowsFigureAndAxesWithRoomForLabels) {
   constexpr double room = 29; // pixels
   for (const Lesson &lesson : library().lessons)
-    for (const PixelSize size : {PixelSize{880, 440}, PixelSize{300, 700}, PixelSize{1000, 250}, PixelSize{1600, 1000}}) {
+    for (const PixelSize size :
+         {PixelSize{880, 440}, PixelSize{300, 700}, PixelSize{1000, 250}, PixelSize{1600, 1000}}) {
       SCOPED_TRACE(lesson.id + " " + std::to_string(size.height));
       const Figure figure = figureOf(evaluate(lesson.scene));
       const Camera camera = homeView(lesson.camera, figure, true, size, 1);

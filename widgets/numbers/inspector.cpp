@@ -321,7 +321,7 @@ void Inspector::showSession() {
     const Object *object = findObject(scene, row.id.object);
     const ExactVec3 &value = coordinate(*object, row.id.index);
     for (std::size_t axis = 0; axis < row.fields.size(); ++axis)
-      row.fields[axis]->setValue(value[static_cast<int>(axis)]);
+      row.fields[axis]->setValue(value[static_cast<int>(axis)], lookOf(value));
     if (row.slider)
       showOnSlider(*row.slider, row.id);
   }

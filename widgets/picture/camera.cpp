@@ -28,12 +28,12 @@ Place offsetAtTarget(const Camera &camera, glm::dvec2 pixel, PixelSize size) {
   return (camera.right() * fromCenter.x - camera.up() * fromCenter.y) * unitsPerPixelAtTarget(camera, size);
 }
 
-/// Between which slopes of sight, as the eye looks, places are to lie, for one of the view's two directions; and
-/// what that asks of the eye.
+/// Between which slopes of sight, as the eye looks, places are to lie, for one of the view's two directions;
+/// and what that asks of the eye.
 ///
-/// A place at (x, z), z towards the eye, is seen at the slope (x − eye) / (distance − z): that it lies between
-/// low and high is linear in `eye` and `distance`. Seen orthographically z does not count, and `distance` only
-/// stands for height / (2·slope of the view).
+/// A place at (x, z), z towards the eye, is seen at the slope (x − eye) / (distance − z): that it lies
+/// between low and high is linear in `eye` and `distance`. Seen orthographically z does not count, and
+/// `distance` only stands for height / (2·slope of the view).
 class Slopes {
 public:
   Slopes(double low, double high) : m_low(low), m_high(high) {}

@@ -79,8 +79,8 @@ public:
   bool operator==(const Camera &) const = default;
 };
 
-/// The camera looking the same way that shows all places as large as they fit into a part of the view; the same
-/// camera for no places.
+/// The camera looking the same way that shows all places as large as they fit into a part of the view; the
+/// same camera for no places.
 [[nodiscard]] Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size,
                             const PixelBox &room);
 

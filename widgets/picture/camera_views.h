@@ -9,8 +9,8 @@ namespace halfspace {
 
 // Figures, scenes and cameras are those of a stage.
 
-/// The camera of a view, turned as it is, that shows all places as large as they fit beside what covers the view,
-/// with room for labels around them; the same camera for no places.
+/// The camera of a view, turned as it is, that shows all places as large as they fit beside what covers the
+/// view, with room for labels around them; the same camera for no places.
 [[nodiscard]] Camera fitted(const View &view, const std::vector<Place> &places);
 
 /// How a lesson begins: from its direction, with all of the figure and the ends of the axes in view, if there

@@ -8,9 +8,9 @@
 #include "widgets/view/mark_fade.h"
 
 #include <QElapsedTimer>
+#include <QRect>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
-#include <QRect>
 #include <QVariantAnimation>
 
 #include <chrono>
@@ -144,15 +144,16 @@ private:
   void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
-  /// What a change of the view's size did to the camera: the next one begins where that one did, so that a view
-  /// that gets its size back has its camera back.
+  /// What a change of the view's size did to the camera: the next one begins where that one did, so that a
+  /// view that gets its size back has its camera back.
   struct Resize {
     Camera before;
     PixelSize size; ///< before
     Camera after;
   };
 
-  /// From where a camera stands, of all that belongs to a figure: itself, the handles, and the axes if they do.
+  /// From where a camera stands, of all that belongs to a figure: itself, the handles, and the axes if they
+  /// do.
   [[nodiscard]] Camera fittedTo(Camera from, const Figure &figure, bool axes) const;
   [[nodiscard]] Camera home() const;
   /// At home the figure stays fitted to the room that there is; elsewhere what was between the left and the
@@ -180,10 +181,10 @@ private:
   double m_sizeScale = 1;
   bool m_motion = true;
   bool m_numbersHidden = false;
-  bool m_atHome = true;             ///< nobody has moved the camera since the lesson began
-  std::vector<PixelBox> m_covered;  ///< parts of the view
-  PixelSize m_size;                 ///< that the camera is for
-  std::optional<Resize> m_resize;   ///< the newest since somebody has moved the camera
+  bool m_atHome = true;            ///< nobody has moved the camera since the lesson began
+  std::vector<PixelBox> m_covered; ///< parts of the view
+  PixelSize m_size;                ///< that the camera is for
+  std::optional<Resize> m_resize;  ///< the newest since somebody has moved the camera
 
   std::vector<Handle> m_handles;
   std::string m_selected; ///< a handle's id

@@ -84,7 +84,8 @@ void SceneView::showAll() {
 void SceneView::setCovered(const std::vector<QRect> &rectangles) {
   std::vector<PixelBox> covered;
   for (const QRect &rectangle : rectangles)
-    covered.push_back({devicePixel(rectangle.topLeft()), devicePixel(rectangle.bottomRight() + QPoint(1, 1))});
+    covered.push_back(
+        {devicePixel(rectangle.topLeft()), devicePixel(rectangle.bottomRight() + QPoint(1, 1))});
   if (covered == m_covered)
     return;
   m_covered = std::move(covered);

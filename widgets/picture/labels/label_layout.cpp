@@ -185,7 +185,7 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
     if (cost >= limit)
       return cost;
     const double inside = lengthInside(box, segment.from, segment.to);
-    const double part = std::min(1.0, 2 * inside / (extent.x + extent.y));
+    const double part = std::min(1.0, inside / std::min(extent.x, extent.y));
     cost += segment.isThick && inside > 0 ? costOfThickLine * (1 + part) : costOfThinLine * part;
   }
   return cost;

@@ -58,12 +58,12 @@ struct PlacedLabel {
   bool needsLeader = false; ///< it had to move far from its anchor
 };
 
-/// Places labels from frame to frame: a label stays on the side where it was for as long as nothing comes upon
-/// it there, and goes back beside its anchor when it can.
+/// Places labels from frame to frame: a label stays on the side where it was for as long as nothing comes
+/// upon it there, and goes back beside its anchor when it can.
 class LabelLayout {
 public:
-  /// Labels without an anchor on the screen are left out, and pinned ones without room. Sizes and distances are multiplied by the pixel
-  /// ratio.
+  /// Labels without an anchor on the screen are left out, and pinned ones without room. Sizes and distances
+  /// are multiplied by the pixel ratio.
   [[nodiscard]] std::vector<PlacedLabel> place(const std::vector<LabelRequest> &requests,
                                                const LabelObstacles &obstacles, PixelSize size,
                                                double pixelRatio);

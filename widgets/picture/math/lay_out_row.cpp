@@ -153,7 +153,8 @@ void RowSetter::collectAtom(const Node &node, SetStyle style) {
   m_atoms.push_back({&node, node.atomClass});
 }
 
-/// Fences reach as far as what they enclose, but for a little that nobody sees. (TeX's lack up to 10 % of it.)
+/// Fences reach as far as what they enclose, but for a little that nobody sees. (TeX's lack up to 10 % of
+/// it.)
 double RowSetter::fenceHeight(SetStyle style) const {
   constexpr double shortfall = 0.1;
   const double axis = m_sheet.axis(style);
