@@ -33,6 +33,29 @@ std::vector<Term> flat(TermKind kind, Term term, Term next) {
   return parts;
 }
 
+/// A number with other digits.
+Term rewritten(const Term &number, WrittenNumber digits) {
+  const auto node = std::make_shared<TermNode>(*number);
+  node->parts = {std::move(digits.term)};
+  node->isRounded = !digits.exact;
+  return Term(node);
+}
+
+/// The entries of a list, their numbers all fractions or all decimals.
+std::vector<Term> writtenAlike(std::vector<Term> entries) {
+  std::vector<Term *> terms;
+  std::vector<Real> numbers;
+  for (Term &entry : entries)
+    if (entry->kind == TermKind::Number) {
+      terms.push_back(&entry);
+      numbers.push_back(*numberOf(entry));
+    }
+  std::vector<WrittenNumber> digits = halfspace::writtenAlike(numbers);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    *terms[i] = rewritten(*terms[i], std::move(digits[i]));
+  return entries;
+}
+
 const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
 
 /// The term without the minus sign that it is written with in front; null where it has none.
@@ -153,7 +176,7 @@ Term cross(Term a, Term b) { return made(TermKind::Cross, {std::move(a), std::mo
 Term power(Term base, int exponent) { return made(TermKind::Power, {std::move(base), exponent}); }
 Term root(Term square) { return made(TermKind::Root, {std::move(square)}); }
 Term norm(Term vector) { return made(TermKind::Norm, {std::move(vector)}); }
-Term list(std::vector<Term> entries) { return made(TermKind::List, std::move(entries)); }
+Term list(std::vector<Term> entries) { return made(TermKind::List, writtenAlike(std::move(entries))); }
 Term sum(std::vector<Term> summands) {
   return summands.empty() ? Term(0) : made(TermKind::Sum, std::move(summands));
 }
@@ -184,6 +207,8 @@ Term operator*(Term a, Term b) { return product(flat(TermKind::Product, std::mov
 Term operator/(Term a, Term b) { return made(TermKind::Quotient, {std::move(a), std::move(b)}); }
 
 Term withParts(const Term &term, std::vector<Term> parts) {
+  if (term->kind == TermKind::List)
+    return list(std::move(parts));
   return made(term->kind, std::move(parts), term->columns);
 }
 

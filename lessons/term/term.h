@@ -123,6 +123,7 @@ struct TermNode {
 [[nodiscard]] Term power(Term base, int exponent);
 [[nodiscard]] Term root(Term square);
 [[nodiscard]] Term norm(Term vector);
+/// Its numbers are written alike: all fractions, or all decimals.
 [[nodiscard]] Term list(std::vector<Term> entries);
 /// 0 without summands.
 [[nodiscard]] Term sum(std::vector<Term> summands);

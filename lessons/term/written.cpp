@@ -62,31 +62,72 @@ std::size_t lengthOf(std::string_view exactForm) {
   return exactForm.size() - (exactForm.starts_with('-') ? 1 : 0);
 }
 
-WrittenNumber writtenFraction(const Rational &value) {
+/// How a number may be written.
+enum class Look : std::uint8_t {
+  Exact,   ///< whole, a fraction, a root
+  Decimal, ///< one that ends
+  Rounded
+};
+
+/// The decimal of a fraction that is not whole, without its sign; empty where it does not end soon.
+std::string shortDecimalOf(const Rational &value) {
+  const auto words = value.words();
+  const int places = words ? decimalPlaces(words->denominator) : -1;
+  const std::string decimal = places > 0 ? decimalText(abs(value), places) : "";
+  return decimal.size() <= longestExactForm ? decimal : "";
+}
+
+Look ownLook(const Rational &value) {
   static_assert(longestExactForm <= std::numeric_limits<std::int64_t>::digits10);
   const auto words = value.words();
   if (!words || lengthOf(toText(value)) > longestExactForm)
-    return {rounded(toDouble(value)), false};
-  const Rational magnitude = abs(value);
-  const int places = words->denominator > largestFractionDenominator ? decimalPlaces(words->denominator) : -1;
-  const std::string decimal = places > 0 ? decimalText(magnitude, places) : "";
-  const bool isDecimal = !decimal.empty() && decimal.size() <= longestExactForm;
-  return {signedTerm(value.sign() < 0, isDecimal ? digits(decimal) : fraction(magnitude, {})), true};
+    return Look::Rounded;
+  const bool isSmall = words->denominator <= largestFractionDenominator;
+  return isSmall || shortDecimalOf(value).empty() ? Look::Exact : Look::Decimal;
 }
 
-WrittenNumber writtenSurd(const Surd &value) {
+Look ownLook(const Surd &value) {
   if (value.isRational())
-    return writtenFraction(value.rationalPart());
+    return ownLook(value.rationalPart());
   const auto text = toText(value);
-  if (!text || lengthOf(*text) > longestExactForm + std::string_view("*sqrt()").size())
-    return {rounded(toDouble(value)), false};
+  const bool isLong = !text || lengthOf(*text) > longestExactForm + std::string_view("*sqrt()").size();
+  return isLong ? Look::Rounded : Look::Exact;
+}
+
+Look ownLook(const Real &number) { return number.exact() ? ownLook(*number.exact()) : Look::Rounded; }
+
+Term exactForm(const Surd &value) {
+  const Rational &part = value.rationalPart();
+  const Term rational = signedTerm(part.sign() < 0, fraction(abs(part), {}));
+  if (value.isRational())
+    return rational;
   const Term root =
       signedTerm(value.rootFactor() < 0,
                  fraction(abs(value.rootFactor()), halfspace::root(digits(value.radicand().str()))));
-  if (value.rationalPart() == 0)
-    return {root, true};
-  const Rational &part = value.rationalPart();
-  return {signedTerm(part < 0, fraction(abs(part), {})) + root, true};
+  return part == 0 ? root : rational + root;
+}
+
+Term decimalForm(const Rational &value) {
+  const std::string decimal = shortDecimalOf(value);
+  return decimal.empty() ? exactForm(value) : signedTerm(value.sign() < 0, digits(decimal));
+}
+
+/// Requires a look that the number can have.
+WrittenNumber written(const Real &number, Look look) {
+  const Surd *value = number.exact();
+  if (!value)
+    return {rounded(toDouble(number)), false};
+  if (look == Look::Rounded)
+    return decimalOf(*value);
+  const bool isFraction = value->isRational() && look == Look::Decimal;
+  return {isFraction ? decimalForm(value->rationalPart()) : exactForm(*value), true};
+}
+
+/// Whether a number can be written as a decimal that ends.
+bool isDecimal(const Real &number) {
+  const Surd *value = number.exact();
+  return value && value->isRational() &&
+         (value->rationalPart().denominator() == 1 || !shortDecimalOf(value->rationalPart()).empty());
 }
 
 /// 31.4159, 6.02214e23; for a finite number ≥ 0.
@@ -117,8 +158,19 @@ WrittenNumber decimalOf(const Surd &number) {
   return {rounded(value), same && number.isRational() && abs(number.rationalPart()) == *same};
 }
 
-WrittenNumber written(const Real &number) {
-  return number.exact() ? writtenSurd(*number.exact()) : WrittenNumber{rounded(toDouble(number)), false};
+WrittenNumber written(const Real &number) { return written(number, ownLook(number)); }
+
+std::vector<WrittenNumber> writtenAlike(const std::vector<Real> &numbers) {
+  Look look = Look::Exact;
+  for (const Real &number : numbers)
+    look = std::max(look, ownLook(number));
+  if (look == Look::Decimal && !std::all_of(numbers.begin(), numbers.end(), isDecimal))
+    look = Look::Exact;
+  std::vector<WrittenNumber> all;
+  all.reserve(numbers.size());
+  for (const Real &number : numbers)
+    all.push_back(written(number, look));
+  return all;
 }
 
 bool showsRounded(const Term &term) {

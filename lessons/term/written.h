@@ -3,6 +3,8 @@
 
 #include "lessons/term/term.h"
 
+#include <vector>
+
 namespace halfspace {
 
 struct WrittenNumber {
@@ -18,7 +20,13 @@ struct WrittenNumber {
 inline constexpr std::size_t longestExactForm = 14;
 inline constexpr int shownDigits = 6;
 
+/// Small fractions as such, others as decimals where those end; rounded where neither is short.
 [[nodiscard]] WrittenNumber written(const Real &number);
+
+/// The numbers of a list, one way for all of them: as they would stand alone where that is alike; else all as
+/// decimals where every decimal ends, all as fractions where one does not, and all as rounded decimals where
+/// one has to be rounded. Whole numbers go with all of these.
+[[nodiscard]] std::vector<WrittenNumber> writtenAlike(const std::vector<Real> &numbers);
 
 /// The value rounded to `shownDigits` significant digits, as a term of digits; ∞ beyond all numbers.
 [[nodiscard]] Term rounded(double value);

@@ -76,18 +76,38 @@ TEST_P(CameraOfEitherKind, PanMovesThePictureWithThePointer) {
   EXPECT_NEAR(pixel->y, 400 - 21, 1e-9);
 }
 
-TEST_P(CameraOfEitherKind, FittedHasAllPlacesInViewAndFillsIt) {
+TEST_P(CameraOfEitherKind, FittedShowsAllPlacesInTheRoomAndFillsIt) {
   const std::vector<Place> places{{0, 0, 0}, {11, 15, 8}, {5, -2, 9}, {30, 3, -4}};
-  const Camera camera = fitted(slanted(GetParam()), places, size);
-  double fill = 0;
-  for (const Place &place : places) {
-    const auto pixel = camera.project(place, size);
-    ASSERT_TRUE(pixel);
-    fill = std::max({fill, std::abs(pixel->x - 640) / 640, std::abs(pixel->y - 400) / 400});
+  for (const PixelBox &room :
+       {PixelBox{{0, 0}, {1280, 800}}, PixelBox{{700, 100}, {1200, 700}}, PixelBox{{20, 500}, {1260, 790}}}) {
+    const Camera camera = fitted(slanted(GetParam()), places, size, room);
+    glm::dvec2 low = room.high;
+    glm::dvec2 high = room.low;
+    for (const Place &place : places) {
+      const auto pixel = camera.project(place, size);
+      ASSERT_TRUE(pixel);
+      low = glm::min(low, glm::dvec2(*pixel));
+      high = glm::max(high, glm::dvec2(*pixel));
+    }
+    const glm::dvec2 before = low - room.low;
+    const glm::dvec2 behind = room.high - high;
+    EXPECT_GE(std::min({before.x, before.y, behind.x, behind.y}), -1e-6);
+    EXPECT_NEAR(std::min(before.x, before.y), 0, 1e-6) << "as large as can be";
+    EXPECT_NEAR(before.x, behind.x, 0.2 * room.extent().x) << "about in the middle";
+    EXPECT_DOUBLE_EQ(camera.azimuth, slanted(false).azimuth);
   }
-  EXPECT_LT(fill, 0.9);
-  EXPECT_GT(fill, 0.8);
-  EXPECT_DOUBLE_EQ(camera.azimuth, slanted(false).azimuth);
+}
+
+TEST_P(CameraOfEitherKind, ResizedKeepsWhatWasBetweenTheSides) {
+  const Camera camera = slanted(GetParam());
+  const Place left = camera.target - camera.right() * 14.0;
+  for (const PixelSize now : {PixelSize{300, 700}, PixelSize{1280, 400}, PixelSize{2000, 800}}) {
+    const auto pixel = keptBetweenSides(camera, size, now).project(left, now);
+    ASSERT_TRUE(pixel);
+    EXPECT_GE(pixel->x, 0) << now.width;
+    EXPECT_LT(pixel->x, now.width / 2.0);
+  }
+  EXPECT_EQ(keptBetweenSides(camera, size, {1000, 400}), camera) << "there is more room";
 }
 
 TEST_P(CameraOfEitherKind, UnitsPerPixelMatchesTheProjection) {
@@ -132,7 +152,7 @@ TEST(Camera, NotFinitePlacesProjectNothing) { EXPECT_FALSE(Camera().project({std
 
 TEST(Camera, FittedToNothingStaysAsItIs) {
   const Camera camera = slanted(false);
-  EXPECT_EQ(fitted(camera, {}, size), camera);
+  EXPECT_EQ(fitted(camera, {}, size, {{0, 0}, {1280, 800}}), camera);
 }
 
 } // namespace

@@ -3,9 +3,12 @@
 
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/session.h"
+#include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -18,7 +21,8 @@ const LessonLibrary &library() {
 TEST(HomeView, OfEveryLesson_ShowsFigureAndAxesWithRoomForLabels) {
   constexpr double room = 29; // pixels
   for (const Lesson &lesson : library().lessons)
-    for (const PixelSize size : {PixelSize{880, 440}, PixelSize{700, 300}, PixelSize{1600, 1000}}) {
+    for (const PixelSize size :
+         {PixelSize{880, 440}, PixelSize{300, 700}, PixelSize{1000, 250}, PixelSize{1600, 1000}}) {
       SCOPED_TRACE(lesson.id + " " + std::to_string(size.height));
       const Figure figure = figureOf(evaluate(lesson.scene));
       const Camera camera = homeView(lesson.camera, figure, true, size, 1);
@@ -34,6 +38,26 @@ TEST(HomeView, OfEveryLesson_ShowsFigureAndAxesWithRoomForLabels) {
         EXPECT_LE(pixel->y, size.height - room);
       }
     }
+}
+
+TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {
+  const Figure figure = figureOf(evaluate(library().find("signed-distance")->scene));
+  const std::vector<Place> places = placesOf(figure);
+  View view{Camera(library().find("signed-distance")->camera), {840, 725}, 1};
+  const Camera alone = fitted(view, places);
+  view.covered = {{{0, 500}, {420, 725}}, {{300, 0}, {840, 150}}};
+  const Camera beside = fitted(view, places);
+  const auto isCovered = [&](const Camera &camera) {
+    return std::any_of(places.begin(), places.end(), [&](const Place &place) {
+      const glm::dvec2 pixel(camera.project(place, view.size).value());
+      return std::any_of(view.covered.begin(), view.covered.end(),
+                         [&](const PixelBox &box) { return distanceTo(box, pixel) == 0; });
+    });
+  };
+  EXPECT_TRUE(isCovered(alone));
+  EXPECT_FALSE(isCovered(beside));
+  view.covered = {{{0, 720}, {5, 725}}};
+  EXPECT_EQ(fitted(view, places), alone) << "what nothing lies under takes no room";
 }
 
 TEST(FirstRay, WithoutADirection_IsNotFound) {

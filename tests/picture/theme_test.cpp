@@ -1,7 +1,11 @@
 #include "widgets/picture/theme.h"
 
+#include "widgets/picture/shapes/mark_mesh.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halfspace {
@@ -30,6 +34,38 @@ TEST(Theme, EveryInkReadsOnItsHaloAndOnThePanel) {
       for (const Color ground : {theme.halo, theme.panel, theme.backgroundTop})
         EXPECT_GE(contrast(inks[i], ground), 4.5) << theme.name << ", ink " << i;
   }
+}
+
+/// What the guidelines ask of graphics that are no text.
+constexpr double leastContrast = 3;
+/// Of what is to stay in the background, on the background and behind a plane.
+constexpr double leastGhostContrast = 2;
+constexpr double leastCoveredContrast = 1.7;
+
+constexpr std::array allSubjects{Subject::Neutral,  Subject::Plane, Subject::Point, Subject::Ray,
+                                 Subject::Triangle, Subject::EdgeU, Subject::EdgeV, Subject::Measure};
+
+TEST(Theme, EverySolidIsSeenOnTheBackground) {
+  for (const Theme &theme : themes())
+    for (const Subject subject : allSubjects)
+      for (const Color ground : {theme.backgroundTop, theme.backgroundBottom})
+        EXPECT_GE(contrast(theme.colorOf(subject), ground), leastContrast)
+            << theme.name << ", " << static_cast<int>(subject);
+}
+
+TEST(Theme, EveryGhostIsSeenOnTheBackgroundAndBehindAPlane) {
+  for (const Theme &theme : themes())
+    for (const Subject subject : allSubjects) {
+      MarkBase ghost;
+      ghost.role = Role::Ghost;
+      ghost.subject = subject;
+      const Color color = solidColor(ghost, theme, false);
+      const auto behindPlane = [&](Color each) { return mix(each, theme.planeFace, theme.planeOpacity); };
+      for (const Color ground : {theme.backgroundTop, theme.backgroundBottom}) {
+        EXPECT_GE(contrast(color, ground), leastGhostContrast) << theme.name << static_cast<int>(subject);
+        EXPECT_GE(contrast(behindPlane(color), behindPlane(ground)), leastCoveredContrast) << theme.name;
+      }
+    }
 }
 
 TEST(Theme, IsFoundByItsName) {

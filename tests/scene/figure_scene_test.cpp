@@ -67,7 +67,7 @@ TEST(FigureScene, ALabelIsPartOfItsMark) {
   const PictureRequest request = requestFor(labelledPoint());
   FigureScene scene(magentaForQ);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 1);
+  scene.setView({request.camera, request.size, 1});
   scene.prepare();
   const auto point = request.camera.project({11, 15, 8}, request.size);
   ASSERT_TRUE(point);
@@ -84,7 +84,7 @@ TEST(FigureScene, ShowsOfALabelWhatItWasGivenLast) {
   const auto markAtLabel = [&](const std::string &latex) {
     std::get<PointMark>(request.content.figure.marks.front()).label = latex;
     scene.setContent(request.content);
-    scene.setView(request.camera, request.size, 1);
+    scene.setView({request.camera, request.size, 1});
     scene.prepare();
     return scene.markAt(glm::dvec2(*point) + glm::dvec2(30, -14));
   };
@@ -106,7 +106,7 @@ TEST(FigureScene, AsksForTypeInProportionToPixelRatioAndTheme) {
   theme.textScale = 1.5;
   scene.setTheme(theme);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 2);
+  scene.setView({request.camera, request.size, 2});
   scene.prepare();
   EXPECT_DOUBLE_EQ(asked, 22 * 2 * 1.5);
 }
@@ -130,7 +130,7 @@ TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   PictureRequest request = requestFor(labelledPoint());
   FigureScene scene(noLabels);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 1);
+  scene.setView({request.camera, request.size, 1});
   scene.prepare();
   const auto start = meshTimes(scene);
   scene.setGizmo(Gizmo{});
@@ -141,7 +141,7 @@ TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   scene.prepare();
   EXPECT_EQ(meshTimes(scene), withGizmo);
   request.camera.turn(0.3, 0.1);
-  scene.setView(request.camera, request.size, 1);
+  scene.setView({request.camera, request.size, 1});
   scene.prepare();
   EXPECT_LE(differences(withGizmo, meshTimes(scene)), 3); // the tools, and the faces and their shadow
 }

@@ -127,7 +127,7 @@ TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
     request.camera.orthographic = orthographic;
     FigureScene scene(noLabels);
     scene.setContent(request.content);
-    scene.setView(request.camera, request.size, 1);
+    scene.setView({request.camera, request.size, 1});
     scene.prepare();
     double range[2] = {0, 0};
     scene.renderer()->GetActiveCamera()->GetClippingRange(range);
@@ -152,7 +152,7 @@ TEST(HighPlaces, FromTheSide_CutOffNothingThatStandsHigh) {
   request.camera.height = 400;
   FigureScene scene(noLabels);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 1);
+  scene.setView({request.camera, request.size, 1});
   scene.prepare();
   double range[2] = {0, 0};
   scene.renderer()->GetActiveCamera()->GetClippingRange(range);
@@ -163,7 +163,7 @@ TEST(Strips, OfAView_LookWhereTheirPartOfItIs) {
   const PictureRequest request = requestFor(pointQ());
   FigureScene scene(noLabels);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, 1);
+  scene.setView({request.camera, request.size, 1});
   scene.prepare();
   vtkCamera *camera = scene.renderer()->GetActiveCamera();
   const double whole = camera->GetParallelScale();

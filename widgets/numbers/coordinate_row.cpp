@@ -117,7 +117,7 @@ void CoordinateRow::showOnSlider() {
 void CoordinateRow::showNumbers() {
   const ExactVec3 &value = coordinate(object(), m_id.index);
   for (std::size_t axis = 0; axis < m_fields.size(); ++axis)
-    m_fields[axis]->setValue(value[static_cast<int>(axis)]);
+    m_fields[axis]->setValue(value[static_cast<int>(axis)], lookOf(value));
   if (m_slider)
     showOnSlider();
 }

@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t mostCoordinates = 3;
 /// A field is so wide, in letters: −10/3 and its margins.
 constexpr int lettersInField = 7;
+/// The usual card is so wide, likewise.
+constexpr int usualLetters = 56;
 // In pixels.
 constexpr QMargins cardMargins(10, 7, 10, 6);
 constexpr int groupGap = 12;
@@ -130,6 +132,13 @@ void NumberCard::resizeEvent(QResizeEvent *event) {
   QFrame::resizeEvent(event);
   const int room = event->size().width() - cardMargins.left() - cardMargins.right();
   m_hintLabel->setText(m_hintLabel->fontMetrics().elidedText(m_hint, Qt::ElideRight, room));
+}
+
+QSize NumberCard::usualSize() const {
+  const QFontMetrics type = fontMetrics();
+  const int field = NumberField().sizeHint().height();
+  return {usualLetters * type.averageCharWidth(),
+          cardMargins.top() + field + rowGap + type.height() + cardMargins.bottom()};
 }
 
 void NumberCard::setTheme(const Theme &theme) {

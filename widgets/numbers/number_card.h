@@ -33,6 +33,9 @@ public:
   /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when it is not shown.
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
 
+  /// Of the card for an object of two coordinates, as a ray is.
+  [[nodiscard]] QSize usualSize() const;
+
 protected:
   void resizeEvent(QResizeEvent *event) override;
 

@@ -47,6 +47,9 @@ bool isDecimalOf(int digits, const Rational &value) {
   return parseRational(rounded.toStdString()) == value;
 }
 
+/// Counted in the last place that is shown: whole where the decimal ends there.
+Rational inLastPlaces(const Rational &value) { return value * Rational(mp::pow(Integer(10), shownPlaces)); }
+
 /// What was typed, in the one spelling that files have too.
 std::string fileSpelling(const QString &text, const QLocale &locale) {
   return plainSpelling(text.toStdString(), decimalPoint(locale).toLatin1());
@@ -58,10 +61,9 @@ std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
   return parseRational(fileSpelling(text, locale));
 }
 
-QString typedText(const Rational &value, const QLocale &locale) {
-  const Integer scale = mp::pow(Integer(10), shownPlaces);
-  const Rational scaled = value * Rational(scale);
-  if (value.denominator() == 1 || scaled.denominator() != 1)
+QString typedText(const Rational &value, const QLocale &locale, NumberLook look) {
+  const Rational scaled = inLastPlaces(value);
+  if (look == NumberLook::Fraction || value.denominator() == 1 || scaled.denominator() != 1)
     return QString::fromStdString(toText(value));
   QString digits = QString::fromStdString(Integer(mp::abs(scaled.numerator())).str());
   digits = digits.rightJustified(shownPlaces + 1, '0');
@@ -69,6 +71,13 @@ QString typedText(const Rational &value, const QLocale &locale) {
   while (digits.endsWith('0'))
     digits.chop(1);
   return (value < 0 ? "-" : "") + digits;
+}
+
+NumberLook lookOf(const ExactVec3 &numbers) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (inLastPlaces(numbers[axis]).denominator() != 1)
+      return NumberLook::Fraction;
+  return NumberLook::Decimal;
 }
 
 NumberField::NumberField(QWidget *parent) : QLineEdit(parent), m_scrub(*this) {
@@ -88,17 +97,20 @@ QSize NumberField::minimumSizeHint() const {
   return {width, QLineEdit::minimumSizeHint().height()};
 }
 
-void NumberField::setValue(const Rational &value) {
-  const bool same = value == m_value;
+void NumberField::setValue(const Rational &value, NumberLook look) {
+  const bool same = value == m_value && look == m_look;
   m_value = value;
+  m_look = look;
   // What is being typed, or waits to be mended, is left alone.
   if (!same || (!hasFocus() && !property("wrong").toBool()))
     showValue();
 }
 
+QString NumberField::ownText() const { return typedText(m_value, locale(), m_look); }
+
 void NumberField::showValue() {
   mark(false);
-  const QString text = typedText(m_value, locale());
+  const QString text = ownText();
   if (text == this->text())
     return;
   setText(text);
@@ -117,7 +129,7 @@ void NumberField::mark(bool wrong) {
 
 QString NumberField::enter() {
   m_scrub.end(true);
-  if (text() == typedText(m_value, locale())) {
+  if (text() == ownText()) {
     showValue();
     return {};
   }
@@ -146,7 +158,7 @@ void NumberField::focusOutEvent(QFocusEvent *event) {
 bool NumberField::event(QEvent *event) {
   // With nothing half typed in the field, undo and redo are the window's; so is the key for a picture, which
   // Qt takes for the end of the line.
-  if (event->type() == QEvent::ShortcutOverride && text() == typedText(m_value, locale())) {
+  if (event->type() == QEvent::ShortcutOverride && text() == ownText()) {
     const auto *key = static_cast<QKeyEvent *>(event);
     const bool isPictureKey = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isPictureKey) {
@@ -218,7 +230,7 @@ void NumberField::paintEvent(QPaintEvent *event) {
 
 void NumberField::mousePressEvent(QMouseEvent *event) {
   // In what is being typed, the mouse chooses letters.
-  const bool isTyping = text() != typedText(m_value, locale());
+  const bool isTyping = text() != ownText();
   if (event->button() == Qt::LeftButton && !isTyping)
     m_scrub.press(*event);
   else

@@ -1,12 +1,18 @@
 // A field for one exact number: typed, stepped with the keys, or scrubbed with the mouse.
 #pragma once
 
-#include "geometry/rational.h"
+#include "lessons/object/object.h"
 #include "widgets/numbers/scrub.h"
 
 #include <QLineEdit>
 
 namespace halfspace {
+
+/// How a number is written for typing.
+enum class NumberLook {
+  Decimal, ///< where it ends soon; else a fraction
+  Fraction
+};
 
 /// Shows a fraction exactly. Typing takes `-10/3`, `1.5`, and `1,5` where the language writes it so. Up and
 /// Down step it; a number too long for the field is shown rounded after ≈ until the field has the focus.
@@ -18,7 +24,7 @@ class NumberField : public QLineEdit {
 public:
   explicit NumberField(QWidget *parent = nullptr);
 
-  void setValue(const Rational &value);
+  void setValue(const Rational &value, NumberLook look = NumberLook::Decimal);
   [[nodiscard]] const Rational &value() const { return m_value; }
   [[nodiscard]] bool isScrubbing() const { return m_scrub.isScrubbing(); }
 
@@ -53,17 +59,23 @@ protected:
 private:
   QString refuse(const QString &sentence);
   [[nodiscard]] QRect room() const;
+  [[nodiscard]] QString ownText() const;
   void showValue();
   void mark(bool wrong);
 
   Rational m_value = 0;
+  NumberLook m_look = NumberLook::Decimal;
   Scrub m_scrub;
 };
 
 /// A number as a user types it, with the decimal comma where the language has it: see plainSpelling.
 [[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
 
-/// The exact text of a number for typing: a decimal where it ends soon, else p/q.
-[[nodiscard]] QString typedText(const Rational &value, const QLocale &locale);
+/// The exact text of a number for typing.
+[[nodiscard]] QString typedText(const Rational &value, const QLocale &locale,
+                                NumberLook look = NumberLook::Decimal);
+
+/// One look for the numbers of a point: decimals where all end soon, else fractions.
+[[nodiscard]] NumberLook lookOf(const ExactVec3 &numbers);
 
 } // namespace halfspace

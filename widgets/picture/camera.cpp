@@ -15,10 +15,8 @@ const double slopeOfView = std::tan(Camera::viewAngle / 2);
 /// Where the eye of an orthographic camera stands: so far that whatever a scene holds lies before it.
 constexpr double orthographicDistance = 1000;
 
-/// The part of the view that `fitted` fills at most.
-constexpr double fittedPart = 0.86;
-/// A margin never takes more of the view than leaves this part.
-constexpr double leastFittedPart = 0.4;
+/// No room is taken to be smaller than this part of the view.
+constexpr double leastRoom = 0.2;
 /// The least height of a fitted view, so that a single point does not fill it.
 constexpr double leastFittedHeight = 4;
 
@@ -30,18 +28,39 @@ Place offsetAtTarget(const Camera &camera, glm::dvec2 pixel, PixelSize size) {
   return (camera.right() * fromCenter.x - camera.up() * fromCenter.y) * unitsPerPixelAtTarget(camera, size);
 }
 
-/// How far places reach to both sides of the view, for one of its two directions.
-struct Span {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+/// Between which slopes of sight, as the eye looks, places are to lie, for one of the view's two directions;
+/// and what that asks of the eye.
+///
+/// A place at (x, z), z towards the eye, is seen at the slope (x − eye) / (distance − z): that it lies
+/// between low and high is linear in `eye` and `distance`. Seen orthographically z does not count, and
+/// `distance` only stands for height / (2·slope of the view).
+class Slopes {
+public:
+  Slopes(double low, double high) : m_low(low), m_high(high) {}
 
   void add(double across, double towardsEye) {
-    high = std::max(high, towardsEye + across);
-    low = std::max(low, towardsEye - across);
+    m_fromLow = std::min(m_fromLow, across + m_low * towardsEye);
+    m_fromHigh = std::max(m_fromHigh, across + m_high * towardsEye);
   }
-  [[nodiscard]] double middle() const { return (high - low) / 2; }
-  [[nodiscard]] double half() const { return (high + low) / 2; }
+  [[nodiscard]] double leastDistance() const { return (m_fromHigh - m_fromLow) / (m_high - m_low); }
+  /// Where the eye has as much room to both sides.
+  [[nodiscard]] double eyeAt(double distance) const {
+    return (m_fromLow - m_low * distance + m_fromHigh - m_high * distance) / 2;
+  }
+
+private:
+  double m_low;
+  double m_high;
+  double m_fromLow = std::numeric_limits<double>::infinity();
+  double m_fromHigh = -std::numeric_limits<double>::infinity();
 };
+
+/// The room, not smaller than it may be.
+PixelBox usableRoom(const PixelBox &room, PixelSize size) {
+  const glm::dvec2 middle = (room.low + room.high) / 2.0;
+  const glm::dvec2 half = glm::max(room.extent(), glm::dvec2(size.width, size.height) * leastRoom) / 2.0;
+  return {middle - half, middle + half};
+}
 
 } // namespace
 
@@ -112,7 +131,7 @@ double Camera::unitsPerPixel(Place at, PixelSize size) const {
   return unitsPerPixelAtTarget(*this, size) * (orthographic ? 1 : depth / distance());
 }
 
-Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, double margin) {
+Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, const PixelBox &room) {
   std::vector<Place> finite;
   std::copy_if(places.begin(), places.end(), std::back_inserter(finite), isFinite);
   if (finite.empty())
@@ -127,26 +146,30 @@ Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, d
   }
   camera.target = (low + high) / 2.0;
 
-  // A place at (x, y, z), z towards the eye, is inside the view when |x| ≤ (distance − z)·slope: so each side
-  // of the view gives the least distance, and the best centre is where two opposite sides ask for the same.
-  // Seen orthographically z does not count, and `distance` only stands for height / (2·slope).
-  const auto slopeWithin = [&](int side) {
-    const double part = std::clamp(1 - 2 * margin / side, leastFittedPart, fittedPart);
-    return slopeOfView * part * side / size.height;
-  };
-  const double slopeUp = slopeWithin(size.height);
-  const double slopeAcross = slopeWithin(size.width);
-  Span across;
-  Span upward;
+  const double slopePerPixel = 2 * slopeOfView / size.height;
+  const glm::dvec2 middle = glm::dvec2(size.width, size.height) / 2.0;
+  const PixelBox usable = usableRoom(room, size);
+  const glm::dvec2 first = (usable.low - middle) * slopePerPixel;
+  const glm::dvec2 last = (usable.high - middle) * slopePerPixel;
+  Slopes across(first.x, last.x);
+  Slopes upward(-last.y, -first.y); // pixels count down
   for (const Place &place : finite) {
     const Place offset = place - camera.target;
     const double towardsEye = camera.orthographic ? 0 : -glm::dot(offset, camera.viewDirection());
-    across.add(glm::dot(offset, camera.right()) / slopeAcross, towardsEye);
-    upward.add(glm::dot(offset, camera.up()) / slopeUp, towardsEye);
+    across.add(glm::dot(offset, camera.right()), towardsEye);
+    upward.add(glm::dot(offset, camera.up()), towardsEye);
   }
-  camera.target += camera.right() * across.middle() * slopeAcross + camera.up() * upward.middle() * slopeUp;
-  camera.height = std::clamp(2 * slopeOfView * std::max(across.half(), upward.half()), leastFittedHeight,
-                             Camera::maxHeight);
+  const double wanted = 2 * slopeOfView * std::max(across.leastDistance(), upward.leastDistance());
+  camera.height = std::clamp(wanted, leastFittedHeight, Camera::maxHeight);
+  const double distance = camera.height / 2 / slopeOfView;
+  camera.target += camera.right() * across.eyeAt(distance) + camera.up() * upward.eyeAt(distance);
+  return camera;
+}
+
+Camera keptBetweenSides(Camera camera, PixelSize before, PixelSize now) {
+  const double narrower =
+      static_cast<double>(before.width) * now.height / (static_cast<double>(before.height) * now.width);
+  camera.height = std::min(camera.height * std::max(1.0, narrower), Camera::maxHeight);
   return camera;
 }
 

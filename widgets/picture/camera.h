@@ -17,6 +17,15 @@ struct PixelSize {
   bool operator==(const PixelSize &) const = default;
 };
 
+/// An upright rectangle of a view, in device pixels from the view's top left corner.
+struct PixelBox {
+  glm::dvec2 low{};
+  glm::dvec2 high{};
+  bool operator==(const PixelBox &) const = default;
+
+  [[nodiscard]] glm::dvec2 extent() const { return high - low; }
+};
+
 /// A half-line of sight: where the eye looks through a pixel. The direction is unit.
 struct SightLine {
   Place origin{};
@@ -70,9 +79,12 @@ public:
   bool operator==(const Camera &) const = default;
 };
 
-/// A camera looking the same way that has all places in view, at least `margin` pixels from its edges; the
+/// The camera looking the same way that shows all places as large as they fit into a part of the view; the
 /// same camera for no places.
 [[nodiscard]] Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size,
-                            double margin = 0);
+                            const PixelBox &room);
+
+/// The camera for a view that had another size: whatever was between the left and the right side still is.
+[[nodiscard]] Camera keptBetweenSides(Camera camera, PixelSize before, PixelSize now);
 
 } // namespace halfspace

@@ -1,5 +1,7 @@
 #include "widgets/picture/camera_views.h"
 
+#include "widgets/picture/free_rooms.h"
+#include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
 #include "widgets/picture/stage.h"
 
@@ -13,10 +15,10 @@
 namespace halfspace {
 namespace {
 
-/// What is in view at home keeps this far from the edges, in design pixels: room for a label.
-constexpr double homeMargin = 32;
-/// … but no more than this part of the view.
-constexpr double largestHomeMargin = 0.13;
+/// What is fitted into a view keeps this far from its edges, in design pixels: room for a label …
+constexpr double labelMargin = 32;
+/// … but no more than this part of its shorter side.
+constexpr double largestMargin = 0.13;
 
 /// The normal of a mark that is drawn as part of a plane.
 std::optional<Place> normalOf(const Mark &mark) {
@@ -60,15 +62,44 @@ std::vector<Place> placesOf(const Figure &figure) {
   return places;
 }
 
-Camera homeView(const CameraView &view, const Figure &figure, bool axes, PixelSize size, double pixelRatio,
-                bool orthographic) {
-  Camera camera(view);
-  camera.orthographic = orthographic;
+std::vector<Place> axisTips(const Figure &figure) {
+  std::vector<Place> tips;
+  for (const AxisEnds &axis : axisEnds(axesAround(figure)))
+    tips.insert(tips.end(), {axis.low, axis.high});
+  return tips;
+}
+
+Camera fitted(const View &view, const std::vector<Place> &places) {
+  const int side = std::min(view.size.width, view.size.height);
+  const double margin = std::min(labelMargin * view.pixelRatio, largestMargin * side);
+  const auto fittedInto = [&](const PixelBox &room) {
+    return fitted(view.camera, places, view.size, grown(room, -margin));
+  };
+  const auto isFree = [&](const Camera &camera) {
+    return std::none_of(places.begin(), places.end(), [&](const Place &place) {
+      const auto pixel = camera.project(place, view.size);
+      return pixel && std::any_of(view.covered.begin(), view.covered.end(), [&](const PixelBox &box) {
+               return distanceTo(box, glm::dvec2(*pixel)) < margin;
+             });
+    });
+  };
+  // Often nothing of the figure lies in the corners that are covered.
+  const Camera largest = fittedInto(view.box());
+  if (isFree(largest))
+    return largest;
+  std::optional<Camera> best;
+  for (const PixelBox &room : freeRooms(view.box(), view.covered))
+    if (const Camera camera = fittedInto(room); !best || camera.height < best->height)
+      best = camera;
+  return best.value_or(largest);
+}
+
+Camera homeView(const CameraView &from, const Figure &figure, bool axes, PixelSize size, double pixelRatio) {
   std::vector<Place> places = placesOf(figure);
   if (axes)
-    for (const AxisEnds &axis : axisEnds(axesAround(figure)))
-      places.push_back(axis.high);
-  return fitted(camera, places, size, std::min(homeMargin * pixelRatio, largestHomeMargin * size.height));
+    for (const Place &tip : axisTips(figure))
+      places.push_back(tip);
+  return fitted({Camera(from), size, pixelRatio}, places);
 }
 
 Camera seenAlong(AxisView view, Camera camera) {

@@ -3,20 +3,27 @@
 
 #include "lessons/object/ray.h"
 #include "lessons/scene/scene.h"
-#include "widgets/picture/camera.h"
+#include "widgets/picture/view.h"
 
 namespace halfspace {
 
 // Figures, scenes and cameras are those of a stage.
 
-/// How a lesson begins: from its direction, with all of the figure and the tips of the axes in view, if there
+/// The camera of a view, turned as it is, that shows all places as large as they fit beside what covers the
+/// view, with room for labels around them; the same camera for no places.
+[[nodiscard]] Camera fitted(const View &view, const std::vector<Place> &places);
+
+/// How a lesson begins: from its direction, with all of the figure and the ends of the axes in view, if there
 /// are any, and room for their labels. A design pixel has `pixelRatio` pixels.
-[[nodiscard]] Camera homeView(const CameraView &view, const Figure &figure, bool axes, PixelSize size,
-                              double pixelRatio, bool orthographic = false);
+[[nodiscard]] Camera homeView(const CameraView &from, const Figure &figure, bool axes, PixelSize size,
+                              double pixelRatio);
 
 /// The places that a picture of the figure should have in view; what runs on without end does not count, nor
 /// does what lies farther away than all objects.
 [[nodiscard]] std::vector<Place> placesOf(const Figure &figure);
+
+/// The ends of the axes that stand in the figure.
+[[nodiscard]] std::vector<Place> axisTips(const Figure &figure);
 
 /// Views along an axis: from the front (against x), from the right (against y), from the top (against z).
 enum class AxisView { Front, Right, Top };

@@ -1,5 +1,6 @@
 #include "widgets/picture/screen_shapes.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,6 +12,34 @@ double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
   const double square = glm::dot(along, along);
   const double part = square > 0 ? std::clamp(glm::dot(pixel - from, along) / square, 0.0, 1.0) : 0;
   return glm::distance(pixel, from + along * part);
+}
+
+double overlapArea(const PixelBox &a, const PixelBox &b) {
+  const glm::dvec2 common = glm::min(a.high, b.high) - glm::max(a.low, b.low);
+  return std::max(0.0, common.x) * std::max(0.0, common.y);
+}
+
+double distanceTo(const PixelBox &box, glm::dvec2 pixel) {
+  return glm::distance(pixel, glm::clamp(pixel, box.low, box.high));
+}
+
+double lengthInside(const PixelBox &box, glm::dvec2 from, glm::dvec2 to) {
+  const glm::dvec2 low = glm::min(from, to);
+  const glm::dvec2 high = glm::max(from, to);
+  if (high.x < box.low.x || high.y < box.low.y || low.x > box.high.x || low.y > box.high.y)
+    return 0;
+  const glm::dvec2 along = to - from;
+  double enter = 0;
+  double leave = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (along[axis] == 0)
+      continue;
+    const double a = (box.low[axis] - from[axis]) / along[axis];
+    const double b = (box.high[axis] - from[axis]) / along[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return std::max(0.0, leave - enter) * glm::length(along);
 }
 
 bool isInside(glm::dvec2 pixel, const std::vector<glm::dvec2> &corners) {

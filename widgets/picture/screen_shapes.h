@@ -8,6 +8,20 @@ namespace halfspace {
 /// From a pixel to the nearest point of the segment between two others.
 [[nodiscard]] double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to);
 
+/// The area that two boxes have in common.
+[[nodiscard]] double overlapArea(const PixelBox &a, const PixelBox &b);
+
+/// From a pixel to the nearest of a box; 0 inside.
+[[nodiscard]] double distanceTo(const PixelBox &box, glm::dvec2 pixel);
+
+/// The length of the part of a segment that lies in a box.
+[[nodiscard]] double lengthInside(const PixelBox &box, glm::dvec2 from, glm::dvec2 to);
+
+/// The box with a margin around it, or within it where that is negative.
+[[nodiscard]] inline PixelBox grown(const PixelBox &box, double margin) {
+  return {box.low - margin, box.high + margin};
+}
+
 /// Whether a pixel lies in a polygon, whichever way round its corners go.
 [[nodiscard]] bool isInside(glm::dvec2 pixel, const std::vector<glm::dvec2> &corners);
 

@@ -149,6 +149,10 @@ protected:
                      math::symbol('|', AtomClass::Close));
   }
 
+  Row normOf(Row inside, const Term &term) override {
+    return isTall(term) ? math::row(math::fenced('|', std::move(inside), '|')) : norm(std::move(inside));
+  }
+
   Row power(Row base, Row exponent) override {
     return math::row(math::scripts(std::move(base), std::move(exponent), {}));
   }

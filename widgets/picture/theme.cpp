@@ -28,8 +28,8 @@ Theme light() {
   theme.shadow = hex(0xd9dee4);
   theme.halo = hex(0xffffff);
   theme.planeFace = hex(0x56b4e9);
-  theme.solids = {hex(0x46525e), hex(0x0072b2), hex(0xd55e00), hex(0xe69f00),
-                  hex(0x009e73), hex(0x009e73), hex(0x7a5195), hex(0xcc79a7)};
+  theme.solids = {hex(0x46525e), hex(0x0072b2), hex(0xd55e00), hex(0xb87d00),
+                  hex(0x009e73), hex(0x009e73), hex(0x7a5195), hex(0xc0689b)};
   theme.inks = {hex(0x1b2530), hex(0x00629a), hex(0xb34f00), hex(0x8a6000),
                 hex(0x007a59), hex(0x007a59), hex(0x6b4585), hex(0xa3447a)};
   return theme;
@@ -95,7 +95,7 @@ Theme projector() {
   theme.polygonOpacity = 0.42;
   theme.lineScale = 1.4;
   theme.textScale = 1.3;
-  theme.solids = {hex(0x1b2530), hex(0x005a94), hex(0xc04f00), hex(0xc98a00),
+  theme.solids = {hex(0x1b2530), hex(0x005a94), hex(0xc04f00), hex(0xb87a00),
                   hex(0x008560), hex(0x008560), hex(0x673c86), hex(0xb4508a)};
   theme.inks = {hex(0x000000), hex(0x004a7c), hex(0x963f00), hex(0x6e4c00),
                 hex(0x006047), hex(0x006047), hex(0x553070), hex(0x8a2f63)};

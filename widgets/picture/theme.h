@@ -22,7 +22,8 @@ struct Color {
 /// t = 0 gives a, t = 1 gives b.
 [[nodiscard]] Color mix(Color a, Color b, double t);
 
-/// How everything looks. Hues are Okabe and Ito's, told apart with every common colour-vision deficiency.
+/// How everything looks. Hues are Okabe and Ito's, told apart with every common colour-vision deficiency, and
+/// as dark or bright as it takes to be seen on the background.
 struct Theme {
   std::string name;
   Color backgroundBottom;

@@ -69,19 +69,26 @@ private:
   void prepareCamera();
   [[nodiscard]] std::vector<AxisLabel> labelsOfAxes() const;
 
-  /// What grid and axes depend on.
-  struct GroundKey {
+  /// What the grid depends on.
+  struct GridKey {
     Place target{};
     double height = 0;
-    double scale = 0;
-    std::optional<AxesReach> axes;
     bool ground = true;
-    bool operator==(const GroundKey &) const = default;
+    bool operator==(const GridKey &) const = default;
+  };
+
+  /// What the axes' mesh depends on: their ticks turn to the camera.
+  struct AxesKey {
+    std::optional<AxesReach> reach;
+    Camera camera;
+    double scale = 0;
+    bool operator==(const AxesKey &) const = default;
   };
 
   FaceOrder m_faces;
   std::optional<AxesReach> m_axes;    ///< where there are any
-  std::optional<GroundKey> m_ground;  ///< what they were made for
+  std::optional<GridKey> m_grid;      ///< what it was made for
+  std::optional<AxesKey> m_shownAxes; ///< likewise
   std::optional<double> m_solidScale; ///< what the solids were made for
   std::vector<Place> m_places;        ///< of the figure
 };
@@ -141,14 +148,18 @@ void FigureScene::Impl::prepareFaceOrder() {
 }
 
 void FigureScene::Impl::prepareGround() {
-  // Turning the camera changes neither grid nor axes.
+  // Turning the camera changes no grid.
   const bool ground = content.stage.hasGround();
-  const GroundKey key{view.camera.target, view.camera.height, scale(), m_axes, ground};
-  if (themeChanged || m_ground != key) {
-    m_ground = key;
+  const GridKey key{view.camera.target, view.camera.height, ground};
+  if (themeChanged || m_grid != key) {
+    m_grid = key;
     write(ground ? gridAround(view.camera) : Grid(), theme, actors.grid());
+  }
+  actors.setGridLineWidth(theme.lineScale * view.pixelRatio);
+  const AxesKey axesKey{m_axes, view.camera, scale()};
+  if (themeChanged || m_shownAxes != axesKey) {
+    m_shownAxes = axesKey;
     write(m_axes ? axesMesh(*m_axes, view.camera, theme, scale()) : Mesh(), actors.axes());
-    actors.setGridLineWidth(theme.lineScale * view.pixelRatio);
   }
   // Seen from below, shadows on the ground would only cover what casts them. Their colour is that of a
   // darkened background: where there is none they would be patches on whatever lies behind the picture.
@@ -225,10 +236,10 @@ void FigureScene::setGizmo(std::optional<Gizmo> gizmo) {
   m_impl->gizmoChanged = true;
 }
 
-void FigureScene::setView(const Camera &camera, PixelSize size, double pixelRatio) {
-  const View view{camera, {std::max(size.width, 1), std::max(size.height, 1)}, pixelRatio};
+void FigureScene::setView(View view) {
+  view.size = {std::max(view.size.width, 1), std::max(view.size.height, 1)};
   m_impl->viewChanged = m_impl->viewChanged || !(view == m_impl->view);
-  m_impl->view = view;
+  m_impl->view = std::move(view);
 }
 
 void FigureScene::prepare() { m_impl->prepare(); }

@@ -30,8 +30,8 @@ public:
   void setContent(SceneContent content);
   /// Another gizmo for the same content: nothing of the figure is made anew.
   void setGizmo(std::optional<Gizmo> gizmo);
-  /// The view, its size in device pixels, and how many device pixels a design pixel has.
-  void setView(const Camera &camera, PixelSize size, double pixelRatio);
+  /// Where it is looked at from, and on how many pixels.
+  void setView(View view);
 
   /// Brings meshes, order of translucent faces and labels up to date; to be called right before rendering.
   void prepare();

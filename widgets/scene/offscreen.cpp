@@ -98,7 +98,7 @@ Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPai
   scene.setTheme(request.theme);
   scene.setBackgroundVisible(!request.transparent);
   scene.setContent(request.content);
-  scene.setView(request.camera, request.size, request.pixelRatio.value_or(height / designHeight));
+  scene.setView({request.camera, request.size, request.pixelRatio.value_or(height / designHeight)});
   scene.prepare();
 
   // A thread of its own: a context that a live window has current in this one would be in the way.

@@ -83,6 +83,9 @@ void SceneFrame::arrange() {
   m_card.setGeometry(edgeGap, height() - cardHeight - edgeGap, cardWidth, cardHeight);
   m_card.raise();
   m_tools->raise();
+  // The card comes and goes with the selection; the figure does not make way for it each time.
+  const QSize room = m_card.usualSize().boundedTo(size() / 2);
+  m_view.setCovered({m_tools->geometry(), {edgeGap, height() - room.height() - edgeGap, room.width(), room.height()}});
 }
 
 } // namespace halfspace

@@ -95,7 +95,7 @@ void SceneView::setMotion(bool on) {
 
 void SceneView::setSizeScale(double scale) {
   m_sizeScale = scale;
-  stayHome();
+  keepInView();
   requestFrame();
 }
 
@@ -121,7 +121,7 @@ glm::dvec2 SceneView::devicePixel(const QPointF &position) const {
   return glm::dvec2(position.x(), position.y()) * devicePixelRatioF();
 }
 
-View SceneView::screen() const { return {m_camera, pixelSize(), designRatio()}; }
+View SceneView::screen() const { return {m_camera, pixelSize(), designRatio(), m_covered}; }
 
 const Handle *SceneView::findHandle(const std::string &id) const {
   const auto found =
@@ -353,7 +353,7 @@ void SceneView::prepare() {
   else
     m_scene.setGizmo(gizmo()); // how a handle can be moved depends on the camera
   m_contentStale = false;
-  m_scene.setView(m_camera, pixelSize(), designRatio());
+  m_scene.setView(screen());
   m_scene.prepare();
 }
 

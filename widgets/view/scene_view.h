@@ -8,6 +8,7 @@
 #include "widgets/view/mark_fade.h"
 
 #include <QElapsedTimer>
+#include <QRect>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QVariantAnimation>
@@ -46,6 +47,10 @@ public:
   void setMotion(bool on);
   /// Makes type, lines and handles larger; 1 is their usual size.
   void setSizeScale(double scale);
+
+  /// What lies over the view, in its own pixels: labels keep off it, and the figure is fitted into the view
+  /// beside it. What comes and goes there belongs to it all the time, so that the figure does not.
+  void setCovered(const std::vector<QRect> &rectangles);
 
   /// As the lesson begins.
   void goHome();
@@ -142,14 +147,25 @@ private:
   void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
-  /// From the direction of a view, on the stage.
-  [[nodiscard]] Camera viewOfAll(const CameraView &view) const;
   /// The session has this view from now on.
   void keepView(const Camera &camera);
   /// The session's view, or as the lesson begins.
   void takeView();
-  /// As long as nobody has moved the camera, the figure stays in view at every size.
-  void stayHome();
+  /// What a change of the view's size did to the camera: the next one begins where that one did, so that a
+  /// view that gets its size back has its camera back.
+  struct Resize {
+    Camera before;
+    PixelSize size; ///< before
+    Camera after;
+  };
+
+  /// From where a camera stands, of all that belongs to a figure: itself, the handles, and the axes if they
+  /// do.
+  [[nodiscard]] Camera fittedTo(Camera from, const Figure &figure, bool axes) const;
+  [[nodiscard]] Camera home() const;
+  /// At home the figure stays fitted to the room that there is; elsewhere what was between the left and the
+  /// right side stays there.
+  void keepInView();
   /// All of the figure in view, from the direction that the camera has.
   void showAll();
   [[nodiscard]] bool isInView(const Handle &handle) const;
@@ -172,7 +188,10 @@ private:
   double m_sizeScale = 1;
   bool m_motion = true;
   bool m_numbersHidden = false;
-  bool m_atHome = true; ///< nobody has moved the camera since the lesson began
+  bool m_atHome = true;            ///< nobody has moved the camera since the lesson began
+  std::vector<PixelBox> m_covered; ///< parts of the view
+  PixelSize m_size;                ///< that the camera is for
+  std::optional<Resize> m_resize;  ///< the newest since somebody has moved the camera
 
   std::vector<Handle> m_handles;
   std::string m_selected; ///< a handle's id

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -58,13 +59,23 @@ void SceneView::glideTo(const Camera &camera) {
   m_glide.start();
 }
 
-Camera SceneView::viewOfAll(const CameraView &view) const {
-  return homeView(view, staged(m_model.figure()), m_stage.hasAxes(), pixelSize(), designRatio(),
-                  m_camera.orthographic);
+Camera SceneView::fittedTo(Camera from, const Figure &figure, bool axes) const {
+  std::vector<Place> places = placesOf(figure);
+  for (const Handle &handle : m_handles)
+    places.push_back(shownPlace(handle));
+  if (axes)
+    for (const Place &tip : axisTips(figure))
+      places.push_back(tip);
+  from.orthographic = m_camera.orthographic;
+  return fitted({from, pixelSize(), designRatio(), m_covered}, places);
+}
+
+Camera SceneView::home() const {
+  return fittedTo(Camera(m_model.lesson().camera), staged(m_model.figure()), m_stage.hasAxes());
 }
 
 void SceneView::goHome() {
-  glideTo(viewOfAll(m_model.lesson().camera));
+  glideTo(home());
   m_atHome = true;
   m_model.setView({});
 }
@@ -88,18 +99,37 @@ void SceneView::takeView() {
 
 void SceneView::showAll() {
   m_glide.stop();
-  m_camera = viewOfAll(m_atHome ? m_model.lesson().camera
-                                : CameraView{-m_camera.viewDirection(), m_camera.target, m_camera.height});
+  m_camera = m_atHome ? home() : fittedTo(m_camera, staged(m_model.figure()), m_stage.hasAxes());
 }
 
-void SceneView::stayHome() {
+void SceneView::setCovered(const std::vector<QRect> &rectangles) {
+  std::vector<PixelBox> covered;
+  for (const QRect &rectangle : rectangles)
+    covered.push_back(
+        {devicePixel(rectangle.topLeft()), devicePixel(rectangle.bottomRight() + QPoint(1, 1))});
+  if (covered == m_covered)
+    return;
+  m_covered = std::move(covered);
   if (m_atHome)
-    showAll();
+    goHome();
+  requestFrame();
+}
+
+void SceneView::keepInView() {
+  const PixelSize before = std::exchange(m_size, pixelSize());
+  if (m_atHome)
+    return showAll();
+  if (before == m_size)
+    return;
+  if (!m_resize || !(m_resize->after == m_camera))
+    m_resize = Resize{m_camera, before, m_camera};
+  m_camera = keptBetweenSides(m_resize->before, m_resize->size, m_size);
+  m_resize->after = m_camera;
 }
 
 void SceneView::resizeEvent(QResizeEvent *event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  stayHome();
+  keepInView();
   requestFrame();
 }
 
@@ -116,6 +146,6 @@ void SceneView::setOrthographic(bool on) {
   requestFrame();
 }
 
-void SceneView::fit() { glideTo(fitted(m_camera, placesOf(staged(m_model.shown().figure)), pixelSize())); }
+void SceneView::fit() { glideTo(fittedTo(m_camera, staged(m_model.shown().figure), false)); }
 
 } // namespace halfspace

@@ -43,6 +43,7 @@ public:
     m_y += lineMargin * m_em;
     m_x = m_left;
     m_rowIsEmpty = true;
+    m_lineEm = emFor(line);
     startRow();
     for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
       placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
@@ -66,6 +67,25 @@ public:
   [[nodiscard]] double right() const { return std::max(m_width, m_widest + sideMargin * m_em); }
 
 private:
+  /// The size of a line's type: smaller where a piece of it fits into no row of its own, and then for all of
+  /// its pieces.
+  [[nodiscard]] double emFor(const TypesetLine &line) const {
+    double em = m_em;
+    double left = m_left;
+    const auto fit = [&](const Typesetter::Picture &picture) {
+      if (!picture)
+        return;
+      const double room = std::max(m_right - left, 1.0);
+      if (picture->width() * em > room)
+        em = std::min(em, room / std::max(picture->brokenTo(room / m_em).width(), room / em));
+      left = m_left + indent * m_em;
+    };
+    for (const Typesetter::Picture &piece : line.pieces)
+      fit(piece);
+    fit(line.told);
+    return std::max(em, smallestScale * m_em);
+  }
+
   void startRow() {
     m_rowBegin = m_placed.formulas.size();
     m_ascent = leastAscent * m_em;
@@ -113,16 +133,16 @@ private:
   void placePiece(const Typesetter::Picture &picture, std::optional<LinePiece> piece = {}) {
     if (!picture)
       return;
-    makeRoom(picture->width() * m_em);
+    makeRoom(picture->width() * m_lineEm);
     const double room = std::max(m_right - m_x, 1.0);
     const Typesetter::Picture shown =
-        picture->width() * m_em > room ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_em))
-                                       : picture;
-    const double em = m_em * std::clamp(room / std::max(shown->width() * m_em, 1.0), smallestScale, 1.0);
-    m_placed.formulas.push_back({shown, {m_x, 0}, em, piece});
-    m_ascent = std::max(m_ascent, shown->ascent() * em);
-    m_depth = std::max(m_depth, shown->depth() * em);
-    advance(shown->width() * em);
+        picture->width() * m_lineEm > room
+            ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_lineEm))
+            : picture;
+    m_placed.formulas.push_back({shown, {m_x, 0}, m_lineEm, piece});
+    m_ascent = std::max(m_ascent, shown->ascent() * m_lineEm);
+    m_depth = std::max(m_depth, shown->depth() * m_lineEm);
+    advance(shown->width() * m_lineEm);
     m_rowIsFull = shown->isBroken();
   }
 
@@ -145,6 +165,7 @@ private:
   double m_em, m_width, m_left, m_right;
   double m_x = 0, m_y = 0, m_widest = 0;
   PlacedLine m_placed;
+  double m_lineEm = 0; ///< of the line in work
   // The row in work.
   std::size_t m_rowBegin = 0;
   double m_ascent = 0, m_depth = 0;

@@ -61,6 +61,39 @@ TEST(Written, OfWhatIsBetweenBounds_IsRounded) {
   EXPECT_EQ(text(Real(Surd::root(2)) + Real(Surd::root(3))), "≈ 3.14626");
 }
 
+std::string text(const std::vector<Real> &list) {
+  std::string all;
+  for (const WrittenNumber &number : writtenAlike(list))
+    all += (all.empty() ? "" : "; ") + text(number);
+  return all;
+}
+
+TEST(WrittenAlike, OfSmallFractions_AreFractions) {
+  EXPECT_EQ(text({fraction(1, 3), 2, fraction(-5, 2)}), "1/3; 2; −5/2");
+  EXPECT_EQ(text({Surd::root(2), fraction(1, 2)}), "√2; 1/2");
+}
+
+TEST(WrittenAlike, WithADecimal_AreDecimalsWhereAllEnd) {
+  EXPECT_EQ(text({fraction(637, 100), 2, fraction(-5, 2)}), "6.37; 2; −2.5");
+}
+
+TEST(WrittenAlike, WithADecimalAndAFractionThatNeverEnds_AreFractions) {
+  EXPECT_EQ(text({fraction(637, 100), fraction(1, 3), 2}), "637/100; 1/3; 2");
+  EXPECT_EQ(text({fraction(637, 100), Surd::root(2)}), "637/100; √2");
+}
+
+TEST(WrittenAlike, WithANumberThatMustBeRounded_AreDecimals) {
+  EXPECT_EQ(text({fraction(1'000'003, 1'000'033), fraction(1, 3), fraction(1, 2), 2}),
+            "≈ 0.99997; ≈ 0.333333; 0.5; 2");
+}
+
+TEST(WrittenAlike, InATermOfAList_AreItsNumbers) {
+  const Term mixed = list({fraction(637, 100), fraction(1, 3), 2});
+  EXPECT_EQ(plainText(mixed), "(637/100, 1/3, 2)");
+  EXPECT_EQ(plainText(withParts(mixed, {fraction(637, 100), fraction(1, 2), 2})), "(6.37, 0.5, 2)");
+  EXPECT_TRUE(showsRounded(list({fraction(1'000'003, 1'000'033), 2})));
+}
+
 TEST(Rounded, OfVeryLargeAndVerySmallNumbers_HasAPowerOfTen) {
   EXPECT_EQ(plainText(rounded(-6.02214076e23)), "−6.02214·10²³");
   EXPECT_EQ(plainText(rounded(1.5e-7)), "1.5·10⁻⁷");

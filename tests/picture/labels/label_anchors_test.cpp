@@ -129,7 +129,7 @@ TEST(LabelTexts, OfMarks_HaveTheirLettersNumbersAndInks) {
   EXPECT_EQ(texts[0].latex, "d = 10");
   EXPECT_EQ(texts[0].style.ink, theme().inkOf(Subject::Ray));
   EXPECT_EQ(texts[1].style.ink, theme().warning);
-  EXPECT_TRUE(texts[0].isMark && !texts[0].isPinned);
+  EXPECT_TRUE(texts[0].isMark && texts[0].stand == LabelStand::Beside);
 }
 
 TEST(LabelTexts, OfMarksThatFadeIn_AreAsFar) {
@@ -150,20 +150,18 @@ TEST(LabelTexts, OnFinerScreensAndInLargerType_AreLarger) {
   EXPECT_DOUBLE_EQ(labelTexts(content, {}, large, usualView(2)).front().style.pixelSize, 3 * markTextSize);
 }
 
-TEST(LabelTexts, OfADropLine_StandAtTheAxesInsteadOfTheTicksThere) {
+TEST(LabelTexts, OfADropLine_StandAtTheAxesAndGoAwayWithIt) {
   SceneContent content;
   content.dropLine = DropLine{{5, 3, 4}};
-  const View view = usualView();
-  const auto axes = axisLabels({}, view.camera, 0, designScale(view.camera, view.size, 1));
-  const auto texts = labelTexts(content, axes, theme(), view);
-  const auto count = [&](const std::string &latex, Color ink) {
-    return std::count_if(texts.begin(), texts.end(), [&](const LabelText &text) {
-      return text.latex == latex && text.style.ink == ink && text.isPinned;
-    });
-  };
-  EXPECT_EQ(count("5", theme().accent), 1) << "of x";
-  EXPECT_EQ(count("3", theme().accent), 1) << "of y";
-  EXPECT_EQ(count("5", theme().mutedInk), 2) << "the ticks of y and z, and not that of x";
+  const auto texts = textsOf(content);
+  ASSERT_EQ(texts.size(), 2U);
+  EXPECT_EQ(texts[0].latex, "5");
+  EXPECT_EQ(texts[1].latex, "3");
+  EXPECT_LT(glm::distance(texts[1].anchors.front().pixel, pixelOf({0, 3, 0})), 1e-6);
+  for (const LabelText &text : texts) {
+    EXPECT_EQ(text.style.ink, theme().accent);
+    EXPECT_EQ(text.stand, LabelStand::Passing);
+  }
   content.stage.middle = {1000, 0, 0}; // the axes lie elsewhere
   EXPECT_TRUE(textsOf(content).empty());
 }
@@ -188,10 +186,38 @@ TEST(Obstacles, OfAPicture_AreItsPointsKnobsLinesAndAxes) {
   EXPECT_LT(glm::distance(found.discs[0].center, pixelOf({2, 2, 2})), 1e-6);
   ASSERT_EQ(found.segments.size(), 1U);
   EXPECT_LT(glm::distance(found.segments[0].to, pixelOf({0, 6, 3})), 1e-6);
-  EXPECT_EQ(obstaclesOf(content, AxesReach(), theme(), usualView()).segments.size(), 1U + 3U);
+  EXPECT_FALSE(found.segments[0].isThick);
+  const auto withAxes = obstaclesOf(content, AxesReach(), theme(), usualView()).segments;
+  ASSERT_EQ(withAxes.size(), 1U + 3U);
+  EXPECT_TRUE(withAxes.back().isThick);
+}
+
+TEST(Obstacles, OfAnArrow_AreItsShaftAndItsHead) {
+  SceneContent content;
+  content.figure.marks = {arrowFrom({0, 0, 0}, {0, 5, 0})};
+  const LabelObstacles found = obstaclesOf(content, {}, theme(), usualView());
+  ASSERT_EQ(found.segments.size(), 1U);
+  EXPECT_TRUE(found.segments[0].isThick);
+  ASSERT_EQ(found.discs.size(), 1U);
+  EXPECT_LT(glm::distance(found.discs[0].center, pixelOf({0, 5, 0})), 1e-6);
+}
+
+TEST(Obstacles, OfAFace_AreAllItsSides) {
+  SceneContent content;
+  content.figure.marks = {polygonOf({{0, 0, 0}, {6, 0, 0}, {0, 6, 3}})};
+  EXPECT_EQ(obstaclesOf(content, {}, theme(), usualView()).segments.size(), 3U);
+}
+
+TEST(Obstacles, OfTheHandAndTheWindow_StandApart) {
+  SceneContent content;
   content.gizmo.emplace();
   content.gizmo->at = {2, 2, 2};
-  EXPECT_GT(obstaclesOf(content, {}, theme(), usualView()).segments.size(), 1U + 3U);
+  View view = usualView();
+  view.covered = {{{0, 500}, {420, 600}}};
+  const LabelObstacles found = obstaclesOf(content, {}, theme(), view);
+  EXPECT_TRUE(found.segments.empty());
+  EXPECT_FALSE(found.tools.empty());
+  EXPECT_EQ(found.covered, view.covered);
 }
 
 TEST(Obstacles, OnFinerScreens_AreAsLargeToTheEye) {

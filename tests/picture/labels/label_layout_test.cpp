@@ -10,7 +10,7 @@ namespace {
 constexpr PixelSize size{800, 600};
 
 LabelRequest labelAt(const std::string &id, glm::dvec2 pixel, glm::dvec2 extent = {60, 24}) {
-  return {id, extent, {{pixel, {1, -1}, 9}}, false};
+  return {id, extent, {{pixel, {1, -1}, 9}}};
 }
 
 bool overlap(const PlacedLabel &a, const PlacedLabel &b) {
@@ -68,6 +68,14 @@ TEST(LabelLayout, AlwaysStandsOnWholePixels) {
   EXPECT_EQ(placed[0].topLeft, glm::round(placed[0].topLeft));
 }
 
+TEST(LabelLayout, StaysWhereItIsFine_WhereverItsLikedSideTurnsTo) {
+  LabelLayout layout;
+  LabelRequest request = labelAt("Q", {400, 300});
+  const glm::dvec2 before = layout.place({request}, {}, size, 1)[0].topLeft;
+  request.anchors.front().toward = {-1, 1};
+  EXPECT_EQ(layout.place({request}, {}, size, 1)[0].topLeft, before);
+}
+
 TEST(LabelLayout, KeepsItsSideWhileAnotherPassesNearby) {
   LabelLayout layout;
   const glm::dvec2 before = layout.place({labelAt("Q", {400, 300})}, {}, size, 1)[0].topLeft;
@@ -80,7 +88,7 @@ TEST(LabelLayout, KeepsItsSideWhileAnotherPassesNearby) {
 TEST(LabelLayout, LeavesASideThatAnotherLabelTakes) {
   LabelLayout layout;
   const auto first = layout.place({labelAt("Q", {400, 300})}, {}, size, 1);
-  LabelRequest pinned{"tick", {60, 24}, {{first[0].topLeft + glm::dvec2(30, 12), {}, 0}}, true};
+  LabelRequest pinned{"tick", {60, 24}, {{first[0].topLeft + glm::dvec2(30, 12), {}, 0}}, LabelStand::Pinned};
   const auto placed = layout.place({pinned, labelAt("Q", {400, 300})}, {}, size, 1);
   ASSERT_EQ(placed.size(), 2U);
   EXPECT_EQ(placed[0].topLeft, first[0].topLeft);
@@ -97,13 +105,79 @@ TEST(LabelLayout, HemmedInALabelMovesAwayAndGetsALeaderLine) {
   EXPECT_TRUE(placed[0].needsLeader);
 }
 
-TEST(LabelLayout, PinnedALabelIsCentredOnItsAnchorWhateverIsThere) {
-  LabelObstacles crowd;
-  crowd.discs.push_back({{400, 300}, 30});
-  const LabelRequest tick{"tick", {60, 24}, {{{400, 300}, {}, 9}}, true};
-  const auto placed = LabelLayout().place({tick}, crowd, size, 1);
+TEST(LabelLayout, PinnedALabelIsCentredOnItsAnchor) {
+  const LabelRequest tick{"tick", {60, 24}, {{{400, 300}, {}, 9}}, LabelStand::Pinned};
+  const auto placed = LabelLayout().place({tick}, {}, size, 1);
   ASSERT_EQ(placed.size(), 1U);
   EXPECT_EQ(placed[0].topLeft, glm::dvec2(370, 288));
+}
+
+TEST(LabelLayout, PinnedALabelIsLeftOutWhereItCannotBeRead) {
+  const LabelRequest tick{"tick", {60, 24}, {{{400, 300}, {}, 9}}, LabelStand::Pinned};
+  const auto count = [&](const LabelObstacles &obstacles, glm::dvec2 at = {400, 300}) {
+    LabelRequest moved = tick;
+    moved.anchors.front().pixel = at;
+    return LabelLayout().place({moved}, obstacles, size, 1).size();
+  };
+  LabelObstacles ball;
+  ball.discs.push_back({{400, 300}, 30});
+  EXPECT_EQ(count(ball), 0U);
+  LabelObstacles line;
+  line.segments.push_back({{300, 300}, {500, 300}, true});
+  EXPECT_EQ(count(line), 0U);
+  line.segments.front().isThick = false;
+  EXPECT_EQ(count(line), 1U);
+  LabelObstacles card;
+  card.covered.push_back({{420, 290}, {600, 310}});
+  EXPECT_EQ(count(card), 0U);
+  EXPECT_EQ(count({}, {10, 300}), 0U) << "it would not be where it belongs";
+  LabelRequest second = tick;
+  second.id = "second";
+  EXPECT_EQ(LabelLayout().place({tick, second}, {}, size, 1).size(), 1U);
+}
+
+TEST(LabelLayout, UnderWhatCoversThePictureNoLabelStands) {
+  LabelObstacles card;
+  card.covered.push_back({{380, 100}, {800, 320}});
+  const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, card, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  const PixelBox &box = card.covered.front();
+  EXPECT_TRUE(placed[0].topLeft.x + 60 <= box.low.x || placed[0].topLeft.y >= box.high.y);
+  card.covered.front() = {{0, 0}, {800, 600}};
+  EXPECT_TRUE(LabelLayout().place({labelAt("Q", {400, 300})}, card, size, 1).empty());
+}
+
+TEST(LabelLayout, CrossedByAThickLineOnAllSidesALabelRatherGoesFar) {
+  LabelObstacles lines;
+  for (int row = 220; row <= 380; row += 10)
+    lines.segments.push_back({{340, row}, {460, row}, true});
+  const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, lines, size, 1);
+  ASSERT_EQ(placed.size(), 1U);
+  EXPECT_TRUE(placed[0].needsLeader);
+  const glm::dvec2 low = placed[0].topLeft;
+  EXPECT_TRUE(low.x >= 460 || low.x + 60 <= 340 || low.y >= 380 || low.y + 24 <= 220);
+}
+
+TEST(LabelLayout, ForWhatComesAndGoesNoOtherLabelMoves) {
+  const auto alone = LabelLayout().place({labelAt("Q", {400, 300})}, {}, size, 1);
+  LabelRequest note = labelAt("note", {400, 300});
+  note.stand = LabelStand::Passing;
+  LabelObstacles tools;
+  tools.tools.push_back({{400, 300}, alone[0].topLeft + glm::dvec2(60, 0)});
+  const auto both = LabelLayout().place({note, labelAt("Q", {400, 300})}, tools, size, 1);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[1].topLeft, alone[0].topLeft);
+  EXPECT_FALSE(overlap(both[0], both[1]));
+}
+
+TEST(LabelLayout, WhenTheCrowdIsGoneALabelComesBackFromAfar) {
+  LabelLayout layout;
+  LabelObstacles crowd;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -2; y <= 2; ++y)
+      crowd.discs.push_back({{400 + 22 * x, 300 + 18 * y}, 9});
+  ASSERT_TRUE(layout.place({labelAt("Q", {400, 300})}, crowd, size, 1)[0].needsLeader);
+  EXPECT_FALSE(layout.place({labelAt("Q", {400, 300})}, {}, size, 1)[0].needsLeader);
 }
 
 TEST(LabelLayout, WithALineOnTheLikedSideALabelTakesAnother) {

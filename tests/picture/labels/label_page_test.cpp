@@ -1,21 +1,12 @@
 #include "widgets/picture/labels/label_page.h"
 
-#include "tests/picture/laid_out.h"
-#include "widgets/picture/math/set_formula.h"
+#include "tests/picture/labels/vectors_only.h"
 
 namespace halfspace {
 namespace {
 
 const LabelStyle style{{0, 0, 0}, {255, 255, 255}, 20};
 const View view{{}, {800, 600}, 1};
-
-/// Sets labels without a screen; nothing is painted.
-LabelPainter vectorsOnly() {
-  return {[](const std::string &latex) {
-            return std::make_shared<const math::Layout>(math::setLatex(latex, math::fonts()).layout);
-          },
-          {}};
-}
 
 LabelText labelAt(const std::string &id, const std::string &latex, glm::dvec2 pixel) {
   return {id, latex, style, {{pixel, {1, -1}, 9}}};

@@ -19,28 +19,12 @@ std::vector<LabelText> axisTexts(const View &view) {
   return labelTexts({}, axisLabels({}, view.camera, 0, 1), themes().front(), view);
 }
 
-TEST(LabelRequests, NumbersAtTheAxes_AreLeftOutWhereTheyWouldBeWrittenOverOthers) {
-  const auto countNumbers = [](const std::vector<LabelText> &texts) {
-    return std::count_if(texts.begin(), texts.end(), [](const LabelText &text) { return text.isPinned; });
-  };
-  View view = viewAtHeight(21);
-  const auto large = countNumbers(axisTexts(view));
-  view.size = {90, 44};
-  const auto small = countNumbers(axisTexts(view));
-  EXPECT_EQ(large, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
-  EXPECT_GT(small, 0);
-  EXPECT_LT(small, large);
-}
-
-TEST(LabelRequests, NumberAtAnAxis_IsLeftOutBehindABall) {
-  const View view = viewAtHeight(21);
-  const auto axes = axisLabels({}, view.camera, 0, 1);
-  const auto number =
-      std::find_if(axes.begin(), axes.end(), [](const AxisLabel &label) { return !label.isName; });
-  ASSERT_NE(number, axes.end());
-  SceneContent content;
-  content.figure.marks.push_back(pointAt(number->at));
-  EXPECT_EQ(labelTexts(content, axes, themes().front(), view).size(), axes.size() - 1);
+TEST(LabelRequests, NumbersAtTheAxes_ArePinnedBesideTheirTicks) {
+  const auto texts = axisTexts(viewAtHeight(21));
+  const auto numbers = std::count_if(texts.begin(), texts.end(), [](const LabelText &text) {
+    return text.stand == LabelStand::Pinned && text.anchors.size() == 1;
+  });
+  EXPECT_EQ(numbers, 7); // 5 and 10 on x and z, 5, 10 and 15 on y
 }
 
 TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem) {
@@ -74,7 +58,7 @@ TEST(LabelRequests, NamesOfTheAxes_GiveWay) {
     const auto found =
         std::find_if(texts.begin(), texts.end(), [&](const LabelText &text) { return text.latex == name; });
     ASSERT_NE(found, texts.end());
-    EXPECT_FALSE(found->isPinned);
+    EXPECT_EQ(found->stand, LabelStand::Beside);
     EXPECT_FALSE(found->anchors.empty());
   }
 }

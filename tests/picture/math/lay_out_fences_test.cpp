@@ -53,6 +53,19 @@ TEST_P(GrowingFences, AroundMoreAndMore_StaysNarrow) {
   }
 }
 
+TEST_P(GrowingFences, AroundTallContent_ReachAsFarAsItDoes) {
+  constexpr double hair = 0.05;
+  for (const char *content : {"\\frac{a}{b}", "\\frac{\\frac{a}{b}}{c}", "\\frac{a}{\\frac{b}{\\frac{c}{d}}}",
+                              "\\sqrt{\\frac{x^2}{y}}", "\\tfrac{1}{2}"}) {
+    const Layout inside = laidOut(content);
+    const std::string name = GetParam();
+    const auto [top, bottom] =
+        spanOf(laidOut("\\left" + name + "\\phantom{" + std::string(content) + "}\\right."));
+    EXPECT_LE(top, -inside.ascent + hair) << name << content;
+    EXPECT_GE(bottom, inside.depth - hair) << name << content;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Characters, GrowingFences,
                          testing::Values("(", "[", "\\{", "|", "\\|", "\\lfloor", "\\rceil", "\\lceil"));
 

@@ -87,7 +87,9 @@ TEST(Ground, AxesGoFromTheirLowEndsToTheirHighOnesWithATickForEachNumber) {
                        [&](const glm::vec3 &p) { return glm::distance(Place(p), tip) < 0.06; });
   };
   EXPECT_TRUE(standsAt({5, -0.35, 0}) && standsAt({10, -0.35, 0})) << "beside x";
-  EXPECT_TRUE(standsAt({-0.35, 15, 0})) << "beside y";
+  const double elevation = Camera().elevation;
+  const Place besideY = Place(0, 15, 0) + 0.35 * Place(-std::sin(elevation), 0, std::cos(elevation));
+  EXPECT_TRUE(standsAt(besideY)) << "beside y, square to the sight";
   EXPECT_FALSE(standsAt({0, -0.35, 0})) << "the origin has none";
 }
 
@@ -112,17 +114,36 @@ TEST(Ground, FromVeryNearOnlyTheTicksInSightAreNumbered) {
     }
 }
 
-TEST(Ground, NumbersStandBesideTheirPlacesAtTheAxes) {
-  const AxisLabel ofX = axisNumber(0, 7, 0, 1);
-  EXPECT_EQ(ofX.latex, "7");
-  EXPECT_EQ(ofX.at.x, 7);
-  EXPECT_LT(ofX.at.y, 0);
-  EXPECT_LT(axisNumber(1, 7, 0, 1).at.x, 0);
-  EXPECT_EQ(axisNumber(2, 7, 3, 1).latex, "7000") << "in units of the scene";
-  EXPECT_DOUBLE_EQ(axisNumber(0, 7, 0, 2).at.y, 2 * ofX.at.y);
+TEST(Ground, NumbersAreSeenBesideTheirAxesFromEverySide) {
+  constexpr PixelSize size{900, 600};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double azimuth : {-2.5, -1.0, 0.1, 0.8, 2.0})
+      for (const double elevation : {-0.5, 0.2, 0.6, 1.2}) {
+        Camera camera;
+        camera.azimuth = azimuth;
+        camera.elevation = elevation;
+        Place place(0);
+        place[axis] = 7;
+        const auto seen = [&](const Place &at) { return glm::dvec2(camera.project(at, size).value()); };
+        const glm::dvec2 along = glm::normalize(seen(place) - seen(Place(0)));
+        const glm::dvec2 beside = seen(axisNumber(axis, 7, camera, 0, 1).at) - seen(place);
+        EXPECT_GT(std::abs(along.x * beside.y - along.y * beside.x), 15) << axis << " " << azimuth;
+      }
 }
 
-TEST(Ground, AxesOfAFigureReachBeyondItsPointsAndNotBeyondItsPatches) {
+TEST(Ground, NumbersAreWrittenInUnitsOfTheScene) {
+  const Camera camera;
+  const AxisLabel ofX = axisNumber(0, 7, camera, 0, 1);
+  EXPECT_EQ(ofX.latex, "7");
+  EXPECT_LT(ofX.at.y, 0);
+  EXPECT_EQ(axisNumber(2, 7, camera, 3, 1).latex, "7000");
+  EXPECT_DOUBLE_EQ(axisNumber(0, 7, camera, 0, 2).at.y, 2 * ofX.at.y);
+}
+
+TEST(Ground, AxesOfAFigureReachBeyondItsPointsAndNotBeyondWhatRunsOn) {
+  LineMark line;
+  line.direction = {-1, -1, 0};
+  EXPECT_EQ(axesAround({{line}}), AxesReach());
   EXPECT_GT(axesAround({{pointAt({20, 0, 0})}}).high.x, 20);
   EXPECT_LT(axesAround({{pointAt({0, -4.5, 0})}}).low.y, -4.5);
   EXPECT_EQ(axesAround({{patchAt({20, 30, 40}, {0, 0, 1})}}), AxesReach());

@@ -117,6 +117,19 @@ private slots:
     QCOMPARE(shown.result("f(Q)"), QString("= 24"));
   }
 
+  void numbers_ofOnePoint_areAllDecimalsOrAllFractions() {
+    ShownInspector shown(distanceScene());
+    QVERIFY(shown.ready);
+    shown.enter(shown.field("Q", 0), "2.5");
+    QCOMPARE(shown.field("Q", 0).text(), QString("2.5"));
+    shown.enter(shown.field("Q", 1), "1/3");
+    QCOMPARE(shown.field("Q", 0).text(), QString("5/2"));
+    QCOMPARE(shown.field("Q", 1).text(), QString("1/3"));
+    shown.enter(shown.field("Q", 1), "1/4");
+    QCOMPARE(shown.field("Q", 0).text(), QString("2.5"));
+    QCOMPARE(shown.field("Q", 1).text(), QString("0.25"));
+  }
+
   void result_thatIsAFraction_isShownWithItsDecimal() {
     ShownInspector shown(distanceScene());
     QVERIFY(shown.ready);

@@ -155,6 +155,39 @@ private slots:
     QVERIFY(fixture.view.camera() == mine);
   }
 
+  void resizing_afterTheCameraWasMoved_keepsWhatWasBetweenTheSides() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.dragBeside({40, 10});
+    const Camera mine = fixture.view.camera();
+    QVERIFY(seesAllHandles(fixture));
+    fixture.window.resize(300, 700);
+    QTRY_VERIFY(fixture.view.width() < 400);
+    QVERIFY(seesAllHandles(fixture));
+    QCOMPARE(fixture.view.camera().azimuth, mine.azimuth);
+    fixture.window.resize(900, 700);
+    QTRY_VERIFY(fixture.view.width() > 500);
+    QVERIFY2(fixture.view.camera() == mine, "as it was");
+  }
+
+  void figure_isFittedBesideWhatCoversTheView() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera whole = fixture.view.camera();
+    const QRect covered(0, 0, fixture.view.width() / 2, fixture.view.height());
+    fixture.view.setCovered({covered});
+    for (const Handle &handle : handlesOf(fixture.model.session().scene)) {
+      const auto at = fixture.view.handlePosition(handle.id);
+      QVERIFY2(at && !covered.contains(*at), handle.id.c_str());
+    }
+    fixture.dragBeside({40, 10});
+    const Camera mine = fixture.view.camera();
+    fixture.view.setCovered({});
+    QVERIFY2(fixture.view.camera() == mine, "whoever moved the camera keeps it");
+    fixture.view.goHome();
+    QVERIFY(fixture.view.camera() == whole);
+  }
+
   void glide_withMotion_takesItsTime_andArrivesAtOnceWhenMotionIsTurnedOff() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);

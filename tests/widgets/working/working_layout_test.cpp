@@ -142,6 +142,19 @@ private slots:
     QVERIFY2(least.size.width() > 0.6 * natural, "it can be scrolled to");
   }
 
+  void piecesOfALine_areAllAsSmallAsTheOneThatCannotBeBroken_andOtherLinesAreNot() {
+    const QString root = "\\sqrt{" + QString("x").repeated(40) + "}";
+    const std::vector<TypesetLine> lines{line("a", {"y", "=" + root, "=z"}), line("b", {"y"})};
+    const double natural = right(place({line("a", {root})}).lines[0]);
+    const PlacedWorking placed = place(lines, 0.8 * natural);
+    QCOMPARE(placed.lines[0].formulas.size(), std::size_t(3));
+    QVERIFY(placed.lines[0].formulas[1].emPixels < 0.9 * em());
+    for (const PlacedFormula &formula : placed.lines[0].formulas)
+      QCOMPARE(formula.emPixels, placed.lines[0].formulas[1].emPixels);
+    QVERIFY(right(placed.lines[0]) <= placed.size.width() - em() + 0.01);
+    QCOMPARE(placed.lines[1].formulas[0].emPixels, em());
+  }
+
   void blankIsWhereTheFormulaLeavesItsRoom_asLargeAsWasAskedFor() {
     TypesetLine asked = line("a", {"x"});
     QVERIFY(place({asked}).lines[0].blank.isNull());

@@ -1,5 +1,7 @@
 #include "widgets/picture/labels/label_layout.h"
 
+#include "widgets/picture/screen_shapes.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -15,69 +17,38 @@ namespace {
 /// Directions around an anchor, and the distances that are tried, in design pixels; the last ones need a
 /// leader line.
 constexpr std::size_t directionCount = 12;
-constexpr std::array<double, 4> distances{3, 16, 38, 70};
+constexpr std::array<double, 5> distances{3, 16, 38, 70, 110};
 constexpr std::size_t firstWithLeader = 2;
 
-// What makes a candidate worse. An overlap counts by the part of the label that it takes.
+// What makes a candidate worse. First what is a matter of liking …
 constexpr double costOfOtherSide = 7;
 constexpr double costOfNextAnchor = 6;
-constexpr std::array<double, 4> costOfDistance{0, 7, 22, 40};
-constexpr double costOfOverlap = 140;
-constexpr double costOfTouching = 24;
-constexpr double costOfPoint = 45;
-constexpr double costOfLine = 16;
+constexpr std::array<double, distances.size()> costOfDistance{0, 7, 22, 40, 60};
 constexpr double costOfChange = 9;
+constexpr double costOfThinLine = 16;
+// … then what makes it hard to read: more than all of that together. An overlap counts besides by the part of
+// the label that it takes.
+constexpr double costOfTouching = 120;
+constexpr double costOfOverlap = 140;
+constexpr double costOfPoint = 120;
+constexpr double costOfThickLine = 110;
 constexpr double costOfLeaving = 200;
 
 /// A box that the screen's edge pushes by less than this part of its size still stands where it was wanted.
 constexpr double freePush = 0.02;
 
-/// Labels are gone through this often: the second time each sees where all others are.
-constexpr int passes = 2;
-
-struct Rectangle {
-  glm::dvec2 low{};
-  glm::dvec2 high{};
-
-  [[nodiscard]] glm::dvec2 extent() const { return high - low; }
-};
-
-double overlapArea(const Rectangle &a, const Rectangle &b) {
-  const glm::dvec2 common = glm::min(a.high, b.high) - glm::max(a.low, b.low);
-  return std::max(0.0, common.x) * std::max(0.0, common.y);
-}
-
-double distanceTo(const Rectangle &box, glm::dvec2 pixel) {
-  return glm::distance(pixel, glm::clamp(pixel, box.low, box.high));
-}
-
-/// The length of the part of a segment that lies in a box.
-double lengthInside(const Rectangle &box, const LabelObstacles::Segment &segment) {
-  const glm::dvec2 low = glm::min(segment.from, segment.to);
-  const glm::dvec2 high = glm::max(segment.from, segment.to);
-  if (high.x < box.low.x || high.y < box.low.y || low.x > box.high.x || low.y > box.high.y)
-    return 0;
-  const glm::dvec2 along = segment.to - segment.from;
-  double enter = 0;
-  double leave = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (along[axis] == 0)
-      continue;
-    const double a = (box.low[axis] - segment.from[axis]) / along[axis];
-    const double b = (box.high[axis] - segment.from[axis]) / along[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return std::max(0.0, leave - enter) * glm::length(along);
-}
+/// Labels are gone through this often: from the second time on each sees where all others are.
+constexpr int passes = 3;
 
 /// The obstacles that touch a box.
-LabelObstacles obstaclesIn(const Rectangle &box, const LabelObstacles &all) {
+LabelObstacles obstaclesIn(const PixelBox &box, const LabelObstacles &all) {
   LabelObstacles found;
   std::copy_if(all.discs.begin(), all.discs.end(), std::back_inserter(found.discs),
                [&](const LabelObstacles::Disc &disc) { return distanceTo(box, disc.center) < disc.radius; });
   std::copy_if(all.segments.begin(), all.segments.end(), std::back_inserter(found.segments),
-               [&](const LabelObstacles::Segment &segment) { return lengthInside(box, segment) > 0; });
+               [&](const LabelObstacles::Segment &segment) {
+                 return lengthInside(box, segment.from, segment.to) > 0;
+               });
   return found;
 }
 
@@ -98,17 +69,23 @@ std::array<Way, directionCount> waysAround() {
 }
 
 /// The box beside an anchor: its side or corner that faces the anchor is `gap` away from it.
-Rectangle boxBeside(glm::dvec2 anchor, const Way &way, double gap, glm::dvec2 extent) {
+PixelBox boxBeside(glm::dvec2 anchor, const Way &way, double gap, glm::dvec2 extent) {
   const glm::dvec2 low = anchor + way.onCircle * gap + (way.onSquare - 1.0) * extent / 2.0;
   return {low, low + extent};
 }
 
 /// The box moved into the screen, as far as it fits, and onto whole pixels.
-Rectangle movedInside(const Rectangle &box, PixelSize size) {
+PixelBox movedInside(const PixelBox &box, PixelSize size) {
   const glm::dvec2 extent = box.extent();
   const glm::dvec2 room = glm::max(glm::dvec2(0), glm::dvec2(size.width, size.height) - extent);
   const glm::dvec2 low = glm::floor(glm::clamp(box.low, glm::dvec2(0), room) + 0.5);
   return {low, low + extent};
+}
+
+/// How far a box was moved from where it was wanted, in parts of its size; 0 for next to nothing.
+double pushOf(const PixelBox &box, const PixelBox &wanted) {
+  const glm::dvec2 extent = box.extent();
+  return std::max(0.0, glm::distance(wanted.low, box.low) / (extent.x + extent.y) - freePush);
 }
 
 bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
@@ -119,7 +96,7 @@ bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
 
 struct LabelLayout::Candidate {
   Choice choice;
-  Rectangle box;
+  PixelBox box;
   double cost = 0; ///< by itself, whatever else is on the screen
 };
 
@@ -132,7 +109,7 @@ struct LabelLayout::Options {
   Options(std::vector<Candidate> places, const LabelObstacles &all) : candidates(std::move(places)) {
     if (candidates.empty())
       return;
-    Rectangle reach = candidates.front().box;
+    PixelBox reach = candidates.front().box;
     for (const Candidate &candidate : candidates)
       reach = {glm::min(reach.low, candidate.box.low), glm::max(reach.high, candidate.box.high)};
     obstacles = obstaclesIn(reach, all);
@@ -143,7 +120,13 @@ struct LabelLayout::Options {
 struct LabelLayout::Board {
   PixelSize size;
   double pixelRatio;
+  const std::vector<PixelBox> &covered;
   std::vector<std::optional<Candidate>> placed; ///< by the label's number
+
+  [[nodiscard]] bool isCovered(const PixelBox &box) const {
+    return std::any_of(covered.begin(), covered.end(),
+                       [&](const PixelBox &other) { return overlapArea(box, other) > 0; });
+  }
 };
 
 std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest &request,
@@ -156,19 +139,23 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
     const LabelAnchor &anchor = request.anchors[a];
     if (!isOnScreen(anchor.pixel, board.size))
       continue;
-    if (request.isPinned) {
-      const Rectangle box{anchor.pixel - request.extent / 2.0, anchor.pixel + request.extent / 2.0};
-      return {{{a, 0, 0}, movedInside(box, board.size), 0}};
+    if (request.stand == LabelStand::Pinned) {
+      const PixelBox box{anchor.pixel - request.extent / 2.0, anchor.pixel + request.extent / 2.0};
+      const PixelBox inside = movedInside(box, board.size);
+      if (pushOf(inside, box) > 0 || board.isCovered(inside))
+        return {};
+      return {{{a, 0, 0}, inside, 0}};
     }
     const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
     for (std::size_t way = 0; way < directionCount; ++way)
       for (std::size_t far = 0; far < distances.size(); ++far) {
         const double gap = anchor.clearance + distances[far] * board.pixelRatio;
-        const Rectangle wanted = boxBeside(anchor.pixel, ways[way], gap, request.extent);
-        const Rectangle box = movedInside(wanted, board.size);
-        const double pushed = glm::distance(wanted.low, box.low) / (request.extent.x + request.extent.y);
+        const PixelBox wanted = boxBeside(anchor.pixel, ways[way], gap, request.extent);
+        const PixelBox box = movedInside(wanted, board.size);
+        if (board.isCovered(box))
+          continue;
         const double cost = liking + costOfOtherSide * (1 - glm::dot(best, ways[way].onCircle)) +
-                            costOfDistance[far] + costOfLeaving * std::max(0.0, pushed - freePush);
+                            costOfDistance[far] + costOfLeaving * pushOf(box, wanted);
         candidates.push_back({{a, way, far}, box, cost});
       }
     liking += costOfNextAnchor;
@@ -181,7 +168,7 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
 double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const LabelObstacles &obstacles,
                            const Board &board, double limit) {
   double cost = candidate.cost;
-  const Rectangle &box = candidate.box;
+  const PixelBox &box = candidate.box;
   const glm::dvec2 extent = box.extent();
   for (std::size_t other = 0; other < board.placed.size(); ++other) {
     if (other == label || !board.placed[other])
@@ -197,14 +184,32 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
   for (const LabelObstacles::Segment &segment : obstacles.segments) {
     if (cost >= limit)
       return cost;
-    cost += costOfLine * std::min(1.0, 2 * lengthInside(box, segment) / (extent.x + extent.y));
+    const double inside = lengthInside(box, segment.from, segment.to);
+    const double part = std::min(1.0, inside / std::min(extent.x, extent.y));
+    cost += segment.isThick && inside > 0 ? costOfThickLine * (1 + part) : costOfThinLine * part;
   }
   return cost;
 }
 
-std::optional<LabelLayout::Candidate> LabelLayout::cheapestFor(std::size_t label, const std::string &id,
-                                                               const Options &options,
-                                                               const Board &board) const {
+const LabelLayout::Candidate *LabelLayout::keptFor(std::size_t label, const std::string &id,
+                                                   const Options &options, const Board &board) const {
+  const auto previous = m_choices.find(id);
+  if (previous == m_choices.end() || previous->second.distance >= firstWithLeader)
+    return nullptr;
+  const auto &all = options.candidates;
+  const auto kept = std::find_if(all.begin(), all.end(), [&](const Candidate &candidate) {
+    return candidate.choice == previous->second;
+  });
+  if (kept == all.end() || kept->cost >= costOfTouching)
+    return nullptr;
+  const double limit = std::numeric_limits<double>::infinity();
+  return costOf(*kept, label, options.obstacles, board, limit) > kept->cost ? nullptr : &*kept;
+}
+
+std::optional<LabelLayout::Candidate> LabelLayout::bestFor(std::size_t label, const std::string &id,
+                                                           const Options &options, const Board &board) const {
+  if (const Candidate *kept = keptFor(label, id, options, board))
+    return *kept;
   const auto previous = m_choices.find(id);
   const Candidate *cheapest = nullptr;
   double lowest = std::numeric_limits<double>::infinity();
@@ -225,21 +230,41 @@ std::optional<LabelLayout::Candidate> LabelLayout::cheapestFor(std::size_t label
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
-  Board board{size, pixelRatio, std::vector<std::optional<Candidate>>(requests.size())};
+  Board board{size, pixelRatio, obstacles.covered, std::vector<std::optional<Candidate>>(requests.size())};
+  LabelObstacles withTools = obstacles;
+  withTools.segments.insert(withTools.segments.end(), obstacles.tools.begin(), obstacles.tools.end());
   std::vector<Options> options;
   options.reserve(requests.size());
-  for (std::size_t label = 0; label < requests.size(); ++label) {
-    options.emplace_back(candidatesOf(requests[label], board), obstacles);
-    if (requests[label].isPinned && !options.back().candidates.empty())
-      board.placed[label] = options.back().candidates.front();
-  }
-  // Every label takes the cheapest candidate beside those placed before it; the second time, beside all
-  // others.
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t label = 0; label < requests.size(); ++label)
-      if (!requests[label].isPinned)
-        board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
+  for (const LabelRequest &request : requests)
+    options.emplace_back(candidatesOf(request, board),
+                         request.stand == LabelStand::Passing ? withTools : obstacles);
 
+  const auto forEach = [&](LabelStand stand, const auto &visit) {
+    for (std::size_t label = 0; label < requests.size(); ++label)
+      if (requests[label].stand == stand)
+        visit(label);
+  };
+  const auto pin = [&](std::size_t label) {
+    board.placed[label].reset();
+    for (const Candidate &only : options[label].candidates)
+      if (costOf(only, label, options[label].obstacles, board, costOfTouching) < costOfThickLine)
+        board.placed[label] = only;
+  };
+  const auto settle = [&](std::size_t label) {
+    board.placed[label] = bestFor(label, requests[label].id, options[label], board);
+  };
+  // Every label takes the best place beside those placed before it; then, beside all others. What is pinned
+  // cannot move away, so the others do; where they cannot, it is left out.
+  forEach(LabelStand::Pinned, pin);
+  for (int pass = 0; pass < passes; ++pass)
+    forEach(LabelStand::Beside, settle);
+  forEach(LabelStand::Pinned, pin);
+  forEach(LabelStand::Passing, settle);
+  forEach(LabelStand::Pinned, pin);
+  return taken(requests, board);
+}
+
+std::vector<PlacedLabel> LabelLayout::taken(const std::vector<LabelRequest> &requests, const Board &board) {
   std::vector<PlacedLabel> result;
   m_choices.clear();
   for (std::size_t label = 0; label < requests.size(); ++label) {

@@ -1,5 +1,5 @@
-// Where labels go on the screen: beside what they name, clear of one another and of points, within the
-// screen.
+// Where labels go on the screen: beside what they name, clear of one another, of points and of lines, within
+// the part of the screen that nothing covers.
 #pragma once
 
 #include "widgets/picture/camera.h"
@@ -17,12 +17,19 @@ struct LabelAnchor {
   double clearance = 0;     ///< pixels around the anchor that the mark itself covers
 };
 
+/// How a label stands.
+enum class LabelStand {
+  Beside, ///< where it is clear of everything, as near to an anchor as can be
+  Pinned, ///< centred on its first anchor, or nowhere: where something is already there, it is left out
+  Passing ///< beside an anchor, as long as the hand is there: all others stay where they are
+};
+
 /// A label to be placed. Its anchors are tried in order of liking; those off the screen do not count.
 struct LabelRequest {
   std::string id;
   glm::dvec2 extent{}; ///< width and height in pixels
   std::vector<LabelAnchor> anchors;
-  bool isPinned = false; ///< centred on its first anchor, whatever else is there
+  LabelStand stand = LabelStand::Beside;
 };
 
 /// What labels should not cover.
@@ -34,9 +41,12 @@ struct LabelObstacles {
   struct Segment {
     glm::dvec2 from{};
     glm::dvec2 to{};
+    bool isThick = false; ///< an axis or an arrow: crossed by one, a label cannot be read
   };
-  std::vector<Disc> discs;       ///< points: hardly ever covered
+  std::vector<Disc> discs;       ///< points and knobs
   std::vector<Segment> segments; ///< lines: better not crossed
+  std::vector<Segment> tools;    ///< lines of the hand's tools, for which only passing labels make room
+  std::vector<PixelBox> covered; ///< what lies over the picture: never reached
 };
 
 /// A label's place: the top left pixel, and the anchor that it belongs to.
@@ -48,12 +58,12 @@ struct PlacedLabel {
   bool needsLeader = false; ///< it had to move far from its anchor
 };
 
-/// Places labels from frame to frame: a label stays on the side where it was unless another is clearly
-/// better.
+/// Places labels from frame to frame: a label stays on the side where it was for as long as nothing comes
+/// upon it there, and goes back beside its anchor when it can.
 class LabelLayout {
 public:
-  /// Labels without an anchor on the screen are left out. Sizes and distances are multiplied by the pixel
-  /// ratio.
+  /// Labels without an anchor on the screen are left out, and pinned ones without room. Sizes and distances
+  /// are multiplied by the pixel ratio.
   [[nodiscard]] std::vector<PlacedLabel> place(const std::vector<LabelRequest> &requests,
                                                const LabelObstacles &obstacles, PixelSize size,
                                                double pixelRatio);
@@ -76,9 +86,16 @@ private:
   [[nodiscard]] static double costOf(const Candidate &candidate, std::size_t label,
                                      const LabelObstacles &obstacles, const Board &board, double limit);
 
-  /// The cheapest place for a label beside what is placed so far; nothing where it may stand nowhere.
-  [[nodiscard]] std::optional<Candidate> cheapestFor(std::size_t label, const std::string &id,
-                                                     const Options &options, const Board &board) const;
+  /// The place where a label was, if nothing is wrong with it.
+  [[nodiscard]] const Candidate *keptFor(std::size_t label, const std::string &id, const Options &options,
+                                         const Board &board) const;
+  /// That, or else the cheapest place for a label beside what is placed so far; nothing where it may stand
+  /// nowhere.
+  [[nodiscard]] std::optional<Candidate> bestFor(std::size_t label, const std::string &id,
+                                                 const Options &options, const Board &board) const;
+
+  /// What is placed, remembered for the next frame.
+  [[nodiscard]] std::vector<PlacedLabel> taken(const std::vector<LabelRequest> &requests, const Board &board);
 
   std::map<std::string, Choice> m_choices;
 };

@@ -17,12 +17,11 @@ namespace {
 
 /// What balls and arrow heads cover around an anchor, in design pixels.
 constexpr double lineClearance = 5;
-constexpr double tipClearance = 4;
+constexpr double tipRadius = 8;
+constexpr double tipClearance = 9;
 constexpr double gizmoClearance = 26;
 constexpr double knobClearance = 16;
-
-/// Numbers at an axis are at least this far apart, in scene units at scale 1.
-constexpr double numberSpacing = 0.8;
+constexpr double dropNumberClearance = 12;
 
 /// Where along a line its label may stand, the best place first.
 constexpr std::array besideLineParts{0.5, 0.65, 0.35, 0.8};
@@ -31,9 +30,6 @@ constexpr std::array besideArrowParts{0.5, 0.7, 0.3};
 
 /// Where along an arc, the best place first.
 constexpr std::array alongArcParts{0.5, 0.3, 0.7};
-
-/// The width of a number at an axis, in heights of its type.
-constexpr double numberWidth = 1.3;
 
 /// Beside a point a label is best to the upper right.
 constexpr glm::dvec2 upperRight{1, -0.8};
@@ -67,6 +63,14 @@ public:
     const auto end = pixelOf(tip);
     if (start && end && *start != *end)
       add(tip, glm::normalize(*end - *start) + glm::dvec2(0, -0.4), tipClearance);
+  }
+
+  /// Beside a place, on the side where another one is.
+  void addTowards(Place at, Place side, double clearance) {
+    const auto start = pixelOf(at);
+    const auto end = pixelOf(side);
+    if (start && end)
+      add(at, *end - *start, clearance);
   }
 
   /// Beside the corners of a patch, the highest on the screen first.
@@ -136,43 +140,6 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
   return anchors.take();
 }
 
-/// Leaves out numbers that would be written over others.
-class NumbersOnScreen {
-public:
-  explicit NumbersOnScreen(const View &view) : m_view(view) {}
-
-  /// No number is written on the ball of a point.
-  void keepOff(const PointMark &point, double radius) {
-    if (const auto pixel = m_view.camera.project(point.at, m_view.size))
-      m_balls.push_back({glm::dvec2(*pixel), radius});
-  }
-
-  /// Whether there is room for a number of this size at a place; it is taken then.
-  bool takeRoom(Place at, double size) {
-    const auto projected = m_view.camera.project(at, m_view.size);
-    if (!projected)
-      return false;
-    const glm::dvec2 pixel(*projected);
-    const auto isNear = [&](glm::dvec2 other) {
-      const glm::dvec2 apart = glm::abs(pixel - other) / size;
-      return apart.x < numberWidth && apart.y < 1;
-    };
-    const auto isOn = [&](const LabelObstacles::Disc &ball) {
-      return glm::distance(pixel, ball.center) < ball.radius + size / 2;
-    };
-    if (std::any_of(m_taken.begin(), m_taken.end(), isNear) ||
-        std::any_of(m_balls.begin(), m_balls.end(), isOn))
-      return false;
-    m_taken.push_back(pixel);
-    return true;
-  }
-
-private:
-  const View &m_view;
-  std::vector<glm::dvec2> m_taken;
-  std::vector<LabelObstacles::Disc> m_balls;
-};
-
 /// The marks whose labels are written.
 std::vector<const Mark *> labelledMarks(const SceneContent &content) {
   const auto standsOut = [&](const Mark *mark) { return content.highlighted.contains(baseOf(*mark).id); };
@@ -185,6 +152,11 @@ std::vector<const Mark *> labelledMarks(const SceneContent &content) {
     marks.resize(mostMarkLabels);
   }
   return marks;
+}
+
+std::vector<Place> closed(std::vector<Place> corners) {
+  corners.push_back(corners.front());
+  return corners;
 }
 
 /// Beyond the tip of an axis, whose name gives way to what is already there.
@@ -202,45 +174,42 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   std::vector<LabelText> texts;
   const double pixels = view.pixelRatio * theme.textScale;
   const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
-  const auto pin = [&](const std::string &id, const std::string &latex, Place at, const LabelStyle &look) {
+  const auto at = [&](Place place) {
     Anchors anchors(view);
-    anchors.add(at, {0, 0}, 0);
-    texts.push_back({id, latex, look, anchors.take(), true});
+    anchors.add(place, {0, 0}, 0);
+    return anchors.take();
   };
 
-  const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  std::vector<AxisLabel> dropNumbers;
-  if (content.dropLine && content.stage.hasAxes())
-    for (const int axis : {0, 1})
-      dropNumbers.push_back(axisNumber(axis, content.dropLine->from[axis], content.stage.exponent, scale));
-  for (const AxisLabel &label : dropNumbers)
-    pin("drop " + std::to_string(texts.size()), label.latex, label.at, style(theme.accent, tickTextSize));
-  NumbersOnScreen numbers(view);
-  for (const Mark &mark : content.figure.marks)
-    if (const auto *point = std::get_if<PointMark>(&mark))
-      numbers.keepOff(*point, clearanceOf(*point) * theme.lineScale * view.pixelRatio);
-  for (const AxisLabel &label : axes) {
-    // A drop line's number takes the place of a tick's.
-    const auto covers = [&](const AxisLabel &drop) {
-      return glm::distance(drop.at, label.at) < numberSpacing * scale * theme.textScale;
-    };
+  for (const AxisLabel &label : axes)
     if (label.isName)
       texts.push_back({"axis " + label.latex, label.latex, style(theme.ink, markTextSize),
                        axisNameAnchors(label.at, view)});
-    else if (std::none_of(dropNumbers.begin(), dropNumbers.end(), covers) &&
-             numbers.takeRoom(label.at, tickTextSize * pixels))
-      pin("axis " + std::to_string(texts.size()), label.latex, label.at, style(theme.mutedInk, tickTextSize));
-  }
+    else
+      texts.push_back({"tick " + std::to_string(texts.size()), label.latex,
+                       style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned});
   for (const Mark *mark : labelledMarks(content)) {
     const MarkBase &base = baseOf(*mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
     texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize), anchorsOf(*mark, view),
-                     false, true, content.arrival.presenceOf(base)});
+                     LabelStand::Beside, true, content.arrival.presenceOf(base)});
   }
+  const double scale = designScale(view.camera, view.size, view.pixelRatio);
+  if (content.dropLine && content.stage.hasAxes())
+    for (const int axis : {0, 1}) {
+      const double coordinate = content.dropLine->from[axis];
+      const AxisLabel label = axisNumber(axis, coordinate, view.camera, content.stage.exponent, scale);
+      Place onAxis(0);
+      onAxis[axis] = coordinate;
+      Anchors anchors(view);
+      anchors.addTowards(onAxis, label.at, dropNumberClearance);
+      texts.push_back({"drop " + std::to_string(axis), label.latex, style(theme.accent, tickTextSize),
+                       anchors.take(), LabelStand::Passing});
+    }
   if (content.gizmo && !content.gizmo->note.empty()) {
     Anchors anchors(view);
     anchors.add(content.gizmo->at, {-1, 0.6}, gizmoClearance);
-    texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take()});
+    texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take(),
+                     LabelStand::Passing});
   }
   return texts;
 }
@@ -253,28 +222,37 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
     if (const auto pixel = view.camera.project(at, view.size))
       obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio});
   };
-  const auto addPath = [&](const std::vector<Place> &path) {
+  using Segments = std::vector<LabelObstacles::Segment>;
+  const auto addPath = [&](const std::vector<Place> &path, bool isThick, Segments &segments) {
     std::optional<glm::dvec3> previous;
     for (const Place &place : path) {
       const auto pixel = view.camera.project(place, view.size);
       if (pixel && previous)
-        obstacles.segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel)});
+        segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel), isThick});
       previous = pixel;
     }
   };
-  for (const Mark &mark : content.figure.marks)
+  for (const Mark &mark : content.figure.marks) {
+    const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+    const bool isArrow = std::holds_alternative<ArrowMark>(mark);
     if (const auto *point = std::get_if<PointMark>(&mark))
       addDisc(point->at, clearanceOf(*point) * theme.lineScale);
+    else if (outline.kind == MarkOutline::Kind::Face && !outline.path.empty())
+      addPath(closed(outline.path), false, obstacles.segments);
     else
-      addPath(outlineOf(mark, rightAngleSize * scale).path);
+      addPath(outline.path, isArrow, obstacles.segments);
+    if (isArrow && !outline.path.empty())
+      addDisc(outline.path.back(), tipRadius * theme.lineScale);
+  }
   for (const Knob &knob : content.knobs)
     addDisc(knob.at, knobClearance);
   if (axes)
     for (const AxisEnds &axis : axisEnds(*axes))
-      addPath({axis.low, axis.high});
+      addPath({axis.low, axis.high}, true, obstacles.segments);
   if (content.gizmo)
     for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
-      addPath(part.outline);
+      addPath(part.outline, false, obstacles.tools);
+  obstacles.covered = view.covered;
   return obstacles;
 }
 

@@ -14,7 +14,7 @@ struct LabelText {
   std::string latex;
   LabelStyle style;
   std::vector<LabelAnchor> anchors;
-  bool isPinned = false;
+  LabelStand stand = LabelStand::Beside;
   bool isMark = false; ///< whether the id is a mark's
   double opacity = 1;
 };

@@ -153,16 +153,16 @@ void RowSetter::collectAtom(const Node &node, SetStyle style) {
   m_atoms.push_back({&node, node.atomClass});
 }
 
-/// TeX's rule 19: fences cover at least 90 % of what they enclose, and lack at most 5 pt.
+/// Fences reach as far as what they enclose, but for a little that nobody sees. (TeX's lack up to 10 % of
+/// it.)
 double RowSetter::fenceHeight(SetStyle style) const {
-  constexpr double delimiterFactor = 0.901;
-  constexpr double delimiterShortfall = 0.5;
+  constexpr double shortfall = 0.1;
   const double axis = m_sheet.axis(style);
   double reach = 0;
   for (const Entry &entry : m_entries)
     if (entry.kind == Entry::Kind::Atom)
       reach = std::max({reach, entry.box.ascent - axis, entry.box.depth + axis});
-  return std::max(2 * reach * delimiterFactor, 2 * reach - delimiterShortfall);
+  return 2 * reach - shortfall * m_sheet.em(style);
 }
 
 void RowSetter::setMiddleFences(SetStyle style) {

@@ -4,6 +4,8 @@
 #include "widgets/picture/labels/number_text.h"
 #include "widgets/picture/shapes/mark_outline.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +39,7 @@ constexpr double longestAxis = 60;
 
 constexpr std::array<Place, 3> axisDirections{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
 constexpr std::array<const char *, 3> axisNames{"x", "y", "z"};
-/// To which side of an axis its ticks and numbers stand.
+/// To which side of an axis its ticks and numbers stand, as far as the camera lets them.
 constexpr std::array<Place, 3> tickSides{Place{0, -1, 0}, Place{-1, 0, 0}, Place{-0.7071, -0.7071, 0}};
 
 double strengthAt(double distance, double radius) {
@@ -81,6 +83,22 @@ std::vector<double> ticksOf(double low, double high, double target, double viewH
     if (number != 0 && number * spacing < high - step)
       ticks.push_back(number * spacing);
   return ticks;
+}
+
+/// The direction in which the ticks of an axis stand: square to it and to the sight, so that they are seen at
+/// their full length; along an axis that is seen as a point, any.
+Place tickDirection(std::size_t axis, const Camera &camera) {
+  const Place across = glm::cross(axisDirections[axis], camera.viewDirection());
+  const double length = glm::length(across);
+  if (length == 0)
+    return tickSides[axis];
+  return across / (glm::dot(across, tickSides[axis]) < 0 ? -length : length);
+}
+
+/// Whether only part of a mark is drawn, because there is no end to it.
+bool runsOn(const Mark &mark) {
+  return std::holds_alternative<PlanePatchMark>(mark) || std::holds_alternative<RayMark>(mark) ||
+         std::holds_alternative<LineMark>(mark);
 }
 
 } // namespace
@@ -128,7 +146,7 @@ AxesReach axesFor(const std::vector<Place> &places) {
 AxesReach axesAround(const Figure &figure) {
   std::vector<Place> places;
   for (const Mark &mark : figure.marks)
-    if (!std::holds_alternative<PlanePatchMark>(mark) && !std::holds_alternative<RayMark>(mark)) {
+    if (!runsOn(mark)) {
       const MarkOutline outline = outlineOf(mark, 0);
       places.insert(places.end(), outline.path.begin(), outline.path.end());
     }
@@ -144,17 +162,17 @@ Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, 
     addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
     for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
       const Place at = axisDirections[i] * tick;
-      addTube(mesh, at, at + tickSides[i] * (tickLength * scale), tickRadius * width, theme.axis);
+      addTube(mesh, at, at + tickDirection(i, camera) * (tickLength * scale), tickRadius * width, theme.axis);
     }
   }
   addBall(mesh, Place(0), originRadius * width, theme.axis);
   return mesh;
 }
 
-AxisLabel axisNumber(int axis, double number, int exponent, double scale) {
+AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale) {
   const auto i = static_cast<std::size_t>(axis);
   return {numberText(number, exponent),
-          axisDirections[i] * number + tickSides[i] * (tickLabelDistance * scale)};
+          axisDirections[i] * number + tickDirection(i, camera) * (tickLabelDistance * scale)};
 }
 
 std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent, double scale) {
@@ -162,7 +180,7 @@ std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, 
   for (std::size_t i = 0; i < axisDirections.size(); ++i) {
     const auto axis = static_cast<Place::length_type>(i);
     for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height))
-      labels.push_back(axisNumber(axis, tick, exponent, scale));
+      labels.push_back(axisNumber(axis, tick, camera, exponent, scale));
     labels.push_back({axisNames[i], axisDirections[i] * (reach.high[axis] + nameDistance * scale), true});
   }
   return labels;

@@ -45,7 +45,7 @@ struct AxisEnds {
 /// Long enough for all places, but not without bound: what is far away does not stretch them.
 [[nodiscard]] AxesReach axesFor(const std::vector<Place> &places);
 
-/// The axes of a figure: patches and rays may reach beyond them.
+/// The axes of a figure: patches, rays and lines may reach beyond them.
 [[nodiscard]] AxesReach axesAround(const Figure &figure);
 
 /// A number or a name written at an axis.
@@ -56,8 +56,8 @@ struct AxisLabel {
 };
 
 /// A number at its place beside an axis (0, 1, 2 for x, y, z), written in scene units: a unit of the stage is
-/// 10^exponent of them.
-[[nodiscard]] AxisLabel axisNumber(int axis, double number, int exponent, double scale);
+/// 10^exponent of them. Whichever way the camera looks, it is seen beside the axis, never over it.
+[[nodiscard]] AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale);
 
 /// The axes with ticks, those that the camera may see.
 [[nodiscard]] Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale);

@@ -27,7 +27,8 @@ constexpr double highlightWidth = 1.55;
 /// A ball is thick as it is: much thicker, it would cover what lies beside it.
 constexpr double highlightBallWidth = 1.2;
 constexpr double highlightInk = 0.22;
-constexpr double ghostPaleness = 0.6;
+/// Dashes tell a ghost from the rest as well: paler than this it would be lost behind a plane.
+constexpr double ghostPaleness = 0.3;
 constexpr double patchBorderDepth = 0.35;
 
 double widthOf(Role role) {

@@ -1,0 +1,285 @@
+// How every step of every lesson begins: nothing lies over anything, and everything can be read and grabbed.
+#include "lessons/lesson/lesson.h"
+#include "lessons/scene/handles.h"
+#include "tests/picture/labels/vectors_only.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/hand/handle_drag.h"
+#include "widgets/picture/labels/label_page.h"
+#include "widgets/picture/screen_shapes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+const LessonLibrary &library() {
+  static const LessonLibrary lessons = readLessons(LESSON_FOLDER);
+  return lessons;
+}
+
+/// Two handles nearer than this, in design pixels, are grabbed one for the other …
+constexpr double leastHandleDistance = 22;
+/// … but for an arrow's tip and its start: the arrow shows which is which.
+constexpr double leastArrowLength = 11;
+/// Lines that meet at a smaller angle than this on the screen look like one, in radians; axes, like none that
+/// are square to each other.
+constexpr double leastAngle = 0.12;
+constexpr double leastAxesAngle = 0.3;
+
+/// A step's picture as it is seen when the lesson begins there.
+struct Page {
+  View view;
+  SceneContent content;
+  std::vector<Handle> handles;
+  LabelPage placer{};
+  std::vector<LabelOnPage> labels{};
+  std::vector<Place> places; ///< that belong into the view
+
+  [[nodiscard]] glm::dvec2 pixelOf(const Place &place) const {
+    return glm::dvec2(view.camera.project(place, view.size).value());
+  }
+};
+
+void placeLabels(Page &page) {
+  const Theme &theme = themes().front();
+  const AxesReach axes = axesAround(page.content.figure);
+  const double scale = designScale(page.view.camera, page.view.size, page.view.pixelRatio);
+  const auto texts = labelTexts(page.content, axisLabels(axes, page.view.camera, 0, scale), theme, page.view);
+  page.labels =
+      page.placer.place(texts, obstaclesOf(page.content, axes, theme, page.view), vectorsOnly(), page.view);
+}
+
+Page pageOf(const Lesson &lesson, const LessonStep &step, PixelSize size, double ratio,
+            const std::vector<PixelBox> &covered) {
+  const Evaluation evaluation = evaluate(lesson.scene);
+  const Figure whole = figureOf(evaluation);
+  Page page;
+  page.content.figure = shownIn(step, evaluation, whole).figure;
+  page.handles = handlesOf({lesson.scene, evaluation});
+  page.places = placesOf(whole);
+  for (const Handle &handle : page.handles) {
+    page.places.push_back(shownPlace(handle));
+    if (const auto knob = knobOf(handle, false))
+      page.content.knobs.push_back(*knob);
+  }
+  const std::vector<Place> tips = axisTips(whole);
+  page.places.insert(page.places.end(), tips.begin(), tips.end());
+  page.view = {Camera(lesson.camera), size, ratio, covered};
+  page.view.camera = fitted(page.view, page.places);
+
+  placeLabels(page);
+  return page;
+}
+
+PixelBox boxOf(const LabelOnPage &label) {
+  return {label.place.topLeft, label.place.topLeft + label.place.extent};
+}
+
+/// A straight thing, in space and on the screen.
+struct Stroke {
+  std::string name;
+  Place along{};
+  glm::dvec2 from{};
+  glm::dvec2 to{};
+};
+
+Stroke strokeOf(const Page &page, const std::string &name, const Place &from, const Place &to) {
+  return {name, to - from, page.pixelOf(from), page.pixelOf(to)};
+}
+
+std::vector<Stroke> axesOf(const Page &page) {
+  static const std::array<std::string, 3> names{"x", "y", "z"};
+  std::vector<Stroke> strokes;
+  const auto ends = axisEnds(axesAround(page.content.figure));
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    strokes.push_back(strokeOf(page, names[i], ends[i].low, ends[i].high));
+  return strokes;
+}
+
+std::vector<Stroke> arrowsOf(const Page &page) {
+  std::vector<Stroke> strokes;
+  for (const Mark &mark : page.content.figure.marks)
+    if (const auto *arrow = std::get_if<ArrowMark>(&mark))
+      strokes.push_back(strokeOf(page, arrow->id, arrow->from, arrow->from + shownVector(*arrow)));
+  return strokes;
+}
+
+/// The sides of polygons, each from both of its ends.
+std::vector<Stroke> sidesOf(const Page &page) {
+  std::vector<Stroke> strokes;
+  for (const Mark &mark : page.content.figure.marks)
+    if (const auto *polygon = std::get_if<PolygonMark>(&mark))
+      for (std::size_t i = 0; i < polygon->corners.size(); ++i) {
+        const Place &from = polygon->corners[i];
+        const Place &to = polygon->corners[(i + 1) % polygon->corners.size()];
+        strokes.push_back(strokeOf(page, "a side of " + polygon->id, from, to));
+        strokes.push_back(strokeOf(page, "a side of " + polygon->id, to, from));
+      }
+  return strokes;
+}
+
+/// What is wrong with a page, a sentence each.
+std::vector<std::string> coveredLabels(const Page &page) {
+  std::vector<std::string> wrong;
+  std::vector<Stroke> strokes = axesOf(page);
+  for (Stroke &arrow : arrowsOf(page))
+    strokes.push_back(std::move(arrow));
+  for (const LabelOnPage &label : page.labels) {
+    const PixelBox box = boxOf(label);
+    for (const LabelOnPage &other : page.labels)
+      if (label.text.id < other.text.id && overlapArea(box, boxOf(other)) > 0)
+        wrong.push_back(label.text.id + " and " + other.text.id + " lie over each other");
+    for (const Stroke &stroke : strokes)
+      if (lengthInside(box, stroke.from, stroke.to) > 0)
+        wrong.push_back(label.text.id + " is struck through by " + stroke.name);
+    for (const Handle &handle : page.handles)
+      if (distanceTo(box, page.pixelOf(shownPlace(handle))) < 4 * page.view.pixelRatio)
+        wrong.push_back(label.text.id + " lies on the handle " + handle.id);
+    for (const PixelBox &covered : page.view.covered)
+      if (overlapArea(box, covered) > 0)
+        wrong.push_back(label.text.id + " is covered");
+    if (overlapArea(box, page.view.box()) < box.extent().x * box.extent().y)
+      wrong.push_back(label.text.id + " leaves the view");
+  }
+  return wrong;
+}
+
+std::vector<std::string> missingLabels(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Mark &mark : page.content.figure.marks) {
+    const MarkBase &base = baseOf(mark);
+    const auto isIts = [&](const LabelOnPage &label) { return label.text.id == base.id; };
+    if (!base.label.empty() && std::none_of(page.labels.begin(), page.labels.end(), isIts))
+      wrong.push_back(base.id + " has no label");
+  }
+  return wrong;
+}
+
+/// What moves when a handle is selected: its gizmo comes, and the line down to the ground.
+std::vector<std::string> labelsThatMove(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Handle &handle : page.handles) {
+    Page selected = page;
+    selected.content.gizmo.emplace();
+    selected.content.gizmo->at = shownPlace(handle);
+    selected.content.gizmo->note = "z = 2\\text{ fixed}";
+    selected.content.dropLine = DropLine{toDouble(handle.at)};
+    placeLabels(selected);
+    for (const LabelOnPage &label : page.labels)
+      for (const LabelOnPage &after : selected.labels)
+        if (label.text.id == after.text.id && label.place.topLeft != after.place.topLeft)
+          wrong.push_back(label.text.id + " moves for " + handle.id);
+    for (const std::string &sentence : coveredLabels(selected))
+      if (sentence.find("note") != std::string::npos || sentence.find("drop") != std::string::npos)
+        wrong.push_back(sentence + ", for " + handle.id);
+  }
+  return wrong;
+}
+
+std::vector<std::string> placesOutOfView(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Place &place : page.places) {
+    const glm::dvec2 pixel = page.pixelOf(place);
+    if (distanceTo(page.view.box(), pixel) > 0)
+      wrong.emplace_back("a place is out of view");
+    for (const PixelBox &covered : page.view.covered)
+      if (distanceTo(covered, pixel) == 0)
+        wrong.emplace_back("a place is covered");
+  }
+  return wrong;
+}
+
+std::vector<std::string> handlesInTheWay(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Handle &handle : page.handles)
+    for (const Handle &other : page.handles) {
+      const Place at = shownPlace(handle);
+      const Place otherAt = shownPlace(other);
+      if (handle.id >= other.id || at == otherAt)
+        continue;
+      const double distance = glm::distance(page.pixelOf(at), page.pixelOf(otherAt));
+      const bool isArrow = handle.base == other.at || other.base == handle.at;
+      const double least = isArrow ? leastArrowLength : leastHandleDistance;
+      if (distance < least * page.view.pixelRatio)
+        wrong.push_back(handle.id + " and " + other.id + " are " + std::to_string(distance) + " apart");
+    }
+  return wrong;
+}
+
+/// The sine of the angle between two strokes on the screen.
+double angleBetween(const Stroke &a, const Stroke &b) {
+  const glm::dvec2 first = glm::normalize(a.to - a.from);
+  const glm::dvec2 second = glm::normalize(b.to - b.from);
+  return std::abs(first.x * second.y - first.y * second.x);
+}
+
+bool areParallel(const Stroke &a, const Stroke &b) {
+  constexpr double rounding = 1e-9;
+  return glm::length(glm::cross(glm::normalize(a.along), glm::normalize(b.along))) < rounding;
+}
+
+/// What meets and is seen as one line although it is none.
+std::vector<std::string> falseLines(const Page &page) {
+  std::vector<std::string> wrong;
+  const auto compare = [&](const std::vector<Stroke> &strokes, double least) {
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+      for (std::size_t j = i + 1; j < strokes.size(); ++j)
+        if (strokes[i].from == strokes[j].from && !areParallel(strokes[i], strokes[j]) &&
+            angleBetween(strokes[i], strokes[j]) < least)
+          wrong.push_back(strokes[i].name + " and " + strokes[j].name + " look like one line");
+  };
+  compare(axesOf(page), leastAxesAngle);
+  std::vector<Stroke> figure = arrowsOf(page);
+  for (Stroke &side : sidesOf(page))
+    figure.push_back(std::move(side));
+  compare(figure, leastAngle);
+  return wrong;
+}
+
+class StartView : public testing::TestWithParam<std::string> {
+protected:
+  /// Looks at all steps of the lesson, at several sizes.
+  template <class Look> void expectNothing(const Look &look) {
+    const Lesson &lesson = *library().find(GetParam());
+    for (const PixelSize size : {PixelSize{840, 725}, PixelSize{600, 480}, PixelSize{1100, 940}})
+      for (const double ratio : {1.0, 1.5})
+        for (const LessonStep &step : lesson.steps)
+          for (const std::string &sentence : look(pageOf(lesson, step, size, ratio, coveredIn(size, ratio))))
+            ADD_FAILURE() << size.width << " wide, at " << ratio << ", " << step.title << ": " << sentence;
+  }
+
+  /// Buttons in the upper right corner, a card in the lower left one.
+  static std::vector<PixelBox> coveredIn(PixelSize size, double ratio) {
+    const double width = size.width;
+    const double height = size.height;
+    return {{{width - 44 * ratio, 0}, {width, 160 * ratio}},
+            {{0, height - 56 * ratio}, {std::min(430 * ratio, width), height}}};
+  }
+};
+
+TEST_P(StartView, NoLabelIsCovered) { expectNothing(coveredLabels); }
+TEST_P(StartView, EveryMarkHasItsLabel) { expectNothing(missingLabels); }
+TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatMove); }
+TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
+TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }
+TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); }
+
+std::vector<std::string> lessonNames() {
+  std::vector<std::string> names;
+  for (const Lesson &lesson : library().lessons)
+    names.push_back(lesson.id);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Lessons, StartView, testing::ValuesIn(lessonNames()), [](const auto &lesson) {
+  std::string name = lesson.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+} // namespace
+} // namespace halfspace
