@@ -67,10 +67,11 @@ CaseWords tell(const In &, const Out &at) {
   case PlanePlaneCase::Line:
     return {caseName, words("The planes {E} and {F} meet in the line {g}.", at.letters)};
   case PlanePlaneCase::Parallel:
-    return {caseName,
-            words("{E.n} and {F.n} are multiples of each other, and no point lies in both planes: {E} and {F} "
-                  "are parallel.",
-                  at.letters)};
+    return {
+        caseName,
+        words("{E.n} and {F.n} are multiples of each other, and no point lies in both planes: {E} and {F} "
+              "are parallel.",
+              at.letters)};
   case PlanePlaneCase::Coincident:
     return {caseName, words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
                             "the other.",

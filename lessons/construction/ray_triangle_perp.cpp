@@ -175,9 +175,8 @@ void addSideLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(v == at.P2 - at.P0),
                  words("Two sides of the triangle, both from {P0}.", at.letters));
   });
-  lines.add("normal", [&] {
-    return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides."));
-  });
+  lines.add("normal",
+            [&] { return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides.")); });
   lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
   lines.add("uv", [&] { return asked(withProducts(dot(u, v))); });
   lines.add("vv", [&] {
@@ -257,13 +256,13 @@ WorkingLine placeLine(const Out &at) {
 /// Figure 4 of the note.
 WorkingLine similarLine(const Out &at) {
   const Term part = at.a / at.b;
-  return line(((at.t * at.v).marked(at.C->mark) == part * at.v)
-                  .then(numbersPutIn(part) * at.v)
-                  .then(multipleOf(part, at.v)),
-              words("The right triangles {P0}{A}{C} and {P0}{B}{P2} have the same shape, so t·v is to v as a is "
-                    "to b. The length of u⊥ stands in both and cancels.",
-                    at.letters,
-                    {{"A", plainText(at.A)}, {"B", plainText(at.B)}, {"C", plainText(at.C)}}));
+  return line(
+      ((at.t * at.v).marked(at.C->mark) == part * at.v)
+          .then(numbersPutIn(part) * at.v)
+          .then(multipleOf(part, at.v)),
+      words("The right triangles {P0}{A}{C} and {P0}{B}{P2} have the same shape, so t·v is to v as a is "
+            "to b. The length of u⊥ stands in both and cancels.",
+            at.letters, {{"A", plainText(at.A)}, {"B", plainText(at.B)}, {"C", plainText(at.C)}}));
 }
 
 void addShareLines(const Out &at, Explanation &lines) {
@@ -367,7 +366,8 @@ Figure draw(const In &in, const Out &at) {
 
 Construction ray_triangle_perp() {
   return makeConstruction<In, Out, TriangleObject, RayObject>(
-      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}}, {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
+      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}},
+      {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
       {compute, tell, valuesOf, make, explain, draw});
 }
 

@@ -151,7 +151,7 @@ Term numbersPutIn(const Term &term) {
 Term multipliedOut(const Term &term) {
   if (isNamed(term))
     return calculated(term);
-  const Term rewritten = isProductOfVectors(term) ? partsBy(calculated, term) : partsBy(multipliedOut, term);
+  Term rewritten = isProductOfVectors(term) ? partsBy(calculated, term) : partsBy(multipliedOut, term);
   if (!isProductOfVectors(rewritten) || !areListsThatMatch(rewritten))
     return rewritten;
   return rewritten->kind == TermKind::Dot ? summed(rewritten) : crosswise(rewritten);

@@ -140,7 +140,8 @@ TEST(Content, AboveAQuestion_StandWordsWithoutTheValueThatDecides) {
           if (std::holds_alternative<Prediction>(block))
             break;
           const auto *words = std::get_if<StepWords>(&block);
-          ASSERT_TRUE(words) << lesson.id << ", " << step.title << ": what follows from the answer goes below";
+          ASSERT_TRUE(words) << lesson.id << ", " << step.title
+                             << ": what follows from the answer goes below";
           EXPECT_EQ(words->markdown.find(value), std::string::npos) << lesson.id << ", " << step.title;
         }
       }
@@ -193,8 +194,7 @@ TEST(Content, EveryTask_IsStillToDoWhenItsTurnComes) {
 std::size_t wordsOn(const LessonStep &step) {
   std::string text;
   const Overloaded add{[&](const StepWords &words) { text += words.markdown + " "; },
-                       [](const StepLines &) {},
-                       [](const StepNote &) {},
+                       [](const StepLines &) {}, [](const StepNote &) {},
                        [&](const Task &task) { text += task.instruction + " "; },
                        [&](const Prediction &prediction) {
                          text += prediction.question + " ";

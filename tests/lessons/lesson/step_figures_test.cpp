@@ -117,7 +117,8 @@ TEST(StepFigures, HaveWhatTheStepSpeaksOf) {
   for (const StepOf &each : allSteps()) {
     std::set<std::string> missing;
     for (const Mark &mark : each.whole.marks)
-      if (const std::string &label = baseOf(mark).label; !label.empty() && !hasLabel(each.shown.figure, label))
+      if (const std::string &label = baseOf(mark).label;
+          !label.empty() && !hasLabel(each.shown.figure, label))
         missing.insert(label);
     for (const std::string &formula : each.formulas())
       for (const std::string &label : missing)
