@@ -9,6 +9,7 @@
 #include <utility>
 
 class QJsonArray;
+class QString;
 
 namespace halfspace {
 
@@ -22,8 +23,21 @@ struct StepProgress {
 /// By lesson and step.
 using LessonProgress = std::map<std::pair<std::string, int>, StepProgress>;
 
+/// A lesson is done when all its tasks are and all its questions are answered.
+[[nodiscard]] LessonState stateOf(const Lesson &lesson, const LessonProgress &progress);
+
+/// What has been done according to one or the other; where both have an answer, the first's.
+[[nodiscard]] LessonProgress merged(LessonProgress first, const LessonProgress &second);
+
 [[nodiscard]] QJsonArray toJson(const LessonProgress &progress);
 /// What toJson wrote; whatever is not of that form is passed over.
 [[nodiscard]] LessonProgress progressFrom(const QJsonArray &json);
+
+/// Where the progress stands between starts: a file of the user's data; empty where there is none.
+[[nodiscard]] QString progressFile();
+/// What the file tells; nothing where it is not there, or cannot be read.
+[[nodiscard]] LessonProgress readProgress(const QString &file);
+/// Adds what was done to what the file tells: another window may have written it.
+[[nodiscard]] std::optional<Problem> addProgress(const LessonProgress &progress, const QString &file);
 
 } // namespace halfspace

@@ -2,13 +2,16 @@
 
 #include "app/standard_streams.h"
 #include "app/window_style.h"
-#include "widgets/lesson/lesson_panel.h"
+#include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
+#include "widgets/lesson/contents_drawer.h"
 #include "widgets/numbers/inspector.h"
-#include "widgets/repolish.h"
+#include "widgets/numbers/number_card.h"
 #include "widgets/text/unbroken.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
+#include "widgets/view/case_line.h"
+#include "widgets/view/scene_frame.h"
 #include "widgets/working/working_practice.h"
 
 #include <QAction>
@@ -16,11 +19,11 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
-#include <QListWidget>
 #include <QMessageBox>
 #include <QRandomGenerator>
 #include <QScreen>
-#include <QStatusBar>
+#include <QSplitter>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -45,11 +48,7 @@ MainWindow::MainWindow(LessonLibrary library)
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
   createMenus();
-  m_unkept = new QLabel;
-  m_unkept->setObjectName("complaint");
-  m_unkept->setTextFormat(Qt::PlainText);
-  m_unkept->hide();
-  statusBar()->addPermanentWidget(m_unkept);
+  createHeader();
 
   for (QTimer *timer : {&m_keepTimer, &m_openedTimer})
     timer->setSingleShot(true);
@@ -64,24 +63,29 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
-    m_lessonPanel->setStep(m_model.session().step);
+    m_page->setStep(m_model.session().step);
     progress().tasks.arrive();
+    takeQuestion();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::showOutcome);
+  connect(&m_model, &SessionModel::gestureChanged, this, &MainWindow::followGesture);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
-    m_working->dropTyped(); // it was about the numbers that go
-    m_inspector->dropTyped();
+    dropTyped(); // it was about the numbers that go
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
   });
-  connect(m_scene, &SceneView::hint, this, [this](const QString &words) { statusBar()->showMessage(words); });
+  connect(m_scene, &SceneView::hint, m_card, &NumberCard::setHint);
+  connect(m_scene, &SceneView::selectionChanged, this,
+          [this] { m_card->setSelection(m_scene->selectedCoordinate()); });
 
+  m_progress = m_keptProgress = readProgress(progressFile());
   restoreSettings();
   showLesson();
+  takeQuestion();
   showOutcome();
 }
 
@@ -93,58 +97,79 @@ MainWindow::~MainWindow() {
   qDeleteAll(findChildren<QDockWidget *>());
 }
 
-const LessonStep *MainWindow::currentStep() const {
-  const auto step = static_cast<std::size_t>(m_model.session().step);
-  return step < m_model.lesson().steps.size() ? &m_model.lesson().steps[step] : nullptr;
-}
-
 StepProgress &MainWindow::progress() {
   return m_progress[{m_model.session().lesson, m_model.session().step}];
 }
 
-bool MainWindow::isPredicting() {
-  const LessonStep *step = currentStep();
-  return step && step->prediction && !progress().chosen;
-}
+bool MainWindow::isPredicting() { return predictionOf(m_model.step()) && !progress().chosen; }
 
 bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks(); }
 
+void MainWindow::takeQuestion() {
+  m_model.setQuestion(isPredicting() ? Question::Open : Question::Answered);
+}
+
 void MainWindow::showLesson() {
-  m_lessonList->setCurrentItem(nullptr); // a file may name a lesson that is not there
-  for (int row = 0; row < m_lessonList->count(); ++row)
-    if (m_lessonList->item(row)->data(Qt::UserRole).toString().toStdString() == m_model.session().lesson)
-      m_lessonList->setCurrentRow(row);
-  m_lessonPanel->setLesson(m_model.lesson());
-  m_lessonPanel->setStep(m_model.session().step);
-  m_lessonPanel->parentWidget()->setWindowTitle(QString::fromStdString(m_model.lesson().title));
+  m_contents->close();
+  m_page->setLesson(m_model.lesson(), m_model.session().step);
+  const Lesson *next = nextLesson();
+  m_page->setNextLesson(next ? QString::fromStdString(next->title) : QString());
+  m_lessonTitle->setText(QString::fromStdString(m_model.lesson().title));
   updateTitle();
 }
 
+const Lesson *MainWindow::nextLesson() const {
+  const std::vector<Lesson> &lessons = m_model.library().lessons;
+  const auto shown = std::find_if(lessons.begin(), lessons.end(), [this](const Lesson &lesson) {
+    return lesson.id == m_model.session().lesson;
+  });
+  return shown == lessons.end() || shown + 1 == lessons.end() ? nullptr : &*(shown + 1);
+}
+
+void MainWindow::openNextLesson() {
+  if (const Lesson *next = nextLesson())
+    m_model.openLesson(next->id);
+}
+
+void MainWindow::showContents() {
+  std::vector<ContentsDrawer::Entry> entries;
+  for (const Lesson &lesson : m_model.library().lessons)
+    entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
+                       stateOf(lesson, m_progress)});
+  m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
+  m_contents->open();
+}
+
 void MainWindow::showOutcome() {
-  const LessonStep *step = currentStep();
-  m_practice->setStep(m_model.session().lesson, m_model.session().step, step ? step->blank : std::nullopt);
-  m_practice->setWorking(m_model.shown().working, isPredicting());
+  m_practice->setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);
+  m_practice->setWorking(m_model.shown().working, m_model.shown().linesIn, isPredicting());
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
+  m_card->showSession();
   m_downRay->setEnabled(firstRay(m_model.session().scene).has_value());
   showStepWords();
   showCase();
 }
 
 void MainWindow::showStepWords() {
-  const LessonStep *step = currentStep();
-  if (!step)
-    return m_lessonPanel->setMarkdown({});
   static const Evaluation nothing;
   const Evaluation &evaluation = m_model.evaluation();
+  const Evaluation &told = hidesNumbers() ? nothing : evaluation;
   StepProgress &done = progress();
-  done.tasks.observe(step->tasks, evaluation);
-  m_lessonPanel->setMarkdown(QString::fromStdString(
-      withLiveValues(step->markdown, m_model.session().scene, hidesNumbers() ? nothing : evaluation)));
-  m_lessonPanel->setTasksDone(done.tasks.done());
-  if (step->prediction)
-    m_lessonPanel->setPredictionAnswer(done.chosen, done.right);
+  const LessonStep &step = m_model.step();
+  done.tasks.observe(tasksOf(step), evaluation);
+  m_page->setTasksDone(done.tasks.done());
+  if (predictionOf(step))
+    m_page->setPredictionAnswer(done.chosen, done.right);
+  m_page->showWords([&](const std::string &markdown) {
+    return withLiveValues(markdown, m_model.session().scene, told);
+  });
+}
+
+void MainWindow::followGesture() {
+  m_page->setHeld(m_model.inGesture());
+  m_caseLine->setHeld(m_model.inGesture());
 }
 
 std::string MainWindow::rightAnswer(const Prediction &prediction) const {
@@ -158,28 +183,27 @@ std::string MainWindow::rightAnswer(const Prediction &prediction) const {
 
 void MainWindow::showCase() {
   const Shown &shown = m_model.shown();
+  QString words = unbroken(QString::fromStdString(shown.description));
   if (isPredicting())
-    m_caseLabel->setText(tr("Answer the question below first: the numbers are hidden until you do."));
+    words = tr("Answer the question first: the numbers are hidden until you do.");
   else if (m_practice->hasBlanks() && !shown.degenerate)
-    m_caseLabel->setText(
-        tr("Fill in the blank lines of the working: other numbers are hidden until you do."));
-  else
-    m_caseLabel->setText(unbroken(QString::fromStdString(shown.description)));
-  if (m_caseLabel->property("degenerate") != shown.degenerate) {
-    m_caseLabel->setProperty("degenerate", shown.degenerate);
-    repolish(*m_caseLabel);
-  }
-  // In a drag the label only grows: the picture above it would jump back and forth with the numbers.
-  m_caseLabel->setMinimumHeight(m_model.inGesture() ? m_caseLabel->height() : 0);
-  m_scene->setAccessibleDescription(m_caseLabel->text());
+    words = tr("Fill in the blank lines: other numbers are hidden until you do.");
+  m_caseLine->setCase(words, shown.degenerate && !isPredicting());
+  m_scene->setAccessibleDescription(words);
 }
 
 void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
   progress().chosen = answer.toStdString();
-  progress().right = rightAnswer(*currentStep()->prediction);
+  progress().right = rightAnswer(*predictionOf(m_model.step()));
   keepUnsavedSoon();
-  showOutcome();
+  takeQuestion();
+}
+
+void MainWindow::reopenQuestion() {
+  progress().chosen.reset();
+  keepUnsavedSoon();
+  takeQuestion();
 }
 
 void MainWindow::hoverMark(const QString &markId) {
@@ -225,7 +249,12 @@ void MainWindow::applyLook() {
   m_scene->setSizeScale(sizeScale());
   m_working->setTheme(panels);
   m_inspector->setTheme(panels);
-  m_lessonPanel->setTheme(panels);
+  m_card->setTheme(panels);
+  m_frame->setTheme(panels);
+  m_contents->setTheme(panels);
+  m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
+  m_page->setTheme(panels);
+  sharePage();
   m_working->setInkOf(markInk(m_model, panels));
   m_larger->setEnabled(panels.textScale < largestSizeScale);
   m_smaller->setEnabled(m_sizeScale > smallestSizeScale);
@@ -245,24 +274,30 @@ void MainWindow::complain(const QString &sentence) {
   box.exec();
 }
 
-void MainWindow::say(const QString &sentence) {
-  constexpr int readingTime = 8000; // milliseconds
-  statusBar()->showMessage(sentence, readingTime);
+void MainWindow::say(const QString &sentence) { m_caseLine->say(sentence); }
+
+void MainWindow::dropTyped() {
+  m_working->dropTyped();
+  m_inspector->dropTyped();
+  m_card->dropTyped();
 }
 
 void MainWindow::restoreSettings() {
   const auto stored = readSettings(settingsFile());
   if (!stored)
-    statusBar()->showMessage(QString::fromStdString(stored.problem().text()));
+    say(QString::fromStdString(stored.problem().text()));
   const Settings settings = stored ? *stored : Settings();
+  if (!restoreGeometry(settings.window))
+    resize((usualSize * settings.sizeScale.value_or(usualSizeScale(*screen())))
+               .boundedTo(screen()->availableSize()));
   setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
   setThemeNamed(settings.theme);
   m_motion->setChecked(settings.motion);
   m_practice->setUsual(settings.blank);
-  if (!restoreGeometry(settings.window))
-    resize((usualSize * sizeScale()).boundedTo(screen()->availableSize()));
-  if (!restoreState(settings.panels))
-    arrangePanels();
+  m_model.setSnapStep(settings.snapStep);
+  restoreState(settings.panels);
+  m_isSplitChosen = m_split->restoreState(settings.split);
+  sharePage();
 }
 
 void MainWindow::storeSettings() {
@@ -270,10 +305,14 @@ void MainWindow::storeSettings() {
   settings.theme = QString::fromStdString(m_theme.name);
   settings.motion = m_motion->isChecked();
   settings.blank = m_practice->usual();
+  settings.snapStep = m_model.snapStep();
   if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
     settings.sizeScale = m_sizeScale;
+  setFullScreen(false); // the next start is a window again
   settings.window = saveGeometry();
   settings.panels = saveState();
+  if (m_isSplitChosen)
+    settings.split = m_split->saveState();
   // The window is on its way out: there is nowhere else to say it.
   if (const auto problem = writeSettings(settings, settingsFile()))
     printError(problem->text());

@@ -1,4 +1,4 @@
-// The window: scene, working, inspector, lesson words and list of lessons, put together.
+// The window: the scene, the page beside it, and what opens on demand, put together.
 #pragma once
 
 #include "app/lesson_progress.h"
@@ -16,14 +16,19 @@ class QAction;
 class QActionGroup;
 class QDockWidget;
 class QLabel;
-class QListWidget;
+class QSplitter;
+class QToolButton;
 
 namespace halfspace {
 
+class CaseLine;
+class ContentsDrawer;
 class Inspector;
-class LessonPanel;
+class LessonPage;
+class NumberCard;
+class SceneFrame;
+class StepWorking;
 class Typesetter;
-class WorkingPanel;
 class WorkingPractice;
 
 class MainWindow : public QMainWindow {
@@ -67,14 +72,25 @@ public:
 
 protected:
   void closeEvent(QCloseEvent *event) override;
+  void resizeEvent(QResizeEvent *event) override;
 
 private:
   void createPanels();
-  void createLessonList();
+  [[nodiscard]] QWidget *createScene();
+  void createContents();
+  void createInspector();
+  void createHeader();
   void connectWorking();
+  void connectPage();
   /// The scene's number that a number in the working is.
   [[nodiscard]] std::optional<CoordinateNumber> numberOf(const CoordinateSource &source) const;
-  void arrangePanels();
+  /// Shares the window between scene and page, unless the user has done so.
+  void sharePage();
+  void restoreLayout();
+  /// Shows the scene alone, the page alone, or both.
+  enum class Parts { Both, SceneOnly, PageOnly };
+  void showParts(Parts parts);
+  void setFullScreen(bool on);
   void createMenus();
   void createFileMenu();
   void createEditMenu();
@@ -84,11 +100,14 @@ private:
   void createCornerItems(QMenu &menu);
   void createSnapMenu(QMenu &menu);
   void createCameraItems(QMenu &menu);
+  void createLayoutItems(QMenu &menu);
   void createSizeMenu(QMenu &menu);
   void createThemeMenu(QMenu &menu);
   void createLessonMenu();
   void createHelpMenu();
-  QDockWidget *addPanel(const QString &title, const char *name, QWidget *content, Qt::DockWidgetArea area);
+  void openNextLesson();
+  /// The lesson behind the one that is shown; null behind the last.
+  [[nodiscard]] const Lesson *nextLesson() const;
 
   void showLesson();
   void showOutcome();
@@ -101,18 +120,24 @@ private:
   void applyLook();
   void changeSizeBy(int steps);
   [[nodiscard]] StepProgress &progress();
-  [[nodiscard]] const LessonStep *currentStep() const;
   /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
   [[nodiscard]] bool isPredicting();
   /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
   [[nodiscard]] bool hidesNumbers();
   [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
   void choose(const QString &answer);
+  void reopenQuestion();
+  /// Tells the model whether the step's question is answered.
+  void takeQuestion();
+  void followGesture();
+  void showContents();
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
   /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and
   /// why, else empty.
   [[nodiscard]] QString finishInput();
+  /// Takes back what is typed and refused, wherever.
+  void dropTyped();
   bool askToKeepChanges();
   bool askToReplace(const KnownFile &file);
   bool askToGoWithout(const QString &refused);
@@ -127,9 +152,10 @@ private:
   [[nodiscard]] UnsavedWork unsavedWork() const;
   /// A moment after a change, and never during a drag: the disk is waited for.
   void keepUnsavedSoon();
-  /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the status
-  /// bar says as long as it holds.
+  /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case line
+  /// says as long as it holds.
   std::optional<Problem> keepOrForget();
+  void keepProgress();
   void say(const QString &sentence);
   void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);
@@ -146,18 +172,31 @@ private:
   CoordinateEditor m_editor; ///< for the numbers in the working
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
+  SceneFrame *m_frame = nullptr; ///< around m_scene
+  NumberCard *m_card = nullptr;
+  CaseLine *m_caseLine = nullptr;
+  QWidget *m_sceneColumn = nullptr;
   WorkingPractice *m_practice = nullptr;
-  WorkingPanel *m_working = nullptr; ///< in m_practice
+  StepWorking *m_working = nullptr; ///< in m_practice
+  LessonPage *m_page = nullptr;
+  QSplitter *m_split = nullptr; ///< between the scene and the page
+  bool m_isSplitChosen = false; ///< the user has moved it
+  QDockWidget *m_numbersDock = nullptr;
   Inspector *m_inspector = nullptr;
-  LessonPanel *m_lessonPanel = nullptr;
-  QListWidget *m_lessonList = nullptr;
+  ContentsDrawer *m_contents = nullptr;
+  QToolButton *m_contentsButton = nullptr;
+  QLabel *m_lessonTitle = nullptr;
   QString m_hoveredMark;
-  QLabel *m_caseLabel = nullptr;
-  QLabel *m_unkept = nullptr; ///< in the status bar: that unsaved work cannot be kept
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
   QAction *m_downRay = nullptr;
+  QAction *m_home = nullptr;
+  QAction *m_fit = nullptr;
+  QAction *m_alongPlane = nullptr;
+  QAction *m_sceneOnly = nullptr;
+  QAction *m_pageOnly = nullptr;
+  QAction *m_fullScreen = nullptr;
   std::optional<KnownFile> m_file; ///< where Save writes; nothing: it asks
   Theme m_theme;
   double m_sizeScale = smallestSizeScale; ///< as it was chosen
@@ -165,6 +204,7 @@ private:
   QTimer m_keepTimer;   ///< unsaved work is kept a moment after a change
   QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown
   LessonProgress m_progress;
+  LessonProgress m_keptProgress; ///< as its file has it
 };
 
 } // namespace halfspace

@@ -72,8 +72,7 @@ std::string toText(const UnsavedWork &work) {
     left.append(textOf(session));
   return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
                                    {"left", left},
-                                   {"file", toJson(work.file)},
-                                   {"progress", toJson(work.progress)}})
+                                   {"file", toJson(work.file)}})
       .toJson()
       .toStdString();
 }
@@ -89,7 +88,7 @@ std::optional<UnsavedWork> readWork(const QString &path) {
   auto session = read(json["session"]);
   if (!session)
     return {};
-  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"]), progressFrom(json["progress"].toArray())};
+  UnsavedWork work{std::move(*session), {}, fileFrom(json["file"])};
   for (const QJsonValue &other : json["left"].toArray())
     if (auto left = read(other))
       work.left[left->lesson] = *left;

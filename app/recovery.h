@@ -1,14 +1,15 @@
 // Unsaved work, kept where a killed program cannot lose it.
 #pragma once
 
-#include "app/lesson_progress.h"
 #include "lessons/reading/problem.h"
 #include "lessons/scene/session.h"
 
 #include <QDateTime>
 #include <QString>
 
+#include <map>
 #include <memory>
+#include <optional>
 
 class QLockFile;
 
@@ -27,7 +28,6 @@ struct UnsavedWork {
   Session session;
   std::map<std::string, Session> left; ///< sessions of other lessons that were left with changes
   std::optional<KnownFile> file;       ///< where Save would write the session; nothing: it asks
-  LessonProgress progress;
 };
 
 /// Keeps unsaved work in a file of its own, which nobody but the user may read. A lock beside the file tells

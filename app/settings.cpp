@@ -30,6 +30,10 @@ Settings settingsFrom(const QJsonObject &json) {
     settings.sizeScale = scale.toDouble();
   settings.window = bytesIn(json["window"]);
   settings.panels = bytesIn(json["panels"]);
+  settings.split = bytesIn(json["split"]);
+  const auto step = parseRational(json["snapStep"].toString().toStdString());
+  if (step && *step > 0)
+    settings.snapStep = *step;
   return settings;
 }
 
@@ -59,7 +63,9 @@ std::optional<Problem> writeSettings(const Settings &settings, const QString &fi
                    {"motion", settings.motion},
                    {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
                    {"window", textOf(settings.window)},
-                   {"panels", textOf(settings.panels)}};
+                   {"panels", textOf(settings.panels)},
+                   {"split", textOf(settings.split)},
+                   {"snapStep", QString::fromStdString(toText(settings.snapStep))}};
   if (settings.sizeScale)
     json["sizeScale"] = *settings.sizeScale;
   if (auto problem = makeFolder(QFileInfo(file).path()))

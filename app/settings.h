@@ -1,6 +1,7 @@
 // What a user has chosen, kept between starts.
 #pragma once
 
+#include "geometry/rational.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/reading/problem.h"
 
@@ -17,7 +18,9 @@ struct Settings {
   Fading blank = Fading::None;     ///< which worked lines the user fills in
   std::optional<double> sizeScale; ///< nothing: what suits the screen; always finite
   QByteArray window;               ///< size and place, as Qt saves them
+  Rational snapStep = 1;           ///< in which handles move
   QByteArray panels;               ///< their arrangement, as Qt saves it
+  QByteArray split;                ///< between scene and page, likewise; empty: as it suits the window
   bool operator==(const Settings &) const = default;
 };
 

@@ -4,7 +4,9 @@
 #include "app/standard_streams.h"
 #include "lessons/scene/session_file.h"
 #include "widgets/numbers/inspector.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/numbers/number_card.h"
+#include "widgets/view/case_line.h"
+#include "widgets/working/step_working.h"
 
 #include <QCloseEvent>
 #include <QFileInfo>
@@ -21,9 +23,11 @@ namespace halfspace {
 
 QString MainWindow::finishInput() {
   m_scene->finishDrag();
-  const QString refused = m_working->enterTyped();
-  const QString alsoRefused = m_inspector->enterTyped();
-  return refused.isEmpty() ? alsoRefused : refused;
+  QString refused = m_working->enterTyped();
+  for (const QString &other : {m_inspector->enterTyped(), m_card->enterTyped()})
+    if (refused.isEmpty())
+      refused = other;
+  return refused;
 }
 
 bool MainWindow::hasChanges() const {
@@ -38,7 +42,7 @@ bool MainWindow::hasLeftSessions() const {
 }
 
 UnsavedWork MainWindow::unsavedWork() const {
-  return {m_model.session(), m_model.leftSessions(), belongsToFile() ? m_file : std::nullopt, m_progress};
+  return {m_model.session(), m_model.leftSessions(), belongsToFile() ? m_file : std::nullopt};
 }
 
 void MainWindow::keepUnsavedSoon() {
@@ -53,12 +57,20 @@ std::optional<Problem> MainWindow::keepOrForget() {
     problem = m_recovery.keep(unsavedWork());
   else
     m_recovery.forget();
-  m_unkept->setVisible(problem.has_value());
-  if (problem) {
-    m_unkept->setText(tr("Unsaved work cannot be kept for the next start: save it to a file."));
-    m_unkept->setToolTip(QString::fromStdString(problem->text()).toHtmlEscaped());
-  }
+  m_caseLine->complain(problem ? tr("Unsaved work cannot be kept for the next start: save it to a file.")
+                               : QString(),
+                       problem ? QString::fromStdString(problem->text()) : QString());
+  keepProgress();
   return problem;
+}
+
+void MainWindow::keepProgress() {
+  if (m_progress == m_keptProgress)
+    return;
+  if (const auto problem = addProgress(m_progress, progressFile()))
+    return m_caseLine->complain(tr("What you have done cannot be kept for the next start."),
+                                QString::fromStdString(problem->text()));
+  m_keptProgress = m_progress;
 }
 
 bool MainWindow::askToKeepChanges() {
@@ -95,8 +107,7 @@ bool MainWindow::askToGoWithout(const QString &refused) {
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Yes)
     return false;
-  m_working->dropTyped();
-  m_inspector->dropTyped();
+  dropTyped();
   return true;
 }
 
@@ -163,7 +174,6 @@ void MainWindow::takeUp(const QString &leftover) {
   const auto work = m_recovery.adopt(leftover);
   if (!work)
     return complain(tr("Another window has taken up this work already."));
-  m_progress = work->progress;
   m_model.setLeftSessions(work->left);
   startWith(work->session, work->file);
   if (!work->file || work->file->text != writeSession(work->session))

@@ -1,8 +1,5 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
-#include "widgets/lesson/lesson_panel.h"
-#include "widgets/numbers/inspector.h"
-#include "widgets/working/working_panel.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -11,7 +8,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScreen>
-#include <QStatusBar>
 
 #include <cmath>
 
@@ -68,8 +64,7 @@ void MainWindow::createEditMenu() {
   menu.addAction(redo);
   menu.addSeparator();
   addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] {
-    m_working->dropTyped(); // what was refused is gone too
-    m_inspector->dropTyped();
+    dropTyped(); // what was refused is gone too
     m_model.resetScene();
   });
   createCornerItems(menu);
@@ -119,27 +114,47 @@ void MainWindow::createViewMenu() {
   m_motion->setChecked(true);
   connect(m_motion, &QAction::toggled, this, [this](bool on) { m_scene->setMotion(on); });
   menu.addSeparator();
-  QMenu &panels = *menu.addMenu(tr("P&anels"));
-  for (QDockWidget *dock : findChildren<QDockWidget *>())
-    panels.addAction(dock->toggleViewAction());
+  createLayoutItems(menu);
+}
+
+void MainWindow::createLayoutItems(QMenu &menu) {
+  QAction *numbers = m_numbersDock->toggleViewAction();
+  numbers->setText(tr("All &Numbers"));
+  numbers->setShortcut(QKeySequence("Ctrl+I"));
+  menu.addAction(numbers);
+  const auto addChoice = [this, &menu](const QString &text, const QKeySequence &key, auto slot) {
+    QAction *action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+  };
+  m_sceneOnly = addChoice(tr("&Scene Only"), Qt::Key_F9,
+                          [this](bool on) { showParts(on ? Parts::SceneOnly : Parts::Both); });
+  m_pageOnly = addChoice(tr("Pa&ge Only"), Qt::Key_F8,
+                         [this](bool on) { showParts(on ? Parts::PageOnly : Parts::Both); });
+  m_fullScreen = addChoice(tr("F&ull Screen"), Qt::Key_F11, [this](bool on) { setFullScreen(on); });
+  addItem(menu, tr("Restore &Layout"), {}, this, [this] { restoreLayout(); })->setObjectName("restoreLayout");
 }
 
 void MainWindow::createCameraItems(QMenu &menu) {
-  addItem(menu, tr("&Fit"), QKeySequence("F"), this, [this] { m_scene->fit(); });
-  addItem(menu, tr("&Home"), QKeySequence("H"), this, [this] { m_scene->goHome(); });
+  m_fit = addItem(menu, tr("&Fit"), QKeySequence("F"), this, [this] { m_scene->fit(); });
+  m_home = addItem(menu, tr("&Home"), QKeySequence("H"), this, [this] { m_scene->goHome(); });
   addItem(menu, tr("From the &Front (x)"), QKeySequence("1"), this,
           [this] { m_scene->setAxisView(AxisView::Front); });
   addItem(menu, tr("From the &Right (y)"), QKeySequence("2"), this,
           [this] { m_scene->setAxisView(AxisView::Right); });
   addItem(menu, tr("From the &Top (z)"), QKeySequence("3"), this,
           [this] { m_scene->setAxisView(AxisView::Top); });
-  addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
+  m_alongPlane = addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this,
+                         [this] { m_scene->lookAlongPlane(); });
   m_downRay = addItem(menu, tr("Down the Ra&y"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
   m_downRay->setObjectName("downRay");
   QAction *orthographic = menu.addAction(tr("&Orthographic"));
   orthographic->setCheckable(true);
   orthographic->setShortcut(QKeySequence("O"));
-  connect(orthographic, &QAction::toggled, this, [this](bool on) { m_scene->setOrthographic(on); });
+  connect(orthographic, &QAction::triggered, this, [this](bool on) { m_scene->setOrthographic(on); });
+  connect(m_scene, &SceneView::orthographicChanged, orthographic, &QAction::setChecked);
 }
 
 void MainWindow::createSizeMenu(QMenu &menu) {
@@ -155,7 +170,7 @@ void MainWindow::createSizeMenu(QMenu &menu) {
 
 void MainWindow::changeSizeBy(int steps) {
   setSizeScale((std::round(sizeScale() / sizeScaleStep) + steps) * sizeScaleStep);
-  statusBar()->showMessage(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
+  say(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
 }
 
 void MainWindow::createThemeMenu(QMenu &menu) {
@@ -180,6 +195,8 @@ void MainWindow::createLessonMenu() {
           [this] { m_model.setStep(m_model.session().step + 1); });
   addItem(menu, tr("&Previous Step"), QKeySequence("Ctrl+Left"), this,
           [this] { m_model.setStep(m_model.session().step - 1); });
+  addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this, [this] { openNextLesson(); });
+  addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
   menu.addSeparator();
   for (const Lesson &lesson : m_model.library().lessons)
     connect(menu.addAction(QString::fromStdString(lesson.title)), &QAction::triggered, this,
@@ -198,7 +215,8 @@ void MainWindow::createHelpMenu() {
            "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
            "orthographic, <b>1</b>–<b>5</b> are views. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
-           "larger and smaller.</p><p><b>Point at a term</b> of the working and its "
+           "larger and smaller. <b>F9</b> shows the scene alone, <b>F8</b> the page, <b>F11</b> fills the "
+           "screen; <b>Ctrl I</b> shows all numbers, <b>Ctrl L</b> all lessons.</p><p><b>Point at a term</b> of the working and its "
            "mark lights up in the scene, and the other way round. <b>Click a number</b> to see where it "
            "comes "
            "from; drag one that is a coordinate sideways, or double-click it to type.</p>"));

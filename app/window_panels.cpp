@@ -1,112 +1,123 @@
-// The panels of the window: what each is made of and where it stands.
+// What the window is made of and where it stands.
 #include "app/main_window.h"
-#include "widgets/lesson/lesson_panel.h"
+#include "app/page_width.h"
+#include "widgets/lesson/contents_drawer.h"
+#include "widgets/lesson/lesson_page.h"
 #include "widgets/numbers/inspector.h"
+#include "widgets/numbers/number_card.h"
+#include "widgets/view/case_line.h"
+#include "widgets/view/scene_frame.h"
 #include "widgets/working/working_practice.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QLabel>
-#include <QListWidget>
-#include <QStyle>
-#include <QStyledItemDelegate>
+#include <QMenuBar>
+#include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
-
 namespace halfspace {
-namespace {
-
-// How much of the window the panels take at first.
-constexpr double workingWidth = 0.31;
-constexpr double workingHeight = 0.5;
-constexpr double numbersHeight = 0.375;
-constexpr double lessonsWidth = 0.176;
-constexpr double lessonWidth = 0.51;
-constexpr double lessonHeight = 0.325;
-/// In pixels: a title and a few lines of words, and the way on.
-constexpr int leastLessonHeight = 225;
-
-/// Both sides of a title in the list of lessons, as in the style sheet, in em.
-constexpr double titlePadding = 2 * 0.45;
-
-/// Wraps titles within the style sheet's padding, which Qt leaves out of account.
-class TitleDelegate : public QStyledItemDelegate {
-public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
-  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
-    QStyleOptionViewItem narrower = option;
-    const double em = QFontInfo(option.font).pixelSize();
-    // There may be a scroll bar later: a title is not measured anew for it.
-    const int scrollBar =
-        option.widget->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, option.widget);
-    narrower.rect.setWidth(option.rect.width() - static_cast<int>(std::ceil(titlePadding * em)) - scrollBar);
-    return QStyledItemDelegate::sizeHint(narrower, index);
-  }
-};
-
-} // namespace
-
-QDockWidget *MainWindow::addPanel(const QString &title, const char *name, QWidget *content,
-                                  Qt::DockWidgetArea area) {
-  auto *dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  return dock;
-}
 
 void MainWindow::createPanels() {
-  m_caseLabel = new QLabel;
-  m_caseLabel->setObjectName("case");
-  m_caseLabel->setWordWrap(true);
-  m_caseLabel->setTextFormat(Qt::PlainText);
-  auto *center = new QWidget;
-  auto *layout = new QVBoxLayout(center);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_scene, 1);
-  layout->addWidget(m_caseLabel);
-  setCentralWidget(center);
-
   m_practice = new WorkingPractice(*m_typesetter);
-  m_working = &m_practice->panel();
-  m_inspector = new Inspector(m_model, *m_typesetter);
-  m_lessonPanel = new LessonPanel(*m_typesetter);
-  createLessonList();
+  m_working = &m_practice->working();
+  m_page = new LessonPage(*m_typesetter, *m_practice);
+  m_split = new QSplitter;
+  m_split->setChildrenCollapsible(false);
+  m_split->addWidget(createScene());
+  m_split->addWidget(m_page);
+  m_split->setStretchFactor(0, 1);
+  m_split->setStretchFactor(1, 0);
+  connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
+  setCentralWidget(m_split);
+  createInspector();
+  createContents();
   connectWorking();
-  connect(m_lessonPanel, &LessonPanel::stepRequested, this, [this](int step) { m_model.setStep(step); });
-  connect(m_lessonPanel, &LessonPanel::predictionChosen, this, &MainWindow::choose);
+  connectPage();
+}
 
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  addPanel(tr("Working"), "workingDock", m_practice, Qt::RightDockWidgetArea);
-  addPanel(tr("Numbers"), "numbersDock", m_inspector, Qt::RightDockWidgetArea);
-  addPanel(tr("Lessons"), "lessonsDock", m_lessonList, Qt::BottomDockWidgetArea);
-  addPanel(tr("Lesson"), "lessonDock", m_lessonPanel, Qt::BottomDockWidgetArea);
+QWidget *MainWindow::createScene() {
+  m_card = new NumberCard(m_model, *m_typesetter);
+  m_frame = new SceneFrame(*m_scene, *m_card);
+  m_caseLine = new CaseLine;
+  m_sceneColumn = new QWidget;
+  auto *column = new QVBoxLayout(m_sceneColumn);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(m_frame, 1);
+  column->addWidget(m_caseLine);
+  return m_sceneColumn;
+}
+
+void MainWindow::createInspector() {
+  m_inspector = new Inspector(m_model, *m_typesetter);
+  m_numbersDock = new QDockWidget(tr("Numbers"), this);
+  m_numbersDock->setObjectName("numbersDock");
+  m_numbersDock->setWidget(m_inspector);
+  addDockWidget(Qt::LeftDockWidgetArea, m_numbersDock);
+  m_numbersDock->hide();
+}
+
+void MainWindow::createContents() {
+  m_contents = new ContentsDrawer(m_split);
+  connect(m_contents, &ContentsDrawer::lessonChosen, this,
+          [this](const QString &id) { m_model.openLesson(id.toStdString()); });
+}
+
+/// In the row of the menus: the way to the contents, and the lesson's title.
+void MainWindow::createHeader() {
+  m_contentsButton = new QToolButton;
+  m_contentsButton->setObjectName("contentsButton");
+  m_contentsButton->setToolTip(tr("All lessons"));
+  m_contentsButton->setAccessibleName(tr("Contents"));
+  m_contentsButton->setAutoRaise(true);
+  m_contentsButton->setCheckable(true);
+  connect(m_contentsButton, &QToolButton::clicked, this, [this](bool open) {
+    if (open)
+      showContents();
+    else
+      m_contents->close();
+  });
+  connect(m_contents, &ContentsDrawer::openChanged, m_contentsButton, &QToolButton::setChecked);
+  m_lessonTitle = new QLabel;
+  m_lessonTitle->setObjectName("lessonTitle");
+  m_lessonTitle->setTextFormat(Qt::PlainText);
+  menuBar()->setCornerWidget(m_contentsButton, Qt::TopLeftCorner);
+  menuBar()->setCornerWidget(m_lessonTitle, Qt::TopRightCorner);
+  m_frame->addTool(*m_home, ToolIcon::Home);
+  m_frame->addTool(*m_fit, ToolIcon::Fit);
+  m_frame->addTool(*m_alongPlane, ToolIcon::AlongPlane);
+  m_frame->addTool(*m_numbersDock->toggleViewAction(), ToolIcon::Numbers);
+}
+
+void MainWindow::connectPage() {
+  connect(m_page, &LessonPage::stepRequested, this, [this](int step) { m_model.setStep(step); });
+  connect(m_page, &LessonPage::nextLessonRequested, this, &MainWindow::openNextLesson);
+  connect(m_page, &LessonPage::predictionChosen, this, &MainWindow::choose);
+  connect(m_page, &LessonPage::predictionReopened, this, &MainWindow::reopenQuestion);
 }
 
 void MainWindow::connectWorking() {
   m_working->setWholeWorking([this] { return workingOf(m_model.evaluation()); });
-  connect(m_working, &WorkingPanel::markHovered, this, &MainWindow::hoverMark);
-  connect(m_scene, &SceneView::dismissed, m_working, &WorkingPanel::endTrace);
-  connect(m_working, &WorkingPanel::traceChanged, this, &MainWindow::showHighlights);
-  connect(m_working, &WorkingPanel::coordinateTyped, this,
+  connect(m_working, &StepWorking::markHovered, this, &MainWindow::hoverMark);
+  connect(m_scene, &SceneView::dismissed, m_working, &StepWorking::endTrace);
+  connect(m_working, &StepWorking::traceChanged, this, &MainWindow::showHighlights);
+  connect(m_working, &StepWorking::coordinateTyped, this,
           [this](const CoordinateSource &source, const Rational &value) {
             if (const auto number = numberOf(source))
               m_editor.change(*number, value);
           });
-  connect(m_working, &WorkingPanel::coordinateStepped, this,
-          [this](const CoordinateSource &source, int steps) {
-            if (const auto number = numberOf(source))
-              m_editor.step(*number, steps);
-          });
-  connect(m_working, &WorkingPanel::scrubStarted, this, [this](const CoordinateSource &source) {
+  connect(m_working, &StepWorking::coordinateStepped, this, [this](const CoordinateSource &source, int steps) {
+    if (const auto number = numberOf(source))
+      m_editor.step(*number, steps);
+  });
+  connect(m_working, &StepWorking::scrubStarted, this, [this](const CoordinateSource &source) {
     if (const auto number = numberOf(source))
       m_editor.beginScrub(*number);
   });
-  connect(m_working, &WorkingPanel::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
-  connect(m_working, &WorkingPanel::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+  connect(m_working, &StepWorking::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(m_working, &StepWorking::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
 }
 
 std::optional<CoordinateNumber> MainWindow::numberOf(const CoordinateSource &source) const {
@@ -114,41 +125,40 @@ std::optional<CoordinateNumber> MainWindow::numberOf(const CoordinateSource &sou
   return id ? std::optional(CoordinateNumber{*id, source.component.value_or(0)}) : std::nullopt;
 }
 
-void MainWindow::createLessonList() {
-  m_lessonList = new QListWidget;
-  m_lessonList->setObjectName("lessonList");
-  m_lessonList->setItemDelegate(new TitleDelegate(m_lessonList));
-  m_lessonList->setWordWrap(true);
-  m_lessonList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_lessonList->setTextElideMode(Qt::ElideNone);
-  m_lessonList->setResizeMode(QListView::Adjust); // wrap anew at every width
-  m_lessonList->setAccessibleName(tr("Lessons"));
-  for (const Lesson &lesson : m_model.library().lessons) {
-    auto *item = new QListWidgetItem(QString::fromStdString(lesson.title), m_lessonList);
-    item->setData(Qt::UserRole, QString::fromStdString(lesson.id));
-    item->setToolTip(QString::fromStdString(lesson.id));
-  }
-  const auto openLessonOf = [this](const QListWidgetItem *item) {
-    m_model.openLesson(item->data(Qt::UserRole).toString().toStdString());
-  };
-  connect(m_lessonList, &QListWidget::itemClicked, this, openLessonOf);
-  connect(m_lessonList, &QListWidget::itemActivated, this, openLessonOf);
+void MainWindow::sharePage() {
+  const bool below = isPageBelow(size());
+  m_split->setOrientation(below ? Qt::Vertical : Qt::Horizontal);
+  if (m_isSplitChosen)
+    return;
+  const int whole = below ? m_split->height() : m_split->width();
+  const int page = below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(size(), m_page->fontMetrics());
+  m_split->setSizes({whole - page, page});
 }
 
-void MainWindow::arrangePanels() {
-  const auto dock = [this](const char *name) { return findChild<QDockWidget *>(name); };
-  QDockWidget *working = dock("workingDock");
-  QDockWidget *numbers = dock("numbersDock");
-  QDockWidget *lessons = dock("lessonsDock");
-  QDockWidget *lesson = dock("lessonDock");
-  splitDockWidget(working, numbers, Qt::Vertical);
-  splitDockWidget(lessons, lesson, Qt::Horizontal);
-  const auto part = [](int whole, double of) { return static_cast<int>(whole * of); };
-  resizeDocks({working}, {part(width(), workingWidth)}, Qt::Horizontal);
-  resizeDocks({working, numbers}, {part(height(), workingHeight), part(height(), numbersHeight)},
-              Qt::Vertical);
-  resizeDocks({lessons, lesson}, {part(width(), lessonsWidth), part(width(), lessonWidth)}, Qt::Horizontal);
-  resizeDocks({lessons}, {std::max(part(height(), lessonHeight), leastLessonHeight)}, Qt::Vertical);
+void MainWindow::resizeEvent(QResizeEvent *event) {
+  QMainWindow::resizeEvent(event);
+  sharePage();
+}
+
+void MainWindow::showParts(Parts parts) {
+  m_sceneColumn->setVisible(parts != Parts::PageOnly);
+  m_page->setVisible(parts != Parts::SceneOnly);
+  m_sceneOnly->setChecked(parts == Parts::SceneOnly);
+  m_pageOnly->setChecked(parts == Parts::PageOnly);
+}
+
+void MainWindow::setFullScreen(bool on) {
+  m_fullScreen->setChecked(on);
+  setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+}
+
+void MainWindow::restoreLayout() {
+  showParts(Parts::Both);
+  setFullScreen(false);
+  m_numbersDock->setFloating(false);
+  m_numbersDock->hide();
+  m_isSplitChosen = false;
+  sharePage();
 }
 
 } // namespace halfspace

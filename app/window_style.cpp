@@ -42,9 +42,23 @@ QString styleSheetOf(const Theme &theme) {
   return QString(R"(
     QMainWindow::separator { background: %1; width: 1px; height: 1px; }
     QMenuBar { background: %3; padding: 0.1em 0.3em; }
-    QStatusBar { background: %3; color: %2; }
-    QLabel#case { background: %3; padding: 0.6em 1.1em; border-top: 1px solid %1; font-weight: 500; }
+    QSplitter::handle { background: %1; }
+    QSplitter::handle:horizontal { width: 1px; }
+    QSplitter::handle:vertical { height: 1px; }
+    QLabel#lessonTitle { color: %2; padding: 0 1.1em; }
+    QToolButton#contentsButton { margin: 0 0.3em; }
+    QToolButton#sceneTool { background: %3; border: 1px solid %1; border-radius: 5px; padding: 0.35em; }
+    QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
+    QToolButton::menu-indicator { subcontrol-position: right center; }
+    QLabel#case { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
+    QLabel#message { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; color: %2; }
+    CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
+    QFrame#card { border: 1px solid transparent; border-radius: 7px; }
+    QFrame#card[framed="true"] { background: %3; border-color: %1; }
+    QLabel#hint { color: %2; }
+    QFrame#contents { background: %3; border-right: 1px solid %1; }
+    QLabel#contentsHeading { color: %2; padding: 0.7em 0.9em 0.4em 0.9em; }
     QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
     QListWidget#lessonList::item { padding: 0.4em 0.45em; border-radius: 5px; }
     QLabel#heading { color: %2; }

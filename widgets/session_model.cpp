@@ -24,6 +24,7 @@ public:
 private:
   void go(Session session) {
     session.step = m_model.session().step;
+    session.view = m_model.session().view;
     m_model.show(session);
     if (m_replaces)
       emit m_model.sceneReplaced();
@@ -126,6 +127,7 @@ QString SessionModel::edit(const Edit &edit, const QString &description) {
 void SessionModel::beginGesture() {
   settleGesture();
   m_beforeGesture = m_session;
+  emit gestureChanged();
 }
 
 void SessionModel::moveGesture(const Edit &edit) {
@@ -147,7 +149,8 @@ void SessionModel::endGesture(const QString &description) {
 void SessionModel::cancelGesture() {
   if (!m_beforeGesture)
     return;
-  const Session before = *m_beforeGesture;
+  Session before = *m_beforeGesture;
+  before.view = m_session.view;
   finishGesture();
   show(before);
 }
@@ -163,11 +166,13 @@ void SessionModel::dropGesture() {
   if (!inGesture())
     return;
   m_beforeGesture.reset();
+  emit gestureChanged();
   emit gestureSettled();
 }
 
 void SessionModel::finishGesture() {
   m_beforeGesture.reset();
+  emit gestureChanged();
   if (takeStage())
     emit outcomeChanged();
 }

@@ -61,6 +61,8 @@ public:
   /// Gives the scene other short numbers, as one undo step; see short_numbers.h.
   void renewNumbers(std::uint64_t seed);
   void setStep(int step);
+  /// Where the scene is looked at from now; nothing: as the lesson begins. No undo step, and no change.
+  void setView(const std::optional<ChosenView> &view) { m_session.view = view; }
   /// Whether the current step's question is answered, if it has one: see shownIn.
   void setQuestion(Question question);
 
@@ -76,6 +78,7 @@ public:
   [[nodiscard]] bool inGesture() const { return m_beforeGesture.has_value(); }
 
 signals:
+  void gestureChanged(); ///< one has begun or ended
   void gestureSettled(); ///< a gesture has ended because something else was done
   void outcomeChanged(); ///< after every change of scene, stage, step or question
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown

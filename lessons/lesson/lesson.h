@@ -43,6 +43,7 @@
 #include "lessons/lesson/macros.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/reading/problem.h"
+#include "lessons/scene/camera_view.h"
 #include "lessons/scene/evaluation.h"
 
 #include <filesystem>
@@ -118,14 +119,6 @@ struct LessonStep {
 [[nodiscard]] const Prediction *predictionOf(const LessonStep &step);
 /// Their places among the tasks of the step number what a learner has done.
 [[nodiscard]] std::vector<Task> tasksOf(const LessonStep &step);
-
-/// Where the camera stands: it looks from the direction `from` at the point `at`, and `height` scene units
-/// fill the view from bottom to top there.
-struct CameraView {
-  glm::dvec3 from{1.25, -0.10, 0.60};
-  glm::dvec3 at{6.0, 8.0, 4.0};
-  double height = 21;
-};
 
 struct Lesson {
   std::string id;

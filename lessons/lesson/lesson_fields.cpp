@@ -1,6 +1,7 @@
 // The YAML parts of a lesson: its front matter, its tasks and its questions.
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson_reader.h"
+#include "lessons/scene/camera_reader.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -27,36 +28,11 @@ std::vector<std::string> readTexts(const DocumentNode &node, const std::string &
   return texts;
 }
 
-double readDouble(const DocumentNode &node, const std::string &field, FieldReader &fields) {
-  const auto value = readCoordinate(node.text);
-  if (value)
-    return toDouble(*value);
-  fields.complain(node, field, value.problem().sentence);
-  return 0;
-}
-
-void readPlace(const DocumentNode &node, const std::string &field, FieldReader &fields, glm::dvec3 &place) {
-  if (node.kind != DocumentNode::Kind::List || node.children.size() != 3)
-    return fields.complain(node, field, words("Here three numbers are expected, as [1, 2, 3]."));
-  for (int i = 0; i < 3; ++i)
-    place[i] = readDouble(node.children[static_cast<std::size_t>(i)], field, fields);
-}
-
 CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
   CameraView camera;
   FieldReader fields(node, lesson.file(), "camera");
   fields.allowOnly({"from", "at", "height"});
-  if (const DocumentNode *from = fields.optional("from"))
-    readPlace(*from, "camera.from", fields, camera.from);
-  if (const DocumentNode *at = fields.optional("at"))
-    readPlace(*at, "camera.at", fields, camera.at);
-  if (const DocumentNode *height = fields.optional("height"))
-    camera.height = readDouble(*height, "camera.height", fields);
-  if (camera.from == glm::dvec3(0))
-    fields.complain(node, "camera.from",
-                    words("The camera cannot look from no direction: give one that is not zero."));
-  if (!(camera.height > 0))
-    fields.complain(node, "camera.height", words("The height of the view must be greater than 0."));
+  readCameraView(node, "camera", fields, camera);
   if (fields.problem())
     lesson.keep(*fields.problem());
   return camera;

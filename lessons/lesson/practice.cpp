@@ -256,6 +256,14 @@ Fade fade(const Working &working, Fading fading, const std::set<std::string> &op
   return faded;
 }
 
+Fade withheld(const Working &working) {
+  Fade fade;
+  for (const WorkingLine &line : working.lines)
+    if (hasNumbers(line))
+      fade.waiting.insert(line.id);
+  return fade;
+}
+
 std::string questionText(const WorkingLine &line, const Gap &gap) {
   return gap.isResult ? symbolsText(line) : plainTextWithout(gap.hidden, askedChain(line));
 }

@@ -46,6 +46,9 @@ struct Fade {
 /// `opened` are the lines that the learner has completed or had shown.
 [[nodiscard]] Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened);
 
+/// Asks for nothing, and shows symbols only wherever there are numbers.
+[[nodiscard]] Fade withheld(const Working &working);
+
 /// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
 [[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
 

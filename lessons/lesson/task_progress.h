@@ -5,6 +5,9 @@
 
 namespace halfspace {
 
+/// How far a learner has come with a lesson.
+enum class LessonState { New, Begun, Done };
+
 /// Tasks count in their order, and only when the learner brings them about: what is true on arrival is done
 /// once it has been untrue and is true again.
 class TaskProgress {

@@ -2,6 +2,7 @@
 
 #include "lessons/files/read_file.h"
 #include "lessons/reading/typed_number.h"
+#include "lessons/scene/camera_reader.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/scene/scene_writer.h"
@@ -9,6 +10,8 @@
 #include "lessons/words.h"
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -29,6 +32,30 @@ void checkFormat(const DocumentNode &root, FieldReader &fields) {
         words("This session was saved by a newer version of Halfspace (format {version}, this program reads "
               "up to {known}). Update the program to open it.",
               {{"version", std::to_string(version)}, {"known", std::to_string(sessionFileVersion)}}));
+}
+
+/// To a millionth: who looks sees no less, and the text is short.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json jsonOf(const glm::dvec3 &place) { return {rounded(place.x), rounded(place.y), rounded(place.z)}; }
+
+Json jsonOf(const ChosenView &view) {
+  return {{"from", jsonOf(view.view.from)},
+          {"at", jsonOf(view.view.at)},
+          {"height", rounded(view.view.height)},
+          {"orthographic", view.orthographic}};
+}
+
+ChosenView readView(const DocumentNode &node, FieldReader &session) {
+  ChosenView chosen;
+  FieldReader fields(node, session.file(), "view");
+  fields.allowOnly({"from", "at", "height", "orthographic"});
+  readCameraView(node, "view", fields, chosen.view);
+  if (const DocumentNode *orthographic = fields.optional("orthographic"))
+    chosen.orthographic = orthographic->text == "true";
+  if (fields.problem())
+    session.keep(*fields.problem());
+  return chosen;
 }
 
 /// The parts of a text between commas.
@@ -54,11 +81,13 @@ Problem unknownCoordinate(const Scene &scene, const std::string &name) {
 } // namespace
 
 std::string writeSession(const Session &session) {
-  const Json json{{"format", formatName},
-                  {"version", sessionFileVersion},
-                  {"lesson", session.lesson},
-                  {"step", session.step},
-                  {"scene", jsonOf(session.scene)}};
+  Json json{{"format", formatName},
+            {"version", sessionFileVersion},
+            {"lesson", session.lesson},
+            {"step", session.step},
+            {"scene", jsonOf(session.scene)}};
+  if (session.view)
+    json["view"] = jsonOf(*session.view);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -74,11 +103,13 @@ Result<Session> readSession(std::string_view text, const std::string &file) {
   FieldReader fields(*root, file, "");
   checkFormat(*root, fields);
   if (!fields.problem())
-    fields.allowOnly({"format", "version", "lesson", "step", "scene"});
+    fields.allowOnly({"format", "version", "lesson", "step", "scene", "view"});
   Session session;
   session.lesson = fields.lessonId("lesson");
   session.step = fields.integer("step", 0, highestStep);
   const DocumentNode *list = fields.required("scene");
+  if (const DocumentNode *view = fields.optional("view"))
+    session.view = readView(*view, fields);
   if (fields.problem())
     return *fields.problem();
   auto scene = readScene(*list, file, "scene");

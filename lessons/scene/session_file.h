@@ -8,13 +8,15 @@
 
 namespace halfspace {
 
-/// Version 2 lets a construction look at what another one makes; files of version 1 are read all the same.
-inline constexpr int sessionFileVersion = 2;
+/// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked at
+/// from; older files are read all the same.
+inline constexpr int sessionFileVersion = 3;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;
 
-/// The text of a .halfspace file: {"format":"halfspace","version":2,"lesson":…,"step":…,"scene":[…]};
-/// coordinates are exact texts ("-10/3").
+/// The text of a .halfspace file: {"format":"halfspace","version":3,"lesson":…,"step":…,"scene":[…]};
+/// coordinates are exact texts ("-10/3"). With a view also {"view":{"from":[…],"at":[…],"height":…,
+/// "orthographic":…}}, in decimals.
 [[nodiscard]] std::string writeSession(const Session &session);
 
 /// Reads what writeSession wrote, from a stranger's hands: bounded in size and depth, every field checked.

@@ -3,7 +3,7 @@
 #include "tests/app/window_fixture.h"
 
 #include "lessons/construction/working.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <glm/geometric.hpp>
 
@@ -33,7 +33,7 @@ bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
 class MomentWatch : public QObject {
 public:
   explicit MomentWatch(WindowFixture &fixture)
-      : m_fixture(fixture), m_lines(*fixture.window.findChild<WorkingPanel *>()) {
+      : m_fixture(fixture), m_lines(*fixture.window.findChild<WorkingBlock *>()) {
     m_lines.viewport()->installEventFilter(this);
     connect(&fixture.scene(), &SceneView::frameDrawn, this,
             [this] { m_drawn = m_fixture.model().session().scene; });
@@ -55,7 +55,7 @@ public:
 
 private:
   WindowFixture &m_fixture;
-  WorkingPanel &m_lines;
+  WorkingBlock &m_lines;
   std::optional<Scene> m_drawn; ///< what the picture shows
 };
 

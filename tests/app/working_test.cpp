@@ -18,7 +18,7 @@ using Ids = std::set<std::string>;
 /// The lesson on the signed distance at a step with the lines f, length and distance.
 class LinesFixture : public WindowFixture {
 public:
-  LinesFixture() : WindowFixture("signed-distance"), panel(*window.findChild<WorkingPanel *>()) {
+  LinesFixture() : WindowFixture("signed-distance"), panel(*window.findChild<WorkingBlock *>()) {
     model().setStep(2);
   }
 
@@ -47,7 +47,7 @@ public:
     return panel.findChild<NumberField *>();
   }
 
-  WorkingPanel &panel;
+  WorkingBlock &panel;
 };
 
 } // namespace

@@ -6,7 +6,7 @@
 #include "tests/bench/figure_to_bare.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QApplication>
 #include <QOpenGLContext>
@@ -132,7 +132,7 @@ public:
     QObject::connect(&view(), &SceneView::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
     countRenders();
-    m_lines = m_fixture.window.findChild<WorkingPanel *>();
+    m_lines = m_fixture.window.findChild<WorkingBlock *>();
     m_application.window = &m_fixture.window;
     m_application.lines = m_lines->viewport();
   }
@@ -294,7 +294,7 @@ private:
 
   TimedApplication &m_application;
   WindowFixture m_fixture;
-  WorkingPanel *m_lines = nullptr;
+  WorkingBlock *m_lines = nullptr;
   Typesetter m_typesetter;
   LabelPainter m_painter;
   std::unique_ptr<BareWindow> m_bare;

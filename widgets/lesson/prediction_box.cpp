@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QHelpEvent>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace halfspace {
@@ -77,7 +78,7 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
 
 PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
     : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
-      m_reason(new RichLabel(typesetter)) {
+      m_reason(new RichLabel(typesetter)), m_again(new QToolButton) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(7);
@@ -91,7 +92,15 @@ PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &pre
     layout->addWidget(button);
   }
   layout->addWidget(m_reason);
+  m_again->setText(tr("Try again"));
+  m_again->setObjectName("again");
+  m_again->setToolTip(tr("Hide the numbers and answer once more, as with other numbers."));
+  m_again->setAutoRaise(true);
+  m_again->setFocusPolicy(Qt::StrongFocus);
+  layout->addWidget(m_again, 0, Qt::AlignLeft);
+  connect(m_again, &QToolButton::clicked, this, &PredictionBox::reopened);
   m_reason->hide();
+  m_again->hide();
 }
 
 void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const std::string &right) {
@@ -104,6 +113,7 @@ void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const st
                                                       : Verdict::Open);
   }
   m_reason->setVisible(chosen.has_value());
+  m_again->setVisible(chosen.has_value());
   if (!chosen)
     return;
   const QString verdict = right.empty()      ? QString()

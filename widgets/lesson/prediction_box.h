@@ -6,6 +6,8 @@
 
 #include <QAbstractButton>
 
+class QToolButton;
+
 namespace halfspace {
 
 /// One answer: a button with words, and its verdict once there is one.
@@ -44,12 +46,14 @@ public:
 
 signals:
   void chosen(const QString &word);
+  void reopened(); ///< the learner wants to try again
 
 private:
   Prediction m_prediction;
   RichLabel *m_question;
   QList<ChoiceButton *> m_buttons;
   RichLabel *m_reason;
+  QToolButton *m_again;
 };
 
 } // namespace halfspace

@@ -10,10 +10,14 @@ namespace halfspace {
 namespace {
 
 // At a text scale of 1.
-constexpr double markRoom = 28;
+constexpr double markRoom = 34;
 constexpr double markRadius = 7.5;
+constexpr double edgeMargin = 7;
+constexpr double cornerRadius = 6;
 
-int roomForMark(const Theme &theme) { return static_cast<int>(markRoom * theme.textScale); }
+QMargins marginsAt(const Theme &theme) {
+  return QMarginsF(markRoom, edgeMargin, edgeMargin, edgeMargin).toMargins() * theme.textScale;
+}
 
 } // namespace
 
@@ -44,7 +48,7 @@ void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verd
 TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent)
     : QWidget(parent), m_words(new RichLabel(typesetter)), m_theme(themes().front()) {
   auto *layout = new QHBoxLayout(this);
-  layout->setContentsMargins(roomForMark(m_theme), 3, 0, 3);
+  layout->setContentsMargins(marginsAt(m_theme));
   layout->addWidget(m_words);
   m_words->setMarkdown(instruction);
   tellAccessibly();
@@ -61,7 +65,7 @@ void TaskRow::setDone(bool done) {
 
 void TaskRow::setTheme(const Theme &theme) {
   m_theme = theme;
-  layout()->setContentsMargins(roomForMark(theme), 3, 0, 3);
+  layout()->setContentsMargins(marginsAt(theme));
   m_words->setInk(toQColor(m_done ? m_theme.mutedInk : m_theme.ink), toQColor(m_theme.warning));
   update();
 }
@@ -72,9 +76,12 @@ void TaskRow::tellAccessibly() {
 
 void TaskRow::paintEvent(QPaintEvent *) {
   QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(toQColor(m_theme.border), 1));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius, cornerRadius);
   const double firstLine = m_words->y() + fontMetrics().ascent() - fontMetrics().capHeight() / 2.0;
   const double radius = markRadius * m_theme.textScale;
-  paintVerdict(painter, {radius + 2, firstLine}, radius, m_done ? Verdict::Right : Verdict::Open, m_theme);
+  paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, firstLine}, radius, m_done ? Verdict::Right : Verdict::Open, m_theme);
 }
 
 } // namespace halfspace

@@ -1,6 +1,5 @@
 #include "widgets/numbers/inspector.h"
 
-#include "lessons/object/number.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/written.h"
 #include "widgets/mark_ink.h"
@@ -17,27 +16,6 @@
 
 namespace halfspace {
 namespace {
-
-/// A slider's steps from one bound to the other, and how many of them the value is above the lower one.
-struct SliderRange {
-  int steps;
-  int position;
-};
-
-/// More steps than this cannot be told apart on a slider.
-constexpr int mostSliderSteps = 10000;
-
-/// Of a number with bounds and a step; nothing for what has none.
-std::optional<SliderRange> rangeOf(const Object &object) {
-  const auto number = objectAs<NumberObject>(object);
-  if (!number || number->step == 0)
-    return {};
-  const auto stepsTo = [&](const Rational &end) {
-    return static_cast<int>(
-        std::min(toDouble(Rational((end - number->from) / number->step)), double(mostSliderSteps)));
-  };
-  return SliderRange{stepsTo(number->to), stepsTo(number->value)};
-}
 
 // More rows than this nobody looks through, and each costs time and memory.
 constexpr std::size_t mostGivenRows = 60;
@@ -126,38 +104,30 @@ Inspector::Inspector(SessionModel &model, const Typesetter &typesetter, QWidget 
   setFrameShape(QFrame::NoFrame);
 }
 
-Inspector::~Inspector() {
-  // A field with a text that is no number complains when it loses the focus, as it does while it is deleted.
-  for (const GivenRow &row : m_given)
-    for (NumberField *field : row.fields)
-      field->disconnect(this);
-}
+Inspector::~Inspector() = default;
 
 NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
-  for (const GivenRow &row : m_given)
-    if (row.name == coordinateName)
-      return row.fields.at(static_cast<std::size_t>(axis));
+  for (const auto &row : m_given)
+    if (row->name() == coordinateName)
+      return row->fields().at(static_cast<std::size_t>(axis));
   return nullptr;
 }
 
 QString Inspector::enterTyped() {
   QString refused;
-  for (const GivenRow &row : m_given)
-    for (NumberField *field : row.fields)
-      if (const QString why = field->enter(); refused.isEmpty())
-        refused = why;
+  for (const auto &row : m_given)
+    if (const QString why = row->enterTyped(); refused.isEmpty())
+      refused = why;
   return refused;
 }
 
 void Inspector::dropTyped() {
-  for (const GivenRow &row : m_given)
-    for (NumberField *field : row.fields)
-      field->drop();
+  for (const auto &row : m_given)
+    row->dropTyped();
 }
 
 void Inspector::buildGivenRows() {
   m_given.clear();
-  m_givenLabels.clear();
   m_results.clear();
   auto *content = new QWidget;
   m_layout = new QVBoxLayout(content);
@@ -212,68 +182,20 @@ void Inspector::buildResultRows() {
   m_resultsBox = box;
 }
 
-const Symbol &Inspector::letterOf(const CoordinateId &id) const {
-  return m_model.evaluation().find(id.object)->own->letters[id.index];
-}
-
-bool Inspector::isShownIn(const GivenRow &row, const CoordinateId &id) const {
-  const Object &object = *findObject(m_model.session().scene, id.object);
-  const auto numbers = static_cast<std::size_t>(numbersIn(coordinatesOf(object)[id.index].role));
-  return row.id == id && row.fields.size() == numbers && row.letter == letterOf(id);
-}
-
 void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
-  static const char *const axes[3] = {"x", "y", "z"};
-  const int row = grid.rowCount();
-  GivenRow given;
-  given.id = id;
-  given.name = fullName(m_model.session().scene, id);
-  auto *label = new MathLabel(m_typesetter);
-  const Symbol &letter = letterOf(id);
-  given.letter = letter;
-  label->setFormula(formulaOf(letter), QString::fromStdString(plainText(letter)));
-  m_givenLabels.push_back(label);
-  grid.addWidget(label, row, 0);
-  const Object &object = *findObject(m_model.session().scene, id.object);
-  const int numbers = numbersIn(coordinatesOf(object)[id.index].role);
-  for (int axis = 0; axis < numbers; ++axis) {
-    auto *field = new NumberField;
-    field->setAccessibleName(QString::fromStdString(given.name) +
-                             (numbers > 1 ? QString(" ") + axes[axis] : ""));
-    connectField(*field, {id, axis});
-    grid.addWidget(field, row, axis + 1);
-    given.fields.push_back(field);
-  }
-  if (const auto range = rangeOf(object); range && id.index == 0)
-    given.slider = addSlider(grid, row, id);
-  m_given.push_back(given);
-}
-
-QSlider *Inspector::addSlider(QGridLayout &grid, int row, const CoordinateId &id) {
-  auto *slider = new QSlider(Qt::Horizontal);
-  slider->setAccessibleName(QString::fromStdString(fullName(m_model.session().scene, id)));
-  grid.addWidget(slider, row, 2, 1, 2);
-  connect(slider, &QSlider::sliderPressed, this, [this, id, slider] {
-    m_sliderStart = slider->value();
-    m_editor.beginScrub({id, 0});
+  const int place = grid.rowCount();
+  auto &row = *m_given.emplace_back(
+      std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+  grid.addWidget(row.letter(), place, 0);
+  int column = 1;
+  for (NumberField *field : row.fields())
+    grid.addWidget(field, place, column++);
+  if (row.slider())
+    grid.addWidget(row.slider(), place, 2, 1, 2);
+  connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
+    m_complaint->setText(sentence);
+    m_complaint->setVisible(!sentence.isEmpty());
   });
-  connect(slider, &QSlider::valueChanged, this, [this, id, slider](int position) {
-    if (slider->isSliderDown())
-      m_editor.scrub(position - m_sliderStart);
-    else if (const auto range = rangeOf(*findObject(m_model.session().scene, id.object)))
-      m_editor.step({id, 0}, position - range->position);
-  });
-  connect(slider, &QSlider::sliderReleased, this, [this] { m_editor.endScrub(true); });
-  return slider;
-}
-
-void Inspector::showOnSlider(QSlider &slider, const CoordinateId &id) {
-  const auto range = rangeOf(*findObject(m_model.session().scene, id.object));
-  if (!range || slider.isSliderDown())
-    return;
-  const QSignalBlocker silent(slider);
-  slider.setRange(0, range->steps);
-  slider.setValue(range->position);
 }
 
 void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
@@ -284,28 +206,14 @@ void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
   m_results.push_back({{}, &row->value()});
 }
 
-void Inspector::connectField(NumberField &field, const CoordinateNumber &number) {
-  connect(&field, &NumberField::valueTyped, this,
-          [=, this](const Rational &value) { m_editor.change(number, value); });
-  connect(&field, &NumberField::stepped, this, [=, this](int steps) { m_editor.step(number, steps); });
-  connect(&field, &NumberField::refused, this, [this](const QString &sentence) {
-    m_complaint->setText(sentence);
-    m_complaint->setVisible(!sentence.isEmpty());
-  });
-  connect(&field, &NumberField::scrubStarted, this, [=, this] { m_editor.beginScrub(number); });
-  connect(&field, &NumberField::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
-  connect(&field, &NumberField::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
-}
-
 void Inspector::showSession() {
-  const Scene &scene = m_model.session().scene;
-  auto ids = coordinatesOf(scene);
+  auto ids = coordinatesOf(m_model.session().scene);
   ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.evaluation());
   // The given rows stay while results come and go: a field may be in use.
   const bool sameGiven = widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
-                                                [this](const CoordinateId &id, const GivenRow &row) {
-                                                  return isShownIn(row, id);
+                                                [](const CoordinateId &id, const auto &row) {
+                                                  return row->isMadeFor(id);
                                                 });
   if (!sameGiven)
     buildGivenRows();
@@ -317,14 +225,8 @@ void Inspector::showSession() {
     buildResultRows();
     applyInk();
   }
-  for (const GivenRow &row : m_given) {
-    const Object *object = findObject(scene, row.id.object);
-    const ExactVec3 &value = coordinate(*object, row.id.index);
-    for (std::size_t axis = 0; axis < row.fields.size(); ++axis)
-      row.fields[axis]->setValue(value[static_cast<int>(axis)]);
-    if (row.slider)
-      showOnSlider(*row.slider, row.id);
-  }
+  for (const auto &row : m_given)
+    row->showNumbers();
   for (std::size_t i = 0; i < values.size(); ++i)
     showValue(*m_results[i].value, values[i].value->value);
   m_resultsBox->setVisible(!m_resultsHidden);
@@ -339,9 +241,10 @@ void Inspector::setTheme(const Theme &theme) {
 
 void Inspector::applyInk() {
   const auto inkOf = markInk(m_model, m_theme);
-  for (const auto *labels : {&m_givenLabels, &m_resultLabels})
-    for (MathLabel *label : *labels)
-      label->setInkOf(inkOf);
+  for (const auto &row : m_given)
+    row->setInkOf(inkOf);
+  for (MathLabel *label : m_resultLabels)
+    label->setInkOf(inkOf);
 }
 
 } // namespace halfspace

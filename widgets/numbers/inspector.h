@@ -1,21 +1,19 @@
 // Every number of the session: what is given, to be changed, and what comes out of it.
 #pragma once
 
-#include "widgets/picture/theme.h"
-#include "widgets/working/coordinate_editor.h"
+#include "widgets/numbers/coordinate_row.h"
 
 #include <QScrollArea>
 
+#include <memory>
+
 class QGridLayout;
 class QLabel;
-class QSlider;
 class QVBoxLayout;
 
 namespace halfspace {
 
-class MathLabel;
 class NumberField;
-class Typesetter;
 
 class Inspector : public QScrollArea {
   Q_OBJECT
@@ -39,13 +37,6 @@ public:
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
 
 private:
-  struct GivenRow {
-    CoordinateId id;
-    Symbol letter;
-    std::string name;
-    std::vector<NumberField *> fields; ///< three, or one
-    QSlider *slider = nullptr;         ///< of a number within bounds
-  };
   struct ResultRow {
     std::string id; ///< as ShownValue says
     MathLabel *value;
@@ -53,14 +44,8 @@ private:
 
   void buildGivenRows();
   void buildResultRows();
-  [[nodiscard]] const Symbol &letterOf(const CoordinateId &id) const;
-  /// Whether the row is made for this coordinate as it is now.
-  [[nodiscard]] bool isShownIn(const GivenRow &row, const CoordinateId &id) const;
-  [[nodiscard]] QSlider *addSlider(QGridLayout &grid, int row, const CoordinateId &id);
-  void showOnSlider(QSlider &slider, const CoordinateId &id);
   void addGivenRow(QGridLayout &grid, const CoordinateId &id);
   void addResultRow(QVBoxLayout &column, const NamedValue &value);
-  void connectField(NumberField &field, const CoordinateNumber &number);
   void applyInk();
 
   SessionModel &m_model;
@@ -68,10 +53,8 @@ private:
   const Typesetter &m_typesetter;
   Theme m_theme;
   bool m_resultsHidden = false;
-  std::vector<GivenRow> m_given;
+  std::vector<std::unique_ptr<CoordinateRow>> m_given;
   std::vector<ResultRow> m_results;
-  int m_sliderStart = 0; ///< where the slider stood that is held
-  std::vector<MathLabel *> m_givenLabels;
   std::vector<MathLabel *> m_resultLabels;
   QVBoxLayout *m_layout = nullptr;
   QWidget *m_resultsBox = nullptr;

@@ -54,7 +54,7 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   });
   connect(&m_model, &SessionModel::lessonChanged, this, [this] {
     selectHandle({});
-    goHome();
+    takeView();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
   connect(&m_model, &SessionModel::gestureSettled, this, &SceneView::letGo);
@@ -183,6 +183,11 @@ void SceneView::selectHandle(const std::string &handleId) {
   updateContent();
   showHint();
   emit selectionChanged();
+}
+
+std::optional<CoordinateId> SceneView::selectedCoordinate() const {
+  const Handle *handle = findHandle(m_selected);
+  return handle ? std::optional(CoordinateId{handle->object, handle->coordinate}) : std::nullopt;
 }
 
 void SceneView::selectNext(bool forward) {

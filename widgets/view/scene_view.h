@@ -69,6 +69,8 @@ public:
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
   void selectHandle(const std::string &handleId);
+  /// The coordinate of the selected handle, or the first of its object where it moves more than one.
+  [[nodiscard]] std::optional<CoordinateId> selectedCoordinate() const;
   /// Whether the selected handle is a corner of an object whose corners come and go: a polygon, a prism.
   [[nodiscard]] bool isCornerSelected() const;
   /// Puts a corner behind the selected one, or takes that away; where there are as many or as few as there
@@ -79,6 +81,7 @@ public:
   void finishDrag();
 
 signals:
+  void orthographicChanged(bool on);
   void markHovered(const QString &markId); ///< empty: none
   void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
   void selectionChanged();                 ///< of a handle, or of what can be done with it
@@ -141,6 +144,10 @@ private:
   void moveCamera(const QPointF &position);
   /// From the direction of a view, on the stage.
   [[nodiscard]] Camera viewOfAll(const CameraView &view) const;
+  /// The session has this view from now on.
+  void keepView(const Camera &camera);
+  /// The session's view, or as the lesson begins.
+  void takeView();
   /// As long as nobody has moved the camera, the figure stays in view at every size.
   void stayHome();
   /// All of the figure in view, from the direction that the camera has.

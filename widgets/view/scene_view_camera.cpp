@@ -23,6 +23,7 @@ void SceneView::moveCamera(const QPointF &position) {
     m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
   else
     m_camera.pan(glm::dvec2(moved.x(), moved.y()) * devicePixelRatioF(), pixelSize());
+  keepView(m_camera);
   showMoved();
 }
 
@@ -31,6 +32,7 @@ void SceneView::wheelEvent(QWheelEvent *event) {
   m_atHome = false;
   const double steps = event->angleDelta().y() / 120.0;
   m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
+  keepView(m_camera);
   showMoved();
   event->accept();
 }
@@ -38,6 +40,7 @@ void SceneView::wheelEvent(QWheelEvent *event) {
 void SceneView::glideTo(const Camera &camera) {
   m_glide.stop();
   m_atHome = false;
+  keepView(camera);
   if (!m_motion || !isVisible()) {
     m_camera = camera;
     return requestFrame();
@@ -63,6 +66,24 @@ Camera SceneView::viewOfAll(const CameraView &view) const {
 void SceneView::goHome() {
   glideTo(viewOfAll(m_model.lesson().camera));
   m_atHome = true;
+  m_model.setView({});
+}
+
+void SceneView::keepView(const Camera &camera) {
+  m_model.setView(ChosenView{{-camera.viewDirection(), camera.target, camera.height}, camera.orthographic});
+}
+
+void SceneView::takeView() {
+  const std::optional<ChosenView> view = m_model.session().view;
+  m_camera.orthographic = view && view->orthographic;
+  emit orthographicChanged(m_camera.orthographic);
+  if (!view)
+    return goHome();
+  m_atHome = false;
+  m_glide.stop();
+  m_camera = Camera(view->view);
+  m_camera.orthographic = view->orthographic;
+  requestFrame();
 }
 
 void SceneView::showAll() {
@@ -91,6 +112,7 @@ void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene().scene, m_camer
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();
   m_camera.orthographic = on;
+  keepView(m_camera);
   requestFrame();
 }
 

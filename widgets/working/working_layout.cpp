@@ -6,7 +6,6 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
-#include <optional>
 
 namespace halfspace {
 
@@ -19,33 +18,25 @@ constexpr double smallestScale = 0.6;
 
 // Space, in em of the formulas' type.
 constexpr double sideMargin = 1.0;
-constexpr double lineMargin = 0.8;         // above and below a line
+constexpr double lineMargin = 0.45;        // above and below a line
 constexpr double rowGap = 0.5;             // between the rows of a line
 constexpr double sentenceGap = 0.5;        // between formulas and sentence
 constexpr double relationGap = 0.28;       // before `=`: TeX's thick space
 constexpr double indent = 1.6;             // of further rows
 constexpr double sentenceLineHeight = 1.2; // as part of the font's
 constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
-/// Workings stand side by side where each has this much.
-constexpr double narrowestColumn = 22;
 // Every row has at least the room of ordinary letters.
 constexpr double leastAscent = 0.72;
 constexpr double leastDepth = 0.22;
 
-/// A part of the width.
-struct Column {
-  double left;
-  double width;
-};
-
-/// Lays out one line at a time below the last, in a column that begins at a height.
+/// Lays out one line at a time below the last.
 class LinePlacer {
 public:
-  LinePlacer(SentenceBreaker &sentences, const QFont &font, Column column, double top)
-      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_left(column.left + sideMargin * m_em),
-        m_right(column.left + column.width - sideMargin * m_em), m_column(column), m_y(top) {}
+  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
+      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_width(width),
+        m_left(sideMargin * m_em), m_right(width - sideMargin * m_em) {}
 
-  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading) {
+  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading, double least) {
     m_placed = {};
     const double top = m_y;
     m_placed.heading = placeText(heading, m_left);
@@ -65,15 +56,14 @@ public:
     if (!line.isPartial)
       m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
-    m_placed.box = QRectF(m_column.left, top, m_column.width, m_y - top);
+    m_y = std::max(m_y, top + least);
+    m_placed.box = QRectF(0, top, m_width, m_y - top);
     return std::move(m_placed);
   }
 
   [[nodiscard]] double bottom() const { return m_y; }
-  /// Beyond the column where a formula does not fit.
-  [[nodiscard]] double right() const {
-    return std::max(m_column.left + m_column.width, m_widest + sideMargin * m_em);
-  }
+  /// Beyond the width where a formula does not fit.
+  [[nodiscard]] double right() const { return std::max(m_width, m_widest + sideMargin * m_em); }
 
 private:
   void startRow() {
@@ -152,9 +142,8 @@ private:
 
   SentenceBreaker &m_sentences;
   QFont m_font;
-  double m_em, m_left, m_right;
-  Column m_column;
-  double m_x = 0, m_y, m_widest = 0;
+  double m_em, m_width, m_left, m_right;
+  double m_x = 0, m_y = 0, m_widest = 0;
   PlacedLine m_placed;
   // The row in work.
   std::size_t m_rowBegin = 0;
@@ -167,50 +156,12 @@ bool beginsWorking(const std::vector<TypesetLine> &lines, std::size_t index) {
   return index == 0 || entryOf(lines[index].source.id) != entryOf(lines[index - 1].source.id);
 }
 
-/// Lays out the workings of several constructions.
-struct WorkingsPlacer {
-  const std::vector<TypesetLine> &lines;
-  const std::map<std::string, QString> &remarks;
-  SentenceBreaker &sentences;
-  const QFont &font;
-  double width;
-  bool hasHeadings;
-
-  [[nodiscard]] PlacedLine place(std::size_t index, LinePlacer &placer) const {
-    const std::string &id = lines[index].source.id;
-    const auto remark = remarks.find(id);
-    const bool isHeaded = hasHeadings && beginsWorking(lines, index);
-    return placer.place(lines[index], remark == remarks.end() ? QString() : remark->second,
-                        isHeaded ? QString::fromStdString(entryOf(id)) : QString());
-  }
-
-  [[nodiscard]] PlacedWorking placeBelow() const {
-    LinePlacer placer(sentences, font, {0, width}, 0);
-    PlacedWorking placed;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      placed.lines.push_back(place(i, placer));
-    placed.size = {placer.right(), placer.bottom()};
-    return placed;
-  }
-
-  /// In columns of this width; nothing where a formula does not fit into its own.
-  [[nodiscard]] std::optional<PlacedWorking> placeBeside(double share) const {
-    PlacedWorking placed{{}, {width, 0}};
-    Column column{-share, share};
-    std::optional<LinePlacer> placer;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (beginsWorking(lines, i)) {
-        column.left += share;
-        placer.emplace(sentences, font, column, 0);
-      }
-      placed.lines.push_back(place(i, *placer));
-      placed.size.setHeight(std::max(placed.size.height(), placer->bottom()));
-      if (placer->right() > column.left + share)
-        return {};
-    }
-    return placed;
-  }
-};
+bool hasSeveralWorkings(const std::vector<TypesetLine> &lines) {
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (beginsWorking(lines, i))
+      return true;
+  return false;
+}
 
 } // namespace
 
@@ -220,18 +171,32 @@ QRectF PlacedFormula::toWorking(const QRectF &inPicture) const {
   return {baseline + inPicture.topLeft() * emPixels, inPicture.size() * emPixels};
 }
 
+double narrowestWidth(const std::vector<TypesetLine> &lines, const QFont &font) {
+  double widest = 0;
+  for (const TypesetLine &line : lines)
+    for (const Typesetter::Picture &piece : line.pieces)
+      if (piece)
+        widest = std::max(widest, piece->brokenTo(0).width());
+  return (widest * smallestScale + indent + 2 * sideMargin) * emPixelsOf(font);
+}
+
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                            const std::map<std::string, QString> &remarks, SentenceBreaker &sentences,
-                           const QFont &font, double width) {
-  int workings = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    workings += beginsWorking(lines, i) ? 1 : 0;
-  WorkingsPlacer placer{lines, remarks, sentences, font, width, workings > 1};
-  const double share = width / std::max(workings, 1);
-  if (workings > 1 && share >= narrowestColumn * emPixelsOf(font))
-    if (auto placed = placer.placeBeside(share))
-      return std::move(*placed);
-  return placer.placeBelow();
+                           const QFont &font, double width, const LineHeights &least) {
+  const bool hasHeadings = hasSeveralWorkings(lines);
+  LinePlacer placer(sentences, font, width);
+  PlacedWorking placed;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string &id = lines[i].source.id;
+    const auto remark = remarks.find(id);
+    const auto height = least.find(id);
+    const bool isHeaded = hasHeadings && beginsWorking(lines, i);
+    placed.lines.push_back(placer.place(lines[i], remark == remarks.end() ? QString() : remark->second,
+                                        isHeaded ? QString::fromStdString(entryOf(id)) : QString(),
+                                        height == least.end() ? 0 : height->second));
+  }
+  placed.size = {placer.right(), placer.bottom()};
+  return placed;
 }
 
 } // namespace halfspace

@@ -66,12 +66,19 @@ struct PlacedWorking {
 /// The size of formulas beside a font, in pixels.
 [[nodiscard]] double emPixelsOf(const QFont &font);
 
+/// The width below which no formula can be broken or drawn smaller.
+[[nodiscard]] double narrowestWidth(const std::vector<TypesetLine> &lines, const QFont &font);
+
+/// By the ids of lines.
+using LineHeights = std::map<std::string, double>;
+
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
-/// broken is drawn smaller, but not beyond reading. The workings of several constructions stand side by side
-/// where there is room, else below each other. `remarks` are by the lines' ids.
+/// broken is drawn smaller, but not beyond reading. The lines of several constructions have its name above
+/// them. `remarks` are by the lines' ids; no line is less high than `least` says.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                                          const std::map<std::string, QString> &remarks,
-                                         SentenceBreaker &sentences, const QFont &font, double width);
+                                         SentenceBreaker &sentences, const QFont &font, double width,
+                                         const LineHeights &least = {});
 
 } // namespace halfspace

@@ -1,24 +1,19 @@
 #include "widgets/working/working_practice.h"
 
-#include "widgets/flow_layout.h"
-
-#include <QButtonGroup>
+#include <QActionGroup>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace halfspace {
 namespace {
 
-constexpr QMargins barMargins(12, 0, 12, 4);
-constexpr QMargins scoreMargins(8, 0, 8, 0); // as the text of a button
-
-QToolButton *barButton(const QString &text, const QString &explanation) {
+QToolButton *tool(const QString &explanation) {
   auto *button = new QToolButton;
-  button->setText(text);
   button->setToolTip(explanation);
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::StrongFocus);
@@ -28,46 +23,52 @@ QToolButton *barButton(const QString &text, const QString &explanation) {
 } // namespace
 
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_panel(new WorkingPanel(typesetter)), m_choices(new QButtonGroup(this)),
-      m_newNumbers(
-          barButton(tr("New numbers"), tr("Work with other short numbers; the case stays the same."))),
-      m_score(new QLabel) {
-  auto *bar = new FlowLayout;
-  createBar(*bar);
-  auto *layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addLayout(bar);
-  layout->addWidget(m_panel, 1);
-  connect(m_choices, &QButtonGroup::idClicked, this, [this](int id) { choose(static_cast<Fading>(id)); });
-  connect(m_panel, &WorkingPanel::answered, this, &WorkingPractice::answer);
-  connect(m_panel, &WorkingPanel::showRequested, this, &WorkingPractice::open);
-}
-
-void WorkingPractice::createBar(QLayout &bar) {
-  bar.setContentsMargins(barMargins);
-  bar.setSpacing(2);
-  addChoice(bar, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
-  addChoice(bar, Fading::Gaps, tr("Gaps"), tr("Find one number of every line."));
-  addChoice(bar, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
-  addChoice(bar, Fading::All, tr("All blank"), tr("Work out every line yourself."));
-  bar.addWidget(m_newNumbers);
-  connect(m_newNumbers, &QToolButton::clicked, this, &WorkingPractice::renewNumbers);
+    : QWidget(parent), m_blocks(typesetter), m_chooser(tool(tr("How much of the lines you work out yourself"))),
+      m_choices(new QActionGroup(this)),
+      m_newNumbers(tool(tr("Work with other short numbers; the case stays the same."))), m_score(new QLabel) {
+  auto *menu = new QMenu(m_chooser);
+  menu->setToolTipsVisible(true);
+  addChoice(*menu, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
+  addChoice(*menu, Fading::Gaps, tr("Gaps"), tr("Find one number of every line."));
+  addChoice(*menu, Fading::Last, tr("Last blank"), tr("Work out the last result yourself."));
+  addChoice(*menu, Fading::All, tr("All blank"), tr("Work out every line yourself."));
+  m_chooser->setObjectName("fading");
+  m_chooser->setMenu(menu);
+  m_chooser->setPopupMode(QToolButton::InstantPopup);
+  m_newNumbers->setObjectName("newNumbers");
+  m_newNumbers->setText(tr("New numbers"));
   m_score->setObjectName("score");
   m_score->setForegroundRole(QPalette::PlaceholderText);
-  m_score->setContentsMargins(scoreMargins);
   m_score->setToolTip(tr("What you filled in right at the first try. A line that was shown does not count."));
   m_score->hide();
-  bar.addWidget(m_score);
+  auto *row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  for (QWidget *widget : {static_cast<QWidget *>(m_score), static_cast<QWidget *>(m_chooser),
+                          static_cast<QWidget *>(m_newNumbers)})
+    row->addWidget(widget);
+  connect(m_choices, &QActionGroup::triggered, this,
+          [this](const QAction *choice) { choose(static_cast<Fading>(choice->data().toInt())); });
+  connect(m_newNumbers, &QToolButton::clicked, this, &WorkingPractice::renewNumbers);
+  connect(&m_blocks, &StepWorking::answered, this, &WorkingPractice::answer);
+  connect(&m_blocks, &StepWorking::showRequested, this, &WorkingPractice::open);
+  showChoice();
 }
 
-void WorkingPractice::addChoice(QLayout &bar, Fading fading, const QString &text,
-                                const QString &explanation) {
-  QToolButton *button = barButton(text, explanation);
-  button->setCheckable(true);
-  button->setChecked(fading == m_usual);
-  m_choices->addButton(button, static_cast<int>(fading));
-  bar.addWidget(button);
+void WorkingPractice::addChoice(QMenu &menu, Fading fading, const QString &text, const QString &explanation) {
+  QAction *choice = menu.addAction(text);
+  choice->setToolTip(explanation);
+  choice->setCheckable(true);
+  choice->setData(static_cast<int>(fading));
+  m_choices->addAction(choice);
+}
+
+void WorkingPractice::showChoice() {
+  for (QAction *choice : m_choices->actions())
+    if (choice->data().toInt() == static_cast<int>(fading())) {
+      choice->setChecked(true);
+      m_chooser->setText(choice->text());
+    }
 }
 
 void WorkingPractice::setUsual(Fading fading) {
@@ -77,15 +78,17 @@ void WorkingPractice::setUsual(Fading fading) {
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
   if (m_step != std::pair(lesson, step)) {
-    m_panel->forgetAnswers(); // what was typed elsewhere does not come along
-    m_panel->endTrace();
+    m_blocks.forgetAnswers(); // what was typed elsewhere does not come along
+    m_blocks.endTrace();
   }
   m_step = {lesson, step};
   m_asked = asked;
 }
 
-void WorkingPractice::setWorking(const Working &working, bool hidden) {
+void WorkingPractice::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,
+                                 bool hidden) {
   m_working = working;
+  m_linesIn = linesIn;
   m_hidden = hidden;
   refresh();
 }
@@ -101,15 +104,11 @@ void WorkingPractice::refresh() {
   // What was done with other numbers is of no use for these.
   std::erase_if(practice().lines,
                 [this](const auto &each) { return textOf(each.first) != each.second.text; });
-  for (QAbstractButton *button : m_choices->buttons())
-    button->setEnabled(!m_hidden);
+  m_chooser->setEnabled(!m_hidden);
   m_newNumbers->setEnabled(!m_hidden);
-  m_choices->button(static_cast<int>(fading()))->setChecked(true);
-  m_fade = m_hidden ? Fade() : fade(m_working, fading(), openedLines());
-  if (m_hidden)
-    m_panel->setWorkingWithoutNumbers(m_working);
-  else
-    m_panel->setWorking(m_working, m_fade, remarks());
+  showChoice();
+  m_fade = m_hidden ? withheld(m_working) : fade(m_working, fading(), openedLines());
+  m_blocks.setWorking(m_working, m_linesIn, m_fade, m_hidden ? std::map<std::string, LineRemark>() : remarks());
   showScore();
 }
 
@@ -159,19 +158,19 @@ std::string WorkingPractice::textOf(const std::string &lineId) const {
 void WorkingPractice::choose(Fading fading) {
   m_usual = fading;
   practice() = {fading, {}};
-  m_panel->forgetAnswers(); // they were to other questions
+  m_blocks.forgetAnswers(); // they were to other questions
   refresh();
-  m_panel->focusField();
+  m_blocks.focusField();
   emit blanksChanged();
 }
 
 void WorkingPractice::renewNumbers() {
   practice().lines.clear();
-  m_panel->forgetAnswers(); // they were about the other numbers
+  m_blocks.forgetAnswers(); // they were about the other numbers
   emit newNumbersRequested();
   refresh();
   if (hasBlanks())
-    m_panel->focusField();
+    m_blocks.focusField();
 }
 
 void WorkingPractice::answer(const QString &lineId, const QString &text) {

@@ -1,32 +1,34 @@
-// The worked lines with the choice of how much of them the learner completes.
+// How much of the worked lines the learner completes, and what came of it.
 #pragma once
 
 #include "lessons/lesson/practice.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/step_working.h"
 
 #include <map>
 
-class QButtonGroup;
+class QActionGroup;
 class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace halfspace {
 
-/// Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
+/// A row of tools: the choice of how much is blank, new numbers, the score. Keeps for every step of every lesson which lines the learner has completed or had shown; they stay open
 /// until their numbers change, and choosing how much is blank makes them blank anew, as do new numbers. Lines
 /// that are blank stay so and ask for the new number.
 class WorkingPractice : public QWidget {
   Q_OBJECT
 public:
-  /// The typesetter must outlive the panel.
+  /// The typesetter must outlive it.
   explicit WorkingPractice(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  [[nodiscard]] WorkingPanel &panel() { return *m_panel; }
+  [[nodiscard]] StepWorking &working() { return m_blocks; }
 
   /// The lesson and step whose lines come next; `asked` is what the step leaves to the learner if it says so.
   void setStep(const std::string &lesson, int step, std::optional<Fading> asked);
-  /// Shows a working. `hidden`: no line shows numbers or asks for them, because a question goes before.
-  void setWorking(const Working &working, bool hidden);
+  /// Shows a working, so many lines in each block. `hidden`: no line shows numbers or asks for them, because a
+  /// question goes before.
+  void setWorking(const Working &working, const std::vector<std::size_t> &linesIn, bool hidden);
 
   /// How much is blank where neither the step nor the learner has said anything else: the learner's last
   /// choice.
@@ -55,8 +57,8 @@ private:
     std::map<std::string, LineRecord> lines;
   };
 
-  void createBar(QLayout &bar);
-  void addChoice(QLayout &bar, Fading fading, const QString &text, const QString &explanation);
+  void addChoice(QMenu &menu, Fading fading, const QString &text, const QString &explanation);
+  void showChoice();
   void choose(Fading fading);
   void renewNumbers();
   void answer(const QString &lineId, const QString &text);
@@ -72,8 +74,9 @@ private:
   [[nodiscard]] LineRecord &recordOf(const std::string &lineId);
   [[nodiscard]] StepPractice &practice() { return m_practice[m_step]; }
 
-  WorkingPanel *m_panel;
-  QButtonGroup *m_choices;
+  StepWorking m_blocks;
+  QToolButton *m_chooser;
+  QActionGroup *m_choices;
   QToolButton *m_newNumbers;
   QLabel *m_score;
   Fading m_usual = Fading::None; ///< the learner's last choice
@@ -81,6 +84,7 @@ private:
   std::pair<std::string, int> m_step;
   std::map<std::pair<std::string, int>, StepPractice> m_practice;
   Working m_working;
+  std::vector<std::size_t> m_linesIn;
   bool m_hidden = false;
   Fade m_fade;
 };

@@ -1,6 +1,6 @@
 // The numbers in the worked lines: traced, chosen by the keys, scrubbed and typed.
 #include "tests/lessons/called_line.h"
-#include "tests/widgets/working/working_panel_fixture.h"
+#include "tests/widgets/working/working_block_fixture.h"
 
 #include "lessons/term/plain_text.h"
 #include "widgets/numbers/number_field.h"
@@ -28,7 +28,7 @@ Working tracedWorking(int x = 1, const Rational &b = 3) {
 }
 
 /// The first of the line's shown numbers that reads so.
-NumberPlace numberIn(const WorkingPanel &panel, std::size_t line, const std::string &text) {
+NumberPlace numberIn(const WorkingBlock &panel, std::size_t line, const std::string &text) {
   for (const NumberPlace &place : panel.shownNumbers().inLine(line))
     if (plainText(place.number) == text)
       return place;
@@ -37,18 +37,18 @@ NumberPlace numberIn(const WorkingPanel &panel, std::size_t line, const std::str
 }
 
 /// Where the number stands, in the viewport.
-QPoint middleOf(const WorkingPanel &panel, const NumberPlace &number) {
+QPoint middleOf(const WorkingBlock &panel, const NumberPlace &number) {
   const auto boxes = panel.shownNumbers().boxesOf(number);
   const QPointF scrolled(panel.horizontalScrollBar()->value(), panel.verticalScrollBar()->value());
   return boxes.empty() ? QPoint(-1, -1) : (boxes.front().center() - scrolled).toPoint();
 }
 
-void click(WorkingPanel &panel, const NumberPlace &number) {
+void click(WorkingBlock &panel, const NumberPlace &number) {
   QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, number));
 }
 
 /// Moves the pointer with the left button down.
-void dragPointer(WorkingPanel &panel, QPoint position) {
+void dragPointer(WorkingBlock &panel, QPoint position) {
   QMouseEvent move(QEvent::MouseMove, position, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(panel.viewport(), &move);
 }
@@ -70,9 +70,9 @@ private slots:
   }
 
   void clickedNumberTellsTheLinesAndMarksThatItCameFrom() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy changed(&panel, &WorkingPanel::traceChanged);
+    QSignalSpy changed(&panel, &WorkingBlock::traceChanged);
     click(panel, numberIn(panel, 1, "10"));
     QCOMPARE(changed.count(), 1);
     QCOMPARE(panel.traced().lines, Ids{"uu"});
@@ -83,7 +83,7 @@ private slots:
   }
 
   void traceIsShownOnTheNumberAndOnTheLinesThatItCameFrom() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     const NumberPlace number = numberIn(panel, 1, "10");
     const QPoint atNumber = middleOf(panel, number) + QPoint(0, -2);
@@ -100,7 +100,7 @@ private slots:
   }
 
   void traceEndsWithEscapeAndWithAClickElsewhere() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     click(panel, numberIn(panel, 1, "10"));
     QTest::keyClick(&panel, Qt::Key_Escape);
@@ -112,7 +112,7 @@ private slots:
   }
 
   void traceFollowsItsPlaceAndComesBackWithIt() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     click(panel, numberIn(panel, 1, "10"));
     panel.setWorking(tracedWorking(4));
@@ -126,7 +126,7 @@ private slots:
   }
 
   void numberIsFollowedThroughLinesThatAreNotShown() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     panel.setWholeWorking([] { return tracedWorking(); });
     Working part = tracedWorking();
     part.lines.erase(part.lines.begin());
@@ -137,7 +137,7 @@ private slots:
   }
 
   void numbersOfABlankLineCannotBeTouchedNorTraced() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     const NumberPlace result = numberIn(panel, 1, "10");
     const QPoint at = middleOf(panel, result);
@@ -153,7 +153,7 @@ private slots:
   }
 
   void blankLineIsLitUpWithoutItsNumbers() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     panel.setWorking(tracedWorking(), blankIn(tracedWorking(), "uu"));
     click(panel, numberIn(panel, 1, "10"));
@@ -163,7 +163,7 @@ private slots:
   }
 
   void clickOnANumberOfALineInHalfDoesNotScroll() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     panel.resize(900, static_cast<int>(panel.placed().lines[1].box.center().y()) + 8);
     click(panel, numberIn(panel, 1, "5"));
@@ -172,7 +172,7 @@ private slots:
   }
 
   void pointerOverNumbersSaysWhatTheyCanDo() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     movePointer(panel, middleOf(panel, numberIn(panel, 1, "10")));
     QCOMPARE(panel.viewport()->cursor().shape(), Qt::PointingHandCursor);
@@ -183,10 +183,10 @@ private slots:
   }
 
   void numberInsideAMarkHoversTheMark() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     const Term a = name(letter("a"), Rational(7)).standingFor(name(letter("b"), Rational(7)));
     show(panel, 900, {{called("a", line({Chain(a).then(calculated(a).marked("m"))}))}});
-    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
+    QSignalSpy hovered(&panel, &WorkingBlock::markHovered);
     movePointer(panel, middleOf(panel, numberIn(panel, 0, "7")));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("m"));
     panel.setInkOf([](const QString &mark) { return mark == "m" ? Qt::red : Qt::black; });
@@ -201,7 +201,7 @@ private slots:
   }
 
   void numbersOfABrokenFormulaAreFoundWhereTheyStand() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     std::vector<Term> summands;
     for (int i = 0; i < 40; ++i)
       summands.push_back(calculated(name(letter("a", std::to_string(i)), Rational(100 + i))));
@@ -219,12 +219,12 @@ private slots:
   }
 
   void draggedCoordinateIsScrubbedByMovementThoughTheFormulaMovesAway() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy started(&panel, &WorkingPanel::scrubStarted);
-    QSignalSpy scrubbed(&panel, &WorkingPanel::scrubbed);
-    QSignalSpy ended(&panel, &WorkingPanel::scrubEnded);
-    connect(&panel, &WorkingPanel::scrubbed, this,
+    QSignalSpy started(&panel, &WorkingBlock::scrubStarted);
+    QSignalSpy scrubbed(&panel, &WorkingBlock::scrubbed);
+    QSignalSpy ended(&panel, &WorkingBlock::scrubEnded);
+    connect(&panel, &WorkingBlock::scrubbed, this,
             [&](int steps) { panel.setWorking(steps == 2 ? Working{} : tracedWorking(1 + steps * 1000)); });
     const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
     QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
@@ -241,9 +241,9 @@ private slots:
   }
 
   void escapeTakesAScrubBack() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy ended(&panel, &WorkingPanel::scrubEnded);
+    QSignalSpy ended(&panel, &WorkingBlock::scrubEnded);
     const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
     QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
     dragPointer(panel, at + QPoint(40, 0));
@@ -255,7 +255,7 @@ private slots:
   }
 
   void scrubThatEndsBeforeTheButtonIsUpIsNoClick() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     const QPoint at = middleOf(panel, numberIn(panel, 0, "1"));
     const auto endedBy = [&](const auto &end) {
@@ -270,7 +270,7 @@ private slots:
   }
 
   void clickedCoordinateIsTracedToItsMark() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     click(panel, numberIn(panel, 0, "2"));
     QCOMPARE(panel.traced().marks, Ids{"u"});
@@ -278,9 +278,9 @@ private slots:
   }
 
   void calculatedNumberIsNotScrubbed() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy started(&panel, &WorkingPanel::scrubStarted);
+    QSignalSpy started(&panel, &WorkingBlock::scrubStarted);
     const QPoint at = middleOf(panel, numberIn(panel, 1, "10"));
     QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, at);
     dragPointer(panel, at + QPoint(40, 0));
@@ -289,9 +289,9 @@ private slots:
   }
 
   void doubleClickedCoordinateIsTypedInItsPlace() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
+    QSignalSpy typed(&panel, &WorkingBlock::coordinateTyped);
     const QPoint at = middleOf(panel, numberIn(panel, 0, "2"));
     QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, at);
     auto *field = panel.findChild<NumberField *>();
@@ -308,9 +308,9 @@ private slots:
   }
 
   void escapeDropsWhatIsTyped() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
+    QSignalSpy typed(&panel, &WorkingBlock::coordinateTyped);
     QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
     auto *field = panel.findChild<NumberField *>();
     QTest::keyClicks(field, "7");
@@ -320,9 +320,9 @@ private slots:
   }
 
   void fieldThatLosesTheFocusTakesWhatIsTyped() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
+    QSignalSpy typed(&panel, &WorkingBlock::coordinateTyped);
     QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
     QApplication::setActiveWindow(&panel);
     QTest::keyClicks(panel.findChild<NumberField *>(), "7");
@@ -332,9 +332,9 @@ private slots:
   }
 
   void refusedTextStaysWithASentenceBelowItsLine() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
-    QSignalSpy typed(&panel, &WorkingPanel::coordinateTyped);
+    QSignalSpy typed(&panel, &WorkingBlock::coordinateTyped);
     QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "2")));
     auto *field = panel.findChild<NumberField *>();
     QTest::keyClicks(field, "seven");
@@ -350,7 +350,7 @@ private slots:
   }
 
   void fieldGoesWithItsNumber() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, middleOf(panel, numberIn(panel, 0, "1")));
     panel.setWorking(tracedWorking(9));
@@ -360,7 +360,7 @@ private slots:
   }
 
   void arrowKeysChooseNumbersAndEnterTracesOrTypesThem() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     panel.setFocus();
     QTest::keyClick(&panel, Qt::Key_Down);
@@ -380,7 +380,7 @@ private slots:
   }
 
   void chosenNumberHasARing() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, tracedWorking());
     QApplication::setActiveWindow(&panel);
     panel.setFocus();

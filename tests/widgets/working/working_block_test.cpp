@@ -1,6 +1,6 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
 #include "tests/lessons/called_line.h"
-#include "tests/widgets/working/working_panel_fixture.h"
+#include "tests/widgets/working/working_block_fixture.h"
 
 #include "widgets/picture/term_formula.h"
 
@@ -33,7 +33,7 @@ Term longSum(int summands) {
 }
 
 /// The middle of a mark's term in a line's first formula.
-QPointF middleOf(const WorkingPanel &panel, std::size_t line, const QString &mark) {
+QPointF middleOf(const WorkingBlock &panel, std::size_t line, const QString &mark) {
   const PlacedFormula formula = panel.placed().lines[line].formulas.front();
   for (const auto &[id, box] : formula.picture->markBoxes())
     if (id == mark)
@@ -43,7 +43,7 @@ QPointF middleOf(const WorkingPanel &panel, std::size_t line, const QString &mar
 
 } // namespace
 
-class WorkingPanelTest : public QObject {
+class WorkingBlockTest : public QObject {
   Q_OBJECT
 
 private:
@@ -51,7 +51,7 @@ private:
 
 private slots:
   void wideLineKeepsItsPiecesInOneRow() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, someWorking());
     const auto placed = panel.placed();
     QCOMPARE(placed.lines.size(), std::size_t(2));
@@ -63,7 +63,7 @@ private slots:
   }
 
   void narrowLineBreaksBeforeAPieceAndStaysInside() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 270, someWorking());
     for (const PlacedLine &line : panel.placed().lines)
       for (const PlacedFormula &formula : line.formulas)
@@ -74,7 +74,7 @@ private slots:
   }
 
   void formulaThatFitsNowhereIsBrokenBetweenItsSummands() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 300, {{called("a", line(longSum(60))), called("b", line(unknown("x")))}});
     const auto placed = panel.placed();
     const PlacedFormula &broken = placed.lines[0].formulas[0];
@@ -85,7 +85,7 @@ private slots:
   }
 
   void formulaThatCannotBeBrokenIsSmallerButReadableAndCanBeScrolledTo() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 300, {{called("a", line(root(longSum(60)))), called("b", line(unknown("x")))}});
     const auto placed = panel.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
@@ -93,9 +93,9 @@ private slots:
   }
 
   void pointerOnATermTellsItsMarkAndLeavingTellsNone() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, someWorking());
-    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
+    QSignalSpy hovered(&panel, &WorkingBlock::markHovered);
     movePointer(panel, middleOf(panel, 0, "P0"));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("P0"));
     movePointer(panel, middleOf(panel, 1, "r"));
@@ -108,18 +108,18 @@ private slots:
   }
 
   void pointerFindsTermsInAScrolledPanel() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 270, someWorking());
     panel.resize(270, 120);
     panel.verticalScrollBar()->setValue(panel.verticalScrollBar()->maximum());
     QVERIFY(panel.verticalScrollBar()->value() > 0);
-    QSignalSpy hovered(&panel, &WorkingPanel::markHovered);
+    QSignalSpy hovered(&panel, &WorkingBlock::markHovered);
     movePointer(panel, middleOf(panel, 1, "Q"));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("Q"));
   }
 
   void highlightedTermHasABackground() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, someWorking());
     const QPoint beside = middleOf(panel, 0, "P0").toPoint() + QPoint(0, -9);
     const QColor before = panel.viewport()->grab().toImage().pixelColor(beside);
@@ -128,7 +128,7 @@ private slots:
   }
 
   void blankedLineShowsNoNumbersAnywhere() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, someWorking());
     panel.setWorking(someWorking(), blankIn(someWorking(), "t"));
     // The symbols, = with the field, and what is told of their names.
@@ -144,7 +144,7 @@ private slots:
   }
 
   void copyingGivesPlainLatexOfTheClickedLine() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     show(panel, 900, someWorking());
     QTest::mouseClick(panel.viewport(), Qt::LeftButton, Qt::NoModifier,
                       panel.placed().lines[0].box.center().toPoint());
@@ -156,7 +156,7 @@ private slots:
   }
 
   void shownLinesAreThoseGivenLastAtOnce() {
-    WorkingPanel panel(m_typesetter);
+    WorkingBlock panel(m_typesetter);
     panel.resize(900, 500);
     for (int i = 0; i < 20; ++i) {
       const Term a = name(letter("a"), Rational(i * i, 7));
@@ -176,5 +176,5 @@ private slots:
   }
 };
 
-QTEST_MAIN(WorkingPanelTest)
-#include "working_panel_test.moc"
+QTEST_MAIN(WorkingBlockTest)
+#include "working_block_test.moc"

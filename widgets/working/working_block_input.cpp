@@ -1,40 +1,41 @@
 // What the pointer and the keys do in the lines.
 #include "widgets/working/blank_field.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QMenu>
-#include <QScrollBar>
 
-#include <algorithm>
-#include <cmath>
 
 namespace halfspace {
 
-void WorkingPanel::resizeEvent(QResizeEvent *) { placeLines(); }
-
-void WorkingPanel::changeEvent(QEvent *event) {
-  if (event->type() == QEvent::FontChange)
-    showLines(m_working); // the room of fields depends on it
-  QAbstractScrollArea::changeEvent(event);
+void WorkingBlock::resizeEvent(QResizeEvent *) {
+  if (m_held)
+    m_held->clear(); // in another width the lines have other heights
+  placeLines();
 }
 
-void WorkingPanel::mouseMoveEvent(QMouseEvent *event) {
+void WorkingBlock::changeEvent(QEvent *event) {
+  if (event->type() == QEvent::FontChange)
+    showLines(m_working); // the room of fields depends on it
+  QWidget::changeEvent(event);
+}
+
+void WorkingBlock::mouseMoveEvent(QMouseEvent *event) {
   if (m_scrub.isPressed())
     return m_scrub.move(*event); // wherever the number goes
-  const QPointF position = QPointF(event->pos()) + scrolled();
+  const QPointF position = QPointF(event->pos());
   hover(markAt(position));
   hoverNumber(shownNumbers().at(position));
 }
 
-void WorkingPanel::mousePressEvent(QMouseEvent *event) {
-  const QPointF position = QPointF(event->pos()) + scrolled();
+void WorkingBlock::mousePressEvent(QMouseEvent *event) {
+  const QPointF position = QPointF(event->pos());
   if (event->button() == Qt::LeftButton) {
     if (const auto number = shownNumbers().at(position))
       return pressNumber(*number, *event);
-    endTrace();
+    emit traceDropped();
   }
   setCurrentLine(lineAt(position));
   if (const auto field = m_current ? m_fields.find(m_lines[*m_current].source.id) : m_fields.end();
@@ -42,19 +43,19 @@ void WorkingPanel::mousePressEvent(QMouseEvent *event) {
     field->second->setFocus();
 }
 
-void WorkingPanel::mouseReleaseEvent(QMouseEvent *event) {
+void WorkingBlock::mouseReleaseEvent(QMouseEvent *event) {
   if (event->button() != Qt::LeftButton || !m_pressedNumber)
     return;
   const NumberPlace pressed = *std::exchange(m_pressedNumber, {});
   const bool wasScrubbed = m_scrub.isScrubbing();
   m_scrub.end(true);
-  if (!wasScrubbed && shownNumbers().at(QPointF(event->pos()) + scrolled()) == pressed)
-    trace(pressed);
+  if (!wasScrubbed && shownNumbers().at(QPointF(event->pos())) == pressed)
+    emit traceRequested(pressed);
 }
 
-void WorkingPanel::mouseDoubleClickEvent(QMouseEvent *event) {
+void WorkingBlock::mouseDoubleClickEvent(QMouseEvent *event) {
   const auto number = event->button() == Qt::LeftButton
-                          ? shownNumbers().at(QPointF(event->pos()) + scrolled())
+                          ? shownNumbers().at(QPointF(event->pos()))
                           : std::nullopt;
   if (number && number->coordinate())
     openNumberField(*number);
@@ -62,50 +63,45 @@ void WorkingPanel::mouseDoubleClickEvent(QMouseEvent *event) {
     mousePressEvent(event);
 }
 
-bool WorkingPanel::viewportEvent(QEvent *event) {
-  if (event->type() == QEvent::Leave) {
-    hover({});
-    hoverNumber({});
-  }
-  if (event->type() == QEvent::ToolTip) {
-    showTip(static_cast<QHelpEvent *>(event)->pos());
-    return true;
-  }
-  return QAbstractScrollArea::viewportEvent(event);
+void WorkingBlock::leaveEvent(QEvent *event) {
+  hover({});
+  hoverNumber({});
+  QWidget::leaveEvent(event);
 }
 
-void WorkingPanel::hover(const QString &markId) {
+bool WorkingBlock::event(QEvent *event) {
+  if (event->type() != QEvent::ToolTip)
+    return QWidget::event(event);
+  showTip(static_cast<QHelpEvent *>(event)->pos());
+  return true;
+}
+
+void WorkingBlock::hover(const QString &markId) {
   if (markId == m_hovered)
     return;
   m_hovered = markId;
   emit markHovered(markId);
 }
 
-void WorkingPanel::setCurrentLine(std::optional<std::size_t> line) {
+void WorkingBlock::setCurrentLine(std::optional<std::size_t> line) {
   m_current = line;
   if (m_chosenNumber) {
     m_chosenNumber.reset();
     updateAccessibleText();
   }
   if (line)
-    scrollTo(m_placed.lines[*line].box);
-  viewport()->update();
+    emit reached(m_placed.lines[*line].box.toAlignedRect());
+  update();
 }
 
-void WorkingPanel::scrollTo(const QRectF &box) {
-  QScrollBar &bar = *verticalScrollBar();
-  const int lowest = static_cast<int>(std::ceil(box.bottom())) - viewport()->height();
-  bar.setValue(std::min(std::max(bar.value(), lowest), static_cast<int>(box.top())));
-}
-
-void WorkingPanel::keyPressEvent(QKeyEvent *event) {
+void WorkingBlock::keyPressEvent(QKeyEvent *event) {
   if (event->matches(QKeySequence::Copy))
     copy(m_current ? latexOf(m_lines[*m_current].source) : latexOfAll());
   else if (!stepByKey(event->key()))
-    QAbstractScrollArea::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
 }
 
-bool WorkingPanel::stepByKey(int key) {
+bool WorkingBlock::stepByKey(int key) {
   if (m_scrub.isScrubbing()) {
     if (key == Qt::Key_Escape)
       m_scrub.end(false);
@@ -124,7 +120,7 @@ bool WorkingPanel::stepByKey(int key) {
     return useChosen();
   case Qt::Key_Escape: {
     const bool hadSomething = m_tracedNumber || m_chosenNumber;
-    endTrace();
+    emit traceDropped();
     return hadSomething;
   }
   default:
@@ -132,21 +128,19 @@ bool WorkingPanel::stepByKey(int key) {
   }
 }
 
-bool WorkingPanel::stepLine(int way) {
-  if (m_lines.empty())
+bool WorkingBlock::stepLine(int way) {
+  const std::size_t count = m_lines.size();
+  const std::size_t next = !m_current ? (way > 0 ? 0 : count - 1) : *m_current + static_cast<std::size_t>(way);
+  if (next >= count) // beyond the last, or before the first
     return false;
-  const std::size_t last = m_lines.size() - 1;
-  if (way > 0)
-    setCurrentLine(m_current ? std::min(*m_current + 1, last) : 0);
-  else
-    setCurrentLine(m_current && *m_current > 0 ? *m_current - 1 : 0);
+  setCurrentLine(next);
   return true;
 }
 
-void WorkingPanel::contextMenuEvent(QContextMenuEvent *event) {
+void WorkingBlock::contextMenuEvent(QContextMenuEvent *event) {
   if (m_lines.empty())
     return;
-  const auto line = lineAt(viewport()->mapFromGlobal(event->globalPos()) + scrolled());
+  const auto line = lineAt(event->pos());
   QMenu menu(this);
   // The lines may change while the menu is open.
   if (line)
@@ -156,6 +150,6 @@ void WorkingPanel::contextMenuEvent(QContextMenuEvent *event) {
   menu.exec(event->globalPos());
 }
 
-void WorkingPanel::copy(const QString &text) const { QApplication::clipboard()->setText(text); }
+void WorkingBlock::copy(const QString &text) const { QApplication::clipboard()->setText(text); }
 
 } // namespace halfspace

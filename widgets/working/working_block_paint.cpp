@@ -2,7 +2,7 @@
 #include "widgets/colors.h"
 #include "widgets/lesson/task_row.h"
 #include "widgets/working/blank_field.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QPaintEvent>
 #include <QPainter>
@@ -18,6 +18,9 @@ constexpr double numberMargin = 2;
 constexpr double ringWidth = 1.5;
 constexpr double underlineWidth = 1;
 
+/// How much of the accent the block's background has, and the bar before it.
+constexpr double blockTint = 0.04;
+constexpr double barTint = 0.3;
 constexpr double highlightOpacity = 0.20;
 /// Of lines that a traced number came from: a whole line needs less than a term.
 constexpr double tracedLineOpacity = 0.09;
@@ -39,38 +42,31 @@ QRectF touchedRoom(const QRectF &box) {
 
 } // namespace
 
-void WorkingPanel::paintEvent(QPaintEvent *event) {
-  QPainter painter(viewport());
-  painter.fillRect(event->rect(), toQColor(m_theme.panel));
+void WorkingBlock::paintEvent(QPaintEvent *event) {
+  QPainter painter(this);
+  painter.fillRect(event->rect(), toQColor(mix(m_theme.panel, m_theme.accent, blockTint)));
+  painter.fillRect(QRectF(0, 0, barWidth, height()), toQColor(mix(m_theme.panel, m_theme.accent, barTint)));
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(-scrolled());
-  const QRectF visible = QRectF(event->rect()).translated(scrolled());
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
-    if (m_placed.lines[i].box.intersects(visible))
+    if (m_placed.lines[i].box.intersects(event->rect()))
       paintLine(painter, i);
 }
 
-void WorkingPanel::paintBackground(QPainter &painter, std::size_t index) const {
+void WorkingBlock::paintBackground(QPainter &painter, std::size_t index) const {
   const PlacedLine &line = m_placed.lines[index];
   const QColor accent = toQColor(m_theme.accent);
   const std::string &id = m_lines[index].source.id;
   // The line of the traced number itself shows the number.
-  const bool isSource = m_traced.lines.contains(id) && m_tracedNumber && m_tracedNumber->line != id;
+  const bool isSource = m_tracedLines.contains(id) && m_tracedNumber && m_tracedNumber->line != id;
   if (isSource)
     painter.fillRect(line.box, translucent(accent, tracedLineOpacity));
-  if (line.box.top() > 0) {
-    const int margin = fontMetrics().height();
-    const QRect separator(static_cast<int>(line.box.left()) + margin, static_cast<int>(line.box.top()),
-                          static_cast<int>(line.box.width()) - 2 * margin, 1);
-    painter.fillRect(separator, toQColor(m_theme.border)); // a line costs as much as all formulas together
-  }
   if (isSource || (m_current == index && hasFocus()))
     painter.fillRect(
         QRectF(line.box.left(), line.box.top() + touchMargin, barWidth, line.box.height() - 2 * touchMargin),
         accent);
 }
 
-void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
+void WorkingBlock::paintLine(QPainter &painter, std::size_t index) const {
   const PlacedLine &line = m_placed.lines[index];
   paintBackground(painter, index);
   paintNumbers(painter, index);
@@ -81,8 +77,6 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
       return failed ? toQColor(m_theme.warning) : inkOf(mark);
     });
   }
-  if (!line.blank.isNull() && !m_fields.contains(m_lines[index].source.id))
-    paintBlank(painter, line.blank);
   if (const auto remark = remarkOf(m_lines[index].source.id))
     paintRemark(painter, line, *remark);
   painter.setPen(toQColor(m_theme.mutedInk));
@@ -91,7 +85,7 @@ void WorkingPanel::paintLine(QPainter &painter, std::size_t index) const {
       painter.drawText(text.baseline, text.text);
 }
 
-void WorkingPanel::paintNumbers(QPainter &painter, std::size_t index) const {
+void WorkingBlock::paintNumbers(QPainter &painter, std::size_t index) const {
   const QColor accent = toQColor(m_theme.accent);
   const auto forEachBox = [&](const std::optional<NumberPlace> &number, const auto &paintBox) {
     if (number && number->line == m_lines[index].source.id)
@@ -121,7 +115,7 @@ void WorkingPanel::paintNumbers(QPainter &painter, std::size_t index) const {
     });
 }
 
-void WorkingPanel::paintHighlights(QPainter &painter, const PlacedFormula &formula) const {
+void WorkingBlock::paintHighlights(QPainter &painter, const PlacedFormula &formula) const {
   painter.setPen(Qt::NoPen);
   for (const auto &[mark, box] : formula.picture->markBoxes()) {
     if (!m_highlighted.count(mark.toStdString()))
@@ -131,14 +125,7 @@ void WorkingPanel::paintHighlights(QPainter &painter, const PlacedFormula &formu
   }
 }
 
-void WorkingPanel::paintBlank(QPainter &painter, const QRectF &blank) const {
-  painter.setPen(QPen(toQColor(m_theme.mutedInk), 1.2, Qt::DotLine, Qt::RoundCap));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRoundedRect(blank, highlightRadius, highlightRadius);
-  painter.drawText(blank, Qt::AlignCenter, QStringLiteral("?"));
-}
-
-void WorkingPanel::paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const {
+void WorkingBlock::paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const {
   if (line.remark.empty())
     return;
   const double middle = fontMetrics().capHeight() / 2.0;

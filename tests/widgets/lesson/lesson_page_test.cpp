@@ -1,5 +1,5 @@
 // The words of a lesson: steps, tasks and questions.
-#include "widgets/lesson/lesson_panel.h"
+#include "widgets/lesson/lesson_page.h"
 
 #include <QHelpEvent>
 #include <QLineEdit>
@@ -35,14 +35,14 @@ Lesson someLesson() {
   return lesson;
 }
 
-QPushButton *button(const LessonPanel &panel, const QString &text) {
+QPushButton *button(const LessonPage &panel, const QString &text) {
   for (QPushButton *found : panel.findChildren<QPushButton *>())
     if (found->text() == text)
       return found;
   return nullptr;
 }
 
-template <class Widget> QList<Widget *> shown(const LessonPanel &panel) {
+template <class Widget> QList<Widget *> shown(const LessonPage &panel) {
   QList<Widget *> found;
   for (Widget *widget : panel.findChildren<Widget *>())
     if (widget->isVisibleTo(&panel))
@@ -52,7 +52,7 @@ template <class Widget> QList<Widget *> shown(const LessonPanel &panel) {
 
 } // namespace
 
-class LessonPanelTest : public QObject {
+class LessonPageTest : public QObject {
   Q_OBJECT
 
 private:
@@ -60,9 +60,9 @@ private:
 
 private slots:
   void stepsAreWalkedByTheButtonsAndEndAtBothEnds() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
-    QSignalSpy requested(&panel, &LessonPanel::stepRequested);
+    QSignalSpy requested(&panel, &LessonPage::stepRequested);
     QVERIFY(!button(panel, "Back")->isEnabled());
     button(panel, "Next")->click();
     QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
@@ -75,7 +75,7 @@ private slots:
   }
 
   void doneTasksAreTold() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
     panel.setStep(1);
     panel.setTasksDone({false, true});
@@ -88,7 +88,7 @@ private slots:
   }
 
   void macrosOfTheLessonAreKnownInAllItsWords() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     Lesson lesson = someLesson();
     lesson.steps[1].tasks[0].instruction = "Make $\\it = 0$.";
     lesson.steps[2].prediction->choices[0].text = "$\\it > 0$";
@@ -107,7 +107,7 @@ private slots:
   }
 
   void choiceShowsWhyItsFormulaCannotBeRead() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     Lesson lesson = someLesson();
     lesson.steps[2].prediction->choices[0].text = "$\\foo$";
     panel.setLesson(lesson);
@@ -124,12 +124,12 @@ private slots:
   }
 
   void chosenAnswerIsToldByItsWordAndThenJudged() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.resize(420, 500);
     panel.show();
     panel.setLesson(someLesson());
     panel.setStep(2);
-    QSignalSpy chosen(&panel, &LessonPanel::predictionChosen);
+    QSignalSpy chosen(&panel, &LessonPage::predictionChosen);
     QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2); // layouts show their widgets later
     const auto choices = shown<ChoiceButton>(panel);
     QTest::mouseClick(choices[1], Qt::LeftButton);
@@ -145,12 +145,12 @@ private slots:
   }
 
   void reasonOfAnAnswerIsScrolledTo() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.resize(300, 160);
     panel.show();
     panel.setLesson(someLesson());
     panel.setStep(2);
-    connect(&panel, &LessonPanel::predictionChosen, &panel,
+    connect(&panel, &LessonPage::predictionChosen, &panel,
             [&](const QString &word) { panel.setPredictionAnswer(word.toStdString(), "positive"); });
     QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2);
     QTest::mouseClick(shown<ChoiceButton>(panel)[1], Qt::LeftButton);
@@ -159,7 +159,7 @@ private slots:
   }
 
   void exercisesOfTheLastStepAreGone() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
     panel.setStep(2);
     panel.setStep(0);
@@ -168,7 +168,7 @@ private slots:
   }
 
   void widePanel_hasTheTasksBesideTheWords_andANarrowOneBelow() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
     panel.setStep(1);
     panel.setMarkdown("Some words about the distance.");
@@ -189,12 +189,12 @@ private slots:
   }
 
   void dotsOfTheSteps_clicked_askForTheirStep() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
     panel.resize(420, 400);
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    QSignalSpy requested(&panel, &LessonPanel::stepRequested);
+    QSignalSpy requested(&panel, &LessonPage::stepRequested);
     auto *dots = panel.findChild<StepDots *>();
     QTest::mouseClick(dots, Qt::LeftButton, {}, {dots->width() - 2, dots->height() / 2});
     QCOMPARE(requested.takeFirst().at(0).toInt(), 2);
@@ -202,7 +202,7 @@ private slots:
 
   void answeredQuestion_handsTheFocusToTheWayOn_andThatToNoOther() {
     QWidget window;
-    auto *panel = new LessonPanel(m_typesetter);
+    auto *panel = new LessonPage(m_typesetter);
     auto *number = new QLineEdit; // the next key there would change the scene
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(panel);
@@ -221,7 +221,7 @@ private slots:
   }
 
   void lessonWithoutSteps_showsNoWayAnywhere() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.setLesson(someLesson());
     panel.setLesson({});
     QVERIFY(!button(panel, "Back")->isEnabled() && !button(panel, "Next")->isEnabled());
@@ -231,7 +231,7 @@ private slots:
   }
 
   void newValuesKeepThePlaceThatWasScrolledTo() {
-    LessonPanel panel(m_typesetter);
+    LessonPage panel(m_typesetter);
     panel.resize(300, 200);
     panel.show();
     panel.setLesson(someLesson());
@@ -246,5 +246,5 @@ private slots:
   }
 };
 
-QTEST_MAIN(LessonPanelTest)
-#include "lesson_panel_test.moc"
+QTEST_MAIN(LessonPageTest)
+#include "lesson_page_test.moc"

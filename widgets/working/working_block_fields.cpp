@@ -1,8 +1,10 @@
 // The fields in blank lines.
 #include "widgets/working/blank_field.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QApplication>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -23,31 +25,32 @@ int lettersFor(const Gap &gap) {
 
 } // namespace
 
-void WorkingPanel::forgetAnswers() {
+void WorkingBlock::forgetAnswers() {
   for (const auto &[line, field] : m_fields)
     dropField(*field);
   m_fields.clear();
 }
 
-void WorkingPanel::dropField(BlankField &field) {
+void WorkingBlock::dropField(BlankField &field) {
   field.hide();
   field.deleteLater(); // its own signal may have led here
 }
 
-bool WorkingPanel::matchFields() {
-  if (m_asks)
-    for (const WorkingLine &line : m_working.lines)
-      if (const Gap *gap = gapOf(line.id); gap && !m_fields.contains(line.id))
-        addField(line, *gap);
+bool WorkingBlock::matchFields() {
+  const std::vector<WorkingLine> lines = ownLines();
+  for (const WorkingLine &line : lines)
+    if (const Gap *gap = gapOf(line.id); gap && !m_fields.contains(line.id))
+      addField(line, *gap);
   bool lostFocus = false;
   std::erase_if(m_fields, [&](const auto &each) {
-    if (m_asks && gapOf(each.first))
+    const auto hasId = [&](const WorkingLine &line) { return line.id == each.first; };
+    if (gapOf(each.first) && std::any_of(lines.begin(), lines.end(), hasId))
       return false;
     lostFocus = lostFocus || each.second->isAncestorOf(QApplication::focusWidget());
     dropField(*each.second);
     return true;
   });
-  for (const WorkingLine &line : m_working.lines)
+  for (const WorkingLine &line : lines)
     if (const auto field = m_fields.find(line.id); field != m_fields.end())
       field->second->setQuestion(QString::fromStdString(questionText(line, *gapOf(line.id))));
   for (const auto &[line, field] : m_fields)
@@ -55,32 +58,34 @@ bool WorkingPanel::matchFields() {
   return lostFocus;
 }
 
-void WorkingPanel::focusField() {
+bool WorkingBlock::focusField() {
   for (const TypesetLine &line : m_lines)
-    if (const auto field = m_fields.find(line.source.id); field != m_fields.end())
-      return field->second->setFocus();
-  setFocus();
+    if (const auto field = m_fields.find(line.source.id); field != m_fields.end()) {
+      field->second->setFocus();
+      return true;
+    }
+  return false;
 }
 
-void WorkingPanel::followFocus(QWidget *focused) {
+void WorkingBlock::followFocus(QWidget *focused) {
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
     if (const auto field = m_fields.find(m_lines[i].source.id);
         field != m_fields.end() && field->second->isAncestorOf(focused))
       setCurrentLine(i);
 }
 
-void WorkingPanel::addField(const WorkingLine &line, const Gap &gap) {
-  auto *field = new BlankField(lettersFor(gap), viewport());
+void WorkingBlock::addField(const WorkingLine &line, const Gap &gap) {
+  auto *field = new BlankField(lettersFor(gap), this);
   const QString id = QString::fromStdString(line.id);
   connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
   m_fields[line.id] = field;
 }
 
-void WorkingPanel::moveFields() {
+void WorkingBlock::moveFields() {
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
     if (const auto field = m_fields.find(m_lines[i].source.id); field != m_fields.end()) {
-      field->second->setGeometry(m_placed.lines[i].blank.translated(-scrolled()).toRect());
+      field->second->setGeometry(m_placed.lines[i].blank.toRect());
       field->second->show();
     }
 }

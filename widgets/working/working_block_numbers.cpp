@@ -1,7 +1,7 @@
 // The numbers in the lines: traced, chosen by the keys, scrubbed and typed.
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_words.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QMouseEvent>
 #include <QToolTip>
@@ -29,56 +29,41 @@ QSize sizeOf(const NumberField &field) {
 
 // --- traced ---------------------------------------------------------------------------------------------
 
-void WorkingPanel::hoverNumber(std::optional<NumberPlace> number) {
+void WorkingBlock::hoverNumber(std::optional<NumberPlace> number) {
   if (number == m_hoveredNumber)
     return;
   m_hoveredNumber = std::move(number);
   if (!m_hoveredNumber)
-    viewport()->unsetCursor();
+    unsetCursor();
   else
-    viewport()->setCursor(m_hoveredNumber->coordinate() ? Qt::SizeHorCursor : Qt::PointingHandCursor);
-  viewport()->update();
+    setCursor(m_hoveredNumber->coordinate() ? Qt::SizeHorCursor : Qt::PointingHandCursor);
+  update();
 }
 
-void WorkingPanel::showTip(const QPoint &at) {
-  const auto place = shownNumbers().at(QPointF(at) + scrolled());
+void WorkingBlock::showTip(const QPoint &at) {
+  const auto place = shownNumbers().at(QPointF(at));
   const Term *number = place ? shownNumbers().numberAt(*place) : nullptr;
   if (number)
-    QToolTip::showText(viewport()->mapToGlobal(at), tipOf(*number).toHtmlEscaped(), viewport());
+    QToolTip::showText(mapToGlobal(at), tipOf(*number).toHtmlEscaped(), this);
   else
     QToolTip::hideText();
 }
 
-void WorkingPanel::trace(const NumberPlace &number) {
-  m_tracedNumber = number;
-  followNumbers();
-  viewport()->update();
+void WorkingBlock::setTrace(std::optional<NumberPlace> number, std::set<std::string> lines) {
+  m_tracedNumber = std::move(number);
+  m_tracedLines = std::move(lines);
+  update();
 }
 
-void WorkingPanel::endTrace() {
-  m_tracedNumber.reset();
+void WorkingBlock::endChoice() {
   m_chosenNumber.reset();
   updateAccessibleText();
-  followNumbers();
-  viewport()->update();
+  update();
 }
-
-void WorkingPanel::followNumbers() {
-  followNumberField();
-  const Term *number = m_tracedNumber ? shownNumbers().numberAt(*m_tracedNumber) : nullptr;
-  Provenance traced = number ? provenanceOf(*number, m_tracedNumber->line, wholeWorking()) : Provenance();
-  if (traced == m_traced)
-    return;
-  m_traced = std::move(traced);
-  viewport()->update();
-  emit traceChanged();
-}
-
-Working WorkingPanel::wholeWorking() const { return m_wholeWorking ? m_wholeWorking() : m_working; }
 
 // --- chosen by the keys ---------------------------------------------------------------------------------
 
-bool WorkingPanel::chooseBeside(int way) {
+bool WorkingBlock::chooseBeside(int way) {
   const std::size_t line = m_current.value_or(0);
   const std::vector<NumberPlace> shown = shownNumbers().inLine(line);
   if (shown.empty())
@@ -91,50 +76,50 @@ bool WorkingPanel::chooseBeside(int way) {
   setCurrentLine(line);
   m_chosenNumber = shown[static_cast<std::size_t>(next)];
   if (const auto boxes = shownNumbers().boxesOf(*m_chosenNumber); !boxes.empty())
-    scrollTo(boxes.front());
+    emit reached(boxes.front().toAlignedRect());
   updateAccessibleText();
   return true;
 }
 
-bool WorkingPanel::useChosen() {
+bool WorkingBlock::useChosen() {
   if (!m_chosenNumber || !shownNumbers().lineOf(*m_chosenNumber))
     return false;
   if (m_chosenNumber->coordinate())
     openNumberField(*m_chosenNumber);
   else
-    trace(*m_chosenNumber);
+    emit traceRequested(*m_chosenNumber);
   return true;
 }
 
 // --- scrubbed -------------------------------------------------------------------------------------------
 
-void WorkingPanel::connectScrub() {
+void WorkingBlock::connectScrub() {
   connect(&m_scrub, &Scrub::started, this, [this] { emit scrubStarted(*m_pressedNumber->coordinate()); });
-  connect(&m_scrub, &Scrub::moved, this, &WorkingPanel::scrubbed);
+  connect(&m_scrub, &Scrub::moved, this, &WorkingBlock::scrubbed);
   connect(&m_scrub, &Scrub::ended, this, [this](bool keep) {
     m_pressedNumber.reset(); // it was no click, even if the button goes up over it
     emit scrubEnded(keep);
   });
 }
 
-void WorkingPanel::pressNumber(const NumberPlace &number, const QMouseEvent &event) {
+void WorkingBlock::pressNumber(const NumberPlace &number, const QMouseEvent &event) {
   m_pressedNumber = number;
   m_chosenNumber.reset();
   updateAccessibleText();
   m_current = shownNumbers().lineOf(number); // without scrolling: the number stays under the pointer
-  viewport()->update();
+  update();
   if (number.coordinate())
     m_scrub.press(event);
 }
 
 // --- typed ----------------------------------------------------------------------------------------------
 
-void WorkingPanel::openNumberField(const NumberPlace &number) {
+void WorkingBlock::openNumberField(const NumberPlace &number) {
   const Term *shown = shownNumbers().numberAt(number);
   if (!shown)
     return;
   closeNumberField();
-  auto *field = new NumberField(viewport());
+  auto *field = new NumberField(this);
   field->setAccessibleName(nameOfCoordinate(*shown));
   field->setValue(valueOf(*shown));
   connectNumberField(*field, *number.coordinate());
@@ -145,13 +130,13 @@ void WorkingPanel::openNumberField(const NumberPlace &number) {
   field->selectAll();
 }
 
-void WorkingPanel::connectNumberField(NumberField &field, const CoordinateSource &number) {
+void WorkingBlock::connectNumberField(NumberField &field, const CoordinateSource &number) {
   connect(&field, &NumberField::valueTyped, this,
           [=, this](const Rational &value) { emit coordinateTyped(number, value); });
   connect(&field, &NumberField::stepped, this,
           [=, this](int steps) { emit coordinateStepped(number, steps); });
   connect(&field, &NumberField::scrubStarted, this, [=, this] { emit scrubStarted(number); });
-  connect(&field, &NumberField::scrubbed, this, &WorkingPanel::scrubbed);
+  connect(&field, &NumberField::scrubbed, this, &WorkingBlock::scrubbed);
   connect(&field, &NumberField::scrubEnded, this, [this](bool keep) {
     emit scrubEnded(keep);
     followNumberField(); // it may have outlived its number
@@ -161,15 +146,15 @@ void WorkingPanel::connectNumberField(NumberField &field, const CoordinateSource
     field.setAccessibleDescription(sentence);
     placeLines(); // the sentence takes its room
   });
-  connect(&field, &NumberField::textChanged, this, &WorkingPanel::moveNumberField);
-  connect(&field, &NumberField::dropped, this, &WorkingPanel::closeNumberField);
+  connect(&field, &NumberField::textChanged, this, &WorkingBlock::moveNumberField);
+  connect(&field, &NumberField::dropped, this, &WorkingBlock::closeNumberField);
   connect(&field, &NumberField::editingFinished, this, [this] {
     if (m_typed && m_typed->refusal.isEmpty())
       closeNumberField();
   });
 }
 
-void WorkingPanel::followNumberField() {
+void WorkingBlock::followNumberField() {
   if (!m_typed)
     return;
   const Term *number = shownNumbers().numberAt(m_typed->place);
@@ -182,17 +167,17 @@ void WorkingPanel::followNumberField() {
   moveNumberField();
 }
 
-void WorkingPanel::moveNumberField() {
+void WorkingBlock::moveNumberField() {
   const auto boxes = m_typed ? shownNumbers().boxesOf(m_typed->place) : std::vector<QRectF>();
   if (boxes.empty())
     return;
   QRect box(QPoint(), sizeOf(*m_typed->field));
-  box.moveCenter(boxes.front().translated(-scrolled()).center().toPoint());
-  box.moveLeft(std::max(0, std::min(box.left(), viewport()->width() - box.width())));
+  box.moveCenter(boxes.front().center().toPoint());
+  box.moveLeft(std::max(0, std::min(box.left(), width() - box.width())));
   m_typed->field->setGeometry(box);
 }
 
-void WorkingPanel::closeNumberField() {
+void WorkingBlock::closeNumberField() {
   if (!m_typed)
     return;
   const TypedNumber typed = *std::exchange(m_typed, {});
@@ -205,7 +190,7 @@ void WorkingPanel::closeNumberField() {
     placeLines();
 }
 
-QString WorkingPanel::enterTyped() {
+QString WorkingBlock::enterTyped() {
   m_scrub.end(true);
   if (!m_typed)
     return {};

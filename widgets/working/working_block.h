@@ -1,13 +1,12 @@
-// The worked lines beside the picture.
+// Worked lines where they stand on the page.
 #pragma once
 
 #include "lessons/lesson/practice.h"
-#include "lessons/scene/provenance.h"
 #include "widgets/numbers/scrub.h"
 #include "widgets/picture/theme.h"
 #include "widgets/working/working_numbers.h"
 
-#include <QAbstractScrollArea>
+#include <QWidget>
 
 #include <functional>
 #include <map>
@@ -20,51 +19,60 @@ class BlankField;
 class NumberField;
 struct TraceableFormula;
 
-/// Shows a working as a textbook would: formulas, their numbers, a sentence. A click on a number lights up
-/// the lines and terms that it came from; one that is a coordinate can be scrubbed, and typed after a double
-/// click.
-class WorkingPanel : public QAbstractScrollArea {
+/// Lines of a working: [begin, end).
+struct LineRange {
+  std::size_t begin = 0;
+  std::size_t end = static_cast<std::size_t>(-1); ///< at most the last line
+};
+
+/// Shows lines of a step's working as a textbook would: formulas, their numbers, a sentence. It is as tall as
+/// they need. A click on a number asks for its trace; one that is a coordinate can be scrubbed, and typed
+/// after a double click.
+class WorkingBlock : public QWidget {
   Q_OBJECT
 public:
-  /// The typesetter must outlive the panel.
-  explicit WorkingPanel(const Typesetter &typesetter, QWidget *parent = nullptr);
-  ~WorkingPanel() override;
+  /// The typesetter must outlive the block.
+  explicit WorkingBlock(const Typesetter &typesetter, QWidget *parent = nullptr);
+  ~WorkingBlock() override;
 
-  /// Shows the lines, some of them with a field for what is left out, and what is said about some.
-  void setWorking(const Working &working, Fade fade = {}, std::map<std::string, LineRemark> remarks = {});
-  /// Shows the lines with a blank instead of numbers and result, to the eye, in copies and to screen readers.
-  void setWorkingWithoutNumbers(const Working &working);
+  /// Shows some of a step's lines, some of them with a field for what is left out, and what is said about
+  /// some.
+  void setWorking(const Working &working, Fade fade = {}, std::map<std::string, LineRemark> remarks = {},
+                  LineRange shown = {});
   /// Takes the fields away, with what was typed: it was about other lines. Followed by setWorking.
   void forgetAnswers();
+  /// While lines are held each keeps the height that it has had: what is dragged moves nothing else.
+  void setHeld(bool held);
   void setTheme(const Theme &theme);
   /// The colour of marked terms, asked for at every painting.
   void setInkOf(std::function<QColor(const QString &markId)> inkOf);
-  /// The working with all its lines, of which only some may be shown: numbers are followed through it. It is
-  /// asked for when they are; without it they are followed through the lines that are shown.
-  void setWholeWorking(std::function<Working()> working);
   /// The terms of these marks stand out.
   void setHighlighted(std::set<std::string> markIds);
-  /// Lets go of the number that was traced or chosen.
-  void endTrace();
-  /// What the traced number came from; empty when there is none, or it is not shown.
-  [[nodiscard]] const Provenance &traced() const { return m_traced; }
+  /// The number whose trace is shown, here or in another block, and the lines that it came from.
+  void setTrace(std::optional<NumberPlace> number, std::set<std::string> lines);
+  /// Lets go of the number that the keys have chosen.
+  void endChoice();
 
   /// Ends a scrub, and enters the number that is typed and not entered yet. Why it is refused; else empty.
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
   void dropTyped() { closeNumberField(); }
 
-  /// Gives the focus to the first field, or to the panel where there is none.
-  void focusField();
+  /// Gives the focus to the first field; false where there is none.
+  bool focusField();
 
-  /// The numbers that can be touched, in the coordinates of the whole working.
+  /// The numbers that can be touched.
   [[nodiscard]] ShownNumbers shownNumbers() const { return {m_lines, m_placed}; }
-  /// What is shown and where, in coordinates of the viewport.
-  [[nodiscard]] PlacedWorking placed() const;
+  /// What is shown and where.
+  [[nodiscard]] const PlacedWorking &placed() const { return m_placed; }
   /// The lines as LaTeX, one below the other.
   [[nodiscard]] QString latexOfAll() const;
 
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override;
   [[nodiscard]] QSize sizeHint() const override;
+  /// As narrow as its formulas can be made.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
   /// The pointer is on a term of this mark, or (empty) on none.
@@ -73,8 +81,12 @@ signals:
   void answered(const QString &lineId, const QString &text);
   /// … or wants to see it.
   void showRequested(const QString &lineId);
-  /// Another number is traced, or it came from something else; see traced().
-  void traceChanged();
+  /// The learner wants to see where a number comes from …
+  void traceRequested(const halfspace::NumberPlace &number);
+  /// … and no longer.
+  void traceDropped();
+  /// The keys have come to this place: it is to be in view.
+  void reached(const QRect &place);
 
   // A number in a formula that is a coordinate is changed, as the signals of NumberField say.
   void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
@@ -91,10 +103,10 @@ protected:
   void mousePressEvent(QMouseEvent *event) override;
   void mouseReleaseEvent(QMouseEvent *event) override;
   void mouseDoubleClickEvent(QMouseEvent *event) override;
-  bool viewportEvent(QEvent *event) override;
+  void leaveEvent(QEvent *event) override;
+  bool event(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
   void contextMenuEvent(QContextMenuEvent *event) override;
-  void scrollContentsBy(int dx, int dy) override;
 
 private:
   void showLines(const Working &working);
@@ -105,6 +117,11 @@ private:
   [[nodiscard]] TypesetLine typeset(const WorkingLine &line) const;
   [[nodiscard]] TypesetLine typesetPartially(const WorkingLine &line) const;
   void placeLines();
+  [[nodiscard]] PlacedWorking placeIn(int width) const;
+  /// Keeps the heights that the lines have now.
+  void hold();
+  /// The lines that it shows.
+  [[nodiscard]] std::vector<WorkingLine> ownLines() const;
   /// What is left out of the line; null when nothing is.
   [[nodiscard]] const Gap *gapOf(const std::string &lineId) const;
   /// Whether the line does not tell all that it says.
@@ -125,22 +142,18 @@ private:
   void hover(const QString &markId);
   void hoverNumber(std::optional<NumberPlace> number);
   void setCurrentLine(std::optional<std::size_t> line);
-  void scrollTo(const QRectF &box);
+  /// The line is the current one, reached by the keys.
+  void reach(const QRectF &box);
   // Whether the key had a meaning.
   bool stepByKey(int key);
   bool stepLine(int way);
   void copy(const QString &text) const;
-  [[nodiscard]] QPointF scrolled() const;
   [[nodiscard]] std::optional<std::size_t> lineAt(QPointF position) const;
   [[nodiscard]] QString markAt(QPointF position) const;
   [[nodiscard]] QColor inkOf(const QString &markId) const;
 
   void connectScrub();
   void pressNumber(const NumberPlace &number, const QMouseEvent &event);
-  void trace(const NumberPlace &number);
-  /// What depends on where the numbers stand and what they are: the trace, and the field over one.
-  void followNumbers();
-  [[nodiscard]] Working wholeWorking() const;
   /// Chooses the number beside the one that is chosen in the current line; false where it has none.
   bool chooseBeside(int way);
   bool useChosen();
@@ -156,30 +169,29 @@ private:
   void paintNumbers(QPainter &painter, std::size_t index) const;
   void paintLine(QPainter &painter, std::size_t index) const;
   void paintHighlights(QPainter &painter, const PlacedFormula &formula) const;
-  void paintBlank(QPainter &painter, const QRectF &blank) const;
   void paintRemark(QPainter &painter, const PlacedLine &line, const LineRemark &remark) const;
 
   const Typesetter &m_typesetter;
   Theme m_theme;
   std::function<QColor(const QString &)> m_inkOf;
   std::set<std::string> m_highlighted;
-  Working m_working;
+  Working m_working; ///< of the step
+  LineRange m_shown;
   Fade m_fade;
-  bool m_asks = true; ///< whether gaps have fields
   std::map<std::string, LineRemark> m_remarks;
   std::map<std::string, BlankField *> m_fields; ///< by the lines' ids
   std::vector<TypesetLine> m_lines;
-  SentenceBreaker m_sentences;
+  mutable SentenceBreaker m_sentences;
   PlacedWorking m_placed;
+  std::optional<LineHeights> m_held; ///< the least height of each line, while lines are held
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys
 
-  std::function<Working()> m_wholeWorking;
   std::optional<NumberPlace> m_hoveredNumber;
   std::optional<NumberPlace> m_pressedNumber; ///< until the button is up, or its scrub ends
   std::optional<NumberPlace> m_chosenNumber;  ///< by the keys
-  std::optional<NumberPlace> m_tracedNumber;
-  Provenance m_traced;
+  std::optional<NumberPlace> m_tracedNumber;  ///< here or in another block
+  std::set<std::string> m_tracedLines;
   Scrub m_scrub;
   /// A coordinate that is typed in its formula.
   struct TypedNumber {

@@ -4,7 +4,7 @@
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/object.h"
 #include "lessons/term/rewrite.h"
-#include "widgets/working/working_panel.h"
+#include "widgets/working/working_block.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -18,12 +18,12 @@ inline Fade blankIn(const Working &working, const std::string &line) {
 }
 
 /// QTest::mouseMove delivers nothing on the offscreen platform.
-inline void movePointer(WorkingPanel &panel, QPointF position) {
+inline void movePointer(WorkingBlock &panel, QPointF position) {
   QMouseEvent move(QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(panel.viewport(), &move);
 }
 
-inline void show(WorkingPanel &panel, int width, const Working &working) {
+inline void show(WorkingBlock &panel, int width, const Working &working) {
   panel.resize(width, 500);
   panel.show();
   panel.setWorking(working);

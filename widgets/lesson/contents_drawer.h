@@ -1,0 +1,46 @@
+// The contents: all lessons, in a drawer over the scene.
+#pragma once
+
+#include "lessons/lesson/task_progress.h"
+#include "widgets/picture/theme.h"
+
+#include <QFrame>
+
+class QListWidget;
+
+namespace halfspace {
+
+/// Opens at the left edge of its parent, as high as that; closes when a lesson is chosen, with Escape, and by
+/// a press beside it.
+class ContentsDrawer : public QFrame {
+  Q_OBJECT
+public:
+  explicit ContentsDrawer(QWidget *parent);
+
+  struct Entry {
+    QString id;
+    QString title;
+    LessonState state = LessonState::New;
+  };
+  void setLessons(const std::vector<Entry> &lessons, const QString &current);
+  void setTheme(const Theme &theme);
+  void open();
+  void close();
+
+signals:
+  void lessonChosen(const QString &id);
+  void openChanged(bool open);
+
+protected:
+  bool eventFilter(QObject *watched, QEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+
+private:
+  void arrange();
+
+  QListWidget *m_list;
+  Theme m_theme;
+  std::vector<Entry> m_lessons;
+};
+
+} // namespace halfspace

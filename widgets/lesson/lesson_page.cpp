@@ -1,0 +1,279 @@
+#include "widgets/lesson/lesson_page.h"
+
+#include "widgets/colors.h"
+#include "widgets/flow_layout.h"
+#include "widgets/lesson/note_fold.h"
+#include "widgets/working/working_practice.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+
+namespace {
+
+// In pixels.
+constexpr int margin = 20;
+constexpr int footMargin = 10;
+constexpr int blockGap = 10;
+constexpr int headGap = 4;
+constexpr QSize usualSize(430, 600);
+/// The title's size, in sizes of the words.
+constexpr double titleSize = 1.4;
+/// A line of words has at most so many letters: longer ones are hard to follow.
+constexpr int mostLettersInLine = 78;
+
+void setInk(QWidget &widget, Color color) {
+  QPalette palette = widget.palette();
+  palette.setColor(QPalette::WindowText, toQColor(color));
+  widget.setPalette(palette);
+}
+
+QLabel *plainLabel() {
+  auto *label = new QLabel;
+  label->setTextFormat(Qt::PlainText); // lesson files come from strangers
+  return label;
+}
+
+} // namespace
+
+LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter), m_theme(themes().front()), m_practice(practice) {
+  setAutoFillBackground(true);
+  auto *content = new QWidget;
+  m_page = new QVBoxLayout(content);
+  m_page->setSpacing(blockGap);
+  makeHead(*m_page, practice);
+  m_blocks = new QWidget;
+  m_page->addWidget(m_blocks);
+  m_page->addStretch(1);
+
+  m_scroll = new QScrollArea;
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setWidget(content);
+  m_scroll->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_scroll, 1);
+  makeFoot(*layout);
+  connect(&practice.working(), &StepWorking::reached, this, [this](WorkingBlock *block, const QRect &place) {
+    const QRect there(block->mapTo(m_scroll->widget(), place.topLeft()), place.size());
+    m_scroll->ensureVisible(there.center().x(), there.center().y(), 0, there.height() / 2);
+  });
+  setTheme(m_theme);
+}
+
+LessonPage::~LessonPage() { delete m_scroll; } // its words look at the typesetter
+
+void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
+  m_stepNumber = plainLabel();
+  m_stepTitle = plainLabel();
+  m_stepTitle->setWordWrap(true);
+  auto *above = new FlowLayout;
+  above->setSpacing(margin);
+  above->addWidget(m_stepNumber);
+  above->addWidget(&practice);
+  auto *head = new QVBoxLayout;
+  head->setSpacing(headGap);
+  head->addLayout(above);
+  head->addWidget(m_stepTitle);
+  layout.addLayout(head);
+}
+
+void LessonPage::makeFoot(QBoxLayout &layout) {
+  m_back = new QPushButton(tr("Back"));
+  m_next = new QPushButton(tr("Next"));
+  m_next->setObjectName("next");
+  m_dots = new StepDots;
+  auto *foot = new QHBoxLayout;
+  foot->setContentsMargins(margin, footMargin, margin, footMargin);
+  foot->addWidget(m_back);
+  foot->addStretch(1);
+  foot->addWidget(m_dots);
+  foot->addStretch(1);
+  foot->addWidget(m_next);
+  layout.addLayout(foot);
+  connect(m_back, &QPushButton::clicked, this, [this] { emit stepRequested(m_step - 1); });
+  connect(m_next, &QPushButton::clicked, this, &LessonPage::goOn);
+  connect(m_dots, &StepDots::clicked, this, &LessonPage::stepRequested);
+}
+
+const LessonStep *LessonPage::step() const {
+  return m_lesson.steps.empty() ? nullptr : &m_lesson.steps[static_cast<std::size_t>(m_step)];
+}
+
+void LessonPage::setLesson(const Lesson &lesson, int step) {
+  m_lesson = lesson;
+  m_typesetter = m_typesetter.with(lesson.macros);
+  QStringList titles;
+  for (const LessonStep &each : lesson.steps)
+    titles << QString::fromStdString(each.title);
+  m_dots->setSteps(titles);
+  m_step = std::clamp(step, 0, lastStep());
+  showStep();
+}
+
+void LessonPage::setStep(int step) {
+  if (std::exchange(m_step, std::clamp(step, 0, lastStep())) != m_step)
+    showStep();
+}
+
+void LessonPage::showStep() {
+  const LessonStep *current = this->step();
+  m_stepNumber->setText(current ? tr("Step %1 of %2").arg(m_step + 1).arg(stepCount()) : QString());
+  m_stepTitle->setText(current ? QString::fromStdString(current->title) : QString());
+  m_dots->setCurrent(m_step);
+  // A button that is disabled would hand its focus to a number field, and the next key would change the
+  // scene.
+  if (m_next->hasFocus() || m_back->hasFocus())
+    setFocus();
+  m_back->setEnabled(m_step > 0);
+  showNextButton();
+  makeBlocks();
+  m_scroll->verticalScrollBar()->setValue(0);
+}
+
+void LessonPage::setNextLesson(const QString &title) {
+  m_nextLesson = title;
+  showNextButton();
+}
+
+void LessonPage::showNextButton() {
+  const bool isLast = m_step + 1 >= stepCount();
+  const bool endsLesson = isLast && !m_nextLesson.isEmpty();
+  m_next->setText(endsLesson ? tr("Next lesson") : tr("Next"));
+  m_next->setToolTip(endsLesson ? m_nextLesson : QString());
+  m_next->setEnabled(!isLast || endsLesson);
+}
+
+void LessonPage::goOn() {
+  if (m_step + 1 < stepCount())
+    emit stepRequested(m_step + 1);
+  else
+    emit nextLessonRequested();
+}
+
+void LessonPage::makeBlocks() {
+  m_practice.working().dropBlocks();
+  m_words.clear();
+  m_notes.clear();
+  m_tasks.clear();
+  m_prediction = nullptr;
+  auto *blocks = new QWidget;
+  auto *column = new QVBoxLayout(blocks);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(blockGap);
+  static const LessonStep everything{{}, {StepLines()}};
+  for (const StepBlock &block : (step() ? *step() : everything).blocks)
+    column->addWidget(std::visit([this](const auto &each) { return blockOf(each); }, block));
+  delete m_page->replaceWidget(m_blocks, blocks);
+  m_blocks->hide();
+  m_blocks->deleteLater(); // a click on one of its buttons may have led here
+  m_blocks = blocks;
+  setTheme(m_theme);
+}
+
+QWidget *LessonPage::blockOf(const StepWords &words) {
+  m_words.push_back({words.markdown, new RichLabel(m_typesetter)});
+  return m_words.back().label;
+}
+
+QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().addBlock(); }
+
+QWidget *LessonPage::blockOf(const StepNote &note) {
+  m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
+  m_words.push_back({note.words.markdown, &m_notes.back()->words()});
+  return m_notes.back();
+}
+
+QWidget *LessonPage::blockOf(const Task &task) {
+  m_tasks.push_back(new TaskRow(m_typesetter, QString::fromStdString(task.instruction)));
+  return m_tasks.back();
+}
+
+QWidget *LessonPage::blockOf(const Prediction &prediction) {
+  m_prediction = new PredictionBox(m_typesetter, prediction);
+  connect(m_prediction, &PredictionBox::chosen, this, [this](const QString &word) {
+    m_next->setFocus(); // the choices are disabled now
+    emit predictionChosen(word);
+    showReason();
+  });
+  connect(m_prediction, &PredictionBox::reopened, this, &LessonPage::predictionReopened);
+  return m_prediction;
+}
+
+void LessonPage::showReason() {
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
+  m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin);
+}
+
+void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
+  for (const auto &[markdown, label] : m_words) {
+    label->setMarkdown(QString::fromStdString(filled(markdown)));
+    if (m_held)
+      label->setMinimumHeight(std::max(label->minimumHeight(), label->heightForWidth(label->width())));
+  }
+  // What needs another place has it before it is seen.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+}
+
+void LessonPage::setHeld(bool held) {
+  m_held = held;
+  for (const SetWords &words : m_words)
+    words.label->setMinimumHeight(held ? words.label->height() : 0);
+  m_practice.working().setHeld(held);
+}
+
+void LessonPage::setTasksDone(const std::vector<bool> &done) {
+  for (std::size_t i = 0; i < m_tasks.size(); ++i)
+    m_tasks[i]->setDone(i < done.size() && done[i]);
+}
+
+void LessonPage::setPredictionAnswer(const std::optional<std::string> &chosen, const std::string &right) {
+  if (m_prediction)
+    m_prediction->setAnswer(chosen, right);
+}
+
+void LessonPage::setTheme(const Theme &theme) {
+  m_theme = theme;
+  QPalette background = palette();
+  background.setColor(QPalette::Window, toQColor(theme.panel));
+  setPalette(background);
+  setInk(*m_stepNumber, theme.mutedInk);
+  setInk(*m_stepTitle, theme.ink);
+  QFont titleFont = font();
+  titleFont.setPointSizeF(titleFont.pointSizeF() * titleSize);
+  titleFont.setBold(true);
+  m_stepTitle->setFont(titleFont);
+  m_dots->setTheme(theme);
+  for (const SetWords &words : m_words)
+    words.label->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  for (NoteFold *note : m_notes)
+    note->setTheme(theme);
+  for (TaskRow *task : m_tasks)
+    task->setTheme(theme);
+  if (m_prediction)
+    m_prediction->setTheme(theme);
+}
+
+QSize LessonPage::sizeHint() const { return usualSize; }
+
+void LessonPage::resizeEvent(QResizeEvent *event) {
+  const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
+  const int side = std::max(margin, (width() - longestLine) / 2);
+  m_page->setContentsMargins(side, margin / 2, side, margin / 2);
+  QWidget::resizeEvent(event);
+}
+
+} // namespace halfspace

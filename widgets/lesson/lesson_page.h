@@ -1,0 +1,106 @@
+// The page of a step: words, worked lines, question and tasks in the order of the lesson.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+#include "widgets/lesson/prediction_box.h"
+#include "widgets/lesson/step_dots.h"
+
+#include <algorithm>
+#include <functional>
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace halfspace {
+
+class NoteFold;
+class WorkingPractice;
+
+/// Shows one step from top to bottom in one place; under it the way back and on. It keeps no state of the
+/// lesson: the owner tells what is done and what was answered.
+class LessonPage : public QWidget {
+  Q_OBJECT
+public:
+  /// What it sets has the macros of the lesson that is shown. `practice` becomes a part of the page, and shows
+  /// the lines.
+  LessonPage(const Typesetter &typesetter, WorkingPractice &practice, QWidget *parent = nullptr);
+  ~LessonPage() override;
+
+  /// Shows a step of a lesson.
+  void setLesson(const Lesson &lesson, int step = 0);
+  /// Shows another step; a number out of range shows the nearest one. Its words come by `showWords`.
+  void setStep(int step);
+  /// What the way on leads to behind the last step; empty: nowhere.
+  void setNextLesson(const QString &title);
+  /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place that
+  /// was scrolled to.
+  void showWords(const std::function<std::string(const std::string &)> &filled);
+  /// Which of the step's tasks are done, in their order.
+  void setTasksDone(const std::vector<bool> &done);
+  /// The word of the choice that was made, if one was, and of the right one.
+  void setPredictionAnswer(const std::optional<std::string> &chosen, const std::string &right);
+  /// While the page is held nothing on it becomes less high: what is dragged in the scene moves nothing here.
+  void setHeld(bool held);
+  void setTheme(const Theme &theme);
+
+  [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+  void stepRequested(int step);
+  void nextLessonRequested();
+  void predictionChosen(const QString &word);
+  void predictionReopened(); ///< the learner wants to try the question again
+
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+
+private:
+  void makeHead(QBoxLayout &layout, WorkingPractice &practice);
+  void makeFoot(QBoxLayout &layout);
+  /// Puts the step's blocks on the page, instead of those that were there.
+  void makeBlocks();
+  [[nodiscard]] QWidget *blockOf(const StepWords &words);
+  [[nodiscard]] QWidget *blockOf(const StepLines &lines);
+  [[nodiscard]] QWidget *blockOf(const StepNote &note);
+  [[nodiscard]] QWidget *blockOf(const Task &task);
+  [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
+  void showStep();
+  void showNextButton();
+  void goOn();
+  /// Scrolls to the reason of an answer.
+  void showReason();
+  [[nodiscard]] const LessonStep *step() const;
+  [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
+  [[nodiscard]] int lastStep() const { return std::max(0, stepCount() - 1); }
+
+  /// Words with the label that they are set in.
+  struct SetWords {
+    std::string markdown;
+    RichLabel *label;
+  };
+
+  Typesetter m_typesetter; ///< with the lesson's macros
+  Theme m_theme;
+  Lesson m_lesson;
+  int m_step = 0;
+  QString m_nextLesson;
+  bool m_held = false;
+  WorkingPractice &m_practice;
+  QLabel *m_stepNumber = nullptr;
+  QLabel *m_stepTitle = nullptr;
+  QScrollArea *m_scroll = nullptr;
+  QBoxLayout *m_page = nullptr;
+  QWidget *m_blocks = nullptr;
+  // Of the step that is shown:
+  std::vector<SetWords> m_words;
+  std::vector<NoteFold *> m_notes;
+  std::vector<TaskRow *> m_tasks;
+  PredictionBox *m_prediction = nullptr; ///< null in steps without one
+  StepDots *m_dots = nullptr;
+  QPushButton *m_back = nullptr;
+  QPushButton *m_next = nullptr;
+};
+
+} // namespace halfspace

@@ -1,0 +1,37 @@
+#include "widgets/lesson/note_fold.h"
+
+#include "widgets/colors.h"
+
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace halfspace {
+
+NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *parent)
+    : QWidget(parent), m_title(new QToolButton), m_words(new RichLabel(typesetter)) {
+  m_title->setText(title);
+  m_title->setObjectName("note");
+  m_title->setCheckable(true);
+  m_title->setAutoRaise(true);
+  m_title->setArrowType(Qt::RightArrow);
+  m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_title->setFocusPolicy(Qt::StrongFocus);
+  m_words->hide();
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(m_title, 0, Qt::AlignLeft);
+  layout->addWidget(m_words);
+  connect(m_title, &QToolButton::toggled, this, [this](bool open) {
+    m_title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    m_words->setVisible(open);
+  });
+}
+
+bool NoteFold::isOpen() const { return m_title->isChecked(); }
+
+void NoteFold::setTheme(const Theme &theme) {
+  m_words->setInk(toQColor(theme.mutedInk), toQColor(theme.warning));
+}
+
+} // namespace halfspace

@@ -1,0 +1,160 @@
+#include "widgets/numbers/number_card.h"
+
+#include "widgets/flow_layout.h"
+#include "widgets/mark_ink.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/repolish.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// An object with more coordinates than this shows the selected one alone.
+constexpr std::size_t mostCoordinates = 3;
+/// A field is so wide, in letters: −10/3 and its margins.
+constexpr int lettersInField = 7;
+// In pixels.
+constexpr QMargins cardMargins(10, 7, 10, 6);
+constexpr int groupGap = 12;
+constexpr int rowGap = 4;
+
+QLabel *wordsLabel(const char *name) {
+  auto *label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
+/// A letter and its fields beside each other.
+QWidget *groupOf(const CoordinateRow &row) {
+  auto *group = new QWidget;
+  auto *layout = new QHBoxLayout(group);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(rowGap);
+  layout->addWidget(row.letter());
+  for (NumberField *field : row.fields()) {
+    field->setFixedWidth(lettersInField * field->fontMetrics().averageCharWidth());
+    layout->addWidget(field);
+  }
+  return group;
+}
+
+} // namespace
+
+NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
+    : QFrame(parent), m_model(model), m_editor(model), m_typesetter(typesetter), m_theme(themes().front()),
+      m_numbers(new QWidget), m_complaint(wordsLabel("complaint")), m_hintLabel(wordsLabel("hint")) {
+  setObjectName("card");
+  m_complaint->setWordWrap(true);
+  m_complaint->hide();
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(cardMargins);
+  layout->setSpacing(rowGap);
+  for (QWidget *widget : {m_numbers, static_cast<QWidget *>(m_complaint), static_cast<QWidget *>(m_hintLabel)})
+    layout->addWidget(widget);
+  setAccessibleName(tr("Numbers of the selected object"));
+  setSelection({});
+}
+
+NumberCard::~NumberCard() = default;
+
+void NumberCard::setSelection(const std::optional<CoordinateId> &selected) {
+  m_selected = selected;
+  showSession();
+}
+
+std::vector<CoordinateId> NumberCard::shownCoordinates() const {
+  const Scene &scene = m_model.session().scene;
+  const Object *object = m_selected ? findObject(scene, m_selected->object) : nullptr;
+  if (!object)
+    return {};
+  std::vector<CoordinateId> ids = coordinatesOf(scene);
+  std::erase_if(ids, [this](const CoordinateId &id) { return id.object != m_selected->object; });
+  if (ids.size() > mostCoordinates)
+    std::erase_if(ids, [this](const CoordinateId &id) { return id.index != m_selected->index; });
+  return ids;
+}
+
+void NumberCard::build(const std::vector<CoordinateId> &ids) {
+  m_rows.clear();
+  m_complaint->hide();
+  auto *numbers = new QWidget;
+  auto *flow = new FlowLayout(numbers);
+  flow->setContentsMargins(0, 0, 0, 0);
+  flow->setSpacing(groupGap);
+  for (const CoordinateId &id : ids) {
+    auto &row = *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+    row.setInkOf(markInk(m_model, m_theme));
+    connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
+      m_complaint->setText(sentence);
+      m_complaint->setVisible(!sentence.isEmpty());
+    });
+    flow->addWidget(groupOf(row));
+  }
+  numbers->setVisible(!ids.empty());
+  delete layout()->replaceWidget(m_numbers, numbers);
+  m_numbers->hide();
+  m_numbers->deleteLater(); // a number that was typed in it may have led here
+  m_numbers = numbers;
+  setProperty("framed", !ids.empty());
+  repolish(*this);
+}
+
+void NumberCard::showSession() {
+  const std::vector<CoordinateId> ids = shownCoordinates();
+  if (!std::equal(ids.begin(), ids.end(), m_rows.begin(), m_rows.end(),
+                  [](const CoordinateId &id, const auto &row) { return row->isMadeFor(id); }))
+    build(ids);
+  for (const auto &row : m_rows)
+    row->showNumbers();
+}
+
+void NumberCard::setHint(const QString &words) {
+  m_hint = words;
+  showHint();
+}
+
+void NumberCard::showHint() {
+  m_hintLabel->setText(m_hint);
+  m_hintLabel->setVisible(!m_hint.isEmpty());
+  updateGeometry();
+}
+
+void NumberCard::resizeEvent(QResizeEvent *event) {
+  QFrame::resizeEvent(event);
+  const int room = event->size().width() - cardMargins.left() - cardMargins.right();
+  m_hintLabel->setText(m_hintLabel->fontMetrics().elidedText(m_hint, Qt::ElideRight, room));
+}
+
+void NumberCard::setTheme(const Theme &theme) {
+  m_theme = theme;
+  build(shownCoordinates()); // the fields' widths follow the type
+  showSession();
+}
+
+QString NumberCard::enterTyped() {
+  QString refused;
+  for (const auto &row : m_rows)
+    if (const QString why = row->enterTyped(); refused.isEmpty())
+      refused = why;
+  return refused;
+}
+
+void NumberCard::dropTyped() {
+  for (const auto &row : m_rows)
+    row->dropTyped();
+}
+
+NumberField *NumberCard::field(const std::string &coordinateName, int axis) const {
+  for (const auto &row : m_rows)
+    if (row->name() == coordinateName)
+      return row->fields().at(static_cast<std::size_t>(axis));
+  return nullptr;
+}
+
+} // namespace halfspace

@@ -1,0 +1,56 @@
+// The numbers of the selected object, at the edge of the scene.
+#pragma once
+
+#include "widgets/numbers/coordinate_row.h"
+
+#include <QFrame>
+
+#include <memory>
+
+class QLabel;
+
+namespace halfspace {
+
+class FlowLayout;
+
+/// Fields for the coordinates of what is selected, and below them what can be done with it. Without a
+/// selection it is a line of words.
+class NumberCard : public QFrame {
+  Q_OBJECT
+public:
+  NumberCard(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
+  ~NumberCard() override;
+
+  /// Shows the object of this coordinate; only the coordinate itself where the object has many.
+  void setSelection(const std::optional<CoordinateId> &selected);
+  /// Writes the numbers as they are in the session; what is not there any more is not shown.
+  void showSession();
+  void setHint(const QString &words);
+  void setTheme(const Theme &theme);
+
+  [[nodiscard]] QString enterTyped();
+  void dropTyped();
+  /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when it is not shown.
+  [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
+
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+
+private:
+  [[nodiscard]] std::vector<CoordinateId> shownCoordinates() const;
+  void build(const std::vector<CoordinateId> &ids);
+  void showHint();
+
+  SessionModel &m_model;
+  CoordinateEditor m_editor;
+  const Typesetter &m_typesetter;
+  Theme m_theme;
+  std::optional<CoordinateId> m_selected;
+  std::vector<std::unique_ptr<CoordinateRow>> m_rows;
+  QWidget *m_numbers;
+  QLabel *m_complaint;
+  QLabel *m_hintLabel;
+  QString m_hint;
+};
+
+} // namespace halfspace

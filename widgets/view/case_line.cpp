@@ -1,0 +1,62 @@
+#include "widgets/view/case_line.h"
+
+#include "widgets/repolish.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVariant>
+
+namespace halfspace {
+namespace {
+
+constexpr int readingTime = 8000; // milliseconds
+
+QLabel *wrappedLabel(const char *name) {
+  auto *label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+} // namespace
+
+CaseLine::CaseLine(QWidget *parent)
+    : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
+      m_complaint(wrappedLabel("complaint")) {
+  auto *layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_case, 3);
+  layout->addWidget(m_message, 2);
+  layout->addWidget(m_complaint, 2);
+  m_message->hide();
+  m_complaint->hide();
+  m_messageTimer.setSingleShot(true);
+  m_messageTimer.setInterval(readingTime);
+  connect(&m_messageTimer, &QTimer::timeout, m_message, &QWidget::hide);
+}
+
+void CaseLine::setCase(const QString &words, bool degenerate) {
+  m_case->setText(words);
+  if (m_case->property("degenerate") == degenerate)
+    return;
+  m_case->setProperty("degenerate", degenerate);
+  repolish(*m_case);
+}
+
+void CaseLine::setHeld(bool held) { setMinimumHeight(held ? height() : 0); }
+
+void CaseLine::say(const QString &sentence) {
+  m_message->setText(sentence);
+  m_message->show();
+  m_messageTimer.start();
+}
+
+void CaseLine::complain(const QString &sentence, const QString &details) {
+  m_complaint->setText(sentence);
+  m_complaint->setToolTip(details.toHtmlEscaped());
+  m_complaint->setVisible(!sentence.isEmpty());
+}
+
+} // namespace halfspace

@@ -1,0 +1,33 @@
+// What the scene comes to, in a line of words below it.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+
+namespace halfspace {
+
+/// The case in plain words; beside it, for a moment, what the program has to tell, and as long as it holds,
+/// what it has to complain of.
+class CaseLine : public QWidget {
+  Q_OBJECT
+public:
+  explicit CaseLine(QWidget *parent = nullptr);
+
+  /// `degenerate`: the words are a warning.
+  void setCase(const QString &words, bool degenerate);
+  /// While the line is held it only grows: the picture above it would jump back and forth with the numbers.
+  void setHeld(bool held);
+  void say(const QString &sentence);
+  /// Empty: there is nothing to complain of.
+  void complain(const QString &sentence, const QString &details = {});
+
+private:
+  QLabel *m_case;
+  QLabel *m_message;
+  QLabel *m_complaint;
+  QTimer m_messageTimer;
+};
+
+} // namespace halfspace

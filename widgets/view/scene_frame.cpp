@@ -1,0 +1,86 @@
+#include "widgets/view/scene_frame.h"
+
+#include "widgets/colors.h"
+#include "widgets/numbers/number_card.h"
+#include "widgets/view/scene_view.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// Between what lies over the view and its edges, in pixels.
+constexpr int edgeGap = 10;
+constexpr int toolGap = 6;
+/// An icon's side at a text scale of 1, likewise.
+constexpr int iconSide = 18;
+
+} // namespace
+
+SceneFrame::SceneFrame(SceneView &view, NumberCard &card, QWidget *parent)
+    : QWidget(parent), m_view(view), m_card(card), m_tools(new QWidget) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(&m_view);
+  m_card.setParent(this);
+  m_tools->setParent(this);
+  auto *column = new QVBoxLayout(m_tools);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(toolGap);
+  m_card.installEventFilter(this);
+}
+
+void SceneFrame::addTool(QAction &action, ToolIcon icon) {
+  auto *button = new QToolButton;
+  button->setObjectName("sceneTool");
+  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  button->setFocusPolicy(Qt::NoFocus); // the keys stay with the view
+  const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+  const QString name = action.text().remove('&');
+  button->setToolTip(keys.isEmpty() ? name : tr("%1 (%2)", "a tool and its key").arg(name, keys));
+  button->setAccessibleName(name);
+  button->setCheckable(action.isCheckable());
+  button->setChecked(action.isChecked());
+  connect(button, &QToolButton::clicked, &action, &QAction::trigger);
+  connect(&action, &QAction::toggled, button, &QToolButton::setChecked);
+  m_tools->layout()->addWidget(button);
+  m_buttons.push_back({button, icon});
+  arrange();
+}
+
+void SceneFrame::setTheme(const Theme &theme) {
+  const int side = qRound(iconSide * theme.textScale);
+  for (const auto &[button, icon] : m_buttons) {
+    button->setIcon(iconOf(icon, toQColor(theme.ink)));
+    button->setIconSize({side, side});
+  }
+  arrange();
+}
+
+void SceneFrame::resizeEvent(QResizeEvent *event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+bool SceneFrame::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() == QEvent::LayoutRequest)
+    arrange();
+  return QWidget::eventFilter(watched, event);
+}
+
+void SceneFrame::arrange() {
+  const QSize tools = m_tools->sizeHint();
+  m_tools->setGeometry(width() - tools.width() - edgeGap, edgeGap, tools.width(), tools.height());
+  const int cardWidth = std::min(m_card.sizeHint().width(), width() - 2 * edgeGap);
+  const int cardHeight = m_card.layout()->totalHeightForWidth(cardWidth);
+  m_card.setGeometry(edgeGap, height() - cardHeight - edgeGap, cardWidth, cardHeight);
+  m_card.raise();
+  m_tools->raise();
+}
+
+} // namespace halfspace

@@ -1,0 +1,46 @@
+// The 3D view with what lies over it: the card of the selected object and a few tools.
+#pragma once
+
+#include "widgets/picture/theme.h"
+#include "widgets/view/tool_icons.h"
+
+#include <QWidget>
+
+class QAction;
+class QToolButton;
+
+namespace halfspace {
+
+class NumberCard;
+class SceneView;
+
+/// Keeps the card in the view's lower left corner and the tools in the upper right one, and tells the view
+/// what they cover.
+class SceneFrame : public QWidget {
+  Q_OBJECT
+public:
+  /// View and card become its own.
+  SceneFrame(SceneView &view, NumberCard &card, QWidget *parent = nullptr);
+
+  /// A button that does what the action does.
+  void addTool(QAction &action, ToolIcon icon);
+  void setTheme(const Theme &theme);
+
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+  bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+  struct Tool {
+    QToolButton *button;
+    ToolIcon icon;
+  };
+  void arrange();
+
+  SceneView &m_view;
+  NumberCard &m_card;
+  QWidget *m_tools;
+  std::vector<Tool> m_buttons;
+};
+
+} // namespace halfspace

@@ -1,0 +1,71 @@
+#include "widgets/view/tool_icons.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace halfspace {
+namespace {
+
+/// Icons are drawn on a square of this side, and scaled.
+constexpr double side = 16;
+constexpr double penWidth = 1.4;
+constexpr int sizes[] = {16, 24, 32, 48, 64, 96};
+
+QPainterPath lines(std::initializer_list<QLineF> pieces) {
+  QPainterPath path;
+  for (const QLineF &piece : pieces) {
+    path.moveTo(piece.p1());
+    path.lineTo(piece.p2());
+  }
+  return path;
+}
+
+QPainterPath house() {
+  QPainterPath path;
+  path.addPolygon(QPolygonF({{2, 8.5}, {8, 2.5}, {14, 8.5}}));
+  path.addPolygon(QPolygonF({{4, 7}, {4, 13.5}, {12, 13.5}, {12, 7}}));
+  return path;
+}
+
+/// Two arrows that point out of a corner each.
+QPainterPath outward() {
+  QPainterPath path = lines({{2.5, 13.5, 7, 9}, {13.5, 2.5, 9, 7}});
+  path.addPolygon(QPolygonF({{2.5, 9.5}, {2.5, 13.5}, {6.5, 13.5}}));
+  path.addPolygon(QPolygonF({{9.5, 2.5}, {13.5, 2.5}, {13.5, 6.5}}));
+  return path;
+}
+
+QPainterPath pathOf(ToolIcon tool) {
+  switch (tool) {
+  case ToolIcon::Home:
+    return house();
+  case ToolIcon::AlongPlane: // a plane seen as a line, and what stands on it
+    return lines({{2, 13, 14, 13}, {8, 13, 8, 3}});
+  case ToolIcon::Fit:
+    return outward();
+  case ToolIcon::Numbers:
+    return lines({{6, 2.5, 5, 13.5}, {11, 2.5, 10, 13.5}, {2.5, 6, 13.5, 6}, {2.5, 10, 13.5, 10}});
+  case ToolIcon::Contents:
+    break;
+  }
+  return lines({{2.5, 4, 13.5, 4}, {2.5, 8, 13.5, 8}, {2.5, 12, 13.5, 12}});
+}
+
+} // namespace
+
+QIcon iconOf(ToolIcon tool, const QColor &ink) {
+  QIcon icon;
+  for (const int size : sizes) {
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(size / side, size / side);
+    painter.setPen(QPen(ink, penWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(pathOf(tool));
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
+} // namespace halfspace
