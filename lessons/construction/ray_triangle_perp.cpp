@@ -175,8 +175,10 @@ void addSideLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(v == at.P2 - at.P0),
                  words("Two sides of the triangle, both from {P0}.", at.letters));
   });
-  lines.add("normal",
-            [&] { return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides.")); });
+  lines.add("normal", [&] {
+    return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides."),
+                 {{cross(v, u), words("{answer} is the cross product the other way round: v × u.")}});
+  });
   lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
   lines.add("uv", [&] { return asked(withProducts(dot(u, v))); });
   lines.add("vv", [&] {
