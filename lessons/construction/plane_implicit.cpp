@@ -173,8 +173,8 @@ Figure draw(const In &in, const Out &at) {
   figure.add(SegmentMark{{at.P1->mark + "/way", Role::Helper}, point, other});
   figure.add(pointOf(at.P1, Role::Derived, Subject::Plane));
   figure.add(RightAngleMark{{at.P1->mark + "/angle", Role::Helper}, point, normal, other - point});
-  figure.add(
-      ArrowMark{{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)}, point + normal, normal});
+  // Not from P0, where it would lie on n: a normal may stand on any point of its plane.
+  figure.add(ArrowMark{{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)}, other, 2.0 * normal});
   return figure;
 }
 

@@ -65,13 +65,13 @@ CaseWords tell(const In &, const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case PlanePlaneCase::Line:
-    return {caseName, words("The planes {E} and {F} meet in a line, with the direction {v}.", at.letters,
-                            {{"v", equation(at.v)}})};
+    return {caseName, words("The planes {E} and {F} meet in the line {g}.", at.letters)};
   case PlanePlaneCase::Parallel:
-    return {caseName,
-            words("{E.n} and {F.n} have the same direction, but no point lies in both planes: {E} and "
-                  "{F} are parallel.",
-                  at.letters)};
+    return {
+        caseName,
+        words("{E.n} and {F.n} are multiples of each other, and no point lies in both planes: {E} and {F} "
+              "are parallel.",
+              at.letters)};
   case PlanePlaneCase::Coincident:
     return {caseName, words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
                             "the other.",
@@ -110,7 +110,7 @@ WorkingLine constantLine(const Term &d, const PlaneTerms &plane) {
 
 WorkingLine directionLine(const Out &at) {
   return asked(
-      withNumbers(at.v == cross(at.E.n, at.F.n)),
+      withProducts(at.v == cross(at.E.n, at.F.n)),
       at.meet.which == PlanePlaneCase::Line
           ? words("The line lies in both planes, so it is perpendicular to both normals.")
           : words("The cross product is the zero vector: the normals lie along the same line, and the "

@@ -124,8 +124,9 @@ WorkingLine collectLine(const Out &at) {
 WorkingLine numeratorLine(const Out &at) {
   return asked(
       withNumbers(at.numerator),
-      words("The same by dot products. The numerator is −f({Q}): the signed distance from {Q} to the "
-            "plane along {n}, times |{n}|.",
+      words("The numerator is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a "
+            "distance "
+            "only when |{n}| = 1.",
             at.letters),
       {{at.f, words("{answer} is f({Q}) = {n}·({Q} − {P0}): the numerator goes the other way, from {Q} "
                     "to {P0}.",
@@ -135,9 +136,10 @@ WorkingLine numeratorLine(const Out &at) {
 WorkingLine denominatorLine(const Out &at) {
   return asked(
       withNumbers(at.denominator),
-      words("The denominator: how far one step {r} goes along {n}, times |{n}|. Zero means that no step "
-            "along {r} comes nearer to the plane.",
-            at.letters));
+      words(
+          "The denominator: how far one step {r} goes along {n}, times |{n}| as well, so |{n}| cancels. Zero "
+          "means that no step comes nearer to the plane.",
+          at.letters));
 }
 
 WorkingLine parameterLine(const Out &at) {

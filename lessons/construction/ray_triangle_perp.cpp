@@ -2,6 +2,7 @@
 // parameter is λ here, because s and t belong to the triangle.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "geometry/point_line.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -31,14 +32,21 @@ struct Out : Naming, TriangleTerms, RayTerms {
   RayTriangle<Rational> meet;
   Term u, v, n, uPerp, vPerp, D;
   Term lambda, I, w, s, t;
-  Term a, b; ///< w·u⊥ and v·u⊥
+  Term a, b;    ///< w·u⊥ and v·u⊥
+  Term A, B, C; ///< figure 4: the feet of C and P2 on u⊥, and C at the tip of t·v
 };
+
+/// Of a point on the line through another; the origin for a zero direction, where no line is.
+ExactVec3 footOf(const ExactVec3 &point, const ExactVec3 &through, const ExactVec3 &direction) {
+  return measurePointLine(point, through, direction).foot;
+}
 
 Out compute(const In &in) {
   const auto &[p0, p1, p2] = in.T.object;
   const auto &[origin, direction] = in.L.object;
   const auto meet = intersectRayTriangle(Ray<Rational>{origin, direction}, Triangle<Rational>{p0, p1, p2});
   const auto &perps = meet.perps;
+  const ExactVec3 tipOfTv = p0 + perps.v * meet.tTriangle;
   return {in,
           termsOf(in.T),
           termsOf(in.L),
@@ -54,8 +62,11 @@ Out compute(const In &in) {
           name(in.own(vectorLetter("w")), meet.w).marked(in.mark("w")),
           name(in.own(letter("s")), meet.s),
           name(in.own(letter("t")), meet.tTriangle),
-          name(in.own(letter("a")), dot(meet.w, perps.uPerp)).marked(in.mark("a")),
-          name(in.own(letter("b")), dot(perps.v, perps.uPerp)).marked(in.mark("b"))};
+          name(in.own(letter("a")), dot(meet.w, perps.uPerp)).marked(in.mark("A")),
+          name(in.own(letter("b")), dot(perps.v, perps.uPerp)).marked(in.mark("B")),
+          name(in.own(letter("A")), footOf(tipOfTv, p0, perps.uPerp)).marked(in.mark("A")),
+          name(in.own(letter("B")), footOf(p2, p0, perps.uPerp)).marked(in.mark("B")),
+          name(in.own(letter("C")), tipOfTv).marked(in.mark("C"))};
 }
 
 /// Where in the triangle the point is, for people: inside the triangle, on the edge P₀P₁ …
@@ -164,8 +175,10 @@ void addSideLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(v == at.P2 - at.P0),
                  words("Two sides of the triangle, both from {P0}.", at.letters));
   });
-  lines.add("normal",
-            [&] { return asked(withResult(at.n == cross(u, v)), words("Perpendicular to both sides.")); });
+  lines.add("normal", [&] {
+    return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides."),
+                 {{cross(v, u), words("{answer} is the cross product the other way round: v × u.")}});
+  });
   lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
   lines.add("uv", [&] { return asked(withProducts(dot(u, v))); });
   lines.add("vv", [&] {
@@ -237,8 +250,8 @@ WorkingLine lineOfT(const Out &at) {
 
 WorkingLine placeLine(const Out &at) {
   return line({withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
-              words("Inside means s ≥ 0, t ≥ 0 and s + t ≤ 1. Equality in one of them is an edge only while "
-                    "the other two hold. Here the point is {place}.",
+              words("The point is of the triangle when s ≥ 0, t ≥ 0 and s + t ≤ 1, and in its interior when "
+                    "all three hold without equality. Here it is {place}.",
                     {{"place", wherePlaced(at)}}));
 }
 
@@ -246,12 +259,12 @@ WorkingLine placeLine(const Out &at) {
 WorkingLine similarLine(const Out &at) {
   const Term part = at.a / at.b;
   return line(
-      ((at.t * at.v).marked(at.mark("tv")) == part * at.v)
+      ((at.t * at.v).marked(at.C->mark) == part * at.v)
           .then(numbersPutIn(part) * at.v)
           .then(multipleOf(part, at.v)),
-      words("Two right triangles at {P0} have the same shape, so t·v is to v as a is to b. The length "
-            "of u⊥ stands in both and cancels.",
-            at.letters));
+      words("The right triangles {P0}{A}{C} and {P0}{B}{P2} have the same shape, so t·v is to v as a is "
+            "to b. The length of u⊥ stands in both and cancels.",
+            at.letters, {{"A", plainText(at.A)}, {"B", plainText(at.B)}, {"C", plainText(at.C)}}));
 }
 
 void addShareLines(const Out &at, Explanation &lines) {
@@ -260,7 +273,7 @@ void addShareLines(const Out &at, Explanation &lines) {
   lines.add("place", [&] { return placeLine(at); });
   lines.add("a", [&] {
     return asked(withResult(at.a == dot(at.w, at.uPerp)),
-                 words("The dot product of w with u⊥: it grows with how far w reaches along u⊥."));
+                 words("How far w reaches along u⊥, times the length of u⊥. t·v reaches just as far."));
   });
   lines.add("b", [&] { return asked(withResult(at.b == dot(at.v, at.uPerp)), words("The same for v.")); });
   lines.add("similar", [&] { return similarLine(at); });
@@ -310,27 +323,24 @@ void drawEdges(Figure &figure, const Out &at) {
   figure.add(arrowOf(at.v, place(at.P0), role, Subject::EdgeV));
 }
 
-/// The foot of a vector from P0 on u⊥, with the way there from its tip.
-void drawFoot(Figure &figure, const Out &at, const Term &share, const Term &vector) {
+/// A point's foot on u⊥, with the way there.
+void drawFoot(Figure &figure, const Out &at, const Term &foot, const Place &point) {
   const Place p0 = place(at.P0);
-  const Place tip = p0 + place(vector);
-  const Place foot = p0 + place(share / dot(at.uPerp, at.uPerp) * at.uPerp);
-  figure.add(SegmentMark{{share->mark + "/foot", Role::Helper, Subject::Measure}, tip, foot});
-  figure.add(PointMark{drawn(share, Role::Derived, Subject::Measure), foot});
-  if (sign(*numberOf(share)) != 0)
-    figure.add(RightAngleMark{
-        {share->mark + "/angle", Role::Helper, Subject::Measure}, foot, p0 - foot, tip - foot});
+  const Place end = place(foot);
+  figure.add(SegmentMark{{foot->mark + "/way", Role::Helper, Subject::Measure}, point, end});
+  figure.add(pointOf(foot, Role::Derived, Subject::Measure));
+  if (vectorOf(foot) != vectorOf(at.P0))
+    figure.add(
+        RightAngleMark{{foot->mark + "/angle", Role::Helper, Subject::Measure}, end, p0 - end, point - end});
 }
 
-/// Figure 4 of the note: the feet of w and v on u⊥, and the two similar right triangles that they make with
-/// P0.
+/// Figure 4 of the note: the similar right triangles of t·v and v. From the tip of t·v the part s·u leads to
+/// I, along the way to the foot: so I has the same foot.
 void drawSimilarTriangles(Figure &figure, const Out &at) {
-  const Place p0 = place(at.P0);
-  const Place tv = p0 + place(at.t * at.v);
-  figure.add(SegmentMark{{at.mark("tv"), Role::Derived, Subject::EdgeV, "t\\vec v"}, p0, tv});
-  figure.add(SegmentMark{{at.mark("tv/su"), Role::Helper, Subject::EdgeU}, tv, place(at.I)});
-  drawFoot(figure, at, at.a, at.w);
-  drawFoot(figure, at, at.b, at.v);
+  figure.add(pointOf(at.C, Role::Derived, Subject::EdgeV));
+  figure.add(SegmentMark{{at.C->mark + "/su", Role::Helper, Subject::EdgeU}, place(at.C), place(at.I)});
+  drawFoot(figure, at, at.A, place(at.C));
+  drawFoot(figure, at, at.B, place(at.P2));
 }
 
 Figure draw(const In &in, const Out &at) {
@@ -358,7 +368,8 @@ Figure draw(const In &in, const Out &at) {
 
 Construction ray_triangle_perp() {
   return makeConstruction<In, Out, TriangleObject, RayObject>(
-      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}}, {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b"},
+      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}},
+      {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
       {compute, tell, valuesOf, make, explain, draw});
 }
 

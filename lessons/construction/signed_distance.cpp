@@ -167,6 +167,16 @@ Explanation explain(const In &, const Out &at) {
   return lines;
 }
 
+/// The angle between n and w, with the corner of a right one.
+void drawAngle(Figure &figure, const Out &at, const Place &corner, const Place &way) {
+  MarkBase angle = drawn(at.theta, Role::Derived, Subject::Neutral);
+  const Place normal = place(at.n);
+  if (at.which == PointPlaneCase::On)
+    figure.add(RightAngleMark{std::move(angle), corner, normal, way});
+  else
+    figure.add(ArcMark{std::move(angle), corner, normal, way});
+}
+
 Figure draw(const In &in, const Out &at) {
   Figure figure;
   const Place q = place(at.Q);
@@ -179,7 +189,7 @@ Figure draw(const In &in, const Out &at) {
   if (!hasPlane)
     return figure;
   if (!at.atP0)
-    figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.n), q - p0});
+    drawAngle(figure, at, p0, q - p0);
   figure.add(pointOf(at.F, Role::Result, Subject::Measure));
   if (at.which == PointPlaneCase::On)
     return figure;

@@ -140,29 +140,31 @@ private:
     if (!takeOver(found))
       found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)
                                             : withoutAnObject(found.missing);
-    showMade(entry.name, *construction, *found.outcome);
+    showMade(*construction, found);
     m_found.entries.push_back(std::move(found));
   }
 
   /// What the construction makes is there for later entries; what it does not make in its case, with the
   /// reason.
-  void showMade(const std::string &entry, const Construction &construction, const Outcome &outcome) {
+  void showMade(const Construction &construction, const EvaluatedEntry &entry) {
+    const Outcome &outcome = *entry.outcome;
     for (const ConstructionRole &made : construction.makes) {
       const auto object = std::find_if(outcome.objects.begin(), outcome.objects.end(),
                                        [&](const MadeObject &each) { return each.name == made.name; });
       const bool isMade = object != outcome.objects.end();
       const auto given = std::make_shared<const Given<Object>>(
-          m_letters.made(entry, made.name, isMade ? object->object : *makeObject(made.kind)));
-      m_visible[entry + "." + made.name] = {given, whyNot(entry, *given, isMade)};
+          m_letters.made(entry.name, made.name, isMade ? object->object : *makeObject(made.kind)));
+      m_visible[entry.name + "." + made.name] = {given,
+                                                 isMade ? whyTooLong(*given) : whyNotMade(*given, entry)};
     }
   }
 
-  static std::string whyNot(const std::string &entry, const Given<Object> &made, bool isMade) {
-    const std::string object = plainText(made.symbol);
-    if (!isMade)
-      return words("At the moment {entry} has no {object}, so there is nothing to go on with here.",
-                   {{"entry", entry}, {"object", object}});
-    return whyTooLong(made);
+  /// The case of what should have made it tells why it is not there.
+  static std::string whyNotMade(const Given<Object> &made, const EvaluatedEntry &maker) {
+    if (!maker.missing.empty())
+      return maker.missing;
+    return words("{why} So there is no {object} to go on with.",
+                 {{"why", maker.outcome->told->description}, {"object", plainText(made.symbol)}});
   }
 
   static std::string whyTooLong(const Given<Object> &made) {

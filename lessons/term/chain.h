@@ -62,7 +62,7 @@ private:
 
 /// Goes on with the numbers put in, and the result.
 [[nodiscard]] Chain withNumbers(const Chain &chain);
-/// Goes on with all dot products multiplied out, and the result.
+/// Goes on with all products of vectors multiplied out, and the result.
 [[nodiscard]] Chain withProducts(const Chain &chain);
 /// Goes on with the result.
 [[nodiscard]] Chain withResult(const Chain &chain);

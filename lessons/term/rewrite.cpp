@@ -96,18 +96,38 @@ bool isOneNumber(const Term &term) {
 
 Term inserted(const Term &term) { return isOneNumber(term) ? calculated(term) : partsBy(inserted, term); }
 
-bool isDotOfLists(const Term &term) {
-  return term->kind == TermKind::Dot && term->parts[0]->kind == TermKind::List &&
-         term->parts[1]->kind == TermKind::List &&
-         term->parts[0]->parts.size() == term->parts[1]->parts.size();
+bool isProductOfVectors(const Term &term) {
+  return term->kind == TermKind::Dot || term->kind == TermKind::Cross;
 }
 
+/// Whether both factors of a product are lists of equally many numbers; for a cross product three.
+bool areListsThatMatch(const Term &product) {
+  const Term &a = product->parts[0];
+  const Term &b = product->parts[1];
+  return a->kind == TermKind::List && b->kind == TermKind::List && a->parts.size() == b->parts.size() &&
+         (product->kind == TermKind::Dot || a->parts.size() == 3);
+}
+
+/// a₁b₁ + a₂b₂ + a₃b₃
 Term summed(const Term &dot) {
   std::vector<Term> products;
   products.reserve(dot->parts[0]->parts.size());
   for (std::size_t i = 0; i < dot->parts[0]->parts.size(); ++i)
     products.push_back(product({dot->parts[0]->parts[i], dot->parts[1]->parts[i]}));
   return sum(std::move(products));
+}
+
+/// (a₂b₃ − a₃b₂, a₃b₁ − a₁b₃, a₁b₂ − a₂b₁)
+Term crosswise(const Term &cross) {
+  const std::vector<Term> &a = cross->parts[0]->parts;
+  const std::vector<Term> &b = cross->parts[1]->parts;
+  std::vector<Term> differences;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const std::size_t last = (i + 2) % 3;
+    differences.push_back(product({a[next], b[last]}) - product({a[last], b[next]}));
+  }
+  return list(std::move(differences));
 }
 
 } // namespace
@@ -131,9 +151,10 @@ Term numbersPutIn(const Term &term) {
 Term multipliedOut(const Term &term) {
   if (isNamed(term))
     return calculated(term);
-  const Term rewritten =
-      term->kind == TermKind::Dot ? partsBy(calculated, term) : partsBy(multipliedOut, term);
-  return isDotOfLists(rewritten) ? summed(rewritten) : rewritten;
+  Term rewritten = isProductOfVectors(term) ? partsBy(calculated, term) : partsBy(multipliedOut, term);
+  if (!isProductOfVectors(rewritten) || !areListsThatMatch(rewritten))
+    return rewritten;
+  return rewritten->kind == TermKind::Dot ? summed(rewritten) : crosswise(rewritten);
 }
 
 } // namespace halfspace

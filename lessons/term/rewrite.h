@@ -21,7 +21,8 @@ namespace halfspace {
 /// (1, 2, 2)·(6, 11, 1).
 [[nodiscard]] Term numbersPutIn(const Term &term);
 
-/// Numbers for all names, and dot products of vectors coordinate by coordinate: u·v as 1·4 + 2·5 + 3·6.
+/// Numbers for all names, and products of vectors coordinate by coordinate: u·v as 1·4 + 2·5 + 3·6, u×v as
+/// (2·6 − 3·5, 3·4 − 1·6, 1·5 − 2·4).
 [[nodiscard]] Term multipliedOut(const Term &term);
 
 } // namespace halfspace

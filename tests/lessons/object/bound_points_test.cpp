@@ -309,8 +309,10 @@ TEST(BoundPoint, FarOutOnALine_HasItsLineDrawnUpToIt) {
 TEST(BoundPoint, OnALineThatIsNotThereNow_SaysSoAndComesBack) {
   const Scene parallel = edited(meetingScene(), {ChangeObject{"F", PlaneObject{{0, 0, 0}, {1, 2, 2}}}});
   const Evaluation evaluation = evaluate(parallel);
-  EXPECT_EQ(evaluation.find("P")->missing,
-            "At the moment meet has no g, so there is nothing to go on with here.");
+  EXPECT_EQ(
+      evaluation.find("P")->missing,
+      "n_E and n_F are multiples of each other, and no point lies in both planes: E and F are parallel. "
+      "So there is no g to go on with.");
   EXPECT_EQ(lastCase(parallel), "missing-object");
   EXPECT_TRUE(evaluation.find("P")->outcome->figure->marks.empty());
   for (const Handle &each : handlesOf(parallel))

@@ -159,7 +159,8 @@ TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
   const Evaluation gone = evaluate(parallel, there);
   EXPECT_EQ(gone.find("height")->outcome->told->name, "missing-object");
   EXPECT_EQ(gone.find("height")->outcome->told->description,
-            "At the moment meeting has no H, so there is nothing to go on with here.");
+            "r·n_E = 0 but (P₀_E − Q)·n_E is not: the ray runs parallel to the plane and never meets it. So "
+            "there is no H to go on with.");
   EXPECT_TRUE(gone.find("height")->outcome->told->degenerate);
   EXPECT_EQ(evaluate(scene, gone).find("height")->outcome->told->name, "positive");
 }

@@ -41,6 +41,13 @@ TEST(MultipliedOut, WritesDotProductsCoordinateByCoordinate) {
   EXPECT_EQ(in(multipliedOut, dot(at.n, at.Q + t * r)), "1(−t + 11) + 2(3t + 15) + 2(2t + 8)");
 }
 
+TEST(MultipliedOut, WritesCrossProductsAsDifferencesOfTwoProducts) {
+  EXPECT_EQ(in(multipliedOut, cross(at.n, r)), "(2·2 − 2·3, 2·(−1) − 1·2, 1·3 − 2·(−1))");
+  EXPECT_EQ(plainText(withProducts(cross(at.n, r))),
+            "n×r = (2·2 − 2·3, 2·(−1) − 1·2, 1·3 − 2·(−1)) = (−2, −4, 5)");
+  EXPECT_EQ(in(multipliedOut, 2 * cross(at.n, r)), "2(2·2 − 2·3, 2·(−1) − 1·2, 1·3 − 2·(−1))");
+}
+
 TEST(Calculated, IsANumberAListOrCollectedByUnknowns) {
   EXPECT_EQ(in(calculated, dot(at.n, difference) / norm(at.n)), "10");
   EXPECT_EQ(in(calculated, at.f / dot(at.n, at.n) * at.n), "(10/3, 20/3, 20/3)");

@@ -101,13 +101,20 @@ Recomputed recompute(Objects objects) {
   expected.values["perp.wu"] = number(product(w, u));
   expected.values["perp.wv"] = number(product(w, v));
   const ExactVec3 uPerp = perpendicular(perpendicular(u, v), u);
+  const Rational perpSquare = product(uPerp, uPerp);
+  // t·v and w have the same foot on u⊥.
+  const ExactVec3 footOfW = T.p0 + uPerp * (product(w, uPerp) / perpSquare);
+  const ExactVec3 footOfV = T.p0 + uPerp * (product(v, uPerp) / perpSquare);
   expected.names.insert({{"I", quantity(point)},
                          {"\\vec w", quantity(w)},
                          {"\\lambda", quantity(lambda)},
                          {"s", quantity(s)},
                          {"t", quantity(t)},
                          {"a", quantity(product(w, uPerp))},
-                         {"b", quantity(product(v, uPerp))}});
+                         {"b", quantity(product(v, uPerp))},
+                         {"A", quantity(footOfW)},
+                         {"B", quantity(footOfV)},
+                         {"C", quantity(ExactVec3(T.p0 + v * t))}});
   return expected;
 }
 
