@@ -44,9 +44,9 @@ QString styleSheetOf(const Theme &theme) {
     QMenuBar { background: %3; padding: 0.1em 0.3em; }
     QMenuBar::item { padding: 0.35em 0.55em; background: transparent; }
     QMenuBar::item:selected { background: %5; }
-    QSplitter::handle { background: %1; }
-    QSplitter::handle:horizontal { width: 1px; }
-    QSplitter::handle:vertical { height: 1px; }
+    QSplitter::handle { background: %3; }
+    QSplitter::handle:horizontal { width: 5px; border-left: 1px solid %1; }
+    QSplitter::handle:vertical { height: 5px; border-top: 1px solid %1; }
     QLabel#lessonTitle { color: %2; padding: 0.35em 1.1em; }
     QToolButton#contentsButton { margin: 0 0.3em; }
     QToolButton#sceneTool { background: %3; border: 1px solid %1; border-radius: 5px; padding: 0.35em; }

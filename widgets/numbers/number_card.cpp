@@ -19,6 +19,8 @@ constexpr std::size_t mostCoordinates = 3;
 constexpr int lettersInField = 7;
 /// The usual card is so wide, likewise.
 constexpr int usualLetters = 56;
+/// A field with its frame, in heights of its type.
+constexpr double fieldHeight = 1.7;
 // In pixels.
 constexpr QMargins cardMargins(10, 7, 10, 6);
 constexpr int groupGap = 12;
@@ -136,9 +138,8 @@ void NumberCard::resizeEvent(QResizeEvent *event) {
 
 QSize NumberCard::usualSize() const {
   const QFontMetrics type = fontMetrics();
-  const int field = NumberField().sizeHint().height();
-  return {usualLetters * type.averageCharWidth(),
-          cardMargins.top() + field + rowGap + type.height() + cardMargins.bottom()};
+  const int lines = qRound((fieldHeight + 1) * type.height());
+  return {usualLetters * type.averageCharWidth(), cardMargins.top() + lines + rowGap + cardMargins.bottom()};
 }
 
 void NumberCard::setTheme(const Theme &theme) {
