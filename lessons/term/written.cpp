@@ -98,7 +98,7 @@ Look ownLook(const Real &number) { return number.exact() ? ownLook(*number.exact
 
 Term exactForm(const Surd &value) {
   const Rational &part = value.rationalPart();
-  const Term rational = signedTerm(part.sign() < 0, fraction(abs(part), {}));
+  Term rational = signedTerm(part.sign() < 0, fraction(abs(part), {}));
   if (value.isRational())
     return rational;
   const Term root =
