@@ -28,8 +28,8 @@ public:
   void setBackgroundVisible(bool visible);
   /// Takes a content as new, whatever was shown before: all its meshes are made anew.
   void setContent(SceneContent content);
-  /// Another gizmo for the same content: nothing of the figure is made anew.
-  void setGizmo(std::optional<Gizmo> gizmo);
+  /// Other tools for the same content: nothing of the figure is made anew.
+  void setTools(std::optional<Gizmo> gizmo, std::vector<Knob> knobs);
   /// The view, its size in device pixels, and how many device pixels a design pixel has.
   void setView(const Camera &camera, PixelSize size, double pixelRatio);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/picture/camera_views.h"
+#include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/scene/figure_scene.h"
 #include "widgets/session_model.h"
@@ -107,11 +108,11 @@ private:
   [[nodiscard]] glm::dvec2 devicePixel(const QPointF &position) const;
   [[nodiscard]] View screen() const;
   [[nodiscard]] const Handle *findHandle(const std::string &id) const;
+  [[nodiscard]] std::vector<Grip> grips() const;
   [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
-  /// From an arrow's tip to the place of its head that is nearest to a pixel; zero for handles that are no
-  /// tips.
-  [[nodiscard]] glm::dvec2 alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const;
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
+  /// Of the handles that can be grabbed from where the camera stands.
+  [[nodiscard]] std::vector<Knob> knobs() const;
   [[nodiscard]] std::string markOf(const Handle &handle) const;
 
   [[nodiscard]] SceneContent interactiveContent() const;
@@ -167,6 +168,7 @@ private:
   bool m_numbersHidden = false;
   bool m_atHome = true; ///< nobody has moved the camera since the lesson began
 
+  Figure m_figure; ///< what is shown, on the stage
   std::vector<Handle> m_handles;
   std::string m_selected; ///< a handle's id
   std::string m_hovered;  ///< a handle's id

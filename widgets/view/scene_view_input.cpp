@@ -86,16 +86,16 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   m_moved = false;
   const glm::dvec2 pixel = devicePixel(m_pressed);
   if (event->button() == Qt::LeftButton) {
-    const auto part = gizmoPartUnder(pixel);
-    const Handle *selected = findHandle(m_selected);
-    if (part && selected)
-      return pressHandle(*selected, modeOf(*part), pixel);
     if (const Handle *handle = handleAt(pixel)) {
       const bool same = handle->id == m_selected;
       const bool vertical = (same && m_vertical) != bool(event->modifiers() & Qt::ShiftModifier);
       if (const auto mode = grabMode(*handle, vertical, m_camera))
         return pressHandle(*handle, *mode, pixel);
     }
+    const auto part = gizmoPartUnder(pixel);
+    const Handle *selected = findHandle(m_selected);
+    if (part && selected)
+      return pressHandle(*selected, modeOf(*part), pixel);
     m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
   } else {
     m_gesture = Gesture::Pan;
@@ -212,8 +212,8 @@ std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
 }
 
 void SceneView::hover(glm::dvec2 pixel) {
-  const auto part = gizmoPartUnder(pixel);
-  const Handle *handle = part ? nullptr : handleAt(pixel);
+  const Handle *handle = handleAt(pixel);
+  const auto part = handle ? std::nullopt : gizmoPartUnder(pixel);
   const std::string handleId = handle ? handle->id : std::string();
   const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);
   if (part == m_hotPart && handleId == m_hovered && mark == m_hoveredMark)

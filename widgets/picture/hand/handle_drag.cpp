@@ -83,6 +83,8 @@ bool isOwn(DragMode mode) {
   return mode == DragMode::OwnAxis || mode == DragMode::OwnPlane || mode == DragMode::OwnSphere;
 }
 
+bool movesFreely(const Handle &handle) { return !ownMode(handle) && handle.motion != Handle::Motion::OnHost; }
+
 std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera) {
   const Place at = shownPlace(handle);
   const auto grabbable = [&](DragMode mode) { return isGrabbable(constraintOf(mode, handle), camera, at); };

@@ -30,6 +30,9 @@ enum class DragMode {
 /// grabbed from here at all.
 [[nodiscard]] std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera);
 
+/// Whether it moves every way, so that the gizmo's parts are of use.
+[[nodiscard]] bool movesFreely(const Handle &handle);
+
 /// The mode of a part of the gizmo.
 [[nodiscard]] DragMode modeOf(Gizmo::Part part);
 
