@@ -19,9 +19,6 @@ using Clock = std::chrono::steady_clock;
 /// A press that moves less than this many pixels is a click.
 constexpr int clickSlop = 3;
 
-/// The finest step of all, to which Alt suspends snapping.
-const Rational finestStep(1, 1000);
-
 /// A handle that moves up and down does so with the arrow keys too.
 int verticalKey(int key) {
   return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
