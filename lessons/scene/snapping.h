@@ -15,9 +15,9 @@ struct SnapRequest {
   const PlacedScene &scene;
   const Handle &handle; ///< as it is before this move
   const std::vector<SnapTarget> &targets;
-  Place raw;            ///< where the pointer wants it
-  Flat freedom;         ///< where it may go: a plane or a line through handle.at; for a sphere all of space
-  Rational step;        ///< of the grid; the finest suspends all that catches
+  Place raw;     ///< where the pointer wants it
+  Flat freedom;  ///< where it may go: a plane or a line through handle.at; for a sphere all of space
+  Rational step; ///< of the grid; the finest suspends all that catches
   std::function<double(const Place &, const Place &)> pixelsApart;
   double catchPixels; ///< what is further away on the screen does not catch
 };
@@ -31,7 +31,8 @@ struct SnappedPlace {
 /// The exact place for a dragged handle.
 ///
 /// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
-/// stay. Along a slanted line it is the coordinate that changes most. A bound object rests where its freedoms are round (Binding::onGrid), and never off its host.
+/// stay. Along a slanted line it is the coordinate that changes most. A bound object rests where its freedoms
+/// are round (Binding::onGrid), and never off its host.
 ///
 /// A target (a vertex, an edge, a plane; for a direction: parallel, through a vertex or an edge, along an
 /// axis) catches within `catchPixels`: points before lines before planes, then the

@@ -53,7 +53,13 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     goHome();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_extents, &ExtentGlide::changed, this, [this] {
+    m_contentStale = true;
+    showMoved();
+  });
   connect(&m_model, &SessionModel::gestureSettled, this, &SceneView::letGo);
+  connect(&m_model, &SessionModel::gestureEnded, this,
+          [this] { m_extents.release(m_motion && isVisible()); });
   connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
     showAll();
     requestFrame();
@@ -83,6 +89,7 @@ void SceneView::setMotion(bool on) {
   m_motion = on;
   if (!on) {
     m_fade.finish();
+    m_extents.arrive();
     if (m_glide.state() == QAbstractAnimation::Running)
       m_glide.setCurrentTime(m_glide.duration()); // it arrives
   }
@@ -220,8 +227,22 @@ void SceneView::followTyped(const std::vector<Handle> &before) {
   }
 }
 
+void SceneView::holdExtents() {
+  const Scene &scene = m_model.session().scene;
+  if (!m_extents.isHolding()) {
+    Extents extents = extentsOf(m_extents.drawn(m_figure));
+    std::erase_if(extents, [&](const auto &held) { return !findObject(scene, held.first); });
+    m_extents.hold(std::move(extents));
+  }
+  for (const Entry &entry : scene.entries)
+    if (m_model.isMovedByGesture(entry.name))
+      m_extents.leave(entry.name);
+}
+
 void SceneView::takeOutcome() {
   takeStage();
+  if (m_model.inGesture())
+    holdExtents();
   m_figure = staged(m_model.shown().figure);
   const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
   followTyped(before);
@@ -342,6 +363,7 @@ void SceneView::prepare() {
 
 SceneContent SceneView::interactiveContent() const {
   SceneContent content = pictureContent();
+  content.figure = m_extents.drawn(std::move(content.figure)); // whether with its numbers or without
   content.highlighted = m_highlighted;
   content.arrival = m_fade.arrival();
   if (!m_hoveredMark.empty())

@@ -6,6 +6,7 @@
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/scene/figure_scene.h"
 #include "widgets/session_model.h"
+#include "widgets/view/extent_glide.h"
 #include "widgets/view/mark_fade.h"
 
 #include <QElapsedTimer>
@@ -66,6 +67,9 @@ public:
   /// What is drawn now, without handles: for pictures.
   [[nodiscard]] SceneContent pictureContent() const;
 
+  /// What is drawn at this moment, while something is dragged or glides.
+  [[nodiscard]] Figure drawnFigure() const { return m_extents.drawn(m_figure); }
+
   /// The pixel of the widget (not of the device) at which a handle is drawn, if it is in view.
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
@@ -117,6 +121,8 @@ private:
 
   [[nodiscard]] SceneContent interactiveContent() const;
   void takeOutcome();
+  /// While something is dragged, all others stay drawn as far as they were.
+  void holdExtents();
   void takeStage();
   /// The session's scene in units of the stage.
   [[nodiscard]] PlacedScene stagedScene() const {
@@ -130,10 +136,13 @@ private:
   void showMoved();
   [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
+  /// What the tasks of the step ask of a handle.
+  [[nodiscard]] std::vector<SnapTarget> askedFor(const Handle &handle) const;
   void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
   void requestFrame();
   void frame();
   void followPointer();
+  void showCaught(const std::string &caught);
   void cancelDrag();
   /// Forgets what the mouse holds.
   void letGo();
@@ -155,6 +164,8 @@ private:
   /// The object of the selected handle where that is one of its coordinates; null elsewhere.
   [[nodiscard]] const Object *objectOfSelected() const;
   bool lockAxis(int key);
+  /// Suspends snapping, or goes on with it, at once.
+  void setSuspended(bool suspended);
   void selectNext(bool forward);
   void showHint();
 
@@ -181,6 +192,7 @@ private:
   Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
   std::optional<HandleDrag> m_drag;
   std::string m_caught;        ///< the special case that the drag has snapped to
+  bool m_isSuspended = false;  ///< whether a key is held that suspends snapping
   bool m_clickToggles = false; ///< whether the press was on the handle that was selected already
   bool m_moved = false;        ///< whether the pointer has left the place of the press
   QPointF m_pressed;
@@ -193,6 +205,7 @@ private:
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;
   MarkFade m_fade;
+  ExtentGlide m_extents;
   FrameTimes m_times; ///< of the next frame, as far as they are known
   std::chrono::steady_clock::time_point m_outcomeTaken;
 };

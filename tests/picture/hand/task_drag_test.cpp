@@ -4,6 +4,7 @@
 #include "lessons/lesson/task_progress.h"
 #include "lessons/lesson/task_targets.h"
 #include "tests/lessons/scenes.h"
+#include "widgets/picture/camera_views.h"
 #include "widgets/picture/hand/handle_drag.h"
 
 #include <gtest/gtest.h>
@@ -142,7 +143,9 @@ private:
   }
 
   Doing &m_doing;
-  View m_view{Camera(m_doing.lesson.camera), viewSize, 1};
+  View m_view{
+      homeView(m_doing.lesson.camera, figureOf(evaluate(m_doing.lesson.scene)), true, viewSize, 1, false),
+      viewSize, 1};
   Scene m_before;
   Handle m_dragged;
   Evaluation m_evaluation;

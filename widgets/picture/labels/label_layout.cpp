@@ -234,11 +234,12 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       board.placed[label] = options.back().candidates.front();
   }
   // Every label takes the cheapest candidate beside those placed before it; the second time, beside all
-  // others.
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t label = 0; label < requests.size(); ++label)
-      if (!requests[label].isPinned)
-        board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
+  // others. Those that yield come when all others have their places.
+  for (const bool yields : {false, true})
+    for (int pass = 0; pass < passes; ++pass)
+      for (std::size_t label = 0; label < requests.size(); ++label)
+        if (!requests[label].isPinned && requests[label].yields == yields)
+          board.placed[label] = cheapestFor(label, requests[label].id, options[label], board);
 
   std::vector<PlacedLabel> result;
   m_choices.clear();

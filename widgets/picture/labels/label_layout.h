@@ -23,6 +23,7 @@ struct LabelRequest {
   glm::dvec2 extent{}; ///< width and height in pixels
   std::vector<LabelAnchor> anchors;
   bool isPinned = false; ///< centred on its first anchor, whatever else is there
+  bool yields = false;   ///< stands beside all others, which take no notice of it
 };
 
 /// What labels should not cover.

@@ -34,7 +34,7 @@ std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
     if (formula->glyphs.empty() && formula->rules.empty())
       continue;
     const LabelRoom room = roomOf(*formula, text.style);
-    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.isPinned});
+    requests.push_back({text.id, {room.width, room.height}, text.anchors, text.isPinned, text.yields});
     byId.insert_or_assign(text.id, LabelOnPage{text, std::move(formula), {}});
   }
   std::vector<LabelOnPage> page;

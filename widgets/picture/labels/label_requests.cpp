@@ -2,7 +2,6 @@
 
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/number_text.h"
-#include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
 
@@ -241,6 +240,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     Anchors anchors(view);
     anchors.add(content.gizmo->at, {-1, 0.6}, gizmoClearance);
     texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take()});
+    texts.back().yields = true;
   }
   return texts;
 }
@@ -272,9 +272,6 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
   if (axes)
     for (const AxisEnds &axis : axisEnds(*axes))
       addPath({axis.low, axis.high});
-  if (content.gizmo)
-    for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
-      addPath(part.outline);
   return obstacles;
 }
 

@@ -17,6 +17,7 @@ struct LabelText {
   bool isPinned = false;
   bool isMark = false; ///< whether the id is a mark's
   double opacity = 1;
+  bool yields = false; ///< no other label makes room for it
 };
 
 /// The height of type in design pixels.
@@ -32,7 +33,8 @@ inline constexpr std::size_t mostMarkLabels = 150;
                                                 const std::vector<AxisLabel> &axes, const Theme &theme,
                                                 const View &view);
 
-/// The points and lines on the screen that labels keep clear of.
+/// The points and lines on the screen that labels keep clear of. The gizmo is none of them: no label moves
+/// because a handle is selected.
 [[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                                          const Theme &theme, const View &view);
 

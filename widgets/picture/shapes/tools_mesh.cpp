@@ -69,7 +69,8 @@ void addMode(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, double unit) {
   case Gizmo::Mode::AlongZ:
     return along(axes[2]);
   case Gizmo::Mode::InPlane:
-    return addRing(mesh, circle(gizmo.at, gizmo.normal, modeRingRadius * unit), toolRadius * unit, theme.accent);
+    return addRing(mesh, circle(gizmo.at, gizmo.normal, modeRingRadius * unit), toolRadius * unit,
+                   theme.accent);
   case Gizmo::Mode::AlongAxis:
     return along(gizmo.axis.value_or(Place(0)));
   }
