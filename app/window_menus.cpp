@@ -96,10 +96,17 @@ void MainWindow::createSnapMenu(QMenu &menu) {
     action->setCheckable(true);
     action->setChecked(step == m_model.snapStep());
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, step = step] { m_model.setSnapStep(step); });
+    connect(action, &QAction::triggered, this, [this, step = step] {
+      m_model.setSnapStep(step);
+      m_model.setSnapping(true);
+    });
   }
+  QAction *nothing = menu.addAction(tr("Nothing (thousandths)"));
+  nothing->setCheckable(true);
+  group->addAction(nothing);
+  connect(nothing, &QAction::triggered, this, [this] { m_model.setSnapping(false); });
   menu.addSeparator();
-  menu.addAction(tr("Hold Alt while dragging for thousandths"))->setEnabled(false);
+  menu.addAction(tr("Hold Ctrl while dragging for thousandths"))->setEnabled(false);
 }
 
 void MainWindow::createViewMenu() {
@@ -209,8 +216,9 @@ void MainWindow::createHelpMenu() {
     QMessageBox::information(
         this, tr("Mouse and keys"),
         tr("<p><b>Drag a handle</b> to move it in x and y. <b>Click it once more</b> or hold <b>Shift</b> to "
-           "move it up and down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Alt</b> "
-           "suspends snapping, <b>Escape</b> takes the drag back.</p><p><b>Arrow keys</b> and <b>Page "
+           "move it up and down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Ctrl</b> "
+           "(or Alt) suspends snapping, <b>Escape</b> takes the drag back.</p><p><b>Arrow keys</b> and "
+           "<b>Page "
            "Up/Down</b> step the selected handle, with Shift a tenth, with Ctrl ten steps. <b>Tab</b> goes "
            "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "

@@ -85,11 +85,11 @@ void SessionModel::openLesson(const std::string &id) {
 
 void SessionModel::resetScene() {
   if (isChanged())
-    replaceScene(m_lesson->scene, tr("start over"));
+    replaceScene(m_lesson->scene, tr("Start over"));
 }
 
 void SessionModel::renewNumbers(std::uint64_t seed) {
-  replaceScene(withShortNumbers(m_session.scene, seed), tr("new numbers"));
+  replaceScene(withShortNumbers(m_session.scene, seed), tr("New numbers"));
 }
 
 void SessionModel::replaceScene(Scene scene, const QString &description) {
@@ -124,9 +124,9 @@ QString SessionModel::edit(const Edit &edit, const QString &description) {
   return {};
 }
 
-void SessionModel::beginGesture() {
+void SessionModel::beginGesture(const QString &description) {
   settleGesture();
-  m_beforeGesture = m_session;
+  m_gesture = {m_session, description};
   emit gestureChanged();
 }
 
@@ -137,44 +137,52 @@ void SessionModel::moveGesture(const Edit &edit) {
     show(*moved);
 }
 
-void SessionModel::endGesture(const QString &description) {
-  if (!m_beforeGesture)
+void SessionModel::endGesture() {
+  if (!m_gesture)
     return;
-  const Session before = *m_beforeGesture;
+  const Gesture ended = *m_gesture;
   finishGesture();
-  if (!(m_session == before))
-    record(before, description);
+  if (!(m_session == ended.before))
+    record(ended.before, ended.description);
 }
 
 void SessionModel::cancelGesture() {
-  if (!m_beforeGesture)
+  if (!m_gesture)
     return;
-  Session before = *m_beforeGesture;
+  Session before = m_gesture->before;
   before.view = m_session.view;
   finishGesture();
   show(before);
 }
 
+bool SessionModel::isMovedByGesture(const std::string &object) const {
+  if (!m_gesture)
+    return false;
+  const Object *before = findObject(m_gesture->before.scene, object);
+  const Object *now = findObject(m_session.scene, object);
+  return before && now && !(*before == *now);
+}
+
 void SessionModel::settleGesture() {
   if (!inGesture())
     return;
-  endGesture(tr("move"));
+  endGesture();
   emit gestureSettled();
 }
 
 void SessionModel::dropGesture() {
   if (!inGesture())
     return;
-  m_beforeGesture.reset();
+  m_gesture.reset();
   emit gestureChanged();
   emit gestureSettled();
 }
 
 void SessionModel::finishGesture() {
-  m_beforeGesture.reset();
-  emit gestureChanged();
+  m_gesture.reset();
   if (takeStage())
     emit outcomeChanged();
+  emit gestureChanged();
 }
 
 bool SessionModel::takeStage() {

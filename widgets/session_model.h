@@ -41,6 +41,9 @@ public:
   /// The steps in which handles move when dragged or stepped by keys, in units of the stage.
   [[nodiscard]] const Rational &snapStep() const { return m_snapStep; }
   void setSnapStep(const Rational &step) { m_snapStep = step; }
+  /// Whether what is dragged snaps; keys go in steps all the same.
+  [[nodiscard]] bool isSnapping() const { return m_isSnapping; }
+  void setSnapping(bool on) { m_isSnapping = on; }
 
   /// Opens another lesson where it was left, or from its start; the one that is open stays as it is. The
   /// history begins anew, and not clean: what was changed is still not saved.
@@ -71,14 +74,16 @@ public:
 
   /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
   /// before. Whatever else changes the scene or leaves the lesson ends the gesture first, as it is.
-  void beginGesture();
+  void beginGesture(const QString &description);
   void moveGesture(const Edit &edit);
-  void endGesture(const QString &description);
+  void endGesture();
   void cancelGesture();
-  [[nodiscard]] bool inGesture() const { return m_beforeGesture.has_value(); }
+  [[nodiscard]] bool inGesture() const { return m_gesture.has_value(); }
+  /// Whether the object of this name is another than when the gesture began.
+  [[nodiscard]] bool isMovedByGesture(const std::string &object) const;
 
 signals:
-  void gestureChanged(); ///< one has begun or ended
+  void gestureChanged(); ///< one has begun, or ended in whatever way
   void gestureSettled(); ///< a gesture has ended because something else was done
   void outcomeChanged(); ///< after every change of scene, stage, step or question
   void lessonChanged();  ///< before outcomeChanged, when another lesson is shown
@@ -110,9 +115,14 @@ private:
   Shown m_shown;
   std::map<std::string, Session> m_left; ///< by lesson
   QUndoStack m_history;
-  std::optional<Session> m_beforeGesture;
+  struct Gesture {
+    Session before;
+    QString description; ///< for the history
+  };
+  std::optional<Gesture> m_gesture;
   Stage m_stage;
   Rational m_snapStep = 1;
+  bool m_isSnapping = true;
 };
 
 } // namespace halfspace

@@ -7,34 +7,68 @@
 namespace halfspace {
 namespace {
 
-/// How far a patch goes from its centre, both ways along one of its sides' directions.
-struct Extent {
-  double low = -minimumPatchSide / 2;
-  double high = minimumPatchSide / 2;
+/// Lets a side of a patch reach behind a covered place.
+void cover(Extent &extent, double coordinate) {
+  extent.low = std::clamp(coordinate - patchMargin, -maximumPatchReach, extent.low);
+  extent.high = std::clamp(coordinate + patchMargin, extent.high, maximumPatchReach);
+}
 
-  void cover(double coordinate) {
-    low = std::clamp(coordinate - patchMargin, -maximumPatchReach, low);
-    high = std::clamp(coordinate + patchMargin, high, maximumPatchReach);
-  }
-};
+/// The unit directions of a patch's sides, a horizontal one first. The normal is not zero.
+std::pair<Place, Place> sidesOf(const PlanePatchMark &patch) {
+  const Place normal = glm::normalize(patch.normal);
+  const bool isHorizontal = normal.x == 0 && normal.y == 0;
+  const Place level = isHorizontal ? Place(1, 0, 0) : glm::normalize(Place(-normal.y, normal.x, 0));
+  return {level, glm::cross(normal, level)};
+}
+
+bool hasSides(const PlanePatchMark &patch) {
+  return patch.normal != Place(0) && isFinite(patch.normal) && isFinite(patch.center);
+}
 
 } // namespace
 
-Place endOf(const RayMark &ray) {
-  const double length = ray.meets ? glm::distance(ray.origin, *ray.meets) + beyondHit : openRayLength;
-  return ray.origin + glm::normalize(ray.direction) * length;
+Extent extentOf(const RayMark &ray) {
+  if (ray.held)
+    return *ray.held;
+  return {0, ray.meets ? glm::distance(ray.origin, *ray.meets) + beyondHit : openRayLength};
 }
+
+Extent extentOf(const LineMark &line) {
+  if (line.held)
+    return *line.held;
+  const Place along = glm::normalize(line.direction);
+  Extent extent{-lineReach, lineReach};
+  for (const Place &covered : line.covers) {
+    const double at = glm::dot(covered - line.through, along);
+    extent.low = std::min(extent.low, at - beyondHit);
+    extent.high = std::max(extent.high, at + beyondHit);
+  }
+  return extent;
+}
+
+std::pair<Extent, Extent> extentOf(const PlanePatchMark &patch) {
+  if (patch.held)
+    return *patch.held;
+  const Extent least{-minimumPatchSide / 2, minimumPatchSide / 2};
+  std::pair<Extent, Extent> extents{least, least};
+  if (!hasSides(patch))
+    return extents;
+  const auto [level, slope] = sidesOf(patch);
+  for (const Place &covered : patch.covers) {
+    if (!isFinite(covered))
+      continue;
+    cover(extents.first, glm::dot(covered - patch.center, level));
+    cover(extents.second, glm::dot(covered - patch.center, slope));
+  }
+  return extents;
+}
+
+Place endOf(const RayMark &ray) { return ray.origin + glm::normalize(ray.direction) * extentOf(ray).high; }
 
 std::pair<Place, Place> endsOf(const LineMark &line) {
   const Place along = glm::normalize(line.direction);
-  double low = -lineReach;
-  double high = lineReach;
-  for (const Place &covered : line.covers) {
-    const double at = glm::dot(covered - line.through, along);
-    low = std::min(low, at - beyondHit);
-    high = std::max(high, at + beyondHit);
-  }
-  return {line.through + along * low, line.through + along * high};
+  const Extent extent = extentOf(line);
+  return {line.through + along * extent.low, line.through + along * extent.high};
 }
 
 Place shownVector(const ArrowMark &arrow) {
@@ -42,22 +76,13 @@ Place shownVector(const ArrowMark &arrow) {
 }
 
 std::vector<Place> cornersOf(const PlanePatchMark &patch) {
-  if (patch.normal == Place(0) || !isFinite(patch.normal) || !isFinite(patch.center))
+  if (!hasSides(patch))
     return {};
-  const Place normal = glm::normalize(patch.normal);
-  const bool isHorizontal = normal.x == 0 && normal.y == 0;
-  const Place level = isHorizontal ? Place(1, 0, 0) : glm::normalize(Place(-normal.y, normal.x, 0));
-  const Place slope = glm::cross(normal, level);
-
-  Extent along;
-  Extent upward;
-  for (const Place &covered : patch.covers) {
-    if (!isFinite(covered))
-      continue;
-    along.cover(glm::dot(covered - patch.center, level));
-    upward.cover(glm::dot(covered - patch.center, slope));
-  }
-  const auto corner = [&](double a, double b) { return patch.center + level * a + slope * b; };
+  const auto [level, slope] = sidesOf(patch);
+  const auto [along, upward] = extentOf(patch);
+  const auto corner = [&, side = level, rise = slope](double a, double b) {
+    return patch.center + side * a + rise * b;
+  };
   return {corner(along.low, upward.low), corner(along.high, upward.low), corner(along.high, upward.high),
           corner(along.low, upward.high)};
 }

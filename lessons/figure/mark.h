@@ -37,6 +37,13 @@ struct MarkBase {
   bool operator==(const MarkBase &) const = default;
 };
 
+/// How far something is drawn both ways along a direction, in units of the picture.
+struct Extent {
+  double low = 0;
+  double high = 0;
+  bool operator==(const Extent &) const = default;
+};
+
 struct PointMark : MarkBase {
   Place at{};
   bool operator==(const PointMark &) const = default;
@@ -54,6 +61,7 @@ struct RayMark : MarkBase {
   Place origin{};
   Place direction{};
   std::optional<Place> meets{}; ///< what it meets ahead
+  std::optional<Extent> held{}; ///< as far as it is drawn, whatever it meets
   bool operator==(const RayMark &) const = default;
 };
 
@@ -61,7 +69,8 @@ struct RayMark : MarkBase {
 struct LineMark : MarkBase {
   Place through{};
   Place direction{};
-  std::vector<Place> covers{}; ///< places of the line that it is to be drawn up to
+  std::vector<Place> covers{};  ///< places of the line that it is to be drawn up to
+  std::optional<Extent> held{}; ///< as far as it is drawn, whatever it covers
   /// The same line, however far it must reach.
   bool operator==(const LineMark &other) const {
     return MarkBase::operator==(other) && through == other.through && direction == other.direction;
@@ -82,6 +91,7 @@ struct PlanePatchMark : MarkBase {
   Place center{};
   Place normal{};
   std::vector<Place> covers;
+  std::optional<std::pair<Extent, Extent>> held{}; ///< as far as it is drawn, whatever it covers
   /// The same patch of the same plane, however far it must reach.
   bool operator==(const PlanePatchMark &other) const {
     return MarkBase::operator==(other) && center == other.center && normal == other.normal;
@@ -148,6 +158,12 @@ inline constexpr double maximumPatchReach = 24;
 inline constexpr double beyondHit = 2.5;
 /// … and so far where it meets nothing.
 inline constexpr double openRayLength = 16;
+
+/// How far a ray and a line are drawn from their start or middle, and a patch from its centre: along its
+/// horizontal sides and along the others. Of a zero normal as if it covered nothing.
+[[nodiscard]] Extent extentOf(const RayMark &ray);
+[[nodiscard]] Extent extentOf(const LineMark &line);
+[[nodiscard]] std::pair<Extent, Extent> extentOf(const PlanePatchMark &patch);
 
 /// Where the drawn line of a ray ends.
 [[nodiscard]] Place endOf(const RayMark &ray);

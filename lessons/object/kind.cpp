@@ -114,6 +114,13 @@ void aimDirections(const Given<Object> &given, const Handle &handle, const Surro
     aimAtSurroundings(found, handle.base, targets);
 }
 
+void aimStartAndDirection(const Given<Object> &given, const Handle &handle, const Surroundings &found,
+                          std::vector<SnapTarget> &targets) {
+  aimDirections(given, handle, found, targets);
+  if (const ExactVec3 &direction = given.object[1]; handle.coordinate == 0 && !isZero(direction))
+    aimFromStart(found, direction, targets);
+}
+
 std::vector<Handle> wholeHandle(const std::string &name, const Object &object) {
   const auto specs = coordinatesOf(object);
   ExactVec3 sum(0);

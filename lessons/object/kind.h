@@ -87,6 +87,9 @@ void offerCorners(const Given<Object> &given, Surroundings &found);
 /// Adds what a direction that leads somewhere catches at.
 void aimDirections(const Given<Object> &given, const Handle &handle, const Surroundings &found,
                    std::vector<SnapTarget> &targets);
+/// The same, and what the start of that direction catches at, of a line or a ray: the first two coordinates.
+void aimStartAndDirection(const Given<Object> &given, const Handle &handle, const Surroundings &found,
+                          std::vector<SnapTarget> &targets);
 
 /// One handle, which moves all positions together: at their middle, snapped as the first.
 [[nodiscard]] std::vector<Handle> wholeHandle(const std::string &name, const Object &object);

@@ -45,7 +45,7 @@ Kind line() {
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,
-          .aim = aimDirections};
+          .aim = aimStartAndDirection};
 }
 
 } // namespace object_kinds

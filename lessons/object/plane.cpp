@@ -45,9 +45,11 @@ void offer(const Given<Object> &given, Surroundings &found) {
 void aim(const Given<Object> &, const Handle &handle, const Surroundings &found,
          std::vector<SnapTarget> &targets) {
   if (handle.motion == Handle::Motion::AlongNormal)
-    aimThroughPoints(found, handle.axis, targets);
-  else if (handle.coordinate == 1)
-    aimAlongAxes(handle.base, targets);
+    return aimOffset(found, handle.axis, targets);
+  if (handle.coordinate != 1)
+    return;
+  aimAlongAxes(handle.base, targets);
+  aimNormal(found, handle.base, targets);
 }
 
 } // namespace

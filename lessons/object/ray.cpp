@@ -41,7 +41,7 @@ Kind ray() {
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,
-          .aim = aimDirections};
+          .aim = aimStartAndDirection};
 }
 
 } // namespace object_kinds

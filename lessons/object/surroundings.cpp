@@ -21,6 +21,8 @@ bool crossesEdge(const ExactVec3 &base, const ExactVec3 &place, const NamedEdge 
   return !isZero(direction) && dot(cross(direction, toFrom), cross(direction, toTo)) <= 0;
 }
 
+std::string through(const std::string &name) { return words("through {name}", {{"name", name}}); }
+
 } // namespace
 
 void aimAtPlaces(const Surroundings &found, std::vector<SnapTarget> &targets) {
@@ -34,6 +36,7 @@ void aimAtPlaces(const Surroundings &found, std::vector<SnapTarget> &targets) {
   for (const NamedPlane &plane : found.planes)
     targets.push_back(
         {Flat::plane(plane.point, plane.normal), words("plane {name}", {{"name", plane.name}}), {}});
+  targets.push_back({Flat::point(found.origin), words("the origin"), {}});
 }
 
 void aimAlongAxes(const ExactVec3 &base, std::vector<SnapTarget> &targets) {
@@ -49,13 +52,12 @@ void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::ve
   const auto pointsSomewhere = [base](const ExactVec3 &place) { return place != base; };
   for (const NamedPoint &point : found.points)
     if (point.at != base)
-      targets.push_back({Flat::line(base, point.at - base), words("through {name}", {{"name", point.name}}),
-                         pointsSomewhere});
+      targets.push_back({Flat::line(base, point.at - base), through(point.name), pointsSomewhere});
   aimAlongAxes(base, targets);
   for (const NamedEdge &edge : found.edges) {
     const ExactVec3 normal = cross(edge.from - base, edge.to - base);
     if (!isZero(normal))
-      targets.push_back({Flat::plane(base, normal), words("through {name}", {{"name", edge.name}}),
+      targets.push_back({Flat::plane(base, normal), through(edge.name),
                          [base, edge](const ExactVec3 &place) { return crossesEdge(base, place, edge); }});
   }
   for (const NamedPlane &plane : found.planes) {
@@ -64,12 +66,42 @@ void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::ve
                        startsInIt ? words("in the plane {name}", {{"name", plane.name}})
                                   : words("parallel to {name}", {{"name", plane.name}}),
                        pointsSomewhere});
+    if (!startsInIt)
+      targets.push_back(
+          {Flat::plane(plane.point, plane.normal), words("the tip on {name}", {{"name", plane.name}}), {}});
   }
 }
 
-void aimThroughPoints(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets) {
+void aimFromStart(const Surroundings &found, const ExactVec3 &arrow, std::vector<SnapTarget> &targets) {
   for (const NamedPoint &point : found.points)
-    targets.push_back({Flat::plane(point.at, normal), words("through {name}", {{"name", point.name}}), {}});
+    targets.push_back({Flat::line(point.at, arrow), through(point.name), {}});
+  for (const NamedEdge &edge : found.edges) {
+    const ExactVec3 normal = cross(edge.to - edge.from, arrow);
+    if (!isZero(normal))
+      targets.push_back(
+          {Flat::plane(edge.from, normal), through(edge.name),
+           [arrow, edge](const ExactVec3 &start) { return crossesEdge(start, start + arrow, edge); }});
+  }
+}
+
+void aimNormal(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets) {
+  const auto pointsSomewhere = [base](const ExactVec3 &place) { return place != base; };
+  for (const NamedPlane &plane : found.planes) {
+    targets.push_back({Flat::line(base, plane.normal), words("parallel to {name}", {{"name", plane.name}}),
+                       pointsSomewhere});
+    targets.push_back({Flat::plane(base, plane.normal),
+                       words("perpendicular to {name}", {{"name", plane.name}}), pointsSomewhere});
+  }
+}
+
+void aimOffset(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets) {
+  for (const NamedPoint &point : found.points)
+    targets.push_back({Flat::plane(point.at, normal), through(point.name), {}});
+  targets.push_back({Flat::plane(found.origin, normal), words("through the origin"), {}});
+  for (const NamedPlane &plane : found.planes)
+    if (isZero(cross(plane.normal, normal)))
+      targets.push_back(
+          {Flat::plane(plane.point, normal), words("the same plane as {name}", {{"name", plane.name}}), {}});
 }
 
 } // namespace halfspace

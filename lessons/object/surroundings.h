@@ -36,6 +36,7 @@ struct Surroundings {
   std::vector<NamedEdge> edges;
   std::vector<NamedLine> lines;
   std::vector<NamedPlane> planes;
+  ExactVec3 origin{0}; ///< of the scene
 };
 
 /// The places that make something special true of a handle, and the words for it.
@@ -46,14 +47,20 @@ struct SnapTarget {
   std::function<bool(const ExactVec3 &)> counts;
 };
 
-/// Adds what every position catches at: points, edges, lines, planes.
+/// Adds what every position catches at: points, edges, lines, planes, the origin.
 void aimAtPlaces(const Surroundings &found, std::vector<SnapTarget> &targets);
 /// Adds what an arrow from `base` catches at that stands for a direction alone: the axes.
 void aimAlongAxes(const ExactVec3 &base, std::vector<SnapTarget> &targets);
 /// Adds what an arrow from `base` catches at that leads somewhere: through a point or an edge, parallel to a
-/// plane or in it, along an axis.
+/// plane or in it, up to a plane, along an axis.
 void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets);
-/// Adds where a plane of this normal, moved along it, goes through a point.
-void aimThroughPoints(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets);
+/// Adds where the start of an arrow catches that leads somewhere: from there the arrow, ≠ 0, points through a
+/// point or an edge.
+void aimFromStart(const Surroundings &found, const ExactVec3 &arrow, std::vector<SnapTarget> &targets);
+/// Adds what a plane's normal from `base` catches at beside the axes: parallel and perpendicular to planes.
+void aimNormal(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets);
+/// Adds where a plane of this normal, moved along it, goes through a point or the origin, or becomes one with
+/// another plane.
+void aimOffset(const Surroundings &found, const ExactVec3 &normal, std::vector<SnapTarget> &targets);
 
 } // namespace halfspace

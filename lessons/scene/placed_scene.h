@@ -23,6 +23,7 @@ struct PlacedScene {
 
   Scene scene;
   std::vector<PlacedObject> bound; ///< those that have a place now
+  ExactVec3 origin{0};             ///< where the scene has its origin
 };
 
 } // namespace halfspace

@@ -13,6 +13,7 @@ namespace {
 Surroundings surroundingsOf(const PlacedScene &placed, const SceneLetters &letters,
                             const std::string &handled) {
   Surroundings found;
+  found.origin = placed.origin;
   for (const Entry &entry : placed.scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled)
       object->kind().offer(letters.given(entry.name, *object), found);

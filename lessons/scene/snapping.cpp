@@ -1,20 +1,13 @@
 #include "lessons/scene/snapping.h"
 
-#include "geometry/primitive_integers.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/drawing.h"
-#include "lessons/scene/snap_targets.h"
 
 #include <algorithm>
 
 namespace halfspace {
 namespace {
 
-/// The pointer's place is taken to this fineness before exact work begins: far below a pixel, and short.
-const Rational pointerFineness(1, 1000);
-/// Directions with longer whole numbers than this give steps too large to be one: then a coordinate is
-/// rounded instead.
-const Rational longestStepVector = 12;
 /// Grid places this many steps around the nearest one are tried.
 constexpr int gridReach = 2;
 
@@ -26,16 +19,6 @@ struct Candidate {
 };
 
 Integer denominatorOf(const Rational &value) { return value.denominator(); }
-
-/// The whole-numbered vector without a common factor in the direction of one that is not zero.
-ExactVec3 primitive(const ExactVec3 &direction) {
-  const auto integers = primitiveIntegers<3>({direction.x, direction.y, direction.z});
-  return {Rational(integers[0]), Rational(integers[1]), Rational(integers[2])};
-}
-
-Rational largestMagnitude(const ExactVec3 &vector) {
-  return std::max({abs(vector.x), abs(vector.y), abs(vector.z)});
-}
 
 int dominantAxis(const ExactVec3 &vector) {
   int dominant = 0;
@@ -55,9 +38,11 @@ public:
 
   SnappedPlace find() const {
     SnappedPlace best{m_grid, ""};
+    if (m_request.step <= finestStep)
+      return best;
     std::size_t bestDimension = 4;
     double bestPixels = 0;
-    for (const SnapTarget &target : snapTargets(m_request.scene, m_request.handle)) {
+    for (const SnapTarget &target : m_request.targets) {
       const std::size_t dimension = target.places.dimension();
       const auto common = Flat::intersection(m_request.freedom, target.places);
       if (dimension > bestDimension || !common || (m_bound && isEverywhere(*common)))
@@ -78,7 +63,7 @@ private:
   ExactVec3 wantedPlace() const {
     ExactVec3 wanted;
     for (int i = 0; i < 3; ++i)
-      wanted[i] = roundToMultiple(m_request.raw[i], pointerFineness);
+      wanted[i] = roundToMultiple(m_request.raw[i], finestStep);
     return m_request.freedom.nearest(wanted);
   }
 
@@ -94,7 +79,7 @@ private:
                       *m_request.handle.host);
     const Flat &freedom = m_request.freedom;
     if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
-      return gridPlaceOnLine(freedom.direction());
+      return withAxisOnGrid(m_wanted, freedom.direction(), dominantAxis(freedom.direction()));
     ExactVec3 place = m_request.handle.at;
     for (int axis = 0; axis < 3; ++axis)
       if (freedom.moves(axis))
@@ -104,18 +89,6 @@ private:
 
   static bool isSlanted(const ExactVec3 &direction) {
     return (direction.x != 0) + (direction.y != 0) + (direction.z != 0) > 1;
-  }
-
-  /// On a slanted line: whole steps of its shortest whole-numbered direction, or, where these are long, its
-  /// steepest coordinate on the grid.
-  ExactVec3 gridPlaceOnLine(const ExactVec3 &direction) const {
-    const ExactVec3 &start = m_request.handle.at;
-    const ExactVec3 unit = primitive(direction);
-    if (largestMagnitude(unit) <= longestStepVector) {
-      const Rational along = dot(m_wanted - start, unit) / dot(unit, unit);
-      return start + unit * roundToMultiple(along, m_request.step);
-    }
-    return withAxisOnGrid(m_wanted, unit, dominantAxis(unit));
   }
 
   /// The place of the line through `place` where one coordinate is on the grid.

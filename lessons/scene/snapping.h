@@ -4,7 +4,7 @@
 
 #include "lessons/figure/mark.h"
 #include "lessons/object/flat.h"
-#include "lessons/scene/handles.h"
+#include "lessons/scene/snap_targets.h"
 
 #include <functional>
 
@@ -14,9 +14,10 @@ namespace halfspace {
 struct SnapRequest {
   const PlacedScene &scene;
   const Handle &handle; ///< as it is before this move
-  Place raw;            ///< where the pointer wants it
-  Flat freedom;         ///< where it may go: a plane or a line through handle.at; for a sphere all of space
-  Rational step;        ///< of the grid
+  const std::vector<SnapTarget> &targets;
+  Place raw;     ///< where the pointer wants it
+  Flat freedom;  ///< where it may go: a plane or a line through handle.at; for a sphere all of space
+  Rational step; ///< of the grid; the finest suspends all that catches
   std::function<double(const Place &, const Place &)> pixelsApart;
   double catchPixels; ///< what is further away on the screen does not catch
 };
@@ -30,15 +31,18 @@ struct SnappedPlace {
 /// The exact place for a dragged handle.
 ///
 /// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
-/// stay. Along a slanted line the step counts multiples of its shortest whole-numbered direction. A bound
-/// object rests where its freedoms are round (Binding::onGrid), and never off its host.
+/// stay. Along a slanted line it is the coordinate that changes most. A bound object rests where its freedoms
+/// are round (Binding::onGrid), and never off its host.
 ///
-/// A special place of another object (a vertex, an edge, a plane; for a direction: parallel, through a vertex
-/// or an edge, along an axis) catches within `catchPixels`: points before lines before planes, then the
+/// A target (a vertex, an edge, a plane; for a direction: parallel, through a vertex or an edge, along an
+/// axis) catches within `catchPixels`: points before lines before planes, then the
 /// nearest. The handle slides on it from grid place to grid place, and where there is none nearby to a place
 /// with short fractions; those of more than `longestSnapDenominator` digits are never taken.
 [[nodiscard]] SnappedPlace snap(const SnapRequest &request);
 
 inline constexpr std::size_t longestSnapDenominator = 6;
+/// The step of a drag while snapping is suspended. The pointer's place is taken to this fineness before exact
+/// work begins: far below a pixel, and short.
+inline const Rational finestStep(1, 1000);
 
 } // namespace halfspace

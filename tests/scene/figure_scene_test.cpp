@@ -133,11 +133,11 @@ TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   scene.setView({request.camera, request.size, 1});
   scene.prepare();
   const auto start = meshTimes(scene);
-  scene.setGizmo(Gizmo{});
+  scene.setTools(Gizmo{}, {});
   scene.prepare();
   const auto withGizmo = meshTimes(scene);
   EXPECT_EQ(differences(start, withGizmo), 1); // the tools
-  scene.setGizmo(Gizmo{});
+  scene.setTools(Gizmo{}, {});
   scene.prepare();
   EXPECT_EQ(meshTimes(scene), withGizmo);
   request.camera.turn(0.3, 0.1);

@@ -55,25 +55,47 @@ private slots:
     model.openLesson("signed-distance");
     QSignalSpy settled(&model, &SessionModel::gestureSettled);
     const Session before = model.session();
-    model.beginGesture();
+    model.beginGesture("Move Q");
     model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, 3}}});
     QCOMPARE(model.edit(RenameEntry{"Q", "S"}, "rename"), QString());
     QCOMPARE(settled.count(), 1);
     QVERIFY(!model.inGesture());
     model.moveGesture(ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
     QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
+    QCOMPARE(model.history().text(0), QString("Move Q"));
     model.undo();
     QVERIFY(findObject(model.session().scene, "Q") != nullptr);
     model.undo();
     QVERIFY(model.session().scene == before.scene);
   }
 
+  void gesture_tellsWhichObjectsItHasMoved_andThatItBeginsAndEnds() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    QSignalSpy changed(&model, &SessionModel::gestureChanged);
+    for (const bool keep : {true, false}) {
+      model.beginGesture("Move Q");
+      QVERIFY(!model.isMovedByGesture("Q"));
+      model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
+      QVERIFY(model.isMovedByGesture("Q"));
+      QVERIFY(!model.isMovedByGesture("E"));
+      if (keep)
+        model.endGesture();
+      else
+        model.cancelGesture();
+      QVERIFY(!model.isMovedByGesture("Q"));
+    }
+    QCOMPARE(changed.count(), 4);
+  }
+
   void gesture_thatALessonIsOpenedIn_isLetGo() {
     SessionModel model(library());
     QSignalSpy settled(&model, &SessionModel::gestureSettled);
-    model.beginGesture();
+    QSignalSpy changed(&model, &SessionModel::gestureChanged);
+    model.beginGesture("Move Q");
     model.startWith({"signed-distance", 0, model.library().find("signed-distance")->scene});
     QCOMPARE(settled.count(), 1);
+    QCOMPARE(changed.count(), 2);
     QVERIFY(!model.inGesture());
     QCOMPARE(model.history().count(), 0);
   }

@@ -1,6 +1,7 @@
 // What a picture shows: a figure, and the tools of the hand.
 #pragma once
 
+#include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/arrival.h"
 #include "widgets/picture/stage.h"
 
@@ -21,7 +22,8 @@ struct Gizmo {
   std::optional<Place> axis; ///< the one direction of a handle that has no other (a plane's offset)
   Place normal{};            ///< of the plane, or of the surface at the handle, for InPlane
   std::optional<Part> hot;   ///< the part under the pointer
-  std::string note;          ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
+  std::vector<Stroke> clearOf; ///< pixels that its parts keep clear of: what is seen of handles
+  std::string note;            ///< LaTeX beside the handle, as `z = 7` with `\text{ fixed}`; may be empty
   bool operator==(const Gizmo &) const = default;
 };
 

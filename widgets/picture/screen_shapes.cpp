@@ -4,14 +4,32 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 
-double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
+namespace {
+
+double partOfSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
   const glm::dvec2 along = to - from;
   const double square = glm::dot(along, along);
-  const double part = square > 0 ? std::clamp(glm::dot(pixel - from, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(pixel, from + along * part);
+  return square > 0 ? std::clamp(glm::dot(pixel - from, along) / square, 0.0, 1.0) : 0;
+}
+
+} // namespace
+
+double distanceToSegment(glm::dvec2 pixel, glm::dvec2 from, glm::dvec2 to) {
+  return glm::distance(pixel, glm::mix(from, to, partOfSegment(pixel, from, to)));
+}
+
+double partNearest(const Stroke &stroke, glm::dvec2 pixel) {
+  return partOfSegment(pixel, stroke.from, stroke.to);
+}
+
+double distanceTo(const Stroke &stroke, glm::dvec2 pixel) {
+  const double part = partNearest(stroke, pixel);
+  return glm::distance(pixel, glm::mix(stroke.from, stroke.to, part)) -
+         std::lerp(stroke.fromRadius, stroke.toRadius, part);
 }
 
 double overlapArea(const PixelBox &a, const PixelBox &b) {

@@ -21,6 +21,19 @@ namespace halfspace {
 [[nodiscard]] inline PixelBox grown(const PixelBox &box, double margin) {
   return {box.low - margin, box.high + margin};
 }
+/// A thick line on the screen with round ends, each as thick as is said; a disc where both ends are one.
+struct Stroke {
+  glm::dvec2 from{};
+  glm::dvec2 to{};
+  double fromRadius = 0;
+  double toRadius = 0;
+  bool operator==(const Stroke &) const = default;
+};
+
+/// The part of the way along a stroke where it comes nearest to a pixel: 0 at its start, 1 at its end.
+[[nodiscard]] double partNearest(const Stroke &stroke, glm::dvec2 pixel);
+/// From a pixel to the edge of a stroke; negative within it.
+[[nodiscard]] double distanceTo(const Stroke &stroke, glm::dvec2 pixel);
 
 /// Whether a pixel lies in a polygon, whichever way round its corners go.
 [[nodiscard]] bool isInside(glm::dvec2 pixel, const std::vector<glm::dvec2> &corners);

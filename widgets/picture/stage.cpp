@@ -263,6 +263,7 @@ PlacedScene toStage(PlacedScene placed, const Stage &stage) {
     move(bound.point.object);
     move(bound.host);
   }
+  placed.origin = toStage(placed.origin, CoordinateRole::Position, stage);
   return placed;
 }
 

@@ -57,7 +57,7 @@ public:
   bool backgroundVisible = true;
   bool themeChanged = true;
   bool contentChanged = true;
-  bool gizmoChanged = true;
+  bool toolsChanged = true;
   bool viewChanged = true;
 
 private:
@@ -107,12 +107,12 @@ void FigureScene::Impl::prepare() {
     prepareGround();
     prepareCamera();
   }
-  if (lookChanged || gizmoChanged)
+  if (lookChanged || toolsChanged)
     prepareTools();
-  if (lookChanged || gizmoChanged)
+  if (lookChanged || toolsChanged)
     labels.show(labelTexts(content, labelsOfAxes(), theme, view), obstaclesOf(content, m_axes, theme, view),
                 theme, view);
-  themeChanged = contentChanged = gizmoChanged = viewChanged = false;
+  themeChanged = contentChanged = toolsChanged = viewChanged = false;
   showStrip(0, view.size.height);
 }
 
@@ -229,11 +229,13 @@ void FigureScene::setContent(SceneContent content) {
   m_impl->contentChanged = true;
 }
 
-void FigureScene::setGizmo(std::optional<Gizmo> gizmo) {
-  if (gizmo == m_impl->content.gizmo)
+void FigureScene::setTools(std::optional<Gizmo> gizmo, std::vector<Knob> knobs) {
+  SceneContent &content = m_impl->content;
+  if (gizmo == content.gizmo && knobs == content.knobs)
     return;
-  m_impl->content.gizmo = std::move(gizmo);
-  m_impl->gizmoChanged = true;
+  content.gizmo = std::move(gizmo);
+  content.knobs = std::move(knobs);
+  m_impl->toolsChanged = true;
 }
 
 void FigureScene::setView(View view) {

@@ -28,10 +28,10 @@ public:
   void setBackgroundVisible(bool visible);
   /// Takes a content as new, whatever was shown before: all its meshes are made anew.
   void setContent(SceneContent content);
-  /// Another gizmo for the same content: nothing of the figure is made anew.
-  void setGizmo(std::optional<Gizmo> gizmo);
   /// Where it is looked at from, and on how many pixels.
   void setView(View view);
+  /// Other tools for the same content: nothing of the figure is made anew.
+  void setTools(std::optional<Gizmo> gizmo, std::vector<Knob> knobs);
 
   /// Brings meshes, order of translucent faces and labels up to date; to be called right before rendering.
   void prepare();

@@ -20,10 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A handle is grabbed within this many design pixels.
-constexpr double grabDistance = 11;
-/// An arrow is grabbed anywhere on its head, which is so long in design pixels.
-constexpr double arrowHead = 24;
 /// What moves is drawn without smoothing until it has rested for so long, in milliseconds.
 constexpr int restDelay = 160;
 /// Samples a pixel at rest; while something moves there is one.
@@ -57,7 +53,15 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     takeView();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
+  connect(&m_extents, &ExtentGlide::changed, this, [this] {
+    m_contentStale = true;
+    showMoved();
+  });
   connect(&m_model, &SessionModel::gestureSettled, this, &SceneView::letGo);
+  connect(&m_model, &SessionModel::gestureChanged, this, [this] {
+    if (!m_model.inGesture())
+      m_extents.release(m_motion && isVisible());
+  });
   connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
     showAll();
     requestFrame();
@@ -87,6 +91,7 @@ void SceneView::setMotion(bool on) {
   m_motion = on;
   if (!on) {
     m_fade.finish();
+    m_extents.arrive();
     if (m_glide.state() == QAbstractAnimation::Running)
       m_glide.setCurrentTime(m_glide.duration()); // it arrives
   }
@@ -129,32 +134,12 @@ const Handle *SceneView::findHandle(const std::string &id) const {
   return found == m_handles.end() ? nullptr : &*found;
 }
 
-glm::dvec2 SceneView::alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const {
-  const auto start = m_camera.project(toDouble(handle.base), pixelSize());
-  if (handle.motion != Handle::Motion::Coordinate || isZero(handle.base) || !start)
-    return glm::dvec2(0);
-  const glm::dvec2 back = glm::dvec2(*start) - tip;
-  const double length = glm::length(back);
-  const double head = std::min(arrowHead * designRatio(), length / 2);
-  return length == 0 ? back : back / length * std::clamp(glm::dot(pixel - tip, back / length), 0.0, head);
+std::vector<Grip> SceneView::grips() const {
+  return gripsOf(m_handles, m_selected, m_figure, m_theme, screen());
 }
 
 const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
-  const Handle *nearest = nullptr;
-  double least = grabDistance * designRatio();
-  for (const Handle &handle : m_handles) {
-    const auto projected = m_camera.project(shownPlace(handle), pixelSize());
-    if (!projected || !grabMode(handle, m_vertical, m_camera))
-      continue;
-    const double distance =
-        glm::length(glm::dvec2(*projected) + alongHead(handle, *projected, pixel) - pixel);
-    // Of two at the same pixel the later one wins: a tip lies over the point that it starts from.
-    if (distance <= least) {
-      least = distance;
-      nearest = &handle;
-    }
-  }
-  return nearest;
+  return findHandle(handleGrabbedAt(pixel, grips(), designRatio()));
 }
 
 std::optional<QPoint> SceneView::handlePosition(const std::string &handleId) const {
@@ -249,8 +234,23 @@ void SceneView::followTyped(const std::vector<Handle> &before) {
   }
 }
 
+void SceneView::holdExtents() {
+  const Scene &scene = m_model.session().scene;
+  if (!m_extents.isHolding()) {
+    Extents extents = extentsOf(m_extents.drawn(m_figure));
+    std::erase_if(extents, [&](const auto &held) { return !findObject(scene, held.first); });
+    m_extents.hold(std::move(extents));
+  }
+  for (const Entry &entry : scene.entries)
+    if (m_model.isMovedByGesture(entry.name))
+      m_extents.leave(entry.name);
+}
+
 void SceneView::takeOutcome() {
   takeStage();
+  if (m_model.inGesture())
+    holdExtents();
+  m_figure = staged(m_model.shown().figure);
   const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
   followTyped(before);
   if (!findHandle(m_selected))
@@ -282,6 +282,8 @@ std::optional<Gizmo> SceneView::gizmo() const {
   gizmo.hot = m_hotPart;
   const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera);
   gizmo.axes = mode && !isOwn(*mode);
+  if (gizmo.axes)
+    gizmo.clearOf = strokesOf(grips());
   if (!mode)
     return gizmo;
   if (handle->hasAxis())
@@ -303,10 +305,19 @@ std::optional<Gizmo> SceneView::gizmo() const {
   return gizmo;
 }
 
+std::vector<Knob> SceneView::knobs() const {
+  std::vector<Knob> knobs;
+  for (const Handle &handle : m_handles)
+    if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected);
+        knob && grabMode(handle, m_vertical, m_camera))
+      knobs.push_back(std::move(*knob));
+  return knobs;
+}
+
 SceneContent SceneView::pictureContent() const {
   SceneContent content;
   content.stage = m_stage;
-  content.figure = staged(m_model.shown().figure);
+  content.figure = m_figure;
   if (m_numbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));
   return content;
@@ -351,7 +362,7 @@ void SceneView::prepare() {
   if (m_contentStale)
     m_scene.setContent(interactiveContent());
   else
-    m_scene.setGizmo(gizmo()); // how a handle can be moved depends on the camera
+    m_scene.setTools(gizmo(), knobs()); // how a handle can be moved depends on the camera
   m_contentStale = false;
   m_scene.setView(screen());
   m_scene.prepare();
@@ -359,14 +370,13 @@ void SceneView::prepare() {
 
 SceneContent SceneView::interactiveContent() const {
   SceneContent content = pictureContent();
+  content.figure = m_extents.drawn(std::move(content.figure)); // whether with its numbers or without
   content.highlighted = m_highlighted;
   content.arrival = m_fade.arrival();
   if (!m_hoveredMark.empty())
     content.highlighted.insert(m_hoveredMark);
   content.gizmo = gizmo();
-  for (const Handle &handle : m_handles)
-    if (auto knob = knobOf(handle, handle.id == m_hovered || handle.id == m_selected))
-      content.knobs.push_back(std::move(*knob));
+  content.knobs = knobs();
   const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
   const bool isPlace =
       dropped && (dropped->motion == Handle::Motion::Coordinate || dropped->motion == Handle::Motion::OnHost);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "widgets/picture/camera_views.h"
+#include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/scene/figure_scene.h"
 #include "widgets/session_model.h"
+#include "widgets/view/extent_glide.h"
 #include "widgets/view/mark_fade.h"
 
 #include <QElapsedTimer>
@@ -70,6 +72,9 @@ public:
   /// What is drawn now, without handles: for pictures.
   [[nodiscard]] SceneContent pictureContent() const;
 
+  /// What is drawn at this moment, while something is dragged or glides.
+  [[nodiscard]] Figure drawnFigure() const { return m_extents.drawn(m_figure); }
+
   /// The pixel of the widget (not of the device) at which a handle is drawn, if it is in view.
   [[nodiscard]] std::optional<QPoint> handlePosition(const std::string &handleId) const;
   [[nodiscard]] const std::string &selectedHandle() const { return m_selected; }
@@ -115,15 +120,17 @@ private:
   [[nodiscard]] glm::dvec2 devicePixel(const QPointF &position) const;
   [[nodiscard]] View screen() const;
   [[nodiscard]] const Handle *findHandle(const std::string &id) const;
+  [[nodiscard]] std::vector<Grip> grips() const;
   [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
-  /// From an arrow's tip to the place of its head that is nearest to a pixel; zero for handles that are no
-  /// tips.
-  [[nodiscard]] glm::dvec2 alongHead(const Handle &handle, glm::dvec2 tip, glm::dvec2 pixel) const;
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
+  /// Of the handles that can be grabbed from where the camera stands.
+  [[nodiscard]] std::vector<Knob> knobs() const;
   [[nodiscard]] std::string markOf(const Handle &handle) const;
 
   [[nodiscard]] SceneContent interactiveContent() const;
   void takeOutcome();
+  /// While something is dragged, all others stay drawn as far as they were.
+  void holdExtents();
   void takeStage();
   /// The session's scene in units of the stage.
   [[nodiscard]] PlacedScene stagedScene() const {
@@ -137,10 +144,13 @@ private:
   void showMoved();
   [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
+  /// What the tasks of the step ask of a handle.
+  [[nodiscard]] std::vector<SnapTarget> askedFor(const Handle &handle) const;
   void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
   void requestFrame();
   void frame();
   void followPointer();
+  void showCaught(const std::string &caught);
   void cancelDrag();
   /// Forgets what the mouse holds.
   void letGo();
@@ -177,6 +187,8 @@ private:
   /// The object of the selected handle where that is one of its coordinates; null elsewhere.
   [[nodiscard]] const Object *objectOfSelected() const;
   bool lockAxis(int key);
+  /// Suspends snapping, or goes on with it, at once.
+  void setSuspended(bool suspended);
   void selectNext(bool forward);
   void showHint();
 
@@ -193,6 +205,7 @@ private:
   PixelSize m_size;                ///< that the camera is for
   std::optional<Resize> m_resize;  ///< the newest since somebody has moved the camera
 
+  Figure m_figure; ///< what is shown, on the stage
   std::vector<Handle> m_handles;
   std::string m_selected; ///< a handle's id
   std::string m_hovered;  ///< a handle's id
@@ -205,6 +218,7 @@ private:
   Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
   std::optional<HandleDrag> m_drag;
   std::string m_caught;        ///< the special case that the drag has snapped to
+  bool m_isSuspended = false;  ///< whether a key is held that suspends snapping
   bool m_clickToggles = false; ///< whether the press was on the handle that was selected already
   bool m_moved = false;        ///< whether the pointer has left the place of the press
   QPointF m_pressed;
@@ -217,6 +231,7 @@ private:
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;
   MarkFade m_fade;
+  ExtentGlide m_extents;
   FrameTimes m_times; ///< of the next frame, as far as they are known
   std::chrono::steady_clock::time_point m_outcomeTaken;
 };

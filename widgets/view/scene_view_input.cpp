@@ -1,10 +1,12 @@
 // The scene view's mouse and keys.
+#include "lessons/lesson/task_targets.h"
 #include "lessons/object/corners.h"
+#include "lessons/scene/change_words.h"
+#include "lessons/scene/snapping.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/view/key_steps.h"
 #include "widgets/view/scene_view.h"
 
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolTip>
@@ -19,12 +21,18 @@ using Clock = std::chrono::steady_clock;
 /// A press that moves less than this many pixels is a click.
 constexpr int clickSlop = 3;
 
-/// The finest step of all, to which Alt suspends snapping.
-const Rational finestStep(1, 1000);
-
 /// A handle that moves up and down does so with the arrow keys too.
 int verticalKey(int key) {
   return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
+}
+
+/// Whether snapping is suspended while one of these keys is held. Alt too, where the window manager leaves it
+/// to us.
+bool suspends(Qt::KeyboardModifiers held) { return held & (Qt::ControlModifier | Qt::AltModifier); }
+
+/// The modifier that a key is; for other keys none.
+Qt::KeyboardModifiers modifierOf(int key) {
+  return key == Qt::Key_Control ? Qt::ControlModifier : key == Qt::Key_Alt ? Qt::AltModifier : Qt::NoModifier;
 }
 
 /// What can be done with a handle that moves like this.
@@ -32,7 +40,8 @@ QString hintFor(DragMode mode) {
   switch (mode) {
   case DragMode::Horizontal:
     return SceneView::tr(
-        "Moves in x and y. Click it again or hold Shift for up and down; X, Y, Z lock an axis.");
+        "Moves in x and y. Click it again or hold Shift for up and down; X, Y, Z lock an axis, Ctrl frees it "
+        "from the grid.");
   case DragMode::Vertical:
     return SceneView::tr("Moves up and down. Click it again for x and y.");
   case DragMode::AxisX:
@@ -86,16 +95,16 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   m_moved = false;
   const glm::dvec2 pixel = devicePixel(m_pressed);
   if (event->button() == Qt::LeftButton) {
-    const auto part = gizmoPartUnder(pixel);
-    const Handle *selected = findHandle(m_selected);
-    if (part && selected)
-      return pressHandle(*selected, modeOf(*part), pixel);
     if (const Handle *handle = handleAt(pixel)) {
       const bool same = handle->id == m_selected;
       const bool vertical = (same && m_vertical) != bool(event->modifiers() & Qt::ShiftModifier);
       if (const auto mode = grabMode(*handle, vertical, m_camera))
         return pressHandle(*handle, *mode, pixel);
     }
+    const auto part = gizmoPartUnder(pixel);
+    const Handle *selected = findHandle(m_selected);
+    if (part && selected)
+      return pressHandle(*selected, modeOf(*part), pixel);
     m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
   } else {
     m_gesture = Gesture::Pan;
@@ -110,10 +119,11 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
 
 void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel) {
   const Handle handle = pressed; // the handles are made anew where another gesture ends
-  m_model.beginGesture();
+  const Scene &scene = m_model.session().scene;
+  m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
   m_gesture = Gesture::Handle;
   m_fade.finish();
-  m_drag.emplace(stagedScene(), handle, mode, pixel);
+  m_drag.emplace(stagedScene(), handle, mode, pixel, askedFor(handle));
   if (m_selected != handle.id)
     m_vertical = false;
   const bool wasSelected = m_selected == handle.id;
@@ -123,6 +133,14 @@ void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pix
   updateContent();
   showHint();
   emit selectionChanged();
+}
+
+std::vector<SnapTarget> SceneView::askedFor(const Handle &handle) const {
+  const auto &steps = m_model.lesson().steps;
+  const auto step = static_cast<std::size_t>(m_model.session().step);
+  if (step >= steps.size() || !(m_stage == Stage()))
+    return {}; // lessons speak of their scene's own numbers
+  return taskTargets(steps[step].tasks, m_model.session().scene, handle);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event) {
@@ -138,6 +156,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
   if (!m_moved)
     return;
   if (m_gesture == Gesture::Handle) {
+    m_isSuspended = suspends(event->modifiers());
     m_pendingPointer = event->localPos();
     showMoved();
   } else {
@@ -156,9 +175,9 @@ void SceneView::followPointer() {
   m_lastPointer = *m_pendingPointer;
   m_pendingPointer.reset();
   const auto start = Clock::now();
-  const bool suspended = QGuiApplication::keyboardModifiers() & Qt::AltModifier;
+  const bool isFree = m_isSuspended || !m_model.isSnapping();
   const auto move =
-      m_drag->moveTo(devicePixel(m_lastPointer), suspended ? finestStep : m_model.snapStep(), screen());
+      m_drag->moveTo(devicePixel(m_lastPointer), isFree ? finestStep : m_model.snapStep(), screen());
   if (!move)
     return;
   m_outcomeTaken = start;
@@ -167,12 +186,16 @@ void SceneView::followPointer() {
     m_times.evaluate = m_outcomeTaken - start;
     m_times.panels = Clock::now() - m_outcomeTaken;
   }
-  if (move->caught != m_caught) {
-    m_caught = move->caught;
-    QToolTip::showText(mapToGlobal(m_lastPointer.toPoint()), QString::fromStdString(m_caught), this);
-    showHint();
-  }
+  showCaught(move->caught);
   m_contentStale = true;
+}
+
+void SceneView::showCaught(const std::string &caught) {
+  if (caught == m_caught)
+    return;
+  m_caught = caught;
+  QToolTip::showText(mapToGlobal(m_lastPointer.toPoint()), QString::fromStdString(m_caught), this);
+  showHint();
 }
 
 void SceneView::finishDrag() {
@@ -181,7 +204,7 @@ void SceneView::finishDrag() {
   if (m_gesture == Gesture::Handle) {
     followPointer();
     if (m_moved)
-      m_model.endGesture(tr("move %1").arg(QString::fromStdString(m_drag->handle().id)));
+      m_model.endGesture();
     else
       m_model.cancelGesture();
     if (!m_moved && m_clickToggles)
@@ -197,7 +220,7 @@ void SceneView::cancelDrag() {
 
 void SceneView::letGo() {
   m_drag.reset();
-  m_caught.clear();
+  showCaught({}); // what is typed or undone next may make it untrue
   m_pendingPointer.reset();
   m_gesture = Gesture::None;
   m_button = Qt::NoButton;
@@ -212,8 +235,8 @@ std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
 }
 
 void SceneView::hover(glm::dvec2 pixel) {
-  const auto part = gizmoPartUnder(pixel);
-  const Handle *handle = part ? nullptr : handleAt(pixel);
+  const Handle *handle = handleAt(pixel);
+  const auto part = handle ? std::nullopt : gizmoPartUnder(pixel);
   const std::string handleId = handle ? handle->id : std::string();
   const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);
   if (part == m_hotPart && handleId == m_hovered && mark == m_hoveredMark)
@@ -262,6 +285,8 @@ void SceneView::keyPressEvent(QKeyEvent *event) {
       dismiss();
     return;
   }
+  if (m_drag && suspends(modifierOf(event->key())))
+    return setSuspended(true);
   if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Horizontal)
     return setDragMode(DragMode::Vertical);
   if ((event->modifiers() == Qt::NoModifier && lockAxis(event->key())) || stepSelected(*event))
@@ -274,7 +299,17 @@ void SceneView::dismiss() {
   emit dismissed();
 }
 
+void SceneView::setSuspended(bool suspended) {
+  m_isSuspended = suspended;
+  if (!m_moved)
+    return;
+  m_pendingPointer = m_lastPointer;
+  showMoved();
+}
+
 void SceneView::keyReleaseEvent(QKeyEvent *event) {
+  if (m_drag && suspends(modifierOf(event->key())))
+    return setSuspended(suspends(event->modifiers() & ~modifierOf(event->key())));
   if (event->key() == Qt::Key_Shift && m_drag && m_drag->mode() == DragMode::Vertical && !m_vertical)
     return setDragMode(DragMode::Horizontal);
   QVTKOpenGLNativeWidget::keyReleaseEvent(event);
@@ -297,7 +332,7 @@ bool SceneView::stepSelected(const QKeyEvent &event) {
   const Object moved =
       isOnSurface ? movedToGrid(*object, *handle, *place, halfStep) : movedTo(*object, *handle, *place);
   showRefusal(m_model.edit(ChangeObject{handle->object, fromStage(moved, m_stage)},
-                           tr("move %1").arg(QString::fromStdString(handle->id))));
+                           QString::fromStdString(wordsForMoving(m_model.session().scene, *handle))));
   return true;
 }
 
@@ -331,7 +366,7 @@ void SceneView::addCorner() {
     return;
   }
   const Object more = withCornerAfter(object, handle.coordinate);
-  if (showRefusal(m_model.edit(ChangeObject{handle.object, more}, tr("add a corner"))))
+  if (showRefusal(m_model.edit(ChangeObject{handle.object, more}, tr("Add a corner"))))
     return;
   const auto corners = cornersOf(more);
   selectHandle(coordinateId(
@@ -350,7 +385,7 @@ void SceneView::removeCorner() {
     return;
   }
   showRefusal(m_model.edit(ChangeObject{handle.object, withoutCorner(object, handle.coordinate)},
-                           tr("remove a corner")));
+                           tr("Remove a corner")));
 }
 
 void SceneView::showHint() {

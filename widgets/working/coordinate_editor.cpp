@@ -2,6 +2,7 @@
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/number.h"
+#include "lessons/scene/change_words.h"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ void CoordinateEditor::beginScrub(const CoordinateNumber &number) {
   m_scrubbed = number;
   m_scrubStart = valueOf(number);
   m_scrubStep = stepOf(number.id);
-  m_model.beginGesture();
+  m_model.beginGesture(nameOfChange(number));
 }
 
 void CoordinateEditor::scrub(int steps) {
@@ -41,7 +42,7 @@ void CoordinateEditor::scrub(int steps) {
 
 void CoordinateEditor::endScrub(bool keep) {
   if (keep)
-    m_model.endGesture(nameOfChange(m_scrubbed));
+    m_model.endGesture();
   else
     m_model.cancelGesture();
 }
@@ -80,7 +81,7 @@ Rational CoordinateEditor::stepOf(const CoordinateId &id) const {
 }
 
 QString CoordinateEditor::nameOfChange(const CoordinateNumber &number) const {
-  return tr("change %1").arg(QString::fromStdString(fullName(m_model.session().scene, number.id)));
+  return QString::fromStdString(wordsForChanging(m_model.session().scene, number.id));
 }
 
 } // namespace halfspace

@@ -3,8 +3,6 @@
 
 #include "widgets/session_model.h"
 
-#include <QCoreApplication>
-
 namespace halfspace {
 
 /// A number of the scene that is given: axis 0, 1, 2 of a coordinate.
@@ -16,8 +14,6 @@ struct CoordinateNumber {
 /// Turns numbers that are typed, stepped and scrubbed into edits of the session. What the session does not
 /// take, or has no object for any more, changes nothing.
 class CoordinateEditor {
-  Q_DECLARE_TR_FUNCTIONS(halfspace::CoordinateEditor)
-
 public:
   /// The model must outlive it.
   explicit CoordinateEditor(SessionModel &model) : m_model(model) {}

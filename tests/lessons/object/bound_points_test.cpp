@@ -141,6 +141,7 @@ TEST_P(EveryBoundKind, DraggedOverTheGrid_LiesOnItsHostWithShortFreedoms) {
     const Handle dragged = handle(scene, "P");
     const SnappedPlace rest = snap({scene,
                                     dragged,
+                                    snapTargets(scene, dragged),
                                     toDouble(random.vector()),
                                     {},
                                     q(1, 2),
@@ -242,6 +243,7 @@ TEST(BoundPoint, NearAnEdgeOfAnotherObject_CatchesWhereItsHostMeetsIt) {
   const auto to = [&](double x) {
     return snap({scene,
                  dragged,
+                 snapTargets(scene, dragged),
                  {x, 0, 0},
                  Flat::line({0, 0, 0}, {1, 0, 0}),
                  1,
@@ -261,6 +263,7 @@ TEST(BoundPoint, ForOtherHandles_IsAPlaceToCatchAtUnlessItMovesWithThem) {
   const auto to = [&](const std::string &id) {
     return snap({scene,
                  handle(scene, id),
+                 snapTargets(scene, handle(scene, id)),
                  {0.35, 0, 0},
                  Flat::plane({0, 0, 0}, {0, 0, 1}),
                  1,

@@ -22,7 +22,7 @@ struct Drag {
 
   SnappedPlace to(const Place &raw, const Flat &freedom) const {
     const Handle dragged = handle(scene, id);
-    return snap({scene, dragged, raw, freedom, step,
+    return snap({scene, dragged, snapTargets(scene, dragged), raw, freedom, step,
                  [](const Place &a, const Place &b) { return glm::distance(a, b) * pixelsPerUnit; },
                  catchPixels});
   }
@@ -56,17 +56,14 @@ TEST(Grid, ADirectionFromAFractionalStart_RoundsTheArrowNotTheTip) {
   EXPECT_EQ(Drag({scene, "L.r"}).horizontally(2.4, 3.1).at, ExactVec3(q(7, 3), 3, 1));
 }
 
-TEST(Grid, APlanesOffset_GoesInWholeStepsOfTheShortestNormal) {
-  const Scene scene = with({{"E", PlaneObject{{5, 4, 7}, {10, 20, 20}}}});
-  const Drag drag{scene, "E.offset"};
-  const Flat along = Flat::line({5, 4, 7}, {10, 20, 20});
-  EXPECT_EQ(drag.to({6.2, 6.4, 9.4}, along).at, ExactVec3(6, 6, 9));
-}
-
-TEST(Grid, APlanesOffsetAlongALongNormal_RoundsItsSteepestCoordinate) {
-  const Scene scene = with({{"E", PlaneObject{{0, 0, 0}, {1, 100, 0}}}});
-  EXPECT_EQ(Drag({scene, "E.offset"}).to({0.03, 3.2, 0}, Flat::line({0, 0, 0}, {1, 100, 0})).at,
-            ExactVec3(q(3, 100), 3, 0));
+TEST(Grid, APlanesOffset_PutsTheCoordinateThatChangesMostOnTheGrid) {
+  const Scene scene = with({{"E", PlaneObject{{5, 4, 7}, {30, 10, 20}}}});
+  const Flat along = Flat::line({5, 4, 7}, {3, 1, 2});
+  const Place raw = Place(5, 4, 7) + 0.4 * Place(3, 1, 2);
+  EXPECT_EQ(Drag({scene, "E.offset"}).to(raw, along).at, ExactVec3(6, q(13, 3), q(23, 3)));
+  EXPECT_EQ(Drag({scene, "E.offset", q(1, 2)}).to(raw, along).at, ExactVec3(6, q(13, 3), q(23, 3)));
+  EXPECT_EQ(Drag({scene, "E.offset", q(1, 10)}).to(raw, along).at,
+            ExactVec3(q(62, 10), q(44, 10), q(78, 10)));
 }
 
 TEST(Grid, AWholeTriangle_PutsItsFirstCornerOnTheGrid) {
@@ -205,12 +202,78 @@ TEST(SnapOffset, NearAPoint_GoesExactlyThroughIt) {
   EXPECT_EQ(place.caughtBy, "through point Q");
 }
 
+TEST(SnapOffset, NearTheOrigin_GoesExactlyThroughIt) {
+  const Scene scene = with({{"E", PlaneObject{{5, 4, 7}, {3, 1, 2}}}});
+  // n·P0 = 33 and n·n = 14.
+  const Place raw = Place(5, 4, 7) - 2.37 * Place(3, 1, 2);
+  const SnappedPlace place = Drag({scene, "E.offset"}).to(raw, Flat::line({5, 4, 7}, {3, 1, 2}));
+  EXPECT_EQ(place.at, ExactVec3(5, 4, 7) - ExactVec3(3, 1, 2) * q(33, 14));
+  EXPECT_EQ(place.caughtBy, "through the origin");
+}
+
+TEST(SnapOffset, BesideAParallelPlane_BecomesOneWithIt) {
+  const Scene scene =
+      with({{"E", PlaneObject{{5, 4, 7}, {0, 0, 2}}}, {"F", PlaneObject{{1, 1, q(5, 3)}, {0, 0, 1}}}});
+  const SnappedPlace place = Drag({scene, "E.offset"}).to({5, 4, 1.7}, Flat::line({5, 4, 7}, {0, 0, 1}));
+  EXPECT_EQ(place.at, ExactVec3(5, 4, q(5, 3)));
+  EXPECT_EQ(place.caughtBy, "the same plane as F");
+}
+
+TEST(SnapNormal, BesideAnotherPlanesNormal_IsExactlyParallelToIt) {
+  const Scene scene =
+      with({{"E", PlaneObject{{0, 0, 0}, {2, 1, 4}}}, {"F", PlaneObject{{9, 9, 9}, {1, 2, 2}}}});
+  const SnappedPlace place = Drag({scene, "E.n"}).horizontally(2.05, 3.96);
+  EXPECT_EQ(place.at, ExactVec3(2, 4, 4));
+  EXPECT_EQ(place.caughtBy, "parallel to F");
+  const SnappedPlace square = Drag({scene, "E.n"}).horizontally(-4.03, -1.97);
+  EXPECT_EQ(square.at, ExactVec3(-4, -2, 4));
+  EXPECT_EQ(square.caughtBy, "perpendicular to F");
+}
+
+TEST(SnapStart, OfARay_CatchesWhereTheRayGoesThroughAnEdgeOrAVertex) {
+  const Scene scene = with({{"L", RayObject{{9, 0, 2}, {0, 0, -1}}},
+                            {"T", TriangleObject{{0, 0, 0}, {4, 2, 0}, {0, 9, q(1, 2)}}}});
+  const SnappedPlace edge = Drag({scene, "L.Q"}).horizontally(1.03, 0.48);
+  EXPECT_EQ(edge.at, ExactVec3(1, q(1, 2), 2));
+  EXPECT_EQ(edge.caughtBy, "through edge P₀P₁");
+  EXPECT_EQ(Drag({scene, "L.Q"}).horizontally(5.03, 2.52).caughtBy, "") << "behind the edge's end";
+  const SnappedPlace vertex = Drag({scene, "L.Q"}).horizontally(0.05, 8.96);
+  EXPECT_EQ(vertex.at, ExactVec3(0, 9, 2));
+  EXPECT_EQ(vertex.caughtBy, "through vertex P₂");
+}
+
+TEST(SnapDirection, WhoseTipNearsAPlane_EndsExactlyOnIt) {
+  const Scene scene =
+      with({{"E", PlaneObject{{0, 0, 0}, {1, 0, 2}}}, {"L", RayObject{{9, 9, 9}, {1, 1, -8}}}});
+  const SnappedPlace place = Drag({scene, "L.r"}).horizontally(-1.96, 7.04); // x + 2z = 0 at z = 1
+  EXPECT_EQ(place.at, ExactVec3(-2, 7, 1));
+  EXPECT_EQ(place.caughtBy, "the tip on E");
+}
+
+TEST(SnapPosition, AtTheOrigin_IsNamed) {
+  const Scene scene = with({{"Q", PointObject{{3, 3, 0}}}});
+  EXPECT_EQ(Drag({scene, "Q"}).horizontally(0.04, -0.03).caughtBy, "the origin");
+}
+
+TEST(Snap, Suspended_CatchesNowhereAndGoesByThousandths) {
+  const Scene scene = with({planeE(), pointQ()});
+  const SnappedPlace place = Drag({scene, "Q", finestStep}).horizontally(4.03, 3.5201);
+  EXPECT_EQ(place.at, ExactVec3(q(403, 100), q(352, 100), 8));
+  EXPECT_EQ(place.caughtBy, "");
+}
+
 TEST(Snap, WithAViewThatCannotTellDistances_StaysOnTheGrid) {
   const Scene scene = with({planeE(), pointQ()});
   const Handle dragged = handle(scene, "Q");
   const auto blind = [](const Place &, const Place &) { return std::numeric_limits<double>::quiet_NaN(); };
-  const SnappedPlace place =
-      snap({scene, dragged, {3.1, 4.1, 8}, Flat::plane(dragged.at, {0, 0, 1}), 1, blind, 10});
+  const SnappedPlace place = snap({scene,
+                                   dragged,
+                                   snapTargets(scene, dragged),
+                                   {3.1, 4.1, 8},
+                                   Flat::plane(dragged.at, {0, 0, 1}),
+                                   1,
+                                   blind,
+                                   10});
   EXPECT_EQ(place.at, ExactVec3(3, 4, 8));
   EXPECT_EQ(place.caughtBy, "");
 }

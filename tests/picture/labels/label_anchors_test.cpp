@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 namespace halfspace {
 namespace {
@@ -218,6 +219,36 @@ TEST(Obstacles, OfTheHandAndTheWindow_StandApart) {
   EXPECT_TRUE(found.segments.empty());
   EXPECT_FALSE(found.tools.empty());
   EXPECT_EQ(found.covered, view.covered);
+}
+
+TEST(Obstacles, WithAHandleSelected_LeaveAllLabelsWhereTheyAre) {
+  const auto placesIn = [](const SceneContent &content) {
+    std::vector<LabelRequest> requests;
+    for (const LabelText &text : textsOf(content))
+      requests.push_back({text.id, {40, 24}, text.anchors, text.stand});
+    std::map<std::string, glm::dvec2> places;
+    LabelLayout layout;
+    for (const PlacedLabel &label :
+         layout.place(requests, obstaclesOf(content, {}, theme(), usualView()), usualView().size, 1))
+      places[label.id] = label.topLeft;
+    return places;
+  };
+  SceneContent content;
+  PointMark point = named(pointAt({2, 2, 2}), "Q");
+  point.label = "Q";
+  content.figure.marks = {point};
+  const auto before = placesIn(content);
+  ASSERT_EQ(before.size(), 1U);
+  content.gizmo.emplace();
+  content.gizmo->at = {2, 2, 2};
+  for (const char *note : {"", "z = 7"}) {
+    content.gizmo->note = note;
+    // Wherever the note would stand best, the label may stand already.
+    for (const Place &at : {Place(2, 2, 2), Place(2, 3, 3), Place(2, 1.5, 3), Place(1, 3, 2)}) {
+      content.gizmo->at = at;
+      EXPECT_EQ(placesIn(content).at("Q"), before.at("Q"));
+    }
+  }
 }
 
 TEST(Obstacles, OnFinerScreens_AreAsLargeToTheEye) {

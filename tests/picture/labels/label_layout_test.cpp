@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -40,6 +42,25 @@ TEST(LabelLayout, LabelsOfNeighbouringPointsDoNotCoverEachOther) {
   for (std::size_t i = 0; i < placed.size(); ++i)
     for (std::size_t j = i + 1; j < placed.size(); ++j)
       EXPECT_FALSE(overlap(placed[i], placed[j])) << i << " and " << j;
+}
+
+TEST(LabelLayout, OfALabelInPassing_NoOtherTakesNotice) {
+  std::vector<LabelRequest> crowd;
+  for (int i = 0; i < 8; ++i)
+    crowd.push_back(labelAt("P" + std::to_string(i), {20 + 45 * (i % 4), 30 + 40 * (i / 4)}));
+  constexpr PixelSize narrow{200, 100};
+  const auto before = LabelLayout().place(crowd, {}, narrow, 1);
+  const auto isLike = [&](const LabelRequest &other) {
+    std::vector<LabelRequest> all = crowd;
+    all.push_back(other);
+    const auto placed = LabelLayout().place(all, {}, narrow, 1);
+    return std::equal(before.begin(), before.end(), placed.begin(),
+                      [](const auto &a, const auto &b) { return a.topLeft == b.topLeft; });
+  };
+  LabelRequest note = labelAt("note", {100, 50}, {120, 40});
+  EXPECT_FALSE(isLike(note));
+  note.stand = LabelStand::Passing;
+  EXPECT_TRUE(isLike(note));
 }
 
 TEST(LabelLayout, AtEveryBorderALabelStaysOnTheScreen) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace halfspace {
 namespace {
@@ -67,6 +68,33 @@ TEST(GizmoShape, PartsThatCannotBeGrabbedAreNotShown) {
   Camera above = slanted();
   above.elevation = 1.5;
   EXPECT_FALSE(shows(gizmoParts({}, above, size, 1), Gizmo::Part::AxisZ));
+}
+
+/// Where the arrow of x begins on the screen; nothing where it is not shown.
+std::optional<glm::dvec2> startOfArrowX(const Gizmo &gizmo) {
+  for (const GizmoPartShape &shape : gizmoParts(gizmo, slanted(), size, 1))
+    if (shape.part == Gizmo::Part::AxisX)
+      return glm::dvec2(slanted().project(shape.outline[0], size).value());
+  return {};
+}
+
+TEST(GizmoShape, APartOverWhatIsSeenOfAHandleMovesOutBehindIt) {
+  Gizmo gizmo;
+  const glm::dvec2 before = startOfArrowX(gizmo).value();
+  const glm::dvec2 middle(slanted().project({0, 0, 0}, size).value());
+  gizmo.clearOf = {{before, before, 8, 8}};
+  const auto after = startOfArrowX(gizmo);
+  ASSERT_TRUE(after);
+  EXPECT_GT(glm::distance(*after, middle), glm::distance(before, middle) + 8);
+  EXPECT_GE(distanceTo(gizmo.clearOf[0], *after), gizmoGap);
+  EXPECT_EQ(gizmoParts(gizmo, slanted(), size, 1).size(), 6U);
+}
+
+TEST(GizmoShape, APartThatFindsNoRoomIsHidden) {
+  Gizmo gizmo;
+  const glm::dvec2 middle(slanted().project({0, 0, 0}, size).value());
+  gizmo.clearOf = {{middle, middle, 300, 300}};
+  EXPECT_TRUE(gizmoParts(gizmo, slanted(), size, 1).empty());
 }
 
 TEST(GizmoShape, FarFromAllPartsNothingIsHit) {

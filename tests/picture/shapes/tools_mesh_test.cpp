@@ -108,8 +108,9 @@ TEST(Tools, OfAGizmoWithAxes_ReachAsFarAsTheyAreHit) {
   const double unit = view.unitsPerDesignPixel(at);
   const Place reach = reachOf(withGizmo(Gizmo::Mode::None, true));
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_GT(reach[axis], gizmoArrowEnd * unit - 1e-6);
-    EXPECT_LT(reach[axis], 1.2 * gizmoArrowEnd * unit);
+    const double end = gizmoArrowStart + gizmoArrowLength;
+    EXPECT_GT(reach[axis], end * unit - 1e-6);
+    EXPECT_LT(reach[axis], 1.2 * end * unit);
   }
 }
 

@@ -1,6 +1,8 @@
 // The mouse and the keys over the 3D view: hovering, grabbing, letting go, choosing handles.
 #include "tests/widgets/view/view_fixture.h"
 
+#include <QToolTip>
+
 using namespace halfspace;
 using namespace halfspace::test;
 
@@ -188,6 +190,119 @@ private slots:
     QTest::keyRelease(&fixture.view, Qt::Key_Shift);
     QVERIFY(lastOf(hints).startsWith("Moves in x and y"));
     fixture.release(at - QPoint(0, 60));
+  }
+
+  void drag_withCtrlOrAltHeld_isNotSnapped() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto isOnGrid = [&] { return fixture.value("Q").x.denominator() == 1; };
+    for (const Qt::KeyboardModifier held : {Qt::ControlModifier, Qt::AltModifier}) {
+      const QPoint at = fixture.at("Q");
+      fixture.press(at);
+      movePointer(fixture.view, at + QPoint(53, 9), Qt::LeftButton, held);
+      QTRY_VERIFY(!isOnGrid());
+      movePointer(fixture.view, at + QPoint(53, 9), Qt::LeftButton);
+      QTRY_VERIFY(isOnGrid());
+      QTest::keyPress(&fixture.view, held == Qt::AltModifier ? Qt::Key_Alt : Qt::Key_Control);
+      QTRY_VERIFY(!isOnGrid()); // at the key press, not at the next move
+      QTest::keyRelease(&fixture.view, held == Qt::AltModifier ? Qt::Key_Alt : Qt::Key_Control, held);
+      QTRY_VERIFY(isOnGrid());
+      fixture.release(at + QPoint(53, 9));
+      QVERIFY(isOnGrid());
+    }
+  }
+
+  void drag_withSnappingOff_isNotSnapped_butKeysGoInSteps() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.model.setSnapping(false);
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    movePointer(fixture.view, at + QPoint(53, 9), Qt::LeftButton);
+    fixture.release(at + QPoint(53, 9));
+    const ExactVec3 dragged = fixture.value("Q");
+    QVERIFY(dragged.x.denominator() != 1);
+    QTest::keyClick(&fixture.view, Qt::Key_PageUp);
+    QVERIFY(fixture.value("Q") == dragged + ExactVec3(0, 0, 1));
+  }
+
+  void caughtCase_isNotSaidAnyMoreAfterTheRelease() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    // At z = 8 the plane's points are x + 2y = 11.
+    const glm::dvec2 onPlane(*fixture.view.camera().project({3, 4, 8}, fixture.view.pixelSize()));
+    movePointer(fixture.view, {qRound(onPlane.x), qRound(onPlane.y)}, Qt::LeftButton);
+    QTRY_COMPARE(lastOf(hints), QString("plane E"));
+    QCOMPARE(QToolTip::text(), QString("plane E"));
+    fixture.release({qRound(onPlane.x), qRound(onPlane.y)});
+    QVERIFY(lastOf(hints).startsWith("Moves in x and y"));
+    QTRY_VERIFY(!QToolTip::isVisible());
+  }
+
+  void history_saysInWordsWhatTheHandDid() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const auto &[id, said] : {std::pair("E.n", "Move the tip of n"), std::pair("E.P0", "Move P₀ of E"),
+                                   std::pair("E.offset", "Slide E along its normal")}) {
+      const QPoint at = fixture.at(id);
+      fixture.press(at);
+      movePointer(fixture.view, at + QPoint(0, -60), Qt::LeftButton);
+      fixture.release(at + QPoint(0, -60));
+      QCOMPARE(fixture.model.history().undoText(), QString(said));
+    }
+    fixture.view.selectHandle("Q");
+    QTest::keyClick(&fixture.view, Qt::Key_PageUp);
+    QCOMPARE(fixture.model.history().undoText(), QString("Move Q"));
+  }
+
+  void others_whileAHandleIsDragged_areDrawnAsFarAsTheyWere() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto patchOf = [](const Figure &figure) { return extentsOf(figure).at("E"); };
+    const auto must = [&] { return patchOf(fixture.view.pictureContent().figure); };
+    const auto drawn = [&] { return patchOf(fixture.view.drawnFigure()); };
+    const auto before = must();
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    for (const QPoint way : {QPoint(-120, 20), QPoint(100, 60)}) {
+      movePointer(fixture.view, at + way, Qt::LeftButton);
+      QTRY_VERIFY(must() != before); // the foot lies elsewhere
+      QVERIFY(drawn() == before);
+    }
+    fixture.release(at + QPoint(100, 60));
+    QVERIFY(must() != before);
+    QVERIFY(drawn() == must()); // without motion it does not glide
+  }
+
+  void others_afterADrag_glideToWhereTheyMust() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setMotion(true);
+    const auto drawn = [&] { return extentsOf(fixture.view.drawnFigure()).at("E"); };
+    const auto before = drawn();
+    const QPoint at = fixture.at("Q");
+    fixture.press(at);
+    movePointer(fixture.view, at + QPoint(100, 60), Qt::LeftButton);
+    fixture.release(at + QPoint(100, 60));
+    const auto must = extentsOf(fixture.view.pictureContent().figure).at("E");
+    QVERIFY(must != before);
+    QVERIFY(drawn() == before);
+    QTRY_VERIFY(drawn() != before && drawn() != must);
+    QTRY_VERIFY(drawn() == must);
+  }
+
+  void dragged_itself_isDrawnAsFarAsItMust() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const QPoint at = fixture.at("E.P0");
+    fixture.press(at);
+    movePointer(fixture.view, at + QPoint(-140, -60), Qt::LeftButton);
+    QTRY_VERIFY(fixture.value("E") != ExactVec3(5, 4, 7));
+    QVERIFY(extentsOf(fixture.view.drawnFigure()) == extentsOf(fixture.view.pictureContent().figure));
+    fixture.release(at + QPoint(-140, -60));
   }
 
   void handle_withAnAxisOfItsOwn_isToldToMoveAlongItOnly() {

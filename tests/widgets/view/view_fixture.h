@@ -26,7 +26,9 @@ inline LessonLibrary libraryOf(const std::vector<Scene> &scenes) {
 class ViewFixture {
 public:
   explicit ViewFixture(const Scene &scene = distanceScene())
-      : model(libraryOf({scene, Scene{{pointQ()}}})), view(model, labelPainter(m_typesetter)) {
+      : ViewFixture(libraryOf({scene, Scene{{pointQ()}}})) {}
+  explicit ViewFixture(LessonLibrary library)
+      : model(std::move(library)), view(model, labelPainter(m_typesetter)) {
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(&view);
     layout->addWidget(&other);

@@ -55,14 +55,14 @@ private slots:
     m_editor->change({q0, axis}, q(10, 3));
     QVERIFY(valueOf(*m_model, q0) == expected);
     QCOMPARE(m_model->history().count(), 1);
-    QCOMPARE(m_model->history().undoText(), QString("change Q"));
+    QCOMPARE(m_model->history().undoText(), QString("Move Q"));
     m_model->undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }
 
   void stepNamesTheCoordinateOfItsObject() {
     m_editor->change({{"E", 1}, 0}, 4);
-    QCOMPARE(m_model->history().undoText(), QString("change E.n"));
+    QCOMPARE(m_model->history().undoText(), QString("Move the tip of n"));
   }
 
   void numberThatTheSessionDoesNotTake_changesNothing_data() {
@@ -154,7 +154,7 @@ private slots:
     QVERIFY(valueOf(*m_model, q0) == ExactVec3(11, 15, 11));
     m_editor->endScrub(true);
     QCOMPARE(m_model->history().count(), 1);
-    QCOMPARE(m_model->history().undoText(), QString("change Q"));
+    QCOMPARE(m_model->history().undoText(), QString("Move Q"));
     m_model->undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }

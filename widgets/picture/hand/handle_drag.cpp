@@ -83,6 +83,8 @@ bool isOwn(DragMode mode) {
   return mode == DragMode::OwnAxis || mode == DragMode::OwnPlane || mode == DragMode::OwnSphere;
 }
 
+bool movesFreely(const Handle &handle) { return !ownMode(handle) && handle.motion != Handle::Motion::OnHost; }
+
 std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera) {
   const Place at = shownPlace(handle);
   const auto grabbable = [&](DragMode mode) { return isGrabbable(constraintOf(mode, handle), camera, at); };
@@ -135,9 +137,13 @@ std::optional<Knob> knobOf(const Handle &handle, bool hot) {
   return Knob{handle.id, shownPlace(handle), std::nullopt, Subject::Triangle, hot};
 }
 
-HandleDrag::HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed)
-    : m_scene(std::move(scene)), m_handle(std::move(handle)), m_mode(mode), m_anchor(m_handle),
-      m_pressed(pressed), m_at(m_handle.at), m_pixel(pressed) {}
+HandleDrag::HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed,
+                       std::vector<SnapTarget> asked)
+    : m_scene(std::move(scene)), m_handle(std::move(handle)), m_targets(std::move(asked)), m_mode(mode),
+      m_anchor(m_handle), m_pressed(pressed), m_at(m_handle.at), m_pixel(pressed) {
+  for (SnapTarget &target : snapTargets(m_scene, m_handle))
+    m_targets.push_back(std::move(target));
+}
 
 void HandleDrag::setMode(DragMode mode) {
   m_mode = mode;
@@ -162,8 +168,8 @@ std::optional<DragMove> HandleDrag::moveTo(glm::dvec2 pixel, const Rational &ste
     return glm::length(glm::dvec2(*onScreenA) - glm::dvec2(*onScreenB));
   };
   const SnappedPlace snapped =
-      snap({m_scene, m_anchor, inBox(*place - beside, m_handle.at), freedomOf(m_mode, m_anchor), step,
-            pixelsApart, catchDistance * screen.pixelRatio});
+      snap({m_scene, m_anchor, m_targets, inBox(*place - beside, m_handle.at), freedomOf(m_mode, m_anchor),
+            step, pixelsApart, catchDistance * screen.pixelRatio});
   m_at = snapped.at;
   return DragMove{movedTo(*object, m_handle, m_at), snapped.caughtBy};
 }

@@ -1,7 +1,7 @@
 // One drag of a handle, from press to release: pixels in, exact objects out. Free of Qt and of VTK.
 #pragma once
 
-#include "lessons/scene/handles.h"
+#include "lessons/scene/snap_targets.h"
 #include "widgets/picture/hand/drag.h"
 #include "widgets/picture/scene_content.h"
 #include "widgets/picture/view.h"
@@ -30,6 +30,9 @@ enum class DragMode {
 /// grabbed from here at all.
 [[nodiscard]] std::optional<DragMode> grabMode(const Handle &handle, bool vertical, const Camera &camera);
 
+/// Whether it moves every way, so that the gizmo's parts are of use.
+[[nodiscard]] bool movesFreely(const Handle &handle);
+
 /// The mode of a part of the gizmo.
 [[nodiscard]] DragMode modeOf(Gizmo::Part part);
 
@@ -53,8 +56,10 @@ struct DragMove {
 
 class HandleDrag {
 public:
-  /// `scene` is the scene at the press: what the drag starts from.
-  HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed);
+  /// `scene` is the scene at the press: what the drag starts from. What its objects offer catches, and
+  /// `asked` for besides.
+  HandleDrag(PlacedScene scene, Handle handle, DragMode mode, glm::dvec2 pressed,
+             std::vector<SnapTarget> asked = {});
 
   [[nodiscard]] const Handle &handle() const { return m_handle; }
   [[nodiscard]] DragMode mode() const { return m_mode; }
@@ -69,6 +74,7 @@ public:
 private:
   PlacedScene m_scene;
   Handle m_handle;
+  std::vector<SnapTarget> m_targets;
   DragMode m_mode;
   Handle m_anchor;      ///< the handle as it was where the current mode began
   glm::dvec2 m_pressed; ///< the pixel where it began

@@ -1,6 +1,7 @@
 #include "widgets/picture/shapes/gizmo_shape.h"
 
-#include "widgets/picture/screen_shapes.h"
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,31 +18,65 @@ constexpr Place unitX{1, 0, 0};
 constexpr Place unitY{0, 1, 0};
 constexpr Place unitZ{0, 0, 1};
 
-std::vector<Place> arrowOutline(Place at, Place axis, double unit) {
-  return {at + axis * (gizmoArrowStart * unit), at + axis * (gizmoArrowEnd * unit)};
+/// Makes the outlines of parts, moved out by so many design pixels, each of which is `unit` long.
+struct Outlines {
+  Place at;
+  double moved;
+  double unit;
+
+  [[nodiscard]] std::vector<Place> arrow(Place axis) const {
+    const double start = (gizmoArrowStart + moved) * unit;
+    return {at + axis * start, at + axis * (start + gizmoArrowLength * unit)};
+  }
+  [[nodiscard]] std::vector<Place> square(Place first, Place second) const {
+    const double near = (gizmoSquareNear + moved) * unit;
+    const double far = near + gizmoSquareSide * unit;
+    return {at + first * near + second * near, at + first * far + second * near,
+            at + first * far + second * far, at + first * near + second * far};
+  }
+  [[nodiscard]] std::vector<Place> of(Part part) const {
+    switch (part) {
+    case Part::AxisX:
+      return arrow(unitX);
+    case Part::AxisY:
+      return arrow(unitY);
+    case Part::AxisZ:
+      return arrow(unitZ);
+    case Part::PlaneXY:
+      return square(unitX, unitY);
+    case Part::PlaneYZ:
+      return square(unitY, unitZ);
+    case Part::PlaneZX:
+      return square(unitZ, unitX);
+    }
+    return {};
+  }
+};
+
+/// Whether an outline on the screen keeps its gap from all strokes.
+bool isClear(const std::vector<glm::dvec3> &outline, const std::vector<Stroke> &strokes, double pixelRatio) {
+  constexpr int piecesOfSide = 8; // of some pixels each, less than what they must keep clear of measures
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    for (int piece = 0; piece < piecesOfSide; ++piece) {
+      const glm::dvec3 pixel =
+          glm::mix(outline[i], outline[(i + 1) % outline.size()], double(piece) / piecesOfSide);
+      if (std::any_of(strokes.begin(), strokes.end(), [&](const Stroke &stroke) {
+            return distanceTo(stroke, glm::dvec2(pixel)) < gizmoGap * pixelRatio;
+          }))
+        return false;
+    }
+  return true;
 }
 
-std::vector<Place> squareOutline(Place at, Place first, Place second, double unit) {
-  const double near = gizmoSquareNear * unit;
-  const double far = gizmoSquareFar * unit;
-  return {at + first * near + second * near, at + first * far + second * near,
-          at + first * far + second * far, at + first * near + second * far};
-}
-
-std::vector<Place> outlineOf(Part part, Place at, double unit) {
-  switch (part) {
-  case Part::AxisX:
-    return arrowOutline(at, unitX, unit);
-  case Part::AxisY:
-    return arrowOutline(at, unitY, unit);
-  case Part::AxisZ:
-    return arrowOutline(at, unitZ, unit);
-  case Part::PlaneXY:
-    return squareOutline(at, unitX, unitY, unit);
-  case Part::PlaneYZ:
-    return squareOutline(at, unitY, unitZ, unit);
-  case Part::PlaneZX:
-    return squareOutline(at, unitZ, unitX, unit);
+/// The outline of a part, as little moved out as leaves it clear of what the gizmo keeps clear of.
+std::optional<std::vector<Place>> clearOutline(Part part, const Gizmo &gizmo, const Camera &camera,
+                                               PixelSize size, double pixelRatio) {
+  const double unit = camera.unitsPerPixel(gizmo.at, size) * pixelRatio;
+  for (double moved = 0; moved <= gizmoFarthestMove; moved += gizmoMoveStep) {
+    std::vector<Place> outline = Outlines{gizmo.at, moved, unit}.of(part);
+    const auto projected = projectAll(camera, size, outline);
+    if (!projected || isClear(*projected, gizmo.clearOf, pixelRatio))
+      return outline;
   }
   return {};
 }
@@ -69,13 +104,19 @@ DragConstraint constraintOf(Part part) {
 std::vector<GizmoPartShape> gizmoParts(const Gizmo &gizmo, const Camera &camera, PixelSize size,
                                        double pixelRatio) {
   std::vector<GizmoPartShape> shapes;
-  const double unit = camera.unitsPerPixel(gizmo.at, size) * pixelRatio;
-  if (!gizmo.axes || unit <= 0)
+  if (!gizmo.axes || camera.unitsPerPixel(gizmo.at, size) <= 0)
     return shapes;
   for (const Part part : allParts)
     if (isGrabbable(constraintOf(part), camera, gizmo.at))
-      shapes.push_back({part, outlineOf(part, gizmo.at, unit)});
+      if (auto outline = clearOutline(part, gizmo, camera, size, pixelRatio))
+        shapes.push_back({part, std::move(*outline)});
   return shapes;
+}
+
+std::vector<Place> knobDirections(const Knob &knob, const Camera &camera) {
+  if (!knob.axis)
+    return {camera.right(), camera.up()};
+  return *knob.axis == Place(0) ? std::vector<Place>() : std::vector{glm::normalize(*knob.axis)};
 }
 
 std::optional<Part> gizmoPartAt(const Gizmo &gizmo, const Camera &camera, PixelSize size, double pixelRatio,

@@ -8,7 +8,6 @@ namespace halfspace {
 namespace {
 
 // Radii and lengths in scene units at scale 1.
-constexpr double arrowRadius = 0.11;
 constexpr double segmentRadius = 0.07;
 constexpr double rayRadius = 0.05;
 constexpr double polygonEdgeRadius = 0.05;
@@ -125,6 +124,10 @@ double ballRadius(const PointMark &point) {
   return isFree ? freePointRadius : pointRadius;
 }
 
+double thicknessOf(const MarkBase &mark, const Theme &theme, double scale) {
+  return scale * theme.lineScale * widthOf(mark.role);
+}
+
 bool isDashed(Role role) { return role == Role::Helper || role == Role::Ghost; }
 
 Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
@@ -145,8 +148,7 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     const double presence = arrival.presenceOf(base);
     if (presence <= 0)
       continue;
-    const double width =
-        scale * theme.lineScale * widthOf(base.role) * (standsOut ? highlightOf(mark) : 1) * presence;
+    const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
                       isDashed(base.role) ? dashLength * scale : 0, ball};
     addMark(mesh, mark, brush, theme, scale);

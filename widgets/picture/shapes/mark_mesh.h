@@ -14,8 +14,13 @@ inline constexpr double freePointRadius = 0.32;
 /// The radius of any other point.
 inline constexpr double pointRadius = 0.23;
 
+/// The radius of an arrow's shaft.
+inline constexpr double arrowRadius = 0.11;
+
 /// The radius of a point's ball at scale 1, in scene units.
 [[nodiscard]] double ballRadius(const PointMark &point);
+/// What the radii of a mark at scale 1 are multiplied by.
+[[nodiscard]] double thicknessOf(const MarkBase &mark, const Theme &theme, double scale);
 
 /// Whether a mark's lines are dashed.
 [[nodiscard]] bool isDashed(Role role);

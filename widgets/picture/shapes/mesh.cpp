@@ -279,20 +279,24 @@ void addFlat(Mesh &mesh, std::span<const Place> corners, Color color) {
     addTriangle(mesh, first, first + i, first + i + 1);
 }
 
+ArrowHead headOfArrow(double length, double radius) {
+  const double head = std::min(longestHead * length, headLength * radius);
+  return {head, std::max(headRadius * head / headLength, leastHeadRadius * radius)};
+}
+
 void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, double dash) {
   const double length = glm::length(vector);
   if (!(length > 0))
     return;
   const Place along = vector / length;
-  const double head = std::min(longestHead * length, headLength * radius);
-  const double width = std::max(headRadius * head / headLength, leastHeadRadius * radius);
-  const Place neck = from + along * (length - head);
-  const Place shaftEnd = neck + along * (shaftInHead * head);
+  const ArrowHead head = headOfArrow(length, radius);
+  const Place neck = from + along * (length - head.length);
+  const Place shaftEnd = neck + along * (shaftInHead * head.length);
   if (dash > 0)
     addDashes(mesh, from, shaftEnd, radius, dash, color);
   else
     addTube(mesh, from, shaftEnd, radius, color);
-  addCone(mesh, neck, from + vector, width, color);
+  addCone(mesh, neck, from + vector, head.radius, color);
 }
 
 std::vector<Place> circleAround(Place center, Place axis, double radius, int corners) {

@@ -49,6 +49,13 @@ void addBall(Mesh &mesh, Place center, double radius, Color color, BallDetail de
 /// A flat convex polygon, seen from both sides.
 void addFlat(Mesh &mesh, std::span<const Place> corners, Color color);
 
+/// The head of an arrow, in the measure of the arrow.
+struct ArrowHead {
+  double length;
+  double radius; ///< of its base
+};
+[[nodiscard]] ArrowHead headOfArrow(double length, double radius);
+
 /// An arrow whose head is in proportion to the radius of its shaft; a short arrow has a smaller head.
 /// With dash > 0 the shaft is dashed.
 void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, double dash = 0);

@@ -13,18 +13,13 @@ namespace {
 
 // All in design pixels.
 constexpr double thinRadius = 1.0;
-constexpr double arrowRadius = 1.5;
-constexpr double discRadius = 21;
+constexpr double toolRadius = 1.5;
 constexpr double modeReach = 30;
 constexpr double modeStart = 14;
-constexpr double knobReach = 24;
-constexpr double knobRadius = 2.0;
-constexpr double knobBall = 5.5;
 constexpr double dropDash = 6;
 constexpr double dropRadius = 1.1;
 constexpr double footRadius = 5;
 
-constexpr double hotWidth = 1.5;
 constexpr int discCorners = 36;
 
 constexpr std::array<Place, 3> axes{Place{1, 0, 0}, Place{0, 1, 0}, Place{0, 0, 1}};
@@ -51,21 +46,21 @@ void addGizmoPart(Mesh &mesh, const GizmoPartShape &shape, bool isHot, const The
     addFlat(mesh, shape.outline, mix(color, theme.backgroundTop, 0.6));
     addRing(mesh, shape.outline, thinRadius * width, color);
   } else {
-    addArrow(mesh, shape.outline[0], shape.outline[1] - shape.outline[0], arrowRadius * width, color);
+    addArrow(mesh, shape.outline[0], shape.outline[1] - shape.outline[0], toolRadius * width, color);
   }
 }
 
 /// The way the handle moves now, drawn on the handle itself.
 void addMode(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, double unit) {
   const auto along = [&](Place direction) {
-    addDoubleArrow(mesh, gizmo.at, direction, modeStart * unit, modeReach * unit, arrowRadius * unit,
+    addDoubleArrow(mesh, gizmo.at, direction, modeStart * unit, modeReach * unit, toolRadius * unit,
                    theme.accent);
   };
   switch (gizmo.mode) {
   case Gizmo::Mode::None:
     return;
   case Gizmo::Mode::Horizontal:
-    return addRing(mesh, circle(gizmo.at, axes[2], discRadius * unit), arrowRadius * unit, theme.accent);
+    return addRing(mesh, circle(gizmo.at, axes[2], modeRingRadius * unit), toolRadius * unit, theme.accent);
   case Gizmo::Mode::AlongX:
     return along(axes[0]);
   case Gizmo::Mode::AlongY:
@@ -74,7 +69,8 @@ void addMode(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, double unit) {
   case Gizmo::Mode::AlongZ:
     return along(axes[2]);
   case Gizmo::Mode::InPlane:
-    return addRing(mesh, circle(gizmo.at, gizmo.normal, discRadius * unit), arrowRadius * unit, theme.accent);
+    return addRing(mesh, circle(gizmo.at, gizmo.normal, modeRingRadius * unit), toolRadius * unit,
+                   theme.accent);
   case Gizmo::Mode::AlongAxis:
     return along(gizmo.axis.value_or(Place(0)));
   }
@@ -89,7 +85,7 @@ void addGizmo(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, const View &vi
   if (gizmo.mode != Gizmo::Mode::None)
     addMode(mesh, gizmo, theme, unit);
   else if (gizmo.axis)
-    addDoubleArrow(mesh, gizmo.at, *gizmo.axis, modeStart * unit, modeReach * unit, arrowRadius * unit,
+    addDoubleArrow(mesh, gizmo.at, *gizmo.axis, modeStart * unit, modeReach * unit, toolRadius * unit,
                    theme.mutedInk);
 }
 
@@ -99,13 +95,8 @@ void addKnob(Mesh &mesh, const Knob &knob, const Theme &theme, const View &view)
   if (unit <= 0)
     return;
   addBall(mesh, knob.at, knobBall * unit, color);
-  const auto arrows = [&](Place direction) {
+  for (const Place &direction : knobDirections(knob, view.camera))
     addDoubleArrow(mesh, knob.at, direction, 0, knobReach * unit, knobRadius * unit, color);
-  };
-  if (knob.axis)
-    return arrows(*knob.axis);
-  arrows(view.camera.right());
-  arrows(view.camera.up());
 }
 
 void addDropLine(Mesh &mesh, const DropLine &line, bool toAxes, const Theme &theme, const View &view) {

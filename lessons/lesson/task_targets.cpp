@@ -1,0 +1,122 @@
+#include "lessons/lesson/task_targets.h"
+
+#include "lessons/lesson/condition.h"
+#include "lessons/text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+/// A number that a condition asks for: what the value comes to beyond it, as a fraction. Zero where the
+/// condition holds.
+struct Lack {
+  Rational amount;
+  Integer radicand; ///< what is lacking is `amount` times the root of this
+};
+
+/// The scene as it is with a handle at other places.
+class Tried {
+public:
+  Tried(const Scene &scene, const Handle &handle)
+      : m_scene(scene), m_handle(handle), m_object(*findObject(scene, handle.object)),
+        m_start(evaluate(scene)) {}
+
+  [[nodiscard]] Evaluation at(const ExactVec3 &place) const {
+    Scene moved = m_scene;
+    *findObject(moved, m_handle.object) = movedTo(m_object, m_handle, place);
+    return evaluate(moved, m_start);
+  }
+
+private:
+  Scene m_scene;
+  Handle m_handle;
+  Object m_object;
+  Evaluation m_start;
+};
+
+bool asksForANumber(const Condition &condition) {
+  return condition.relation == Condition::Relation::Equal && parseRational(condition.against);
+}
+
+/// Nothing where the value is no number, or has a fraction beside its root.
+std::optional<Lack> lackOf(const Condition &condition, const Evaluation &evaluation) {
+  const auto value = findValue(evaluation, condition.value);
+  const auto *number = value ? std::get_if<Surd>(&*value) : nullptr;
+  if (!number)
+    return {};
+  const Surd lack = *number + Rational(-*parseRational(condition.against));
+  if (lack.isRational())
+    return Lack{lack.rationalPart(), 1};
+  return lack.rationalPart() == 0 ? std::optional(Lack{lack.rootFactor(), lack.radicand()}) : std::nullopt;
+}
+
+/// Where the condition holds, if what is lacking changes in proportion to the way of the handle.
+std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
+  // Three ways along the axes tell the proportion, a fourth, oblique one whether there is any.
+  const std::array ways{ExactVec3(0), ExactVec3(1, 0, 0), ExactVec3(0, 1, 0), ExactVec3(0, 0, 1),
+                        ExactVec3(-2, 3, 5)};
+  std::vector<Rational> lacking;
+  std::optional<Integer> radicand;
+  for (const ExactVec3 &way : ways) {
+    const auto lack = lackOf(condition, tried.at(start + way));
+    if (!lack || (lack->amount != 0 && radicand && *radicand != lack->radicand))
+      return {};
+    if (lack->amount != 0)
+      radicand = lack->radicand;
+    lacking.push_back(lack->amount);
+  }
+  const ExactVec3 change(lacking[1] - lacking[0], lacking[2] - lacking[0], lacking[3] - lacking[0]);
+  if (isZero(change) || lacking[0] + dot(change, ways[4]) != lacking[4])
+    return {};
+  return Flat::plane(start - change * Rational(lacking[0] / dot(change, change)), change);
+}
+
+/// `signed distance = 5`
+std::string wordsOf(const Condition &condition) {
+  std::string name = condition.value;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name + " = " + condition.against;
+}
+
+std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const Tried> &tried,
+                                   const ExactVec3 &start) {
+  SnapTarget target;
+  std::vector<Condition> met;
+  for (const Condition &condition : task.conditions) {
+    const auto places = asksForANumber(condition) ? placesOf(condition, *tried, start) : std::nullopt;
+    if (!places)
+      continue;
+    const auto common = Flat::intersection(target.places, *places);
+    if (!common)
+      return {};
+    target.places = *common;
+    target.name += (met.empty() ? "" : ", ") + wordsOf(condition);
+    met.push_back(condition);
+  }
+  if (met.empty())
+    return {};
+  target.counts = [tried, met](const ExactVec3 &place) {
+    const Evaluation there = tried->at(place);
+    return std::all_of(met.begin(), met.end(),
+                       [&](const Condition &condition) { return holds(condition, there); });
+  };
+  return target;
+}
+
+} // namespace
+
+std::vector<SnapTarget> taskTargets(const std::vector<Task> &tasks, const Scene &scene,
+                                    const Handle &handle) {
+  std::vector<SnapTarget> targets;
+  if (!findObject(scene, handle.object))
+    return targets;
+  const auto tried = std::make_shared<const Tried>(scene, handle);
+  for (const Task &task : tasks)
+    if (auto target = targetOf(task, tried, handle.at))
+      targets.push_back(std::move(*target));
+  return targets;
+}
+
+} // namespace halfspace

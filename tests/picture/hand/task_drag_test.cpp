@@ -1,0 +1,194 @@
+// Every task of every lesson can be reached by the drag that it asks for: by the mathematics of a mouse drag
+// over pixels, in the view that the lesson begins with, at the usual snapping grid.
+#include "lessons/lesson/condition.h"
+#include "lessons/lesson/task_progress.h"
+#include "lessons/lesson/task_targets.h"
+#include "tests/lessons/scenes.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/hand/handle_drag.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+/// As much of a window of 1280×800 as the scene has.
+constexpr PixelSize viewSize{840, 730};
+const Rational usualStep = 1;
+
+/// A task and the handles that its words name, each of which shall do it.
+struct Asked {
+  std::string lesson;
+  std::string when;
+  std::vector<std::string> handles;
+};
+
+const std::vector<Asked> &tableOfTasks() {
+  static const std::vector<Asked> table{
+      {"plane-implicit", "case = plane and coefficients.0 = 0 and coefficients.1 = 0", {"E.n"}},
+      {"plane-implicit", "origin_distance = 0", {"E.offset"}},
+      {"plane-implicit", "origin_distance > 0", {"E.offset", "E.P0"}},
+      {"signed-distance", "side = negative", {"Q"}},
+      {"signed-distance", "side = on", {"Q"}},
+      {"signed-distance", "signed_distance = 5", {"Q"}},
+      {"signed-distance", "foot.z = 0 and side != on", {"Q"}},
+      {"ray-plane-dot", "case = hit and t > 0", {"L.r"}},
+      {"ray-plane-dot", "t = 1", {"L.r", "L.Q"}},
+      {"ray-plane-dot", "t < 0", {"L.r", "L.Q"}},
+      {"ray-plane-dot", "case = parallel", {"L.r"}},
+      {"ray-plane-dot", "case = in-plane", {"L.Q"}},
+      {"ray-triangle-perp", "case = miss", {"L.Q", "L.r"}},
+      {"ray-triangle-perp", "case = hit and location = edge", {"L.Q", "L.r"}},
+      {"ray-triangle-perp", "case = hit and location = vertex", {"L.Q", "L.r"}},
+      {"ray-triangle-perp", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
+      {"ray-triangle-perp", "case = hit", {"T.P0"}},
+      {"plane-plane", "case = parallel", {"E.n"}},
+      {"plane-plane", "case = coincident", {"E.offset", "E.P0"}},
+      {"plane-plane", "case = line and cos_angle = 0", {"E.n", "F.n"}},
+      {"point-line", "t = 0", {"Q"}},
+      {"point-line", "t < 0", {"Q"}},
+      {"point-line", "case = on", {"Q"}},
+      {"point-line", "distance = 3", {"Q"}},
+  };
+  return table;
+}
+
+bool operator==(const Condition &a, const Condition &b) {
+  return a.value == b.value && a.relation == b.relation && a.against == b.against;
+}
+
+const Asked *rowOf(const Lesson &lesson, const Task &task) {
+  const auto &table = tableOfTasks();
+  const auto row = std::find_if(table.begin(), table.end(), [&](const Asked &asked) {
+    const auto conditions = *parseConditions(asked.when);
+    return asked.lesson == lesson.id &&
+           std::equal(conditions.begin(), conditions.end(), task.conditions.begin(), task.conditions.end(),
+                      [](const auto &a, const auto &b) { return a == b; });
+  });
+  return row == table.end() ? nullptr : &*row;
+}
+
+/// A step of a lesson while its tasks are being done.
+struct Doing {
+  const Lesson &lesson;
+  const LessonStep &step;
+  std::size_t task;
+  Scene scene;
+  TaskProgress progress{};
+
+  void observe(const Scene &now, const Evaluation &evaluation) {
+    progress.observe(step.tasks, evaluation);
+    if (progress.done()[task])
+      scene = now;
+  }
+};
+
+/// One drag of a handle while a task is to be done.
+class TaskDrag {
+public:
+  TaskDrag(Doing &doing, const std::string &id)
+      : m_doing(doing), m_before(doing.scene), m_dragged(handle(doing.scene, id)),
+        m_evaluation(evaluate(m_before)), m_drag(press()) {
+    m_doing.observe(m_before, m_evaluation);
+  }
+
+  /// All over the view, line by line, coarsely at first: so the pointer comes near every place. What cannot
+  /// be reached so can be with Shift held for a while.
+  bool succeeds() {
+    if (sweep())
+      return true;
+    for (double y = 0; y < viewSize.height && !isOwn(m_drag.mode()); y += coarseSpacing) {
+      m_drag = press();
+      m_drag.setMode(DragMode::Vertical);
+      if (moveTo({m_pressed.x, y}))
+        return true;
+      m_drag.setMode(DragMode::Horizontal);
+      if (sweep())
+        return true;
+    }
+    return false;
+  }
+
+private:
+  HandleDrag press() {
+    m_pressed = glm::dvec2(m_view.camera.project(shownPlace(m_dragged), m_view.size).value());
+    return {m_before, m_dragged, grabMode(m_dragged, false, m_view.camera).value(), m_pressed,
+            taskTargets(m_doing.step.tasks, m_before, m_dragged)};
+  }
+
+  static constexpr double coarseSpacing = 4 * catchDistance;
+
+  bool sweep() {
+    for (const double spacing : {coarseSpacing, catchDistance})
+      for (double y = 0; y < viewSize.height; y += spacing)
+        for (double x = 0; x < viewSize.width; x += spacing)
+          if (moveTo({x, y}))
+            return true;
+    return false;
+  }
+
+  bool moveTo(glm::dvec2 pixel) {
+    const auto move = m_drag.moveTo(pixel, usualStep, m_view);
+    if (!move)
+      return false;
+    Scene now = m_before;
+    *findObject(now, m_dragged.object) = move->object;
+    m_evaluation = evaluate(now, m_evaluation);
+    m_doing.observe(now, m_evaluation);
+    return m_doing.progress.done()[m_doing.task];
+  }
+
+  Doing &m_doing;
+  View m_view{
+      homeView(m_doing.lesson.camera, figureOf(evaluate(m_doing.lesson.scene)), true, viewSize, 1, false),
+      viewSize, 1};
+  Scene m_before;
+  Handle m_dragged;
+  Evaluation m_evaluation;
+  glm::dvec2 m_pressed{};
+  HandleDrag m_drag;
+};
+
+TEST(DragsForTasks, OfEveryTask_IsSaidInTheTable) {
+  std::size_t tasks = 0;
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
+    for (const LessonStep &step : lesson.steps)
+      for (const Task &task : step.tasks) {
+        ++tasks;
+        EXPECT_TRUE(rowOf(lesson, task)) << lesson.id << ": " << task.instruction;
+      }
+  EXPECT_GT(tasks, 0U);
+}
+
+/// A step's tasks one after the other, each with every handle that it names; the first of them leads on.
+void doTasksOf(const Lesson &lesson, const LessonStep &step) {
+  Scene scene = lesson.scene;
+  TaskProgress progress;
+  for (std::size_t task = 0; task < step.tasks.size(); ++task) {
+    const Asked *asked = rowOf(lesson, step.tasks[task]);
+    ASSERT_TRUE(asked) << step.tasks[task].instruction;
+    const Doing start{lesson, step, task, scene, progress};
+    for (const std::string &id : asked->handles) {
+      Doing doing = start;
+      EXPECT_TRUE(TaskDrag(doing, id).succeeds())
+          << lesson.id << ": " << step.tasks[task].instruction << " with " << id;
+      if (id == asked->handles.front()) {
+        scene = doing.scene;
+        progress = doing.progress;
+      }
+    }
+  }
+}
+
+TEST(DragsForTasks, OfEveryHandleThatATaskNames_DoesIt) {
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
+    for (const LessonStep &step : lesson.steps)
+      doTasksOf(lesson, step);
+}
+
+} // namespace
+} // namespace halfspace

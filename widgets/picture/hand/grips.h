@@ -1,0 +1,44 @@
+// What is seen of handles on the screen, and which of them a pixel grabs.
+#pragma once
+
+#include "lessons/figure/figure.h"
+#include "lessons/scene/handles.h"
+#include "widgets/picture/screen_shapes.h"
+#include "widgets/picture/theme.h"
+#include "widgets/picture/view.h"
+
+namespace halfspace {
+
+/// A piece of what is seen of a handle, and how far from the eye it is.
+struct GripPiece {
+  Stroke stroke;
+  double fromDepth = 0; ///< along the sight, in units of the stage; of the stroke's middle line
+  double toDepth = 0;
+  double unitsPerPixel = 0; ///< there
+};
+
+/// What is seen of a handle: the ball of a point, the head of an arrow, a knob. Where nothing is drawn, as of
+/// an arrow without length, a small disc in front of everything.
+struct Grip {
+  std::string handle; ///< its id
+  std::vector<GripPiece> pieces;
+  std::optional<Stroke> ring; ///< around a selected handle that moves freely; it is grabbed up to there
+};
+
+/// Beside what is seen of a handle it is grabbed within this many design pixels.
+inline constexpr double grabMargin = 5;
+
+/// The grips of the handles that can be grabbed from where the camera stands, as the figure shows them. The
+/// selected one may be none.
+[[nodiscard]] std::vector<Grip> gripsOf(const std::vector<Handle> &handles, const std::string &selected,
+                                        const Figure &figure, const Theme &theme, const View &view);
+
+/// The id of the handle that is grabbed at a pixel, or empty. What is seen there wins, the nearest to the eye
+/// first; beside what is seen, the nearest on the screen.
+[[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips,
+                                          double pixelRatio);
+
+/// All that is seen of handles.
+[[nodiscard]] std::vector<Stroke> strokesOf(const std::vector<Grip> &grips);
+
+} // namespace halfspace
