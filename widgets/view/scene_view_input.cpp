@@ -136,11 +136,9 @@ void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pix
 }
 
 std::vector<SnapTarget> SceneView::askedFor(const Handle &handle) const {
-  const auto &steps = m_model.lesson().steps;
-  const auto step = static_cast<std::size_t>(m_model.session().step);
-  if (step >= steps.size() || !(m_stage == Stage()))
+  if (!(m_stage == Stage()))
     return {}; // lessons speak of their scene's own numbers
-  return taskTargets(steps[step].tasks, m_model.session().scene, handle);
+  return taskTargets(tasksOf(m_model.step()), m_model.session().scene, handle);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event) {

@@ -2,6 +2,7 @@
 
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/number_text.h"
+#include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
 
