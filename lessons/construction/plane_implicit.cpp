@@ -29,9 +29,9 @@ struct Out : Naming, PlaneTerms {
 
 /// A vector in the plane with short coordinates, for n ≠ 0.
 Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
-  if (normal.x == 0 && normal.y == 0)
-    return list({2, 0, 0});
-  return cross(n, list({0, 0, 1}));
+  if (normal.y == 0 && normal.z == 0)
+    return list({0, 2, 0});
+  return cross(n, list({1, 0, 0}));
 }
 
 Out compute(const In &in) {
@@ -80,11 +80,7 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 }
 
 WorkingLine implicitLine(const Out &at) {
-  return line(
-      condition(0 == at.left),
-      words("A vector from {P0} to another point of the plane is perpendicular to {n}. So P lies in the "
-            "plane exactly when this dot product is zero.",
-            at.letters));
+  return line(condition(0 == at.left), words("P lies in the plane exactly when this dot product is zero."));
 }
 
 WorkingLine insertLine(const Out &at) {
@@ -94,7 +90,7 @@ WorkingLine insertLine(const Out &at) {
 
 WorkingLine expandLine(const Out &at) {
   return askedEquation(condition((0 == at.left).then(multipliedOut(at.left))),
-                       words("The dot product multiplied out, coordinate by coordinate."));
+                       words("Multiplied out, coordinate by coordinate."));
 }
 
 WorkingLine collectLine(const Out &at) {
@@ -116,9 +112,8 @@ WorkingLine collectLine(const Out &at) {
 
 WorkingLine constantLine(const Out &at) {
   return asked(withProducts(dot(at.n, at.P1)),
-               words("{point} is another point of the plane. It gives the same number as {P0}, so the "
-                     "constant does not depend on the point you start from.",
-                     at.letters, {{"point", equation(at.P1)}}));
+               words("{point}, another point of the plane, gives the same number as {P0}.", at.letters,
+                     {{"point", equation(at.P1)}}));
 }
 
 std::string normalizedWords(const Out &at) {

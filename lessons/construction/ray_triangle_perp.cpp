@@ -216,10 +216,8 @@ void addPlaneLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(at.I == at.Q + at.lambda * at.r),
                  words("The point of the plane that the ray's line goes through. Is it in the triangle?"));
   });
-  lines.add("w", [&] {
-    return asked(withNumbers(at.w == at.I - at.P0),
-                 words("From {P0} to that point. We look for w = s·u + t·v.", at.letters));
-  });
+  lines.add("w",
+            [&] { return asked(withNumbers(at.w == at.I - at.P0), words("From {P0} to {I}.", at.letters)); });
   lines.add("wu", [&] { return asked(withProducts(dot(at.w, at.u))); });
   lines.add("wv", [&] {
     return asked(withProducts(dot(at.w, at.v)), words("The last two of the five dot products."));

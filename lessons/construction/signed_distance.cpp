@@ -68,7 +68,7 @@ CaseWords tell(const In &, const Out &at) {
     return {caseName, words("{f} is negative: {Q} lies on the side that {n} points away from, {distance}.",
                             at.letters, {{"f", f}, {"distance", distance}})};
   case PointPlaneCase::On:
-    return {caseName, words("f({Q}) = 0: {Q} lies in the plane, and is its own foot.", at.letters)};
+    return {caseName, words("f({Q}) = 0: {Q} lies in the plane.", at.letters)};
   case PointPlaneCase::ZeroNormal:
     break;
   }

@@ -29,7 +29,7 @@ struct Solution {
 
 const std::vector<Solution> &solutions() {
   static const std::vector<Solution> all{
-      {"plane-implicit", "Drag $P$ out", {"P", PointObject{{7, 7, 5}}}},
+      {"plane-implicit", "Drag $P$ to", {"P", PointObject{{7, 7, 1}}}},
       {"plane-implicit", "Bring $P$ back", {"P", PointObject{{3, 9, 3}}}},
       {"plane-implicit", "Turn $\\vec n$", {"E", PlaneObject{{5, 4, 7}, {0, 0, 2}}}},
       {"plane-implicit", "Slide the plane", {"E", PlaneObject{{2, -2, 1}, {1, 2, 2}}}},

@@ -34,7 +34,7 @@ Recomputed recompute(Objects objects) {
   expected.values["normalized"] = normalized;
   expected.values["origin_distance"] = SignedSquares{signedSquare(d, square)};
   // Which second point the program shows is its choice; that it lies in the plane is what its line says.
-  const ExactVec3 along = n.x == 0 && n.y == 0 ? ExactVec3{2, 0, 0} : ExactVec3{n.y, Rational(-n.x), 0};
+  const ExactVec3 along = n.y == 0 && n.z == 0 ? ExactVec3{0, 2, 0} : ExactVec3{0, n.z, Rational(-n.y)};
   expected.names["P_1"] = quantity(ExactVec3(E.point + along));
   return expected;
 }
@@ -56,7 +56,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   collect.add("P0 added up and subtracted", Rational(-coordinateSum(E.point)));
   collect.addOverRoot("normalized too early", d, square);
   // Any second point will do: the number is the same. The program's own is not known here.
-  const ExactVec3 along = n.x == 0 && n.y == 0 ? ExactVec3{2, 0, 0} : ExactVec3{n.y, Rational(-n.x), 0};
+  const ExactVec3 along = n.y == 0 && n.z == 0 ? ExactVec3{0, 2, 0} : ExactVec3{0, n.z, Rational(-n.y)};
   addProduct(all, "constant", n, ExactVec3(E.point + along));
   Line normalized("normalized", Surd::root(square, Rational(d / square)), all,
                   "(" + variablePart(n) + ")/sqrt(" + toText(square) + ")");
