@@ -70,6 +70,8 @@ protected:
   [[nodiscard]] virtual Text normOf(Text inside, const Term & /*term*/) { return norm(std::move(inside)); }
   [[nodiscard]] virtual Text power(Text base, Text exponent) = 0;
   [[nodiscard]] virtual Text list(std::vector<Text> entries) = 0;
+  /// The same of entries that are no taller than letters.
+  [[nodiscard]] virtual Text flatList(std::vector<Text> entries) { return list(std::move(entries)); }
   [[nodiscard]] virtual Text matrix(std::vector<Text> entries, std::size_t columns, bool isDeterminant) = 0;
   /// A term that is raised to a power, where it needs parentheses.
   [[nodiscard]] virtual Text parenthesizedBase(Text inside, const Term &term) {
@@ -214,7 +216,7 @@ private:
     case TermKind::Norm:
       return normOf(write(parts[0]), parts[0]);
     case TermKind::List:
-      return list(small(parts));
+      return std::any_of(parts.begin(), parts.end(), isTall) ? list(small(parts)) : flatList(small(parts));
     case TermKind::Matrix:
     case TermKind::Determinant:
       return matrix(small(parts), looked->columns, looked->kind == TermKind::Determinant);

@@ -158,13 +158,13 @@ protected:
   }
 
   Row list(std::vector<Row> entries) override {
-    const char32_t separator = m_notation.decimalMark == ',' ? ';' : ',';
-    Row content;
-    for (Row &entry : entries)
-      content = content.empty() ? std::move(entry)
-                                : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
-                                            math::space(thinSpace), std::move(entry));
-    return math::row(math::fenced('(', std::move(content), ')'));
+    return math::row(math::fenced('(', separated(std::move(entries)), ')'));
+  }
+
+  /// With parentheses between which a line can be broken.
+  Row flatList(std::vector<Row> entries) override {
+    return math::row(math::symbol('(', AtomClass::Open), separated(std::move(entries)),
+                     math::symbol(')', AtomClass::Close));
   }
 
   Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {
@@ -199,6 +199,16 @@ protected:
   [[nodiscard]] bool isFlat() const override { return false; }
 
 private:
+  [[nodiscard]] Row separated(std::vector<Row> entries) const {
+    const char32_t separator = m_notation.decimalMark == ',' ? ';' : ',';
+    Row content;
+    for (Row &entry : entries)
+      content = content.empty() ? std::move(entry)
+                                : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
+                                            math::space(thinSpace), std::move(entry));
+    return content;
+  }
+
   Notation m_notation;
   std::vector<Term> *m_numbers;
   math::Room m_roomOfBlank;

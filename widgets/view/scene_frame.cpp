@@ -85,7 +85,8 @@ void SceneFrame::arrange() {
   m_tools->raise();
   // The card comes and goes with the selection; the figure does not make way for it each time.
   const QSize room = m_card.usualSize().boundedTo(size() / 2);
-  m_view.setCovered({m_tools->geometry(), {edgeGap, height() - room.height() - edgeGap, room.width(), room.height()}});
+  m_view.setCovered(
+      {m_tools->geometry(), {edgeGap, height() - room.height() - edgeGap, room.width(), room.height()}});
 }
 
 } // namespace halfspace

@@ -29,18 +29,23 @@ struct Asked {
 
 const std::vector<Asked> &tableOfTasks() {
   static const std::vector<Asked> table{
+      {"plane-implicit", "side = negative", {"P"}},
+      {"plane-implicit", "side = on", {"P"}},
       {"plane-implicit", "case = plane and coefficients.0 = 0 and coefficients.1 = 0", {"E.n"}},
       {"plane-implicit", "origin_distance = 0", {"E.offset"}},
-      {"plane-implicit", "origin_distance > 0", {"E.offset", "E.P0"}},
+      {"plane-implicit", "coefficients.3 > 0", {"E.offset", "E.P0"}},
+      {"plane-implicit", "coefficients.0 = 0 and coefficients.1 = 0 and coefficients.2 = 1", {"E.n"}},
       {"signed-distance", "side = negative", {"Q"}},
       {"signed-distance", "side = on", {"Q"}},
       {"signed-distance", "signed_distance = 5", {"Q"}},
+      {"signed-distance", "cos_angle = 0", {"Q"}},
       {"signed-distance", "foot.z = 0 and side != on", {"Q"}},
       {"ray-plane-dot", "case = hit and t > 0", {"L.r"}},
       {"ray-plane-dot", "t = 1", {"L.r", "L.Q"}},
       {"ray-plane-dot", "t < 0", {"L.r", "L.Q"}},
       {"ray-plane-dot", "case = parallel", {"L.r"}},
       {"ray-plane-dot", "case = in-plane", {"L.Q"}},
+      {"ray-plane-dot", "case = hit and denominator > 0", {"L.Q"}},
       {"ray-triangle-perp", "case = miss", {"L.Q", "L.r"}},
       {"ray-triangle-perp", "case = hit and location = edge", {"L.Q", "L.r"}},
       {"ray-triangle-perp", "case = hit and location = vertex", {"L.Q", "L.r"}},
@@ -81,7 +86,7 @@ struct Doing {
   TaskProgress progress{};
 
   void observe(const Scene &now, const Evaluation &evaluation) {
-    progress.observe(step.tasks, evaluation);
+    progress.observe(tasksOf(step), evaluation);
     if (progress.done()[task])
       scene = now;
   }
@@ -117,7 +122,7 @@ private:
   HandleDrag press() {
     m_pressed = glm::dvec2(m_view.camera.project(shownPlace(m_dragged), m_view.size).value());
     return {m_before, m_dragged, grabMode(m_dragged, false, m_view.camera).value(), m_pressed,
-            taskTargets(m_doing.step.tasks, m_before, m_dragged)};
+            taskTargets(tasksOf(m_doing.step), m_before, m_dragged)};
   }
 
   static constexpr double coarseSpacing = 4 * catchDistance;
@@ -143,9 +148,8 @@ private:
   }
 
   Doing &m_doing;
-  View m_view{
-      homeView(m_doing.lesson.camera, figureOf(evaluate(m_doing.lesson.scene)), true, viewSize, 1, false),
-      viewSize, 1};
+  View m_view{homeView(m_doing.lesson.camera, figureOf(evaluate(m_doing.lesson.scene)), true, viewSize, 1),
+              viewSize, 1};
   Scene m_before;
   Handle m_dragged;
   Evaluation m_evaluation;
@@ -157,7 +161,7 @@ TEST(DragsForTasks, OfEveryTask_IsSaidInTheTable) {
   std::size_t tasks = 0;
   for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
     for (const LessonStep &step : lesson.steps)
-      for (const Task &task : step.tasks) {
+      for (const Task &task : tasksOf(step)) {
         ++tasks;
         EXPECT_TRUE(rowOf(lesson, task)) << lesson.id << ": " << task.instruction;
       }
@@ -168,14 +172,15 @@ TEST(DragsForTasks, OfEveryTask_IsSaidInTheTable) {
 void doTasksOf(const Lesson &lesson, const LessonStep &step) {
   Scene scene = lesson.scene;
   TaskProgress progress;
-  for (std::size_t task = 0; task < step.tasks.size(); ++task) {
-    const Asked *asked = rowOf(lesson, step.tasks[task]);
-    ASSERT_TRUE(asked) << step.tasks[task].instruction;
+  const std::vector<Task> tasks = tasksOf(step);
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
+    const Asked *asked = rowOf(lesson, tasks[task]);
+    ASSERT_TRUE(asked) << tasks[task].instruction;
     const Doing start{lesson, step, task, scene, progress};
     for (const std::string &id : asked->handles) {
       Doing doing = start;
       EXPECT_TRUE(TaskDrag(doing, id).succeeds())
-          << lesson.id << ": " << step.tasks[task].instruction << " with " << id;
+          << lesson.id << ": " << tasks[task].instruction << " with " << id;
       if (id == asked->handles.front()) {
         scene = doing.scene;
         progress = doing.progress;

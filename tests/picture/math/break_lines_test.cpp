@@ -101,6 +101,15 @@ TEST(BreakLines, InsideParentheses_OnlyWithoutAnotherWay) {
   EXPECT_EQ(lineAt(broken, letterIn(broken, 'e').y), 1U);
 }
 
+TEST(BreakLines, InsideParentheses_ALineEndsBehindACommaRatherThanBeforeASign) {
+  const Layout broken = breakLines(laidOut("x=(a-b-c,d-e-f,g-h-i)"), width(10.5));
+  ASSERT_EQ(broken.lines.size(), 3U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'c').y), 0U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'd').y), 1U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'f').y), 1U);
+  EXPECT_EQ(lineAt(broken, letterIn(broken, 'g').y), 2U);
+}
+
 TEST(BreakLines, BetweenStatements_IsBetterThanBeforeARelation) {
   const Layout broken = breakLines(laidOut("s=1,\\quad t=2"), width(5));
   ASSERT_EQ(broken.lines.size(), 2U);

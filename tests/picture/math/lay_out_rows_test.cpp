@@ -92,11 +92,12 @@ TEST(Colours, OfAMiddleFence_AreThoseAroundIt) {
   EXPECT_EQ(redRules, 1);
 }
 
-/// What may begin a line, atom by atom: S statement, R relation, + sign, * product, ( inside, - never.
+/// What may begin a line, atom by atom: S statement, R relation, + sign, * product,
+/// `,` entry, ( inside, - never.
 std::string breaksOf(const std::string &latex) {
   std::string text;
   for (const Piece &piece : laidOut(latex).pieces)
-    text += "SR+*(-"[static_cast<std::size_t>(piece.before)];
+    text += "SR+*,(-"[static_cast<std::size_t>(piece.before)];
   return text;
 }
 
@@ -110,7 +111,7 @@ TEST(Pieces, OfARow_SayWhereItsLinesCanBeBroken) {
 TEST(Pieces, BehindAWideSpace_BeginAStatementOutsideOfParentheses) {
   EXPECT_EQ(breaksOf("a,\\quad b"), "--S");
   EXPECT_EQ(breaksOf("a,\\;b"), "---");
-  EXPECT_EQ(breaksOf("(a,\\quad b)"), "-----");
+  EXPECT_EQ(breaksOf("(a,\\quad b)"), "---,-");
 }
 
 TEST(Pieces, WithATagAround_AreThePiecesOfTheTag) {

@@ -80,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, SettledBars,
 
 /// The break before the second atom of a row.
 Break secondBreak(std::string_view latex, int parentheses = 0) {
-  return breakBefore(Settled(latex).atoms.at(1), parentheses);
+  const Settled row(latex);
+  return breakBefore(row.atoms.at(1), parentheses, row.atoms.front().atomClass);
 }
 
 TEST(Breaks, BeforeSigns_AreTheBetterTheMoreTheySetApart) {
@@ -91,6 +92,12 @@ TEST(Breaks, BeforeSigns_AreTheBetterTheMoreTheySetApart) {
   EXPECT_EQ(secondBreak("a\\cdot b"), Break::Product);
   EXPECT_LT(Break::Relation, Break::Sign);
   EXPECT_LT(Break::Sign, Break::Product);
+}
+
+TEST(Breaks, BehindACommaInParentheses_AreBetterThanBeforeASignThere) {
+  EXPECT_EQ(secondBreak(",b", 1), Break::Entry);
+  EXPECT_EQ(secondBreak(",b"), Break::Never);
+  EXPECT_LT(Break::Entry, Break::Inside);
 }
 
 TEST(Breaks, InsideParentheses_AreTheWorst) {

@@ -245,8 +245,9 @@ void RowSetter::placeAtom(const Entry &entry) {
 
 void RowSetter::addPiece(const Entry &entry) {
   Piece piece;
-  piece.before = m_followsWideSpace && m_parentheses == 0 ? Break::Statement
-                                                          : breakBefore(m_atoms[entry.atom], m_parentheses);
+  piece.before = m_followsWideSpace && m_parentheses == 0
+                     ? Break::Statement
+                     : breakBefore(m_atoms[entry.atom], m_parentheses, m_before);
   m_followsWideSpace = false;
   piece.x = m_x;
   piece.right = m_x + entry.box.fullWidth();

@@ -70,7 +70,8 @@ enum class Break : std::uint8_t {
   Relation,  ///< before a relation
   Sign,      ///< before + or −
   Product,   ///< before · or another operation
-  Inside,    ///< the last three inside parentheses
+  Entry,     ///< behind a comma inside parentheses
+  Inside,    ///< a relation or an operation there
   Never
 };
 

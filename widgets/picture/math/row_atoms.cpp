@@ -78,8 +78,10 @@ void settle(std::vector<RowAtom> &atoms, std::optional<AtomClass> beforeRow) {
     last->atomClass = AtomClass::Ord;
 }
 
-Break breakBefore(const RowAtom &atom, int parentheses) {
+Break breakBefore(const RowAtom &atom, int parentheses, std::optional<AtomClass> before) {
   constexpr std::u32string_view signs = U"+−±∓";
+  if (before == AtomClass::Punct && parentheses > 0)
+    return Break::Entry;
   if (atom.atomClass != AtomClass::Rel && atom.atomClass != AtomClass::Bin)
     return Break::Never;
   if (parentheses > 0)

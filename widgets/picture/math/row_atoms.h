@@ -19,7 +19,7 @@ struct RowAtom {
 /// is due opens, so that the sign in |−x| stands close. `before` is the class of what stands before the row.
 void settle(std::vector<RowAtom> &atoms, std::optional<AtomClass> before);
 
-/// Whether and how well a line can begin with an atom, inside so many parentheses.
-[[nodiscard]] Break breakBefore(const RowAtom &atom, int parentheses);
+/// Whether and how well a line can begin with an atom, inside so many parentheses, behind an atom of a class.
+[[nodiscard]] Break breakBefore(const RowAtom &atom, int parentheses, std::optional<AtomClass> before);
 
 } // namespace halfspace::math
