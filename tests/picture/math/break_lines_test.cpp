@@ -102,7 +102,7 @@ TEST(BreakLines, InsideParentheses_OnlyWithoutAnotherWay) {
 }
 
 TEST(BreakLines, InsideParentheses_ALineEndsBehindACommaRatherThanBeforeASign) {
-  const Layout broken = breakLines(laidOut("x=(a-b-c,d-e-f,g-h-i)"), width(10.5));
+  const Layout broken = breakLines(laidOut("(a-b-c,d-e-f,g-h-i)"), width(9));
   ASSERT_EQ(broken.lines.size(), 3U);
   EXPECT_EQ(lineAt(broken, letterIn(broken, 'c').y), 0U);
   EXPECT_EQ(lineAt(broken, letterIn(broken, 'd').y), 1U);
