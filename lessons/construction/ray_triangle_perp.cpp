@@ -247,10 +247,11 @@ WorkingLine lineOfT(const Out &at) {
 }
 
 WorkingLine placeLine(const Out &at) {
-  return line({withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
-              words("The point is of the triangle when s ≥ 0, t ≥ 0 and s + t ≤ 1, and in its interior when "
-                    "all three hold without equality. Here it is {place}.",
-                    {{"place", wherePlaced(at)}}));
+  return line(
+      {withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
+      words("The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is "
+            "{place}.",
+            {{"place", wherePlaced(at)}}));
 }
 
 /// Figure 4 of the note.
@@ -271,7 +272,7 @@ void addShareLines(const Out &at, Explanation &lines) {
   lines.add("place", [&] { return placeLine(at); });
   lines.add("a", [&] {
     return asked(withResult(at.a == dot(at.w, at.uPerp)),
-                 words("How far w reaches along u⊥, times the length of u⊥. t·v reaches just as far."));
+                 words("How far w reaches along u⊥, times the length of u⊥."));
   });
   lines.add("b", [&] { return asked(withResult(at.b == dot(at.v, at.uPerp)), words("The same for v.")); });
   lines.add("similar", [&] { return similarLine(at); });
