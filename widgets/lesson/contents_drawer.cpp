@@ -123,6 +123,7 @@ void ContentsDrawer::open() {
   arrange();
   raise();
   show();
+  m_before = window()->focusWidget();
   m_list->setFocus();
   qApp->installEventFilter(this);
   emit openChanged(true);
@@ -132,6 +133,8 @@ void ContentsDrawer::close() {
   if (!isVisible())
     return;
   qApp->removeEventFilter(this);
+  if (m_before)
+    m_before->setFocus();
   hide();
   emit openChanged(false);
 }

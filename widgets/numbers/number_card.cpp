@@ -127,6 +127,12 @@ void NumberCard::showHint() {
   updateGeometry();
 }
 
+QSize NumberCard::sizeHint() const {
+  const int hint = m_hintLabel->fontMetrics().horizontalAdvance(m_hint);
+  const QSize whole(hint + 2 * frameWidth() + cardMargins.left() + cardMargins.right(), 0);
+  return QFrame::sizeHint().expandedTo(whole);
+}
+
 void NumberCard::resizeEvent(QResizeEvent *event) {
   QFrame::resizeEvent(event);
   const int room = event->size().width() - cardMargins.left() - cardMargins.right();
