@@ -21,7 +21,11 @@ protected:
     written.close();
     const auto settings = readSettings(file);
     EXPECT_TRUE(settings) << text.toStdString();
-    return settings ? *settings : Settings{"not read"};
+    if (settings)
+      return *settings;
+    Settings none;
+    none.theme = "not read";
+    return none;
   }
 
   void expectProblem(const std::string &sentence) const {

@@ -73,6 +73,7 @@ ContentsDrawer::ContentsDrawer(QWidget *parent)
     : QFrame(parent), m_list(new QListWidget), m_theme(themes().front()) {
   setObjectName("contents");
   setAutoFillBackground(true);
+  setAttribute(Qt::WA_NoMousePropagation); // a press on its heading is not one beside it
   m_list->setObjectName("lessonList");
   m_list->setItemDelegate(new LessonDelegate(m_theme, m_list));
   m_list->setWordWrap(true);

@@ -98,8 +98,8 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
     });
     flow->addWidget(groupOf(row));
   }
-  numbers->setVisible(!ids.empty());
   delete layout()->replaceWidget(m_numbers, numbers);
+  numbers->setVisible(!ids.empty()); // only now: without a parent it would be a window
   m_numbers->hide();
   m_numbers->deleteLater(); // a number that was typed in it may have led here
   m_numbers = numbers;

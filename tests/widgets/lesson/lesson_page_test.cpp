@@ -64,6 +64,7 @@ public:
     page.showWords([&](const std::string &markdown) {
       return QString::fromStdString(markdown).replace("%1", QString::fromStdString(value)).toStdString();
     });
+    QCoreApplication::processEvents(); // new blocks are shown by their layout
   }
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn) {
     practice.setWorking(working, linesIn, false);
@@ -199,8 +200,10 @@ private slots:
       shown.fill();
       QVERIFY(shown.words("Here " + read + " is."));
       shown.page.setStep(1);
+      shown.fill();
       QCOMPARE(shown.shown<TaskRow>().first()->accessibleName(), "To do: Make " + read + " = 0.");
       shown.page.setStep(2);
+      shown.fill();
       QCOMPARE(shown.shown<ChoiceButton>().first()->accessibleName(), read + " > 0");
     }
   }

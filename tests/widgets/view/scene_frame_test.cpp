@@ -55,7 +55,7 @@ private slots:
   void cardAndTools_keepTheirCorners_inEverySize() {
     FrameFixture fixture;
     QVERIFY(fixture.ready);
-    for (const QSize size : {QSize(900, 700), QSize(500, 400), QSize(1200, 800)}) {
+    for (const QSize size : {QSize(600, 450), QSize(400, 300)}) {
       fixture.window.resize(size);
       QTest::qWait(50);
       for (const std::optional<CoordinateId> &selected :

@@ -194,7 +194,6 @@ private slots:
     shown.lines.setWorking(sums(2), {1, 1});
     QCOMPARE(heightOf(shown.second()), usual);
     shown.lines.setWorking(sums(600), {1, 1});
-    qWarning() << usual << heightOf(shown.second()) << shown.second().width() << shown.second().height();
     QVERIFY(heightOf(shown.second()) > usual);
     shown.lines.setHeld(false);
     shown.lines.setWorking(sums(2), {1, 1});
