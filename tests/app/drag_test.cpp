@@ -31,8 +31,7 @@ bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
 /// Counts how often lines are painted beside a picture of another scene.
 class MomentWatch : public QObject {
 public:
-  explicit MomentWatch(WindowFixture &fixture)
-      : m_fixture(fixture), m_lines(fixture.lines()) {
+  explicit MomentWatch(WindowFixture &fixture) : m_fixture(fixture), m_lines(fixture.lines()) {
     m_lines.installEventFilter(this);
     connect(&fixture.scene(), &SceneView::frameDrawn, this,
             [this] { m_drawn = m_fixture.model().session().scene; });

@@ -256,7 +256,7 @@ private slots:
     QVERIFY2(warning()->toolTip().contains("something else stands there"), qPrintable(warning()->toolTip()));
     QVERIFY(QFile::remove(Recovery::standardFolder()));
     moveUp(fixture, "Q");
-    QTRY_VERIFY(!warning()->isVisible());
+    QTRY_VERIFY(!warning());
   }
 
   void closing_whereWorkCannotBeKept_savesItElsewhere() {

@@ -30,8 +30,8 @@ public:
     QWidget *handle = split().handle(1);
     const QPoint from = handle->rect().center();
     QTest::mousePress(handle, Qt::LeftButton, {}, from);
-    QMouseEvent move(QEvent::MouseMove, from + QPoint(pixels, 0), handle->mapToGlobal(from + QPoint(pixels, 0)),
-                     Qt::NoButton, Qt::LeftButton, {});
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(pixels, 0),
+                     handle->mapToGlobal(from + QPoint(pixels, 0)), Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(handle, &move);
     QTest::mouseRelease(handle, Qt::LeftButton, {}, from);
   }
@@ -88,9 +88,7 @@ private slots:
   void keys_showTheSceneAloneAndThePageAlone_andBothAgain() {
     PageFixture fixture;
     QVERIFY(fixture.ready);
-    const auto parts = [&] {
-      return std::pair(fixture.scene().isVisible(), fixture.page().isVisible());
-    };
+    const auto parts = [&] { return std::pair(fixture.scene().isVisible(), fixture.page().isVisible()); };
     const auto press = [&](Qt::Key key) { QTest::keyClick(&fixture.window, key); };
     fixture.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
@@ -256,7 +254,8 @@ private slots:
     fixture.action(QKeySequence("Ctrl+L"))->trigger();
     QVERIFY(drawer->isVisible() && button->isChecked());
     QTest::qWait(50); // it stands over the scene and moves nothing
-    QCOMPARE(drawer->mapTo(&fixture.window, QPoint(0, 0)), fixture.scene().mapTo(&fixture.window, QPoint(0, 0)));
+    QCOMPARE(drawer->mapTo(&fixture.window, QPoint(0, 0)),
+             fixture.scene().mapTo(&fixture.window, QPoint(0, 0)));
     QVERIFY(drawer->height() > fixture.scene().height());
     QCOMPARE(fixture.scene().width(), sceneWidth);
     QTest::keyClick(list, Qt::Key_Escape);

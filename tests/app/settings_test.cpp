@@ -80,9 +80,7 @@ TEST_F(SettingsFile, WithASizeThatIsNoNumber_PassesOverIt) {
   Settings dark;
   dark.theme = "dark";
   for (const char *size : {"null", "\"x\"", "\"2\"", "true", "[2]", "{}"})
-    EXPECT_EQ(readFrom(R"({"theme":"dark","sizeScale":)" + QByteArray(size) + "}"),
-              dark)
-        << size;
+    EXPECT_EQ(readFrom(R"({"theme":"dark","sizeScale":)" + QByteArray(size) + "}"), dark) << size;
   EXPECT_EQ(readFrom(R"({"sizeScale":1.5})").sizeScale, 1.5);
 }
 
@@ -104,7 +102,8 @@ TEST_F(SettingsFile, WithASnapStepThatIsNone_KeepsTheUsualOne) {
 }
 
 TEST_F(SettingsFile, WithOtherFieldsOfTheWrongKind_KeepsTheUsualOnes) {
-  EXPECT_EQ(readFrom(R"({"theme":5,"motion":"no","window":7,"panels":null,"split":3,"unknown":{}})"), Settings());
+  EXPECT_EQ(readFrom(R"({"theme":5,"motion":"no","window":7,"panels":null,"split":3,"unknown":{}})"),
+            Settings());
   EXPECT_EQ(readFrom("{}"), Settings());
 }
 

@@ -60,10 +60,11 @@ public:
   void goToLine(const std::string &id) {
     const auto &steps = model().lesson().steps;
     const auto shows = [&](const LessonStep &step) {
-      return !predictionOf(step) && std::any_of(step.blocks.begin(), step.blocks.end(), [&](const StepBlock &block) {
-        const auto *lines = std::get_if<StepLines>(&block);
-        return lines && std::find(lines->ids.begin(), lines->ids.end(), id) != lines->ids.end();
-      });
+      return !predictionOf(step) &&
+             std::any_of(step.blocks.begin(), step.blocks.end(), [&](const StepBlock &block) {
+               const auto *lines = std::get_if<StepLines>(&block);
+               return lines && std::find(lines->ids.begin(), lines->ids.end(), id) != lines->ids.end();
+             });
     };
     model().setStep(static_cast<int>(std::find_if(steps.begin(), steps.end(), shows) - steps.begin()));
   }

@@ -136,11 +136,11 @@ private slots:
     std::vector<bool> told;
     connect(&model, &SessionModel::gestureChanged, this, [&] { told.push_back(model.inGesture()); });
     const std::vector<std::function<void()>> ends{
-        [&] { model.endGesture("move"); },
-        [&] { model.cancelGesture(); },
-        [&] { model.edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed"); },
-        [&] { model.undo(); },
-        [&] { model.startWith(model.session()); }};
+        [&] { model.endGesture("move"); }, [&] { model.cancelGesture(); },
+        [&] {
+          model.edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed");
+        },
+        [&] { model.undo(); }, [&] { model.startWith(model.session()); }};
     for (const auto &end : ends) {
       told.clear();
       model.beginGesture();

@@ -50,6 +50,7 @@ NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidge
     : QFrame(parent), m_model(model), m_editor(model), m_typesetter(typesetter), m_theme(themes().front()),
       m_numbers(new QWidget), m_complaint(wordsLabel("complaint")), m_hintLabel(wordsLabel("hint")) {
   setObjectName("card");
+  m_hintLabel->setMinimumWidth(1); // it is cut short where there is no room
   m_complaint->setWordWrap(true);
   m_complaint->hide();
   auto *layout = new QVBoxLayout(this);

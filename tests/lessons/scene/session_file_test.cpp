@@ -22,7 +22,8 @@ std::string around(const std::string &scene) {
 /// A session file with a view, which stands in the second line.
 std::string withView(const std::string &view) {
   return R"({"format":"halfspace","version":3,"lesson":"x","step":0,"scene":[],
-"view":)" + view + "}";
+"view":)" +
+         view + "}";
 }
 
 /// The problem of a text that must not be read; with a sentence, and with the file's name.
@@ -82,7 +83,7 @@ TEST(SessionFile, BrokenView_IsRefusedWithLineAndField) {
                                     {R"({"from":[1,2]})", "view.from"},
                                     {R"({"from":"top"})", "view.from"},
                                     {R"({"at":[1,2,"x"]})", "view.at"},
-                                    {R"({"at":[1,2,1e999]})", "view.at"},
+                                    {R"({"at":[1,2,"1e999"]})", "view.at"},
                                     {R"({"height":0})", "view.height"},
                                     {R"({"height":-3})", "view.height"},
                                     {R"({"height":"nan"})", "view.height"},

@@ -40,8 +40,7 @@ Lesson lessonOf(std::vector<LessonStep> steps) {
 Lesson someLesson() {
   return lessonOf(
       {{"The side", {StepWords{"About $Q$."}, StepLines()}},
-       {"The distance",
-        {StepLines(), Task{"Drag $Q$ to the other side.", {}}, Task{"Make $f(Q) = 0$.", {}}}},
+       {"The distance", {StepLines(), Task{"Drag $Q$ to the other side.", {}}, Task{"Make $f(Q) = 0$.", {}}}},
        {"Predict", {someQuestion(), StepLines()}}});
 }
 
@@ -142,17 +141,17 @@ private slots:
 
   void blocks_standInTheOrderOfTheLesson() {
     const Lesson lesson = lessonOf({{"All",
-                                     {Task{"A task.", {}}, StepLines(), StepWords{"Some words."}, someQuestion(),
-                                      StepLines(), StepNote{"A note", {"More words."}}}}});
+                                     {Task{"A task.", {}}, StepLines(), StepWords{"Some words."},
+                                      someQuestion(), StepLines(), StepNote{"A note", {"More words."}}}}});
     ShownPage shown(lesson);
     shown.setWorking(test::tracedWorking(), {1, 2});
     const auto blocks = shown.shown<WorkingBlock>();
     QCOMPARE(blocks.size(), 2);
     QVERIFY(blocks[0]->accessibleDescription().startsWith("u"));
     QVERIFY(blocks[1]->accessibleDescription().startsWith("a"));
-    const std::vector<QWidget *> expected{shown.shown<TaskRow>().first(), blocks[0], shown.words("Some words"),
-                                          shown.shown<PredictionBox>().first(), blocks[1],
-                                          shown.shown<NoteFold>().first()};
+    const std::vector<QWidget *> expected{
+        shown.shown<TaskRow>().first(),       blocks[0], shown.words("Some words"),
+        shown.shown<PredictionBox>().first(), blocks[1], shown.shown<NoteFold>().first()};
     int bottom = 0;
     for (const QWidget *block : expected) {
       QVERIFY2(shown.topOf(block) >= bottom, block->metaObject()->className());
@@ -261,8 +260,9 @@ private slots:
 
   void lineThatTheKeysReach_isScrolledTo() {
     const std::string longWords = QString("So many words. ").repeated(60).toStdString();
-    ShownPage shown(lessonOf({{"All", {StepWords{longWords}, StepLines(), StepWords{longWords}, StepLines()}}}), 0,
-                    smallPage);
+    ShownPage shown(
+        lessonOf({{"All", {StepWords{longWords}, StepLines(), StepWords{longWords}, StepLines()}}}), 0,
+        smallPage);
     shown.setWorking(test::tracedWorking(), {1, 2});
     const auto blocks = shown.shown<WorkingBlock>();
     const auto isInView = [](const WorkingBlock &block, std::size_t line) {

@@ -22,7 +22,8 @@ LessonLibrary libraryOf(Scene scene) {
 
 /// A shown card that follows a session.
 struct ShownCard {
-  explicit ShownCard(Scene scene = distanceScene()) : model(libraryOf(std::move(scene))), card(model, typesetter) {
+  explicit ShownCard(Scene scene = distanceScene())
+      : model(libraryOf(std::move(scene))), card(model, typesetter) {
     QObject::connect(&model, &SessionModel::outcomeChanged, &card, &NumberCard::showSession);
     card.resize(700, 90);
     card.show();
@@ -172,7 +173,6 @@ private slots:
     QVERIFY2(shown.said("hint").endsWith(QChar(0x2026)), qPrintable(shown.said("hint")));
     QCOMPARE(shown.card.sizeHint().width(), whole); // it takes the room where it gets it
     shown.card.resize(whole, shown.card.height());
-    qWarning() << whole << shown.card.width() << shown.card.minimumSize();
     QCOMPARE(shown.said("hint"), hint);
     shown.card.setHint({});
     QCOMPARE(shown.said("hint"), QString());
@@ -187,6 +187,7 @@ private slots:
     large.setPixelSize(2 * QFontInfo(before).pixelSize());
     QApplication::setFont(large);
     shown.card.setTheme(themes().front());
+    qWarning() << usual << shown.card.field("Q", 0)->width() << shown.card.field("Q", 0)->font() << before;
     QVERIFY(shown.card.field("Q", 0)->width() > 1.8 * usual);
     QApplication::setFont(before);
   }

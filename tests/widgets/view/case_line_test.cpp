@@ -37,7 +37,8 @@ private slots:
     QCOMPARE(shown.said("message"), QString("Text at 125 %."));
     QTRY_COMPARE(shown.said("message"), QString());
     QCOMPARE(shown.said("complaint"), QString("It cannot be kept."));
-    QCOMPARE(shown.line.findChild<QLabel *>("complaint")->toolTip(), QString("The disk is full &lt;now&gt;."));
+    QCOMPARE(shown.line.findChild<QLabel *>("complaint")->toolTip(),
+             QString("The disk is full &lt;now&gt;."));
     QCOMPARE(shown.said("case"), QString("The plane is behind."));
     shown.line.complain({});
     QCOMPARE(shown.said("complaint"), QString());

@@ -59,7 +59,8 @@ private slots:
       fixture.window.resize(size);
       QTest::qWait(50);
       for (const std::optional<CoordinateId> &selected :
-           {std::optional<CoordinateId>(), std::optional(CoordinateId{"Q", 0}), std::optional(CoordinateId{"E", 0})}) {
+           {std::optional<CoordinateId>(), std::optional(CoordinateId{"Q", 0}),
+            std::optional(CoordinateId{"E", 0})}) {
         fixture.card.setSelection(selected);
         fixture.card.setHint("What can be done.");
         QTest::qWait(20);

@@ -17,7 +17,8 @@ using Ids = std::set<std::string>;
 /// Two blocks with words between them, as on a page.
 class ShownBlocks {
 public:
-  explicit ShownBlocks(const Working &working, std::vector<std::size_t> linesIn = {1, 2}) : lines(m_typesetter) {
+  explicit ShownBlocks(const Working &working, std::vector<std::size_t> linesIn = {1, 2})
+      : lines(m_typesetter) {
     auto *layout = new QVBoxLayout(&m_page);
     for (int i = 0; i < 2; ++i) {
       layout->addWidget(lines.addBlock());
@@ -187,13 +188,13 @@ private slots:
       const auto longSum = [&](std::size_t count) { return sum(std::vector<Term>(count, unknown("x"))); };
       return Working{{called("a", line(longSum(1))), called("b", line(longSum(summands)))}};
     };
-    ShownBlocks shown(sums(200), {1, 1});
+    ShownBlocks shown(sums(100), {1, 1});
     shown.layOut();
     const int usual = heightOf(shown.second());
     shown.lines.setHeld(true);
     shown.lines.setWorking(sums(2), {1, 1});
     QCOMPARE(heightOf(shown.second()), usual);
-    shown.lines.setWorking(sums(600), {1, 1});
+    shown.lines.setWorking(sums(200), {1, 1});
     QVERIFY(heightOf(shown.second()) > usual);
     shown.lines.setHeld(false);
     shown.lines.setWorking(sums(2), {1, 1});

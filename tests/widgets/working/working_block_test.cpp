@@ -136,7 +136,8 @@ private slots:
     WorkingBlock block(m_typesetter);
     for (const int width : {900, 270}) {
       show(block, width, someWorking());
-      QCOMPARE(block.heightForWidth(width), static_cast<int>(std::ceil(block.placed().lines[1].box.bottom())));
+      QCOMPARE(block.heightForWidth(width),
+               static_cast<int>(std::ceil(block.placed().lines[1].box.bottom())));
     }
     QVERIFY(block.heightForWidth(270) > block.heightForWidth(900)); // it is asked before it is that wide
   }
@@ -194,8 +195,7 @@ private slots:
   void copyingGivesPlainLatexOfTheClickedLine() {
     WorkingBlock block(m_typesetter);
     show(block, 900, someWorking());
-    QTest::mouseClick(&block, Qt::LeftButton, Qt::NoModifier,
-                      block.placed().lines[0].box.center().toPoint());
+    QTest::mouseClick(&block, Qt::LeftButton, Qt::NoModifier, block.placed().lines[0].box.center().toPoint());
     QTest::keyClick(&block, Qt::Key_C, Qt::ControlModifier);
     const QString copied = QApplication::clipboard()->text();
     QVERIFY(copied.startsWith("t = \\frac{(P_0 - Q)"));

@@ -48,7 +48,8 @@ QString text(const std::vector<PlacedText> &pieces) {
 /// The tools above a block of lines, as on a page.
 class ShownPractice : public QWidget {
 public:
-  explicit ShownPractice(const Typesetter &typesetter) : tools(typesetter), m_block(*tools.working().addBlock()) {
+  explicit ShownPractice(const Typesetter &typesetter)
+      : tools(typesetter), m_block(*tools.working().addBlock()) {
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(&tools);
     layout->addWidget(&m_block);
