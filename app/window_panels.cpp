@@ -31,9 +31,9 @@ void MainWindow::createPanels() {
   m_split->setStretchFactor(1, 0);
   connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
   auto *center = new QWidget;
-  auto *room = new QVBoxLayout(center);
-  room->setContentsMargins(0, 0, 0, 0);
-  room->addWidget(m_split);
+  auto *layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_split);
   setCentralWidget(center);
   createInspector();
   createContents();
@@ -64,7 +64,7 @@ void MainWindow::createInspector() {
 }
 
 void MainWindow::createContents() {
-  m_contents = new ContentsDrawer(centralWidget());
+  m_contents = new ContentsDrawer(centralWidget()); // a splitter would make it a third part
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
           [this](const QString &id) { m_model.openLesson(id.toStdString()); });
 }

@@ -35,6 +35,8 @@ public:
 
   /// Of the card for an object of two coordinates, as a ray is.
   [[nodiscard]] QSize usualSize() const;
+  /// With room for the whole hint, which is cut short where there is less.
+  [[nodiscard]] QSize sizeHint() const override;
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
