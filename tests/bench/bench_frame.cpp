@@ -255,7 +255,7 @@ private:
     SceneContent content = view().pictureContent();
     for (const Handle &handle : handlesOf(m_fixture.model().session().scene)) {
       if (handle.id == m_handle.id) {
-        content.gizmo = Gizmo{shownPlace(handle), Gizmo::Mode::Horizontal, true, {}, {}, {}, {}};
+        content.gizmo = Gizmo{shownPlace(handle), Gizmo::Mode::Horizontal, true, {}, {}, {}, {}, {}};
         content.dropLine = DropLine{toDouble(handle.at)};
       }
       if (const auto knob = knobOf(handle, false))

@@ -40,7 +40,7 @@ Save keepingUnsaved(const std::string &file, int x) {
   const auto recovery = std::make_shared<Recovery>(QFileInfo(path).path());
   if (QFile::exists(path) && !recovery->adopt(path))
     return [] { return Problem{"Another program has the file.", "", 0, ""}; };
-  return [recovery, work = UnsavedWork{sessionAt(x), {}, {}, {}}] { return recovery->keep(work); };
+  return [recovery, work = UnsavedWork{sessionAt(x), {}, {}}] { return recovery->keep(work); };
 }
 
 Save savingSettings(const std::string &file, int x) {
