@@ -4,6 +4,7 @@
 #include "lessons/object/drawing.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace halfspace {
 namespace {
@@ -38,6 +39,7 @@ public:
 
   SnappedPlace find() const {
     SnappedPlace best{m_grid, ""};
+    const double gridPixels = gridPixelsIfAlone();
     if (m_request.step <= finestStep)
       return best;
     std::size_t bestDimension = 4;
@@ -50,7 +52,8 @@ public:
       const double pixels = pixelsTo(common->nearest(m_wanted));
       if (!(pixels <= m_request.catchPixels) || (dimension == bestDimension && pixels >= bestPixels))
         continue;
-      if (const auto rest = restOn(*common, target)) {
+      const auto rest = restOn(*common, target);
+      if (rest && (pixels <= gridPixels || offGrid(*rest) == 1)) {
         best = {*rest, target.name};
         bestDimension = dimension;
         bestPixels = pixels;
@@ -100,6 +103,19 @@ private:
   bool isEverywhere(const Flat &common) const { return common.dimension() == m_request.freedom.dimension(); }
 
   double pixelsTo(const ExactVec3 &at) const { return m_request.pixelsApart(place(at), m_request.raw); }
+
+  /// How far a grid place is that no other is near to: the hand means it, and not a place with fractions
+  /// farther away. Infinite where many are within the catch.
+  double gridPixelsIfAlone() const {
+    const Place grid = place(m_grid);
+    for (int axis = 0; axis < 3; ++axis) {
+      Place next = grid;
+      next[axis] += toDouble(m_request.step);
+      if (m_request.freedom.moves(axis) && !(m_request.pixelsApart(grid, next) > 2 * m_request.catchPixels))
+        return std::numeric_limits<double>::infinity();
+    }
+    return pixelsTo(m_grid);
+  }
 
   /// Of the places that satisfy the target the one with the shortest numbers; among equally short ones the
   /// nearest.

@@ -35,9 +35,10 @@ struct SnappedPlace {
 /// are round (Binding::onGrid), and never off its host.
 ///
 /// A target (a vertex, an edge, a plane; for a direction: parallel, through a vertex or an edge, along an
-/// axis) catches within `catchPixels`: points before lines before planes, then the
-/// nearest. The handle slides on it from grid place to grid place, and where there is none nearby to a place
-/// with short fractions; those of more than `longestSnapDenominator` digits are never taken.
+/// axis) catches within `catchPixels`: points before lines before planes, then the nearest. The handle slides
+/// on it from grid place to grid place, and where there is none nearby to a place with short fractions; those
+/// of more than `longestSnapDenominator` digits are never taken. A grid place that stands alone and is nearer
+/// to the pointer goes before places with fractions.
 [[nodiscard]] SnappedPlace snap(const SnapRequest &request);
 
 inline constexpr std::size_t longestSnapDenominator = 6;

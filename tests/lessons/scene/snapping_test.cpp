@@ -107,6 +107,14 @@ TEST(SnapPosition, WhereThePlaneHasNoGridPlaceNearby_TakesShortFractions) {
   EXPECT_EQ(place.caughtBy, "plane E");
 }
 
+TEST(SnapPosition, OnAGridPlaceBesideThePlane_StaysThere) {
+  const Scene scene = with({{"E", PlaneObject{{q(39, 10), 4, 8}, {1, 0, 0}}}, pointQ()});
+  EXPECT_EQ(Drag({scene, "Q"}).horizontally(3.99, 4.0).at, ExactVec3(4, 4, 8));
+  EXPECT_EQ(Drag({scene, "Q"}).horizontally(3.94, 4.0).at, ExactVec3(q(39, 10), 4, 8));
+  // With so fine a grid every place is near to one.
+  EXPECT_EQ(Drag({scene, "Q", q(1, 8)}).horizontally(3.87, 4.0).at, ExactVec3(q(39, 10), 4, 8));
+}
+
 TEST(SnapPosition, AlongTheVertical_MeetsThePlaneExactly) {
   const Scene scene = with({planeE(), {"Q", PointObject{{4, 4, 0}}}});
   const SnappedPlace place = Drag({scene, "Q"}).vertically(7.45);

@@ -18,6 +18,9 @@ namespace {
 /// What is not drawn is grabbed within so many design pixels.
 constexpr double unseenRadius = 6;
 
+/// The very tip of an arrow is seen as thick as this, in design pixels: it is what people aim at.
+constexpr double tipPixels = 2.5;
+
 /// Makes the grips of one picture.
 class GripMaker {
 public:
@@ -82,7 +85,8 @@ private:
       const double length = glm::length(way);
       const ArrowHead head = headOfArrow(length, arrowRadius * thickness);
       const Place tip = arrow->from + way;
-      addPiece(grip, tip, tip - way * (head.length / length), 0, head.radius);
+      const double tipRadius = std::min(head.radius, tipPixels * m_view.unitsPerDesignPixel(tip));
+      addPiece(grip, tip, tip - way * (head.length / length), tipRadius, head.radius);
     }
   }
 
