@@ -32,12 +32,13 @@ constexpr double leastAxesAngle = 0.3;
 
 /// A step's picture as it is seen when the lesson begins there.
 struct Page {
-  View view;
-  SceneContent content;
-  std::vector<Handle> handles;
+  const Theme &theme;
+  View view{};
+  SceneContent content{};
+  std::vector<Handle> handles{};
   LabelPage placer{};
   std::vector<LabelOnPage> labels{};
-  std::vector<Place> places; ///< that belong into the view
+  std::vector<Place> places{}; ///< that belong into the view
 
   [[nodiscard]] glm::dvec2 pixelOf(const Place &place) const {
     return glm::dvec2(view.camera.project(place, view.size).value());
@@ -45,7 +46,7 @@ struct Page {
 };
 
 void placeLabels(Page &page) {
-  const Theme &theme = themes().front();
+  const Theme &theme = page.theme;
   const AxesReach axes = axesAround(page.content.figure);
   const double scale = designScale(page.view.camera, page.view.size, page.view.pixelRatio);
   const auto texts = labelTexts(page.content, axisLabels(axes, page.view.camera, 0, scale), theme, page.view);
@@ -53,11 +54,11 @@ void placeLabels(Page &page) {
       page.placer.place(texts, obstaclesOf(page.content, axes, theme, page.view), vectorsOnly(), page.view);
 }
 
-Page pageOf(const Lesson &lesson, const LessonStep &step, PixelSize size, double ratio,
+Page pageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme, PixelSize size, double ratio,
             const std::vector<PixelBox> &covered) {
   const Evaluation evaluation = evaluate(lesson.scene);
   const Figure whole = figureOf(evaluation);
-  Page page;
+  Page page{theme};
   page.content.figure = shownIn(step, evaluation, whole).figure;
   page.handles = handlesOf({lesson.scene, evaluation});
   page.places = placesOf(whole);
@@ -242,14 +243,17 @@ std::vector<std::string> falseLines(const Page &page) {
 
 class StartView : public testing::TestWithParam<std::string> {
 protected:
-  /// Looks at all steps of the lesson, at several sizes.
+  /// Looks at all steps of the lesson, in all themes, at several sizes.
   template <class Look> void expectNothing(const Look &look) {
     const Lesson &lesson = *library().find(GetParam());
-    for (const PixelSize size : {PixelSize{840, 725}, PixelSize{600, 480}, PixelSize{1100, 940}})
-      for (const double ratio : {1.0, 1.5})
-        for (const LessonStep &step : lesson.steps)
-          for (const std::string &sentence : look(pageOf(lesson, step, size, ratio, coveredIn(size, ratio))))
-            ADD_FAILURE() << size.width << " wide, at " << ratio << ", " << step.title << ": " << sentence;
+    for (const Theme &theme : themes())
+      for (const PixelSize size : {PixelSize{840, 725}, PixelSize{600, 480}, PixelSize{1100, 940}})
+        for (const double ratio : {1.0, 1.5})
+          for (const LessonStep &step : lesson.steps)
+            for (const std::string &sentence :
+                 look(pageOf(lesson, step, theme, size, ratio, coveredIn(size, ratio))))
+              ADD_FAILURE() << theme.name << ", " << size.width << " wide, at " << ratio << ", " << step.title
+                            << ": " << sentence;
   }
 
   /// Buttons in the upper right corner, a card in the lower left one.

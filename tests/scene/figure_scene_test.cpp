@@ -143,7 +143,7 @@ TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   request.camera.turn(0.3, 0.1);
   scene.setView({request.camera, request.size, 1});
   scene.prepare();
-  EXPECT_LE(differences(withGizmo, meshTimes(scene)), 3); // the tools, and the faces and their shadow
+  EXPECT_LE(differences(withGizmo, meshTimes(scene)), 4); // the tools, the axes, the faces and their shadow
 }
 
 TEST(FigureScene, WritesALabelThatArrivesPaler) {

@@ -191,6 +191,17 @@ TEST(LabelLayout, ForWhatComesAndGoesNoOtherLabelMoves) {
   EXPECT_FALSE(overlap(both[0], both[1]));
 }
 
+TEST(LabelLayout, WithoutRoomWhatComesAndGoesIsLeftOut) {
+  LabelObstacles crowd;
+  for (int x = 0; x <= 800; x += 20)
+    for (int y = 0; y <= 600; y += 20)
+      crowd.discs.push_back({{x, y}, 9});
+  LabelRequest note = labelAt("note", {400, 300});
+  EXPECT_EQ(LabelLayout().place({note}, crowd, size, 1).size(), 1U);
+  note.stand = LabelStand::Passing;
+  EXPECT_TRUE(LabelLayout().place({note}, crowd, size, 1).empty());
+}
+
 TEST(LabelLayout, WhenTheCrowdIsGoneALabelComesBackFromAfar) {
   LabelLayout layout;
   LabelObstacles crowd;

@@ -52,6 +52,19 @@ TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
   EXPECT_GT(clearanceOf(Subject::Point), clearanceOf(Subject::Plane));
 }
 
+TEST(LabelRequests, LabelWhereLinesAreThick_KeepsOffAsMuchFarther) {
+  PointMark point = named(pointAt({1, 2, 3}), "Q", Subject::Point);
+  point.label = "Q";
+  SceneContent content;
+  content.figure.marks.push_back(point);
+  const auto clearanceIn = [&](const Theme &theme) {
+    return labelTexts(content, {}, theme, viewAtHeight(21)).front().anchors.front().clearance;
+  };
+  Theme thick = themes().front();
+  thick.lineScale = 1.5;
+  EXPECT_DOUBLE_EQ(clearanceIn(thick), 1.5 * clearanceIn(themes().front()));
+}
+
 TEST(LabelRequests, NamesOfTheAxes_GiveWay) {
   const auto texts = axisTexts(viewAtHeight(21));
   for (const char *name : {"x", "y", "z"}) {

@@ -244,14 +244,23 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       if (requests[label].stand == stand)
         visit(label);
   };
+  const auto canBeRead = [&](std::size_t label, const Candidate &there) {
+    const double limit = there.cost + costOfThickLine;
+    return costOf(there, label, options[label].obstacles, board, limit) < limit;
+  };
   const auto pin = [&](std::size_t label) {
     board.placed[label].reset();
     for (const Candidate &only : options[label].candidates)
-      if (costOf(only, label, options[label].obstacles, board, costOfTouching) < costOfThickLine)
+      if (canBeRead(label, only))
         board.placed[label] = only;
   };
   const auto settle = [&](std::size_t label) {
     board.placed[label] = bestFor(label, requests[label].id, options[label], board);
+  };
+  const auto settlePassing = [&](std::size_t label) {
+    settle(label);
+    if (board.placed[label] && !canBeRead(label, *board.placed[label]))
+      board.placed[label].reset();
   };
   // Every label takes the best place beside those placed before it; then, beside all others. What is pinned
   // cannot move away, so the others do; where they cannot, it is left out.
@@ -259,7 +268,7 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   for (int pass = 0; pass < passes; ++pass)
     forEach(LabelStand::Beside, settle);
   forEach(LabelStand::Pinned, pin);
-  forEach(LabelStand::Passing, settle);
+  forEach(LabelStand::Passing, settlePassing);
   forEach(LabelStand::Pinned, pin);
   return taken(requests, board);
 }

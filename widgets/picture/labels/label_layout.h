@@ -21,7 +21,7 @@ struct LabelAnchor {
 enum class LabelStand {
   Beside, ///< where it is clear of everything, as near to an anchor as can be
   Pinned, ///< centred on its first anchor, or nowhere: where something is already there, it is left out
-  Passing ///< beside an anchor, as long as the hand is there: all others stay where they are
+  Passing ///< beside an anchor, as long as the hand is there: all others stay where they are; or nowhere
 };
 
 /// A label to be placed. Its anchors are tried in order of liking; those off the screen do not count.
@@ -62,8 +62,8 @@ struct PlacedLabel {
 /// upon it there, and goes back beside its anchor when it can.
 class LabelLayout {
 public:
-  /// Labels without an anchor on the screen are left out, and pinned ones without room. Sizes and distances
-  /// are multiplied by the pixel ratio.
+  /// Labels without an anchor on the screen are left out, and pinned and passing ones without room. Sizes and
+  /// distances are multiplied by the pixel ratio.
   [[nodiscard]] std::vector<PlacedLabel> place(const std::vector<LabelRequest> &requests,
                                                const LabelObstacles &obstacles, PixelSize size,
                                                double pixelRatio);

@@ -42,11 +42,12 @@ glm::dvec2 squareTo(glm::dvec2 along) {
 /// Collects the anchors of one mark, those behind the eye left out.
 class Anchors {
 public:
-  explicit Anchors(const View &view) : m_view(view) {}
+  /// What stands there is so many times as thick as usual.
+  Anchors(const View &view, double thickness) : m_view(view), m_thickness(thickness) {}
 
   void add(Place at, glm::dvec2 toward, double clearance) {
     if (const auto pixel = pixelOf(at))
-      m_anchors.push_back({*pixel, toward, clearance * m_view.pixelRatio});
+      m_anchors.push_back({*pixel, toward, clearance * m_thickness * m_view.pixelRatio});
   }
 
   /// Beside a line, at a part of its length.
@@ -91,6 +92,7 @@ private:
   }
 
   const View &m_view;
+  double m_thickness;
   std::vector<LabelAnchor> m_anchors;
 };
 
@@ -101,13 +103,13 @@ Place middleOf(const std::vector<Place> &places) {
   return std::accumulate(places.begin(), places.end(), Place(0)) / static_cast<double>(places.size());
 }
 
-std::vector<LabelAnchor> anchorsOf(const Mark &mark, const View &view) {
+std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const View &view) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
   if (outline.path.empty())
     return {};
   const std::vector<Place> &path = outline.path;
-  Anchors anchors(view);
+  Anchors anchors(view, theme.lineScale);
   const auto besideLine = [&] {
     for (const double part : besideLineParts)
       anchors.addBeside(path.front(), path.back(), part);
@@ -160,8 +162,8 @@ std::vector<Place> closed(std::vector<Place> corners) {
 }
 
 /// Beyond the tip of an axis, whose name gives way to what is already there.
-std::vector<LabelAnchor> axisNameAnchors(Place tip, const View &view) {
-  Anchors anchors(view);
+std::vector<LabelAnchor> axisNameAnchors(Place tip, const Theme &theme, const View &view) {
+  Anchors anchors(view, theme.lineScale);
   anchors.addTip(Place(0), tip);
   anchors.add(tip, upperRight, tipClearance);
   return anchors.take();
@@ -175,7 +177,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   const double pixels = view.pixelRatio * theme.textScale;
   const auto style = [&](Color ink, double size) { return LabelStyle{ink, theme.halo, size * pixels}; };
   const auto at = [&](Place place) {
-    Anchors anchors(view);
+    Anchors anchors(view, theme.lineScale);
     anchors.add(place, {0, 0}, 0);
     return anchors.take();
   };
@@ -183,15 +185,16 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
   for (const AxisLabel &label : axes)
     if (label.isName)
       texts.push_back({"axis " + label.latex, label.latex, style(theme.ink, markTextSize),
-                       axisNameAnchors(label.at, view)});
+                       axisNameAnchors(label.at, theme, view)});
     else
       texts.push_back({"tick " + std::to_string(texts.size()), label.latex,
                        style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned});
   for (const Mark *mark : labelledMarks(content)) {
     const MarkBase &base = baseOf(*mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
-    texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize), anchorsOf(*mark, view),
-                     LabelStand::Beside, true, content.arrival.presenceOf(base)});
+    texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
+                     anchorsOf(*mark, theme, view), LabelStand::Beside, true,
+                     content.arrival.presenceOf(base)});
   }
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   if (content.dropLine && content.stage.hasAxes())
@@ -200,13 +203,13 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
       const AxisLabel label = axisNumber(axis, coordinate, view.camera, content.stage.exponent, scale);
       Place onAxis(0);
       onAxis[axis] = coordinate;
-      Anchors anchors(view);
+      Anchors anchors(view, theme.lineScale);
       anchors.addTowards(onAxis, label.at, dropNumberClearance);
       texts.push_back({"drop " + std::to_string(axis), label.latex, style(theme.accent, tickTextSize),
                        anchors.take(), LabelStand::Passing});
     }
   if (content.gizmo && !content.gizmo->note.empty()) {
-    Anchors anchors(view);
+    Anchors anchors(view, theme.lineScale);
     anchors.add(content.gizmo->at, {-1, 0.6}, gizmoClearance);
     texts.push_back({"gizmo note", content.gizmo->note, style(theme.accent, markTextSize), anchors.take(),
                      LabelStand::Passing});
