@@ -15,6 +15,8 @@ namespace {
 constexpr double formulaScale = 1.28;
 /// A formula that is too wide is not drawn smaller than this.
 constexpr double smallestScale = 0.6;
+/// Narrower, in em, than any formula can be broken to: its second line begins further right.
+constexpr double narrowestLine = 1;
 
 // Space, in em of the formulas' type.
 constexpr double sideMargin = 1.0;
@@ -176,7 +178,7 @@ double narrowestWidth(const std::vector<TypesetLine> &lines, const QFont &font) 
   for (const TypesetLine &line : lines)
     for (const Typesetter::Picture &piece : line.pieces)
       if (piece)
-        widest = std::max(widest, piece->brokenTo(0).width());
+        widest = std::max(widest, piece->brokenTo(narrowestLine).width());
   return (widest * smallestScale + indent + 2 * sideMargin) * emPixelsOf(font);
 }
 

@@ -192,35 +192,37 @@ private slots:
     QVERIFY(placed.box.bottom() > placed.remark.back().baseline.y());
   }
 
-  void severalWorkings_standSideBySideUnderTheirNames_whereThereIsRoom_data() {
-    QTest::addColumn<double>("ems");
-    QTest::addColumn<bool>("beside");
-    QTest::newRow("room for both") << 44.5 << true;
-    QTest::newRow("too narrow") << 43.5 << false;
-  }
-  void severalWorkings_standSideBySideUnderTheirNames_whereThereIsRoom() {
-    QFETCH(double, ems);
-    QFETCH(bool, beside);
-    const double width = ems * em();
+  void severalWorkings_standBelowEachOther_underTheirNames() {
     const PlacedWorking placed =
-        place({line("first.a", {"x"}), line("first.b", {"y"}, "Words."), line("second.a", {"z"})}, width);
+        place({line("first.a", {"x"}), line("first.b", {"y"}, "Words."), line("second.a", {"z"})});
     QCOMPARE(text(placed.lines[0].heading), QString("first"));
     QVERIFY(placed.lines[1].heading.empty());
     QCOMPARE(text(placed.lines[2].heading), QString("second"));
-    QCOMPARE(placed.size.width(), width);
-    QCOMPARE(placed.lines[2].box.left(), beside ? width / 2 : 0.0);
-    QCOMPARE(placed.lines[2].box.top(), beside ? 0.0 : placed.lines[1].box.bottom());
-    QCOMPARE(placed.lines[0].box.width(), beside ? width / 2 : width);
-    QCOMPARE(placed.size.height(), placed.lines[beside ? 1 : 2].box.bottom());
-    QVERIFY(placed.lines[2].box.contains(placed.lines[2].formulas[0].box()));
+    QCOMPARE(placed.lines[2].box.left(), 0.0);
+    QCOMPARE(placed.lines[2].box.top(), placed.lines[1].box.bottom());
+    QVERIFY(placed.lines[2].heading[0].baseline.y() > placed.lines[2].box.top());
+    QVERIFY(placed.lines[2].heading[0].baseline.y() < placed.lines[2].formulas[0].box().top());
   }
 
-  void severalWorkings_ofWhichOneDoesNotFitBeside_standBelowEachOther() {
-    const QString formula = "\\sqrt{" + QString("x").repeated(80) + "}";
-    const double width = 46 * em();
-    const PlacedWorking placed = place({line("first.a", {"y"}), line("second.a", {formula})}, width);
-    QCOMPARE(placed.lines[1].box.left(), 0.0);
-    QCOMPARE(placed.lines[1].box.top(), placed.lines[0].box.bottom());
+  void line_thatIsToHaveAHeight_hasItAtLeast() {
+    const std::vector<TypesetLine> lines{line("a", {"x"}), line("b", {"y"})};
+    const double natural = place(lines).lines[0].box.height();
+    const auto heldTo = [&](double least) {
+      return placeWorking(lines, {}, m_sentences, usualFont(), wide, {{"a", least}});
+    };
+    QCOMPARE(heldTo(natural + 30).lines[0].box.height(), natural + 30);
+    QCOMPARE(heldTo(natural + 30).lines[1].box.top(), natural + 30);
+    QCOMPARE(heldTo(natural + 30).lines[0].formulas[0].box(), place(lines).lines[0].formulas[0].box());
+    QCOMPARE(heldTo(natural - 3).lines[0].box.height(), natural);
+  }
+
+  void narrowestWidth_isWhereTheSmallestFormulaStillFits() {
+    const std::vector<TypesetLine> lines{line("a", {"\\sqrt{" + QString("x").repeated(40) + "}"}),
+                                         line("b", {"x" + QString("+x").repeated(60)})};
+    const double narrowest = narrowestWidth(lines, usualFont());
+    QCOMPARE(place(lines, narrowest).size.width(), narrowest);
+    const double tooNarrow = narrowest - 2 * em();
+    QVERIFY(place(lines, tooNarrow).size.width() > tooNarrow);
   }
 
   void oneWorking_hasNoHeadingAndAllTheWidth() {
