@@ -1,5 +1,7 @@
 #include "widgets/working/step_working.h"
 
+#include <algorithm>
+
 namespace halfspace {
 
 StepWorking::StepWorking(const Typesetter &typesetter, QObject *parent)
@@ -23,15 +25,26 @@ WorkingBlock *StepWorking::addBlock() {
   connect(block, &WorkingBlock::scrubStarted, this, &StepWorking::scrubStarted);
   connect(block, &WorkingBlock::scrubbed, this, &StepWorking::scrubbed);
   connect(block, &WorkingBlock::scrubEnded, this, &StepWorking::scrubEnded);
+  block->setGoOn([this, block](int way) { return goOn(*block, way); });
   connect(block, &QObject::destroyed, this, [this, block] { std::erase(m_blocks, block); });
   m_blocks.push_back(block);
   return block;
 }
 
 void StepWorking::dropBlocks() {
-  for (WorkingBlock *block : m_blocks)
+  for (WorkingBlock *block : m_blocks) {
     block->disconnect(this);
+    block->setGoOn({});
+  }
   m_blocks.clear();
+}
+
+bool StepWorking::goOn(const WorkingBlock &from, int way) {
+  const auto count = static_cast<std::ptrdiff_t>(m_blocks.size());
+  auto next = std::find(m_blocks.begin(), m_blocks.end(), &from) - m_blocks.begin() + way;
+  while (next >= 0 && next < count && !m_blocks[static_cast<std::size_t>(next)]->comeIn(way))
+    next += way;
+  return next >= 0 && next < count;
 }
 
 void StepWorking::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,

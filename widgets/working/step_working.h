@@ -67,6 +67,8 @@ signals:
   void scrubEnded(bool keep);
 
 private:
+  /// The keys leave a block for the next one with lines, downwards or upwards; false where there is none.
+  bool goOn(const WorkingBlock &from, int way);
   /// What depends on where the numbers stand and what they are.
   void followTrace();
   [[nodiscard]] const Term *tracedTerm() const;

@@ -60,6 +60,10 @@ public:
 
   /// Gives the focus to the first field; false where there is none.
   bool focusField();
+  /// What the keys do beyond the last line (way 1) and before the first (−1): whether they have gone on.
+  void setGoOn(std::function<bool(int way)> goOn) { m_goOn = std::move(goOn); }
+  /// The keys come from a block above (way 1) or below (−1), to the nearest line. False where there is none.
+  bool comeIn(int way);
 
   /// The numbers that can be touched.
   [[nodiscard]] ShownNumbers shownNumbers() const { return {m_lines, m_placed}; }
@@ -174,6 +178,7 @@ private:
   const Typesetter &m_typesetter;
   Theme m_theme;
   std::function<QColor(const QString &)> m_inkOf;
+  std::function<bool(int way)> m_goOn;
   std::set<std::string> m_highlighted;
   Working m_working; ///< of the step
   LineRange m_shown{0, 0};

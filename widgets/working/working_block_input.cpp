@@ -131,8 +131,16 @@ bool WorkingBlock::stepLine(int way) {
   const std::size_t next =
       !m_current ? (way > 0 ? 0 : count - 1) : *m_current + static_cast<std::size_t>(way);
   if (next >= count) // beyond the last, or before the first
-    return false;
+    return m_goOn && m_goOn(way);
   setCurrentLine(next);
+  return true;
+}
+
+bool WorkingBlock::comeIn(int way) {
+  if (m_lines.empty())
+    return false;
+  setFocus();
+  setCurrentLine(way > 0 ? 0 : m_lines.size() - 1);
   return true;
 }
 
