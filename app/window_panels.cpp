@@ -30,7 +30,11 @@ void MainWindow::createPanels() {
   m_split->setStretchFactor(0, 1);
   m_split->setStretchFactor(1, 0);
   connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
-  setCentralWidget(m_split);
+  auto *center = new QWidget;
+  auto *layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_split);
+  setCentralWidget(center);
   createInspector();
   createContents();
   connectWorking();
@@ -60,7 +64,7 @@ void MainWindow::createInspector() {
 }
 
 void MainWindow::createContents() {
-  m_contents = new ContentsDrawer(m_split);
+  m_contents = new ContentsDrawer(centralWidget()); // a splitter would make it a third part
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
           [this](const QString &id) { m_model.openLesson(id.toStdString()); });
 }

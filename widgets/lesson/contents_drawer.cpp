@@ -73,6 +73,7 @@ ContentsDrawer::ContentsDrawer(QWidget *parent)
     : QFrame(parent), m_list(new QListWidget), m_theme(themes().front()) {
   setObjectName("contents");
   setAutoFillBackground(true);
+  setAttribute(Qt::WA_NoMousePropagation); // a press on its heading is not one beside it
   m_list->setObjectName("lessonList");
   m_list->setItemDelegate(new LessonDelegate(m_theme, m_list));
   m_list->setWordWrap(true);
@@ -123,6 +124,7 @@ void ContentsDrawer::open() {
   arrange();
   raise();
   show();
+  m_before = window()->focusWidget();
   m_list->setFocus();
   qApp->installEventFilter(this);
   emit openChanged(true);
@@ -132,6 +134,8 @@ void ContentsDrawer::close() {
   if (!isVisible())
     return;
   qApp->removeEventFilter(this);
+  if (m_before)
+    m_before->setFocus();
   hide();
   emit openChanged(false);
 }

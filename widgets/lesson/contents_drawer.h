@@ -5,13 +5,14 @@
 #include "widgets/picture/theme.h"
 
 #include <QFrame>
+#include <QPointer>
 
 class QListWidget;
 
 namespace halfspace {
 
 /// Opens at the left edge of its parent, as high as that; closes when a lesson is chosen, with Escape, and by
-/// a press beside it.
+/// a press beside it. The keys go back to whom they came from.
 class ContentsDrawer : public QFrame {
   Q_OBJECT
 public:
@@ -40,7 +41,7 @@ private:
 
   QListWidget *m_list;
   Theme m_theme;
-  std::vector<Entry> m_lessons;
+  QPointer<QWidget> m_before; ///< had the focus
 };
 
 } // namespace halfspace
