@@ -50,6 +50,7 @@ NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidge
     : QFrame(parent), m_model(model), m_editor(model), m_typesetter(typesetter), m_theme(themes().front()),
       m_numbers(new QWidget), m_complaint(wordsLabel("complaint")), m_hintLabel(wordsLabel("hint")) {
   setObjectName("card");
+  m_hintLabel->setMinimumWidth(1); // it is cut short where there is no room
   m_complaint->setWordWrap(true);
   m_complaint->hide();
   auto *layout = new QVBoxLayout(this);
@@ -98,8 +99,8 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
     });
     flow->addWidget(groupOf(row));
   }
-  numbers->setVisible(!ids.empty());
   delete layout()->replaceWidget(m_numbers, numbers);
+  numbers->setVisible(!ids.empty()); // only now: without a parent it would be a window
   m_numbers->hide();
   m_numbers->deleteLater(); // a number that was typed in it may have led here
   m_numbers = numbers;
@@ -125,6 +126,12 @@ void NumberCard::showHint() {
   m_hintLabel->setText(m_hint);
   m_hintLabel->setVisible(!m_hint.isEmpty());
   updateGeometry();
+}
+
+QSize NumberCard::sizeHint() const {
+  const int hint = m_hintLabel->fontMetrics().horizontalAdvance(m_hint);
+  const QSize whole(hint + 2 * frameWidth() + cardMargins.left() + cardMargins.right(), 0);
+  return QFrame::sizeHint().expandedTo(whole);
 }
 
 void NumberCard::resizeEvent(QResizeEvent *event) {

@@ -33,6 +33,9 @@ public:
   /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when it is not shown.
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
 
+  /// With room for the whole hint, which is cut short where there is less.
+  [[nodiscard]] QSize sizeHint() const override;
+
 protected:
   void resizeEvent(QResizeEvent *event) override;
 
