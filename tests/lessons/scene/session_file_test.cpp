@@ -19,6 +19,13 @@ std::string around(const std::string &scene) {
   return R"({"format":"halfspace","version":1,"lesson":"x","step":0,"scene":)" + scene + "}";
 }
 
+/// A session file with a view, which stands in the second line.
+std::string withView(const std::string &view) {
+  return R"({"format":"halfspace","version":3,"lesson":"x","step":0,"scene":[],
+"view":)" +
+         view + "}";
+}
+
 /// The problem of a text that must not be read; with a sentence, and with the file's name.
 Problem problemOf(const std::string &text) {
   const auto session = readSession(text, file);
@@ -43,6 +50,56 @@ TEST(SessionFile, WrittenAndReadAgain_IsTheSameSession) {
   const auto again = readSession(writeSession(session), file);
   ASSERT_TRUE(again) << again.problem().text();
   EXPECT_EQ(*again, session);
+}
+
+TEST(SessionFile, View_IsKeptToAMillionth) {
+  Session session = startSession();
+  session.view = ChosenView{{{0.25, -1, 0.5}, {1.0 / 3, 2, -7}, 12.5}, true};
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  ASSERT_TRUE(again->view);
+  EXPECT_EQ(again->view->view.from, session.view->view.from);
+  EXPECT_NEAR(again->view->view.at.x, 1.0 / 3, 1e-6);
+  EXPECT_EQ(again->view->view.at.z, -7);
+  EXPECT_EQ(again->view->view.height, 12.5);
+  EXPECT_TRUE(again->view->orthographic);
+  session.view->orthographic = false;
+  EXPECT_FALSE(readSession(writeSession(session), file)->view->orthographic);
+}
+
+TEST(SessionFile, WithoutAView_HasNone_AsThoseOfOlderVersions) {
+  EXPECT_EQ(writeSession(startSession()).find("view"), std::string::npos);
+  for (const char *version : {"1", "2", "3"}) {
+    const auto session = readSession(
+        std::string(R"({"format":"halfspace","lesson":"x","step":0,"scene":[],"version":)") + version + "}",
+        file);
+    ASSERT_TRUE(session) << session.problem().text();
+    EXPECT_FALSE(session->view);
+  }
+}
+
+TEST(SessionFile, BrokenView_IsRefusedWithLineAndField) {
+  for (const auto &[view, field] : {std::pair(R"({"from":[0,0,0]})", "view.from"),
+                                    {R"({"from":[1,2]})", "view.from"},
+                                    {R"({"from":"top"})", "view.from"},
+                                    {R"({"at":[1,2,"x"]})", "view.at"},
+                                    {R"({"at":[1,2,"1e999"]})", "view.at"},
+                                    {R"({"height":0})", "view.height"},
+                                    {R"({"height":-3})", "view.height"},
+                                    {R"({"height":"nan"})", "view.height"},
+                                    {R"({"orthographic":"perhaps"})", "view.orthographic"},
+                                    {R"({"zoom":2})", "view.zoom"},
+                                    {"3", "view"}}) {
+    const Problem problem = problemOf(withView(view));
+    EXPECT_EQ(problem.field, field) << view;
+    EXPECT_EQ(problem.line, 2) << view;
+  }
+}
+
+TEST(Session, LookedAtFromElsewhere_IsTheSame) {
+  Session session = startSession();
+  session.view = ChosenView{};
+  EXPECT_EQ(session, startSession());
 }
 
 TEST(SessionFile, Coordinates_AreExactTexts) {
@@ -75,7 +132,8 @@ TEST(SessionFile, OfAnotherProgram_SaysThatItIsNone) {
 }
 
 TEST(SessionFile, OfANewerVersion_AsksForAnUpdateWhateverElseItHolds) {
-  const Problem problem = problemOf(R"({"format":"halfspace","version":3,"worlds":[]})");
+  const Problem problem = problemOf(R"({"format":"halfspace","version":)" +
+                                    std::to_string(sessionFileVersion + 1) + R"(,"worlds":[]})");
   EXPECT_TRUE(mentions(problem, "newer version"));
   EXPECT_EQ(problem.field, "version");
 }
