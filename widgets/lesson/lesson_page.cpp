@@ -205,7 +205,11 @@ QWidget *LessonPage::blockOf(const Task &task) {
 QWidget *LessonPage::blockOf(const Prediction &prediction) {
   m_prediction = new PredictionBox(m_typesetter, prediction);
   connect(m_prediction, &PredictionBox::chosen, this, [this](const QString &word) {
-    m_next->setFocus(); // the choices are disabled now
+    // The choices are disabled now: the next widget that takes keys may be a number.
+    if (m_next->isEnabled())
+      m_next->setFocus();
+    else
+      setFocus();
     emit predictionChosen(word);
     showReason();
   });

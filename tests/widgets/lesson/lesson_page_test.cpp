@@ -1,5 +1,9 @@
-// The words of a lesson: steps, tasks and questions.
+// The page of a step: its blocks in their order, the way on, and what it asks.
 #include "widgets/lesson/lesson_page.h"
+
+#include "tests/widgets/working/working_block_fixture.h"
+#include "widgets/lesson/note_fold.h"
+#include "widgets/working/working_practice.h"
 
 #include <QHelpEvent>
 #include <QLineEdit>
@@ -8,114 +12,206 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
-#include <QtTest>
+
+#include <cstdlib>
 
 using namespace halfspace;
 
 namespace {
 
-Lesson someLesson() {
+Prediction someQuestion() {
+  return {"On which side is $Q$?",
+          "side",
+          {{"positive", "The side that $\\vec n$ points to"}, {"negative", "The other side"}},
+          "The sign of $f(Q)$ tells."};
+}
+
+Lesson lessonOf(std::vector<LessonStep> steps) {
   Lesson lesson;
   lesson.title = "How far is a point from a plane?";
-  LessonStep words{"The side", "", {}, {}, {}};
-  LessonStep tasks{
-      "The distance", "", {}, {{"Drag $Q$ to the other side.", {}}, {"Make $f(Q) = 0$.", {}}}, {}};
-  LessonStep question{
-      "Predict",
-      "",
-      {},
-      {},
-      Prediction{"On which side is $Q$?",
-                 "side",
-                 {{"positive", "The side that $\\vec n$ points to"}, {"negative", "The other side"}},
-                 "The sign of $f(Q)$ tells."}};
-  lesson.steps = {words, tasks, question};
+  lesson.steps = std::move(steps);
   return lesson;
 }
 
-QPushButton *button(const LessonPage &panel, const QString &text) {
-  for (QPushButton *found : panel.findChildren<QPushButton *>())
-    if (found->text() == text)
-      return found;
-  return nullptr;
+/// Words, tasks, and a question.
+Lesson someLesson() {
+  return lessonOf(
+      {{"The side", {StepWords{"About $Q$."}, StepLines()}},
+       {"The distance", {StepLines(), Task{"Drag $Q$ to the other side.", {}}, Task{"Make $f(Q) = 0$.", {}}}},
+       {"Predict", {someQuestion(), StepLines()}}});
 }
 
-template <class Widget> QList<Widget *> shown(const LessonPage &panel) {
-  QList<Widget *> found;
-  for (Widget *widget : panel.findChildren<Widget *>())
-    if (widget->isVisibleTo(&panel))
-      found << widget;
-  return found;
-}
+/// A page as high as it must be to be scrolled.
+constexpr QSize smallPage(300, 240);
+
+/// A shown page of a lesson.
+class ShownPage {
+public:
+  explicit ShownPage(const Lesson &lesson = someLesson(), int step = 0, QSize size = {420, 700}) {
+    page.resize(size);
+    page.setLesson(lesson, step);
+    page.show();
+    ready = QTest::qWaitForWindowExposed(&page);
+    fill();
+  }
+
+  /// Words as they stand in the lesson, with %1 replaced.
+  void fill(const std::string &value = {}) {
+    page.showWords([&](const std::string &markdown) {
+      return QString::fromStdString(markdown).replace("%1", QString::fromStdString(value)).toStdString();
+    });
+    QCoreApplication::processEvents(); // new blocks are shown by their layout
+  }
+  void setWorking(const Working &working, const std::vector<std::size_t> &linesIn) {
+    practice.setWorking(working, linesIn, false);
+    QCoreApplication::processEvents(); // the layout
+  }
+  [[nodiscard]] QPushButton *button(const QString &text) const {
+    for (QPushButton *found : page.findChildren<QPushButton *>())
+      if (found->text() == text)
+        return found;
+    return nullptr;
+  }
+  [[nodiscard]] QPushButton *next() const { return page.findChild<QPushButton *>("next"); }
+  template <class Widget> [[nodiscard]] QList<Widget *> shown() const {
+    QList<Widget *> found;
+    for (Widget *widget : page.findChildren<Widget *>())
+      if (widget->isVisibleTo(&page))
+        found << widget;
+    return found;
+  }
+  /// The label of these words.
+  [[nodiscard]] RichLabel *words(const QString &beginning) const {
+    for (RichLabel *label : shown<RichLabel>())
+      if (label->accessibleName().startsWith(beginning))
+        return label;
+    return nullptr;
+  }
+  [[nodiscard]] int topOf(const QWidget *widget) const { return widget->mapTo(&page, QPoint(0, 0)).y(); }
+
+private:
+  Typesetter m_typesetter;
+
+public:
+  WorkingPractice &practice = *new WorkingPractice(m_typesetter); // becomes the page's own
+  LessonPage page{m_typesetter, practice};
+  bool ready = false;
+};
 
 } // namespace
 
 class LessonPageTest : public QObject {
   Q_OBJECT
 
-private:
-  Typesetter m_typesetter;
-
 private slots:
-  void stepsAreWalkedByTheButtonsAndEndAtBothEnds() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    QSignalSpy requested(&panel, &LessonPage::stepRequested);
-    QVERIFY(!button(panel, "Back")->isEnabled());
-    button(panel, "Next")->click();
+  void steps_areWalkedByTheButtons_andEndAtBothEnds() {
+    ShownPage shown;
+    QSignalSpy requested(&shown.page, &LessonPage::stepRequested);
+    QVERIFY(!shown.button("Back")->isEnabled());
+    shown.button("Next")->click();
     QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
-    panel.setStep(2);
-    QVERIFY(!button(panel, "Next")->isEnabled());
-    button(panel, "Back")->click();
-    QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
-    panel.setStep(99);
-    QVERIFY(!button(panel, "Next")->isEnabled());
-  }
-
-  void doneTasksAreTold() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    panel.setStep(1);
-    panel.setTasksDone({false, true});
-    const auto rows = shown<TaskRow>(panel);
-    QCOMPARE(rows.size(), 2);
-    QVERIFY(!rows[0]->isDone());
-    QVERIFY(rows[1]->isDone());
-    QVERIFY(rows[0]->accessibleName().contains("To do"));
-    QVERIFY(rows[1]->accessibleName().contains("Done"));
-  }
-
-  void macrosOfTheLessonAreKnownInAllItsWords() {
-    LessonPage panel(m_typesetter);
-    Lesson lesson = someLesson();
-    lesson.steps[1].tasks[0].instruction = "Make $\\it = 0$.";
-    lesson.steps[2].prediction->choices[0].text = "$\\it > 0$";
-    for (const std::string meaning : {"f(Q)", "g(Q)"}) { // the next lesson may mean something else
-      const QString read = QString::fromStdString(meaning);
-      lesson.macros = {{"it", {0, meaning}}};
-      panel.setLesson(lesson);
-      panel.setMarkdown("Here $\\it$ is.");
-      QVERIFY(!shown<RichLabel>(panel).empty());
-      QCOMPARE(shown<RichLabel>(panel).first()->accessibleName(), "Here " + read + " is.");
-      panel.setStep(1);
-      QCOMPARE(shown<TaskRow>(panel).first()->accessibleName(), "To do: Make " + read + " = 0.");
-      panel.setStep(2);
-      QCOMPARE(shown<ChoiceButton>(panel).first()->accessibleName(), read + " > 0");
+    for (const int last : {2, 99}) {
+      shown.page.setStep(last);
+      QVERIFY(!shown.next()->isEnabled());
+      shown.button("Back")->click();
+      QCOMPARE(requested.takeFirst().at(0).toInt(), 1);
     }
   }
 
-  void choiceShowsWhyItsFormulaCannotBeRead() {
-    LessonPage panel(m_typesetter);
+  void lastStep_leadsToTheNextLesson_whereThereIsOne() {
+    ShownPage shown(someLesson(), 1);
+    QSignalSpy next(&shown.page, &LessonPage::nextLessonRequested);
+    QSignalSpy step(&shown.page, &LessonPage::stepRequested);
+    shown.page.setNextLesson("Where does a ray meet a plane?");
+    QCOMPARE(shown.next()->text(), QString("Next"));
+    shown.page.setStep(2);
+    QCOMPARE(shown.next()->text(), QString("Next lesson"));
+    QCOMPARE(shown.next()->toolTip(), QString("Where does a ray meet a plane?"));
+    shown.next()->click();
+    QCOMPARE(next.count(), 1);
+    QVERIFY(step.isEmpty());
+    shown.page.setNextLesson({});
+    QVERIFY(!shown.next()->isEnabled());
+    QCOMPARE(shown.next()->text(), QString("Next"));
+    QCOMPARE(shown.next()->toolTip(), QString());
+  }
+
+  void blocks_standInTheOrderOfTheLesson() {
+    const Lesson lesson = lessonOf({{"All",
+                                     {Task{"A task.", {}}, StepLines(), StepWords{"Some words."},
+                                      someQuestion(), StepLines(), StepNote{"A note", {"More words."}}}}});
+    ShownPage shown(lesson);
+    shown.setWorking(test::tracedWorking(), {1, 2});
+    const auto blocks = shown.shown<WorkingBlock>();
+    QCOMPARE(blocks.size(), 2);
+    QVERIFY(blocks[0]->accessibleDescription().startsWith("u"));
+    QVERIFY(blocks[1]->accessibleDescription().startsWith("a"));
+    const std::vector<QWidget *> expected{
+        shown.shown<TaskRow>().first(),       blocks[0], shown.words("Some words"),
+        shown.shown<PredictionBox>().first(), blocks[1], shown.shown<NoteFold>().first()};
+    int bottom = 0;
+    for (const QWidget *block : expected) {
+      QVERIFY2(shown.topOf(block) >= bottom, block->metaObject()->className());
+      bottom = shown.topOf(block) + block->height();
+    }
+  }
+
+  void note_isFoldedAway_andOpenedByAClick() {
+    ShownPage shown(lessonOf({{"All", {StepLines(), StepNote{"For readers", {"More words."}}}}}));
+    NoteFold *note = shown.shown<NoteFold>().first();
+    QVERIFY(!note->isOpen());
+    QVERIFY(!shown.words("More words"));
+    QToolButton *title = note->findChild<QToolButton *>();
+    QCOMPARE(title->text(), QString("For readers"));
+    QTest::mouseClick(title, Qt::LeftButton);
+    QVERIFY(shown.words("More words"));
+    QTest::keyClick(title, Qt::Key_Space);
+    QVERIFY(!shown.words("More words"));
+  }
+
+  void doneTasks_areTold() {
+    ShownPage shown(someLesson(), 1);
+    shown.page.setTasksDone({false, true});
+    const auto rows = shown.shown<TaskRow>();
+    QCOMPARE(rows.size(), 2);
+    QVERIFY(!rows[0]->isDone());
+    QVERIFY(rows[1]->isDone());
+    shown.page.setTasksDone({true}); // of the second nothing is known
+    QVERIFY(rows[0]->isDone());
+    QVERIFY(!rows[1]->isDone());
+  }
+
+  void macros_ofTheLesson_areKnownInAllItsWords() {
     Lesson lesson = someLesson();
-    lesson.steps[2].prediction->choices[0].text = "$\\foo$";
-    panel.setLesson(lesson);
-    panel.setStep(2);
-    panel.resize(500, 400);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    auto *choice = shown<ChoiceButton>(panel).first();
+    lesson.steps[0].blocks[0] = StepWords{"Here $\\it$ is."};
+    lesson.steps[1].blocks[1] = Task{"Make $\\it = 0$.", {}};
+    Prediction question = someQuestion();
+    question.choices[0].text = "$\\it > 0$";
+    lesson.steps[2].blocks[0] = question;
+    ShownPage shown;
+    for (const std::string meaning : {"f(Q)", "g(Q)"}) { // the next lesson may mean something else
+      const QString read = QString::fromStdString(meaning);
+      lesson.macros = {{"it", {0, meaning}}};
+      shown.page.setLesson(lesson);
+      shown.fill();
+      QVERIFY(shown.words("Here " + read + " is."));
+      shown.page.setStep(1);
+      shown.fill();
+      QCOMPARE(shown.shown<TaskRow>().first()->accessibleName(), "To do: Make " + read + " = 0.");
+      shown.page.setStep(2);
+      shown.fill();
+      QCOMPARE(shown.shown<ChoiceButton>().first()->accessibleName(), read + " > 0");
+    }
+  }
+
+  void choice_showsWhyItsFormulaCannotBeRead() {
+    Prediction question = someQuestion();
+    question.choices[0].text = "$\\foo$";
+    ShownPage shown(lessonOf({{"Predict", {question, StepLines()}}}));
+    auto *choice = shown.shown<ChoiceButton>().first();
     const QPoint place = choice->findChild<RichLabel *>()->geometry().topLeft() + QPoint(10, 8);
     QHelpEvent help(QEvent::ToolTip, place, choice->mapToGlobal(place));
     QCoreApplication::sendEvent(choice, &help);
@@ -123,126 +219,175 @@ private slots:
              QString("Column 1: `\\foo` is unknown."));
   }
 
-  void chosenAnswerIsToldByItsWordAndThenJudged() {
-    LessonPage panel(m_typesetter);
-    panel.resize(420, 500);
-    panel.show();
-    panel.setLesson(someLesson());
-    panel.setStep(2);
-    QSignalSpy chosen(&panel, &LessonPage::predictionChosen);
-    QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2); // layouts show their widgets later
-    const auto choices = shown<ChoiceButton>(panel);
+  void chosenAnswer_isToldByItsWord_andThenJudged() {
+    ShownPage shown(someLesson(), 2);
+    QSignalSpy chosen(&shown.page, &LessonPage::predictionChosen);
+    const auto choices = shown.shown<ChoiceButton>();
+    QCOMPARE(choices.size(), 2);
     QTest::mouseClick(choices[1], Qt::LeftButton);
     QCOMPARE(chosen.takeFirst().at(0).toString(), QString("negative"));
-    panel.setPredictionAnswer("negative", "positive");
+    shown.page.setPredictionAnswer("negative", "positive");
     QCOMPARE(choices[0]->verdict(), Verdict::Right);
     QCOMPARE(choices[1]->verdict(), Verdict::Wrong);
     QTest::mouseClick(choices[0], Qt::LeftButton); // answered once
     QVERIFY(chosen.isEmpty());
-    panel.setPredictionAnswer({}, "positive"); // asked again: nothing is given away
+    shown.page.setPredictionAnswer({}, "positive"); // asked again: nothing is given away
     QCOMPARE(choices[0]->verdict(), Verdict::Open);
     QVERIFY(choices[0]->isEnabled());
   }
 
-  void reasonOfAnAnswerIsScrolledTo() {
-    LessonPage panel(m_typesetter);
-    panel.resize(300, 160);
-    panel.show();
-    panel.setLesson(someLesson());
-    panel.setStep(2);
-    connect(&panel, &LessonPage::predictionChosen, &panel,
-            [&](const QString &word) { panel.setPredictionAnswer(word.toStdString(), "positive"); });
-    QTRY_COMPARE(shown<ChoiceButton>(panel).size(), 2);
-    QTest::mouseClick(shown<ChoiceButton>(panel)[1], Qt::LeftButton);
-    const RichLabel *reason = panel.findChild<PredictionBox *>()->reason();
+  void answeredQuestion_canBeTriedAgain() {
+    ShownPage shown(someLesson(), 2);
+    QSignalSpy reopened(&shown.page, &LessonPage::predictionReopened);
+    QToolButton *again = shown.page.findChild<QToolButton *>("again");
+    QVERIFY(!again->isVisible());
+    shown.page.setPredictionAnswer("negative", "positive");
+    QVERIFY(again->isVisible());
+    QTest::mouseClick(again, Qt::LeftButton);
+    QCOMPARE(reopened.count(), 1);
+    shown.page.setPredictionAnswer({}, "positive");
+    QVERIFY(!again->isVisible());
+  }
+
+  void reasonOfAnAnswer_isScrolledTo() {
+    ShownPage shown(someLesson(), 2, smallPage);
+    connect(&shown.page, &LessonPage::predictionChosen, &shown.page,
+            [&](const QString &word) { shown.page.setPredictionAnswer(word.toStdString(), "positive"); });
+    QTest::mouseClick(shown.shown<ChoiceButton>()[1], Qt::LeftButton);
+    const RichLabel *reason = shown.page.findChild<PredictionBox *>()->reason();
     QCOMPARE(reason->visibleRegion().boundingRect(), reason->rect());
   }
 
-  void exercisesOfTheLastStepAreGone() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    panel.setStep(2);
-    panel.setStep(0);
-    QVERIFY(shown<ChoiceButton>(panel).isEmpty());
-    QVERIFY(shown<TaskRow>(panel).isEmpty());
+  void lineThatTheKeysReach_isScrolledTo() {
+    const std::string longWords = QString("So many words. ").repeated(60).toStdString();
+    ShownPage shown(
+        lessonOf({{"All", {StepWords{longWords}, StepLines(), StepWords{longWords}, StepLines()}}}), 0,
+        smallPage);
+    shown.setWorking(test::tracedWorking(), {1, 2});
+    const auto blocks = shown.shown<WorkingBlock>();
+    const auto isInView = [](const WorkingBlock &block, std::size_t line) {
+      return block.visibleRegion().contains(block.placed().lines[line].box.center().toPoint());
+    };
+    QVERIFY(!isInView(*blocks[0], 0));
+    QTest::keyClick(blocks[0], Qt::Key_Down);
+    QVERIFY(isInView(*blocks[0], 0));
+    QVERIFY(!isInView(*blocks[1], 0));
+    QTest::keyClick(blocks[0], Qt::Key_Down);
+    QVERIFY(isInView(*blocks[1], 0));
+    QTest::keyClick(blocks[1], Qt::Key_Up);
+    QVERIFY(isInView(*blocks[0], 0));
   }
 
-  void widePanel_hasTheTasksBesideTheWords_andANarrowOneBelow() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    panel.setStep(1);
-    panel.setMarkdown("Some words about the distance.");
-    panel.resize(1200, 500);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    const auto placeOf = [&](QWidget *widget) { return widget->mapTo(&panel, QPoint(0, 0)); };
-    QWidget *task = panel.findChild<TaskRow *>();
-    QWidget *words = nullptr;
-    for (RichLabel *label : shown<RichLabel>(panel))
-      if (label->accessibleName().startsWith("Some words"))
-        words = label;
-    QVERIFY(words);
-    QTRY_VERIFY(placeOf(task).x() > placeOf(words).x() + words->width() / 2);
-    panel.resize(400, 500);
-    QTRY_VERIFY(placeOf(task).y() > placeOf(words).y());
-    QVERIFY(placeOf(task).x() < placeOf(words).x() + words->width() / 2);
+  void anotherStep_isSeenFromItsTop_withoutTheExercisesOfTheLast() {
+    Lesson lesson = someLesson();
+    for (LessonStep &step : lesson.steps)
+      step.blocks.insert(step.blocks.begin(), StepWords{QString("Words. ").repeated(200).toStdString()});
+    ShownPage shown(lesson, 2, smallPage);
+    QScrollBar *bar = shown.page.findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 100); // layouts take their time
+    bar->setValue(90);
+    shown.page.setStep(0);
+    QCOMPARE(bar->value(), 0);
+    QVERIFY(shown.shown<ChoiceButton>().isEmpty());
+    QVERIFY(shown.shown<TaskRow>().isEmpty());
+    QCOMPARE(shown.practice.working().blocks().size(), std::size_t(1));
   }
 
   void dotsOfTheSteps_clicked_askForTheirStep() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    panel.resize(420, 400);
-    panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    QSignalSpy requested(&panel, &LessonPage::stepRequested);
-    auto *dots = panel.findChild<StepDots *>();
+    ShownPage shown;
+    QSignalSpy requested(&shown.page, &LessonPage::stepRequested);
+    auto *dots = shown.page.findChild<StepDots *>();
     QTest::mouseClick(dots, Qt::LeftButton, {}, {dots->width() - 2, dots->height() / 2});
     QCOMPARE(requested.takeFirst().at(0).toInt(), 2);
   }
 
-  void answeredQuestion_handsTheFocusToTheWayOn_andThatToNoOther() {
+  void answeredQuestion_handsTheFocusToTheWayOn_orToNobody_data() {
+    QTest::addColumn<bool>("isLast");
+    QTest::newRow("a step follows") << false;
+    QTest::newRow("the last step of all") << true;
+  }
+  void answeredQuestion_handsTheFocusToTheWayOn_orToNobody() {
+    QFETCH(bool, isLast);
     QWidget window;
-    auto *panel = new LessonPage(m_typesetter);
+    ShownPage shown(someLesson(), 2);
+    shown.page.setNextLesson(isLast ? "" : "Another");
     auto *number = new QLineEdit; // the next key there would change the scene
     auto *layout = new QVBoxLayout(&window);
-    layout->addWidget(panel);
+    layout->addWidget(&shown.page);
     layout->addWidget(number);
-    window.resize(420, 600);
     window.show();
-    Lesson lesson = someLesson();
-    std::swap(lesson.steps[1], lesson.steps[2]);
-    panel->setLesson(lesson);
-    panel->setStep(1);
-    QTRY_COMPARE(shown<ChoiceButton>(*panel).size(), 2);
-    QTest::mouseClick(shown<ChoiceButton>(*panel)[0], Qt::LeftButton);
-    QCOMPARE(window.focusWidget(), button(*panel, "Next"));
-    panel->setStep(2); // the last: its way on is disabled
+    connect(&shown.page, &LessonPage::predictionChosen, &shown.page,
+            [&](const QString &word) { shown.page.setPredictionAnswer(word.toStdString(), "positive"); });
+    ChoiceButton *choice = shown.shown<ChoiceButton>().last();
+    choice->setFocus();
+    QTest::mouseClick(choice, Qt::LeftButton);
+    if (isLast)
+      QVERIFY(window.focusWidget() != number);
+    else
+      QCOMPARE(window.focusWidget(), shown.next());
+    shown.page.setNextLesson({}); // its way on is disabled
+    shown.page.setStep(1);
+    shown.page.setStep(2);
     QVERIFY(window.focusWidget() != number);
+    shown.page.setParent(nullptr);
   }
 
-  void lessonWithoutSteps_showsNoWayAnywhere() {
-    LessonPage panel(m_typesetter);
-    panel.setLesson(someLesson());
-    panel.setLesson({});
-    QVERIFY(!button(panel, "Back")->isEnabled() && !button(panel, "Next")->isEnabled());
-    QVERIFY(shown<TaskRow>(panel).isEmpty());
-    panel.setTasksDone({true});
-    panel.setPredictionAnswer("negative", "positive");
+  void lessonWithoutSteps_showsAllLines_andNoWayAnywhere() {
+    ShownPage shown;
+    shown.page.setLesson({});
+    QVERIFY(!shown.button("Back")->isEnabled() && !shown.next()->isEnabled());
+    QVERIFY(shown.shown<TaskRow>().isEmpty());
+    shown.page.setTasksDone({true});
+    shown.page.setPredictionAnswer("negative", "positive");
+    shown.setWorking(test::tracedWorking(), {3});
+    QCOMPARE(shown.practice.working().blocks().size(), std::size_t(1));
+    QCOMPARE(shown.practice.working().blocks()[0]->placed().lines.size(), std::size_t(3));
   }
 
-  void newValuesKeepThePlaceThatWasScrolledTo() {
-    LessonPage panel(m_typesetter);
-    panel.resize(300, 200);
-    panel.show();
-    panel.setLesson(someLesson());
+  void newValues_keepThePlaceThatWasScrolledTo() {
     const QString words = QString("Some words with $Q = %1$ in them, and again. ").repeated(30);
-    panel.setMarkdown(QString(words).replace("%1", "1"));
-    QScrollBar *bar = panel.findChild<QScrollArea *>()->verticalScrollBar();
+    ShownPage shown(lessonOf({{"All", {StepWords{words.toStdString()}, StepLines()}}}), 0, smallPage);
+    shown.fill("1");
+    QScrollBar *bar = shown.page.findChild<QScrollArea *>()->verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 100); // layouts take their time
     bar->setValue(90);
-    panel.setMarkdown(QString(words).replace("%1", "2"));
+    shown.fill("2");
     QTest::qWait(200);
     QCOMPARE(bar->value(), 90);
+  }
+
+  void heldPage_becomesHigherButNeverLessHigh_untilItIsLetGo() {
+    ShownPage shown(lessonOf({{"All", {StepWords{"Words: %1."}, StepLines()}}}));
+    const auto lines = [&] { return shown.topOf(shown.practice.working().blocks().front()); };
+    const auto fill = [&](int words) {
+      shown.fill(QString("so many words ").repeated(words).toStdString());
+      QCoreApplication::processEvents();
+    };
+    shown.setWorking(test::tracedWorking(), {3});
+    fill(20);
+    const int usual = lines();
+    shown.page.setHeld(true);
+    fill(1);
+    QCOMPARE(lines(), usual);
+    fill(40);
+    const int grown = lines();
+    QVERIFY(grown > usual);
+    fill(1);
+    QCOMPARE(lines(), grown);
+    const int high = shown.practice.working().blocks().front()->height();
+    shown.setWorking({{test::tracedWorking().lines[0]}}, {1});
+    shown.setWorking(test::tracedWorking(), {3});
+    QCOMPARE(shown.practice.working().blocks().front()->height(), high);
+    shown.page.setHeld(false);
+    QTRY_VERIFY(lines() < usual);
+  }
+
+  void pageThatIsVeryWide_hasLinesThatCanStillBeFollowed() {
+    ShownPage shown(someLesson(), 0, {1800, 600});
+    const RichLabel *words = shown.words("About");
+    const int letter = shown.page.fontMetrics().averageCharWidth();
+    QVERIFY(words->width() < 90 * letter);
+    QVERIFY(std::abs(words->mapTo(&shown.page, words->rect().center()).x() - 900) < 20); // in the middle
   }
 };
 
