@@ -9,8 +9,6 @@
 namespace halfspace {
 namespace {
 
-constexpr int readingTime = 8000; // milliseconds
-
 QLabel *wrappedLabel(const char *name) {
   auto *label = new QLabel;
   label->setObjectName(name);
@@ -21,7 +19,7 @@ QLabel *wrappedLabel(const char *name) {
 
 } // namespace
 
-CaseLine::CaseLine(QWidget *parent)
+CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
       m_complaint(wrappedLabel("complaint")) {
   auto *layout = new QHBoxLayout(this);

@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <chrono>
+
 class QLabel;
 
 namespace halfspace {
@@ -13,7 +15,9 @@ namespace halfspace {
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
-  explicit CaseLine(QWidget *parent = nullptr);
+  static constexpr std::chrono::milliseconds usualReadingTime{8000};
+  /// What it says stands there for `readingTime`.
+  explicit CaseLine(std::chrono::milliseconds readingTime = usualReadingTime, QWidget *parent = nullptr);
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
