@@ -3,7 +3,6 @@
 #include "tests/app/window_fixture.h"
 
 #include "lessons/construction/working.h"
-#include "widgets/working/working_block.h"
 
 #include <glm/geometric.hpp>
 
@@ -32,9 +31,8 @@ bool markIsAt(const Figure &figure, const std::string &id, const Place &place) {
 /// Counts how often lines are painted beside a picture of another scene.
 class MomentWatch : public QObject {
 public:
-  explicit MomentWatch(WindowFixture &fixture)
-      : m_fixture(fixture), m_lines(*fixture.window.findChild<WorkingBlock *>()) {
-    m_lines.viewport()->installEventFilter(this);
+  explicit MomentWatch(WindowFixture &fixture) : m_fixture(fixture), m_lines(fixture.lines()) {
+    m_lines.installEventFilter(this);
     connect(&fixture.scene(), &SceneView::frameDrawn, this,
             [this] { m_drawn = m_fixture.model().session().scene; });
   }
@@ -59,12 +57,6 @@ private:
   std::optional<Scene> m_drawn; ///< what the picture shows
 };
 
-int stepThatShowsNumbers(const Lesson &lesson) {
-  const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
-                                 [](const LessonStep &each) { return !each.prediction && !each.blank; });
-  return static_cast<int>(step - lesson.steps.begin());
-}
-
 } // namespace
 
 class DragTest : public QObject {
@@ -72,6 +64,7 @@ class DragTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() { forgetStarts(); }
 
   void handle_draggedToAGridPlace_hasExactlyItsNumbersInOneUndoStep_data() {
     QTest::addColumn<QString>("lesson");
@@ -123,7 +116,7 @@ private slots:
   void linesAndPicture_whateverMovesTheScene_areSeenOfOneMoment() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.model().setStep(stepThatShowsNumbers(fixture.model().lesson()));
+    fixture.goToLine("f");
     MomentWatch watch(fixture);
     const QPoint from = *fixture.scene().handlePosition("Q");
     fixture.press(from);

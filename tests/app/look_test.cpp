@@ -43,7 +43,7 @@ private slots:
     QCoreApplication::setOrganizationName("halfspace-test");
     QCoreApplication::setApplicationName("look");
   }
-  void init() { QFile::remove(settingsFile()); }
+  void init() { forgetStarts(); }
 
   void size_changed_scalesTextLabelsAndHandlesAtOnce() {
     WindowFixture fixture("signed-distance");

@@ -31,7 +31,7 @@ public:
     const QPoint from = *scene().handlePosition(handle);
     drag(from, pixelOf(place));
   }
-  QAction *action(const QString &text) {
+  QAction *actionCalled(const QString &text) {
     for (QAction *each : window.findChildren<QAction *>())
       if (each->text().remove('&') == text)
         return each;
@@ -46,6 +46,7 @@ class ObjectsTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() { forgetStarts(); }
 
   void pointOnALine_dragged_slidesOnItInOneUndoStep() {
     SceneFixture fixture(
@@ -115,8 +116,8 @@ private slots:
   void corner_selected_getsAnotherBehindItAndGoesByKeys() {
     SceneFixture fixture({{{"A", polygonOf({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}})}}});
     QVERIFY(fixture.ready);
-    QAction *add = fixture.action("Add a Corner Here");
-    QAction *remove = fixture.action("Remove the Corner");
+    QAction *add = fixture.actionCalled("Add a Corner Here");
+    QAction *remove = fixture.actionCalled("Remove the Corner");
     QVERIFY(add && remove);
     QVERIFY2(!add->isEnabled() && !remove->isEnabled(), "nothing is selected");
     fixture.window.activateWindow();

@@ -98,11 +98,11 @@ TEST_F(RecoveryTest, AfterTheFirstChange_LeavesAnotherLeftoverAsItWas) {
   EXPECT_EQ(leftovers.front().work.session, workAt(7).session);
 }
 
-TEST_F(RecoveryTest, KeepsFileAnswersAndOtherLessons) {
+TEST_F(RecoveryTest, KeepsFileViewAndOtherLessons) {
   UnsavedWork work = workAt(4);
   work.file = {"/somewhere/mine.halfspace", "{}", "signed-distance"};
   work.left["plane-implicit"] = {"plane-implicit", 1, workAt(9).session.scene};
-  work.progress[{"signed-distance", 0}] = {"positive", "negative", TaskProgress({true, false})};
+  work.session.view = ChosenView{{{1, 2, 3}, {4, 5, 6}, 7}, true};
   EXPECT_FALSE(Recovery(folder.path()).keep(work));
   const auto leftovers = Recovery(folder.path()).leftovers();
   ASSERT_EQ(leftovers.size(), 1U);
@@ -110,7 +110,7 @@ TEST_F(RecoveryTest, KeepsFileAnswersAndOtherLessons) {
   EXPECT_EQ(found.session, work.session);
   EXPECT_EQ(found.file, work.file);
   EXPECT_EQ(found.left, work.left);
-  EXPECT_EQ(found.progress, work.progress);
+  EXPECT_EQ(found.session.view, work.session.view);
 }
 
 TEST_F(RecoveryTest, Kept_IsReadByNobodyElse) {

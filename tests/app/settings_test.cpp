@@ -21,7 +21,11 @@ protected:
     written.close();
     const auto settings = readSettings(file);
     EXPECT_TRUE(settings) << text.toStdString();
-    return settings ? *settings : Settings{"not read", {}, {}, {}, {}, {}};
+    if (settings)
+      return *settings;
+    Settings none;
+    none.theme = "not read";
+    return none;
   }
 
   void expectProblem(const std::string &sentence) const {
@@ -38,8 +42,15 @@ protected:
 };
 
 TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
-  const Settings settings{
-      "dark", false, Fading::All, 1.75, QByteArray("\0\xFFgeometry", 10), QByteArray("panels")};
+  Settings settings;
+  settings.theme = "dark";
+  settings.motion = false;
+  settings.blank = Fading::All;
+  settings.sizeScale = 1.75;
+  settings.window = QByteArray("\0\xFFgeometry", 10);
+  settings.snapStep = Rational(1, 4);
+  settings.panels = "panels";
+  settings.split = QByteArray("\xFF\0split", 7);
   ASSERT_FALSE(writeSettings(settings, file));
   auto again = readSettings(file);
   ASSERT_TRUE(again) << again.problem().text();
@@ -66,10 +77,10 @@ TEST_F(SettingsFile, ThatIsMissing_GivesTheUsualOnes) {
 }
 
 TEST_F(SettingsFile, WithASizeThatIsNoNumber_PassesOverIt) {
+  Settings dark;
+  dark.theme = "dark";
   for (const char *size : {"null", "\"x\"", "\"2\"", "true", "[2]", "{}"})
-    EXPECT_EQ(readFrom(R"({"theme":"dark","sizeScale":)" + QByteArray(size) + "}"),
-              (Settings{"dark", true, {}, {}, {}, {}}))
-        << size;
+    EXPECT_EQ(readFrom(R"({"theme":"dark","sizeScale":)" + QByteArray(size) + "}"), dark) << size;
   EXPECT_EQ(readFrom(R"({"sizeScale":1.5})").sizeScale, 1.5);
 }
 
@@ -84,8 +95,15 @@ TEST_F(SettingsFile, WithASizeThatJsonCannotHold_NeverGivesOneThatIsNotFinite) {
   }
 }
 
+TEST_F(SettingsFile, WithASnapStepThatIsNone_KeepsTheUsualOne) {
+  for (const char *step : {"0", "\"0\"", "\"-1/2\"", "\"1/0\"", "\"fine\"", "null", "[1]"})
+    EXPECT_EQ(readFrom(R"({"snapStep":)" + QByteArray(step) + "}"), Settings()) << step;
+  EXPECT_EQ(readFrom(R"({"snapStep":"1/10"})").snapStep, Rational(1, 10));
+}
+
 TEST_F(SettingsFile, WithOtherFieldsOfTheWrongKind_KeepsTheUsualOnes) {
-  EXPECT_EQ(readFrom(R"({"theme":5,"motion":"no","window":7,"panels":null,"unknown":{}})"), Settings());
+  EXPECT_EQ(readFrom(R"({"theme":5,"motion":"no","window":7,"panels":null,"split":3,"unknown":{}})"),
+            Settings());
   EXPECT_EQ(readFrom("{}"), Settings());
 }
 

@@ -2,12 +2,29 @@
 #pragma once
 
 #include "app/main_window.h"
+#include "widgets/lesson/prediction_box.h"
+#include "widgets/numbers/number_card.h"
+#include "widgets/numbers/number_field.h"
 #include "widgets/view/scene_view.h"
+#include "widgets/working/working_practice.h"
 
+#include <QDir>
+#include <QMenu>
 #include <QStandardPaths>
 #include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
 
 namespace halfspace {
+
+/// Removes what windows have kept for the next start: settings, progress, unsaved work.
+inline void forgetStarts() {
+  QFile::remove(settingsFile());
+  QFile::remove(progressFile());
+  QFile::remove(Recovery::standardFolder()); // where a test has put a file in its place
+  QDir(Recovery::standardFolder()).removeRecursively();
+}
 
 class WindowFixture {
 public:
@@ -27,6 +44,47 @@ public:
   ExactVec3 value(const std::string &name) {
     const auto id = findCoordinate(model().session().scene, name);
     return id ? coordinate(*findObject(model().session().scene, id->object), id->index) : ExactVec3(-999);
+  }
+
+  NumberCard &card() { return *window.findChild<NumberCard *>(); }
+  /// The field of a coordinate in the card, after its object is selected.
+  NumberField *field(const std::string &name, int axis) {
+    if (!card().field(name, axis))
+      scene().selectHandle(name);
+    return card().field(name, axis);
+  }
+  WorkingPractice &practice() { return *window.findChild<WorkingPractice *>(); }
+  /// The worked lines of the step; all in one block here.
+  WorkingBlock &lines() { return *practice().working().blocks().front(); }
+  /// Goes to the first step that shows a line and asks no question.
+  void goToLine(const std::string &id) {
+    const auto &steps = model().lesson().steps;
+    const auto shows = [&](const LessonStep &step) {
+      return !predictionOf(step) &&
+             std::any_of(step.blocks.begin(), step.blocks.end(), [&](const StepBlock &block) {
+               const auto *lines = std::get_if<StepLines>(&block);
+               return lines && std::find(lines->ids.begin(), lines->ids.end(), id) != lines->ids.end();
+             });
+    };
+    model().setStep(static_cast<int>(std::find_if(steps.begin(), steps.end(), shows) - steps.begin()));
+  }
+  /// Chooses how much of the lines is blank.
+  void chooseFading(const QString &text) {
+    for (QAction *choice : practice().findChild<QToolButton *>("fading")->menu()->actions())
+      if (choice->text() == text)
+        choice->trigger();
+  }
+  /// Clicks an answer of the step's question.
+  void answer(int choice) {
+    QTest::mouseClick(window.findChild<PredictionBox *>()->choices()[choice], Qt::LeftButton);
+  }
+  bool questionIsOpen() const { return window.findChild<PredictionBox *>()->choices().first()->isEnabled(); }
+  /// The menus' action with this key.
+  QAction *action(const QKeySequence &key) {
+    for (QAction *each : window.findChildren<QAction *>())
+      if (each->shortcut() == key)
+        return each;
+    return nullptr;
   }
 
   /// The last construction's case.

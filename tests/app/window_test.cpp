@@ -3,17 +3,14 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/task_row.h"
 #include "widgets/numbers/inspector.h"
-#include "widgets/numbers/number_field.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/text/math_label.h"
-#include "widgets/working/working_practice.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
+#include <QDockWidget>
 #include <QFile>
-#include <QHash>
 #include <QImage>
 #include <QLabel>
 #include <QMessageBox>
@@ -24,6 +21,10 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
 
 using namespace halfspace;
 
@@ -58,8 +59,7 @@ class WindowTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-  /// What other tests left unsaved is none of this one's business.
-  void init() { QDir(Recovery::standardFolder()).removeRecursively(); }
+  void init() { forgetStarts(); }
 
   void number_typed_isTakenExactlyAsOneUndoStep_data() {
     QTest::addColumn<QString>("text");
@@ -77,7 +77,7 @@ private slots:
     QFETCH(QString, exact);
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     QVERIFY(field);
     typeInto(*field, text);
     QCOMPARE(QString::fromStdString(toText(fixture.value("Q").x)), exact);
@@ -90,7 +90,7 @@ private slots:
   void undoKey_inAFieldThatWaits_isLeftToTheWindow() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     QVERIFY(field);
     const auto takesUndo = [&] {
       QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
@@ -115,7 +115,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     QSignalSpy refused(field, &NumberField::refused);
     field->setFocus();
     field->selectAll();
@@ -130,7 +130,7 @@ private slots:
   void number_scrubbed_movesBySteps_asOneUndoStep() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
     for (int x = 20; x <= 60; x += 8) {
       QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
@@ -145,7 +145,7 @@ private slots:
   void number_thatHasTheFocus_isScrubbedTooUntilItIsTypedIn() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     field->setFocus();
     const auto drag = [&] {
       QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
@@ -164,14 +164,12 @@ private slots:
   void refusedText_isGoneAfterStartOver() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, "seven");
     QTest::keyClick(field, Qt::Key_Return);
-    for (QAction *action : fixture.window.findChildren<QAction *>())
-      if (action->shortcut() == QKeySequence("Ctrl+R"))
-        action->trigger();
+    fixture.action(QKeySequence("Ctrl+R"))->trigger();
     QCOMPARE(field->text(), QString("11"));
     QVERIFY(!field->property("wrong").toBool());
   }
@@ -182,7 +180,7 @@ private slots:
     Object ray = *findObject(fixture.model().session().scene, "L");
     coordinate(ray, 1) = ExactVec3(-2, 1, 1);
     fixture.model().edit(ChangeObject{"L", ray}, "nearly parallel");
-    QPointer<NumberField> field = fixture.window.findChild<Inspector *>()->field("L.r", 0);
+    QPointer<NumberField> field = fixture.field("L.r", 0);
     QTRY_COMPARE(field->text(), QString("-2"));
     const auto moveTo = [&](int x) {
       QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
@@ -204,7 +202,7 @@ private slots:
   void scrub_escaped_restoresTheNumber() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField *field = fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField *field = fixture.field("Q", 0);
     QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
     QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal({60, 8}), Qt::NoButton,
                      Qt::LeftButton, {});
@@ -249,7 +247,7 @@ private slots:
     QVERIFY(!fixture.model().history().canUndo());
   }
 
-  void unsavedWork_ofAProgramThatWasCutOff_comesBackWithFileAndAnswers() {
+  void unsavedWork_ofAProgramThatWasCutOff_comesBackWithItsFile() {
     const QTemporaryDir folder;
     const QString file = folder.filePath("mine.halfspace");
     UnsavedWork work;
@@ -259,14 +257,12 @@ private slots:
     }
     coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, Rational(-10, 3));
     work.file = {file, "", work.session.lesson};
-    work.progress[{"signed-distance", 0}].chosen = "negative";
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work)); // ends without forgetting it
     WindowFixture fixture("plane-implicit");
     fixture.window.restoreUnsaved();
     QVERIFY(fixture.model().session() == work.session);
     QVERIFY(fixture.window.windowTitle().startsWith("mine.halfspace"));
     QVERIFY(fixture.window.isWindowModified());
-    QTRY_VERIFY(!fixture.window.findChild<QLabel *>("case")->text().contains("Answer the question"));
     fixture.window.findChild<QAction *>("save")->trigger();
     QTRY_VERIFY(QDir(Recovery::standardFolder()).entryList({"*.json"}).empty());
     const auto saved = readSessionFile(file.toStdString());
@@ -303,27 +299,23 @@ private slots:
   void zeroNormal_typed_isExplained_andEndsWithTheNextNumber() {
     WindowFixture fixture("plane-implicit");
     QVERIFY(fixture.ready);
-    Inspector *inspector = fixture.window.findChild<Inspector *>();
     for (int axis = 0; axis < 3; ++axis)
-      typeInto(*inspector->field("E.n", axis), "0");
+      typeInto(*fixture.field("E.n", axis), "0");
     QCOMPARE(fixture.caseName(), std::string("zero-normal"));
     QVERIFY(fixture.model().shown().degenerate);
-    QTRY_VERIFY(inspector->field("E.n", 2));
-    typeInto(*inspector->field("E.n", 2), "1");
+    typeInto(*fixture.field("E.n", 2), "1");
     QCOMPARE(fixture.caseName(), std::string("plane"));
   }
 
   void blankLine_filledIn_hidesTheNumbersUntilItIsRight() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.model().setStep(2);
+    fixture.window.findChild<QDockWidget *>("numbersDock")->show();
+    fixture.goToLine("length");
     QLabel *words = fixture.window.findChild<QLabel *>("case");
     QTRY_VERIFY(words->text().contains("10"));
-    auto *practice = fixture.window.findChild<WorkingPractice *>();
-    for (QToolButton *choice : practice->findChildren<QToolButton *>())
-      if (choice->text() == "Last blank")
-        QTest::mouseClick(choice, Qt::LeftButton);
-    QTRY_COMPARE(practice->findChildren<QLineEdit *>().size(), 1);
+    fixture.chooseFading("Last blank");
+    QTRY_COMPARE(fixture.lines().findChildren<QLineEdit *>().size(), 1);
     QVERIFY(!words->text().contains("10"));
     const auto isShown = [&] {
       for (const MathLabel *label : fixture.window.findChild<Inspector *>()->findChildren<MathLabel *>())
@@ -332,7 +324,7 @@ private slots:
       return false;
     };
     QVERIFY(!isShown());
-    QLineEdit *field = practice->findChild<QLineEdit *>();
+    QLineEdit *field = fixture.lines().findChild<QLineEdit *>();
     QTest::keyClicks(field, "10");
     QTest::keyClick(field, Qt::Key_Return);
     QTRY_VERIFY(words->text().contains("10"));
@@ -350,20 +342,16 @@ private slots:
     WindowFixture fixture(lesson.toStdString());
     QVERIFY(fixture.ready);
     fixture.model().setStep(1);
-    auto *practice = fixture.window.findChild<WorkingPractice *>();
-    QHash<QString, QToolButton *> buttons;
-    for (QToolButton *button : practice->findChildren<QToolButton *>())
-      buttons[button->text()] = button;
-    QTest::mouseClick(buttons["All blank"], Qt::LeftButton);
+    fixture.chooseFading("All blank");
     const Session before = fixture.model().session();
     const std::string caseBefore = fixture.caseName();
     for (int i = 1; i <= 5; ++i) {
-      QTest::mouseClick(buttons["New numbers"], Qt::LeftButton);
+      QTest::mouseClick(fixture.practice().findChild<QToolButton *>("newNumbers"), Qt::LeftButton);
       QCOMPARE(fixture.model().history().count(), i);
       QVERIFY(!(fixture.model().session() == before));
       QCOMPARE(fixture.caseName(), caseBefore);
-      QVERIFY(practice->hasBlanks());
-      QVERIFY(practice->panel().isAncestorOf(fixture.window.focusWidget()));
+      QVERIFY(fixture.practice().hasBlanks());
+      QVERIFY(fixture.lines().isAncestorOf(fixture.window.focusWidget()));
       const QRect view = fixture.scene().rect();
       for (const Place &place : placesOf(fixture.model().figure()))
         QVERIFY(view.contains(fixture.pixelOf(place)));
@@ -437,6 +425,30 @@ private slots:
     QVERIFY(fixture.model().session() == mine);
   }
 
+  void session_savedAfterTurning_isOpenedWithItsCamera() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.drag({8, 8}, {90, 40});
+    fixture.scene().setOrthographic(true);
+    const Camera mine = fixture.scene().camera();
+    QVERIFY2(!fixture.window.isWindowModified(), "who looks from elsewhere has changed nothing");
+    QVERIFY(fixture.window.saveTo(file));
+    fixture.model().openLesson("plane-implicit");
+    QVERIFY(!fixture.scene().camera().orthographic);
+    WindowFixture next("ray-plane-dot");
+    QVERIFY(next.ready);
+    for (WindowFixture *opened : {&fixture, &next}) {
+      opened->window.openFile(file);
+      const Camera camera = opened->scene().camera();
+      QVERIFY(camera.orthographic);
+      QVERIFY(glm::distance(camera.target, mine.target) < 1e-4);
+      QVERIFY(glm::distance(camera.viewDirection(), mine.viewDirection()) < 1e-4);
+      QVERIFY(std::abs(camera.height - mine.height) < 1e-4);
+    }
+  }
+
   void damagedFile_opened_isRefusedWithASentence_andTheSessionStays() {
     const QTemporaryDir folder;
     const QString file = folder.filePath("damaged.halfspace");
@@ -466,11 +478,16 @@ private slots:
     const QString file = folder.filePath("scene.png");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
+    const auto twice = [&] {
+      const PixelSize size = fixture.scene().pixelSize();
+      return 2 * QSize(size.width, size.height);
+    };
+    const QSize expected = twice();
     QVERIFY(fixture.window.savePicture(file));
-    const QImage picture(file);
-    QCOMPARE(picture.width(), fixture.scene().pixelSize().width * 2);
+    QCOMPARE(QImage(file).size(), expected);
+    const QSize expectedCopy = twice(); // the words that tell of the file may have taken room
     fixture.window.copyPicture();
-    QCOMPARE(QApplication::clipboard()->image().size(), picture.size());
+    QCOMPARE(QApplication::clipboard()->image().size(), expectedCopy);
     // The live view still draws after the other context was current.
     QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
     fixture.scene().selectHandle("Q");

@@ -3,11 +3,6 @@
 
 #include "lessons/object/plane.h"
 #include "lessons/term/plain_text.h"
-#include "widgets/numbers/number_field.h"
-#include "widgets/working/working_practice.h"
-
-#include <QScrollBar>
-#include <QToolButton>
 
 using namespace halfspace;
 
@@ -18,36 +13,32 @@ using Ids = std::set<std::string>;
 /// The lesson on the signed distance at a step with the lines f, length and distance.
 class LinesFixture : public WindowFixture {
 public:
-  LinesFixture() : WindowFixture("signed-distance"), panel(*window.findChild<WorkingBlock *>()) {
-    model().setStep(2);
-  }
+  LinesFixture() : WindowFixture("signed-distance") { goToLine("length"); }
 
-  /// Where the line's first number that reads so stands in the viewport.
-  [[nodiscard]] QPoint at(const std::string &line, const std::string &text) const {
-    const ShownNumbers numbers = panel.shownNumbers();
-    for (std::size_t i = 0; i < panel.placed().lines.size(); ++i)
+  /// Where the line's first number that reads so stands among the lines.
+  [[nodiscard]] QPoint at(const std::string &line, const std::string &text) {
+    const ShownNumbers numbers = lines().shownNumbers();
+    for (std::size_t i = 0; i < lines().placed().lines.size(); ++i)
       for (const NumberPlace &place : numbers.inLine(i))
         if (place.line == line && plainText(place.number) == text)
-          return numbers.boxesOf(place).front().center().toPoint() -
-                 QPoint(0, panel.verticalScrollBar()->value());
+          return numbers.boxesOf(place).front().center().toPoint();
     QTest::qFail(("no " + text + " in " + line).c_str(), __FILE__, __LINE__);
     return {};
   }
-  void click(const QPoint &place) { QTest::mouseClick(panel.viewport(), Qt::LeftButton, {}, place); }
-  void press(const QPoint &place) { QTest::mousePress(panel.viewport(), Qt::LeftButton, {}, place); }
-  void release(const QPoint &place) { QTest::mouseRelease(panel.viewport(), Qt::LeftButton, {}, place); }
-  void drag(const QPoint &to) { dragOn(*panel.viewport(), to); }
+  void click(const QPoint &place) { QTest::mouseClick(&lines(), Qt::LeftButton, {}, place); }
+  void press(const QPoint &place) { QTest::mousePress(&lines(), Qt::LeftButton, {}, place); }
+  void release(const QPoint &place) { QTest::mouseRelease(&lines(), Qt::LeftButton, {}, place); }
+  void drag(const QPoint &to) { dragOn(lines(), to); }
   static void dragOn(QWidget &widget, const QPoint &to) {
     QMouseEvent move(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&widget, &move);
     QTest::qWait(20);
   }
   NumberField *openField(const QPoint &place) {
-    QTest::mouseDClick(panel.viewport(), Qt::LeftButton, {}, place);
-    return panel.findChild<NumberField *>();
+    QTest::mouseDClick(&lines(), Qt::LeftButton, {}, place);
+    return lines().findChild<NumberField *>();
   }
-
-  WorkingBlock &panel;
+  [[nodiscard]] Ids tracedLines() { return practice().working().traced().lines; }
 };
 
 } // namespace
@@ -57,14 +48,15 @@ class WorkingTest : public QObject {
 
 private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() { forgetStarts(); }
 
   void number_clicked_lightsUpItsLinesAndMarksUntilEscape() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
     fixture.click(fixture.at("distance.distance", "10"));
-    QCOMPARE(fixture.panel.traced().lines, (Ids{"distance.f", "distance.length"}));
+    QCOMPARE(fixture.tracedLines(), (Ids{"distance.f", "distance.length"}));
     QCOMPARE(fixture.scene().highlighted(), (Ids{"E.P0", "E.n", "Q"}));
-    QTest::keyClick(&fixture.panel, Qt::Key_Escape);
+    QTest::keyClick(&fixture.lines(), Qt::Key_Escape);
     QCOMPARE(fixture.scene().highlighted(), Ids());
     fixture.click(fixture.at("distance.length", "3"));
     QCOMPARE(fixture.scene().highlighted(), Ids{"E.n"});
@@ -77,10 +69,10 @@ private slots:
     LinesFixture fixture;
     QVERIFY(fixture.ready);
     fixture.click(fixture.at("distance.distance", "10"));
-    fixture.model().setStep(3);
+    fixture.goToLine("cosine");
     QCOMPARE(fixture.scene().highlighted(), Ids());
-    fixture.model().setStep(2);
-    QCOMPARE(fixture.panel.traced().lines, Ids());
+    fixture.goToLine("length");
+    QCOMPARE(fixture.tracedLines(), Ids());
   }
 
   void traceOfANumber_staysWhileTheSceneIsDragged() {
@@ -90,7 +82,7 @@ private slots:
     const QPoint from = *fixture.scene().handlePosition("Q");
     fixture.WindowFixture::drag(from, from + QPoint(40, 10));
     QVERIFY(fixture.value("Q") != ExactVec3(11, 15, 8));
-    QCOMPARE(fixture.panel.traced().lines, (Ids{"distance.f", "distance.length"}));
+    QCOMPARE(fixture.tracedLines(), (Ids{"distance.f", "distance.length"}));
     QVERIFY(fixture.scene().highlighted().contains("E.n"));
   }
 
@@ -116,7 +108,7 @@ private slots:
     fixture.press(from);
     fixture.drag(from + QPoint(40, 0));
     QVERIFY(fixture.value("E.n").x == 6);
-    QTest::keyClick(&fixture.panel, Qt::Key_Escape);
+    QTest::keyClick(&fixture.lines(), Qt::Key_Escape);
     QVERIFY(fixture.value("E.n").x == 1);
     QCOMPARE(fixture.model().history().count(), 0);
     fixture.release(from + QPoint(40, 0));
@@ -146,7 +138,7 @@ private slots:
     QTest::mousePress(field, Qt::LeftButton, {}, from);
     LinesFixture::dragOn(*field, from - QPoint(8, 0));
     QVERIFY(fixture.model().shown().degenerate); // the line is gone
-    QCOMPARE(fixture.panel.findChild<NumberField *>(), field);
+    QCOMPARE(fixture.lines().findChild<NumberField *>(), field);
     QVERIFY(field->isVisible());
     LinesFixture::dragOn(*field, from - QPoint(16, 0));
     QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(16, 0));
@@ -164,11 +156,11 @@ private slots:
     const QPoint from = field->rect().center();
     QTest::mousePress(field, Qt::LeftButton, {}, from);
     LinesFixture::dragOn(*field, from - QPoint(8, 0));
-    QCOMPARE(fixture.panel.findChild<NumberField *>(), field);
+    QCOMPARE(fixture.lines().findChild<NumberField *>(), field);
     QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(8, 0));
     QVERIFY(!fixture.model().inGesture());
     QVERIFY(fixture.value("E.n") == ExactVec3(0, 0, 0));
-    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
+    QTRY_VERIFY(!fixture.lines().findChild<NumberField *>());
   }
 
   void coordinate_typedInAFormula_isTakenExactlyAsOneUndoStep() {
@@ -180,7 +172,7 @@ private slots:
     QTest::keyClick(field, Qt::Key_Return);
     QVERIFY(fixture.value("E.n").x == Rational(-10, 3));
     QCOMPARE(fixture.model().history().count(), 1);
-    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
+    QTRY_VERIFY(!fixture.lines().findChild<NumberField *>());
   }
 
   void numberThatIsNone_typedInAFormula_isRefusedWithASentence() {
@@ -193,7 +185,7 @@ private slots:
     QTest::keyClick(field, Qt::Key_Return);
     QVERIFY(fixture.model().session() == before);
     bool isSaid = false;
-    for (const PlacedLine &line : fixture.panel.placed().lines)
+    for (const PlacedLine &line : fixture.lines().placed().lines)
       isSaid = isSaid || !line.remark.empty();
     QVERIFY(isSaid);
     QTest::keyClick(field, Qt::Key_Escape);
@@ -207,11 +199,9 @@ private slots:
     QVERIFY(field);
     QTest::keyClicks(field, "seven");
     QTest::keyClick(field, Qt::Key_Return);
-    for (QToolButton *choice : fixture.window.findChild<WorkingPractice *>()->findChildren<QToolButton *>())
-      if (choice->text() == "New numbers")
-        QTest::mouseClick(choice, Qt::LeftButton);
-    QTRY_VERIFY(!fixture.panel.findChild<NumberField *>());
-    for (const PlacedLine &line : fixture.panel.placed().lines)
+    QTest::mouseClick(fixture.practice().findChild<QToolButton *>("newNumbers"), Qt::LeftButton);
+    QTRY_VERIFY(!fixture.lines().findChild<NumberField *>());
+    for (const PlacedLine &line : fixture.lines().placed().lines)
       QVERIFY(line.remark.empty());
   }
 
@@ -219,11 +209,9 @@ private slots:
     LinesFixture fixture;
     QVERIFY(fixture.ready);
     const QPoint result = fixture.at("distance.distance", "10");
-    for (QToolButton *choice : fixture.window.findChild<WorkingPractice *>()->findChildren<QToolButton *>())
-      if (choice->text() == "All blank")
-        QTest::mouseClick(choice, Qt::LeftButton);
-    for (std::size_t i = 0; i < fixture.panel.placed().lines.size(); ++i)
-      QVERIFY(fixture.panel.shownNumbers().inLine(i).empty());
+    fixture.chooseFading("All blank");
+    for (std::size_t i = 0; i < fixture.lines().placed().lines.size(); ++i)
+      QVERIFY(fixture.lines().shownNumbers().inLine(i).empty());
     fixture.click(result);
     QCOMPARE(fixture.scene().highlighted(), Ids());
   }

@@ -132,9 +132,9 @@ public:
     QObject::connect(&view(), &SceneView::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
     countRenders();
-    m_lines = m_fixture.window.findChild<WorkingBlock *>();
+    m_lines = &m_fixture.lines();
     m_application.window = &m_fixture.window;
-    m_application.lines = m_lines->viewport();
+    m_application.lines = m_lines;
   }
 
   Measured run(int moves) {

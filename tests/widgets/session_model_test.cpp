@@ -6,6 +6,9 @@
 
 #include <QtTest>
 
+#include <algorithm>
+#include <functional>
+
 using namespace halfspace;
 
 namespace {
@@ -66,6 +69,85 @@ private slots:
     QVERIFY(findObject(model.session().scene, "Q") != nullptr);
     model.undo();
     QVERIFY(model.session().scene == before.scene);
+  }
+
+  void view_isNoUndoStep_andStaysWhateverIsUndone() {
+    SessionModel model(library());
+    QSignalSpy changed(&model, &SessionModel::outcomeChanged);
+    const ChosenView first{{{1, 2, 3}, {0, 0, 0}, 9}, false};
+    const ChosenView second{{{3, 2, 1}, {0, 0, 0}, 5}, true};
+    model.openLesson("signed-distance");
+    changed.clear();
+    model.setView(first);
+    QCOMPARE(model.history().count(), 0);
+    QVERIFY(changed.isEmpty());
+    QVERIFY(!model.isChanged());
+    QCOMPARE(model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move"), QString());
+    model.setView(second);
+    model.undo();
+    QVERIFY(model.session().view == second);
+    model.redo();
+    QVERIFY(model.session().view == second);
+    model.beginGesture();
+    model.moveGesture(ChangeObject{"Q", PointObject{{7, 7, 7}}});
+    model.setView(first);
+    model.cancelGesture();
+    QVERIFY(model.session().view == first);
+    model.resetScene();
+    QVERIFY(model.session().view == first);
+  }
+
+  void view_ofALessonThatWasLeftChanged_isThereAgain_andAnotherBeginsWithItsOwn() {
+    SessionModel model(library());
+    const ChosenView mine{{{1, 2, 3}, {0, 0, 0}, 9}, true};
+    model.openLesson("signed-distance");
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    model.setView(mine);
+    model.openLesson("plane-implicit");
+    QVERIFY(!model.session().view);
+    model.openLesson("signed-distance");
+    QVERIFY(model.session().view == mine);
+  }
+
+  void questionThatIsOpen_hidesTheMarksThatAreDerived() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    const auto hasResults = [&] {
+      const auto &marks = model.shown().figure.marks;
+      return std::any_of(marks.begin(), marks.end(),
+                         [](const Mark &mark) { return baseOf(mark).role != Role::Given; });
+    };
+    model.setStep(2);
+    QVERIFY(hasResults());
+    QSignalSpy changed(&model, &SessionModel::outcomeChanged);
+    model.setQuestion(Question::Open);
+    QVERIFY(!hasResults());
+    QVERIFY(!model.shown().figure.marks.empty());
+    QCOMPARE(changed.count(), 1);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    QVERIFY(!hasResults());
+    model.setQuestion(Question::Answered);
+    QVERIFY(hasResults());
+  }
+
+  void gesture_tellsWhenItBeginsAndWhenItEnds_howeverItEnds() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    std::vector<bool> told;
+    connect(&model, &SessionModel::gestureChanged, this, [&] { told.push_back(model.inGesture()); });
+    const std::vector<std::function<void()>> ends{
+        [&] { model.endGesture("move"); }, [&] { model.cancelGesture(); },
+        [&] {
+          model.edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed");
+        },
+        [&] { model.undo(); }, [&] { model.startWith(model.session()); }};
+    for (const auto &end : ends) {
+      told.clear();
+      model.beginGesture();
+      model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, 3}}});
+      end();
+      QVERIFY(told == (std::vector{true, false}));
+    }
   }
 
   void gesture_thatALessonIsOpenedIn_isLetGo() {

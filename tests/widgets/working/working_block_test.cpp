@@ -1,15 +1,14 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
-#include "tests/lessons/called_line.h"
 #include "tests/widgets/working/working_block_fixture.h"
 
 #include "widgets/picture/term_formula.h"
 
 #include <QClipboard>
-#include <QScrollBar>
 #include <QSignalSpy>
 
+#include <cmath>
+
 using namespace halfspace;
-using test::called;
 using namespace halfspace::test;
 
 namespace {
@@ -33,8 +32,8 @@ Term longSum(int summands) {
 }
 
 /// The middle of a mark's term in a line's first formula.
-QPointF middleOf(const WorkingBlock &panel, std::size_t line, const QString &mark) {
-  const PlacedFormula formula = panel.placed().lines[line].formulas.front();
+QPointF middleOf(const WorkingBlock &block, std::size_t line, const QString &mark) {
+  const PlacedFormula formula = block.placed().lines[line].formulas.front();
   for (const auto &[id, box] : formula.picture->markBoxes())
     if (id == mark)
       return formula.toWorking(box).center();
@@ -51,9 +50,9 @@ private:
 
 private slots:
   void wideLineKeepsItsPiecesInOneRow() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 900, someWorking());
-    const auto placed = panel.placed();
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    const auto placed = block.placed();
     QCOMPARE(placed.lines.size(), std::size_t(2));
     QCOMPARE(placed.lines[0].formulas.size(), std::size_t(3));
     for (const PlacedFormula &formula : placed.lines[0].formulas)
@@ -63,20 +62,20 @@ private slots:
   }
 
   void narrowLineBreaksBeforeAPieceAndStaysInside() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 270, someWorking());
-    for (const PlacedLine &line : panel.placed().lines)
+    WorkingBlock block(m_typesetter);
+    show(block, 270, someWorking());
+    for (const PlacedLine &line : block.placed().lines)
       for (const PlacedFormula &formula : line.formulas)
         QVERIFY(formula.box().right() <= 270);
-    const auto formulas = panel.placed().lines[1].formulas;
+    const auto formulas = block.placed().lines[1].formulas;
     QVERIFY(formulas[1].box().top() >= formulas[0].box().bottom());
     QVERIFY(formulas[1].box().left() > formulas[0].box().left());
   }
 
   void formulaThatFitsNowhereIsBrokenBetweenItsSummands() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 300, {{called("a", line(longSum(60))), called("b", line(unknown("x")))}});
-    const auto placed = panel.placed();
+    WorkingBlock block(m_typesetter);
+    show(block, 300, {{called("a", line(longSum(60))), called("b", line(unknown("x")))}});
+    const auto placed = block.placed();
     const PlacedFormula &broken = placed.lines[0].formulas[0];
     QCOMPARE(broken.emPixels, placed.lines[1].formulas[0].emPixels);
     QVERIFY(broken.box().right() <= 300);
@@ -84,71 +83,120 @@ private slots:
     QVERIFY(placed.lines[0].box.bottom() >= broken.box().bottom());
   }
 
-  void formulaThatCannotBeBrokenIsSmallerButReadableAndCanBeScrolledTo() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 300, {{called("a", line(root(longSum(60)))), called("b", line(unknown("x")))}});
-    const auto placed = panel.placed();
+  void formulaThatCannotBeBrokenIsSmallerButReadableAndTheBlockAsksForItsRoom() {
+    WorkingBlock block(m_typesetter);
+    show(block, 300, {{called("a", line(root(longSum(60)))), called("b", line(unknown("x")))}});
+    const auto placed = block.placed();
     QCOMPARE(placed.lines[0].formulas[0].emPixels, 0.6 * placed.lines[1].formulas[0].emPixels);
     QVERIFY(placed.size.width() > 300);
+    QVERIFY(block.minimumSizeHint().width() >= placed.size.width());
   }
 
   void pointerOnATermTellsItsMarkAndLeavingTellsNone() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 900, someWorking());
-    QSignalSpy hovered(&panel, &WorkingBlock::markHovered);
-    movePointer(panel, middleOf(panel, 0, "P0"));
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    QSignalSpy hovered(&block, &WorkingBlock::markHovered);
+    movePointer(block, middleOf(block, 0, "P0").toPoint());
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("P0"));
-    movePointer(panel, middleOf(panel, 1, "r"));
+    movePointer(block, middleOf(block, 1, "r").toPoint());
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("r"));
-    movePointer(panel, middleOf(panel, 1, "r") + QPointF(1, 1));
+    movePointer(block, (middleOf(block, 1, "r") + QPointF(1, 1)).toPoint());
     QVERIFY(hovered.isEmpty()); // still the same
     QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(panel.viewport(), &leave);
+    QApplication::sendEvent(&block, &leave);
     QCOMPARE(hovered.takeLast().at(0).toString(), QString());
   }
 
-  void pointerFindsTermsInAScrolledPanel() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 270, someWorking());
-    panel.resize(270, 120);
-    panel.verticalScrollBar()->setValue(panel.verticalScrollBar()->maximum());
-    QVERIFY(panel.verticalScrollBar()->value() > 0);
-    QSignalSpy hovered(&panel, &WorkingBlock::markHovered);
-    movePointer(panel, middleOf(panel, 1, "Q"));
-    QCOMPARE(hovered.takeLast().at(0).toString(), QString("Q"));
-  }
-
   void highlightedTermHasABackground() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 900, someWorking());
-    const QPoint beside = middleOf(panel, 0, "P0").toPoint() + QPoint(0, -9);
-    const QColor before = panel.viewport()->grab().toImage().pixelColor(beside);
-    panel.setHighlighted({"P0"});
-    QVERIFY(panel.viewport()->grab().toImage().pixelColor(beside) != before);
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    const QPoint beside = middleOf(block, 0, "P0").toPoint() + QPoint(0, -9);
+    const QColor before = block.grab().toImage().pixelColor(beside);
+    block.setHighlighted({"P0"});
+    QVERIFY(block.grab().toImage().pixelColor(beside) != before);
   }
 
   void blankedLineShowsNoNumbersAnywhere() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 900, someWorking());
-    panel.setWorking(someWorking(), blankIn(someWorking(), "t"));
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    block.setWorking(someWorking(), blankIn(someWorking(), "t"));
     // The symbols, = with the field, and what is told of their names.
-    QCOMPARE(panel.placed().lines[0].formulas.size(), std::size_t(3));
-    QVERIFY(!panel.placed().lines[0].blank.isNull());
-    QCOMPARE(panel.placed().lines[1].formulas.size(), std::size_t(3));
-    const QString firstLine = panel.accessibleDescription().split('\n').front();
+    QCOMPARE(block.placed().lines[0].formulas.size(), std::size_t(3));
+    QVERIFY(!block.placed().lines[0].blank.isNull());
+    QCOMPARE(block.placed().lines[1].formulas.size(), std::size_t(3));
+    const QString firstLine = block.accessibleDescription().split('\n').front();
     QVERIFY(!firstLine.contains("30"));
     QVERIFY(!firstLine.contains("So many steps"));
-    QVERIFY(!panel.latexOfAll().split('\n').front().contains("30"));
-    panel.setWorking(someWorking());
-    QVERIFY(panel.accessibleDescription().split('\n').front().contains("30"));
+    QVERIFY(!block.latexOfAll().split('\n').front().contains("30"));
+    block.setWorking(someWorking());
+    QVERIFY(block.accessibleDescription().split('\n').front().contains("30"));
+  }
+
+  void blockIsAsTallAsItsLines_atEveryWidth() {
+    WorkingBlock block(m_typesetter);
+    for (const int width : {900, 270}) {
+      show(block, width, someWorking());
+      QCOMPARE(block.heightForWidth(width),
+               static_cast<int>(std::ceil(block.placed().lines[1].box.bottom())));
+    }
+    QVERIFY(block.heightForWidth(270) > block.heightForWidth(900)); // it is asked before it is that wide
+  }
+
+  void blockShowsItsOwnLinesAlone() {
+    WorkingBlock block(m_typesetter);
+    block.resize(900, 500);
+    const Working working = someWorking();
+    for (std::size_t own = 0; own < 2; ++own) {
+      block.setWorking(working, {}, {}, {own, own + 1});
+      QCOMPARE(block.placed().lines.size(), std::size_t(1));
+      QCOMPARE(block.latexOfAll(), QString::fromStdString(latexOf(working.lines[own])));
+      QVERIFY(!block.accessibleDescription().contains('\n'));
+    }
+    block.setWorking({{working.lines[0]}}, {}, {}, {0, 2}); // a line is gone
+    QCOMPARE(block.placed().lines.size(), std::size_t(1));
+    block.setWorking(working, {}, {}, {1, 1});
+    QVERIFY(block.placed().lines.empty());
+    QCOMPARE(block.heightForWidth(900), 0);
+  }
+
+  void whatIsToldToFillABlankInIsFoundInTheWholeWorking() {
+    const Term f = name(letter("f"), Rational(30));
+    const Working working{{called("f", line({withResult(f)})),
+                           called("h", line({withNumbers(name(letter("h"), Rational(10)) == f / 3)}))}};
+    WorkingBlock block(m_typesetter);
+    block.resize(900, 500);
+    block.setWorking(working, blankIn(working, "h"), {}, {1, 2});
+    QCOMPARE(block.placed().lines[0].formulas.size(), std::size_t(2)); // the line above says what f is
+    block.setWorking({{working.lines[1]}}, blankIn(working, "h"));
+    QCOMPARE(block.placed().lines[0].formulas.size(), std::size_t(3));
+  }
+
+  void heldLinesBecomeHigherButNeverLessHigh_untilTheyAreLetGo() {
+    WorkingBlock block(m_typesetter);
+    const auto sums = [](int summands) {
+      return Working{{called("a", line(longSum(summands))), called("b", line(unknown("x")))}};
+    };
+    const auto topOfSecond = [&] { return block.placed().lines[1].box.top(); };
+    show(block, 300, sums(20));
+    const double usual = topOfSecond();
+    block.setHeld(true);
+    block.setWorking(sums(2));
+    QCOMPARE(topOfSecond(), usual);
+    block.setWorking(sums(40));
+    const double grown = topOfSecond();
+    QVERIFY(grown > usual);
+    block.setWorking(sums(2));
+    QCOMPARE(topOfSecond(), grown);
+    QCOMPARE(block.heightForWidth(300), static_cast<int>(std::ceil(block.placed().lines[1].box.bottom())));
+    block.setHeld(false);
+    QVERIFY(topOfSecond() < usual);
   }
 
   void copyingGivesPlainLatexOfTheClickedLine() {
-    WorkingBlock panel(m_typesetter);
-    show(panel, 900, someWorking());
-    QTest::mouseClick(panel.viewport(), Qt::LeftButton, Qt::NoModifier,
-                      panel.placed().lines[0].box.center().toPoint());
-    QTest::keyClick(&panel, Qt::Key_C, Qt::ControlModifier);
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    QTest::mouseClick(&block, Qt::LeftButton, Qt::NoModifier, block.placed().lines[0].box.center().toPoint());
+    QTest::keyClick(&block, Qt::Key_C, Qt::ControlModifier);
     const QString copied = QApplication::clipboard()->text();
     QVERIFY(copied.startsWith("t = \\frac{(P_0 - Q)"));
     QVERIFY(copied.endsWith("= -\\frac{10}{3}"));
@@ -156,14 +204,14 @@ private slots:
   }
 
   void shownLinesAreThoseGivenLastAtOnce() {
-    WorkingBlock panel(m_typesetter);
-    panel.resize(900, 500);
+    WorkingBlock block(m_typesetter);
+    block.resize(900, 500);
     for (int i = 0; i < 20; ++i) {
       const Term a = name(letter("a"), Rational(i * i, 7));
       const WorkingLine shownLine =
           called("a", line({withNumbers(a == power(name(letter("b"), Rational(i)), 2) / 7)}));
-      panel.setWorking({{shownLine, shownLine}});
-      const auto placed = panel.placed();
+      block.setWorking({{shownLine, shownLine}});
+      const auto placed = block.placed();
       QCOMPARE(placed.lines.size(), std::size_t(2));
       for (const PlacedLine &shown : placed.lines) {
         QCOMPARE(shown.formulas[1].picture->box(),
@@ -171,7 +219,7 @@ private slots:
         QCOMPARE(shown.formulas.back().picture->box(),
                  m_typesetter.picture(formulaOf(shownLine, LinePiece::Result).row)->box());
       }
-      QVERIFY(panel.accessibleDescription().contains(QString::number(i)));
+      QVERIFY(block.accessibleDescription().contains(QString::number(i)));
     }
   }
 };

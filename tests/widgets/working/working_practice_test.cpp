@@ -7,9 +7,10 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QScrollBar>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QtTest>
 
 #include <algorithm>
@@ -30,27 +31,11 @@ Working someWorking(int value = 30) {
            called("foot", line(withResult(F)))}};
 }
 
-QToolButton *button(const QWidget &widget, const QString &text, int which = 0) {
+QToolButton *button(const QWidget &widget, const QString &text) {
   for (QToolButton *found : widget.findChildren<QToolButton *>())
-    if (found->text() == text && found->isVisibleTo(&widget) && which-- == 0)
+    if (found->text() == text && found->isVisibleTo(&widget))
       return found;
   return nullptr;
-}
-
-QList<QLineEdit *> fields(const QWidget &widget) {
-  QList<QLineEdit *> shown;
-  for (QLineEdit *field : widget.findChildren<QLineEdit *>())
-    if (field->isVisibleTo(&widget) && field->isEnabled())
-      shown << field;
-  std::sort(shown.begin(), shown.end(), [](const QLineEdit *a, const QLineEdit *b) {
-    return a->parentWidget()->y() < b->parentWidget()->y();
-  });
-  return shown;
-}
-
-QString score(const QWidget &practice) {
-  const auto *label = practice.findChild<QLabel *>("score");
-  return label->isVisibleTo(&practice) ? label->text() : QString();
 }
 
 QString text(const std::vector<PlacedText> &pieces) {
@@ -59,6 +44,57 @@ QString text(const std::vector<PlacedText> &pieces) {
     all += piece.text;
   return all;
 }
+
+/// The tools above a block of lines, as on a page.
+class ShownPractice : public QWidget {
+public:
+  explicit ShownPractice(const Typesetter &typesetter)
+      : tools(typesetter), m_block(*tools.working().addBlock()) {
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(&tools);
+    layout->addWidget(&m_block);
+    resize(500, 700);
+    show();
+    setStep(0);
+    setWorking(someWorking());
+  }
+
+  void setStep(int step, std::optional<Fading> asked = {}) { tools.setStep("lesson", step, asked); }
+  void setWorking(const Working &working, bool hidden = false) {
+    tools.setWorking(working, {working.lines.size()}, hidden);
+  }
+  /// Chooses from the menu, as by a click there.
+  void choose(const QString &fading) {
+    for (QAction *choice : chooser().menu()->actions())
+      if (choice->text() == fading)
+        return choice->trigger();
+    QTest::qFail(qPrintable("no " + fading), __FILE__, __LINE__);
+  }
+  [[nodiscard]] QToolButton &chooser() const { return *tools.findChild<QToolButton *>("fading"); }
+  [[nodiscard]] QToolButton &newNumbers() const { return *tools.findChild<QToolButton *>("newNumbers"); }
+  [[nodiscard]] QString score() const {
+    const auto *label = tools.findChild<QLabel *>("score");
+    return label->isVisibleTo(this) ? label->text() : QString();
+  }
+  /// The fields to be filled in, from top to bottom.
+  [[nodiscard]] QList<QLineEdit *> fields() const {
+    QList<QLineEdit *> shown;
+    for (QLineEdit *field : m_block.findChildren<QLineEdit *>())
+      if (field->isVisibleTo(this) && field->isEnabled())
+        shown << field;
+    std::sort(shown.begin(), shown.end(), [](const QLineEdit *a, const QLineEdit *b) {
+      return a->parentWidget()->y() < b->parentWidget()->y();
+    });
+    return shown;
+  }
+  [[nodiscard]] const PlacedLine &line(std::size_t index) const { return m_block.placed().lines.at(index); }
+  [[nodiscard]] const WorkingBlock &block() const { return m_block; }
+
+  WorkingPractice tools;
+
+private:
+  WorkingBlock &m_block;
+};
 
 void answer(QLineEdit *field, const QString &text) {
   QTest::mouseClick(field, Qt::LeftButton);
@@ -75,300 +111,279 @@ class WorkingPracticeTest : public QObject {
 private:
   Typesetter m_typesetter;
 
-  void show(WorkingPractice &practice) {
-    practice.resize(500, 500);
-    practice.show();
-    practice.setStep("lesson", 0, {});
-    practice.setWorking(someWorking(), false);
-  }
-
-  static PlacedLine line(WorkingPractice &practice, std::size_t index) {
-    return practice.panel().placed().lines.at(index);
-  }
-
 private slots:
   void allLinesAreShownUntilTheLearnerChooses() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QVERIFY(!practice.hasBlanks());
-    QVERIFY(fields(practice).isEmpty());
-    QVERIFY(button(practice, "All lines")->isChecked());
-    QSignalSpy changed(&practice, &WorkingPractice::blanksChanged);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
+    ShownPractice practice(m_typesetter);
+    QVERIFY(!practice.tools.hasBlanks());
+    QVERIFY(practice.fields().isEmpty());
+    QCOMPARE(practice.chooser().text(), QString("All lines"));
+    QSignalSpy changed(&practice.tools, &WorkingPractice::blanksChanged);
+    practice.choose("Last blank");
     QCOMPARE(changed.count(), 1);
-    QVERIFY(practice.hasBlanks());
-    QCOMPARE(fields(practice).size(), 1);
-    QVERIFY(line(practice, 0).blank.isNull());
-    QVERIFY(!line(practice, 1).blank.isNull());
-    QVERIFY(line(practice, 2).blank.isNull());                   // it asks for nothing …
-    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(1)); // … but waits with its numbers
-    QVERIFY(!practice.panel().latexOfAll().contains("10"));
-    QVERIFY(text(line(practice, 1).sentence).isEmpty());
+    QVERIFY(practice.tools.hasBlanks());
+    QCOMPARE(practice.fields().size(), 1);
+    QVERIFY(practice.line(0).blank.isNull());
+    QVERIFY(!practice.line(1).blank.isNull());
+    QVERIFY(practice.line(2).blank.isNull());                   // it asks for nothing …
+    QCOMPARE(practice.line(2).formulas.size(), std::size_t(1)); // … but waits with its numbers
+    QVERIFY(!practice.block().latexOfAll().contains("10"));
+    QVERIFY(text(practice.line(1).sentence).isEmpty());
   }
 
   void wrongAnswerIsToldByItsMistakeAndTheRightOneOpensTheLine() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "30");
-    QCOMPARE(text(line(practice, 1).remark), QString("30 is f(Q)."));
-    QVERIFY(practice.hasBlanks());
-    answer(fields(practice).first(), "10");
-    QVERIFY(!practice.hasBlanks());
-    QVERIFY(fields(practice).isEmpty());
-    QCOMPARE(text(line(practice, 1).remark), QString("Right."));
-    QCOMPARE(text(line(practice, 1).sentence), QString("Divided by the length."));
-    QVERIFY(practice.panel().latexOfAll().contains("= 10"));
+    ShownPractice practice(m_typesetter);
+    practice.choose("Last blank");
+    answer(practice.fields().first(), "30");
+    QCOMPARE(text(practice.line(1).remark), QString("30 is f(Q)."));
+    QVERIFY(practice.tools.hasBlanks());
+    answer(practice.fields().first(), "10");
+    QVERIFY(!practice.tools.hasBlanks());
+    QVERIFY(practice.fields().isEmpty());
+    QCOMPARE(text(practice.line(1).remark), QString("Right."));
+    QCOMPARE(text(practice.line(1).sentence), QString("Divided by the length."));
+    QVERIFY(practice.block().latexOfAll().contains("= 10"));
   }
 
   void answerIsReadAndToldInTheLanguageOfTheLearner() {
-    WorkingPractice practice(m_typesetter);
+    ShownPractice practice(m_typesetter);
     practice.setLocale(QLocale(QLocale::German));
     Working working = someWorking();
     working.lines.push_back(
         called("G", asked(withResult(name(letter("G"), ExactVec3(Rational(3, 2), 2, 3))))));
-    show(practice);
-    practice.setWorking(working, false);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "1,25");
-    QVERIFY(text(line(practice, 3).remark).contains("(1, 2, 3)")); // so many are asked for …
-    answer(fields(practice).first(), "(1, 2, 3)");
-    QVERIFY(text(line(practice, 3).remark).contains("(1, 2, 3) is not right")); // … and these can be typed
-    answer(fields(practice).first(), "(1,5; 2; 3)");
-    QCOMPARE(text(line(practice, 3).remark), QString("Right."));
+    practice.setWorking(working);
+    practice.choose("Last blank");
+    answer(practice.fields().first(), "1,25");
+    QVERIFY(text(practice.line(3).remark).contains("(1, 2, 3)")); // so many are asked for …
+    answer(practice.fields().first(), "(1, 2, 3)");
+    QVERIFY(text(practice.line(3).remark).contains("(1, 2, 3) is not right")); // … and these can be typed
+    answer(practice.fields().first(), "(1,5; 2; 3)");
+    QCOMPARE(text(practice.line(3).remark), QString("Right."));
   }
 
   void rightAnswerHandsTheKeysToTheNextField() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
+    ShownPractice practice(m_typesetter);
     practice.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&practice));
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    QCOMPARE(fields(practice).size(), 2);
-    QTRY_VERIFY(fields(practice).first()->hasFocus());
-    answer(fields(practice).first(), "30");
-    QCOMPARE(fields(practice).size(), 1);
-    QTRY_VERIFY(fields(practice).first()->hasFocus());
+    practice.choose("All blank");
+    QCOMPARE(practice.fields().size(), 2);
+    QTRY_VERIFY(practice.fields().first()->hasFocus());
+    answer(practice.fields().first(), "30");
+    QCOMPARE(practice.fields().size(), 1);
+    QTRY_VERIFY(practice.fields().first()->hasFocus());
   }
 
   void showButtonRevealsALineWithoutAnAnswer() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(1));
-    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
-    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
-    QVERIFY(!practice.hasBlanks());
-    QCOMPARE(line(practice, 2).formulas.size(), std::size_t(2)); // it has waited
+    ShownPractice practice(m_typesetter);
+    practice.choose("All blank");
+    QCOMPARE(practice.line(2).formulas.size(), std::size_t(1));
+    QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
+    QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
+    QVERIFY(!practice.tools.hasBlanks());
+    QCOMPARE(practice.line(2).formulas.size(), std::size_t(2)); // it has waited
   }
 
   void gapStandsInTheFormulaAndAsksForThatNumber() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "Gaps"), Qt::LeftButton);
-    QVERIFY(practice.hasBlanks());
-    const PlacedLine distance = line(practice, 1); // h = f(Q)/3 = 30/3 = 10, without one of its numbers
+    ShownPractice practice(m_typesetter);
+    practice.choose("Gaps");
+    QVERIFY(practice.tools.hasBlanks());
+    const PlacedLine distance = practice.line(1); // h = f(Q)/3 = 30/3 = 10, without one of its numbers
     QVERIFY(!distance.blank.isNull());
     QCOMPARE(distance.formulas.size(), std::size_t(3));
     const auto holder = std::find_if(distance.formulas.begin(), distance.formulas.end(),
                                      [](const PlacedFormula &formula) { return formula.picture->leftOut(); });
     QVERIFY(holder != distance.formulas.end());
     QVERIFY(holder->box().adjusted(-1, -1, 1, 1).contains(distance.blank));
-    QLineEdit *field = fields(practice).front();
+    QLineEdit *field = practice.fields().front();
     QVERIFY(distance.blank.toAlignedRect()
                 .adjusted(-1, -1, 1, 1)
-                .contains(QRect(field->mapTo(practice.panel().viewport(), QPoint()), field->size())));
+                .contains(QRect(field->mapTo(&practice.block(), QPoint()), field->size())));
     QVERIFY(text(distance.sentence).isEmpty());
     const QString question = field->accessibleName();
     QVERIFY2(question.contains('?'), qPrintable(question));
     answer(field, "10"); // 30 is what the line above comes to
-    QVERIFY(line(practice, 1).blank.isNull());
-    QCOMPARE(text(line(practice, 1).remark), QString("Right."));
+    QVERIFY(practice.line(1).blank.isNull());
+    QCOMPARE(text(practice.line(1).remark), QString("Right."));
   }
 
   void whatNoLineSaysIsToldWhereItIsNeeded() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
+    ShownPractice practice(m_typesetter);
     const Working all = someWorking();
-    practice.setWorking({{all.lines[1]}}, false);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    QCOMPARE(line(practice, 0).formulas.size(), std::size_t(3)); // h = f(Q)/3, = and the field, f(Q) = 30
-    QVERIFY(line(practice, 0).formulas.back().box().top() > line(practice, 0).blank.top());
-    practice.setWorking({{all.lines[0], all.lines[1]}}, false);
-    QCOMPARE(line(practice, 1).formulas.size(), std::size_t(2));
+    practice.setWorking({{all.lines[1]}});
+    practice.choose("Last blank");
+    QCOMPARE(practice.line(0).formulas.size(), std::size_t(3)); // h = f(Q)/3, = and the field, f(Q) = 30
+    QVERIFY(practice.line(0).formulas.back().box().top() > practice.line(0).blank.top());
+    practice.setWorking({{all.lines[0], all.lines[1]}});
+    QCOMPARE(practice.line(1).formulas.size(), std::size_t(2));
   }
 
   void changedSceneKeepsTheBlankAndAsksForTheNewNumber() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "30");
-    practice.setWorking(someWorking(60), false);
-    QVERIFY(text(line(practice, 1).remark).isEmpty()); // it was about another number
-    QVERIFY(practice.hasBlanks());
-    answer(fields(practice).first(), "10");
-    QVERIFY(practice.hasBlanks());
-    answer(fields(practice).first(), "20");
-    QVERIFY(!practice.hasBlanks());
-    practice.setWorking(someWorking(60), false);
-    QVERIFY(!practice.hasBlanks()); // the same numbers are not asked twice
-    practice.setWorking(someWorking(90), false);
-    QVERIFY(practice.hasBlanks()); // new numbers are
-    answer(fields(practice).first(), "30");
-    QVERIFY(!practice.hasBlanks());
+    ShownPractice practice(m_typesetter);
+    practice.choose("Last blank");
+    answer(practice.fields().first(), "30");
+    practice.setWorking(someWorking(60));
+    QVERIFY(text(practice.line(1).remark).isEmpty()); // it was about another number
+    QVERIFY(practice.tools.hasBlanks());
+    answer(practice.fields().first(), "10");
+    QVERIFY(practice.tools.hasBlanks());
+    answer(practice.fields().first(), "20");
+    QVERIFY(!practice.tools.hasBlanks());
+    practice.setWorking(someWorking(60));
+    QVERIFY(!practice.tools.hasBlanks()); // the same numbers are not asked twice
+    practice.setWorking(someWorking(90));
+    QVERIFY(practice.tools.hasBlanks()); // new numbers are
+    answer(practice.fields().first(), "30");
+    QVERIFY(!practice.tools.hasBlanks());
   }
 
   void newNumbersBlankAllLinesAgainAndGiveTheFocusToTheFirst() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
+    ShownPractice practice(m_typesetter);
     practice.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&practice));
     int asked = 0;
-    connect(&practice, &WorkingPractice::newNumbersRequested, this, [&] {
+    connect(&practice.tools, &WorkingPractice::newNumbersRequested, this, [&] {
       ++asked;
-      practice.setWorking(someWorking(60), false);
+      practice.setWorking(someWorking(60));
     });
-    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
+    QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
     QCOMPARE(asked, 1);
-    QVERIFY(fields(practice).isEmpty());
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "60");
-    answer(fields(practice).first(), "7"); // wrong
-    QCOMPARE(fields(practice).size(), 1);
-    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
+    QVERIFY(practice.fields().isEmpty());
+    practice.choose("All blank");
+    answer(practice.fields().first(), "60");
+    answer(practice.fields().first(), "7"); // wrong
+    QCOMPARE(practice.fields().size(), 1);
+    QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
     QCOMPARE(asked, 2);
-    QCOMPARE(fields(practice).size(), 2);
-    for (const QLineEdit *field : fields(practice))
+    QCOMPARE(practice.fields().size(), 2);
+    for (const QLineEdit *field : practice.fields())
       QVERIFY(field->text().isEmpty());
-    QVERIFY(text(line(practice, 1).remark).isEmpty());
-    QTRY_VERIFY(fields(practice).first()->hasFocus());
+    QVERIFY(text(practice.line(1).remark).isEmpty());
+    QTRY_VERIFY(practice.fields().first()->hasFocus());
   }
 
   void scoreCountsWhatIsRightAtTheFirstTry() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QCOMPARE(score(practice), QString());
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    QCOMPARE(score(practice), QString("0 of 2 right")); // the vector asks for nothing
-    answer(fields(practice).first(), "abc");            // no answer
-    answer(fields(practice).first(), "30");
-    QCOMPARE(score(practice), QString("1 of 2 right"));
-    answer(fields(practice).first(), "30"); // wrong
-    answer(fields(practice).first(), "10");
-    QCOMPARE(score(practice), QString("1 of 2 right"));
-    QCOMPARE(practice.findChild<QLabel *>("score")->accessibleName(),
+    ShownPractice practice(m_typesetter);
+    QCOMPARE(practice.score(), QString());
+    practice.choose("All blank");
+    QCOMPARE(practice.score(), QString("0 of 2 right")); // the vector asks for nothing
+    answer(practice.fields().first(), "abc");            // no answer
+    answer(practice.fields().first(), "30");
+    QCOMPARE(practice.score(), QString("1 of 2 right"));
+    answer(practice.fields().first(), "30"); // wrong
+    answer(practice.fields().first(), "10");
+    QCOMPARE(practice.score(), QString("1 of 2 right"));
+    QCOMPARE(practice.tools.findChild<QLabel *>("score")->accessibleName(),
              QString("1 of 2 right at the first try"));
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    QCOMPARE(score(practice), QString("0 of 1 right"));
-    QTest::mouseClick(button(practice, "All lines"), Qt::LeftButton);
-    QCOMPARE(score(practice), QString());
+    practice.choose("Last blank");
+    QCOMPARE(practice.score(), QString("0 of 1 right"));
+    practice.choose("All lines");
+    QCOMPARE(practice.score(), QString());
   }
 
   void scoreLeavesOutWhatWasShown_andBeginsAnewWithNewNumbers() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "30");
-    QTest::mouseClick(button(practice, "Show", 0), Qt::LeftButton);
-    QCOMPARE(score(practice), QString("1 of 2 right"));
-    practice.setStep("lesson", 1, Fading::All);
-    practice.setWorking(someWorking(), false);
-    QCOMPARE(score(practice), QString("0 of 2 right"));
-    practice.setStep("lesson", 0, {});
-    practice.setWorking(someWorking(), false);
-    QCOMPARE(score(practice), QString("1 of 2 right"));
+    ShownPractice practice(m_typesetter);
+    practice.choose("All blank");
+    answer(practice.fields().first(), "30");
+    QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
+    QCOMPARE(practice.score(), QString("1 of 2 right"));
+    practice.setStep(1, Fading::All);
+    practice.setWorking(someWorking());
+    QCOMPARE(practice.score(), QString("0 of 2 right"));
+    practice.setStep(0);
+    practice.setWorking(someWorking());
+    QCOMPARE(practice.score(), QString("1 of 2 right"));
     practice.setWorking(someWorking(), true);
-    QCOMPARE(score(practice), QString()); // a question goes before
-    practice.setWorking(someWorking(60), false);
-    QCOMPARE(score(practice), QString("0 of 2 right"));
-    answer(fields(practice).first(), "60");
-    QCOMPARE(score(practice), QString("1 of 2 right"));
-    QTest::mouseClick(button(practice, "New numbers"), Qt::LeftButton);
-    QCOMPARE(score(practice), QString("0 of 2 right")); // even where they are the same
+    QCOMPARE(practice.score(), QString()); // a question goes before
+    practice.setWorking(someWorking(60));
+    QCOMPARE(practice.score(), QString("0 of 2 right"));
+    answer(practice.fields().first(), "60");
+    QCOMPARE(practice.score(), QString("1 of 2 right"));
+    QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
+    QCOMPARE(practice.score(), QString("0 of 2 right")); // even where they are the same
   }
 
   void choiceOfAnEarlierStartHoldsWhereTheStepAsksForNothingElse() {
-    WorkingPractice practice(m_typesetter);
-    practice.setUsual(Fading::Last);
-    show(practice);
-    QVERIFY(button(practice, "Last blank")->isChecked());
-    QCOMPARE(fields(practice).size(), 1);
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    QVERIFY(practice.usual() == Fading::All);
+    ShownPractice practice(m_typesetter);
+    practice.tools.setUsual(Fading::Last);
+    QCOMPARE(practice.chooser().text(), QString("Last blank"));
+    QCOMPARE(practice.fields().size(), 1);
+    practice.choose("All blank");
+    QVERIFY(practice.tools.usual() == Fading::All);
   }
 
-  void barIsNeverCutOff() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
-    for (const int width : {700, 400, 300, 200}) {
-      practice.resize(width, 500);
-      QCOMPARE(practice.width(), width);
-      QRect last;
-      for (const char *name : {"All lines", "Gaps", "Last blank", "All blank", "New numbers"}) {
-        const QToolButton *shown = button(practice, name);
-        QVERIFY(practice.rect().contains(shown->geometry()));
-        QVERIFY(shown->width() >= shown->sizeHint().width());
-        QVERIFY(!shown->geometry().intersects(practice.panel().geometry()));
-        QVERIFY(!shown->geometry().intersects(last));
-        last = shown->geometry();
-      }
-      const auto *score = practice.findChild<QLabel *>("score");
-      QVERIFY(practice.rect().contains(score->geometry()));
-      QVERIFY(score->width() >= score->sizeHint().width());
-      QVERIFY(!score->geometry().intersects(practice.panel().geometry()));
+  void choices_excludeEachOther_andTheToolSaysWhichHolds() {
+    ShownPractice practice(m_typesetter);
+    for (const char *chosen : {"Gaps", "Last blank", "All blank", "All lines"}) {
+      practice.choose(chosen);
+      QCOMPARE(practice.chooser().text(), QString(chosen));
+      QStringList checked;
+      for (const QAction *choice : practice.chooser().menu()->actions())
+        if (choice->isChecked())
+          checked << choice->text();
+      QCOMPARE(checked, QStringList{chosen});
     }
   }
 
+  void toolsAreNeverCutOff() {
+    ShownPractice practice(m_typesetter);
+    practice.choose("All blank");
+    QVERIFY(!practice.score().isEmpty());
+    practice.tools.resize(practice.tools.minimumSizeHint());
+    practice.tools.grab(); // lays it out
+    int right = 0;
+    for (const QWidget *tool :
+         {static_cast<QWidget *>(practice.tools.findChild<QLabel *>("score")),
+          static_cast<QWidget *>(&practice.chooser()), static_cast<QWidget *>(&practice.newNumbers())}) {
+      QVERIFY(tool->x() >= right);
+      QVERIFY(tool->width() >= tool->sizeHint().width());
+      right = tool->geometry().right();
+    }
+    QVERIFY(right < practice.tools.width());
+  }
+
   void stepMayAskForBlanksAndTheLearnersChoiceGoesBefore() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    practice.setStep("lesson", 1, Fading::All);
-    practice.setWorking(someWorking(), false);
-    QVERIFY(button(practice, "All blank")->isChecked());
-    QVERIFY(practice.hasBlanks());
-    QTest::mouseClick(button(practice, "All lines"), Qt::LeftButton);
-    QVERIFY(!practice.hasBlanks());
-    practice.setStep("lesson", 2, {});
-    practice.setWorking(someWorking(), false);
-    QVERIFY(!practice.hasBlanks());
+    ShownPractice practice(m_typesetter);
+    practice.setStep(1, Fading::All);
+    practice.setWorking(someWorking());
+    QCOMPARE(practice.chooser().text(), QString("All blank"));
+    QVERIFY(practice.tools.hasBlanks());
+    practice.choose("All lines");
+    QVERIFY(!practice.tools.hasBlanks());
+    practice.setStep(2);
+    practice.setWorking(someWorking());
+    QVERIFY(!practice.tools.hasBlanks());
   }
 
   void whatWasTypedInOneStepDoesNotStandInTheNext() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    answer(fields(practice).first(), "30");
-    practice.setStep("lesson", 1, {});
-    practice.setWorking(someWorking(), false);
-    QCOMPARE(fields(practice).size(), 1);
-    QVERIFY(fields(practice).first()->text().isEmpty());
-    QVERIFY(text(line(practice, 1).remark).isEmpty());
+    ShownPractice practice(m_typesetter);
+    practice.choose("Last blank");
+    answer(practice.fields().first(), "30");
+    practice.setStep(1);
+    practice.setWorking(someWorking());
+    QCOMPARE(practice.fields().size(), 1);
+    QVERIFY(practice.fields().first()->text().isEmpty());
+    QVERIFY(text(practice.line(1).remark).isEmpty());
   }
 
   void openQuestionHidesTheNumbersAndAsksForNone() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    QTest::mouseClick(button(practice, "All blank"), Qt::LeftButton);
+    ShownPractice practice(m_typesetter);
+    practice.choose("All blank");
     practice.setWorking(someWorking(), true);
-    QVERIFY(fields(practice).isEmpty());
-    QVERIFY(!practice.hasBlanks());
-    QVERIFY(!practice.panel().latexOfAll().contains("30"));
-    QVERIFY(!button(practice, "All blank")->isEnabled());
-    QVERIFY(!button(practice, "New numbers")->isEnabled());
+    QVERIFY(practice.fields().isEmpty());
+    QVERIFY(!practice.tools.hasBlanks());
+    QVERIFY(!practice.block().latexOfAll().contains("30"));
+    QVERIFY(!practice.chooser().isEnabled());
+    QVERIFY(!practice.newNumbers().isEnabled());
   }
 
-  void fieldThatGetsTheFocusComesIntoView() {
-    WorkingPractice practice(m_typesetter);
-    show(practice);
-    practice.resize(300, 220);
+  void fieldThatGetsTheFocus_isReached() {
+    ShownPractice practice(m_typesetter);
     practice.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&practice));
-    QTest::mouseClick(button(practice, "Last blank"), Qt::LeftButton);
-    QTRY_VERIFY(practice.panel().verticalScrollBar()->value() > 0);
-    const QLineEdit *field = fields(practice).first();
-    const QRect inView(field->mapTo(practice.panel().viewport(), QPoint()), field->size());
-    QVERIFY(practice.panel().viewport()->rect().contains(inView));
+    QSignalSpy reached(&practice.tools.working(), &StepWorking::reached);
+    practice.choose("Last blank");
+    QTRY_VERIFY(!reached.isEmpty());
+    const QRectF blank = practice.line(1).blank;
+    QVERIFY(QRectF(reached.last().at(1).toRect()).contains(blank));
   }
 };
 

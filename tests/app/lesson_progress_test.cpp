@@ -1,0 +1,136 @@
+#include "app/lesson_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+namespace halfspace {
+namespace {
+
+/// A question, two tasks, and a step that asks for nothing.
+Lesson someLesson() {
+  Lesson lesson;
+  lesson.id = "distance";
+  lesson.steps = {{"Predict", {Prediction{"Which side?", "side", {{"positive", "That of n"}}, "It is so."}}},
+                  {"Try", {Task{"Drag Q.", {}}, Task{"Drag E.", {}}}},
+                  {"Read", {StepLines()}}};
+  return lesson;
+}
+
+StepProgress answered(const std::string &chosen) { return {chosen, "positive", {}}; }
+StepProgress withTasks(std::vector<bool> done) { return {{}, {}, TaskProgress(std::move(done))}; }
+
+LessonState stateWith(const LessonProgress &progress) { return stateOf(someLesson(), progress); }
+
+TEST(LessonStateOf, ALessonWithNothingDone_IsNew) {
+  EXPECT_EQ(stateWith({}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"distance", 1}, withTasks({false, false})}}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"distance", 2}, {}}}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"another", 0}, answered("positive")}}), LessonState::New);
+}
+
+TEST(LessonStateOf, ALessonWithSomethingLeft_IsBegun) {
+  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}}), LessonState::Begun);
+  EXPECT_EQ(stateWith({{{"distance", 1}, withTasks({true, true})}}), LessonState::Begun);
+  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}, {{"distance", 1}, withTasks({true, false})}}),
+            LessonState::Begun);
+  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}, {{"distance", 1}, withTasks({true})}}),
+            LessonState::Begun); // a task has been added since
+}
+
+TEST(LessonStateOf, ALessonWithEveryTaskDoneAndQuestionAnswered_IsDone) {
+  for (const char *answer : {"positive", "negative"}) // right or wrong
+    EXPECT_EQ(stateWith({{{"distance", 0}, answered(answer)}, {{"distance", 1}, withTasks({true, true})}}),
+              LessonState::Done);
+  EXPECT_EQ(stateWith({{{"distance", 0}, answered("x")}, {{"distance", 1}, withTasks({true, true, false})}}),
+            LessonState::Done); // a task has gone since
+}
+
+TEST(LessonStateOf, ALessonThatAsksForNothing_IsNeverDone) {
+  Lesson lesson = someLesson();
+  lesson.steps.erase(lesson.steps.begin(), lesson.steps.begin() + 2);
+  EXPECT_EQ(stateOf(lesson, {}), LessonState::New);
+  lesson.steps.clear();
+  EXPECT_EQ(stateOf(lesson, {}), LessonState::New);
+}
+
+TEST(MergedProgress, HasWhatIsDoneInOneOrTheOther) {
+  const LessonProgress first{{{"a", 0}, withTasks({true, false, false})}, {{"b", 1}, answered("positive")}};
+  const LessonProgress second{{{"a", 0}, withTasks({false, true})}, {{"c", 2}, answered("negative")}};
+  const LessonProgress both{{{"a", 0}, withTasks({true, true, false})},
+                            {{"b", 1}, answered("positive")},
+                            {{"c", 2}, answered("negative")}};
+  EXPECT_EQ(merged(first, second), both);
+  EXPECT_EQ(merged(second, first), both);
+  EXPECT_EQ(merged(first, {}), first);
+  EXPECT_EQ(merged({}, first), first);
+}
+
+TEST(MergedProgress, WithTwoAnswers_HasTheFirstsWithItsVerdict) {
+  const LessonProgress mine{{{"a", 0}, {"negative", "positive", {}}}};
+  const LessonProgress other{{{"a", 0}, {"on", "on", {}}}};
+  EXPECT_EQ(merged(mine, other), mine);
+  EXPECT_EQ(merged(other, mine), other);
+}
+
+LessonProgress someProgress() {
+  return {{{"distance", 0}, {"negative", "positive", TaskProgress({true, false})}},
+          {{"distance", 12}, withTasks({true})},
+          {{"ray", 3}, answered("on")}};
+}
+
+TEST(ProgressAsJson, ReadAgain_IsTheSame) { EXPECT_EQ(progressFrom(toJson(someProgress())), someProgress()); }
+
+class ProgressFile : public testing::Test {
+protected:
+  void write(const QByteArray &text) const {
+    ASSERT_TRUE(QDir().mkpath(folder.filePath("data")));
+    QFile written(file);
+    ASSERT_TRUE(written.open(QIODevice::WriteOnly));
+    written.write(text);
+  }
+
+  QTemporaryDir folder;
+  QString file = folder.filePath("data/progress.json");
+};
+
+TEST_F(ProgressFile, ThatIsMissing_TellsNothing) { EXPECT_TRUE(readProgress(file).empty()); }
+
+TEST_F(ProgressFile, WrittenAndReadAgain_TellsTheSame_AndIsReadByNobodyElse) {
+  ASSERT_FALSE(addProgress(someProgress(), file));
+  EXPECT_EQ(readProgress(file), someProgress());
+  EXPECT_FALSE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther));
+}
+
+TEST_F(ProgressFile, ThatAnotherWindowHasWritten_KeepsWhatWasDoneThere) {
+  const LessonProgress others{{{"distance", 0}, {"on", "on", TaskProgress({false, true})}},
+                              {{"plane", 0}, answered("positive")}};
+  ASSERT_FALSE(addProgress(others, file));
+  ASSERT_FALSE(addProgress(someProgress(), file));
+  EXPECT_EQ(readProgress(file), merged(someProgress(), others));
+}
+
+TEST_F(ProgressFile, ThatIsDamaged_TellsWhatCanBeRead_AndIsWrittenAnew) {
+  for (const char *text : {"", "[", "{}", "3", "\xFF", "[3, null, [], {}]", R"([{"lesson":5,"step":0}])",
+                           R"([{"lesson":"a","step":"b"}])"}) {
+    write(text);
+    EXPECT_TRUE(readProgress(file).empty()) << text;
+    ASSERT_FALSE(addProgress(someProgress(), file));
+    EXPECT_EQ(readProgress(file), someProgress()) << text;
+  }
+  write(R"([7, {"lesson":"ray","step":3,"chosen":"on","right":"positive"}])");
+  EXPECT_EQ(readProgress(file), (LessonProgress{{{"ray", 3}, answered("on")}}));
+  write(R"([{"lesson":"ray","step":3,"chosen":4,"tasks":"all"}])");
+  EXPECT_EQ(readProgress(file), (LessonProgress{{{"ray", 3}, {}}}));
+}
+
+TEST_F(ProgressFile, ThatCannotBeWritten_IsAProblem) {
+  ASSERT_TRUE(QDir().mkpath(file)); // a folder stands in its place
+  EXPECT_TRUE(addProgress(someProgress(), file));
+}
+
+} // namespace
+} // namespace halfspace

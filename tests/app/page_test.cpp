@@ -1,0 +1,310 @@
+// The page beside the scene, the drawer and the card over it, and how the window is shared among them.
+#include "tests/app/window_fixture.h"
+#include "widgets/lesson/contents_drawer.h"
+#include "widgets/lesson/lesson_page.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSplitter>
+
+using namespace halfspace;
+
+namespace {
+
+class PageFixture : public WindowFixture {
+public:
+  explicit PageFixture(QSize size = {1280, 800}) : WindowFixture("signed-distance") {
+    window.setSizeScale(1);
+    resize(size);
+  }
+  void resize(QSize size) {
+    window.resize(size);
+    QTest::qWait(100);
+  }
+  LessonPage &page() { return *window.findChild<LessonPage *>(); }
+  QSplitter &split() { return *window.findChild<QSplitter *>(); }
+  /// As a hand does.
+  void moveSplit(int pixels) {
+    QWidget *handle = split().handle(1);
+    const QPoint from = handle->rect().center();
+    QTest::mousePress(handle, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(pixels, 0),
+                     handle->mapToGlobal(from + QPoint(pixels, 0)), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(handle, &move);
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, from);
+  }
+  /// The scene's part of the window's area.
+  double shareOfScene() {
+    const QSize part = scene().size();
+    return double(part.width()) * part.height() / (double(window.width()) * window.height());
+  }
+};
+
+} // namespace
+
+class PageTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("halfspace-test");
+    QCoreApplication::setApplicationName("page");
+  }
+  void init() { forgetStarts(); }
+
+  void scene_takesMostOfTheWindow_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("share");
+    QTest::newRow("usual") << QSize(1280, 800) << 0.6;
+    QTest::newRow("small") << QSize(1024, 600) << 0.5;
+    QTest::newRow("large") << QSize(1900, 1000) << 0.6;
+  }
+  void scene_takesMostOfTheWindow() {
+    QFETCH(QSize, size);
+    QFETCH(double, share);
+    PageFixture fixture(size);
+    QVERIFY(fixture.ready);
+    for (int step = 0; step < static_cast<int>(fixture.model().lesson().steps.size()); ++step) {
+      fixture.model().setStep(step);
+      QTest::qWait(20);
+      QCOMPARE(fixture.window.size(), size);
+      QVERIFY2(fixture.shareOfScene() >= share, qPrintable(QString::number(fixture.shareOfScene())));
+    }
+  }
+
+  void page_inAHighWindow_standsBelowTheScene() {
+    PageFixture fixture({700, 1000});
+    QVERIFY(fixture.ready);
+    const auto top = [&](QWidget &widget) { return widget.mapTo(&fixture.window, QPoint(0, 0)).y(); };
+    QVERIFY(top(fixture.page()) >= top(fixture.scene()) + fixture.scene().height());
+    QVERIFY(fixture.scene().height() > 0.4 * 1000);
+    fixture.resize({1280, 800});
+    QCOMPARE(top(fixture.page()), top(fixture.scene()));
+  }
+
+  void keys_showTheSceneAloneAndThePageAlone_andBothAgain() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto parts = [&] { return std::pair(fixture.scene().isVisible(), fixture.page().isVisible()); };
+    const auto press = [&](Qt::Key key) { QTest::keyClick(&fixture.window, key); };
+    fixture.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+    press(Qt::Key_F9);
+    QVERIFY(parts() == std::pair(true, false));
+    QTRY_VERIFY(fixture.shareOfScene() > 0.8);
+    press(Qt::Key_F8);
+    QVERIFY(parts() == std::pair(false, true));
+    QVERIFY(!fixture.action(Qt::Key_F9)->isChecked());
+    press(Qt::Key_F8);
+    QVERIFY(parts() == std::pair(true, true));
+    press(Qt::Key_F9);
+    press(Qt::Key_F9);
+    QVERIFY(parts() == std::pair(true, true));
+    QTRY_VERIFY(fixture.shareOfScene() < 0.7);
+  }
+
+  void key_fillsTheScreen_andLeavesItAgain() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+    QTest::keyClick(&fixture.window, Qt::Key_F11);
+    QVERIFY(fixture.window.windowState().testFlag(Qt::WindowFullScreen));
+    QTest::keyClick(&fixture.window, Qt::Key_F11);
+    QVERIFY(!fixture.window.windowState().testFlag(Qt::WindowFullScreen));
+  }
+
+  void numbers_openOnDemand_byTheirKeyAndTheirTool() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    auto *numbers = fixture.window.findChild<QDockWidget *>("numbersDock");
+    QVERIFY(!numbers->isVisible());
+    fixture.action(QKeySequence("Ctrl+I"))->trigger();
+    QVERIFY(numbers->isVisible());
+    QTest::mouseClick(fixture.window.findChildren<QToolButton *>("sceneTool").last(), Qt::LeftButton);
+    QVERIFY(!numbers->isVisible());
+  }
+
+  void layout_thatWasChanged_isRestored() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    const QList<int> usual = fixture.split().sizes();
+    auto *numbers = fixture.window.findChild<QDockWidget *>("numbersDock");
+    fixture.moveSplit(-150);
+    numbers->show();
+    numbers->setFloating(true);
+    fixture.action(Qt::Key_F11)->trigger();
+    fixture.action(Qt::Key_F8)->trigger();
+    fixture.window.findChild<QAction *>("restoreLayout")->trigger();
+    QVERIFY(!fixture.window.windowState().testFlag(Qt::WindowFullScreen));
+    QVERIFY(!numbers->isVisible() && !numbers->isFloating());
+    QVERIFY(fixture.scene().isVisible() && fixture.page().isVisible());
+    for (const Qt::Key key : {Qt::Key_F8, Qt::Key_F9, Qt::Key_F11})
+      QVERIFY(!fixture.action(key)->isChecked());
+    fixture.resize({1280, 800});
+    QCOMPARE(fixture.split().sizes(), usual);
+  }
+
+  void split_thatTheUserMoved_staysForTheNextStart() {
+    QList<int> mine;
+    {
+      PageFixture fixture;
+      QVERIFY(fixture.ready);
+      const int usual = fixture.split().sizes()[1];
+      fixture.moveSplit(-120);
+      mine = fixture.split().sizes();
+      QVERIFY2(mine[1] > usual + 100, qPrintable(QString::number(mine[1])));
+      fixture.resize({1290, 800}); // it is not shared anew
+      QVERIFY(std::abs(fixture.split().sizes()[1] - mine[1]) <= 10);
+      fixture.resize({1280, 800});
+      mine = fixture.split().sizes();
+      QVERIFY(fixture.window.close());
+    }
+    PageFixture next;
+    QCOMPARE(next.split().sizes(), mine);
+  }
+
+  void type_thatGrows_getsAWiderPage_andLeavesHalfToTheScene() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    const int usual = fixture.page().width();
+    fixture.window.setSizeScale(2.5);
+    fixture.resize({1280, 800});
+    QCOMPARE(fixture.window.width(), 1280);
+    QVERIFY(fixture.page().width() > usual);
+    QVERIFY2(fixture.scene().width() >= 600, qPrintable(QString::number(fixture.scene().width())));
+  }
+
+  void dragInTheScene_movesNothingOnThePage() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.goToLine("length");
+    QTest::qWait(100);
+    const auto places = [&] {
+      std::vector<double> tops;
+      for (const PlacedLine &line : fixture.lines().placed().lines)
+        tops.push_back(line.box.top());
+      tops.push_back(fixture.lines().mapTo(&fixture.window, QPoint(0, 0)).y());
+      return tops;
+    };
+    const auto before = places();
+    const int sceneHeight = fixture.scene().height();
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    for (int i = 0; i < 12; ++i) {
+      fixture.moveTo(from + QPoint(8 * i, -5 * i));
+      QTest::qWait(20);
+      const auto now = places();
+      QCOMPARE(now.size(), before.size());
+      for (std::size_t k = 0; k < now.size(); ++k)
+        QVERIFY2(now[k] >= before[k], "nothing comes up");
+      QVERIFY(fixture.scene().height() <= sceneHeight);
+    }
+    fixture.release();
+  }
+
+  void selectedObject_hasItsNumbersOnTheCard_thatFollowADrag() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(!fixture.card().field("Q", 0));
+    const QPoint from = *fixture.scene().handlePosition("Q");
+    fixture.press(from);
+    fixture.moveTo(from + QPoint(60, 30));
+    QVERIFY(fixture.card().field("Q", 0));
+    QTRY_COMPARE(fixture.card().field("Q", 0)->text(), QString::fromStdString(toText(fixture.value("Q").x)));
+    QVERIFY(fixture.card().field("Q", 0)->text() != "11");
+    fixture.release();
+    fixture.scene().selectHandle({});
+    QVERIFY(!fixture.card().field("Q", 0));
+  }
+
+  void lastStep_leadsOnToTheNextLesson_asTheMenuDoesFromAnywhere() {
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    const auto &lessons = fixture.model().library().lessons;
+    const auto lessonAfter = [&](std::size_t index) {
+      return lessons.begin()[static_cast<std::ptrdiff_t>(index)].id;
+    };
+    fixture.model().openLesson(lessonAfter(0));
+    auto *next = fixture.window.findChild<QPushButton *>("next");
+    fixture.model().setStep(static_cast<int>(lessons[0].steps.size()) - 1);
+    QCOMPARE(next->text(), QString("Next lesson"));
+    QTest::mouseClick(next, Qt::LeftButton);
+    QCOMPARE(fixture.model().session().lesson, lessonAfter(1));
+    QCOMPARE(fixture.model().session().step, 0);
+    fixture.action(QKeySequence("Ctrl+Shift+Right"))->trigger();
+    QCOMPARE(fixture.model().session().lesson, lessonAfter(2));
+    fixture.model().openLesson(lessons.back().id);
+    fixture.model().setStep(static_cast<int>(lessons.back().steps.size()) - 1);
+    QVERIFY(!next->isEnabled());
+    fixture.action(QKeySequence("Ctrl+Shift+Right"))->trigger();
+    QCOMPARE(fixture.model().session().lesson, lessons.back().id);
+  }
+
+  void contents_opened_leadToALesson_andGiveTheKeysBack() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    auto *drawer = fixture.window.findChild<ContentsDrawer *>();
+    auto *button = fixture.window.findChild<QToolButton *>("contentsButton");
+    auto *list = drawer->findChild<QListWidget *>();
+    const int sceneWidth = fixture.scene().width();
+    fixture.action(QKeySequence("Ctrl+L"))->trigger();
+    QVERIFY(drawer->isVisible() && button->isChecked());
+    QTest::qWait(50); // it stands over the scene and moves nothing
+    QCOMPARE(drawer->mapTo(&fixture.window, QPoint(0, 0)),
+             fixture.scene().mapTo(&fixture.window, QPoint(0, 0)));
+    QVERIFY(drawer->height() > fixture.scene().height());
+    QCOMPARE(fixture.scene().width(), sceneWidth);
+    QTest::keyClick(list, Qt::Key_Escape);
+    QVERIFY(!drawer->isVisible() && !button->isChecked());
+    QCOMPARE(fixture.window.focusWidget(), &fixture.scene());
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(drawer->isVisible());
+    QCOMPARE(list->currentItem()->data(Qt::UserRole).toString(), QString("signed-distance"));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+    QCOMPARE(fixture.model().session().lesson, fixture.model().library().lessons[0].id);
+    QVERIFY(!drawer->isVisible() && !button->isChecked());
+    QCOMPARE(fixture.window.findChild<QLabel *>("lessonTitle")->text(),
+             QString::fromStdString(fixture.model().lesson().title));
+  }
+
+  void answer_isBackAtTheNextStart_andTheContentsSayThatTheLessonIsBegun() {
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      QVERIFY(fixture.questionIsOpen());
+      fixture.answer(0);
+      QVERIFY(!fixture.questionIsOpen());
+      QVERIFY(fixture.window.close());
+    }
+    WindowFixture next("signed-distance");
+    QVERIFY(next.ready);
+    QVERIFY(!next.questionIsOpen());
+    next.action(QKeySequence("Ctrl+L"))->trigger();
+    const auto *list = next.window.findChild<ContentsDrawer *>()->findChild<QListWidget *>();
+    QVERIFY(list->currentItem()->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
+    QVERIFY(!list->item(0)->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
+  }
+
+  void question_triedAgain_hidesTheNumbersAgain() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const auto hidesNumbers = [&] {
+      return fixture.questionIsOpen() && fixture.lines().shownNumbers().inLine(0).empty();
+    };
+    QVERIFY(hidesNumbers());
+    fixture.answer(1);
+    QVERIFY(!fixture.questionIsOpen());
+    QVERIFY(!fixture.lines().shownNumbers().inLine(0).empty());
+    QTest::mouseClick(fixture.window.findChild<QToolButton *>("again"), Qt::LeftButton);
+    QVERIFY(hidesNumbers());
+    fixture.answer(0);
+    QVERIFY(!fixture.questionIsOpen());
+  }
+};
+
+QTEST_MAIN(PageTest)
+#include "page_test.moc"

@@ -1,0 +1,126 @@
+// What lies over the 3D view: the card and the tools.
+#include "widgets/view/scene_frame.h"
+
+#include "tests/widgets/view/view_fixture.h"
+#include "widgets/numbers/number_card.h"
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QToolButton>
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+/// A frame around the view, with two tools.
+class FrameFixture : public ViewFixture {
+public:
+  FrameFixture() : card(*new NumberCard(model, m_typesetter)), frame(view, card) {
+    home.setShortcut(Qt::Key_H);
+    numbers.setCheckable(true);
+    frame.addTool(home, ToolIcon::Home);
+    frame.addTool(numbers, ToolIcon::Numbers);
+    frame.setTheme(themes().front());
+    window.layout()->addWidget(&frame);
+    QTest::qWait(50);
+  }
+  ~FrameFixture() {
+    view.setParent(nullptr);
+    frame.setParent(nullptr);
+  }
+
+  [[nodiscard]] QList<QToolButton *> tools() const { return frame.findChildren<QToolButton *>("sceneTool"); }
+  /// A widget's place in the frame.
+  [[nodiscard]] QRect placeOf(const QWidget &widget) const {
+    return {widget.mapTo(&frame, QPoint(0, 0)), widget.size()};
+  }
+
+private:
+  Typesetter m_typesetter;
+
+public:
+  QAction home{"&Home"};
+  QAction numbers{"All &Numbers"};
+  NumberCard &card;
+  SceneFrame frame;
+};
+
+} // namespace
+
+class SceneFrameTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void cardAndTools_keepTheirCorners_inEverySize() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const QSize size : {QSize(600, 450), QSize(400, 300)}) {
+      fixture.window.resize(size);
+      QTest::qWait(50);
+      for (const std::optional<CoordinateId> &selected :
+           {std::optional<CoordinateId>(), std::optional(CoordinateId{"Q", 0}),
+            std::optional(CoordinateId{"E", 0})}) {
+        fixture.card.setSelection(selected);
+        fixture.card.setHint("What can be done.");
+        QTest::qWait(20);
+        const QRect card = fixture.placeOf(fixture.card);
+        const int gap = card.left();
+        QVERIFY(gap > 0 && gap < 30);
+        QCOMPARE(card.bottom(), fixture.frame.height() - 1 - gap);
+        QVERIFY(fixture.frame.rect().contains(card));
+        QVERIFY(card.height() >= fixture.card.heightForWidth(card.width()));
+      }
+      const QRect first = fixture.placeOf(*fixture.tools()[0]);
+      QCOMPARE(fixture.frame.width() - 1 - first.right(), first.top());
+      QVERIFY(fixture.placeOf(*fixture.tools()[1]).top() > first.bottom());
+      QVERIFY(fixture.frame.rect().contains(first));
+    }
+  }
+
+  void tool_doesWhatItsActionDoes_andSaysItsKey() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy triggered(&fixture.home, &QAction::triggered);
+    QTest::mouseClick(fixture.tools()[0], Qt::LeftButton);
+    QCOMPARE(triggered.count(), 1);
+    QCOMPARE(fixture.tools()[0]->toolTip(), QString("Home (H)"));
+    QCOMPARE(fixture.tools()[0]->accessibleName(), QString("Home"));
+    QCOMPARE(fixture.tools()[1]->toolTip(), QString("All Numbers"));
+  }
+
+  void toolOfAChoice_isPressedWhileTheChoiceHolds() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    QToolButton *tool = fixture.tools()[1];
+    QTest::mouseClick(tool, Qt::LeftButton);
+    QVERIFY(fixture.numbers.isChecked() && tool->isChecked());
+    fixture.numbers.setChecked(false);
+    QVERIFY(!tool->isChecked());
+    QTest::mouseClick(tool, Qt::LeftButton);
+    QVERIFY(fixture.numbers.isChecked() && tool->isChecked());
+  }
+
+  void tool_clicked_leavesTheKeysWithTheView() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setFocus();
+    QTest::mouseClick(fixture.tools()[0], Qt::LeftButton);
+    QCOMPARE(fixture.window.focusWidget(), &fixture.view);
+  }
+
+  void icons_growWithTheType_andTakeTheThemesInk() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    Theme theme = *findTheme("dark");
+    const QSize usual = fixture.tools()[0]->iconSize();
+    const QImage light = fixture.tools()[0]->icon().pixmap(32).toImage();
+    theme.textScale = 2;
+    fixture.frame.setTheme(theme);
+    QCOMPARE(fixture.tools()[0]->iconSize(), 2 * usual);
+    QVERIFY(fixture.tools()[0]->icon().pixmap(32).toImage() != light);
+  }
+};
+
+QTEST_MAIN(SceneFrameTest)
+#include "scene_frame_test.moc"
