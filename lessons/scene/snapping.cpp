@@ -111,7 +111,7 @@ private:
     for (int axis = 0; axis < 3; ++axis) {
       Place next = grid;
       next[axis] += toDouble(m_request.step);
-      if (m_request.freedom.moves(axis) && !(m_request.pixelsApart(grid, next) > 2 * m_request.catchPixels))
+      if (m_request.freedom.moves(axis) && !(m_request.pixelsApart(grid, next) > m_request.catchPixels))
         return std::numeric_limits<double>::infinity();
     }
     return pixelsTo(m_grid);

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -408,7 +409,9 @@ private slots:
   void longFraction_inItsField_isRoundedAndMarkedUntilItIsTyped() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    NumberField &number = *fixture.field("Q", 0);
+    fixture.window.findChild<QDockWidget *>("numbersDock")->show();
+    QTest::qWait(50); // its layout
+    NumberField &number = *fixture.window.findChild<Inspector *>()->field("Q", 0);
     number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
     QVERIFY(number.text().contains('/'));
     QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));

@@ -112,7 +112,7 @@ TEST(SnapPosition, OnAGridPlaceBesideThePlane_StaysThere) {
   EXPECT_EQ(Drag({scene, "Q"}).horizontally(3.99, 4.0).at, ExactVec3(4, 4, 8));
   EXPECT_EQ(Drag({scene, "Q"}).horizontally(3.94, 4.0).at, ExactVec3(q(39, 10), 4, 8));
   // With so fine a grid every place is near to one.
-  EXPECT_EQ(Drag({scene, "Q", q(1, 8)}).horizontally(3.87, 4.0).at, ExactVec3(q(39, 10), 4, 8));
+  EXPECT_EQ(Drag({scene, "Q", q(1, 16)}).horizontally(3.87, 4.0).at, ExactVec3(q(39, 10), 4, 8));
 }
 
 TEST(SnapPosition, AlongTheVertical_MeetsThePlaneExactly) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double unseenRadius = 6;
 
 /// The very tip of an arrow is seen as thick as this, in design pixels: it is what people aim at.
-constexpr double tipPixels = 2.5;
+constexpr double tipPixels = 1;
 
 /// Makes the grips of one picture.
 class GripMaker {
