@@ -51,13 +51,13 @@ private slots:
     fixture.window.setSizeScale(1);
     const double points = QApplication::font().pointSizeF();
     const double ratio = fixture.scene().designRatio();
-    QVERIFY(!grabsBelow(fixture, "Q", 18));
+    QVERIFY(!grabsBelow(fixture, "Q", 24));
     for (int i = 0; i < 4; ++i)
       action(fixture.window, "larger").trigger();
     QCOMPARE(fixture.window.sizeScale(), 2.0);
     QCOMPARE(QApplication::font().pointSizeF(), 2 * points);
     QCOMPARE(fixture.scene().designRatio(), 2 * ratio);
-    QVERIFY(grabsBelow(fixture, "Q", 18));
+    QVERIFY(grabsBelow(fixture, "Q", 24));
   }
 
   void size_keepsItsBounds_togetherWithAThemeOfLargeType() {

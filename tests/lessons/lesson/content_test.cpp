@@ -34,7 +34,7 @@ const std::vector<Solution> &solutions() {
       {"plane-implicit", "Turn $\\vec n$", {"E", PlaneObject{{5, 4, 7}, {0, 0, 2}}}},
       {"plane-implicit", "Slide the plane", {"E", PlaneObject{{2, -2, 1}, {1, 2, 2}}}},
       {"plane-implicit", "Make the constant", {"E", PlaneObject{{5, 4, 7}, {-1, -2, -2}}}},
-      {"plane-implicit", "Make the plane's", {"E", PlaneObject{{5, 4, 0}, {0, 0, 1}}}},
+      {"plane-implicit", "Let $\\vec n$ stand", {"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}},
       {"signed-distance", "Drag $Q$ through", {"Q", PointObject{{1, 1, 1}}}},
       {"signed-distance", "Let $Q$ come", {"Q", PointObject{{3, 4, 8}}}},
       {"signed-distance", "Bring $Q$ to", {"Q", PointObject{{10, 8, 8}}}},

@@ -262,7 +262,7 @@ TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
   const WorkingLine &constant = *findLine(plane, "constant");
   const auto told = toldFor(constant, resultGap(constant), {{constant}});
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(plainText(told.front()), "P₁ = (7, 3, 7)");
+  EXPECT_EQ(plainText(told.front()), "P₁ = (5, 6, 5)");
 
   const Working distance = workingOf("signed-distance");
   const WorkingLine &last = *findLine(distance, "distance");

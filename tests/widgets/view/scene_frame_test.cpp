@@ -109,7 +109,7 @@ private slots:
     QCOMPARE(fixture.window.focusWidget(), &fixture.view);
   }
 
-  void icons_growWithTheType_andTakeTheThemesInk() {
+  void icons_growWithTheType_upToAHalf_andTakeTheThemesInk() {
     FrameFixture fixture;
     QVERIFY(fixture.ready);
     Theme theme = *findTheme("dark");
@@ -117,7 +117,7 @@ private slots:
     const QImage light = fixture.tools()[0]->icon().pixmap(32).toImage();
     theme.textScale = 2;
     fixture.frame.setTheme(theme);
-    QCOMPARE(fixture.tools()[0]->iconSize(), 2 * usual);
+    QCOMPARE(fixture.tools()[0]->iconSize(), 1.5 * usual);
     QVERIFY(fixture.tools()[0]->icon().pixmap(32).toImage() != light);
   }
 };
