@@ -16,7 +16,7 @@ namespace {
 /// An object with more coordinates than this shows the selected one alone.
 constexpr std::size_t mostCoordinates = 3;
 /// A field is so wide, in letters: −10/3 and its margins.
-constexpr int lettersInField = 7;
+constexpr int lettersInField = 8;
 /// The usual card is so wide, likewise.
 constexpr int usualLetters = 56;
 /// A field with its frame, in heights of its type.
