@@ -121,11 +121,17 @@ double surfaceDepth(const GripPiece &piece, glm::dvec2 pixel) {
          bulge * piece.unitsPerPixel;
 }
 
-/// What makes one grip win over another at a pixel: smaller is better.
+/// What a grip has to say for itself at a pixel.
 struct Claim {
   bool isBeside = true; ///< beside what is seen, not on it
   double measure = 0;   ///< the distance on the screen beside it, the depth on it
-  auto operator<=>(const Claim &) const = default;
+
+  /// Of two that are as good the later one wins: a bound point lies on a handle of its host.
+  [[nodiscard]] bool winsOver(const std::optional<Claim> &earlier) const {
+    if (!earlier || isBeside != earlier->isBeside)
+      return !earlier || !isBeside;
+    return measure <= earlier->measure;
+  }
 };
 
 std::optional<Claim> claimOf(const Grip &grip, glm::dvec2 pixel, double margin) {
@@ -136,7 +142,7 @@ std::optional<Claim> claimOf(const Grip &grip, glm::dvec2 pixel, double margin) 
     if (distance > margin && !isInRing)
       continue;
     const Claim claim = distance <= 0 ? Claim{false, surfaceDepth(piece, pixel)} : Claim{true, distance};
-    if (!best || claim < *best)
+    if (claim.winsOver(best))
       best = claim;
   }
   return best;
@@ -158,9 +164,7 @@ std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, do
   std::string grabbed;
   std::optional<Claim> best;
   for (const Grip &grip : grips)
-    // Of two that are as near the later one wins: a bound point lies on a handle of its host.
-    if (const auto claim = claimOf(grip, pixel, grabMargin * pixelRatio);
-        claim && (!best || *claim <= *best)) {
+    if (const auto claim = claimOf(grip, pixel, grabMargin * pixelRatio); claim && claim->winsOver(best)) {
       best = claim;
       grabbed = grip.handle;
     }

@@ -17,7 +17,7 @@ inline constexpr double gizmoPickDistance = 5;
 /// Parts keep so far away from what is seen of handles …
 inline constexpr double gizmoGap = 6;
 /// … and move up to so much farther out for it, in such steps; then they are hidden.
-inline constexpr double gizmoFarthestMove = 48;
+inline constexpr double gizmoFarthestMove = 32;
 inline constexpr double gizmoMoveStep = 8;
 
 inline constexpr double knobBall = 5.5;
