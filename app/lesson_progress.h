@@ -26,7 +26,8 @@ using LessonProgress = std::map<std::pair<std::string, int>, StepProgress>;
 /// A lesson is done when all its tasks are and all its questions are answered.
 [[nodiscard]] LessonState stateOf(const Lesson &lesson, const LessonProgress &progress);
 
-/// What has been done according to one or the other; where both have an answer, the first's.
+/// What has been done according to one or the other; where both have an answer, the first's. So a question
+/// that was tried again and left open counts as answered, as it was.
 [[nodiscard]] LessonProgress merged(LessonProgress first, const LessonProgress &second);
 
 [[nodiscard]] QJsonArray toJson(const LessonProgress &progress);

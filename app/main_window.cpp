@@ -49,6 +49,7 @@ MainWindow::MainWindow(LessonLibrary library)
   createPanels();
   createMenus();
   createHeader();
+  createSceneTools();
 
   for (QTimer *timer : {&m_keepTimer, &m_openedTimer})
     timer->setSingleShot(true);
@@ -76,6 +77,8 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
     dropTyped(); // it was about the numbers that go
+    if (predictionOf(m_model.step()))
+      reopenQuestion(); // so was the answer
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
   });
   connect(m_scene, &SceneView::hint, m_card, &NumberCard::setHint);
@@ -144,7 +147,6 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
-  m_card->showSession();
   m_downRay->setEnabled(firstRay(m_model.session().scene).has_value());
   showStepWords();
   showCase();

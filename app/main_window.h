@@ -80,6 +80,7 @@ private:
   void createContents();
   void createInspector();
   void createHeader();
+  void createSceneTools();
   /// Beside the menus, where there is room.
   void showLessonTitle();
   void connectWorking();
@@ -157,7 +158,7 @@ private:
   /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case
   /// line says as long as it holds.
   std::optional<Problem> keepOrForget();
-  void keepProgress();
+  std::optional<Problem> keepProgress();
   void say(const QString &sentence);
   void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);

@@ -57,20 +57,25 @@ std::optional<Problem> MainWindow::keepOrForget() {
     problem = m_recovery.keep(unsavedWork());
   else
     m_recovery.forget();
-  m_caseLine->complain(problem ? tr("Unsaved work cannot be kept for the next start: save it to a file.")
-                               : QString(),
-                       problem ? QString::fromStdString(problem->text()) : QString());
-  keepProgress();
+  const std::optional<Problem> lesser = keepProgress();
+  if (problem)
+    m_caseLine->complain(tr("Unsaved work cannot be kept for the next start: save it to a file."),
+                         QString::fromStdString(problem->text()));
+  else if (lesser)
+    m_caseLine->complain(tr("What you have done cannot be kept for the next start."),
+                         QString::fromStdString(lesser->text()));
+  else
+    m_caseLine->complain({});
   return problem;
 }
 
-void MainWindow::keepProgress() {
+std::optional<Problem> MainWindow::keepProgress() {
   if (m_progress == m_keptProgress)
-    return;
-  if (const auto problem = addProgress(m_progress, progressFile()))
-    return m_caseLine->complain(tr("What you have done cannot be kept for the next start."),
-                                QString::fromStdString(problem->text()));
+    return {};
+  if (auto problem = addProgress(m_progress, progressFile()))
+    return problem;
   m_keptProgress = m_progress;
+  return {};
 }
 
 bool MainWindow::askToKeepChanges() {

@@ -89,6 +89,9 @@ void MainWindow::createHeader() {
   m_lessonTitle->setTextFormat(Qt::PlainText);
   menuBar()->setCornerWidget(m_contentsButton, Qt::TopLeftCorner);
   menuBar()->setCornerWidget(m_lessonTitle, Qt::TopRightCorner);
+}
+
+void MainWindow::createSceneTools() {
   m_frame->addTool(*m_home, ToolIcon::Home);
   m_frame->addTool(*m_fit, ToolIcon::Fit);
   m_frame->addTool(*m_alongPlane, ToolIcon::AlongPlane);

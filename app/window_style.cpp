@@ -56,14 +56,14 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#case { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
     QLabel#message { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; color: %2; }
-    CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
+    halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }
     QFrame#card[framed="true"] { background: %3; border-color: %1; }
     QLabel#hint { color: %2; }
     QFrame#contents { background: %3; border-right: 1px solid %1; }
     QLabel#contentsHeading { color: %2; padding: 0.7em 0.9em 0.4em 0.9em; }
     QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
-    QListWidget#lessonList::item { padding: 0.4em 0.45em; border-radius: 5px; }
+    QListWidget#lessonList::item { padding: 0.4em 2.4em 0.4em 0.45em; border-radius: 5px; }
     QLabel#heading { color: %2; }
     QLabel#complaint { color: %4; }
     QLineEdit { border: 1px solid %1; border-radius: 4px; padding: 0.15em 0.4em; }

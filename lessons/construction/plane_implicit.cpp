@@ -118,11 +118,11 @@ WorkingLine constantLine(const Out &at) {
 
 std::string normalizedWords(const Out &at) {
   if (isUnit(at.n))
-    return words("|{n}| is 1: the equation is normalized already, so its left side gives distances.",
+    return words("|{n}| is 1: the equation is normalized already, so its right side gives distances.",
                  at.letters);
   return words(
       "Divided by the length of the normal, {length}: the normalized form. The plane is the same, and "
-      "the left side now gives distances.",
+      "the right side now gives distances.",
       {{"length", equation(norm(at.n))}});
 }
 

@@ -138,7 +138,7 @@ WorkingLine cosineLine(const Out &at) {
 
 WorkingLine valueLine(const Out &at) {
   return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               words("{Q} put into the left side of the plane's equation.", at.letters),
+               words("{Q} put into the right side of the plane's equation.", at.letters),
                {{dot(at.n, at.Q),
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }

@@ -118,7 +118,6 @@ Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
   StepNote note;
   while (note.title.empty() && lines.next()) {
     note.title = trimmed(lines.line());
-    note.titleLine = lines.number();
   }
   addLines(note.words, {std::string(lines.rest()), lines.number() + 1});
   trimEnds(note.words);
@@ -307,7 +306,6 @@ std::vector<LessonWords> wordsOf(const Lesson &lesson) {
                        },
                        [](const StepLines &) {},
                        [&](const StepNote &note) {
-                         words.push_back({note.title, {note.titleLine}, "note"});
                          words.push_back({note.words.markdown, note.words.lines, "note"});
                        },
                        [&](const Task &task) {

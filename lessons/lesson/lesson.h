@@ -96,9 +96,8 @@ struct StepLines {
 
 /// Words that are folded away under their title, for those whom they concern.
 struct StepNote {
-  std::string title;
+  std::string title; ///< plain text, as those of steps
   StepWords words;
-  int titleLine = 0; ///< in the file
 };
 
 /// What stands on the page of a step.

@@ -304,6 +304,15 @@ private slots:
     fixture.answer(0);
     QVERIFY(!fixture.questionIsOpen());
   }
+
+  void newNumbers_askTheQuestionOnceMore() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.answer(0);
+    QTest::mouseClick(fixture.practice().findChild<QToolButton *>("newNumbers"), Qt::LeftButton);
+    QVERIFY(fixture.questionIsOpen());
+    QCOMPARE(fixture.model().history().count(), 1);
+  }
 };
 
 QTEST_MAIN(PageTest)

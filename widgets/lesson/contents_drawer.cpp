@@ -19,13 +19,14 @@ namespace {
 constexpr int stateRole = Qt::UserRole + 1;
 /// How wide the drawer is, in letters.
 constexpr int lettersInDrawer = 52;
-/// Both sides of a title, as in the style sheet, in em, and before it the mark of what is done.
-constexpr double titlePadding = 2 * 0.45;
-constexpr double markRoom = 2.0;
+/// Left and right of a title, as in the style sheet, in em.
+constexpr double titlePadding = 0.45 + 2.4;
+/// The mark of what is done stands so far from the right edge, likewise.
+constexpr double markDistance = 1.0;
 constexpr double markRadius = 0.55;
 
-/// A title, wrapped within the style sheet's padding, which Qt leaves out of account, behind the mark that
-/// says whether the lesson is done.
+/// A title, wrapped within the style sheet's padding, which Qt leaves out of account; at its right the mark
+/// that says whether the lesson is done.
 class LessonDelegate : public QStyledItemDelegate {
 public:
   LessonDelegate(const Theme &theme, QObject *parent) : QStyledItemDelegate(parent), m_theme(theme) {}
@@ -33,7 +34,7 @@ public:
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
     QStyleOptionViewItem narrower = option;
     const double em = QFontInfo(option.font).pixelSize();
-    const int taken = static_cast<int>(std::ceil((titlePadding + markRoom) * em));
+    const int taken = static_cast<int>(std::ceil(titlePadding * em));
     // There may be a scroll bar later: a title is not measured anew for it.
     const int scrollBar =
         option.widget->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, option.widget);
@@ -44,7 +45,7 @@ public:
   void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override {
     const double em = QFontInfo(option.font).pixelSize();
     QStyledItemDelegate::paint(painter, option, index);
-    const QPointF center(option.rect.right() - markRoom / 2 * em, option.rect.center().y() + 0.5);
+    const QPointF center(option.rect.right() - markDistance * em, option.rect.center().y() + 0.5);
     const auto state = static_cast<LessonState>(index.data(stateRole).toInt());
     if (state != LessonState::New)
       paintVerdict(*painter, center, markRadius * em,

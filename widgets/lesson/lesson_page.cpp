@@ -5,7 +5,7 @@
 #include "widgets/lesson/note_fold.h"
 #include "widgets/working/working_practice.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -134,9 +134,8 @@ void LessonPage::showStep() {
   m_stepNumber->setText(current ? tr("Step %1 of %2").arg(m_step + 1).arg(stepCount()) : QString());
   m_stepTitle->setText(current ? QString::fromStdString(current->title) : QString());
   m_dots->setCurrent(m_step);
-  // A button that is disabled would hand its focus to a number field, and the next key would change the
-  // scene.
-  if (m_next->hasFocus() || m_back->hasFocus())
+  // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.
+  if (isAncestorOf(QApplication::focusWidget()))
     setFocus();
   m_back->setEnabled(m_step > 0);
   showNextButton();
@@ -213,7 +212,10 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
     emit predictionChosen(word);
     showReason();
   });
-  connect(m_prediction, &PredictionBox::reopened, this, &LessonPage::predictionReopened);
+  connect(m_prediction, &PredictionBox::reopened, this, [this] {
+    emit predictionReopened();
+    m_prediction->choices().front()->setFocus();
+  });
   return m_prediction;
 }
 
@@ -254,6 +256,7 @@ void LessonPage::setTheme(const Theme &theme) {
   QPalette background = palette();
   background.setColor(QPalette::Window, toQColor(theme.panel));
   setPalette(background);
+  setMargins();
   setInk(*m_stepNumber, theme.mutedInk);
   setInk(*m_stepTitle, theme.ink);
   QFont titleFont = font();
@@ -274,10 +277,14 @@ void LessonPage::setTheme(const Theme &theme) {
 QSize LessonPage::sizeHint() const { return usualSize; }
 
 void LessonPage::resizeEvent(QResizeEvent *event) {
+  setMargins();
+  QWidget::resizeEvent(event);
+}
+
+void LessonPage::setMargins() {
   const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
   const int side = std::max(margin, (width() - longestLine) / 2);
   m_page->setContentsMargins(side, margin / 2, side, margin / 2);
-  QWidget::resizeEvent(event);
 }
 
 } // namespace halfspace

@@ -67,6 +67,8 @@ private:
   [[nodiscard]] QWidget *blockOf(const Task &task);
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
   void showStep();
+  /// So that no line of words gets too long.
+  void setMargins();
   void showNextButton();
   void goOn();
   /// Scrolls to the reason of an answer.

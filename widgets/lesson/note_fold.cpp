@@ -9,7 +9,7 @@ namespace halfspace {
 
 NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *parent)
     : QWidget(parent), m_title(new QToolButton), m_words(new RichLabel(typesetter)) {
-  m_title->setText(title);
+  m_title->setText(QString(title).replace('&', QLatin1String("&&"))); // no key of it
   m_title->setObjectName("note");
   m_title->setCheckable(true);
   m_title->setAutoRaise(true);

@@ -42,19 +42,13 @@ int numbersOf(const Object &object, const CoordinateId &id) {
 } // namespace
 
 CoordinateRow::CoordinateRow(SessionModel &model, CoordinateEditor &editor, const Typesetter &typesetter,
-                             CoordinateId id, QObject *parent)
-    : QObject(parent), m_model(model), m_editor(editor), m_id(std::move(id)), m_letter(currentLetter(m_id)),
+                             CoordinateId id)
+    : m_model(model), m_editor(editor), m_id(std::move(id)), m_letter(currentLetter(m_id)),
       m_name(fullName(model.session().scene, m_id)), m_label(new MathLabel(typesetter)) {
   m_label->setFormula(formulaOf(m_letter), QString::fromStdString(plainText(m_letter)));
   addFields();
   if (rangeOf(object()) && m_id.index == 0)
     addSlider();
-}
-
-CoordinateRow::~CoordinateRow() {
-  // A field with a text that is no number complains when it loses the focus, as it does while it is deleted.
-  for (NumberField *field : m_fields)
-    field->disconnect(this);
 }
 
 const Object &CoordinateRow::object() const { return *findObject(m_model.session().scene, m_id.object); }

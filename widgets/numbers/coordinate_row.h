@@ -17,12 +17,8 @@ class CoordinateRow : public QObject {
   Q_OBJECT
 public:
   /// Model, editor and typesetter must outlive it; the coordinate is there.
-  CoordinateRow(SessionModel &model, CoordinateEditor &editor, const Typesetter &typesetter, CoordinateId id,
-                QObject *parent);
-  /// Its fields may outlive it: they are heard no more.
-  ~CoordinateRow() override;
+  CoordinateRow(SessionModel &model, CoordinateEditor &editor, const Typesetter &typesetter, CoordinateId id);
 
-  [[nodiscard]] const CoordinateId &id() const { return m_id; }
   /// As in `E.n`, `Q`.
   [[nodiscard]] const std::string &name() const { return m_name; }
   [[nodiscard]] MathLabel *letter() const { return m_label; }

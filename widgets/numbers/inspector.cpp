@@ -184,8 +184,7 @@ void Inspector::buildResultRows() {
 
 void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
   const int place = grid.rowCount();
-  auto &row =
-      *m_given.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+  auto &row = *m_given.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id));
   grid.addWidget(row.letter(), place, 0);
   int column = 1;
   for (NumberField *field : row.fields())

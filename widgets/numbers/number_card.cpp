@@ -16,7 +16,7 @@ namespace {
 /// An object with more coordinates than this shows the selected one alone.
 constexpr std::size_t mostCoordinates = 3;
 /// A field is so wide, in letters: −10/3 and its margins.
-constexpr int lettersInField = 8;
+constexpr int lettersInField = 9;
 /// The usual card is so wide, likewise.
 constexpr int usualLetters = 56;
 /// A field with its frame, in heights of its type.
@@ -93,8 +93,7 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
   flow->setContentsMargins(0, 0, 0, 0);
   flow->setSpacing(groupGap);
   for (const CoordinateId &id : ids) {
-    auto &row =
-        *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id, nullptr));
+    auto &row = *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id));
     row.setTheme(m_theme);
     connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
       m_complaint->setText(sentence);
@@ -126,9 +125,14 @@ void NumberCard::setHint(const QString &words) {
 }
 
 void NumberCard::showHint() {
-  m_hintLabel->setText(m_hint);
   m_hintLabel->setVisible(!m_hint.isEmpty());
+  elideHint();
   updateGeometry();
+}
+
+void NumberCard::elideHint() {
+  const int room = width() - cardMargins.left() - cardMargins.right();
+  m_hintLabel->setText(m_hintLabel->fontMetrics().elidedText(m_hint, Qt::ElideRight, room));
 }
 
 QSize NumberCard::sizeHint() const {
@@ -139,8 +143,7 @@ QSize NumberCard::sizeHint() const {
 
 void NumberCard::resizeEvent(QResizeEvent *event) {
   QFrame::resizeEvent(event);
-  const int room = event->size().width() - cardMargins.left() - cardMargins.right();
-  m_hintLabel->setText(m_hintLabel->fontMetrics().elidedText(m_hint, Qt::ElideRight, room));
+  elideHint();
 }
 
 QSize NumberCard::usualSize() const {

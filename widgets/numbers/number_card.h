@@ -45,6 +45,7 @@ private:
   [[nodiscard]] std::vector<CoordinateId> shownCoordinates() const;
   void build(const std::vector<CoordinateId> &ids);
   void showHint();
+  void elideHint();
 
   SessionModel &m_model;
   CoordinateEditor m_editor;

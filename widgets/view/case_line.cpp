@@ -43,7 +43,16 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
   repolish(*m_case);
 }
 
-void CaseLine::setHeld(bool held) { setMinimumHeight(held ? height() : 0); }
+void CaseLine::setHeld(bool held) {
+  m_held = held;
+  setMinimumHeight(held ? height() : 0);
+}
+
+void CaseLine::resizeEvent(QResizeEvent *event) {
+  QWidget::resizeEvent(event);
+  if (m_held)
+    setMinimumHeight(height());
+}
 
 void CaseLine::say(const QString &sentence) {
   m_message->setText(sentence);

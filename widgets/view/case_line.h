@@ -27,7 +27,11 @@ public:
   /// Empty: there is nothing to complain of.
   void complain(const QString &sentence, const QString &details = {});
 
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+
 private:
+  bool m_held = false;
   QLabel *m_case;
   QLabel *m_message;
   QLabel *m_complaint;

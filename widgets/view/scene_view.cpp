@@ -50,6 +50,8 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   });
   connect(&m_model, &SessionModel::lessonChanged, this, [this] {
     selectHandle({});
+    m_stage = m_model.stage(); // what the view is fitted to is the new lesson's already
+    m_handles = handlesOf(stagedScene());
     takeView();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
@@ -210,6 +212,7 @@ void SceneView::takeStage() {
   m_camera.height = std::clamp(m_camera.height * toDouble(powerOfTen(m_stage.exponent - stage.exponent)),
                                Camera::minHeight, Camera::maxHeight);
   m_stage = stage;
+  m_extents.release(false); // they are in units of the stage before
   showAll();
   showHint();
 }

@@ -77,7 +77,8 @@ Camera SceneView::home() const {
 void SceneView::goHome() {
   glideTo(home());
   m_atHome = true;
-  m_model.setView({});
+  if (!m_camera.orthographic)
+    m_model.setView({});
 }
 
 void SceneView::keepView(const Camera &camera) {
@@ -100,6 +101,8 @@ void SceneView::takeView() {
 void SceneView::showAll() {
   m_glide.stop();
   m_camera = m_atHome ? home() : fittedTo(m_camera, staged(m_model.figure()), m_stage.hasAxes());
+  if (!m_atHome)
+    keepView(m_camera);
 }
 
 void SceneView::setCovered(const std::vector<QRect> &rectangles) {
@@ -111,7 +114,7 @@ void SceneView::setCovered(const std::vector<QRect> &rectangles) {
     return;
   m_covered = std::move(covered);
   if (m_atHome)
-    goHome();
+    showAll();
   requestFrame();
 }
 

@@ -37,6 +37,7 @@ void StepWorking::dropBlocks() {
     block->setGoOn({});
   }
   m_blocks.clear();
+  emit markHovered({}); // the pointer is on none of their terms any more
 }
 
 bool StepWorking::goOn(const WorkingBlock &from, int way) {

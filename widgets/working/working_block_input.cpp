@@ -153,7 +153,7 @@ void WorkingBlock::contextMenuEvent(QContextMenuEvent *event) {
   if (line)
     menu.addAction(tr("Copy this line as LaTeX"), this,
                    [this, latex = latexOf(m_lines[*line].source)] { copy(latex); });
-  menu.addAction(tr("Copy all lines as LaTeX"), this, [this] { copy(latexOfAll()); });
+  menu.addAction(tr("Copy these lines as LaTeX"), this, [this] { copy(latexOfAll()); });
   menu.exec(event->globalPos());
 }
 

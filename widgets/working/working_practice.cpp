@@ -45,8 +45,9 @@ WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
   auto *row = new FlowLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  for (QWidget *widget : {static_cast<QWidget *>(m_score), static_cast<QWidget *>(m_chooser),
-                          static_cast<QWidget *>(m_newNumbers)})
+  // The score comes and goes: the others stay where they are.
+  for (QWidget *widget : {static_cast<QWidget *>(m_chooser), static_cast<QWidget *>(m_newNumbers),
+                          static_cast<QWidget *>(m_score)})
     row->addWidget(widget);
   connect(m_choices, &QActionGroup::triggered, this,
           [this](const QAction *choice) { choose(static_cast<Fading>(choice->data().toInt())); });

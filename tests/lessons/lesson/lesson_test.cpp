@@ -169,7 +169,6 @@ TEST(Lesson, ANote_HasATitleAndWordsThatAreFoldedAway) {
   const auto *note = std::get_if<StepNote>(&lesson->steps[0].blocks.back());
   ASSERT_TRUE(note);
   EXPECT_EQ(note->title, "For *readers* of $n$");
-  EXPECT_EQ(note->titleLine, 15);
   EXPECT_EQ(note->words.markdown, "A word.\n\nAnother $\\foo$.");
   EXPECT_EQ(note->words.lines, (std::vector<int>{17, 18, 19}));
   const Problem problem = problemOf(frontMatter + "## One\n```note\nA title alone\n```\n");

@@ -38,6 +38,37 @@ class SceneViewCameraTest : public QObject {
   Q_OBJECT
 
 private slots:
+  void orthographic_isKeptWithTheSession_alsoAtHome() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setOrthographic(true);
+    fixture.view.goHome();
+    QVERIFY(fixture.model.session().view && fixture.model.session().view->orthographic);
+    fixture.view.setOrthographic(false);
+    fixture.view.goHome();
+    QVERIFY(!fixture.model.session().view);
+  }
+
+  void sessionOfAnotherLesson_isLookedAtAsItsViewSays_evenFromCloseBy() {
+    ViewFixture fixture; // its other lesson has a Q too, elsewhere
+    QVERIFY(fixture.ready);
+    const ChosenView close{{{1, 0, 0.5}, {-30, -30, 0}, 3}, false};
+    Session session{"lesson1", 0, Scene{{{"Q", PointObject{{1, 2, 3}}}}}, close};
+    fixture.model.startWith(session);
+    QVERIFY(fixture.view.camera().target == close.view.at);
+    QVERIFY(areNear(fixture.view.camera().height, close.view.height));
+  }
+
+  void viewThatFollowsWhatWasTyped_isTheSessions() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.dragBeside({80, 50});
+    fixture.model.edit(ChangeObject{"Q", PointObject{{60, 60, 40}}}, "typed");
+    QVERIFY(seesAllHandles(fixture));
+    QVERIFY(fixture.model.session().view);
+    QVERIFY(areNear(fixture.model.session().view->view.height, fixture.view.camera().height));
+  }
+
   void dragBesideEverything_turnsOrMovesTheCameraByItsButton_data() {
     QTest::addColumn<int>("button");
     QTest::addColumn<int>("modifiers");

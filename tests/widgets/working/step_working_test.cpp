@@ -66,6 +66,14 @@ private:
   Typesetter m_typesetter;
 
 private slots:
+  void blocksThatAreDropped_leaveNoTermHovered() {
+    ShownBlocks shown(tracedWorking());
+    QSignalSpy hovered(&shown.lines, &StepWorking::markHovered);
+    shown.lines.dropBlocks();
+    QCOMPARE(hovered.count(), 1);
+    QCOMPARE(hovered.front().front().toString(), QString());
+  }
+
   void lines_goToTheBlocksInTheirOrder_soManyToEach() {
     ShownBlocks shown(tracedWorking());
     QCOMPARE(spokenIn(shown.first()).size(), 1);
