@@ -120,6 +120,8 @@ void NumberCard::showSession() {
 }
 
 void NumberCard::setHint(const QString &words) {
+  if (words == m_hint)
+    return;
   m_hint = words;
   showHint();
 }

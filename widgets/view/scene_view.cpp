@@ -272,6 +272,7 @@ void SceneView::updateContent() {
 }
 
 void SceneView::showMoved() {
+  showHint(); // from elsewhere a handle may move otherwise
   m_restTimer.start();
   requestFrame();
 }

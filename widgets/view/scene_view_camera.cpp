@@ -44,6 +44,7 @@ void SceneView::glideTo(const Camera &camera) {
   keepView(camera);
   if (!m_motion || !isVisible()) {
     m_camera = camera;
+    showHint();
     return requestFrame();
   }
   const Camera from = m_camera;

@@ -1,6 +1,7 @@
 // Looking around in the 3D view, and what its picture shows.
 #include "tests/widgets/view/view_fixture.h"
 
+#include <QSignalSpy>
 #include <QWheelEvent>
 
 #include <glm/geometric.hpp>
@@ -57,6 +58,18 @@ private slots:
     fixture.model.startWith(session);
     QVERIFY(fixture.view.camera().target == close.view.at);
     QVERIFY(areNear(fixture.view.camera().height, close.view.height));
+  }
+
+  void cameraThatIsMoved_tellsHowTheSelectedHandleMovesFromThere() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q");
+    QSignalSpy hint(&fixture.view, &SceneView::hint);
+    const auto told = [&] { return hint.isEmpty() ? QString() : hint.last().front().toString(); };
+    fixture.view.setAxisView(AxisView::Front); // the ground is seen edge-on from there
+    QVERIFY(told().startsWith("Moves up and down"));
+    fixture.dragBeside({0, 60});
+    QVERIFY(told().startsWith("Moves in x and y"));
   }
 
   void viewThatFollowsWhatWasTyped_isTheSessions() {
