@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "widgets/lesson/contents_drawer.h"
@@ -153,31 +154,27 @@ void MainWindow::showOutcome() {
 }
 
 void MainWindow::showStepWords() {
-  static const Evaluation nothing;
   const Evaluation &evaluation = m_model.evaluation();
-  const Evaluation &told = hidesNumbers() ? nothing : evaluation;
   StepProgress &done = progress();
   const LessonStep &step = m_model.step();
-  done.tasks.observe(tasksOf(step), evaluation);
-  m_page->setTasksDone(done.tasks.done());
-  if (predictionOf(step))
-    m_page->setPredictionAnswer(done.chosen, done.right);
-  m_page->showWords(
-      [&](const std::string &markdown) { return withLiveValues(markdown, m_model.session().scene, told); });
+  if (!m_model.inGesture()) // what is only passed in a drag is not done
+    done.tasks.observe(tasksOf(step), evaluation);
+  m_page->setTaskStates(done.tasks.states());
+  if (const Prediction *question = predictionOf(step); question && done.chosen)
+    m_page->setAnswer(GivenAnswer{*done.chosen, done.right, choiceFor(*question, evaluation) == done.right});
+  else
+    m_page->setAnswer({});
+  const LiveValues shown = hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
+  m_page->showWords([&](const std::string &markdown) {
+    return withLiveValues(markdown, m_model.session().scene, evaluation, shown);
+  });
 }
 
 void MainWindow::followGesture() {
   m_page->setHeld(m_model.inGesture());
   m_caseLine->setHeld(m_model.inGesture());
-}
-
-std::string MainWindow::rightAnswer(const Prediction &prediction) const {
-  // Where the learner has changed so much that no choice fits, the question is about the start.
-  for (const Evaluation &evaluation : {m_model.evaluation(), evaluate(m_model.lesson().scene)})
-    for (const Prediction::Choice &choice : prediction.choices)
-      if (holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation))
-        return choice.word;
-  return {};
+  if (!m_model.inGesture())
+    showStepWords();
 }
 
 void MainWindow::showCase() {
@@ -194,7 +191,7 @@ void MainWindow::showCase() {
 void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
   progress().chosen = answer.toStdString();
-  progress().right = rightAnswer(*predictionOf(m_model.step()));
+  progress().right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation(), m_model.lesson());
   keepUnsavedSoon();
   takeQuestion();
 }
@@ -279,8 +276,8 @@ void MainWindow::say(const QString &sentence) { m_caseLine->say(sentence); }
 
 void MainWindow::dropTyped() {
   m_working->dropTyped();
-  m_inspector->dropTyped();
-  m_card->dropTyped();
+  m_inspector->given().dropTyped();
+  m_card->given().dropTyped();
 }
 
 void MainWindow::restoreSettings() {

@@ -1,13 +1,13 @@
 // The window: the scene, the page beside it, and what opens on demand, put together.
 #pragma once
 
-#include "app/lesson_progress.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
+#include "lessons/lesson/lesson_progress.h"
+#include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
-#include "widgets/working/coordinate_editor.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -127,7 +127,6 @@ private:
   [[nodiscard]] bool isPredicting();
   /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
   [[nodiscard]] bool hidesNumbers();
-  [[nodiscard]] std::string rightAnswer(const Prediction &prediction) const;
   void choose(const QString &answer);
   void reopenQuestion();
   /// Tells the model whether the step's question is answered.

@@ -19,13 +19,12 @@ inline constexpr double pageShareBelow = 0.46;     ///< of its height, where the
 /// Whether the page stands below the scene: where the window is higher than wide.
 [[nodiscard]] inline bool isPageBelow(QSize window) { return window.height() > window.width(); }
 
-/// The width of the page beside the scene, in pixels: usual lines, but no more than its share of the window,
-/// unless fewer than the least letters would be left.
-[[nodiscard]] inline int pageWidthIn(QSize window, const QFontMetrics &type) {
+/// The width of the page beside the scene, of what both have together, in pixels: usual lines, but no more
+/// than its share, unless fewer than the least letters would be left.
+[[nodiscard]] inline int pageWidthIn(int whole, const QFontMetrics &type) {
   const int letter = type.averageCharWidth();
-  const int least =
-      std::min(leastPageLetters * letter, static_cast<int>(mostNarrowPageShare * window.width()));
-  const int most = std::max(least, static_cast<int>(mostPageShare * window.width()));
+  const int least = std::min(leastPageLetters * letter, static_cast<int>(mostNarrowPageShare * whole));
+  const int most = std::max(least, static_cast<int>(mostPageShare * whole));
   return std::clamp(usualPageLetters * letter, least, most);
 }
 

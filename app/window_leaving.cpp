@@ -1,6 +1,7 @@
 // What becomes of unsaved work: kept while it is made, asked about when the window closes, back at the next
 // start.
 #include "app/main_window.h"
+#include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "lessons/scene/session_file.h"
 #include "widgets/numbers/inspector.h"
@@ -24,7 +25,7 @@ namespace halfspace {
 QString MainWindow::finishInput() {
   m_scene->finishDrag();
   QString refused = m_working->enterTyped();
-  for (const QString &other : {m_inspector->enterTyped(), m_card->enterTyped()})
+  for (const QString &other : {m_inspector->given().enterTyped(), m_card->given().enterTyped()})
     if (refused.isEmpty())
       refused = other;
   return refused;

@@ -61,6 +61,8 @@ void MainWindow::createInspector() {
   m_numbersDock->setWidget(m_inspector);
   addDockWidget(Qt::LeftDockWidgetArea, m_numbersDock);
   m_numbersDock->hide();
+  // Once what it takes, or gives back, is known.
+  connect(m_numbersDock, &QDockWidget::visibilityChanged, this, &MainWindow::sharePage, Qt::QueuedConnection);
 }
 
 void MainWindow::createContents() {
@@ -140,7 +142,7 @@ void MainWindow::sharePage() {
     return;
   const int whole = below ? m_split->height() : m_split->width();
   const int page =
-      below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(size(), m_page->fontMetrics());
+      below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(whole, m_page->fontMetrics());
   m_split->setSizes({whole - page, page});
 }
 

@@ -223,11 +223,7 @@ void SessionModel::show(const Session &session) {
   emit outcomeChanged();
 }
 
-const LessonStep &SessionModel::step() const {
-  static const LessonStep everything{{}, {StepLines()}};
-  const auto step = static_cast<std::size_t>(m_session.step);
-  return step < m_lesson->steps.size() ? m_lesson->steps[step] : everything;
-}
+const LessonStep &SessionModel::step() const { return stepOf(*m_lesson, m_session.step); }
 
 void SessionModel::takeShown() { m_shown = shownIn(step(), m_evaluation, m_figure, m_question); }
 

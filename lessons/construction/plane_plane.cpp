@@ -7,15 +7,11 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/line.h"
+#include "lessons/term/angle.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
-#include "lessons/term/written.h"
 #include "lessons/words.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -67,11 +63,10 @@ CaseWords tell(const In &, const Out &at) {
   case PlanePlaneCase::Line:
     return {caseName, words("The planes {E} and {F} meet in the line {g}.", at.letters)};
   case PlanePlaneCase::Parallel:
-    return {
-        caseName,
-        words("{E.n} and {F.n} are multiples of each other, and no point lies in both planes: {E} and {F} "
-              "are parallel.",
-              at.letters)};
+    return {caseName,
+            words("The normals are multiples of each other, and no point lies in both planes: {E} and {F} "
+                  "are parallel.",
+                  at.letters)};
   case PlanePlaneCase::Coincident:
     return {caseName, words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
                             "the other.",
@@ -102,10 +97,9 @@ std::vector<MadeObject> make(const In &, const Out &at) {
   return {{"g", LineObject{at.meet.nearest, at.meet.line.direction}}};
 }
 
-WorkingLine constantLine(const Term &d, const PlaneTerms &plane) {
-  return asked(withProducts(d == -dot(plane.n, plane.P0)),
-               words("The constant of the plane's equation {n}·P + {d} = 0.",
-                     {{"n", plainText(plane.n)}, {"d", plainText(d)}}));
+/// `sentence` says which plane's it is.
+WorkingLine constantLine(const Term &d, const PlaneTerms &plane, std::string sentence) {
+  return asked(withProducts(d == -dot(plane.n, plane.P0)), std::move(sentence));
 }
 
 WorkingLine directionLine(const Out &at) {
@@ -133,25 +127,28 @@ WorkingLine pointLine(const Out &at) {
 }
 
 WorkingLine angleLine(const Out &at) {
-  const double degrees =
-      std::acos(std::clamp(toDouble(*numberOf(at.cosine)), -1.0, 1.0)) * 180 / std::numbers::pi;
-  const std::string written = plainText(rounded(degrees));
+  const std::string isDegrees = relatedText(degreesOf(at.cosine));
   return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
                at.meet.which != PlanePlaneCase::Line
-                   ? words("The normals lie along the same line, so the angle φ between them is 0° or 180°.")
-               : degrees <= 90
-                   ? words("φ ≈ {degrees}° is the angle between the normals, and so between the planes.",
-                           {{"degrees", written}})
-                   : words("φ ≈ {degrees}° is the angle between the normals. The planes meet at 180° − φ.",
-                           {{"degrees", written}}));
+                   ? words("φ{equals}°: the normals lie along the same line.", {{"equals", isDegrees}})
+               : sign(*numberOf(at.cosine)) >= 0
+                   ? words("φ{equals}° is the angle between the normals, and so between the planes.",
+                           {{"equals", isDegrees}})
+                   : words("φ{equals}° is the angle between the normals. The planes meet at 180° − φ.",
+                           {{"equals", isDegrees}}));
 }
 
 Explanation explain(const In &, const Out &at) {
   Explanation lines;
   if (at.meet.which == PlanePlaneCase::ZeroNormal)
     return lines;
-  lines.add("d1", [&at] { return constantLine(at.d1, at.E); });
-  lines.add("d2", [&at] { return constantLine(at.d2, at.F); });
+  lines.add("d1", [&at] {
+    return constantLine(at.d1, at.E,
+                        words("The constant d of {E}: its equation is n·P + d = 0.", at.letters));
+  });
+  lines.add("d2", [&at] {
+    return constantLine(at.d2, at.F, words("The constant d of {F}, likewise.", at.letters));
+  });
   lines.add("direction", [&at] { return directionLine(at); });
   if (at.meet.which == PlanePlaneCase::Line) {
     lines.add("moment", [&at] { return momentLine(at); });

@@ -124,9 +124,8 @@ WorkingLine collectLine(const Out &at) {
 WorkingLine numeratorLine(const Out &at) {
   return asked(
       withNumbers(at.numerator),
-      words("The numerator is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a "
-            "distance "
-            "only when |{n}| = 1.",
+      words("This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance only "
+            "when |{n}| = 1.",
             at.letters),
       {{at.f, words("{answer} is f({Q}) = {n}·({Q} − {P0}): the numerator goes the other way, from {Q} "
                     "to {P0}.",
@@ -134,12 +133,9 @@ WorkingLine numeratorLine(const Out &at) {
 }
 
 WorkingLine denominatorLine(const Out &at) {
-  return asked(
-      withNumbers(at.denominator),
-      words(
-          "The denominator: how far one step {r} goes along {n}, times |{n}| as well, so |{n}| cancels. Zero "
-          "means that no step comes nearer to the plane.",
-          at.letters));
+  return asked(withNumbers(at.denominator), words("How far one step {r} goes along {n}, times |{n}|. Zero "
+                                                  "means that no step comes nearer to the plane.",
+                                                  at.letters));
 }
 
 WorkingLine parameterLine(const Out &at) {

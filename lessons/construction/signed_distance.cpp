@@ -7,15 +7,11 @@
 #include "lessons/object/letters.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
+#include "lessons/term/angle.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
-#include "lessons/term/written.h"
 #include "lessons/words.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -98,7 +94,7 @@ std::string sideWords(const Out &at) {
   case PointPlaneCase::Positive:
     return words("The sign tells the side: positive where {n} points.", at.letters);
   case PointPlaneCase::Negative:
-    return words("The sign tells the side: negative behind the plane, seen along {n}.", at.letters);
+    return words("The sign tells the side: negative where {n} points away from.", at.letters);
   default:
     return words("Zero: {Q} satisfies the plane's equation, so it lies in the plane.", at.letters);
   }
@@ -125,20 +121,18 @@ WorkingLine distanceLine(const Out &at) {
 }
 
 WorkingLine cosineLine(const Out &at) {
-  const double cosine = toDouble(*numberOf(at.cosine));
-  const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
   return asked(
       withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
-      words("θ ≈ {degrees}° is the angle between {n} and w = {Q} − {P0}. So dist = |w| cos θ is the part "
+      words("θ{equals}° is the angle between {n} and w = {Q} − {P0}. So dist = |w| cos θ is the part "
             "of w that runs along {n}.",
-            at.letters, {{"degrees", plainText(rounded(degrees))}}),
+            at.letters, {{"equals", relatedText(degreesOf(at.cosine))}}),
       {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
        {dot(at.n, at.w), words("{answer} is {n}·w: divide by both lengths.", at.letters)}});
 }
 
 WorkingLine valueLine(const Out &at) {
   return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               words("{Q} put into the right side of the plane's equation.", at.letters),
+               words("{Q} put in for P in {n}·(P − {P0}).", at.letters),
                {{dot(at.n, at.Q),
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }

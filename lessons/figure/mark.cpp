@@ -29,19 +29,18 @@ bool hasSides(const PlanePatchMark &patch) {
 
 Extent extentOf(const RayMark &ray) {
   if (ray.held)
-    return *ray.held;
+    return {ray.held->low, std::max(ray.held->high, ray.meets ? glm::distance(ray.origin, *ray.meets) : 0)};
   return {0, ray.meets ? glm::distance(ray.origin, *ray.meets) + beyondHit : openRayLength};
 }
 
 Extent extentOf(const LineMark &line) {
-  if (line.held)
-    return *line.held;
   const Place along = glm::normalize(line.direction);
-  Extent extent{-lineReach, lineReach};
+  Extent extent = line.held.value_or(Extent{-lineReach, lineReach});
+  const double beyond = line.held ? 0 : beyondHit;
   for (const Place &covered : line.covers) {
     const double at = glm::dot(covered - line.through, along);
-    extent.low = std::min(extent.low, at - beyondHit);
-    extent.high = std::max(extent.high, at + beyondHit);
+    extent.low = std::min(extent.low, at - beyond);
+    extent.high = std::max(extent.high, at + beyond);
   }
   return extent;
 }

@@ -61,7 +61,7 @@ struct RayMark : MarkBase {
   Place origin{};
   Place direction{};
   std::optional<Place> meets{}; ///< what it meets ahead
-  std::optional<Extent> held{}; ///< as far as it is drawn, whatever it meets
+  std::optional<Extent> held{}; ///< as far as it is drawn, unless it meets something farther on
   bool operator==(const RayMark &) const = default;
 };
 
@@ -70,7 +70,7 @@ struct LineMark : MarkBase {
   Place through{};
   Place direction{};
   std::vector<Place> covers{};  ///< places of the line that it is to be drawn up to
-  std::optional<Extent> held{}; ///< as far as it is drawn, whatever it covers
+  std::optional<Extent> held{}; ///< as far as it is drawn, unless it covers something farther on
   /// The same line, however far it must reach.
   bool operator==(const LineMark &other) const {
     return MarkBase::operator==(other) && through == other.through && direction == other.direction;

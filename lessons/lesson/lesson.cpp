@@ -338,6 +338,12 @@ std::vector<Task> tasksOf(const LessonStep &step) {
   return tasks;
 }
 
+const LessonStep &stepOf(const Lesson &lesson, int step) {
+  static const LessonStep everything{{}, {StepLines()}};
+  const auto index = static_cast<std::size_t>(step);
+  return index < lesson.steps.size() ? lesson.steps[index] : everything;
+}
+
 const Lesson *LessonLibrary::find(std::string_view id) const {
   for (const Lesson &lesson : lessons)
     if (lesson.id == id)

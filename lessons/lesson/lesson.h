@@ -35,7 +35,7 @@
 //   F
 //   ```
 //   ```note
-//   For readers of the lecture notes
+//   A slip in the lecture notes
 //   Words that are folded away.
 //   ```
 #pragma once
@@ -153,6 +153,9 @@ inline constexpr std::size_t maxLessonBytes = 1 << 20;
 inline constexpr std::size_t mostMacros = 100;
 inline constexpr std::size_t longestMacro = 500; ///< bytes
 
+/// The step of this number, counted from 0; where the lesson has none, one that shows everything.
+[[nodiscard]] const LessonStep &stepOf(const Lesson &lesson, int step);
+
 /// The lessons of a folder in their order, and what kept others from being read.
 struct LessonLibrary {
   std::vector<Lesson> lessons;
@@ -167,9 +170,11 @@ struct LessonLibrary {
 [[nodiscard]] bool isDone(const Task &task, const Evaluation &evaluation);
 
 /// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers.
-/// `{Q}` and `{E.n}` name the scene's coordinates.
+/// `{Q}` and `{E.n}` name the scene's coordinates. What constructions come to is a question mark where it is
+/// still to be found by the learner.
+enum class LiveValues { Shown, Hidden };
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
-                                         const Evaluation &evaluation);
+                                         const Evaluation &evaluation, LiveValues values = LiveValues::Shown);
 
 /// What a step shows of a scene.
 struct Shown {

@@ -11,6 +11,8 @@ namespace {
 
 /// Stands for a value that the present case does not have.
 constexpr std::string_view noValue = "—";
+/// Stands for a value that the learner is to find.
+constexpr std::string_view hiddenValue = "?";
 
 /// Braces further apart than this hold no name.
 constexpr std::size_t longestName = 80;
@@ -28,9 +30,10 @@ std::string markdownOf(const Value &value) {
          latexOf(*term, LatexMarks::Without, amongWords) + "$";
 }
 
-std::string markdownOf(std::string_view name, const Scene &scene, const Evaluation &evaluation) {
+std::string markdownOf(std::string_view name, const Scene &scene, const Evaluation &evaluation,
+                       LiveValues values) {
   if (const auto value = findValue(evaluation, name))
-    return markdownOf(*value);
+    return values == LiveValues::Hidden ? std::string(hiddenValue) : markdownOf(*value);
   if (const auto id = findCoordinate(scene, name)) {
     const Object &object = *findObject(scene, id->object);
     const ExactVec3 &at = object[id->index];
@@ -146,6 +149,13 @@ void keepNamed(const std::set<std::string> &named, Figure &figure) {
   });
 }
 
+/// Where a ray's thin line ends would tell what it meets.
+void runOn(Figure &figure) {
+  for (Mark &mark : figure.marks)
+    if (auto *ray = std::get_if<RayMark>(&mark))
+      ray->meets.reset();
+}
+
 void addCase(const CaseWords &told, Shown &shown) {
   shown.description += (shown.description.empty() ? "" : " ") + told.description;
   shown.degenerate = shown.degenerate || told.degenerate;
@@ -153,14 +163,15 @@ void addCase(const CaseWords &told, Shown &shown) {
 
 } // namespace
 
-std::string withLiveValues(const std::string &markdown, const Scene &scene, const Evaluation &evaluation) {
+std::string withLiveValues(const std::string &markdown, const Scene &scene, const Evaluation &evaluation,
+                           LiveValues values) {
   std::string filled;
   for (std::string_view rest = markdown; !rest.empty();) {
     const std::size_t verbatim = verbatimLength(rest);
     const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
     std::size_t taken = std::max<std::size_t>(verbatim, 1);
     if (close != std::string_view::npos && isValueName(rest.substr(1, close - 1))) {
-      const std::string value = markdownOf(rest.substr(1, close - 1), scene, evaluation);
+      const std::string value = markdownOf(rest.substr(1, close - 1), scene, evaluation, values);
       // “t = ≈ 3.14” says it twice, and once wrongly.
       if (filled.ends_with("= ") && value.starts_with("$\\approx"))
         filled.erase(filled.size() - 2);
@@ -192,6 +203,7 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
     addCase(*last->outcome->told, shown);
   if (question == Question::Open) {
     keepNamed({}, figure);
+    runOn(figure);
   } else if (!lines.empty()) {
     std::set<std::string> named = marksNamedIn(shown.working);
     named.merge(marksDrawn(step.drawn, figure));

@@ -274,9 +274,8 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
   if (!formula)
     return told;
   for (const Term &name : namesIn(*formula))
-    if (name->value && !name->source &&
-        std::none_of(shown.lines.begin(), shown.lines.end(),
-                     [&](const WorkingLine &each) { return says(each, name); }))
+    if (name->value && std::none_of(shown.lines.begin(), shown.lines.end(),
+                                    [&](const WorkingLine &each) { return says(each, name); }))
       told.push_back(withResult(name));
   return told;
 }

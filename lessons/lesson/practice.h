@@ -52,8 +52,8 @@ struct Fade {
 /// The line with what is left out of it: f(Q) = n·(Q − P₀), or t = −30/? = −10/3.
 [[nodiscard]] std::string questionText(const WorkingLine &line, const Gap &gap);
 
-/// The names by which what is left out is found that no line of this working says the value of, and that are
-/// no coordinates of the scene: to be told beside the gap.
+/// The names by which what is left out is found that no line of this working says the value of: to be
+/// told beside the gap.
 [[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Working &shown);
 
 struct Judgement {

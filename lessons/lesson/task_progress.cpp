@@ -7,14 +7,26 @@ void TaskProgress::arrive() { m_wasOpen.clear(); }
 void TaskProgress::observe(const std::vector<Task> &tasks, const Evaluation &evaluation) {
   m_done.resize(tasks.size(), false);
   m_wasOpen.resize(tasks.size(), false);
+  m_holdsAlready.reset();
   bool isNext = true;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const bool holds = isDone(tasks[i], evaluation);
     m_wasOpen[i] = m_wasOpen[i] || !holds;
     if (isNext && holds && m_wasOpen[i])
       m_done[i] = true;
+    if (isNext && holds && !m_done[i])
+      m_holdsAlready = i;
     isNext = isNext && m_done[i];
   }
+}
+
+std::vector<TaskState> TaskProgress::states() const {
+  std::vector<TaskState> states;
+  for (const bool done : m_done)
+    states.push_back(done ? TaskState::Done : TaskState::Open);
+  if (m_holdsAlready)
+    states[*m_holdsAlready] = TaskState::HoldsAlready;
+  return states;
 }
 
 } // namespace halfspace

@@ -3,10 +3,13 @@
 
 #include "lessons/lesson/lesson.h"
 
+#include <optional>
+#include <vector>
+
 namespace halfspace {
 
-/// How far a learner has come with a lesson.
-enum class LessonState { New, Begun, Done };
+/// `HoldsAlready`: what the next task asks for is so without the learner's doing.
+enum class TaskState { Open, HoldsAlready, Done };
 
 /// Tasks count in their order, and only when the learner brings them about: what is true on arrival is done
 /// once it has been untrue and is true again.
@@ -21,13 +24,15 @@ public:
   /// Takes note of what the scene has come to.
   void observe(const std::vector<Task> &tasks, const Evaluation &evaluation);
 
-  /// Which tasks are done, in their order.
+  /// The tasks in their order.
+  [[nodiscard]] std::vector<TaskState> states() const;
   [[nodiscard]] const std::vector<bool> &done() const { return m_done; }
   bool operator==(const TaskProgress &) const = default;
 
 private:
   std::vector<bool> m_done;
   std::vector<bool> m_wasOpen; ///< seen untrue since the arrival
+  std::optional<std::size_t> m_holdsAlready;
 };
 
 } // namespace halfspace

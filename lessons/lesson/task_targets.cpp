@@ -2,6 +2,7 @@
 
 #include "lessons/lesson/condition.h"
 #include "lessons/text.h"
+#include "lessons/words.h"
 
 #include <algorithm>
 #include <array>
@@ -73,8 +74,10 @@ std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, con
   return Flat::plane(start - change * Rational(lacking[0] / dot(change, change)), change);
 }
 
-/// `signed distance = 5`
+/// `signed distance = 5`. One number of several, as `coefficients.0`, has no name that a learner knows.
 std::string wordsOf(const Condition &condition) {
+  if (condition.value.find('.') != std::string::npos)
+    return words("as the task asks");
   std::string name = condition.value;
   std::replace(name.begin(), name.end(), '_', ' ');
   return name + " = " + condition.against;
@@ -92,7 +95,8 @@ std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const
     if (!common)
       return {};
     target.places = *common;
-    target.name += (met.empty() ? "" : ", ") + wordsOf(condition);
+    if (const std::string told = wordsOf(condition); target.name.find(told) == std::string::npos)
+      target.name += (target.name.empty() ? "" : ", ") + told;
     met.push_back(condition);
   }
   if (met.empty())

@@ -79,7 +79,7 @@ void offerPoint(const Given<Object> &given, std::size_t index, std::string words
 }
 
 void offerVertex(const Given<Object> &given, std::size_t index, Surroundings &found) {
-  offerPoint(given, index, words("vertex {name}", {{"name", plainText(given.letters[index])}}), found);
+  offerPoint(given, index, words("corner {name}", {{"name", plainText(given.letters[index])}}), found);
 }
 
 void offerEdge(const Given<Object> &given, std::size_t from, std::size_t to, Surroundings &found) {

@@ -142,6 +142,10 @@ std::string relatedText(const Term &value, Notation notation) {
   return (showsRounded(value) ? " ≈ " : " = ") + plainText(value, notation);
 }
 
+std::string relatedText(const WrittenNumber &number) {
+  return (number.exact ? " = " : " ≈ ") + plainText(number.term);
+}
+
 std::string plainText(const Term &term, Notation notation) { return PlainWriter(notation).write(term); }
 
 std::string plainText(const Chain &chain, Notation notation) { return PlainWriter(notation).write(chain); }

@@ -3,6 +3,7 @@
 
 #include "lessons/term/chain.h"
 #include "lessons/term/notation.h"
+#include "lessons/term/written.h"
 
 #include <string>
 
@@ -19,5 +20,6 @@ namespace halfspace {
 
 /// The value behind the relation that it allows: ` = 10`, ` ≈ 3.16228`.
 [[nodiscard]] std::string relatedText(const Term &value, Notation notation = {});
+[[nodiscard]] std::string relatedText(const WrittenNumber &number);
 
 } // namespace halfspace

@@ -225,6 +225,8 @@ private:
   }
 
   [[nodiscard]] Text sum(const std::vector<Term> &summands) {
+    // Beside small coefficients a tall constant would look more important than they.
+    const bool smallBefore = std::exchange(m_small, m_small || hasUnknown(summands));
     std::vector<Text> texts{held(summands.front(), Binding::Negation)};
     for (auto summand = summands.begin() + 1; summand != summands.end(); ++summand) {
       const Term &looked = shown(*summand);
@@ -234,7 +236,18 @@ private:
       texts.push_back(negative ? touchable(*summand, held(looked->parts[0], Binding::VectorProduct))
                                : held(*summand, Binding::VectorProduct));
     }
+    m_small = smallBefore;
     return row(std::move(texts));
+  }
+
+  /// Whether an unknown stands among the summands, alone or with a coefficient.
+  [[nodiscard]] static bool hasUnknown(const std::vector<Term> &summands) {
+    return std::any_of(summands.begin(), summands.end(), [](const Term &summand) {
+      const Term &looked = shown(summand);
+      const Term &bare = looked->kind == TermKind::Negation ? shown(looked->parts[0]) : looked;
+      const Term &last = bare->kind == TermKind::Product ? bare->parts.back() : bare;
+      return last->kind == TermKind::Unknown;
+    });
   }
 
   [[nodiscard]] Text product(const std::vector<Term> &factors) {

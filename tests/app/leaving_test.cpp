@@ -411,7 +411,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.window.findChild<QDockWidget *>("numbersDock")->show();
     QTest::qWait(50); // its layout
-    NumberField &number = *fixture.window.findChild<Inspector *>()->field("Q", 0);
+    NumberField &number = *fixture.window.findChild<Inspector *>()->given().field("Q", 0);
     number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
     QVERIFY(number.text().contains('/'));
     QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));

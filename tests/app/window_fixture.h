@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/main_window.h"
+#include "app/progress_file.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/numbers/number_field.h"
@@ -49,9 +50,9 @@ public:
   NumberCard &card() { return *window.findChild<NumberCard *>(); }
   /// The field of a coordinate in the card, after its object is selected.
   NumberField *field(const std::string &name, int axis) {
-    if (!card().field(name, axis))
+    if (!card().given().field(name, axis))
       scene().selectHandle(name);
-    return card().field(name, axis);
+    return card().given().field(name, axis);
   }
   WorkingPractice &practice() { return *window.findChild<WorkingPractice *>(); }
   /// The worked lines of the step; all in one block here.

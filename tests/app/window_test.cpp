@@ -1,4 +1,5 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
+#include "lessons/object/point.h"
 #include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/task_row.h"
@@ -372,7 +373,7 @@ private slots:
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
     fixture.model().setStep(3); // t is negative at the start
-    const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->isDone(); };
+    const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
     const auto turn = [&](const ExactVec3 &direction) {
       Object ray = *findObject(fixture.model().session().scene, "L");
       coordinate(ray, 1) = direction;
@@ -385,6 +386,41 @@ private slots:
     QVERIFY(!isDone());
     turn({-1, 3, 2});
     QVERIFY(isDone());
+  }
+
+  void task_thatHoldsOnlyOnTheWayOfADrag_isNotDone() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(1); // Q is to come to rest in the plane
+    const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
+    const auto move = [&](const ExactVec3 &place) {
+      fixture.model().moveGesture(ChangeObject{"Q", PointObject{place}});
+      QTest::qWait(50);
+    };
+    fixture.model().beginGesture("move Q");
+    move({5, 4, 7});
+    QVERIFY(!isDone());
+    move({5, 4, 6});
+    fixture.model().endGesture();
+    QVERIFY(!isDone());
+    fixture.model().beginGesture("move Q");
+    move({5, 4, 7});
+    fixture.model().endGesture();
+    QVERIFY(isDone());
+  }
+
+  void answer_whenTheSceneHasBecomeAnotherCase_saysThatItWasAboutTheOldOne() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.answer(0);
+    const auto reason = [&] {
+      return fixture.window.findChild<PredictionBox *>()->reason()->accessibleName();
+    };
+    const QString before = reason();
+    QVERIFY(fixture.model().edit(ChangeObject{"Q", PointObject{{1, 1, 1}}}, "move").isEmpty());
+    QTRY_VERIFY(reason() != before);
+    fixture.model().undo();
+    QTRY_COMPARE(reason(), before);
   }
 
   void slider_ofANumber_changesItInStepsWithinItsBounds() {

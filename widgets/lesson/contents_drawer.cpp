@@ -1,6 +1,6 @@
 #include "widgets/lesson/contents_drawer.h"
 
-#include "widgets/lesson/task_row.h"
+#include "widgets/verdict.h"
 
 #include <QApplication>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 // The contents: all lessons, in a drawer over the scene.
 #pragma once
 
-#include "lessons/lesson/task_progress.h"
+#include "lessons/lesson/lesson_progress.h"
 #include "widgets/picture/theme.h"
 
 #include <QFrame>

@@ -24,6 +24,7 @@ constexpr int margin = 20;
 constexpr int footMargin = 10;
 constexpr int blockGap = 10;
 constexpr int headGap = 4;
+constexpr int headSpacing = 10;
 constexpr QSize usualSize(430, 600);
 /// The title's size, in sizes of the words.
 constexpr double titleSize = 1.4;
@@ -67,6 +68,7 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   layout->setSpacing(0);
   layout->addWidget(m_scroll, 1);
   makeFoot(*layout);
+  connect(m_scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &LessonPage::setMargins);
   connect(&practice.working(), &StepWorking::reached, this, [this](WorkingBlock *block, const QRect &place) {
     const QRect there(block->mapTo(m_scroll->widget(), place.topLeft()), place.size());
     m_scroll->ensureVisible(there.center().x(), there.center().y(), 0, there.height() / 2);
@@ -81,7 +83,7 @@ void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
   m_stepTitle = plainLabel();
   m_stepTitle->setWordWrap(true);
   auto *above = new FlowLayout;
-  above->setSpacing(margin);
+  above->setSpacing(headSpacing);
   above->addWidget(m_stepNumber);
   above->addWidget(&practice);
   auto *head = new QVBoxLayout;
@@ -109,10 +111,6 @@ void LessonPage::makeFoot(QBoxLayout &layout) {
   connect(m_dots, &StepDots::clicked, this, &LessonPage::stepRequested);
 }
 
-const LessonStep *LessonPage::step() const {
-  return m_lesson.steps.empty() ? nullptr : &m_lesson.steps[static_cast<std::size_t>(m_step)];
-}
-
 void LessonPage::setLesson(const Lesson &lesson, int step) {
   m_lesson = lesson;
   m_typesetter = m_typesetter.with(lesson.macros);
@@ -130,9 +128,8 @@ void LessonPage::setStep(int step) {
 }
 
 void LessonPage::showStep() {
-  const LessonStep *current = this->step();
-  m_stepNumber->setText(current ? tr("Step %1 of %2").arg(m_step + 1).arg(stepCount()) : QString());
-  m_stepTitle->setText(current ? QString::fromStdString(current->title) : QString());
+  m_stepNumber->setText(stepCount() > 0 ? tr("Step %1 of %2").arg(m_step + 1).arg(stepCount()) : QString());
+  m_stepTitle->setText(QString::fromStdString(stepOf(m_lesson, m_step).title));
   m_dots->setCurrent(m_step);
   // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.
   if (isAncestorOf(QApplication::focusWidget()))
@@ -173,8 +170,7 @@ void LessonPage::makeBlocks() {
   auto *column = new QVBoxLayout(blocks);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(blockGap);
-  static const LessonStep everything{{}, {StepLines()}};
-  for (const StepBlock &block : (step() ? *step() : everything).blocks)
+  for (const StepBlock &block : stepOf(m_lesson, m_step).blocks)
     column->addWidget(std::visit([this](const auto &each) { return blockOf(each); }, block));
   delete m_page->replaceWidget(m_blocks, blocks);
   m_blocks->hide();
@@ -193,6 +189,11 @@ QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().ad
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
   m_words.push_back({note.words.markdown, &m_notes.back()->words()});
+  connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
+    m_scroll->ensureWidgetVisible(fold, 0, margin);
+    m_scroll->ensureVisible(0, fold->mapTo(m_scroll->widget(), QPoint()).y(), 0, 0); // at least its title
+  });
   return m_notes.back();
 }
 
@@ -241,14 +242,14 @@ void LessonPage::setHeld(bool held) {
   m_practice.working().setHeld(held);
 }
 
-void LessonPage::setTasksDone(const std::vector<bool> &done) {
+void LessonPage::setTaskStates(const std::vector<TaskState> &states) {
   for (std::size_t i = 0; i < m_tasks.size(); ++i)
-    m_tasks[i]->setDone(i < done.size() && done[i]);
+    m_tasks[i]->setState(i < states.size() ? states[i] : TaskState::Open);
 }
 
-void LessonPage::setPredictionAnswer(const std::optional<std::string> &chosen, const std::string &right) {
+void LessonPage::setAnswer(const std::optional<GivenAnswer> &answer) {
   if (m_prediction)
-    m_prediction->setAnswer(chosen, right);
+    m_prediction->setAnswer(answer);
 }
 
 void LessonPage::setTheme(const Theme &theme) {
@@ -284,7 +285,10 @@ void LessonPage::resizeEvent(QResizeEvent *event) {
 void LessonPage::setMargins() {
   const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
   const int side = std::max(margin, (width() - longestLine) / 2);
-  m_page->setContentsMargins(side, margin / 2, side, margin / 2);
+  // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
+  const QScrollBar &bar = *m_scroll->verticalScrollBar();
+  const int barWidth = bar.maximum() > 0 ? bar.sizeHint().width() : 0;
+  m_page->setContentsMargins(side, margin / 2, side - barWidth, margin / 2);
 }
 
 } // namespace halfspace

@@ -4,6 +4,7 @@
 #include "lessons/lesson/lesson.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/lesson/step_dots.h"
+#include "widgets/lesson/task_row.h"
 
 #include <algorithm>
 #include <functional>
@@ -38,9 +39,9 @@ public:
   /// that was scrolled to.
   void showWords(const std::function<std::string(const std::string &)> &filled);
   /// Which of the step's tasks are done, in their order.
-  void setTasksDone(const std::vector<bool> &done);
-  /// The word of the choice that was made, if one was, and of the right one.
-  void setPredictionAnswer(const std::optional<std::string> &chosen, const std::string &right);
+  void setTaskStates(const std::vector<TaskState> &states);
+  /// To the step's question, if it has one; nothing: it is open.
+  void setAnswer(const std::optional<GivenAnswer> &answer);
   /// While the page is held nothing on it becomes less high: what is dragged in the scene moves nothing here.
   void setHeld(bool held);
   void setTheme(const Theme &theme);
@@ -73,7 +74,6 @@ private:
   void goOn();
   /// Scrolls to the reason of an answer.
   void showReason();
-  [[nodiscard]] const LessonStep *step() const;
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
   [[nodiscard]] int lastStep() const { return std::max(0, stepCount() - 1); }
 

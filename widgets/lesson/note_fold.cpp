@@ -25,6 +25,8 @@ NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *
   connect(m_title, &QToolButton::toggled, this, [this](bool open) {
     m_title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     m_words->setVisible(open);
+    if (open)
+      emit opened();
   });
 }
 

@@ -18,6 +18,9 @@ public:
   [[nodiscard]] bool isOpen() const;
   void setTheme(const Theme &theme);
 
+signals:
+  void opened();
+
 private:
   QToolButton *m_title;
   RichLabel *m_words;

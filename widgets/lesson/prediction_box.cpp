@@ -103,23 +103,25 @@ PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &pre
   m_again->hide();
 }
 
-void PredictionBox::setAnswer(const std::optional<std::string> &chosen, const std::string &right) {
+void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
   for (int i = 0; i < m_buttons.size(); ++i) {
     const std::string &word = m_prediction.choices[static_cast<std::size_t>(i)].word;
-    m_buttons[i]->setEnabled(!chosen);
-    m_buttons[i]->setVerdict(!chosen || right.empty() ? Verdict::Open
-                             : word == right          ? Verdict::Right
-                             : word == *chosen        ? Verdict::Wrong
-                                                      : Verdict::Open);
+    m_buttons[i]->setEnabled(!answer);
+    m_buttons[i]->setVerdict(!answer || answer->right.empty() ? Verdict::Open
+                             : word == answer->right          ? Verdict::Right
+                             : word == answer->chosen         ? Verdict::Wrong
+                                                              : Verdict::Open);
   }
-  m_reason->setVisible(chosen.has_value());
-  m_again->setVisible(chosen.has_value());
-  if (!chosen)
+  m_reason->setVisible(answer.has_value());
+  m_again->setVisible(answer.has_value());
+  if (!answer)
     return;
-  const QString verdict = right.empty()      ? QString()
-                          : *chosen == right ? tr("**Right.** ")
-                                             : tr("**Not quite.** ");
-  m_reason->setMarkdown(verdict + QString::fromStdString(m_prediction.reason));
+  const QString verdict = answer->right.empty()             ? QString()
+                          : answer->chosen == answer->right ? tr("**Right.** ")
+                                                            : tr("**Not quite.** ");
+  m_reason->setMarkdown(verdict + (answer->isOfNow
+                                       ? QString::fromStdString(m_prediction.reason)
+                                       : tr("So it was when you answered. The scene is another one now.")));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
-#include "widgets/lesson/task_row.h"
+#include "widgets/text/rich_label.h"
+#include "widgets/verdict.h"
 
 #include <QAbstractButton>
 
@@ -30,15 +31,20 @@ private:
   Theme m_theme;
 };
 
+struct GivenAnswer {
+  std::string chosen;  ///< the word of the choice
+  std::string right;   ///< that of the right one; empty where none was right
+  bool isOfNow = true; ///< what was right then is so still: the scene has not become another case
+};
+
 /// The question and its choices; after the answer the right one, the verdict and the reason.
 class PredictionBox : public QWidget {
   Q_OBJECT
 public:
   PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent = nullptr);
 
-  /// The words of the chosen and of the right choice; nothing chosen: the question is open. `right` may be
-  /// empty when no choice is right.
-  void setAnswer(const std::optional<std::string> &chosen, const std::string &right);
+  /// Nothing: the question is open.
+  void setAnswer(const std::optional<GivenAnswer> &answer);
   void setTheme(const Theme &theme);
   [[nodiscard]] QList<ChoiceButton *> choices() const { return m_buttons; }
   /// Why an answer is right or not; hidden while the question is open.

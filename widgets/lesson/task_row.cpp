@@ -1,9 +1,10 @@
 #include "widgets/lesson/task_row.h"
 
 #include "widgets/colors.h"
+#include "widgets/verdict.h"
 
-#include <QHBoxLayout>
 #include <QPainter>
+#include <QVBoxLayout>
 
 namespace halfspace {
 
@@ -21,44 +22,25 @@ QMargins marginsAt(const Theme &theme) {
 
 } // namespace
 
-void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  if (verdict == Verdict::Open) {
-    painter.setPen(QPen(toQColor(theme.mutedInk), 1.4));
-    painter.drawEllipse(center, radius, radius);
-  } else {
-    const bool right = verdict == Verdict::Right;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(toQColor(right ? theme.inkOf(Subject::Triangle) : theme.warning));
-    painter.drawEllipse(center, radius, radius);
-    const auto at = [&](double x, double y) { return center + QPointF(x, y) * radius; };
-    painter.setPen(QPen(toQColor(theme.panel), 0.24 * radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (right) {
-      painter.drawLine(at(-0.45, 0.02), at(-0.12, 0.38));
-      painter.drawLine(at(-0.12, 0.38), at(0.46, -0.34));
-    } else {
-      painter.drawLine(at(-0.36, -0.36), at(0.36, 0.36));
-      painter.drawLine(at(-0.36, 0.36), at(0.36, -0.36));
-    }
-  }
-  painter.restore();
-}
-
 TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent)
-    : QWidget(parent), m_words(new RichLabel(typesetter)), m_theme(themes().front()) {
-  auto *layout = new QHBoxLayout(this);
-  layout->setContentsMargins(marginsAt(m_theme));
+    : QWidget(parent), m_words(new RichLabel(typesetter)), m_holdsAlready(new RichLabel(typesetter)),
+      m_theme(themes().front()) {
+  auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
+  layout->addWidget(m_holdsAlready);
   m_words->setMarkdown(instruction);
+  m_holdsAlready->setMarkdown(tr("It is so already. Change that, then bring it about again."));
+  m_holdsAlready->hide();
+  setTheme(m_theme);
   tellAccessibly();
 }
 
-void TaskRow::setDone(bool done) {
-  if (done == m_done)
+void TaskRow::setState(TaskState state) {
+  if (state == m_state)
     return;
-  m_done = done;
-  m_words->setInk(toQColor(done ? m_theme.mutedInk : m_theme.ink), toQColor(m_theme.warning));
+  m_state = state;
+  m_holdsAlready->setVisible(state == TaskState::HoldsAlready);
+  setInks();
   tellAccessibly();
   update();
 }
@@ -66,12 +48,21 @@ void TaskRow::setDone(bool done) {
 void TaskRow::setTheme(const Theme &theme) {
   m_theme = theme;
   layout()->setContentsMargins(marginsAt(theme));
-  m_words->setInk(toQColor(m_done ? m_theme.mutedInk : m_theme.ink), toQColor(m_theme.warning));
+  setInks();
   update();
 }
 
+void TaskRow::setInks() {
+  const QColor muted = toQColor(m_theme.mutedInk);
+  const QColor warning = toQColor(m_theme.warning);
+  m_words->setInk(m_state == TaskState::Done ? muted : toQColor(m_theme.ink), warning);
+  m_holdsAlready->setInk(muted, warning);
+}
+
 void TaskRow::tellAccessibly() {
-  setAccessibleName((m_done ? tr("Done: %1") : tr("To do: %1")).arg(m_words->accessibleName()));
+  const QString instruction = m_words->accessibleName();
+  setAccessibleName((m_state == TaskState::Done ? tr("Done: %1") : tr("To do: %1")).arg(instruction));
+  setAccessibleDescription(m_state == TaskState::HoldsAlready ? m_holdsAlready->accessibleName() : QString());
 }
 
 void TaskRow::paintEvent(QPaintEvent *) {
@@ -82,7 +73,7 @@ void TaskRow::paintEvent(QPaintEvent *) {
   const double firstLine = m_words->y() + fontMetrics().ascent() - fontMetrics().capHeight() / 2.0;
   const double radius = markRadius * m_theme.textScale;
   paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, firstLine}, radius,
-               m_done ? Verdict::Right : Verdict::Open, m_theme);
+               m_state == TaskState::Done ? Verdict::Right : Verdict::Open, m_theme);
 }
 
 } // namespace halfspace

@@ -1,9 +1,9 @@
 // The letter of a coordinate with the fields of its numbers.
 #pragma once
 
+#include "widgets/numbers/coordinate_editor.h"
 #include "widgets/picture/theme.h"
 #include "widgets/text/math_label.h"
-#include "widgets/working/coordinate_editor.h"
 
 class QSlider;
 

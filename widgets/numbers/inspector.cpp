@@ -17,6 +17,8 @@
 namespace halfspace {
 namespace {
 
+/// It is so wide, in letters, unless the user makes it wider.
+constexpr int usualLetters = 42;
 // More rows than this nobody looks through, and each costs time and memory.
 constexpr std::size_t mostGivenRows = 60;
 constexpr std::size_t mostResultRows = 60; ///< and those of the entry that is begun
@@ -83,7 +85,7 @@ void showValue(MathLabel &label, const Value &value) {
     const char32_t relation = decimal->exact ? U'=' : U'≈';
     formula =
         math::row(std::move(formula), math::symbol(relation, math::AtomClass::Rel), formulaOf(decimal->term));
-    text += (decimal->exact ? " = " : " ≈ ") + plainText(decimal->term);
+    text += relatedText(*decimal);
   }
   label.setFormula(formula, QString::fromStdString(text).trimmed());
 }
@@ -98,36 +100,23 @@ QLabel *heading(const QString &text) {
 } // namespace
 
 Inspector::Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QScrollArea(parent), m_model(model), m_editor(model), m_typesetter(typesetter),
+    : QScrollArea(parent), m_model(model), m_typesetter(typesetter), m_given(model, typesetter),
       m_theme(themes().front()) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
+  connect(&m_given, &CoordinateRows::refused, this, [this](const QString &sentence) {
+    m_complaint->setText(sentence);
+    m_complaint->setVisible(!sentence.isEmpty());
+  });
 }
 
 Inspector::~Inspector() = default;
 
-NumberField *Inspector::field(const std::string &coordinateName, int axis) const {
-  for (const auto &row : m_given)
-    if (row->name() == coordinateName)
-      return row->fields().at(static_cast<std::size_t>(axis));
-  return nullptr;
+QSize Inspector::sizeHint() const {
+  return {usualLetters * fontMetrics().averageCharWidth(), QScrollArea::sizeHint().height()};
 }
 
-QString Inspector::enterTyped() {
-  QString refused;
-  for (const auto &row : m_given)
-    if (const QString why = row->enterTyped(); refused.isEmpty())
-      refused = why;
-  return refused;
-}
-
-void Inspector::dropTyped() {
-  for (const auto &row : m_given)
-    row->dropTyped();
-}
-
-void Inspector::buildGivenRows() {
-  m_given.clear();
+void Inspector::buildGivenRows(const std::vector<CoordinateId> &ids) {
   m_results.clear();
   auto *content = new QWidget;
   m_layout = new QVBoxLayout(content);
@@ -139,9 +128,8 @@ void Inspector::buildGivenRows() {
   given->setColumnMinimumWidth(0, 34);
   for (int column = 1; column <= 3; ++column)
     given->setColumnStretch(column, 1);
-  const auto ids = coordinatesOf(m_model.session().scene);
-  for (std::size_t i = 0; i < std::min(ids.size(), mostGivenRows); ++i)
-    addGivenRow(*given, ids[i]);
+  for (const auto &row : m_given.make(ids))
+    addGivenRow(*given, *row);
   m_complaint = new QLabel;
   m_complaint->setObjectName("complaint");
   m_complaint->setWordWrap(true);
@@ -151,9 +139,9 @@ void Inspector::buildGivenRows() {
 
   m_layout->addWidget(heading(tr("Given — type, step with ↑ ↓, or drag sideways")));
   m_layout->addLayout(given);
-  if (ids.size() > mostGivenRows)
+  if (const std::size_t all = coordinatesOf(m_model.session().scene).size(); all > ids.size())
     m_layout->addWidget(heading(tr("… and %n more, to be dragged or stepped in the scene.", nullptr,
-                                   static_cast<int>(ids.size() - mostGivenRows))));
+                                   static_cast<int>(all - ids.size()))));
   m_layout->addWidget(m_complaint);
   m_layout->addSpacing(6);
   m_layout->addWidget(heading(tr("Results")));
@@ -182,19 +170,14 @@ void Inspector::buildResultRows() {
   m_resultsBox = box;
 }
 
-void Inspector::addGivenRow(QGridLayout &grid, const CoordinateId &id) {
+void Inspector::addGivenRow(QGridLayout &grid, const CoordinateRow &row) {
   const int place = grid.rowCount();
-  auto &row = *m_given.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id));
   grid.addWidget(row.letter(), place, 0);
   int column = 1;
   for (NumberField *field : row.fields())
     grid.addWidget(field, place, column++);
   if (row.slider())
     grid.addWidget(row.slider(), place, 2, 1, 2);
-  connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
-    m_complaint->setText(sentence);
-    m_complaint->setVisible(!sentence.isEmpty());
-  });
 }
 
 void Inspector::addResultRow(QVBoxLayout &column, const NamedValue &value) {
@@ -209,12 +192,9 @@ void Inspector::showSession() {
   auto ids = coordinatesOf(m_model.session().scene);
   ids.resize(std::min(ids.size(), mostGivenRows));
   const auto values = shownValues(m_model.evaluation());
-  // The given rows stay while results come and go: a field may be in use.
-  const bool sameGiven =
-      widget() && std::equal(ids.begin(), ids.end(), m_given.begin(), m_given.end(),
-                             [](const CoordinateId &id, const auto &row) { return row->isMadeFor(id); });
+  const bool sameGiven = widget() && m_given.areMadeFor(ids); // they stay while results come and go
   if (!sameGiven)
-    buildGivenRows();
+    buildGivenRows(ids);
   const bool sameResults =
       sameGiven &&
       std::equal(values.begin(), values.end(), m_results.begin(), m_results.end(),
@@ -223,8 +203,7 @@ void Inspector::showSession() {
     buildResultRows();
     applyInk();
   }
-  for (const auto &row : m_given)
-    row->showNumbers();
+  m_given.showNumbers();
   for (std::size_t i = 0; i < values.size(); ++i)
     showValue(*m_results[i].value, values[i].value->value);
   m_resultsBox->setVisible(!m_resultsHidden);
@@ -239,8 +218,7 @@ void Inspector::setTheme(const Theme &theme) {
 
 void Inspector::applyInk() {
   const auto inkOf = markInk(m_model, m_theme);
-  for (const auto &row : m_given)
-    row->setTheme(m_theme);
+  m_given.setTheme(m_theme);
   for (MathLabel *label : m_resultLabels)
     label->setInkOf(inkOf);
 }

@@ -1,11 +1,9 @@
 // Every number of the session: what is given, to be changed, and what comes out of it.
 #pragma once
 
-#include "widgets/numbers/coordinate_row.h"
+#include "widgets/numbers/coordinate_rows.h"
 
 #include <QScrollArea>
-
-#include <memory>
 
 class QGridLayout;
 class QLabel;
@@ -28,13 +26,10 @@ public:
   /// Hides what comes out, while a question asks for it.
   void setResultsHidden(bool hidden);
 
-  /// Ends a scrub, and enters the numbers that are typed and not entered yet. Why one is refused; else empty.
-  [[nodiscard]] QString enterTyped();
-  /// Takes back what is typed and refused.
-  void dropTyped();
+  [[nodiscard]] QSize sizeHint() const override;
 
-  /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when there is none.
-  [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
+  /// The fields of what is given.
+  [[nodiscard]] CoordinateRows &given() { return m_given; }
 
 private:
   struct ResultRow {
@@ -42,18 +37,17 @@ private:
     MathLabel *value;
   };
 
-  void buildGivenRows();
+  void buildGivenRows(const std::vector<CoordinateId> &ids);
   void buildResultRows();
-  void addGivenRow(QGridLayout &grid, const CoordinateId &id);
+  static void addGivenRow(QGridLayout &grid, const CoordinateRow &row);
   void addResultRow(QVBoxLayout &column, const NamedValue &value);
   void applyInk();
 
   SessionModel &m_model;
-  CoordinateEditor m_editor;
   const Typesetter &m_typesetter;
+  CoordinateRows m_given;
   Theme m_theme;
   bool m_resultsHidden = false;
-  std::vector<std::unique_ptr<CoordinateRow>> m_given;
   std::vector<ResultRow> m_results;
   std::vector<MathLabel *> m_resultLabels;
   QVBoxLayout *m_layout = nullptr;

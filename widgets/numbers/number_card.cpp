@@ -8,8 +8,6 @@
 #include <QLabel>
 #include <QResizeEvent>
 
-#include <algorithm>
-
 namespace halfspace {
 namespace {
 
@@ -50,7 +48,7 @@ QWidget *groupOf(const CoordinateRow &row) {
 } // namespace
 
 NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QFrame(parent), m_model(model), m_editor(model), m_typesetter(typesetter), m_theme(themes().front()),
+    : QFrame(parent), m_model(model), m_given(model, typesetter), m_theme(themes().front()),
       m_numbers(new QWidget), m_complaint(wordsLabel("complaint")), m_hintLabel(wordsLabel("hint")) {
   setObjectName("card");
   m_hintLabel->setMinimumWidth(1); // it is cut short where there is no room
@@ -62,6 +60,10 @@ NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidge
   for (QWidget *widget :
        {m_numbers, static_cast<QWidget *>(m_complaint), static_cast<QWidget *>(m_hintLabel)})
     layout->addWidget(widget);
+  connect(&m_given, &CoordinateRows::refused, this, [this](const QString &sentence) {
+    m_complaint->setText(sentence);
+    m_complaint->setVisible(!sentence.isEmpty());
+  });
   setAccessibleName(tr("Numbers of the selected object"));
   setSelection({});
 }
@@ -86,21 +88,14 @@ std::vector<CoordinateId> NumberCard::shownCoordinates() const {
 }
 
 void NumberCard::build(const std::vector<CoordinateId> &ids) {
-  m_rows.clear();
   m_complaint->hide();
   auto *numbers = new QWidget;
   auto *flow = new FlowLayout(numbers);
   flow->setContentsMargins(0, 0, 0, 0);
   flow->setSpacing(groupGap);
-  for (const CoordinateId &id : ids) {
-    auto &row = *m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id));
-    row.setTheme(m_theme);
-    connect(&row, &CoordinateRow::refused, this, [this](const QString &sentence) {
-      m_complaint->setText(sentence);
-      m_complaint->setVisible(!sentence.isEmpty());
-    });
-    flow->addWidget(groupOf(row));
-  }
+  for (const auto &row : m_given.make(ids))
+    flow->addWidget(groupOf(*row));
+  m_given.setTheme(m_theme);
   delete layout()->replaceWidget(m_numbers, numbers);
   numbers->setVisible(!ids.empty()); // only now: without a parent it would be a window
   m_numbers->hide();
@@ -112,11 +107,9 @@ void NumberCard::build(const std::vector<CoordinateId> &ids) {
 
 void NumberCard::showSession() {
   const std::vector<CoordinateId> ids = shownCoordinates();
-  if (!std::equal(ids.begin(), ids.end(), m_rows.begin(), m_rows.end(),
-                  [](const CoordinateId &id, const auto &row) { return row->isMadeFor(id); }))
+  if (!m_given.areMadeFor(ids))
     build(ids);
-  for (const auto &row : m_rows)
-    row->showNumbers();
+  m_given.showNumbers();
 }
 
 void NumberCard::setHint(const QString &words) {
@@ -133,8 +126,14 @@ void NumberCard::showHint() {
 }
 
 void NumberCard::elideHint() {
+  const QFontMetrics type = m_hintLabel->fontMetrics();
   const int room = width() - cardMargins.left() - cardMargins.right();
-  m_hintLabel->setText(m_hintLabel->fontMetrics().elidedText(m_hint, Qt::ElideRight, room));
+  const QString sentenceEnd = QStringLiteral(". ");
+  QString shown = m_hint;
+  // As many whole sentences as there is room for, and the first in any case.
+  while (type.horizontalAdvance(shown) > room && shown.contains(sentenceEnd))
+    shown = shown.left(shown.lastIndexOf(sentenceEnd) + 1);
+  m_hintLabel->setText(type.elidedText(shown, Qt::ElideRight, room));
 }
 
 QSize NumberCard::sizeHint() const {
@@ -158,26 +157,6 @@ void NumberCard::setTheme(const Theme &theme) {
   m_theme = theme;
   build(shownCoordinates()); // the fields' widths follow the type
   showSession();
-}
-
-QString NumberCard::enterTyped() {
-  QString refused;
-  for (const auto &row : m_rows)
-    if (const QString why = row->enterTyped(); refused.isEmpty())
-      refused = why;
-  return refused;
-}
-
-void NumberCard::dropTyped() {
-  for (const auto &row : m_rows)
-    row->dropTyped();
-}
-
-NumberField *NumberCard::field(const std::string &coordinateName, int axis) const {
-  for (const auto &row : m_rows)
-    if (row->name() == coordinateName)
-      return row->fields().at(static_cast<std::size_t>(axis));
-  return nullptr;
 }
 
 } // namespace halfspace

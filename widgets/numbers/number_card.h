@@ -1,11 +1,9 @@
 // The numbers of the selected object, at the edge of the scene.
 #pragma once
 
-#include "widgets/numbers/coordinate_row.h"
+#include "widgets/numbers/coordinate_rows.h"
 
 #include <QFrame>
-
-#include <memory>
 
 class QLabel;
 
@@ -28,10 +26,8 @@ public:
   void setHint(const QString &words);
   void setTheme(const Theme &theme);
 
-  [[nodiscard]] QString enterTyped();
-  void dropTyped();
-  /// The field of a coordinate: `E.n`, `Q`; axis 0, 1, 2. Null when it is not shown.
-  [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
+  /// The fields of what is selected.
+  [[nodiscard]] CoordinateRows &given() { return m_given; }
 
   /// Of the card for an object of two coordinates, as a ray is.
   [[nodiscard]] QSize usualSize() const;
@@ -48,11 +44,9 @@ private:
   void elideHint();
 
   SessionModel &m_model;
-  CoordinateEditor m_editor;
-  const Typesetter &m_typesetter;
+  CoordinateRows m_given;
   Theme m_theme;
   std::optional<CoordinateId> m_selected;
-  std::vector<std::unique_ptr<CoordinateRow>> m_rows;
   QWidget *m_numbers;
   QLabel *m_complaint;
   QLabel *m_hintLabel;

@@ -130,12 +130,15 @@ private:
     int index = 0;
     for (const MarkdownSpan &span : block.spans) {
       const QString &text = texts[index++];
-      if (span.kind == MarkdownSpan::Kind::Formula)
-        m_formulas.push_back(span.formula);
       if (block.kind == Kind::Code && span.kind == MarkdownSpan::Kind::LineBreak)
         startParagraph(block);
       else
         m_cursor.insertText(text, spanFormat(block, span));
+      if (span.kind == MarkdownSpan::Kind::Formula) {
+        m_formulas.push_back(span.formula);
+        // A line of formulas alone would end on its baseline, and their depth be cut off.
+        m_cursor.insertText(wordJoiner, textFormat(block));
+      }
     }
   }
 

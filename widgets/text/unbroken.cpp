@@ -3,11 +3,6 @@
 #include <QRegularExpression>
 
 namespace halfspace {
-namespace {
-
-constexpr QChar wordJoiner(0x2060);
-
-} // namespace
 
 QString unbroken(QString text) {
   static const QRegularExpression besideRelation(QStringLiteral("(?<=\\S) ([=≈<>≤≥]) (?=\\S)"));

@@ -5,6 +5,9 @@
 
 namespace halfspace {
 
+/// No line breaks beside it, and it is as high as a letter, though it has no width.
+inline constexpr QChar wordJoiner(0x2060);
+
 /// The text with `t = −10/3` and `|n|` kept in one line each: no break beside a relation or inside the bars.
 /// It is one character longer for each bar.
 [[nodiscard]] QString unbroken(QString text);

@@ -33,7 +33,8 @@ public:
   [[nodiscard]] MathPicture brokenTo(double widthInEm) const;
 
   /// Whether it stands on several lines.
-  [[nodiscard]] bool isBroken() const { return m_layout->lines.size() > 1; }
+  [[nodiscard]] bool isBroken() const { return lineCount() > 1; }
+  [[nodiscard]] std::size_t lineCount() const { return m_layout->lines.size(); }
 
   /// The shapes that are painted.
   [[nodiscard]] const std::shared_ptr<const math::Layout> &layout() const { return m_layout; }

@@ -9,6 +9,9 @@
 namespace halfspace {
 namespace {
 
+/// Cases have up to about so many letters: the line has room for them from the start.
+constexpr int usualLetters = 92;
+
 QLabel *wrappedLabel(const char *name) {
   auto *label = new QLabel;
   label->setObjectName(name);
@@ -20,19 +23,21 @@ QLabel *wrappedLabel(const char *name) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
-      m_complaint(wrappedLabel("complaint")) {
+    : QWidget(parent), m_usual(wrappedLabel("case")), m_case(wrappedLabel("case")),
+      m_message(wrappedLabel("message")), m_complaint(wrappedLabel("complaint")) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(m_case, 3);
-  layout->addWidget(m_message, 2);
+  layout->addWidget(m_message, 3);
   layout->addWidget(m_complaint, 2);
-  m_message->hide();
-  m_complaint->hide();
+  m_usual->setParent(this);
+  m_usual->setText(QStringLiteral("letters ").repeated(usualLetters / 8));
+  for (QWidget *hidden : {m_usual, m_message, m_complaint})
+    hidden->hide();
   m_messageTimer.setSingleShot(true);
   m_messageTimer.setInterval(readingTime);
-  connect(&m_messageTimer, &QTimer::timeout, m_message, &QWidget::hide);
+  connect(&m_messageTimer, &QTimer::timeout, this, &CaseLine::endMessage);
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
@@ -44,20 +49,30 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
 }
 
 void CaseLine::setHeld(bool held) {
+  if (held)
+    endMessage();
   m_held = held;
   setMinimumHeight(held ? height() : 0);
 }
 
 void CaseLine::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
+  m_case->setMinimumHeight(m_usual->heightForWidth(width()));
   if (m_held)
     setMinimumHeight(height());
 }
 
 void CaseLine::say(const QString &sentence) {
   m_message->setText(sentence);
+  m_case->hide();
   m_message->show();
   m_messageTimer.start();
+}
+
+void CaseLine::endMessage() {
+  m_messageTimer.stop();
+  m_message->hide();
+  m_case->show();
 }
 
 void CaseLine::complain(const QString &sentence, const QString &details) {

@@ -10,8 +10,8 @@ class QLabel;
 
 namespace halfspace {
 
-/// The case in plain words; beside it, for a moment, what the program has to tell, and as long as it holds,
-/// what it has to complain of.
+/// The case in plain words; in its place, for a moment, what the program has to tell, and beside both, as
+/// long as it holds, what it has to complain of.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
@@ -22,6 +22,7 @@ public:
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
   /// While the line is held it only grows: the picture above it would jump back and forth with the numbers.
+  /// The case is what counts then: a message goes.
   void setHeld(bool held);
   void say(const QString &sentence);
   /// Empty: there is nothing to complain of.
@@ -31,7 +32,10 @@ protected:
   void resizeEvent(QResizeEvent *event) override;
 
 private:
+  void endMessage();
+
   bool m_held = false;
+  QLabel *m_usual; ///< as long as cases usually are; never shown
   QLabel *m_case;
   QLabel *m_message;
   QLabel *m_complaint;

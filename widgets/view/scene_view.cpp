@@ -302,8 +302,7 @@ std::optional<Gizmo> SceneView::gizmo() const {
     if (dragMode == *mode)
       gizmo.mode = gizmoMode;
   if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate) {
-    const CoordinateRole role = isZero(handle->base) ? CoordinateRole::Position : CoordinateRole::Direction;
-    const Rational z = fromStage(handle->at - handle->base, role, m_stage).z;
+    const Rational z = fromStage(handle->at, CoordinateRole::Position, m_stage).z;
     gizmo.note = "z" + relatedLatex(Term(z)) + "\\text{ fixed}";
   }
   return gizmo;

@@ -39,9 +39,9 @@ Qt::KeyboardModifiers modifierOf(int key) {
 QString hintFor(DragMode mode) {
   switch (mode) {
   case DragMode::Horizontal:
-    return SceneView::tr(
-        "Moves in x and y. Click it again or hold Shift for up and down; X, Y, Z lock an axis, Ctrl frees it "
-        "from the grid.");
+    return SceneView::tr("Moves in x and y. Click it again, or hold Shift, for up and down. X, Y, Z lock an "
+                         "axis. Ctrl frees it "
+                         "from the grid.");
   case DragMode::Vertical:
     return SceneView::tr("Moves up and down. Click it again for x and y.");
   case DragMode::AxisX:
@@ -208,7 +208,10 @@ void SceneView::finishDrag() {
     if (!m_moved && m_clickToggles)
       m_vertical = !m_vertical;
   }
+  const bool isClickBeside = m_gesture == Gesture::Turn && !m_moved;
   letGo();
+  if (isClickBeside)
+    selectHandle({});
 }
 
 void SceneView::cancelDrag() {

@@ -11,19 +11,25 @@ BlankField::BlankField(int letters, QWidget *parent)
     : QWidget(parent), m_edit(new QLineEdit), m_show(new QToolButton) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  layout->addWidget(m_edit);
   m_edit->setPlaceholderText(QStringLiteral("?"));
-  m_edit->setFixedWidth(letters * fontMetrics().averageCharWidth());
   m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
                         "(1, 2, 3); an equation as x + 2y = 3. Enter checks it."));
   connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
   connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
-  layout->addWidget(m_edit);
   m_show->setText(tr("Show"));
   m_show->setAutoRaise(true);
   m_show->setFocusPolicy(Qt::StrongFocus);
+  m_show->setCursor(Qt::ArrowCursor);
   connect(m_show, &QToolButton::clicked, this, &BlankField::showRequested);
-  layout->addWidget(m_show);
+  // Inside the field: beside it the word would be read as a part of the formula.
+  auto *inside = new QHBoxLayout(m_edit);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->addStretch();
+  inside->addWidget(m_show);
+  const int showWidth = m_show->sizeHint().width();
+  m_edit->setTextMargins(0, 0, showWidth, 0);
+  m_edit->setFixedWidth(letters * fontMetrics().averageCharWidth() + showWidth);
   setFocusProxy(m_edit);
 }
 

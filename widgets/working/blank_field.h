@@ -8,11 +8,11 @@ class QToolButton;
 
 namespace halfspace {
 
-/// A field for the learner's answer, and the button that shows the line instead.
+/// A field for the learner's answer, and in it the button that shows the line instead.
 class BlankField : public QWidget {
   Q_OBJECT
 public:
-  /// As wide as so many letters.
+  /// With room for so many letters.
   explicit BlankField(int letters, QWidget *parent = nullptr);
 
   /// What is asked for, for screen readers.

@@ -157,7 +157,7 @@ std::map<std::string, QString> WorkingBlock::remarkTexts() const {
 }
 
 PlacedWorking WorkingBlock::placeIn(int width) const {
-  return placeWorking(m_lines, remarkTexts(), m_sentences, font(), width, m_held.value_or(LineHeights()));
+  return placeWorking(m_lines, remarkTexts(), m_sentences, font(), width, m_held.value_or(HeldLines()));
 }
 
 void WorkingBlock::placeLines() {
@@ -186,7 +186,7 @@ void WorkingBlock::setHeld(bool held) {
 
 void WorkingBlock::hold() {
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
-    (*m_held)[m_lines[i].source.id] = m_placed.lines[i].box.height();
+    (*m_held)[m_lines[i].source.id] = m_placed.lines[i];
 }
 
 std::optional<LineRemark> WorkingBlock::remarkOf(const std::string &lineId) const {

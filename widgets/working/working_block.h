@@ -188,7 +188,7 @@ private:
   std::vector<TypesetLine> m_lines;
   mutable SentenceBreaker m_sentences;
   PlacedWorking m_placed;
-  std::optional<LineHeights> m_held; ///< the least height of each line, while lines are held
+  std::optional<HeldLines> m_held; ///< as they stood last, while they are held
   QString m_hovered;
   std::optional<std::size_t> m_current; ///< the line that was clicked or reached by the keys
 

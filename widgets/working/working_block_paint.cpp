@@ -1,6 +1,6 @@
 // How the lines are painted.
 #include "widgets/colors.h"
-#include "widgets/lesson/task_row.h"
+#include "widgets/verdict.h"
 #include "widgets/working/blank_field.h"
 #include "widgets/working/working_block.h"
 

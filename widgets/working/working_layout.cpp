@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 
@@ -15,11 +16,15 @@ namespace {
 constexpr double formulaScale = 1.28;
 /// A formula that is too wide is not drawn smaller than this.
 constexpr double smallestScale = 0.6;
+/// The type of a held line becomes smaller in such steps, not below `smallestHeldScale`.
+constexpr double heldScaleStep = 0.95;
+constexpr double smallestHeldScale = 0.7;
 /// Narrower, in em, than any formula can be broken to: its second line begins further right.
 constexpr double narrowestLine = 1;
 
 // Space, in em of the formulas' type.
 constexpr double sideMargin = 1.0;
+constexpr double heldSideMargin = 0.35;    // on the right of a held line whose numbers became longer
 constexpr double lineMargin = 0.45;        // above and below a line
 constexpr double rowGap = 0.5;             // between the rows of a line
 constexpr double sentenceGap = 0.5;        // between formulas and sentence
@@ -38,28 +43,21 @@ public:
       : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_width(width),
         m_left(sideMargin * m_em), m_right(width - sideMargin * m_em) {}
 
-  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading, double least) {
+  /// `held`: what stands there; may be null.
+  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading,
+                   const PlacedLine *held) {
     m_placed = {};
     const double top = m_y;
     m_placed.heading = placeText(heading, m_left);
     m_y += lineMargin * m_em;
-    m_x = m_left;
-    m_rowIsEmpty = true;
-    m_lineEm = emFor(line);
-    startRow();
-    for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
-      placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
-    if (line.told) {
-      breakRow();
-      placePiece(line.told);
-    }
-    endRow();
+    if (!held || !placeInRowsOf(*held, line))
+      placeFormulas(line, emFor(line));
     const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
     m_placed.remark = placeText(remark, m_left + markRoom);
     if (!line.isPartial)
       m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
     m_y += lineMargin * m_em;
-    m_y = std::max(m_y, top + least);
+    m_y = std::max(m_y, top + (held ? held->box.height() : 0));
     m_placed.box = QRectF(0, top, m_width, m_y - top);
     return std::move(m_placed);
   }
@@ -69,6 +67,54 @@ public:
   [[nodiscard]] double right() const { return std::max(m_width, m_widest + sideMargin * m_em); }
 
 private:
+  void placeFormulas(const TypesetLine &line, double em) {
+    m_placed.formulas.clear();
+    m_placed.blank = {};
+    m_x = m_left;
+    m_rowIsEmpty = true;
+    m_lineEm = em;
+    startRow();
+    for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
+      placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
+    if (line.told) {
+      breakRow();
+      placePiece(line.told);
+    }
+    endRow();
+  }
+
+  /// False, and nothing is placed, where the line fits into no such rows with type that can be read.
+  bool placeInRowsOf(const PlacedLine &held, const TypesetLine &line) {
+    const double top = m_y;
+    const double widest = m_widest;
+    const double right = std::exchange(m_right, m_width - heldSideMargin * m_em);
+    m_held = &held;
+    bool fits = false;
+    for (double scale = 1; !fits && scale > smallestHeldScale; scale *= heldScaleStep) {
+      m_y = top;
+      m_widest = widest;
+      placeFormulas(line, scale * emFor(line));
+      fits = hasRowsOf(held);
+    }
+    m_held = nullptr;
+    m_right = right;
+    if (!fits) {
+      m_y = top;
+      m_widest = widest;
+    }
+    return fits;
+  }
+
+  /// Whether the formulas fit as they are placed and are broken no more often than those that stood there.
+  [[nodiscard]] bool hasRowsOf(const PlacedLine &held) const {
+    return m_placed.formulas.size() == held.formulas.size() &&
+           std::equal(m_placed.formulas.begin(), m_placed.formulas.end(), held.formulas.begin(),
+                      [&](const PlacedFormula &now, const PlacedFormula &before) {
+                        return now.box().right() <= m_right && now.beginsRow == before.beginsRow &&
+                               now.picture->lineCount() <= before.picture->lineCount();
+                      });
+  }
+
   /// The size of a line's type: smaller where a piece of it fits into no row of its own, and then for all of
   /// its pieces.
   [[nodiscard]] double emFor(const TypesetLine &line) const {
@@ -119,11 +165,17 @@ private:
   void makeRoom(double width) {
     if (m_rowIsEmpty)
       return;
-    // Beside a formula on several lines nothing could be read in its order.
-    if (m_rowIsFull || m_x + relationGap * m_em + width > m_right)
+    if (breaksBefore(width))
       breakRow();
     else
       m_x += relationGap * m_em;
+  }
+
+  [[nodiscard]] bool breaksBefore(double width) const {
+    if (m_held && m_placed.formulas.size() < m_held->formulas.size())
+      return m_held->formulas[m_placed.formulas.size()].beginsRow;
+    // Beside a formula on several lines nothing could be read in its order.
+    return m_rowIsFull || m_x + relationGap * m_em + width > m_right;
   }
 
   void advance(double width) {
@@ -136,12 +188,13 @@ private:
     if (!picture)
       return;
     makeRoom(picture->width() * m_lineEm);
+    const bool beginsRow = m_rowIsEmpty;
     const double room = std::max(m_right - m_x, 1.0);
     const Typesetter::Picture shown =
         picture->width() * m_lineEm > room
             ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_lineEm))
             : picture;
-    m_placed.formulas.push_back({shown, {m_x, 0}, m_lineEm, piece});
+    m_placed.formulas.push_back({shown, {m_x, 0}, m_lineEm, piece, beginsRow});
     m_ascent = std::max(m_ascent, shown->ascent() * m_lineEm);
     m_depth = std::max(m_depth, shown->depth() * m_lineEm);
     advance(shown->width() * m_lineEm);
@@ -167,7 +220,8 @@ private:
   double m_em, m_width, m_left, m_right;
   double m_x = 0, m_y = 0, m_widest = 0;
   PlacedLine m_placed;
-  double m_lineEm = 0; ///< of the line in work
+  const PlacedLine *m_held = nullptr; ///< whose rows the formulas are to have
+  double m_lineEm = 0;                ///< of the line in work
   // The row in work.
   std::size_t m_rowBegin = 0;
   double m_ascent = 0, m_depth = 0;
@@ -205,18 +259,18 @@ double narrowestWidth(const std::vector<TypesetLine> &lines, const QFont &font) 
 
 PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                            const std::map<std::string, QString> &remarks, SentenceBreaker &sentences,
-                           const QFont &font, double width, const LineHeights &least) {
+                           const QFont &font, double width, const HeldLines &held) {
   const bool hasHeadings = hasSeveralWorkings(lines);
   LinePlacer placer(sentences, font, width);
   PlacedWorking placed;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string &id = lines[i].source.id;
     const auto remark = remarks.find(id);
-    const auto height = least.find(id);
+    const auto stood = held.find(id);
     const bool isHeaded = hasHeadings && beginsWorking(lines, i);
     placed.lines.push_back(placer.place(lines[i], remark == remarks.end() ? QString() : remark->second,
                                         isHeaded ? QString::fromStdString(entryOf(id)) : QString(),
-                                        height == least.end() ? 0 : height->second));
+                                        stood == held.end() ? nullptr : &stood->second));
   }
   placed.size = {placer.right(), placer.bottom()};
   return placed;

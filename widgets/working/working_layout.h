@@ -37,6 +37,7 @@ struct PlacedFormula {
   QPointF baseline;
   double emPixels = 0;
   std::optional<LinePiece> piece{}; ///< which of its line it is; nothing for what is told
+  bool beginsRow = false;
 
   /// From the picture's lengths to places in the working.
   [[nodiscard]] QRectF toWorking(const QRectF &inPicture) const;
@@ -69,16 +70,20 @@ struct PlacedWorking {
 /// The width below which no formula can be broken or drawn smaller.
 [[nodiscard]] double narrowestWidth(const std::vector<TypesetLine> &lines, const QFont &font);
 
-/// By the ids of lines.
-using LineHeights = std::map<std::string, double>;
+/// What stands there already, by the ids of lines.
+using HeldLines = std::map<std::string, PlacedLine>;
 
 /// Lays out the lines from top to bottom in a width, all in logical pixels: pieces flow from left to right
 /// and go on in an indented row where they do not fit; a piece wider than that is broken, and what cannot be
 /// broken is drawn smaller, but not beyond reading. The lines of several constructions have its name above
-/// them. `remarks` are by the lines' ids; no line is less high than `least` says.
+/// them. `remarks` are by the lines' ids.
+///
+/// While lines are held their rows stay as they are, and nothing below them moves: a longer number gets its
+/// room from the margin, and then from the size of the line's type. Only what would become too small to be
+/// read is laid out anew, and no line becomes less high.
 [[nodiscard]] PlacedWorking placeWorking(const std::vector<TypesetLine> &lines,
                                          const std::map<std::string, QString> &remarks,
                                          SentenceBreaker &sentences, const QFont &font, double width,
-                                         const LineHeights &least = {});
+                                         const HeldLines &held = {});
 
 } // namespace halfspace

@@ -19,14 +19,24 @@ Place farCornerOf(const Figure &figure) { return cornersOf(std::get<PlanePatchMa
 Place endOfLineIn(const Figure &figure) { return endsOf(std::get<LineMark>(figure.marks.at(1))).second; }
 Place endOfRayIn(const Figure &figure) { return endOf(std::get<RayMark>(figure.marks.at(2))); }
 
-TEST(Extents, Held_AreDrawnAsFarWhateverTheyCover) {
+TEST(Extents, Held_AreDrawnAsFar_ButLinesAndRaysUpToWhatLiesOnThem) {
+  const Place farPlace(20, 0, 0);
   const Figure near = reachingTo({3, 0, 0});
-  const Figure far = reachingTo({20, 0, 0});
+  const Figure far = reachingTo(farPlace);
   ASSERT_NE(farCornerOf(near), farCornerOf(far));
   const Figure held = heldAt(far, extentsOf(near));
   EXPECT_EQ(farCornerOf(held), farCornerOf(near));
-  EXPECT_EQ(endOfLineIn(held), endOfLineIn(near));
-  EXPECT_EQ(endOfRayIn(held), endOfRayIn(near));
+  EXPECT_EQ(endOfLineIn(held), farPlace);
+  EXPECT_EQ(endOfRayIn(held), farPlace);
+}
+
+TEST(Extents, HeldFarther_AreDrawnAsFarWhateverTheyCover) {
+  const Figure near = reachingTo({3, 0, 0});
+  const Figure far = reachingTo({20, 0, 0});
+  const Figure held = heldAt(near, extentsOf(far));
+  EXPECT_EQ(farCornerOf(held), farCornerOf(far));
+  EXPECT_EQ(endOfLineIn(held), endOfLineIn(far));
+  EXPECT_EQ(endOfRayIn(held), endOfRayIn(far));
 }
 
 TEST(Extents, OfAMarkThatIsNotHeld_StayItsOwn) {
@@ -49,8 +59,8 @@ TEST(Extents, BetweenTwo_GoFromOneToTheOther) {
   const Extents to = extentsOf(far);
   EXPECT_EQ(between(from, to, 0), from);
   EXPECT_EQ(between(from, to, 1), to);
-  const Place half = endOfRayIn(heldAt(far, between(from, to, 0.5)));
-  EXPECT_EQ(half, (endOfRayIn(far) + endOfRayIn(reachingTo({3, 0, 0}))) / 2.0);
+  const Place half = farCornerOf(heldAt(far, between(from, to, 0.5)));
+  EXPECT_EQ(half, (farCornerOf(far) + farCornerOf(reachingTo({3, 0, 0}))) / 2.0);
   EXPECT_TRUE(between(from, {}, 0.5).empty());
 }
 

@@ -334,6 +334,22 @@ TEST(ShownIn, WhileTheQuestionIsOpen_OnlyWhatIsGivenIsDrawn) {
   }
 }
 
+TEST(ShownIn, WhileTheQuestionIsOpen_ARayDoesNotEndNearWhatItMeets) {
+  const Scene scene{{{"E", PlaneObject{{0, 0, 2}, {0, 0, 1}}},
+                     {"L", RayObject{{0, 0, 5}, {0, 0, -1}}},
+                     {"meeting", ConstructionUse{"ray-plane-dot", {{"E", "E"}, {"L", "L"}}}}}};
+  const LessonStep step{"", {StepLines{{"t"}}}};
+  const auto meets = [&](Question question) {
+    const Figure figure = shownIn(step, evaluate(scene), figureOf(evaluate(scene)), question).figure;
+    for (const Mark &mark : figure.marks)
+      if (const auto *ray = std::get_if<RayMark>(&mark))
+        return ray->meets.has_value();
+    throw std::logic_error("no ray");
+  };
+  EXPECT_TRUE(meets(Question::Answered));
+  EXPECT_FALSE(meets(Question::Open));
+}
+
 TEST(ShownIn, AStepOverTwoConstructions_ShowsTheLinesThatItNames) {
   Scene scene = test::distanceScene();
   scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
@@ -375,6 +391,16 @@ TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
   EXPECT_EQ(shownIn(step, all).description, first);
   step.blocks = {StepLines{{"again.no-line-of-this-case"}}}; // its case is told all the same
   EXPECT_EQ(shownIn(step, all).description, second);
+}
+
+TEST(StepOf, ALessonThatHasNone_ShowsAllLines) {
+  Lesson one;
+  one.steps = {{"First", {}}};
+  EXPECT_EQ(stepOf(one, 0).title, "First");
+  for (const LessonStep &step : {stepOf(one, 1), stepOf(Lesson(), 0)}) {
+    ASSERT_EQ(step.blocks.size(), 1U);
+    EXPECT_TRUE(std::get<StepLines>(step.blocks[0]).ids.empty());
+  }
 }
 
 TEST(ShownIn, AStepWithoutLines_ShowsAll) {

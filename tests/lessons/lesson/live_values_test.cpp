@@ -43,6 +43,12 @@ TEST(LiveValues, InFormulasAndCode_AreLeftAlone) {
 
 TEST(LiveValues, WithoutAValueInThisCase_AreADash) { EXPECT_EQ(filled("{t} {perp.uu}"), "— —"); }
 
+TEST(LiveValues, WhileTheLearnerLooksForThem_AreQuestionMarks_AndTheSceneIsAsItStands) {
+  const Scene scene = test::distanceScene();
+  EXPECT_EQ(withLiveValues("f is {f}, {side}: {Q}, {t}", scene, evaluate(scene), LiveValues::Hidden),
+            "f is ?, ?: $\\left(11,\\,15,\\,8\\right)$, —");
+}
+
 TEST(LiveValues, BracesThatHoldNoName_Stay) { EXPECT_EQ(filled("{1} {} {a b} {"), "{1} {} {a b} {"); }
 
 TEST(LiveValues, WhenRounded_SaySo) {

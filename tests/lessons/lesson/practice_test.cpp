@@ -261,14 +261,17 @@ TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
   const Working plane = workingOf("plane-implicit");
   const WorkingLine &constant = *findLine(plane, "constant");
   const auto told = toldFor(constant, resultGap(constant), {{constant}});
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(plainText(told.front()), "P₁ = (5, 6, 5)");
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(plainText(told[0]), "n = (1, 2, 2)");
+  EXPECT_EQ(plainText(told[1]), "P₁ = (5, 6, 5)");
 
   const Working distance = workingOf("signed-distance");
   const WorkingLine &last = *findLine(distance, "distance");
-  ASSERT_EQ(toldFor(last, resultGap(last), {{last}}).size(), 1U);
-  EXPECT_EQ(plainText(toldFor(last, resultGap(last), {{last}}).front()), "f(Q) = 30");
-  EXPECT_TRUE(toldFor(last, resultGap(last), distance).empty()) << "the line of f says it, or asks for it";
+  const auto toldLast = toldFor(last, resultGap(last), {{last}});
+  ASSERT_EQ(toldLast.size(), 2U);
+  EXPECT_EQ(plainText(toldLast[0]), "f(Q) = 30");
+  EXPECT_EQ(plainText(toldLast[1]), "n = (1, 2, 2)");
+  ASSERT_EQ(toldFor(last, resultGap(last), distance).size(), 1U) << "the line of f says it, or asks for it";
 }
 
 } // namespace

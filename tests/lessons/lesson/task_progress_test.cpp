@@ -26,6 +26,20 @@ TEST(TaskProgress, OfWhatIsTrueOnArrival_CountsOnlyAfterItWasUntrue) {
   EXPECT_EQ(progress.done(), Done{true});
 }
 
+TEST(TaskProgress, OfTheNextTaskTellsWhetherItHoldsAlready) {
+  const std::vector<Task> awayAndBack{task(Condition::Relation::Equal, "0"),
+                                      task(Condition::Relation::Greater, "0")};
+  TaskProgress progress;
+  progress.arrive();
+  progress.observe(awayAndBack, withT(0));
+  EXPECT_EQ(progress.states(), (std::vector{TaskState::HoldsAlready, TaskState::Open}));
+  progress.observe(awayAndBack, withT(1));
+  EXPECT_EQ(progress.states(), (std::vector{TaskState::Open, TaskState::Open}))
+      << "the second waits its turn";
+  progress.observe(awayAndBack, withT(0));
+  EXPECT_EQ(progress.states(), (std::vector{TaskState::Done, TaskState::Open}));
+}
+
 TEST(TaskProgress, OfWhatBecameTrueElsewhere_DoesNotCountOnReturn) {
   TaskProgress progress;
   progress.arrive();

@@ -314,7 +314,7 @@ TEST(BoundPoint, OnALineThatIsNotThereNow_SaysSoAndComesBack) {
   const Evaluation evaluation = evaluate(parallel);
   EXPECT_EQ(
       evaluation.find("P")->missing,
-      "n_E and n_F are multiples of each other, and no point lies in both planes: E and F are parallel. "
+      "The normals are multiples of each other, and no point lies in both planes: E and F are parallel. "
       "So there is no g to go on with.");
   EXPECT_EQ(lastCase(parallel), "missing-object");
   EXPECT_TRUE(evaluation.find("P")->outcome->figure->marks.empty());

@@ -54,16 +54,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Offer{"point", "point K", {1, 2, 3}}, Offer{"ray", "start Q", {1, 2, 3}},
                     Offer{"vector", "point A", {1, 2, 3}}, Offer{"vector", "tip of v", {1, 2, 5}},
                     Offer{"line", "point A", {1, 2, 3}}, Offer{"line", "line K", {1, 2, -40}},
-                    Offer{"segment", "vertex B", {5, 2, 3}}, Offer{"segment", "edge AB", {3, 2, 3}},
-                    Offer{"plane", "plane K", {77, -5, 3}}, Offer{"triangle", "vertex P₁", {3, 0, 0}},
+                    Offer{"segment", "corner B", {5, 2, 3}}, Offer{"segment", "edge AB", {3, 2, 3}},
+                    Offer{"plane", "plane K", {77, -5, 3}}, Offer{"triangle", "corner P₁", {3, 0, 0}},
                     Offer{"triangle", "edge P₀P₂", {0, 1, 0}}, Offer{"triangle", "plane K", {50, 50, 0}},
                     Offer{"plane-through-points", "plane K", {50, 50, 0}},
-                    Offer{"polygon", "vertex P₃", {0, 4, 0}}, Offer{"polygon", "edge P₀P₃", {0, 1, 0}},
-                    Offer{"polygon", "edge P₁P₂", {4, 1, 0}}, Offer{"tetrahedron", "vertex P₃", {0, 0, 4}},
-                    Offer{"prism", "vertex P₂", {0, 3, 0}}, Offer{"prism", "vertex P₀", {0, 0, 0}},
+                    Offer{"polygon", "corner P₃", {0, 4, 0}}, Offer{"polygon", "edge P₀P₃", {0, 1, 0}},
+                    Offer{"polygon", "edge P₁P₂", {4, 1, 0}}, Offer{"tetrahedron", "corner P₃", {0, 0, 4}},
+                    Offer{"prism", "corner P₂", {0, 3, 0}}, Offer{"prism", "corner P₀", {0, 0, 0}},
                     Offer{"prism", "edge P₀P₁", {1, 0, 0}}, Offer{"prism", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₀P₂", {0, 1, 0}},
-                    Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "vertex P₀", {1, 2, 3}},
+                    Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "corner P₀", {1, 2, 3}},
                     Offer{"sphere", "centre c", {1, 2, 3}}));
 
 TEST(Offers, OfAnEdge_EndWithItsEnds) {
@@ -83,7 +83,7 @@ TEST(Offers, OfWhatHasNoExtent_LeaveOutWhatItHasNot) {
     return found;
   };
   using Names = std::vector<std::string>;
-  EXPECT_EQ(names("{name: K, segment: {A: [1, 2, 3], B: [1, 2, 3]}}"), (Names{"vertex A", "vertex B"}));
+  EXPECT_EQ(names("{name: K, segment: {A: [1, 2, 3], B: [1, 2, 3]}}"), (Names{"corner A", "corner B"}));
   EXPECT_EQ(names("{name: K, line: {A: [1, 2, 3], v: [0, 0, 0]}}"), Names{"point A"});
   EXPECT_EQ(names("{name: K, plane: {P0: [1, 2, 3], n: [0, 0, 0]}}"), Names());
   const auto flat = names("{name: K, triangle: {P0: [0, 0, 0], P1: [1, 0, 0], P2: [2, 0, 0]}}");

@@ -140,7 +140,7 @@ using Names = std::multiset<std::string>;
 TEST(SnapTargets, OfAPoint_AreThePlacesOfAllOtherObjects) {
   const Scene scene{{planeE(), pointQ(), triangleT(), {"R", PointObject{{1, 1, 1}}}}};
   const Names ofQ = targetsOf(scene, "Q");
-  for (const char *name : {"plane E", "point R", "vertex P₁", "vertex P₂", "edge P₁P₂"})
+  for (const char *name : {"plane E", "point R", "corner P₁", "corner P₂", "edge P₁P₂"})
     EXPECT_EQ(ofQ.count(name), 1U) << name;
   EXPECT_EQ(ofQ.count("point Q"), 0U) << "a point does not catch at itself";
   EXPECT_EQ(targetsOf(scene, "R").count("point Q"), 1U);

@@ -76,7 +76,7 @@ TEST(SnapPosition, NearAVertexInTheSamePlaneOfMotion_CatchesThere) {
       with({{"Q", PointObject{{0, 0, 4}}}, {"T", TriangleObject{{9, 9, 0}, {q(3, 2), 9, 4}, {5, 2, 9}}}});
   const SnappedPlace place = Drag({scene, "Q"}).horizontally(1.55, 9.03);
   EXPECT_EQ(place.at, ExactVec3(q(3, 2), 9, 4));
-  EXPECT_EQ(place.caughtBy, "vertex P₁");
+  EXPECT_EQ(place.caughtBy, "corner P₁");
 }
 
 TEST(SnapPosition, AVertexAtAnotherHeight_DoesNotCatch) {
@@ -174,7 +174,7 @@ TEST(SnapDirection, TowardsAVertex_GoesExactlyThroughIt) {
       with({{"L", RayObject{{0, 0, 0}, {1, 1, 1}}}, {"T", TriangleObject{{3, 5, 4}, {9, 9, 9}, {0, 9, 0}}}});
   const SnappedPlace place = Drag({scene, "L.r"}).horizontally(0.77, 1.24);
   EXPECT_EQ(place.at, ExactVec3(q(3, 4), q(5, 4), 1));
-  EXPECT_EQ(place.caughtBy, "through vertex P₀");
+  EXPECT_EQ(place.caughtBy, "through corner P₀");
 }
 
 TEST(SnapDirection, TowardsAnEdge_CrossesItBetweenItsEnds) {
@@ -247,7 +247,7 @@ TEST(SnapStart, OfARay_CatchesWhereTheRayGoesThroughAnEdgeOrAVertex) {
   EXPECT_EQ(Drag({scene, "L.Q"}).horizontally(5.03, 2.52).caughtBy, "") << "behind the edge's end";
   const SnappedPlace vertex = Drag({scene, "L.Q"}).horizontally(0.05, 8.96);
   EXPECT_EQ(vertex.at, ExactVec3(0, 9, 2));
-  EXPECT_EQ(vertex.caughtBy, "through vertex P₂");
+  EXPECT_EQ(vertex.caughtBy, "through corner P₂");
 }
 
 TEST(SnapDirection, WhoseTipNearsAPlane_EndsExactlyOnIt) {

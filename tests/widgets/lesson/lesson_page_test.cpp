@@ -172,16 +172,32 @@ private slots:
     QVERIFY(!shown.words("More words"));
   }
 
+  void note_opened_isScrolledTo_andBreaksNoLineAnew() {
+    const std::string many =
+        "Some words and some more of them, so that there are several lines of these words.";
+    ShownPage shown(lessonOf({{"All", {StepWords{many}, StepNote{"A note", {many + "\n\n" + many}}}}}), 0,
+                    smallPage);
+    NoteFold *note = shown.shown<NoteFold>().first();
+    const auto *words = shown.words("Some words");
+    const int width = words->width();
+    note->findChild<QToolButton *>()->click();
+    QCoreApplication::processEvents();
+    QVERIFY(shown.page.findChild<QScrollArea *>()->verticalScrollBar()->maximum() > 0);
+    QCOMPARE(words->width(), width);
+    const int top = shown.topOf(note);
+    QVERIFY2(top >= 0 && top < smallPage.height() / 2, qPrintable(QString::number(top)));
+  }
+
   void doneTasks_areTold() {
     ShownPage shown(someLesson(), 1);
-    shown.page.setTasksDone({false, true});
+    shown.page.setTaskStates({TaskState::Open, TaskState::Done});
     const auto rows = shown.shown<TaskRow>();
     QCOMPARE(rows.size(), 2);
-    QVERIFY(!rows[0]->isDone());
-    QVERIFY(rows[1]->isDone());
-    shown.page.setTasksDone({true}); // of the second nothing is known
-    QVERIFY(rows[0]->isDone());
-    QVERIFY(!rows[1]->isDone());
+    QCOMPARE(rows[0]->state(), TaskState::Open);
+    QCOMPARE(rows[1]->state(), TaskState::Done);
+    shown.page.setTaskStates({TaskState::Done}); // of the second nothing is known
+    QCOMPARE(rows[0]->state(), TaskState::Done);
+    QCOMPARE(rows[1]->state(), TaskState::Open);
   }
 
   void macros_ofTheLesson_areKnownInAllItsWords() {
@@ -226,12 +242,12 @@ private slots:
     QCOMPARE(choices.size(), 2);
     QTest::mouseClick(choices[1], Qt::LeftButton);
     QCOMPARE(chosen.takeFirst().at(0).toString(), QString("negative"));
-    shown.page.setPredictionAnswer("negative", "positive");
+    shown.page.setAnswer(GivenAnswer{"negative", "positive"});
     QCOMPARE(choices[0]->verdict(), Verdict::Right);
     QCOMPARE(choices[1]->verdict(), Verdict::Wrong);
     QTest::mouseClick(choices[0], Qt::LeftButton); // answered once
     QVERIFY(chosen.isEmpty());
-    shown.page.setPredictionAnswer({}, "positive"); // asked again: nothing is given away
+    shown.page.setAnswer({}); // asked again: nothing is given away
     QCOMPARE(choices[0]->verdict(), Verdict::Open);
     QVERIFY(choices[0]->isEnabled());
   }
@@ -241,18 +257,19 @@ private slots:
     QSignalSpy reopened(&shown.page, &LessonPage::predictionReopened);
     QToolButton *again = shown.page.findChild<QToolButton *>("again");
     QVERIFY(!again->isVisible());
-    shown.page.setPredictionAnswer("negative", "positive");
+    shown.page.setAnswer(GivenAnswer{"negative", "positive"});
     QVERIFY(again->isVisible());
     QTest::mouseClick(again, Qt::LeftButton);
     QCOMPARE(reopened.count(), 1);
-    shown.page.setPredictionAnswer({}, "positive");
+    shown.page.setAnswer({});
     QVERIFY(!again->isVisible());
   }
 
   void reasonOfAnAnswer_isScrolledTo() {
     ShownPage shown(someLesson(), 2, smallPage);
-    connect(&shown.page, &LessonPage::predictionChosen, &shown.page,
-            [&](const QString &word) { shown.page.setPredictionAnswer(word.toStdString(), "positive"); });
+    connect(&shown.page, &LessonPage::predictionChosen, &shown.page, [&](const QString &word) {
+      shown.page.setAnswer(GivenAnswer{word.toStdString(), "positive"});
+    });
     QTest::mouseClick(shown.shown<ChoiceButton>()[1], Qt::LeftButton);
     const RichLabel *reason = shown.page.findChild<PredictionBox *>()->reason();
     QCOMPARE(reason->visibleRegion().boundingRect(), reason->rect());
@@ -316,8 +333,9 @@ private slots:
     layout->addWidget(&shown.page);
     layout->addWidget(number);
     window.show();
-    connect(&shown.page, &LessonPage::predictionChosen, &shown.page,
-            [&](const QString &word) { shown.page.setPredictionAnswer(word.toStdString(), "positive"); });
+    connect(&shown.page, &LessonPage::predictionChosen, &shown.page, [&](const QString &word) {
+      shown.page.setAnswer(GivenAnswer{word.toStdString(), "positive"});
+    });
     ChoiceButton *choice = shown.shown<ChoiceButton>().last();
     choice->setFocus();
     QTest::mouseClick(choice, Qt::LeftButton);
@@ -337,8 +355,8 @@ private slots:
     shown.page.setLesson({});
     QVERIFY(!shown.button("Back")->isEnabled() && !shown.next()->isEnabled());
     QVERIFY(shown.shown<TaskRow>().isEmpty());
-    shown.page.setTasksDone({true});
-    shown.page.setPredictionAnswer("negative", "positive");
+    shown.page.setTaskStates({TaskState::Done});
+    shown.page.setAnswer(GivenAnswer{"negative", "positive"});
     shown.setWorking(test::tracedWorking(), {3});
     QCOMPARE(shown.practice.working().blocks().size(), std::size_t(1));
     QCOMPARE(shown.practice.working().blocks()[0]->placed().lines.size(), std::size_t(3));

@@ -67,7 +67,7 @@ private slots:
 
   void answer_givenRight_isMarkedAloneAndExplained() {
     ShownBox shown;
-    shown.box.setAnswer("negative", "negative");
+    shown.box.setAnswer(GivenAnswer{"negative", "negative"});
     QVERIFY((shown.verdicts() == std::vector{Open, Right, Open}));
     QCOMPARE(shown.reason(), QString("Right. The sign of f(Q) tells."));
     QCOMPARE(shown.box.choices()[1]->accessibleDescription(), QString("Right"));
@@ -75,15 +75,23 @@ private slots:
 
   void answer_givenWrong_isMarkedBesideTheRightOne() {
     ShownBox shown;
-    shown.box.setAnswer("on", "positive");
+    shown.box.setAnswer(GivenAnswer{"on", "positive"});
     QVERIFY((shown.verdicts() == std::vector{Right, Open, Wrong}));
     QVERIFY2(shown.reason().startsWith("Not quite."), qPrintable(shown.reason()));
     QCOMPARE(shown.box.choices()[2]->accessibleDescription(), QString("Wrong"));
   }
 
+  void answer_toAnotherScene_keepsItsVerdictButNotTheReason() {
+    ShownBox shown;
+    shown.box.setAnswer(GivenAnswer{"negative", "negative", false});
+    QVERIFY((shown.verdicts() == std::vector{Open, Right, Open}));
+    QVERIFY2(shown.reason().startsWith("Right. So it was"), qPrintable(shown.reason()));
+    QVERIFY(!shown.reason().contains("The sign of f(Q) tells."));
+  }
+
   void answer_whereNoneIsRight_isExplainedWithoutAVerdict() {
     ShownBox shown;
-    shown.box.setAnswer("on", "");
+    shown.box.setAnswer(GivenAnswer{"on", ""});
     QVERIFY((shown.verdicts() == std::vector{Open, Open, Open}));
     QCOMPARE(shown.reason(), QString("The sign of f(Q) tells."));
   }
@@ -92,10 +100,10 @@ private slots:
     ShownBox shown;
     QVERIFY(shown.ready);
     QCOMPARE(shown.reason(), QString());
-    shown.box.setAnswer("on", "positive");
+    shown.box.setAnswer(GivenAnswer{"on", "positive"});
     QTest::mouseClick(shown.box.choices()[1], Qt::LeftButton);
     QVERIFY(shown.chosen.isEmpty());
-    shown.box.setAnswer({}, "positive");
+    shown.box.setAnswer({});
     QCOMPARE(shown.reason(), QString());
     QVERIFY((shown.verdicts() == std::vector{Open, Open, Open}));
     QCOMPARE(shown.box.choices()[2]->accessibleDescription(), QString());
@@ -124,7 +132,7 @@ private slots:
       return false;
     };
     QVERIFY(!paints());
-    shown.box.setAnswer("on", "positive");
+    shown.box.setAnswer(GivenAnswer{"on", "positive"});
     QVERIFY(paints());
   }
 };

@@ -2,6 +2,7 @@
 #include "widgets/lesson/task_row.h"
 
 #include "widgets/colors.h"
+#include "widgets/verdict.h"
 
 #include <QPainter>
 #include <QPixmap>
@@ -58,11 +59,23 @@ private slots:
     row.resize(300, 40);
     QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
-    row.setDone(true);
+    row.setState(TaskState::Done);
     QCOMPARE(row.accessibleName(), QString("Done: Make f(Q) = 0."));
     QVERIFY(pixelsOf(row.grab().toImage(), rightInk()) > 40);
-    row.setDone(false); // the scene was moved on
+    row.setState(TaskState::Open); // the scene was moved on
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
+  }
+
+  void row_ofATaskThatHoldsAlready_saysSoInALineOfItsOwn() {
+    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    const int alone = row.heightForWidth(400);
+    row.setState(TaskState::HoldsAlready);
+    QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
+    QVERIFY(row.accessibleDescription().contains("already"));
+    QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
+    row.setState(TaskState::Done);
+    QCOMPARE(row.heightForWidth(400), alone);
+    QCOMPARE(row.accessibleDescription(), QString());
   }
 
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
@@ -72,7 +85,7 @@ private slots:
       large.textScale = textScale;
       row.setTheme(large);
       row.resize(400, 60);
-      row.setDone(true);
+      row.setState(TaskState::Done);
       row.grab(); // lays it out
       const QImage image = row.grab().toImage();
       const auto *words = row.findChild<RichLabel *>();

@@ -35,7 +35,7 @@ struct ShownInspector {
     ready = QTest::qWaitForWindowActive(&inspector);
   }
 
-  NumberField &field(const std::string &name, int axis) { return *inspector.field(name, axis); }
+  NumberField &field(const std::string &name, int axis) { return *inspector.given().field(name, axis); }
   void type(NumberField &into, const QString &text) {
     into.setFocus();
     into.selectAll();
@@ -103,7 +103,7 @@ private slots:
     QCOMPARE(shown.field("S.R", 0).text(), QString("3"));
     QCOMPARE(shown.field("S.R", 0).accessibleName(), QString("S.R"));
     QCOMPARE(shown.field("S.c", 2).accessibleName(), QString("S.c z"));
-    QVERIFY(!shown.inspector.field("S.n", 0));
+    QVERIFY(!shown.inspector.given().field("S.n", 0));
   }
 
   void number_typed_changesTheSessionOnce_andItsResults() {
@@ -172,7 +172,7 @@ private slots:
   void rows_whenAnObjectOfAnotherKindTakesTheName_areMadeAnew() {
     ShownInspector shown(sphereScene());
     QVERIFY(shown.model.edit(RemoveEntry{"S"}, "remove").isEmpty());
-    QVERIFY(!shown.inspector.field("S.R", 0));
+    QVERIFY(!shown.inspector.given().field("S.R", 0));
     QVERIFY(shown.model.edit(AddEntry{0, {"S", PlaneObject{{1, 2, 3}, {0, 0, 1}}}}, "add").isEmpty());
     QCOMPARE(shown.field("S.P0", 1).text(), QString("2"));
     shown.model.undo();
@@ -182,8 +182,8 @@ private slots:
 
   void rows_ofVeryManyObjects_endWithTheNumberOfTheOthers() {
     ShownInspector shown(manyPoints(63));
-    QVERIFY(shown.inspector.field("A59", 0));
-    QVERIFY(!shown.inspector.field("A60", 0));
+    QVERIFY(shown.inspector.given().field("A59", 0));
+    QVERIFY(!shown.inspector.given().field("A60", 0));
     QCOMPARE(shown.headings().filter("3 more").size(), 1);
     QVERIFY(ShownInspector(manyPoints(60)).headings().filter("more").isEmpty());
   }
@@ -203,12 +203,12 @@ private slots:
     QVERIFY(shown.ready);
     shown.type(shown.field("E.P0", 0), "six");
     shown.type(shown.field("Q", 2), "9");
-    const QString why = shown.inspector.enterTyped();
+    const QString why = shown.inspector.given().enterTyped();
     QVERIFY2(why.contains("six"), qPrintable(why));
     QVERIFY(shown.value("Q") == ExactVec3(11, 15, 9));
-    shown.inspector.dropTyped();
+    shown.inspector.given().dropTyped();
     QCOMPARE(shown.field("E.P0", 0).text(), QString("5"));
-    QCOMPARE(shown.inspector.enterTyped(), QString());
+    QCOMPARE(shown.inspector.given().enterTyped(), QString());
   }
 
   void arrowKey_inAPosition_movesByTheSnappingStep() {

@@ -40,7 +40,7 @@ struct ShownCard {
     return names;
   }
   void type(const std::string &name, int axis, const QString &text) {
-    NumberField *field = card.field(name, axis);
+    NumberField *field = card.given().field(name, axis);
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, text);
@@ -75,9 +75,9 @@ private slots:
     QVERIFY(!shown.card.property("framed").toBool());
     shown.card.setSelection(q0);
     QCOMPARE(shown.fields(), (QStringList{"Q x", "Q y", "Q z"}));
-    QCOMPARE(shown.card.field("Q", 1)->text(), QString("15"));
+    QCOMPARE(shown.card.given().field("Q", 1)->text(), QString("15"));
     QVERIFY(shown.card.property("framed").toBool());
-    QVERIFY(!shown.card.field("E.n", 0));
+    QVERIFY(!shown.card.given().field("E.n", 0));
     shown.card.setSelection(CoordinateId{"E", 0});
     QCOMPARE(shown.fields(), (QStringList{"E.P0 x", "E.P0 y", "E.P0 z", "E.n x", "E.n y", "E.n z"}));
     shown.card.setSelection({});
@@ -88,10 +88,10 @@ private slots:
     ShownCard shown({{{"A", polygonOf({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}})}, triangleT()}});
     shown.card.setSelection(CoordinateId{"A", 2});
     QCOMPARE(shown.fields(), (QStringList{"A.P2 x", "A.P2 y", "A.P2 z"}));
-    QCOMPARE(shown.card.field("A.P2", 1)->text(), QString("6"));
+    QCOMPARE(shown.card.given().field("A.P2", 1)->text(), QString("6"));
     shown.card.setSelection(CoordinateId{"A", 3});
     QCOMPARE(shown.fields().size(), 3);
-    QVERIFY(shown.card.field("A.P3", 0));
+    QVERIFY(shown.card.given().field("A.P3", 0));
     shown.card.setSelection(CoordinateId{"T", 1});
     QCOMPARE(shown.fields().size(), 9);
   }
@@ -101,20 +101,20 @@ private slots:
     QVERIFY(shown.ready);
     shown.card.setSelection(q0);
     shown.type("Q", 0, "-10/3");
-    QTest::keyClick(shown.card.field("Q", 0), Qt::Key_Return);
+    QTest::keyClick(shown.card.given().field("Q", 0), Qt::Key_Return);
     QVERIFY(shown.value("Q") == ExactVec3(q(-10, 3), 15, 8));
     QCOMPARE(shown.model.history().count(), 1);
     shown.model.undo();
-    QCOMPARE(shown.card.field("Q", 0)->text(), QString("11"));
+    QCOMPARE(shown.card.given().field("Q", 0)->text(), QString("11"));
   }
 
   void arrowKeyAndScrub_stepTheNumber() {
     ShownCard shown;
     QVERIFY(shown.ready);
     shown.card.setSelection(q0);
-    QTest::keyClick(shown.card.field("Q", 2), Qt::Key_Up);
+    QTest::keyClick(shown.card.given().field("Q", 2), Qt::Key_Up);
     QVERIFY(shown.value("Q").z == 9);
-    dragPointer(*shown.card.field("Q", 0), {20, 8}, {44, 8});
+    dragPointer(*shown.card.given().field("Q", 0), {20, 8}, {44, 8});
     QVERIFY(shown.value("Q").x == 14);
     QCOMPARE(shown.model.history().count(), 2);
   }
@@ -125,10 +125,10 @@ private slots:
     shown.card.setSelection(q0);
     QCOMPARE(shown.said("complaint"), QString());
     shown.type("Q", 1, "seven");
-    QTest::keyClick(shown.card.field("Q", 1), Qt::Key_Return);
+    QTest::keyClick(shown.card.given().field("Q", 1), Qt::Key_Return);
     QVERIFY2(shown.said("complaint").contains("seven"), qPrintable(shown.said("complaint")));
     shown.type("Q", 1, "7");
-    QTest::keyClick(shown.card.field("Q", 1), Qt::Key_Return);
+    QTest::keyClick(shown.card.given().field("Q", 1), Qt::Key_Return);
     QCOMPARE(shown.said("complaint"), QString());
   }
 
@@ -138,12 +138,12 @@ private slots:
     shown.card.setSelection(q0);
     shown.type("Q", 0, "six");
     shown.type("Q", 2, "9");
-    const QString why = shown.card.enterTyped();
+    const QString why = shown.card.given().enterTyped();
     QVERIFY2(why.contains("six"), qPrintable(why));
     QVERIFY(shown.value("Q") == ExactVec3(11, 15, 9));
-    shown.card.dropTyped();
-    QCOMPARE(shown.card.field("Q", 0)->text(), QString("11"));
-    QCOMPARE(shown.card.enterTyped(), QString());
+    shown.card.given().dropTyped();
+    QCOMPARE(shown.card.given().field("Q", 0)->text(), QString("11"));
+    QCOMPARE(shown.card.given().enterTyped(), QString());
   }
 
   void objectThatGoes_takesItsNumbersAlong_andBringsThemBack() {
@@ -158,20 +158,22 @@ private slots:
   void numbersThatAreDragged_keepTheirFields() {
     ShownCard shown;
     shown.card.setSelection(q0);
-    const NumberField *field = shown.card.field("Q", 0);
+    const NumberField *field = shown.card.given().field("Q", 0);
     QVERIFY(shown.model.edit(ChangeObject{"Q", PointObject{{q(1, 3), 0, 0}}}, "drag").isEmpty());
-    QCOMPARE(shown.card.field("Q", 0), field);
+    QCOMPARE(shown.card.given().field("Q", 0), field);
     QCOMPARE(field->text(), QString("1/3"));
   }
 
   void hint_isCutShortWhereThereIsNoRoom_andWholeAgainWhereThereIs() {
     ShownCard shown;
-    const QString hint = "Drag to move in x and y; click once more for z. Escape takes it back.";
+    const QString hint = "Moves in x and y. Click it once more for z. Escape takes it back.";
     shown.card.setHint(hint);
     const int whole = shown.card.sizeHint().width();
-    shown.card.resize(whole / 2, shown.card.height());
+    shown.card.resize(whole * 2 / 3, shown.card.height());
+    QCOMPARE(shown.said("hint"), QString("Moves in x and y."));
+    shown.card.resize(whole / 8, shown.card.height());
     QVERIFY2(shown.said("hint").endsWith(QChar(0x2026)), qPrintable(shown.said("hint")));
-    QCOMPARE(shown.card.sizeHint().width(), whole); // it takes the room where it gets it
+    QVERIFY(shown.card.sizeHint().width() >= whole - 1); // it takes the room where it gets it
     shown.card.resize(whole, shown.card.height());
     QCOMPARE(shown.said("hint"), hint);
     shown.card.setHint({});
@@ -181,13 +183,13 @@ private slots:
   void largerType_makesWiderFields() {
     ShownCard shown;
     shown.card.setSelection(q0);
-    const int usual = shown.card.field("Q", 0)->width();
+    const int usual = shown.card.given().field("Q", 0)->width();
     const QFont before = QApplication::font();
     QFont large = before;
     large.setPixelSize(2 * QFontInfo(before).pixelSize());
     QApplication::setFont(large);
     shown.card.setTheme(themes().front());
-    QVERIFY(shown.card.field("Q", 0)->width() > 1.5 * usual);
+    QVERIFY(shown.card.given().field("Q", 0)->width() > 1.5 * usual);
     QApplication::setFont(before);
   }
 };

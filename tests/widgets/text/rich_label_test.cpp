@@ -39,6 +39,8 @@ private slots:
     QTest::newRow("one line") << "one line" << 300;
     QTest::newRow("many lines") << manyWords << 200;
     QTest::newRow("list") << "- a\n- b\n- g" << 200;
+    QTest::newRow("formula alone") << "$(0, -1, 1)$" << 200;
+    QTest::newRow("formula alone in the last line") << "a\n\n$\\lvert\\vec v\\rvert = 1$." << 200;
     QTest::newRow("tall formula last") << "a\n\n$$\\frac{1}{\\frac{2}{3}}$$" << 200;
   }
   void labelAsTallAsItAsks_showsAllItsLines() {

@@ -1,5 +1,6 @@
 // Markdown with formulas as documents.
 #include "widgets/text/rich_label.h"
+#include "widgets/text/unbroken.h"
 
 #include <QHelpEvent>
 #include <QImage>
@@ -118,7 +119,7 @@ private slots:
     QStringList looks;
     for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next()) {
       const QTextBlockFormat format = block.blockFormat();
-      looks << QStringList{block.text().replace(QChar::ObjectReplacementCharacter, '$'),
+      looks << QStringList{breakable(block.text()).replace(QChar::ObjectReplacementCharacter, '$'),
                            block.textList() ? block.textList()->itemText(block) +
                                                   QString::number(block.textList()->format().indent())
                                             : QString(),

@@ -35,6 +35,7 @@ private slots:
     shown.line.complain("It cannot be kept.", "The disk is full <now>.");
     shown.line.say("Text at 125 %.");
     QCOMPARE(shown.said("message"), QString("Text at 125 %."));
+    QCOMPARE(shown.said("case"), QString());
     QTRY_COMPARE(shown.said("message"), QString());
     QCOMPARE(shown.said("complaint"), QString("It cannot be kept."));
     QCOMPARE(shown.line.findChild<QLabel *>("complaint")->toolTip(),
@@ -42,6 +43,40 @@ private slots:
     QCOMPARE(shown.said("case"), QString("The plane is behind."));
     shown.line.complain({});
     QCOMPARE(shown.said("complaint"), QString());
+  }
+
+  void message_ofAsManyWordsAsTheCase_leavesTheLineItsHeight() {
+    ShownLine shown;
+    const auto height = [&] { return shown.line.heightForWidth(600); };
+    const QString words = QString("some words ").repeated(6);
+    QVERIFY(QFontMetrics(shown.line.font()).horizontalAdvance(words) > 300); // more than half of the line
+    shown.line.setCase(words, false);
+    const int usual = height();
+    shown.line.say(words);
+    QCOMPARE(height(), usual);
+  }
+
+  void line_hasRoomForALongCaseFromTheStart() {
+    ShownLine shown;
+    for (const int width : {400, 900}) {
+      shown.line.resize(width, 40);
+      QCoreApplication::processEvents();
+      const auto height = [&] { return shown.line.heightForWidth(width); };
+      shown.line.setCase("t = 3.", false);
+      const int usual = height();
+      shown.line.setCase("t = −10/3 is negative: the plane is behind the ray's start, so it does not hit it.",
+                         false);
+      QCOMPARE(height(), usual);
+    }
+  }
+
+  void message_goesWhenSomethingIsDragged() {
+    ShownLine shown;
+    shown.line.setCase("3", false);
+    shown.line.say("Saved.");
+    shown.line.setHeld(true);
+    QCOMPARE(shown.said("message"), QString());
+    QCOMPARE(shown.said("case"), QString("3"));
   }
 
   void message_saidAnew_hasItsWholeTimeAgain() {

@@ -116,6 +116,18 @@ private slots:
     fixture.release(fixture.at("Q"));
   }
 
+  void click_besideTheHandles_dismissesTheSelection_butTurningTheViewDoesNot() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.selectHandle("Q");
+    const QPoint beside(5, 5);
+    fixture.dragBeside({40, 10});
+    QCOMPARE(fixture.view.selectedHandle(), std::string("Q"));
+    fixture.press(beside);
+    fixture.release(beside);
+    QCOMPARE(fixture.view.selectedHandle(), std::string());
+  }
+
   void tab_behindTheLastHandle_leavesTheView() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);

@@ -56,6 +56,10 @@ private:
     return placeWorking(lines, remarks, m_sentences, usualFont(), width);
   }
 
+  PlacedWorking placeHeld(const std::vector<TypesetLine> &lines, const PlacedLine &stood, double width) {
+    return placeWorking(lines, {}, m_sentences, usualFont(), width, {{lines[0].source.id, stood}});
+  }
+
 private slots:
   void linesFollowEachOtherWithoutAGap_asTallAsTheWorking() {
     const PlacedWorking placed = place({line("a", {"x", "=1"}, "One."), line("b", {"\\frac{x}{y}"}),
@@ -217,16 +221,59 @@ private slots:
     QVERIFY(placed.lines[2].heading[0].baseline.y() < placed.lines[2].formulas[0].box().top());
   }
 
-  void line_thatIsToHaveAHeight_hasItAtLeast() {
+  void heldLine_keepsItsHeight() {
     const std::vector<TypesetLine> lines{line("a", {"x"}), line("b", {"y"})};
-    const double natural = place(lines).lines[0].box.height();
-    const auto heldTo = [&](double least) {
-      return placeWorking(lines, {}, m_sentences, usualFont(), wide, {{"a", least}});
-    };
-    QCOMPARE(heldTo(natural + 30).lines[0].box.height(), natural + 30);
-    QCOMPARE(heldTo(natural + 30).lines[1].box.top(), natural + 30);
-    QCOMPARE(heldTo(natural + 30).lines[0].formulas[0].box(), place(lines).lines[0].formulas[0].box());
-    QCOMPARE(heldTo(natural - 3).lines[0].box.height(), natural);
+    PlacedLine stood = place(lines).lines[0];
+    const double natural = stood.box.height();
+    stood.box.setHeight(natural + 30);
+    const PlacedWorking held = placeHeld(lines, stood, wide);
+    QCOMPARE(held.lines[0].box.height(), natural + 30);
+    QCOMPARE(held.lines[1].box.top(), natural + 30);
+    QCOMPARE(held.lines[0].formulas[0].box(), place(lines).lines[0].formulas[0].box());
+    stood.box.setHeight(natural - 3);
+    QCOMPARE(placeHeld(lines, stood, wide).lines[0].box.height(), natural);
+  }
+
+  void heldLine_whoseNumbersBecomeLonger_keepsItsRows_inTheMarginAndThenInSmallerType() {
+    const std::vector<TypesetLine> before{line("a", {"f = aaaaaaaa", "= bbbbbbbb"})};
+    const double width = right(place(before).lines[0]) + em(); // with the usual margin
+    const PlacedLine stood = place(before, width).lines[0];
+    QVERIFY(!stood.formulas[1].beginsRow);
+
+    const std::vector<TypesetLine> longer{line("a", {"f = aaaaaaaa", "= bbbbbbbbb"})};
+    QVERIFY(place(longer, width).lines[0].formulas[1].beginsRow);
+    const PlacedLine inMargin = placeHeld(longer, stood, width).lines[0];
+    QVERIFY(!inMargin.formulas[1].beginsRow);
+    QCOMPARE(inMargin.formulas[0].emPixels, em());
+    QCOMPARE(inMargin.box, stood.box);
+
+    const std::vector<TypesetLine> muchLonger{line("a", {"f = aaaaaaaa", "= bbbbbbbbbbbb"})};
+    const PlacedLine smaller = placeHeld(muchLonger, stood, width).lines[0];
+    QVERIFY(!smaller.formulas[1].beginsRow);
+    QVERIFY(smaller.formulas[0].emPixels < em());
+    QVERIFY(right(smaller) <= width);
+    QCOMPARE(smaller.box, stood.box);
+  }
+
+  void heldLine_thatWouldBeTooSmallToRead_isLaidOutAnew() {
+    const std::vector<TypesetLine> before{line("a", {"f = aaaa", "= bbbb"})};
+    const double width = right(place(before).lines[0]) + em();
+    const PlacedLine stood = place(before, width).lines[0];
+    const std::vector<TypesetLine> tooLong{line("a", {"f = aaaaaaa", "= bbbbbbbb"})};
+    const PlacedLine anew = placeHeld(tooLong, stood, width).lines[0];
+    QVERIFY(anew.formulas[1].beginsRow);
+    QCOMPARE(anew.formulas[1].emPixels, place(tooLong, width).lines[0].formulas[1].emPixels);
+    QVERIFY(anew.box.height() > stood.box.height());
+  }
+
+  void heldLine_whoseNumbersBecomeShorter_keepsItsRows() {
+    const std::vector<TypesetLine> before{line("a", {"f = aaaaaaaa", "= bbbbbbbb"})};
+    const double width = right(place(before).lines[0]) - em();
+    const PlacedLine stood = place(before, width).lines[0];
+    QVERIFY(stood.formulas[1].beginsRow);
+    const std::vector<TypesetLine> shorter{line("a", {"f = a", "= b"})};
+    QVERIFY(placeHeld(shorter, stood, width).lines[0].formulas[1].beginsRow);
+    QVERIFY(!place(shorter, width).lines[0].formulas[1].beginsRow);
   }
 
   void narrowestWidth_isWhereTheSmallestFormulaStillFits() {

@@ -1,5 +1,5 @@
 // One number of a coordinate, typed, stepped and scrubbed into a session.
-#include "widgets/working/coordinate_editor.h"
+#include "widgets/numbers/coordinate_editor.h"
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/number.h"

@@ -1,4 +1,4 @@
-#include "app/lesson_progress.h"
+#include "app/progress_file.h"
 
 #include "app/folders.h"
 #include "lessons/files/read_file.h"
@@ -9,8 +9,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
-
-#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -42,56 +40,7 @@ StepProgress stepFrom(const QJsonObject &json) {
 
 constexpr std::size_t maxProgressBytes = 1U << 20U;
 
-bool isDone(const LessonStep &step, const StepProgress &progress) {
-  const std::vector<bool> &tasks = progress.tasks.done();
-  const std::size_t count = tasksOf(step).size();
-  return (!predictionOf(step) || progress.chosen) && tasks.size() >= count &&
-         std::all_of(tasks.begin(), tasks.begin() + static_cast<std::ptrdiff_t>(count),
-                     [](bool done) { return done; });
-}
-
-bool asks(const LessonStep &step) { return predictionOf(step) || !tasksOf(step).empty(); }
-
-bool isBegun(const StepProgress &progress) {
-  const std::vector<bool> &tasks = progress.tasks.done();
-  return progress.chosen || std::find(tasks.begin(), tasks.end(), true) != tasks.end();
-}
-
-TaskProgress merged(const TaskProgress &first, const TaskProgress &second) {
-  std::vector<bool> done(std::max(first.done().size(), second.done().size()));
-  for (const TaskProgress *each : {&first, &second})
-    for (std::size_t i = 0; i < each->done().size(); ++i)
-      done[i] = done[i] || each->done()[i];
-  return TaskProgress(std::move(done));
-}
-
 } // namespace
-
-LessonState stateOf(const Lesson &lesson, const LessonProgress &progress) {
-  bool begun = false;
-  bool all = true;
-  bool any = false;
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    const auto found = progress.find({lesson.id, static_cast<int>(i)});
-    const StepProgress step = found == progress.end() ? StepProgress() : found->second;
-    begun = begun || isBegun(step);
-    any = any || asks(lesson.steps[i]);
-    all = all && (!asks(lesson.steps[i]) || isDone(lesson.steps[i], step));
-  }
-  return any && all ? LessonState::Done : begun ? LessonState::Begun : LessonState::New;
-}
-
-LessonProgress merged(LessonProgress first, const LessonProgress &second) {
-  for (const auto &[place, step] : second) {
-    StepProgress &both = first[place];
-    if (!both.chosen) {
-      both.chosen = step.chosen;
-      both.right = step.right;
-    }
-    both.tasks = merged(both.tasks, step.tasks);
-  }
-  return first;
-}
 
 QString progressFile() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);

@@ -8,9 +8,6 @@
 #include <string>
 #include <utility>
 
-class QJsonArray;
-class QString;
-
 namespace halfspace {
 
 struct StepProgress {
@@ -23,22 +20,22 @@ struct StepProgress {
 /// By lesson and step.
 using LessonProgress = std::map<std::pair<std::string, int>, StepProgress>;
 
-/// A lesson is done when all its tasks are and all its questions are answered.
+/// How far a learner has come with a lesson. It is done when all its tasks are and all its questions are
+/// answered.
+enum class LessonState { New, Begun, Done };
 [[nodiscard]] LessonState stateOf(const Lesson &lesson, const LessonProgress &progress);
 
 /// What has been done according to one or the other; where both have an answer, the first's. So a question
 /// that was tried again and left open counts as answered, as it was.
 [[nodiscard]] LessonProgress merged(LessonProgress first, const LessonProgress &second);
 
-[[nodiscard]] QJsonArray toJson(const LessonProgress &progress);
-/// What toJson wrote; whatever is not of that form is passed over.
-[[nodiscard]] LessonProgress progressFrom(const QJsonArray &json);
+/// The word of the choice that fits what a scene comes to; empty where none does.
+[[nodiscard]] std::string choiceFor(const Prediction &prediction, const Evaluation &evaluation);
 
-/// Where the progress stands between starts: a file of the user's data; empty where there is none.
-[[nodiscard]] QString progressFile();
-/// What the file tells; nothing where it is not there, or cannot be read.
-[[nodiscard]] LessonProgress readProgress(const QString &file);
-/// Adds what was done to what the file tells: another window may have written it.
-[[nodiscard]] std::optional<Problem> addProgress(const LessonProgress &progress, const QString &file);
+/// The word of the choice that is right for what the scene comes to. Where the learner has changed so much
+/// that no choice fits, the question is about the scene that the lesson begins with. Empty: none fits there
+/// either.
+[[nodiscard]] std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation,
+                                      const Lesson &lesson);
 
 } // namespace halfspace

@@ -1,4 +1,4 @@
-#include "widgets/working/coordinate_editor.h"
+#include "widgets/numbers/coordinate_editor.h"
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/number.h"

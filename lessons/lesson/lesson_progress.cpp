@@ -1,0 +1,72 @@
+#include "lessons/lesson/lesson_progress.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+bool isDone(const LessonStep &step, const StepProgress &progress) {
+  const std::vector<bool> &tasks = progress.tasks.done();
+  const std::size_t count = tasksOf(step).size();
+  return (!predictionOf(step) || progress.chosen) && tasks.size() >= count &&
+         std::all_of(tasks.begin(), tasks.begin() + static_cast<std::ptrdiff_t>(count),
+                     [](bool done) { return done; });
+}
+
+bool asks(const LessonStep &step) { return predictionOf(step) || !tasksOf(step).empty(); }
+
+bool isBegun(const StepProgress &progress) {
+  const std::vector<bool> &tasks = progress.tasks.done();
+  return progress.chosen || std::find(tasks.begin(), tasks.end(), true) != tasks.end();
+}
+
+TaskProgress merged(const TaskProgress &first, const TaskProgress &second) {
+  std::vector<bool> done(std::max(first.done().size(), second.done().size()));
+  for (const TaskProgress *each : {&first, &second})
+    for (std::size_t i = 0; i < each->done().size(); ++i)
+      done[i] = done[i] || each->done()[i];
+  return TaskProgress(std::move(done));
+}
+
+} // namespace
+
+LessonState stateOf(const Lesson &lesson, const LessonProgress &progress) {
+  bool begun = false;
+  bool all = true;
+  bool any = false;
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const auto found = progress.find({lesson.id, static_cast<int>(i)});
+    const StepProgress step = found == progress.end() ? StepProgress() : found->second;
+    begun = begun || isBegun(step);
+    any = any || asks(lesson.steps[i]);
+    all = all && (!asks(lesson.steps[i]) || isDone(lesson.steps[i], step));
+  }
+  return any && all ? LessonState::Done : begun ? LessonState::Begun : LessonState::New;
+}
+
+LessonProgress merged(LessonProgress first, const LessonProgress &second) {
+  for (const auto &[place, step] : second) {
+    StepProgress &both = first[place];
+    if (!both.chosen) {
+      both.chosen = step.chosen;
+      both.right = step.right;
+    }
+    both.tasks = merged(both.tasks, step.tasks);
+  }
+  return first;
+}
+
+std::string choiceFor(const Prediction &prediction, const Evaluation &evaluation) {
+  const auto fits = [&](const Prediction::Choice &choice) {
+    return holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation);
+  };
+  const auto choice = std::find_if(prediction.choices.begin(), prediction.choices.end(), fits);
+  return choice == prediction.choices.end() ? std::string() : choice->word;
+}
+
+std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation, const Lesson &lesson) {
+  const std::string now = choiceFor(prediction, evaluation);
+  return now.empty() ? choiceFor(prediction, evaluate(lesson.scene)) : now;
+}
+
+} // namespace halfspace
