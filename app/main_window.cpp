@@ -79,7 +79,8 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
     dropTyped(); // it was about the numbers that go
     if (predictionOf(m_model.step()))
-      reopenQuestion(); // so was the answer
+      reopenQuestion();        // so was the answer
+    progress().tasks.arrive(); // other numbers are no deed of the learner
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
   });
   connect(m_scene, &SceneView::hint, m_card, &NumberCard::setHint);
@@ -154,27 +155,34 @@ void MainWindow::showOutcome() {
 }
 
 void MainWindow::showStepWords() {
-  const Evaluation &evaluation = m_model.evaluation();
-  StepProgress &done = progress();
-  const LessonStep &step = m_model.step();
-  if (!m_model.inGesture()) // what is only passed in a drag is not done
-    done.tasks.observe(tasksOf(step), evaluation);
-  m_page->setTaskStates(done.tasks.states());
-  if (const Prediction *question = predictionOf(step); question && done.chosen)
-    m_page->setAnswer(GivenAnswer{*done.chosen, done.right, choiceFor(*question, evaluation) == done.right});
-  else
-    m_page->setAnswer({});
   const LiveValues shown = hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
   m_page->showWords([&](const std::string &markdown) {
-    return withLiveValues(markdown, m_model.session().scene, evaluation, shown);
+    return withLiveValues(markdown, m_model.session().scene, m_model.evaluation(), shown);
   });
+  if (!m_model.inGesture()) // what is only passed in a drag does not count
+    judgeStep();
+}
+
+void MainWindow::judgeStep() {
+  const LessonStep &step = m_model.step();
+  StepProgress &done = progress();
+  if (isPredicting()) { // whether a task holds would give the answer away
+    m_page->setAnswer({});
+    m_page->setTaskStates({});
+    return;
+  }
+  done.tasks.observe(tasksOf(step), m_model.evaluation());
+  m_page->setTaskStates(done.tasks.states());
+  if (const Prediction *question = predictionOf(step))
+    m_page->setAnswer(
+        GivenAnswer{*done.chosen, done.right, rightChoice(*question, m_model.evaluation()) == done.right});
 }
 
 void MainWindow::followGesture() {
   m_page->setHeld(m_model.inGesture());
   m_caseLine->setHeld(m_model.inGesture());
   if (!m_model.inGesture())
-    showStepWords();
+    judgeStep();
 }
 
 void MainWindow::showCase() {
@@ -191,7 +199,7 @@ void MainWindow::showCase() {
 void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
   progress().chosen = answer.toStdString();
-  progress().right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation(), m_model.lesson());
+  progress().right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation());
   keepUnsavedSoon();
   takeQuestion();
 }

@@ -115,6 +115,8 @@ private:
   void showLesson();
   void showOutcome();
   void showStepWords();
+  /// Tells which tasks are done, and what became of the answer.
+  void judgeStep();
   void hoverMark(const QString &markId);
   /// The mark under the pointer, and those that the traced number came from.
   void showHighlights();

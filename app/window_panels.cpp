@@ -140,7 +140,9 @@ void MainWindow::sharePage() {
   m_split->setOrientation(below ? Qt::Vertical : Qt::Horizontal);
   if (m_isSplitChosen)
     return;
-  const int whole = below ? m_split->height() : m_split->width();
+  // The split's own width is that of before while the window is on its way to another size.
+  const bool isDocked = m_numbersDock->isVisible() && !m_numbersDock->isFloating();
+  const int whole = below ? m_split->height() : width() - (isDocked ? m_numbersDock->width() : 0);
   const int page =
       below ? static_cast<int>(pageShareBelow * whole) : pageWidthIn(whole, m_page->fontMetrics());
   m_split->setSizes({whole - page, page});

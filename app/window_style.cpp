@@ -53,7 +53,7 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
     QToolButton#fading { padding-right: 1em; }
     QToolButton::menu-indicator { subcontrol-position: right center; }
-    QLabel#case { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
+    QLabel#case, QLabel#usualCase { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
     QLabel#message { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; color: %2; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }

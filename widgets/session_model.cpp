@@ -151,8 +151,8 @@ void SessionModel::cancelGesture() {
     return;
   Session before = m_gesture->before;
   before.view = m_session.view;
+  show(before); // first: whoever hears that the gesture has ended sees what is left of it
   finishGesture();
-  show(before);
 }
 
 bool SessionModel::isMovedByGesture(const std::string &object) const {

@@ -9,8 +9,9 @@ class QPainter;
 
 namespace halfspace {
 
-/// Paints a filled circle with a check mark, one with a cross, or an empty one, around a point.
 enum class Verdict { Open, Right, Wrong };
+
+/// Paints a filled circle with a check mark, one with a cross, or an empty one, around a point.
 void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme);
 
 } // namespace halfspace

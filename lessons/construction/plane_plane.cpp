@@ -127,15 +127,15 @@ WorkingLine pointLine(const Out &at) {
 }
 
 WorkingLine angleLine(const Out &at) {
-  const std::string isDegrees = relatedText(degreesOf(at.cosine));
+  const std::string degrees = relatedText(degreesOf(at.cosine)); // with its relation
   return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
                at.meet.which != PlanePlaneCase::Line
-                   ? words("φ{equals}°: the normals lie along the same line.", {{"equals", isDegrees}})
+                   ? words("φ{degrees}°: the normals lie along the same line.", {{"degrees", degrees}})
                : sign(*numberOf(at.cosine)) >= 0
-                   ? words("φ{equals}° is the angle between the normals, and so between the planes.",
-                           {{"equals", isDegrees}})
-                   : words("φ{equals}° is the angle between the normals. The planes meet at 180° − φ.",
-                           {{"equals", isDegrees}}));
+                   ? words("φ{degrees}° is the angle between the normals, and so between the planes.",
+                           {{"degrees", degrees}})
+                   : words("φ{degrees}° is the angle between the normals. The planes meet at 180° − φ.",
+                           {{"degrees", degrees}}));
 }
 
 Explanation explain(const In &, const Out &at) {
@@ -147,7 +147,8 @@ Explanation explain(const In &, const Out &at) {
                         words("The constant d of {E}: its equation is n·P + d = 0.", at.letters));
   });
   lines.add("d2", [&at] {
-    return constantLine(at.d2, at.F, words("The constant d of {F}, likewise.", at.letters));
+    return constantLine(at.d2, at.F,
+                        words("The constant d of {F}: its equation is n·P + d = 0.", at.letters));
   });
   lines.add("direction", [&at] { return directionLine(at); });
   if (at.meet.which == PlanePlaneCase::Line) {

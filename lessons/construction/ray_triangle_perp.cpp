@@ -242,8 +242,8 @@ WorkingLine lineOfT(const Out &at) {
   return asked(
       withNumbers((at.t == dot(w, at.uPerp) / dot(v, at.uPerp)) ==
                   (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / at.D),
-      words("Dotted with u⊥, the part s·u drops out and only t is left. v·u⊥ is −D, so the signs above "
-            "have changed too. This t belongs to the triangle; the ray's own parameter is λ."),
+      words("Dotted with u⊥, the part s·u drops out and only t is left. v·u⊥ is −D, so the signs in the "
+            "numerator have changed too. This t belongs to the triangle; the ray's own parameter is λ."),
       {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}, wrongSignOfShare(at.t)});
 }
 

@@ -94,7 +94,7 @@ std::string sideWords(const Out &at) {
   case PointPlaneCase::Positive:
     return words("The sign tells the side: positive where {n} points.", at.letters);
   case PointPlaneCase::Negative:
-    return words("The sign tells the side: negative where {n} points away from.", at.letters);
+    return words("The sign tells the side: negative on the side that {n} points away from.", at.letters);
   default:
     return words("Zero: {Q} satisfies the plane's equation, so it lies in the plane.", at.letters);
   }
@@ -123,16 +123,16 @@ WorkingLine distanceLine(const Out &at) {
 WorkingLine cosineLine(const Out &at) {
   return asked(
       withNumbers(at.cosine == dot(at.n, at.w) / (norm(at.n) * norm(at.w))),
-      words("θ{equals}° is the angle between {n} and w = {Q} − {P0}. So dist = |w| cos θ is the part "
+      words("θ{degrees}° is the angle between {n} and w = {Q} − {P0}. So dist = |w| cos θ is the part "
             "of w that runs along {n}.",
-            at.letters, {{"equals", relatedText(degreesOf(at.cosine))}}),
+            at.letters, {{"degrees", relatedText(degreesOf(at.cosine))}}),
       {{at.dist, words("{answer} is the distance: divide by |w| as well.")},
        {dot(at.n, at.w), words("{answer} is {n}·w: divide by both lengths.", at.letters)}});
 }
 
 WorkingLine valueLine(const Out &at) {
   return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               words("{Q} put in for P in {n}·(P − {P0}).", at.letters),
+               words("Zero in the plane, positive on the side that {n} points to.", at.letters),
                {{dot(at.n, at.Q),
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }

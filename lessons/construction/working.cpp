@@ -70,6 +70,7 @@ std::vector<ChainPart> symbolsOf(const WorkingLine &line) {
 
 std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece) {
   const Chain &first = line.chains.front();
+  const bool isAlone = line.chains.size() == 1;
   const std::size_t result = resultOf(line);
   std::vector<ChainPart> parts;
   const auto append = [&](const Chain &chain, std::size_t begin, std::size_t end) {
@@ -78,15 +79,17 @@ std::vector<ChainPart> partsOf(const WorkingLine &line, LinePiece piece) {
   };
   switch (piece) {
   case LinePiece::Symbols:
-    append(first, 0, first.symbolic());
+    if (isAlone)
+      append(first, 0, first.symbolic());
     break;
   case LinePiece::Numbers:
-    append(first, first.symbolic(), result);
-    for (std::size_t i = 1; i < line.chains.size(); ++i)
-      append(line.chains[i], 0, line.chains[i].sides().size());
+    // Several statements are one piece: a line breaks best between them.
+    for (const Chain &chain : line.chains)
+      append(chain, isAlone ? chain.symbolic() : 0, isAlone ? result : chain.sides().size());
     break;
   case LinePiece::Result:
-    append(first, result, first.sides().size());
+    if (isAlone)
+      append(first, result, first.sides().size());
     break;
   }
   return parts;

@@ -175,6 +175,14 @@ bool holds(const Condition &condition, const Evaluation &evaluation) {
   return value && std::visit(Comparison{condition}, *value);
 }
 
+std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation) {
+  const auto fits = [&](const Prediction::Choice &choice) {
+    return holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation);
+  };
+  const auto choice = std::find_if(prediction.choices.begin(), prediction.choices.end(), fits);
+  return choice == prediction.choices.end() ? std::string() : choice->word;
+}
+
 bool isDone(const Task &task, const Evaluation &evaluation) {
   return std::all_of(task.conditions.begin(), task.conditions.end(),
                      [&](const Condition &condition) { return holds(condition, evaluation); });

@@ -169,10 +169,14 @@ struct LessonLibrary {
 [[nodiscard]] bool holds(const Condition &condition, const Evaluation &evaluation);
 [[nodiscard]] bool isDone(const Task &task, const Evaluation &evaluation);
 
-/// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers.
-/// `{Q}` and `{E.n}` name the scene's coordinates. What constructions come to is a question mark where it is
-/// still to be found by the learner.
+/// The word of the choice that is right for what a scene comes to; empty where none is.
+[[nodiscard]] std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation);
+
+/// Whether the learner sees what constructions come to, or is still to find it.
 enum class LiveValues { Shown, Hidden };
+
+/// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers; by a
+/// question mark where values are hidden. `{Q}` and `{E.n}` name the scene's coordinates.
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
                                          const Evaluation &evaluation, LiveValues values = LiveValues::Shown);
 

@@ -56,17 +56,4 @@ LessonProgress merged(LessonProgress first, const LessonProgress &second) {
   return first;
 }
 
-std::string choiceFor(const Prediction &prediction, const Evaluation &evaluation) {
-  const auto fits = [&](const Prediction::Choice &choice) {
-    return holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation);
-  };
-  const auto choice = std::find_if(prediction.choices.begin(), prediction.choices.end(), fits);
-  return choice == prediction.choices.end() ? std::string() : choice->word;
-}
-
-std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation, const Lesson &lesson) {
-  const std::string now = choiceFor(prediction, evaluation);
-  return now.empty() ? choiceFor(prediction, evaluate(lesson.scene)) : now;
-}
-
 } // namespace halfspace

@@ -20,22 +20,14 @@ struct StepProgress {
 /// By lesson and step.
 using LessonProgress = std::map<std::pair<std::string, int>, StepProgress>;
 
-/// How far a learner has come with a lesson. It is done when all its tasks are and all its questions are
-/// answered.
+/// How far a learner has come with a lesson.
 enum class LessonState { New, Begun, Done };
+
+/// A lesson is done when all its tasks are and all its questions are answered.
 [[nodiscard]] LessonState stateOf(const Lesson &lesson, const LessonProgress &progress);
 
 /// What has been done according to one or the other; where both have an answer, the first's. So a question
 /// that was tried again and left open counts as answered, as it was.
 [[nodiscard]] LessonProgress merged(LessonProgress first, const LessonProgress &second);
-
-/// The word of the choice that fits what a scene comes to; empty where none does.
-[[nodiscard]] std::string choiceFor(const Prediction &prediction, const Evaluation &evaluation);
-
-/// The word of the choice that is right for what the scene comes to. Where the learner has changed so much
-/// that no choice fits, the question is about the scene that the lesson begins with. Empty: none fits there
-/// either.
-[[nodiscard]] std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation,
-                                      const Lesson &lesson);
 
 } // namespace halfspace

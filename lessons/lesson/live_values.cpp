@@ -150,7 +150,7 @@ void keepNamed(const std::set<std::string> &named, Figure &figure) {
 }
 
 /// Where a ray's thin line ends would tell what it meets.
-void runOn(Figure &figure) {
+void letRaysRunOn(Figure &figure) {
   for (Mark &mark : figure.marks)
     if (auto *ray = std::get_if<RayMark>(&mark))
       ray->meets.reset();
@@ -203,7 +203,7 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
     addCase(*last->outcome->told, shown);
   if (question == Question::Open) {
     keepNamed({}, figure);
-    runOn(figure);
+    letRaysRunOn(figure);
   } else if (!lines.empty()) {
     std::set<std::string> named = marksNamedIn(shown.working);
     named.merge(marksDrawn(step.drawn, figure));

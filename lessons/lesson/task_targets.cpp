@@ -74,13 +74,25 @@ std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, con
   return Flat::plane(start - change * Rational(lacking[0] / dot(change, change)), change);
 }
 
-/// `signed distance = 5`. One number of several, as `coefficients.0`, has no name that a learner knows.
-std::string wordsOf(const Condition &condition) {
-  if (condition.value.find('.') != std::string::npos)
-    return words("as the task asks");
-  std::string name = condition.value;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name + " = " + condition.against;
+/// Whether a value is one of several numbers, as `coefficients.0`, `foot.z`: it has no name that learners
+/// know.
+bool isOneOfSeveral(const std::string &value) {
+  static constexpr std::string_view numbers = "xyz0123456789";
+  const auto dot = value.rfind('.');
+  return dot != std::string::npos && value.find_first_not_of(numbers, dot + 1) == std::string::npos;
+}
+
+/// `signed distance = 5, t = 1`
+std::string wordsOf(const std::vector<Condition> &conditions) {
+  std::string told;
+  for (const Condition &condition : conditions) {
+    if (isOneOfSeveral(condition.value))
+      return words("as the task asks");
+    std::string name = condition.value;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    told += (told.empty() ? "" : ", ") + name + " = " + condition.against;
+  }
+  return told;
 }
 
 std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const Tried> &tried,
@@ -95,12 +107,11 @@ std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const
     if (!common)
       return {};
     target.places = *common;
-    if (const std::string told = wordsOf(condition); target.name.find(told) == std::string::npos)
-      target.name += (target.name.empty() ? "" : ", ") + told;
     met.push_back(condition);
   }
   if (met.empty())
     return {};
+  target.name = wordsOf(met);
   target.counts = [tried, met](const ExactVec3 &place) {
     const Evaluation there = tried->at(place);
     return std::all_of(met.begin(), met.end(),

@@ -1,4 +1,5 @@
 // The page beside the scene, the drawer and the card over it, and how the window is shared among them.
+#include "app/page_width.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -61,6 +62,16 @@ private slots:
     QTest::newRow("usual") << QSize(1280, 800) << 0.6;
     QTest::newRow("small") << QSize(1024, 600) << 0.5;
     QTest::newRow("large") << QSize(1900, 1000) << 0.6;
+  }
+  void page_hasAsManyLettersInALineAsItsShareAllows() {
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    for (const QSize size : {QSize(1280, 800), QSize(1024, 600), QSize(1600, 900)}) {
+      fixture.resize(size);
+      const int wanted = pageWidthIn(size.width(), fixture.page().fontMetrics());
+      QVERIFY2(std::abs(fixture.page().width() - wanted) < 10,
+               qPrintable(QString::number(fixture.page().width())));
+    }
   }
   void scene_takesMostOfTheWindow() {
     QFETCH(QSize, size);

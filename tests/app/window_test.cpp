@@ -405,8 +405,39 @@ private slots:
     QVERIFY(!isDone());
     fixture.model().beginGesture("move Q");
     move({5, 4, 7});
+    fixture.model().cancelGesture();
+    QVERIFY(!isDone());
+    fixture.model().beginGesture("move Q");
+    move({5, 4, 7});
     fixture.model().endGesture();
     QVERIFY(isDone());
+  }
+
+  void task_whileTheQuestionIsOpen_doesNotTellWhetherItHolds() {
+    WindowFixture fixture("plane-implicit"); // P is to be dragged to the negative side
+    QVERIFY(fixture.ready);
+    const auto state = [&] { return fixture.window.findChild<TaskRow *>()->state(); };
+    const auto moveP = [&](const ExactVec3 &place) {
+      QVERIFY(fixture.model().edit(ChangeObject{"P", PointObject{place}}, "move").isEmpty());
+      QTest::qWait(50);
+    };
+    moveP({9, 9, 9});
+    moveP({0, 0, 0});
+    QVERIFY(state() == TaskState::Open);
+    fixture.answer(2);
+    QTRY_VERIFY(state() == TaskState::HoldsAlready);
+  }
+
+  void task_thatNewNumbersMakeTrue_isNotDone() {
+    WindowFixture fixture("plane-implicit");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(5); // whose task is about n alone
+    const auto *task = fixture.window.findChild<TaskRow *>();
+    for (int i = 0; i < 30; ++i) {
+      QTest::mouseClick(fixture.practice().findChild<QToolButton *>("newNumbers"), Qt::LeftButton);
+      QTest::qWait(5);
+      QVERIFY(task->state() != TaskState::Done);
+    }
   }
 
   void answer_whenTheSceneHasBecomeAnotherCase_saysThatItWasAboutTheOldOne() {

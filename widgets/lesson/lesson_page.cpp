@@ -189,11 +189,7 @@ QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().ad
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
   m_words.push_back({note.words.markdown, &m_notes.back()->words()});
-  connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] {
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
-    m_scroll->ensureWidgetVisible(fold, 0, margin);
-    m_scroll->ensureVisible(0, fold->mapTo(m_scroll->widget(), QPoint()).y(), 0, 0); // at least its title
-  });
+  connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] { scrollTo(*fold); });
   return m_notes.back();
 }
 
@@ -211,7 +207,7 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
     else
       setFocus();
     emit predictionChosen(word);
-    showReason();
+    scrollTo(*m_prediction->reason());
   });
   connect(m_prediction, &PredictionBox::reopened, this, [this] {
     emit predictionReopened();
@@ -220,9 +216,11 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
   return m_prediction;
 }
 
-void LessonPage::showReason() {
+void LessonPage::scrollTo(const QWidget &part) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
-  m_scroll->ensureWidgetVisible(m_prediction->reason(), 0, margin);
+  const QRect place(part.mapTo(m_scroll->widget(), QPoint()), part.size());
+  m_scroll->ensureVisible(0, place.bottom(), 0, margin);
+  m_scroll->ensureVisible(0, place.top(), 0, 0); // of what is higher than the page the beginning
 }
 
 void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
@@ -283,12 +281,12 @@ void LessonPage::resizeEvent(QResizeEvent *event) {
 }
 
 void LessonPage::setMargins() {
-  const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
-  const int side = std::max(margin, (width() - longestLine) / 2);
-  // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
   const QScrollBar &bar = *m_scroll->verticalScrollBar();
-  const int barWidth = bar.maximum() > 0 ? bar.sizeHint().width() : 0;
-  m_page->setContentsMargins(side, margin / 2, side - barWidth, margin / 2);
+  const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
+  const int side = std::max({margin, bar.sizeHint().width(), (width() - longestLine) / 2});
+  // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
+  const int right = side - (bar.maximum() > 0 ? bar.sizeHint().width() : 0);
+  m_page->setContentsMargins(side, margin / 2, right, margin / 2);
 }
 
 } // namespace halfspace

@@ -38,7 +38,7 @@ public:
   /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place
   /// that was scrolled to.
   void showWords(const std::function<std::string(const std::string &)> &filled);
-  /// Which of the step's tasks are done, in their order.
+  /// Of the step's tasks in their order; of those behind them nothing is known.
   void setTaskStates(const std::vector<TaskState> &states);
   /// To the step's question, if it has one; nothing: it is open.
   void setAnswer(const std::optional<GivenAnswer> &answer);
@@ -72,8 +72,7 @@ private:
   void setMargins();
   void showNextButton();
   void goOn();
-  /// Scrolls to the reason of an answer.
-  void showReason();
+  void scrollTo(const QWidget &part);
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
   [[nodiscard]] int lastStep() const { return std::max(0, stepCount() - 1); }
 

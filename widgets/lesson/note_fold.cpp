@@ -8,8 +8,11 @@
 namespace halfspace {
 
 NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *parent)
-    : QWidget(parent), m_title(new QToolButton), m_words(new RichLabel(typesetter)) {
-  m_title->setText(QString(title).replace('&', QLatin1String("&&"))); // no key of it
+    : QWidget(parent), m_text(QString(title).replace('&', QLatin1String("&&"))), // no key of it
+      m_title(new QToolButton), m_words(new RichLabel(typesetter)) {
+  m_title->setText(m_text);
+  m_title->setAccessibleName(title);
+  m_title->setMinimumWidth(1); // it is cut short where there is no room
   m_title->setObjectName("note");
   m_title->setCheckable(true);
   m_title->setAutoRaise(true);
@@ -28,6 +31,13 @@ NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *
     if (open)
       emit opened();
   });
+}
+
+void NoteFold::resizeEvent(QResizeEvent *event) {
+  QWidget::resizeEvent(event);
+  const int room =
+      width() - (m_title->sizeHint().width() - m_title->fontMetrics().horizontalAdvance(m_title->text()));
+  m_title->setText(m_title->fontMetrics().elidedText(m_text, Qt::ElideRight, room));
 }
 
 bool NoteFold::isOpen() const { return m_title->isChecked(); }

@@ -21,7 +21,11 @@ public:
 signals:
   void opened();
 
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+
 private:
+  QString m_text;
   QToolButton *m_title;
   RichLabel *m_words;
 };

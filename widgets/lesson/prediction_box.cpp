@@ -119,9 +119,8 @@ void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
   const QString verdict = answer->right.empty()             ? QString()
                           : answer->chosen == answer->right ? tr("**Right.** ")
                                                             : tr("**Not quite.** ");
-  m_reason->setMarkdown(verdict + (answer->isOfNow
-                                       ? QString::fromStdString(m_prediction.reason)
-                                       : tr("So it was when you answered. The scene is another one now.")));
+  m_reason->setMarkdown(verdict + (answer->isOfNow ? QString::fromStdString(m_prediction.reason)
+                                                   : tr("That was about the scene before it was changed.")));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {

@@ -7,8 +7,6 @@ namespace halfspace {
 CoordinateRows::CoordinateRows(SessionModel &model, const Typesetter &typesetter)
     : m_model(model), m_editor(model), m_typesetter(typesetter) {}
 
-CoordinateRows::~CoordinateRows() = default;
-
 const std::vector<std::unique_ptr<CoordinateRow>> &
 CoordinateRows::make(const std::vector<CoordinateId> &ids) {
   m_rows.clear();

@@ -12,7 +12,6 @@ class CoordinateRows : public QObject {
 public:
   /// Model and typesetter must outlive it.
   CoordinateRows(SessionModel &model, const Typesetter &typesetter);
-  ~CoordinateRows() override;
 
   /// Rows for these, in the place of those that were there. Whoever asks for them lays out their widgets.
   const std::vector<std::unique_ptr<CoordinateRow>> &make(const std::vector<CoordinateId> &ids);

@@ -4,13 +4,14 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStackedLayout>
 #include <QVariant>
 
 namespace halfspace {
 namespace {
 
-/// Cases have up to about so many letters: the line has room for them from the start.
-constexpr int usualLetters = 92;
+/// As long as cases usually are: the line has room for them from the start.
+QString usualCase() { return QStringLiteral("letters ").repeated(11); }
 
 QLabel *wrappedLabel(const char *name) {
   auto *label = new QLabel;
@@ -23,18 +24,18 @@ QLabel *wrappedLabel(const char *name) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_usual(wrappedLabel("case")), m_case(wrappedLabel("case")),
-      m_message(wrappedLabel("message")), m_complaint(wrappedLabel("complaint")) {
+    : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
+      m_usual(wrappedLabel("usualCase")), m_complaint(wrappedLabel("complaint")),
+      m_words(new QStackedLayout) {
+  m_usual->setText(usualCase());
+  for (QLabel *page : {m_case, m_message, m_usual}) // it is as high as the highest
+    m_words->addWidget(page);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(m_case, 3);
-  layout->addWidget(m_message, 3);
+  layout->addLayout(m_words, 3);
   layout->addWidget(m_complaint, 2);
-  m_usual->setParent(this);
-  m_usual->setText(QStringLiteral("letters ").repeated(usualLetters / 8));
-  for (QWidget *hidden : {m_usual, m_message, m_complaint})
-    hidden->hide();
+  m_complaint->hide();
   m_messageTimer.setSingleShot(true);
   m_messageTimer.setInterval(readingTime);
   connect(&m_messageTimer, &QTimer::timeout, this, &CaseLine::endMessage);
@@ -57,22 +58,19 @@ void CaseLine::setHeld(bool held) {
 
 void CaseLine::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
-  m_case->setMinimumHeight(m_usual->heightForWidth(width()));
   if (m_held)
     setMinimumHeight(height());
 }
 
 void CaseLine::say(const QString &sentence) {
   m_message->setText(sentence);
-  m_case->hide();
-  m_message->show();
+  m_words->setCurrentWidget(m_message);
   m_messageTimer.start();
 }
 
 void CaseLine::endMessage() {
   m_messageTimer.stop();
-  m_message->hide();
-  m_case->show();
+  m_words->setCurrentWidget(m_case);
 }
 
 void CaseLine::complain(const QString &sentence, const QString &details) {

@@ -7,6 +7,7 @@
 #include <chrono>
 
 class QLabel;
+class QStackedLayout;
 
 namespace halfspace {
 
@@ -35,10 +36,11 @@ private:
   void endMessage();
 
   bool m_held = false;
-  QLabel *m_usual; ///< as long as cases usually are; never shown
   QLabel *m_case;
   QLabel *m_message;
+  QLabel *m_usual; ///< as long as cases usually are; never shown
   QLabel *m_complaint;
+  QStackedLayout *m_words; ///< case and message, one at a time
   QTimer m_messageTimer;
 };
 

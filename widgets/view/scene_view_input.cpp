@@ -35,14 +35,17 @@ Qt::KeyboardModifiers modifierOf(int key) {
   return key == Qt::Key_Control ? Qt::ControlModifier : key == Qt::Key_Alt ? Qt::AltModifier : Qt::NoModifier;
 }
 
-/// What can be done with a handle that moves like this.
-QString hintFor(DragMode mode) {
+/// What can be done with a handle that moves like this, from where it is seen.
+QString hintFor(DragMode mode, const Handle &handle, const Camera &camera) {
   switch (mode) {
   case DragMode::Horizontal:
+    if (grabMode(handle, true, camera) != DragMode::Vertical)
+      return SceneView::tr("Moves in x and y. Look from the side to move it up and down.");
     return SceneView::tr("Moves in x and y. Click it again, or hold Shift, for up and down. X, Y, Z lock an "
-                         "axis. Ctrl frees it "
-                         "from the grid.");
+                         "axis. Ctrl frees it from the grid.");
   case DragMode::Vertical:
+    if (grabMode(handle, false, camera) != DragMode::Horizontal)
+      return SceneView::tr("Moves up and down. Look from higher above to move it in x and y.");
     return SceneView::tr("Moves up and down. Click it again for x and y.");
   case DragMode::AxisX:
     return SceneView::tr("Moves along x only.");
@@ -163,8 +166,12 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent *event) {
-  if (event->button() == m_button)
-    finishDrag();
+  if (event->button() != m_button)
+    return;
+  const bool isClickBeside = m_gesture == Gesture::Turn && !m_moved;
+  finishDrag();
+  if (isClickBeside)
+    dismiss();
 }
 
 void SceneView::followPointer() {
@@ -208,10 +215,7 @@ void SceneView::finishDrag() {
     if (!m_moved && m_clickToggles)
       m_vertical = !m_vertical;
   }
-  const bool isClickBeside = m_gesture == Gesture::Turn && !m_moved;
   letGo();
-  if (isClickBeside)
-    selectHandle({});
 }
 
 void SceneView::cancelDrag() {
@@ -398,7 +402,7 @@ void SceneView::showHint() {
                   ? tr("Drag a handle to move it, drag beside it to turn the view. The wheel zooms.")
                   : tr("The origin and the axes lie far outside of this picture."));
   else if (const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera))
-    emit hint(hintFor(*mode));
+    emit hint(hintFor(*mode, *handle, m_camera));
   else
     emit hint(tr("Turn the view: from here this handle is seen end-on."));
 }

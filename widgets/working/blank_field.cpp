@@ -2,13 +2,14 @@
 
 #include "widgets/repolish.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QToolButton>
 
 namespace halfspace {
 BlankField::BlankField(int letters, QWidget *parent)
-    : QWidget(parent), m_edit(new QLineEdit), m_show(new QToolButton) {
+    : QWidget(parent), m_letters(letters), m_edit(new QLineEdit), m_show(new QToolButton) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_edit);
@@ -27,10 +28,20 @@ BlankField::BlankField(int letters, QWidget *parent)
   inside->setContentsMargins(0, 0, 0, 0);
   inside->addStretch();
   inside->addWidget(m_show);
+  setFocusProxy(m_edit);
+  setWidth();
+}
+
+void BlankField::setWidth() {
   const int showWidth = m_show->sizeHint().width();
   m_edit->setTextMargins(0, 0, showWidth, 0);
-  m_edit->setFixedWidth(letters * fontMetrics().averageCharWidth() + showWidth);
-  setFocusProxy(m_edit);
+  m_edit->setFixedWidth(m_letters * fontMetrics().averageCharWidth() + showWidth);
+}
+
+void BlankField::changeEvent(QEvent *event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    setWidth();
 }
 
 void BlankField::setQuestion(const QString &question) {

@@ -25,10 +25,15 @@ signals:
   void answered(const QString &text); ///< as it was typed
   void showRequested();
 
+protected:
+  void changeEvent(QEvent *event) override;
+
 private:
+  void setWidth();
   void answer();
   void mark(bool wrong);
 
+  int m_letters;
   QLineEdit *m_edit;
   QToolButton *m_show;
 };

@@ -1,5 +1,7 @@
 #include "widgets/working/step_working.h"
 
+#include <QApplication>
+
 #include <algorithm>
 
 namespace halfspace {
@@ -51,6 +53,7 @@ bool StepWorking::goOn(const WorkingBlock &from, int way) {
 void StepWorking::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,
                              const Fade &fade, const std::map<std::string, LineRemark> &remarks) {
   m_working = working;
+  const bool wasTyping = isTyping();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < m_blocks.size(); ++i) {
     const std::size_t end = begin + (i < linesIn.size() ? linesIn[i] : 0);
@@ -58,7 +61,16 @@ void StepWorking::setWorking(const Working &working, const std::vector<std::size
     m_blocks[i]->setVisible(end > begin);
     begin = end;
   }
+  if (wasTyping && !isTyping()) // the last blank of its block is filled in
+    focusField();
   followTrace();
+}
+
+bool StepWorking::isTyping() const {
+  const QWidget *focused = QApplication::focusWidget();
+  return std::any_of(m_blocks.begin(), m_blocks.end(), [&](const WorkingBlock *block) {
+    return focused && focused != block && block->isAncestorOf(focused);
+  });
 }
 
 void StepWorking::setTheme(const Theme &theme) {
@@ -140,7 +152,9 @@ void StepWorking::focusField() {
   for (WorkingBlock *block : m_blocks)
     if (block->focusField())
       return;
-  if (!m_blocks.empty())
+  const bool isInBlock = std::any_of(m_blocks.begin(), m_blocks.end(),
+                                     [](const WorkingBlock *block) { return block->hasFocus(); });
+  if (!m_blocks.empty() && !isInBlock)
     m_blocks.front()->setFocus();
 }
 

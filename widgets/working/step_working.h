@@ -47,7 +47,7 @@ public:
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
   void dropTyped();
-  /// Gives the focus to the first field, or to the first block where there is none.
+  /// Gives the focus to the first field, or to a block where there is none.
   void focusField();
 
 signals:
@@ -67,6 +67,8 @@ signals:
   void scrubEnded(bool keep);
 
 private:
+  /// Whether a field of a block has the focus.
+  [[nodiscard]] bool isTyping() const;
   /// The keys leave a block for the next one with lines, downwards or upwards; false where there is none.
   bool goOn(const WorkingBlock &from, int way);
   /// What depends on where the numbers stand and what they are.

@@ -157,7 +157,8 @@ std::map<std::string, QString> WorkingBlock::remarkTexts() const {
 }
 
 PlacedWorking WorkingBlock::placeIn(int width) const {
-  return placeWorking(m_lines, remarkTexts(), m_sentences, font(), width, m_held.value_or(HeldLines()));
+  return placeWorking(m_lines, remarkTexts(), m_sentences, font(), width,
+                      m_held && width == this->width() ? *m_held : HeldLines());
 }
 
 void WorkingBlock::placeLines() {

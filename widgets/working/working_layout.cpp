@@ -16,7 +16,7 @@ namespace {
 constexpr double formulaScale = 1.28;
 /// A formula that is too wide is not drawn smaller than this.
 constexpr double smallestScale = 0.6;
-/// The type of a held line becomes smaller in such steps, not below `smallestHeldScale`.
+/// The type of a held line becomes smaller in such steps, and not smaller than a part of its usual size.
 constexpr double heldScaleStep = 0.95;
 constexpr double smallestHeldScale = 0.7;
 /// Narrower, in em, than any formula can be broken to: its second line begins further right.
@@ -52,6 +52,8 @@ public:
     m_y += lineMargin * m_em;
     if (!held || !placeInRowsOf(*held, line))
       placeFormulas(line, emFor(line));
+    m_y = std::max(m_y, top + (held ? held->formulasBottom : 0)); // what is said below stays where it is
+    m_placed.formulasBottom = m_y - top;
     const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
     m_placed.remark = placeText(remark, m_left + markRoom);
     if (!line.isPartial)
@@ -87,22 +89,27 @@ private:
   bool placeInRowsOf(const PlacedLine &held, const TypesetLine &line) {
     const double top = m_y;
     const double widest = m_widest;
-    const double right = std::exchange(m_right, m_width - heldSideMargin * m_em);
+    const double usualRight = m_right;
+    const double usualEm = emFor(line);
+    const double smallestEm = std::max(smallestHeldScale * usualEm, smallestScale * m_em);
     m_held = &held;
-    bool fits = false;
-    for (double scale = 1; !fits && scale > smallestHeldScale; scale *= heldScaleStep) {
+    const auto fits = [&](double em) {
       m_y = top;
       m_widest = widest;
-      placeFormulas(line, scale * emFor(line));
-      fits = hasRowsOf(held);
-    }
+      placeFormulas(line, em);
+      return hasRowsOf(held);
+    };
+    bool isPlaced = fits(usualEm);
+    m_right = m_width - heldSideMargin * m_em;
+    for (double em = usualEm; !isPlaced && em >= smallestEm; em *= heldScaleStep)
+      isPlaced = fits(em);
     m_held = nullptr;
-    m_right = right;
-    if (!fits) {
+    m_right = usualRight;
+    if (!isPlaced) {
       m_y = top;
       m_widest = widest;
     }
-    return fits;
+    return isPlaced;
   }
 
   /// Whether the formulas fit as they are placed and are broken no more often than those that stood there.

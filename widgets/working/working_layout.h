@@ -54,7 +54,8 @@ struct PlacedLine {
   QRectF box;                      ///< with the space around it, across the width of its column
   std::vector<PlacedText> heading; ///< the construction's name, above its first line where there are several
   std::vector<PlacedFormula> formulas;
-  QRectF blank; ///< the room of what is left out; null when nothing is
+  double formulasBottom = 0; ///< below the top of the box
+  QRectF blank;              ///< the room of what is left out; null when nothing is
   std::vector<PlacedText> remark;
   std::vector<PlacedText> sentence;
 };

@@ -1,7 +1,5 @@
 #include "lessons/lesson/lesson_progress.h"
 
-#include "tests/lessons/scenes.h"
-
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -71,29 +69,6 @@ TEST(MergedProgress, WithTwoAnswers_HasTheFirstsWithItsVerdict) {
   const LessonProgress other{{{"a", 0}, {"on", "on", {}}}};
   EXPECT_EQ(merged(mine, other), mine);
   EXPECT_EQ(merged(other, mine), other);
-}
-
-Prediction whichSide() {
-  return {"Which side?", "side", {{"positive", "That of n"}, {"negative", "The other"}}, "It is so."};
-}
-
-Evaluation withSide(const char *side) { return test::withValues({{"side", "", std::string(side)}}); }
-
-TEST(ChoiceFor, AScene_IsTheOneThatFits) {
-  EXPECT_EQ(choiceFor(whichSide(), withSide("negative")), "negative");
-  EXPECT_EQ(choiceFor(whichSide(), withSide("on")), "");
-}
-
-TEST(RightChoice, IsThatOfWhatTheSceneComesTo) {
-  EXPECT_EQ(rightChoice(whichSide(), withSide("negative"), someLesson()), "negative");
-  EXPECT_EQ(rightChoice(whichSide(), withSide("positive"), someLesson()), "positive");
-}
-
-TEST(RightChoice, WhereNoneFits_IsThatOfTheSceneAtTheStart) {
-  Lesson lesson = someLesson();
-  EXPECT_EQ(rightChoice(whichSide(), withSide("on"), lesson), "");
-  lesson.scene = test::distanceScene();
-  EXPECT_EQ(rightChoice(whichSide(), withSide("on"), lesson), "positive");
 }
 
 } // namespace

@@ -393,6 +393,17 @@ TEST(ShownIn, TheCasesOfTheConstructionsThatAStepNames_AreTold) {
   EXPECT_EQ(shownIn(step, all).description, second);
 }
 
+TEST(RightChoice, IsThatOfWhatTheSceneComesTo) {
+  const Prediction whichSide{
+      "Which side?", "side", {{"positive", "That of n"}, {"negative", "The other"}}, "It is so."};
+  const auto rightFor = [&](const char *side) {
+    return rightChoice(whichSide, test::withValues({{"side", "", std::string(side)}}));
+  };
+  EXPECT_EQ(rightFor("positive"), "positive");
+  EXPECT_EQ(rightFor("negative"), "negative");
+  EXPECT_EQ(rightFor("on"), "") << "no choice fits";
+}
+
 TEST(StepOf, ALessonThatHasNone_ShowsAllLines) {
   Lesson one;
   one.steps = {{"First", {}}};

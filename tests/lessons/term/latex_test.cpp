@@ -65,6 +65,9 @@ TEST(Latex, OfFractions_NeedsNoParentheses) {
   EXPECT_EQ(latexOf(a / b * at.n), "\\frac{a}{b}\\,\\vec n");
   EXPECT_EQ(latexOf(a / b * c), "\\tfrac{a}{b}\\,c") << "before an unknown it is small";
   EXPECT_EQ(latexOf(Rational(-10, 3)), "-\\frac{10}{3}");
+  EXPECT_EQ(latexOf(Rational(1, 2) * t + Rational(1, 3)), "\\tfrac{1}{2}t + \\tfrac{1}{3}")
+      << "beside one too";
+  EXPECT_EQ(latexOf(t - Rational(1, 3)), "t - \\tfrac{1}{3}");
   EXPECT_EQ(latexOf(list({Rational(1, 2), 3})), "\\left(\\tfrac{1}{2},\\,3\\right)");
   EXPECT_EQ(latexOf(a / b, LatexMarks::Without, {.smallFractions = true}), "\\tfrac{a}{b}");
 }

@@ -85,7 +85,7 @@ private slots:
     ShownBox shown;
     shown.box.setAnswer(GivenAnswer{"negative", "negative", false});
     QVERIFY((shown.verdicts() == std::vector{Open, Right, Open}));
-    QVERIFY2(shown.reason().startsWith("Right. So it was"), qPrintable(shown.reason()));
+    QVERIFY2(shown.reason().startsWith("Right. That was"), qPrintable(shown.reason()));
     QVERIFY(!shown.reason().contains("The sign of f(Q) tells."));
   }
 

@@ -329,6 +329,23 @@ private slots:
     fixture.release(at);
   }
 
+  void handle_thatCanMoveOneWayOnlyAsItIsSeen_isToldHowToLookForTheOther() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setOrthographic(true);
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    const auto hintFrom = [&](AxisView view) {
+      fixture.view.setAxisView(view);
+      fixture.view.selectHandle("Q");
+      QTest::qWait(600); // the camera glides
+      fixture.view.selectHandle({});
+      fixture.view.selectHandle("Q");
+      return lastOf(hints);
+    };
+    QVERIFY2(hintFrom(AxisView::Front).contains("Look from higher above"), qPrintable(lastOf(hints)));
+    QVERIFY2(hintFrom(AxisView::Top).contains("Look from the side"), qPrintable(lastOf(hints)));
+  }
+
   void selection_ofWhatIsRemoved_isGone() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);

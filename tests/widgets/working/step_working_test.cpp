@@ -37,6 +37,10 @@ public:
     QCoreApplication::processEvents();
   }
   QWidget *focused() { return m_page.focusWidget(); }
+  bool isActive() {
+    m_page.activateWindow();
+    return QTest::qWaitForWindowActive(&m_page);
+  }
 
 private:
   Typesetter m_typesetter;
@@ -177,6 +181,21 @@ private slots:
     QVERIFY(shown.second().shownNumbers().inLine(0).empty());
     QCOMPARE(shown.second().latexOfAll().count('='), 2);
     QVERIFY(!shown.second().accessibleDescription().contains("10"));
+  }
+
+  void lastField_ofABlockThatIsFilledIn_handsTheKeysToTheNextBlock() {
+    ShownBlocks shown(tracedWorking());
+    QVERIFY(shown.isActive());
+    Fade both = blankIn(tracedWorking(), "uu");
+    const Fade second = blankIn(tracedWorking(), "a");
+    both.gaps.insert(second.gaps.begin(), second.gaps.end());
+    shown.lines.setWorking(tracedWorking(), {1, 2}, both);
+    shown.lines.focusField();
+    QVERIFY(shown.first().isAncestorOf(shown.focused()));
+    shown.lines.setWorking(tracedWorking(), {1, 2}, second);
+    QVERIFY(shown.second().isAncestorOf(shown.focused()));
+    shown.lines.setWorking(tracedWorking(), {1, 2}, {});
+    QCOMPARE(shown.focused(), static_cast<QWidget *>(&shown.second())); // there is none left
   }
 
   void blankLine_isLitUpWithoutItsNumbers() {

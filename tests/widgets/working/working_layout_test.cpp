@@ -255,6 +255,17 @@ private slots:
     QCOMPARE(smaller.box, stood.box);
   }
 
+  void heldLine_whosePiecesAreBrokenLess_leavesItsWordsWhereTheyAre() {
+    const QString sum = "x" + QString("+x").repeated(30);
+    const std::vector<TypesetLine> before{line("a", {"f=" + sum}, "Words.")};
+    const double width = 12 * em();
+    const PlacedLine stood = place(before, width).lines[0];
+    QVERIFY(stood.formulas[0].picture->isBroken());
+    const PlacedLine shorter = placeHeld({line("a", {"f=x"}, "Words.")}, stood, width).lines[0];
+    QCOMPARE(shorter.sentence[0].baseline, stood.sentence[0].baseline);
+    QCOMPARE(shorter.box, stood.box);
+  }
+
   void heldLine_thatWouldBeTooSmallToRead_isLaidOutAnew() {
     const std::vector<TypesetLine> before{line("a", {"f = aaaa", "= bbbb"})};
     const double width = right(place(before).lines[0]) + em();
