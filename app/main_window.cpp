@@ -259,6 +259,8 @@ void MainWindow::applyLook() {
   m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
   m_page->setTheme(panels);
   sharePage();
+  // Once all parts have their new sizes: the page may have been wider than it must be now.
+  QTimer::singleShot(0, this, &MainWindow::sharePage);
   showLessonTitle();
   m_working->setInkOf(markInk(m_model, panels));
   m_larger->setEnabled(panels.textScale < largestSizeScale);

@@ -200,6 +200,9 @@ private slots:
     QCOMPARE(fixture.window.width(), 1280);
     QVERIFY(fixture.page().width() > usual);
     QVERIFY2(fixture.scene().width() >= 600, qPrintable(QString::number(fixture.scene().width())));
+    fixture.action(QKeySequence("Ctrl+0"))->trigger();
+    QTest::qWait(100);
+    QCOMPARE(fixture.page().width(), usual);
   }
 
   void dragInTheScene_movesNothingOnThePage() {
