@@ -70,9 +70,19 @@ QString styleSheetOf(const Theme &theme) {
     QLineEdit:focus { border-color: %7; }
     QLineEdit[wrong="true"] { border-color: %4; color: %4; }
     QListWidget#lessonList::item:selected { background: %5; color: %6; }
+    QScrollBar { background: transparent; }
+    QScrollBar:vertical { width: 0.75em; }
+    QScrollBar:horizontal { height: 0.75em; }
+    QScrollBar::handle { background: %8; border-radius: 0.3em; }
+    QScrollBar::handle:hover { background: %2; }
+    QScrollBar::handle:vertical { min-height: 2em; }
+    QScrollBar::handle:horizontal { min-width: 2em; }
+    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+    QScrollBar::add-page, QScrollBar::sub-page { background: none; }
   )")
       .arg(name(theme.border), name(theme.mutedInk), name(theme.panel), name(theme.warning),
-           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink), name(theme.accent));
+           name(mix(theme.panel, theme.accent, 0.18)), name(theme.ink), name(theme.accent),
+           name(mix(theme.panel, theme.mutedInk, 0.5)));
 }
 
 } // namespace
