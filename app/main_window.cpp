@@ -66,6 +66,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
     m_page->setStep(m_model.session().step);
+    m_scene->selectHandle({}); // its tools would stand in the next step's figure
     progress().tasks.arrive();
     takeQuestion();
   });
@@ -180,8 +181,9 @@ void MainWindow::judgeStep() {
 
 void MainWindow::followGesture() {
   m_page->setHeld(m_model.inGesture());
-  m_caseLine->setHeld(m_model.inGesture());
-  if (!m_model.inGesture())
+  if (m_model.inGesture())
+    m_caseLine->endMessage();
+  else
     judgeStep();
 }
 

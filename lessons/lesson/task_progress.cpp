@@ -22,8 +22,11 @@ void TaskProgress::observe(const std::vector<Task> &tasks, const Evaluation &eva
 
 std::vector<TaskState> TaskProgress::states() const {
   std::vector<TaskState> states;
-  for (const bool done : m_done)
-    states.push_back(done ? TaskState::Done : TaskState::Open);
+  bool isNext = true;
+  for (const bool done : m_done) {
+    states.push_back(done ? TaskState::Done : isNext ? TaskState::Open : TaskState::Waiting);
+    isNext = isNext && done;
+  }
   if (m_holdsAlready)
     states[*m_holdsAlready] = TaskState::HoldsAlready;
   return states;

@@ -8,8 +8,9 @@
 
 namespace halfspace {
 
-/// `HoldsAlready`: what the next task asks for is so without the learner's doing.
-enum class TaskState { Open, HoldsAlready, Done };
+/// `Open`: the next one; those behind it are `Waiting`. `HoldsAlready`: what the next one asks for is so
+/// without the learner's doing.
+enum class TaskState { Open, HoldsAlready, Waiting, Done };
 
 /// Tasks count in their order, and only when the learner brings them about: what is true on arrival is done
 /// once it has been untrue and is true again.

@@ -55,14 +55,18 @@ void TaskRow::setTheme(const Theme &theme) {
 void TaskRow::setInks() {
   const QColor muted = toQColor(m_theme.mutedInk);
   const QColor warning = toQColor(m_theme.warning);
-  m_words->setInk(m_state == TaskState::Done ? muted : toQColor(m_theme.ink), warning);
+  const bool isDue = m_state == TaskState::Open || m_state == TaskState::HoldsAlready;
+  m_words->setInk(isDue ? toQColor(m_theme.ink) : muted, warning);
   m_holdsAlready->setInk(muted, warning);
 }
 
 void TaskRow::tellAccessibly() {
   const QString instruction = m_words->accessibleName();
   setAccessibleName((m_state == TaskState::Done ? tr("Done: %1") : tr("To do: %1")).arg(instruction));
-  setAccessibleDescription(m_state == TaskState::HoldsAlready ? m_holdsAlready->accessibleName() : QString());
+  setAccessibleDescription(m_state == TaskState::HoldsAlready ? m_holdsAlready->accessibleName()
+                           : m_state == TaskState::Waiting    ? tr("after those above")
+                                                              : QString());
+  setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
 }
 
 void TaskRow::paintEvent(QPaintEvent *) {

@@ -8,7 +8,8 @@
 namespace halfspace {
 
 /// The instruction beside an empty circle, or a check mark once it is done. Of what holds already it says
-/// that it is still to be brought about: else a learner would wait for the mark.
+/// that it is still to be brought about: else a learner would wait for the mark. One that waits for those
+/// above it is paler.
 class TaskRow : public QWidget {
   Q_OBJECT
 public:

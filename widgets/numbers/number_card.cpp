@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QResizeEvent>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -72,6 +74,7 @@ NumberCard::~NumberCard() = default;
 
 void NumberCard::setSelection(const std::optional<CoordinateId> &selected) {
   m_selected = selected;
+  m_hintRoom = m_hintLabel->fontMetrics().horizontalAdvance(m_hint);
   showSession();
 }
 
@@ -116,6 +119,7 @@ void NumberCard::setHint(const QString &words) {
   if (words == m_hint)
     return;
   m_hint = words;
+  m_hintRoom = std::max(m_hintRoom, m_hintLabel->fontMetrics().horizontalAdvance(m_hint));
   showHint();
 }
 
@@ -137,8 +141,7 @@ void NumberCard::elideHint() {
 }
 
 QSize NumberCard::sizeHint() const {
-  const int hint = m_hintLabel->fontMetrics().horizontalAdvance(m_hint);
-  const QSize whole(hint + 2 * frameWidth() + cardMargins.left() + cardMargins.right(), 0);
+  const QSize whole(m_hintRoom + 2 * frameWidth() + cardMargins.left() + cardMargins.right(), 0);
   return QFrame::sizeHint().expandedTo(whole);
 }
 

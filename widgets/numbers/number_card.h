@@ -51,6 +51,7 @@ private:
   QLabel *m_complaint;
   QLabel *m_hintLabel;
   QString m_hint;
+  int m_hintRoom = 0; ///< of the longest hint since the selection: in a drag the card keeps its width
 };
 
 } // namespace halfspace

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QStackedLayout>
 #include <QVariant>
 
@@ -49,17 +50,15 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
   repolish(*m_case);
 }
 
-void CaseLine::setHeld(bool held) {
-  if (held)
-    endMessage();
-  m_held = held;
-  setMinimumHeight(held ? height() : 0);
-}
-
 void CaseLine::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
-  if (m_held)
-    setMinimumHeight(height());
+  setMinimumHeight(event->oldSize().width() == width() ? height() : 0);
+}
+
+void CaseLine::changeEvent(QEvent *event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    setMinimumHeight(0);
 }
 
 void CaseLine::say(const QString &sentence) {

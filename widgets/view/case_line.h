@@ -11,6 +11,7 @@ class QStackedLayout;
 
 namespace halfspace {
 
+/// As long as width and type are the same it only grows: the picture above it would jump with the words.
 /// The case in plain words; in its place, for a moment, what the program has to tell, and beside both, as
 /// long as it holds, what it has to complain of.
 class CaseLine : public QWidget {
@@ -22,20 +23,17 @@ public:
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
-  /// While the line is held it only grows: the picture above it would jump back and forth with the numbers.
-  /// The case is what counts then: a message goes.
-  void setHeld(bool held);
   void say(const QString &sentence);
+  /// Where the case is what counts, as in a drag.
+  void endMessage();
   /// Empty: there is nothing to complain of.
   void complain(const QString &sentence, const QString &details = {});
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
+  void changeEvent(QEvent *event) override;
 
 private:
-  void endMessage();
-
-  bool m_held = false;
   QLabel *m_case;
   QLabel *m_message;
   QLabel *m_usual; ///< as long as cases usually are; never shown

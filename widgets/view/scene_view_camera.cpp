@@ -114,14 +114,14 @@ void SceneView::setCovered(const std::vector<QRect> &rectangles) {
   if (covered == m_covered)
     return;
   m_covered = std::move(covered);
-  if (m_atHome)
+  if (m_atHome && !m_model.inGesture())
     showAll();
   requestFrame();
 }
 
 void SceneView::keepInView() {
   const PixelSize before = std::exchange(m_size, pixelSize());
-  if (m_atHome)
+  if (m_atHome && !m_model.inGesture()) // what is held would slip from under the hand
     return showAll();
   if (before == m_size)
     return;

@@ -32,9 +32,9 @@ TEST(TaskProgress, OfTheNextTaskTellsWhetherItHoldsAlready) {
   TaskProgress progress;
   progress.arrive();
   progress.observe(awayAndBack, withT(0));
-  EXPECT_EQ(progress.states(), (std::vector{TaskState::HoldsAlready, TaskState::Open}));
+  EXPECT_EQ(progress.states(), (std::vector{TaskState::HoldsAlready, TaskState::Waiting}));
   progress.observe(awayAndBack, withT(1));
-  EXPECT_EQ(progress.states(), (std::vector{TaskState::Open, TaskState::Open}))
+  EXPECT_EQ(progress.states(), (std::vector{TaskState::Open, TaskState::Waiting}))
       << "the second waits its turn";
   progress.observe(awayAndBack, withT(0));
   EXPECT_EQ(progress.states(), (std::vector{TaskState::Done, TaskState::Open}));

@@ -78,6 +78,20 @@ private slots:
     QCOMPARE(row.accessibleDescription(), QString());
   }
 
+  void row_ofATaskThatWaits_isPalerAndSaysWhy() {
+    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    row.resize(300, 40);
+    const QColor ink = toQColor(theme().ink);
+    const int before = pixelsOf(row.grab().toImage(), ink);
+    QVERIFY(before > 0);
+    row.setState(TaskState::Waiting);
+    QVERIFY(pixelsOf(row.grab().toImage(), ink) < before);
+    QVERIFY(!row.toolTip().isEmpty());
+    row.setState(TaskState::Open);
+    QCOMPARE(pixelsOf(row.grab().toImage(), ink), before);
+    QVERIFY(row.toolTip().isEmpty());
+  }
+
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
     TaskRow row(m_typesetter, "Drag Q.");
     for (const double textScale : {1.0, 2.0}) {

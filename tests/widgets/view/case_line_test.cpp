@@ -2,6 +2,7 @@
 #include "widgets/view/case_line.h"
 
 #include <QLabel>
+#include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
@@ -70,11 +71,11 @@ private slots:
     }
   }
 
-  void message_goesWhenSomethingIsDragged() {
+  void message_thatIsEnded_leavesItsPlaceToTheCase() {
     ShownLine shown;
     shown.line.setCase("3", false);
     shown.line.say("Saved.");
-    shown.line.setHeld(true);
+    shown.line.endMessage();
     QCOMPARE(shown.said("message"), QString());
     QCOMPARE(shown.said("case"), QString("3"));
   }
@@ -100,15 +101,25 @@ private slots:
     QCOMPARE(ink(), QColor(Qt::black));
   }
 
-  void heldLine_doesNotBecomeLessHigh_untilItIsLetGo() {
-    ShownLine shown;
-    const auto leastHeight = [&] { return shown.line.minimumHeight(); };
-    shown.line.resize(600, 90);
-    shown.line.setHeld(true);
-    shown.line.setCase("3", false);
-    QCOMPARE(leastHeight(), 90);
-    shown.line.setHeld(false);
-    QVERIFY(leastHeight() < 90);
+  void line_thatBecameHigher_staysSo_untilItsWidthChanges() {
+    QWidget window;
+    auto *column = new QVBoxLayout(&window);
+    column->addWidget(new QWidget, 1);
+    auto *line = new CaseLine;
+    column->addWidget(line);
+    window.resize(500, 400);
+    window.show();
+    line->setCase("3", false);
+    QCoreApplication::processEvents();
+    const int usual = line->height();
+    line->setCase(QString("many words ").repeated(30), false);
+    QTRY_VERIFY(line->height() > usual);
+    const int grown = line->height();
+    line->setCase("3", false);
+    QTest::qWait(50);
+    QCOMPARE(line->height(), grown);
+    window.resize(520, 400);
+    QTRY_COMPARE(line->height(), usual);
   }
 
   void wordsOfStrangers_arePlainText() {

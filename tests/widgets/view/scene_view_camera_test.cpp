@@ -199,6 +199,20 @@ private slots:
     QVERIFY(fixture.view.camera() == mine);
   }
 
+  void resizing_whileAHandleIsHeld_doesNotFitTheFigureAnew() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera before = fixture.view.camera();
+    fixture.press(fixture.at("Q"));
+    fixture.model.moveGesture(ChangeObject{"Q", PointObject{{60, 60, 60}}}); // the figure is larger now
+    const int height = fixture.view.height();
+    fixture.window.resize(fixture.window.width(), fixture.window.height() - 16);
+    QTRY_VERIFY(fixture.view.height() < height);
+    fixture.view.setCovered({QRect(0, 0, 200, 100)});
+    QVERIFY(fixture.view.camera() == before);
+    fixture.release(fixture.at("Q"));
+  }
+
   void resizing_afterTheCameraWasMoved_keepsWhatWasBetweenTheSides() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);

@@ -265,7 +265,7 @@ private slots:
     QCOMPARE(practice.score(), QString());
     practice.choose("All blank");
     QCOMPARE(practice.score(), QString("1st try: 0/2")); // the vector asks for nothing
-    answer(practice.fields().first(), "abc");              // no answer
+    answer(practice.fields().first(), "abc");            // no answer
     answer(practice.fields().first(), "30");
     QCOMPARE(practice.score(), QString("1st try: 1/2"));
     answer(practice.fields().first(), "30"); // wrong
