@@ -2,6 +2,7 @@
 // the list of lessons/CMakeLists.txt, from which the table is generated.
 #pragma once
 
+#include "lessons/construction/construction_names.h"
 #include "lessons/construction/naming.h"
 #include "lessons/construction/outcome.h"
 #include "lessons/object/given.h"
@@ -27,6 +28,7 @@ struct Construction {
   std::vector<ConstructionRole> roles; ///< what it looks at
   std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
   std::vector<std::string> ownLetters; ///< of what else stands in its lines: w, f, t
+  ConstructionNames names;             ///< of all that it can come to
   /// Evaluates objects in the order of the roles; their kinds are those of the roles. Of the naming all but
   /// the letters for sentences is needed.
   std::function<std::shared_ptr<const Outcome>(Naming, GivenObjects)> evaluate;
@@ -49,15 +51,18 @@ template <class In, class Out> struct ConstructionFunctions {
   std::vector<MadeObject> (*make)(const In &, const Out &);
   Explanation (*explain)(const In &, const Out &);
   Figure (*draw)(const In &, const Out &);
+  /// The nearest special cases, one change of one object each; none that holds already.
+  std::vector<SpecialCase> (*nearby)(const In &, const Out &);
 };
 
-/// Puts a construction together: its id, the roles' names, what it makes, its own letters, its functions.
+/// Puts a construction together: its id, the roles' names, what it makes, its own letters, the names of all
+/// that it can come to, its functions.
 template <class In, class Out, class... Kinds>
 [[nodiscard]] Construction
 makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)> roles,
                  std::vector<ConstructionRole> makes, std::vector<std::string> ownLetters,
-                 ConstructionFunctions<In, Out> functions) {
-  Construction construction{id, {}, std::move(makes), std::move(ownLetters), {}};
+                 ConstructionNames names, ConstructionFunctions<In, Out> functions) {
+  Construction construction{id, {}, std::move(makes), std::move(ownLetters), std::move(names), {}};
   std::size_t next = 0;
   (construction.roles.push_back({roles.at(next++), Kinds::kind}), ...);
   construction.evaluate = [=, roles = construction.roles](Naming naming, GivenObjects objects) {
@@ -75,7 +80,8 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
     return std::make_shared<const Outcome>(
         Outcome{functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
                 Lazy<std::vector<NamedValue>>(later(functions.valuesOf)),
-                Lazy<Explanation>(later(functions.explain)), Lazy<Figure>(later(functions.draw)), computed});
+                Lazy<Explanation>(later(functions.explain)), Lazy<Figure>(later(functions.draw)),
+                Lazy<std::vector<SpecialCase>>(later(functions.nearby)), computed});
   };
   return construction;
 }

@@ -3,6 +3,7 @@
 
 #include "geometry/surd.h"
 #include "lessons/construction/explanation.h"
+#include "lessons/construction/special_case.h"
 #include "lessons/figure/figure.h"
 #include "lessons/lazy.h"
 #include "lessons/object/object.h"
@@ -52,10 +53,11 @@ struct MadeObject {
 struct Outcome {
   std::vector<MadeObject> objects; ///< those that are there in the case
   Lazy<CaseWords> told;
-  Lazy<std::vector<NamedValue>> values; ///< those that have a meaning in the case
-  Lazy<Explanation> explanation;        ///< empty for an object
-  Lazy<Figure> figure;                  ///< the entry's own marks
-  std::shared_ptr<const void> computed; ///< what the others are made from
+  Lazy<std::vector<NamedValue>> values;  ///< those that have a meaning in the case
+  Lazy<Explanation> explanation;         ///< empty for an object
+  Lazy<Figure> figure;                   ///< the entry's own marks
+  Lazy<std::vector<SpecialCase>> nearby; ///< the special cases near the present input
+  std::shared_ptr<const void> computed;  ///< what the others are made from
 };
 
 } // namespace halfspace

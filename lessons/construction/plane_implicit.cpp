@@ -1,6 +1,7 @@
 // The implicit equation of a plane: 0 = n·(P − P0), numbers put in, expanded, collected, normalized (note PG
 // 1 and 3).
 #include "geometry/point_plane.h"
+#include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -11,6 +12,8 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
+
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -173,11 +176,43 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+/// What the plane would be that runs parallel to an axis.
+SpecialCase parallelToAxis(const In &in, int axis) {
+  PlaneObject tilted = in.E.object;
+  tilted.normal[axis] = 0;
+  const std::array<std::string, 3> sentences{words("The plane would run parallel to the x-axis."),
+                                             words("The plane would run parallel to the y-axis."),
+                                             words("The plane would run parallel to the z-axis.")};
+  return {"coefficients." + std::to_string(axis) + " = 0", sentences.at(static_cast<std::size_t>(axis)), "E",
+          tilted};
+}
+
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  if (at.zeroNormal)
+    return all;
+  const auto &[point, normal] = in.E.object;
+  if (at.equation.offset != 0)
+    all.push_back({"origin_distance = 0", words("The plane would go through the origin."), "E",
+                   PlaneObject{projectVector(point, normal).rejection, normal}});
+  for (int axis = 0; axis < 3; ++axis)
+    if (SpecialCase tilted = parallelToAxis(in, axis);
+        normal[axis] != 0 && !isZero(objectAs<PlaneObject>(tilted.object)->normal))
+      all.push_back(std::move(tilted));
+  return all;
+}
+
 } // namespace
 
 Construction plane_implicit() {
-  return makeConstruction<In, Out, PlaneObject>("plane-implicit", {"E"}, {{"P1", "point"}}, {},
-                                                {compute, tell, valuesOf, make, explain, draw});
+  return makeConstruction<In, Out, PlaneObject>(
+      "plane-implicit", {"E"}, {{"P1", "point"}}, {},
+      {.cases = {"plane", "zero-normal"},
+       .values = {named::list("coefficients", 4), named::list("primitive", 4), named::list("normalized", 4),
+                  named::number("origin_distance")},
+       .lines = {"implicit", "insert", "expand", "collect", "constant", "normalized", "scaled"},
+       .marks = {"P1", "kn"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

@@ -2,6 +2,7 @@
 #include "lessons/object/plane.h"
 #include "geometry/case_names.h"
 #include "geometry/intersect_planes.h"
+#include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -184,11 +185,50 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+/// The plane E turned about its point, until its normal is a multiple of the other's or perpendicular to it.
+std::vector<SpecialCase> turned(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  const auto parts = projectVector(in.E.object.normal, in.F.object.normal);
+  const ExactVec3 &point = in.E.object.point;
+  const bool isInBoth = evaluate(planeThrough(in.F.object.point, in.F.object.normal), point) == 0;
+  if (!isZero(parts.projection))
+    all.push_back({isInBoth ? "case = coincident" : "case = parallel",
+                   isInBoth ? words("{E} and {F} would be the same plane.", at.letters)
+                            : words("The planes would be parallel."),
+                   "E", PlaneObject{point, parts.projection}});
+  if (!isZero(parts.rejection) && !isZero(parts.projection))
+    all.push_back({"cos_angle = 0", words("The planes would stand at a right angle to each other."), "E",
+                   PlaneObject{point, parts.rejection}});
+  return all;
+}
+
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  const auto &[point, normal] = in.E.object;
+  switch (at.meet.which) {
+  case PlanePlaneCase::Line:
+    return turned(in, at);
+  case PlanePlaneCase::Parallel:
+    return {{"case = coincident", words("{E} and {F} would be the same plane.", at.letters), "E",
+             PlaneObject{point - projectVector(ExactVec3(point - in.F.object.point), normal).projection,
+                         normal}}};
+  case PlanePlaneCase::Coincident:
+  case PlanePlaneCase::ZeroNormal:
+    break;
+  }
+  return {};
+}
+
 } // namespace
 
 Construction plane_plane() {
   return makeConstruction<In, Out, PlaneObject, PlaneObject>(
-      "plane-plane", {"E", "F"}, {{"g", "line"}}, {"m", "φ"}, {compute, tell, valuesOf, make, explain, draw});
+      "plane-plane", {"E", "F"}, {{"g", "line"}}, {"m", "φ"},
+      {.cases = {"line", "parallel", "coincident", "zero-normal"},
+       .values = {named::vector("direction"), named::vector("moment"), named::vector("point"),
+                  named::number("cos_angle")},
+       .lines = {"d1", "d2", "direction", "moment", "point", "angle"},
+       .marks = {"g", "g.v", "g.A", "phi"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

@@ -134,12 +134,31 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  if (at.measured.which == PointLineCase::ZeroDirection)
+    return all;
+  const auto &[through, direction] = in.g.object;
+  const ExactVec3 &point = in.Q.object.at;
+  if (at.measured.which == PointLineCase::Off)
+    all.push_back(
+        {"case = on", words("{Q} would lie on the line.", at.letters), "Q", PointObject{at.measured.foot}});
+  if (at.measured.t != 0)
+    all.push_back({"t = 0", words("The foot of {Q} would be {A}.", at.letters), "Q",
+                   PointObject{ExactVec3(point - direction * at.measured.t)}});
+  return all;
+}
+
 } // namespace
 
 Construction point_line() {
-  return makeConstruction<In, Out, PointObject, LineObject>("point-line", {"Q", "g"}, {{"F", "point"}},
-                                                            {"w", "t", "h", "dist"},
-                                                            {compute, tell, valuesOf, make, explain, draw});
+  return makeConstruction<In, Out, PointObject, LineObject>(
+      "point-line", {"Q", "g"}, {{"F", "point"}}, {"w", "t", "h", "dist"},
+      {.cases = {"off", "on", "zero-direction"},
+       .values = {named::number("t"), named::vector("foot"), named::number("distance")},
+       .lines = {"w", "t", "foot", "h", "distance"},
+       .marks = {"w", "F", "h"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

@@ -2,6 +2,7 @@
 // 28).
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_plane.h"
+#include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -202,12 +203,41 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  const auto &[point, normal] = in.E.object;
+  const auto &[origin, direction] = in.L.object;
+  if (isZero(normal) || isZero(direction))
+    return all;
+  const bool crosses = at.meet.crosses();
+  const bool startsInPlane = at.meet.numerator == 0;
+  if (!startsInPlane) {
+    const ExactVec3 foot = origin - projectVector(ExactVec3(origin - point), normal).projection;
+    all.push_back(
+        {crosses ? "t = 0" : "case = in-plane",
+         crosses ? words("{Q} would lie in the plane, and the ray would hit it at its own start.", at.letters)
+                 : words("The ray would lie in the plane."),
+         "L", RayObject{foot, direction}});
+  }
+  if (const ExactVec3 turned = projectVector(direction, normal).rejection; crosses && !isZero(turned))
+    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
+                   startsInPlane ? words("The ray would lie in the plane.")
+                                 : words("The ray would run parallel to the plane."),
+                   "L", RayObject{origin, turned}});
+  return all;
+}
+
 } // namespace
 
 Construction ray_plane_dot() {
-  return makeConstruction<In, Out, PlaneObject, RayObject>("ray-plane-dot", {"E", "L"}, {{"H", "point"}},
-                                                           {"d", "f", "t", "nf"},
-                                                           {compute, tell, valuesOf, make, explain, draw});
+  return makeConstruction<In, Out, PlaneObject, RayObject>(
+      "ray-plane-dot", {"E", "L"}, {{"H", "point"}}, {"d", "f", "t", "nf"},
+      {.cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
+       .values = {named::number("numerator"), named::number("denominator"), named::number("t"),
+                  named::vector("point"), named::vector("facing_normal")},
+       .lines = {"substitute", "collect", "numerator", "denominator", "t", "hit", "facing"},
+       .marks = {"H", "facing"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

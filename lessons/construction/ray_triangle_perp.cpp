@@ -3,7 +3,9 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/point_line.h"
+#include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
+#include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
@@ -364,13 +366,82 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+/// What the ray would be, moved sideways, whose line meets a corner or an edge: those that it does not meet.
+void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
+  const auto &[origin, direction] = in.L.object;
+  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+  const auto add = [&](const ExactVec3 &shift, const char *when, std::string sentence) {
+    if (!isZero(shift))
+      all.push_back({when, std::move(sentence), "L", RayObject{origin + shift, direction}});
+  };
+  const std::array<const Term *, 3> names{&at.P0, &at.P1, &at.P2};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    add(projectVector(ExactVec3(corners.at(i) - origin), direction).rejection, "location = vertex",
+        words("The line of the ray would go through the corner {corner}.",
+              {{"corner", plainText(*names.at(i))}}));
+    if (const auto shift = shiftOntoSegment(in.L.object, corners.at(i), corners.at(next)))
+      add(*shift, "location = edge",
+          words("The line of the ray would go through the edge {edge}.",
+                {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
+  }
+}
+
+/// The triangle with one corner moved onto the line of the two others.
+void addFlattened(const In &in, const Out &at, std::vector<SpecialCase> &all) {
+  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ExactVec3 &from = corners.at((i + 1) % corners.size());
+    const ExactVec3 &to = corners.at((i + 2) % corners.size());
+    std::array flat = corners;
+    flat.at(i) = footOf(corners.at(i), from, ExactVec3(to - from));
+    if (flat.at(i) != from && flat.at(i) != to)
+      all.push_back({"case = collinear", words("{P0}, {P1} and {P2} would lie on one line.", at.letters), "T",
+                     TriangleObject{flat[0], flat[1], flat[2]}});
+  }
+}
+
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  const auto &[origin, direction] = in.L.object;
+  const ExactVec3 &normal = at.meet.perps.normal;
+  if (isZero(normal) || isZero(direction))
+    return all;
+  addFlattened(in, at, all);
+  if (!at.meet.crosses())
+    return all;
+  addShifted(in, at, all);
+  const bool startsInPlane = at.meet.plane.t == 0;
+  if (!startsInPlane)
+    all.push_back({"t = 0", words("{Q} would lie in the triangle's plane.", at.letters), "L",
+                   RayObject{origin - projectVector(ExactVec3(origin - in.T.object.p0), normal).projection,
+                             direction}});
+  if (const ExactVec3 turned = projectVector(direction, normal).rejection; !isZero(turned))
+    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
+                   startsInPlane ? words("The ray would lie in the triangle's plane.")
+                                 : words("The ray would run parallel to the triangle's plane."),
+                   "L", RayObject{origin, turned}});
+  return all;
+}
+
 } // namespace
 
 Construction ray_triangle_perp() {
   return makeConstruction<In, Out, TriangleObject, RayObject>(
       "ray-triangle-perp", {"T", "L"}, {{"I", "point"}},
       {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
-      {compute, tell, valuesOf, make, explain, draw});
+      {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
+                 "collinear"},
+       .values = {named::word("location", {"interior", "edge", "vertex", "outside"}), named::index("feature"),
+                  named::number("t"), named::vector("point"), named::number("s"), named::number("t_triangle"),
+                  named::list("barycentric", 3),
+                  named::group("perp", {named::vector("u_perp"), named::vector("v_perp"), named::number("uu"),
+                                        named::number("uv"), named::number("vv"), named::number("wu"),
+                                        named::number("wv"), named::number("denominator")})},
+       .lines = {"u", "v",  "normal", "uu",          "uv", "vv", "uperp", "vperp", "plane-t", "hit",
+                 "w", "wu", "wv",     "denominator", "s",  "t",  "place", "a",     "b",       "similar"},
+       .marks = {"n", "uperp", "vperp", "u", "v", "w", "A", "B", "C", "I"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

@@ -195,12 +195,24 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
+std::vector<SpecialCase> nearby(const In &, const Out &at) {
+  if (at.which == PointPlaneCase::ZeroNormal || at.which == PointPlaneCase::On)
+    return {};
+  return {{"side = on", words("{Q} would lie in the plane.", at.letters), "Q", PointObject{at.foot}}};
+}
+
 } // namespace
 
 Construction signed_distance() {
-  return makeConstruction<In, Out, PlaneObject, PointObject>("signed-distance", {"E", "Q"}, {{"F", "point"}},
-                                                             {"f", "w", "dist", "θ"},
-                                                             {compute, tell, valuesOf, make, explain, draw});
+  return makeConstruction<In, Out, PlaneObject, PointObject>(
+      "signed-distance", {"E", "Q"}, {{"F", "point"}}, {"f", "w", "dist", "θ"},
+      {.cases = {"positive", "negative", "on", "zero-normal"},
+       .values = {named::number("f"), named::number("signed_distance"),
+                  named::word("side", {"positive", "negative", "on"}), named::vector("foot"),
+                  named::number("cos_angle")},
+       .lines = {"f", "side", "length", "distance", "cosine", "foot"},
+       .marks = {"w", "theta", "F", "distance"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 
 } // namespace halfspace

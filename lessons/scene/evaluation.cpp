@@ -30,6 +30,7 @@ std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vec
               Lazy<Figure>([given = given.get(), reaches = std::move(reaches)] {
                 return Figure{given->object.kind().draw(*given), reaches};
               }),
+              nothing<std::vector<SpecialCase>>(),
               given});
 }
 
@@ -54,6 +55,7 @@ std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
                                                  nothing<std::vector<NamedValue>>(),
                                                  nothing<Explanation>(),
                                                  nothing<Figure>(),
+                                                 nothing<std::vector<SpecialCase>>(),
                                                  nullptr});
 }
 

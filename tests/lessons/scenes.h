@@ -81,15 +81,16 @@ inline Scene edited(Scene scene, const std::vector<Edit> &edits) {
 /// An evaluation in which nothing but these values is there, of an entry `it`.
 inline Evaluation withValues(std::vector<NamedValue> values, std::string caseName = {}) {
   const auto nothing = [] { return Explanation(); };
-  const auto outcome =
-      std::make_shared<const Outcome>(Outcome{{},
-                                              Lazy<CaseWords>([caseName] {
-                                                return CaseWords{caseName, "", false};
-                                              }),
-                                              Lazy<std::vector<NamedValue>>([values] { return values; }),
-                                              Lazy<Explanation>(nothing),
-                                              Lazy<Figure>([] { return Figure(); }),
-                                              nullptr});
+  const auto outcome = std::make_shared<const Outcome>(
+      Outcome{{},
+              Lazy<CaseWords>([caseName] {
+                return CaseWords{caseName, "", false};
+              }),
+              Lazy<std::vector<NamedValue>>([values] { return values; }),
+              Lazy<Explanation>(nothing),
+              Lazy<Figure>([] { return Figure(); }),
+              Lazy<std::vector<SpecialCase>>([] { return std::vector<SpecialCase>(); }),
+              nullptr});
   return {{{"it", "any", {}, {}, {}, outcome}}};
 }
 

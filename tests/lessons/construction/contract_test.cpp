@@ -5,6 +5,7 @@
 
 #include "geometry/surd.h"
 #include "lessons/files/read_file.h"
+#include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/lesson/typed_answer.h"
@@ -49,6 +50,37 @@ std::string textOf(const Object &object) {
   return text;
 }
 
+/// What came up of the names that a construction declares: cases as `case = hit`, values, also as `side =
+/// on`, lines and marks.
+using NamesSeen = std::set<std::string>;
+
+void addNames(const std::vector<ValueName> &values, const std::string &group, NamesSeen &names) {
+  for (const ValueName &value : values) {
+    const std::string name = group + value.name;
+    names.insert("value " + name);
+    for (const std::string &word : value.words)
+      names.insert("value " + name + " = " + word);
+    addNames(value.members, name + ".", names);
+  }
+}
+
+NamesSeen declaredNames(const ConstructionNames &declared) {
+  NamesSeen names;
+  for (const std::string &name : declared.cases)
+    names.insert("case = " + name);
+  for (const std::string &name : declared.lines)
+    names.insert("line " + name);
+  for (const std::string &name : declared.marks)
+    names.insert("mark " + name);
+  addNames(declared.values, "", names);
+  return names;
+}
+
+std::ptrdiff_t casesIn(const NamesSeen &names) {
+  return std::count_if(names.begin(), names.end(),
+                       [](const std::string &name) { return name.starts_with("case = "); });
+}
+
 /// One scene and everything that is promised of its outcome.
 class Contract {
 public:
@@ -78,7 +110,19 @@ public:
     checkFigure();
     checkMarks();
     checkObjects();
+    checkNearby();
     checkRepetition();
+  }
+
+  /// The names that have come up in this scene.
+  NamesSeen namesSeen() const {
+    NamesSeen names{"case = " + caseName()};
+    for (const std::string &id : outcome().explanation->ids())
+      names.insert("line " + id);
+    for (const Mark &mark : outcome().figure->marks)
+      names.insert("mark " + leadingId(baseOf(mark)).substr(std::string_view("it.").size()));
+    addSeen(*outcome().values, m_construction.names.values, "", names);
+    return names;
   }
 
   /// Only that the case is right and that all can be drawn.
@@ -86,6 +130,8 @@ public:
     SCOPED_TRACE(std::string(m_construction.id) + ": " + m_text);
     checkCase();
     checkFigure();
+    for (const SpecialCase &special : *outcome().nearby)
+      EXPECT_FALSE(special.sentence.empty());
   }
 
 private:
@@ -370,6 +416,49 @@ private:
     }
   }
 
+  /// Values have the shapes that are declared of them.
+  static void addSeen(const std::vector<NamedValue> &values, const std::vector<ValueName> &declared,
+                      const std::string &group, NamesSeen &names) {
+    for (const NamedValue &value : values) {
+      const std::string name = group + value.name;
+      names.insert("value " + name);
+      const auto known = std::find_if(declared.begin(), declared.end(),
+                                      [&](const ValueName &each) { return each.name == value.name; });
+      ASSERT_NE(known, declared.end()) << name;
+      EXPECT_EQ(shapeOf(value.value), known->shape) << name;
+      if (const auto *numbers = std::get_if<std::vector<Surd>>(&value.value))
+        EXPECT_LE(numbers->size(), known->length) << name;
+      if (const auto *word = std::get_if<std::string>(&value.value))
+        names.insert("value " + name + " = " + *word);
+      if (const auto *members = std::get_if<std::vector<NamedValue>>(&value.value))
+        addSeen(*members, known->members, name + ".", names);
+    }
+  }
+
+  static ValueShape shapeOf(const Value &value) {
+    return std::visit(Overloaded{[](const Surd &) { return ValueShape::Number; },
+                                 [](const std::vector<Surd> &) { return ValueShape::List; },
+                                 [](const std::string &) { return ValueShape::Word; },
+                                 [](int) { return ValueShape::Index; },
+                                 [](const std::vector<NamedValue> &) { return ValueShape::Group; }},
+                      value);
+  }
+
+  /// Each special case is one change away, and is not there yet.
+  void checkNearby() const {
+    for (const SpecialCase &special : *outcome().nearby) {
+      SCOPED_TRACE(special.when + ": " + special.sentence);
+      EXPECT_EQ(special.sentence.find('{'), std::string::npos) << "every letter is filled in";
+      const auto conditions = parseConditions(special.when);
+      ASSERT_TRUE(conditions) << conditions.problem().sentence;
+      const Task task{special.sentence, *conditions};
+      EXPECT_FALSE(isDone(task, m_evaluation)) << "it holds already";
+      const auto &use = std::get<ConstructionUse>(m_scene.entries.back().content);
+      const Scene changed = edited(m_scene, {ChangeObject{use.roles.at(special.role), special.object}});
+      EXPECT_TRUE(isDone(task, evaluate(changed)));
+    }
+  }
+
   void checkRepetition() const {
     const Evaluation again = evaluate(m_scene);
     EXPECT_EQ(lastOutcome(again).told->name, caseName());
@@ -409,39 +498,39 @@ class EveryConstruction : public testing::TestWithParam<std::string> {
 protected:
   const Construction &construction() const { return *findConstruction(GetParam()); }
 
-  /// Checks many scenes; the cases that came up.
-  std::set<std::string> checkScenes(Writing writing) const {
+  /// Checks many scenes; the names that came up.
+  NamesSeen checkScenes(Writing writing) const {
     RandomObjects random(20'240'000 + static_cast<std::uint64_t>(writing));
-    std::set<std::string> cases;
+    NamesSeen names;
     for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
       const std::vector<Object> objects = random.objectsFor(construction(), writing);
       Contract contract(construction(), objects);
       contract.check();
-      cases.insert(contract.caseName());
+      names.merge(contract.namesSeen());
     }
-    return cases;
+    return names;
   }
 };
 
-TEST_P(EveryConstruction, OnSmallIntegers_IsRightInEveryCaseItHas) {
-  EXPECT_EQ(checkScenes(Writing::SmallIntegers), expectedOf(construction()).cases);
+TEST_P(EveryConstruction, OnSmallIntegers_IsRightAndComesToAllThatItNames) {
+  EXPECT_EQ(checkScenes(Writing::SmallIntegers), declaredNames(construction().names));
 }
 
-TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(checkScenes(Writing::Halves).size(), 1U); }
+TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(casesIn(checkScenes(Writing::Halves)), 1); }
 
-TEST_P(EveryConstruction, OnDecimals_IsRight) { EXPECT_GT(checkScenes(Writing::Decimals).size(), 1U); }
+TEST_P(EveryConstruction, OnDecimals_IsRight) { EXPECT_GT(casesIn(checkScenes(Writing::Decimals)), 1); }
 
-TEST_P(EveryConstruction, OnFractions_IsRight) { EXPECT_GT(checkScenes(Writing::Fractions).size(), 1U); }
+TEST_P(EveryConstruction, OnFractions_IsRight) { EXPECT_GT(casesIn(checkScenes(Writing::Fractions)), 1); }
 
 TEST_P(EveryConstruction, OnFractionsOfTwelveDigits_IsRightAndMarksWhatItRounds) {
-  EXPECT_GT(checkScenes(Writing::LongFractions).size(), 1U);
+  EXPECT_GT(casesIn(checkScenes(Writing::LongFractions)), 1);
   RandomObjects random(7);
   const std::vector<Object> objects = random.objectsFor(construction(), Writing::LongFractions);
   EXPECT_TRUE(isRounded(Contract(construction(), objects).working()));
 }
 
 TEST_P(EveryConstruction, OnLargeIntegers_IsRight) {
-  EXPECT_GT(checkScenes(Writing::LargeIntegers).size(), 1U);
+  EXPECT_GT(casesIn(checkScenes(Writing::LargeIntegers)), 1);
 }
 
 std::string listed(const std::vector<ConstructionRole> &roles) {
@@ -481,22 +570,18 @@ TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
   }
 }
 
-/// The objects that the lesson's construction looks at.
-std::vector<Object> objectsAtTheStart(const Lesson &lesson) {
-  const auto &use = std::get<ConstructionUse>(lesson.scene.entries.back().content);
-  std::vector<Object> objects;
-  for (const ConstructionRole &role : findConstruction(use.id)->roles)
-    objects.push_back(*findObject(lesson.scene, use.roles.at(role.name)));
-  return objects;
-}
-
 TEST(Contract, TheStartOfEveryLesson_IsRightAndExactInEveryLine) {
-  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
-    const std::vector<Object> objects = objectsAtTheStart(lesson);
-    Contract contract(*findConstruction(lesson.id), objects);
-    contract.check();
-    EXPECT_FALSE(isRounded(contract.working())) << lesson.id;
-  }
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
+    for (const EvaluatedEntry &entry : evaluate(lesson.scene).entries) {
+      if (!entry.isConstruction())
+        continue;
+      std::vector<Object> objects;
+      for (const auto &given : entry.looksAt)
+        objects.push_back(given->object);
+      Contract contract(*findConstruction(entry.construction), objects);
+      contract.check();
+      EXPECT_FALSE(isRounded(contract.working())) << lesson.id << ", " << entry.name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Contract, EveryConstruction, testing::ValuesIn([] {

@@ -28,13 +28,14 @@ Evaluation sample() {
   const CaseWords told{"hit", "100% done_ok {now}: λ ≈ −2·10⁻³°", false};
   Explanation lines;
   lines.add("t", [=] { return line(withNumbers(t == a / b), "It is < 1 & so on."); });
-  const auto outcome =
-      std::make_shared<const Outcome>(Outcome{{{"F", PointObject{{1, Rational(1, 2), -3}}}},
-                                              Lazy<CaseWords>([told] { return told; }),
-                                              Lazy<std::vector<NamedValue>>([values] { return values; }),
-                                              Lazy<Explanation>([lines] { return lines; }),
-                                              Lazy<Figure>([] { return Figure(); }),
-                                              nullptr});
+  const auto outcome = std::make_shared<const Outcome>(
+      Outcome{{{"F", PointObject{{1, Rational(1, 2), -3}}}},
+              Lazy<CaseWords>([told] { return told; }),
+              Lazy<std::vector<NamedValue>>([values] { return values; }),
+              Lazy<Explanation>([lines] { return lines; }),
+              Lazy<Figure>([] { return Figure(); }),
+              Lazy<std::vector<SpecialCase>>([] { return std::vector<SpecialCase>(); }),
+              nullptr});
   return {{{"it", "any", {}, {}, {}, outcome}}};
 }
 

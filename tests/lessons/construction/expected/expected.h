@@ -1,4 +1,4 @@
-// What each construction should come to: its cases, its numbers by other formulas than the program's, and
+// What each construction should come to: its numbers by other formulas than the program's, and
 // wrong answers as learners come to them. One file a construction, by the words of lessons/CMakeLists.txt.
 #pragma once
 
@@ -47,7 +47,6 @@ struct WrongAnswer {
 };
 
 struct Expected {
-  std::set<std::string> cases; ///< all that there are
   Recomputed (*recompute)(Objects);
   /// The wrong answers to the lines that ask for a number, without those that come to the right answer all
   /// the same. One value may come up for several reasons. None for a scene without an answer of the usual

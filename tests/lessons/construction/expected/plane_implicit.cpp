@@ -79,10 +79,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected plane_implicit() {
-  return {.cases = {"plane", "zero-normal"},
-          .recompute = recompute,
-          .wrongAnswers = wrongAnswers,
-          .leastShareNamed = 0.34};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.34};
 }
 
 } // namespace expected

@@ -66,10 +66,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected point_line() {
-  return {.cases = {"off", "on", "zero-direction"},
-          .recompute = recompute,
-          .wrongAnswers = wrongAnswers,
-          .leastShareNamed = 0.4};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.4};
 }
 
 } // namespace expected
