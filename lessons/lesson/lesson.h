@@ -5,6 +5,8 @@
 //   id: signed-distance
 //   title: How far is a point from a plane?
 //   order: 2
+//   chapter: Distances
+//   needs: [plane-implicit]
 //   sources: [PG 3.4, PG 3.5]
 //   macros: {length: '\lvert #1\rvert'}
 //   scene:
@@ -122,8 +124,10 @@ struct LessonStep {
 struct Lesson {
   std::string id;
   std::string title;
-  int order = 0;    ///< its place in the list of lessons
-  std::string file; ///< that it was read from
+  int order = 0;                  ///< its place in the list of lessons
+  std::string chapter;            ///< that it stands in, as people read it; may be empty
+  std::vector<std::string> needs; ///< the ids of the lessons that it builds on
+  std::string file;               ///< that it was read from
   std::vector<std::string> sources;
   Macros macros; ///< of the LaTeX in its words
   Scene scene;

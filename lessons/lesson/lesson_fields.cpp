@@ -131,11 +131,15 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"id", "title", "order", "sources", "macros", "scene", "camera"});
+  fields.allowOnly({"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera"});
   Lesson lesson;
   lesson.id = fields.lessonId("id");
   lesson.title = fields.text("title");
   lesson.order = fields.integer("order", 0, highestOrder, 0);
+  if (fields.optional("chapter"))
+    lesson.chapter = fields.text("chapter");
+  if (const DocumentNode *needs = fields.optional("needs"))
+    lesson.needs = readTexts(*needs, "needs", fields);
   if (const DocumentNode *sources = fields.optional("sources"))
     lesson.sources = readTexts(*sources, "sources", fields);
   if (const DocumentNode *macros = fields.optional("macros"))
