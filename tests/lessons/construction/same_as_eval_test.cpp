@@ -84,8 +84,6 @@ class SameAsEval : public testing::TestWithParam<std::string> {};
 
 TEST_P(SameAsEval, EveryFigureThatBothHave_IsTheSame) {
   const Construction &construction = *findConstruction(GetParam());
-  if (withoutQuestion.contains(GetParam()))
-    GTEST_SKIP() << "the eval format has no such question";
   const Question &question = questions().at(GetParam());
   int compared = 0;
   for (const Writing writing :
@@ -113,7 +111,8 @@ TEST_P(SameAsEval, EveryFigureThatBothHave_IsTheSame) {
 INSTANTIATE_TEST_SUITE_P(Constructions, SameAsEval, testing::ValuesIn([] {
                            std::vector<std::string> ids;
                            for (const Construction &construction : constructions())
-                             ids.emplace_back(construction.id);
+                             if (std::string id(construction.id); !withoutQuestion.contains(id))
+                               ids.push_back(std::move(id));
                            return ids;
                          }()),
                          [](const auto &each) {
