@@ -54,7 +54,7 @@ TEST(ColumnsPutIn, OfVectors_WritesEachAsAColumnWithItsMark) {
   EXPECT_EQ(in(columnsPutIn, columns), "det[1 −1 0; 2 3 1; 2 2 5]");
   const Term written = columnsPutIn(columns);
   EXPECT_EQ(written->parts[5]->mark, "it.c");
-  EXPECT_EQ(written->parts[0]->mark, "");
+  EXPECT_EQ(written->parts[3]->mark, at.n->mark);
   EXPECT_EQ(in(columnsPutIn, determinant(2, {1, at.f, 3, 4})), "det[1 30; 3 4]") << "numbers stay";
   EXPECT_EQ(in(numbersPutIn, columns), "det[1 −1 0; 2 3 1; 2 2 5]");
 }
