@@ -67,6 +67,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-triangle-cramer", "case = hit", {"L.Q", "L.r"}},
       {"ray-triangle-cramer", "case = behind", {"L.Q", "L.r"}},
       {"ray-triangle-cramer", "case = parallel", {"L.r"}},
+      {"ray-triangle-cramer", "case = hit and location = interior", {"L.r"}},
       {"plane-plane", "case = parallel", {"E.n"}},
       {"plane-plane", "case = coincident", {"E.offset", "E.P0"}},
       {"plane-plane", "case = line and cos_angle = 0", {"E.n", "F.n"}},
