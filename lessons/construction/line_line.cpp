@@ -16,7 +16,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -228,8 +227,8 @@ Explanation explain(const In &, const Out &at) {
 
 void drawMoments(Figure &figure, const Out &at) {
   for (const Term *moment : {&at.m1, &at.m2})
-    if (const ArrowMark arrow = momentArrow(*moment); arrow.vector != Place(0))
-      figure.add(arrow);
+    if (!isZero(vectorOf(*moment)))
+      figure.add(momentArrow(*moment));
 }
 
 /// The shortest way between the lines, with a right angle at each of them.
@@ -249,11 +248,8 @@ void drawTurn(Figure &figure, const In &in, const Out &at) {
   constexpr double angle = 1.5 * std::numbers::pi;
   const std::string id = in.mark("turn");
   const Place centre = place(at.F);
-  const Place way = place(at.G) - centre;
-  if (glm::length(way) == 0) // too short for the drawing's numbers
-    return;
-  const double radius = glm::length(way) / 2;
-  const Place start = glm::normalize(way);
+  const double radius = glm::length(place(at.G) - centre) / 2;
+  const Place start = unitOf(at.nearest.second - at.nearest.first);
   const Place axis = unitOf(in.g.object.direction) * (at.related.product > 0 ? 1.0 : -1.0);
   const Place across = glm::cross(axis, start);
   const auto point = [&](int piece) {

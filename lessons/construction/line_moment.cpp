@@ -1,6 +1,7 @@
 #include "lessons/construction/line_moment.h"
 
 #include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
 
 namespace halfspace {
 namespace {
@@ -23,9 +24,8 @@ Term momentOf(const Given<LineObject> &line) {
 }
 
 ArrowMark momentArrow(const Term &moment) {
-  ArrowMark arrow = arrowOf(moment, Place(0), Role::Derived, Subject::Measure);
-  arrow.drawnLength = drawnMomentLength;
-  return arrow;
+  return {drawn(moment, Role::Derived, Subject::Measure), Place(0), unitOf(vectorOf(moment)), false,
+          drawnMomentLength};
 }
 
 } // namespace halfspace
