@@ -370,18 +370,20 @@ Figure draw(const In &in, const Out &at) {
 void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   const auto &[origin, direction] = in.L.object;
   const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
-  const auto add = [&](const ExactVec3 &shift, const char *when, std::string sentence) {
+  const auto add = [&](const ExactVec3 &shift, const std::string &location, std::size_t feature,
+                       std::string sentence) {
     if (!isZero(shift))
-      all.push_back({when, std::move(sentence), "L", RayObject{origin + shift, direction}});
+      all.push_back({"location = " + location + " and feature = " + std::to_string(feature),
+                     std::move(sentence), "L", RayObject{origin + shift, direction}});
   };
   const std::array<const Term *, 3> names{&at.P0, &at.P1, &at.P2};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
-    add(projectVector(ExactVec3(corners.at(i) - origin), direction).rejection, "location = vertex",
+    add(projectVector(ExactVec3(corners.at(i) - origin), direction).rejection, "vertex", i,
         words("The line of the ray would go through the corner {corner}.",
               {{"corner", plainText(*names.at(i))}}));
     if (const auto shift = shiftOntoSegment(in.L.object, corners.at(i), corners.at(next)))
-      add(*shift, "location = edge",
+      add(*shift, "edge", 3 - i - next, // the corner opposite to it
           words("The line of the ray would go through the edge {edge}.",
                 {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
   }
