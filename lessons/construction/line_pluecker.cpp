@@ -9,6 +9,7 @@
 #include "lessons/object/line.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
 namespace halfspace {
@@ -146,7 +147,7 @@ void drawMoment(Figure &figure, const Out &at) {
 void drawDistance(Figure &figure, const Out &at) {
   const Place nearest = place(at.N);
   MarkBase way = drawn(at.dist, Role::Result, Subject::Measure);
-  way.numbers = relatedLatex(at.dist);
+  way.numbers = relatedLatex(calculated(at.dist));
   figure.add(SegmentMark{std::move(way), Place(0), nearest});
   figure.add(RightAngleMark{
       {at.N->mark + "/angle", Role::Helper, Subject::Measure}, nearest, -nearest, place(at.v)});
