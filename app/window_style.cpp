@@ -55,6 +55,7 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton::menu-indicator { subcontrol-position: right center; }
     QLabel#case, QLabel#usualCase { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
+    QLabel#nearby { background: %3; padding: 0 1.1em 0.5em 1.1em; color: %2; }
     QLabel#message { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; color: %2; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }

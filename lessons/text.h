@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,10 +37,6 @@ namespace halfspace {
 /// The text with � for each character that would steer a terminal or turn the direction of writing
 /// instead of being read, and for each byte that is not UTF-8. Tabs and ends of lines stay.
 [[nodiscard]] std::string printable(std::string_view text);
-
-/// The name that was perhaps meant by a wrong one: it differs in a third of its letters at most, or in one,
-/// and in the fewest of all; empty where none is so near.
-[[nodiscard]] std::string nearestOf(std::string_view wrong, std::span<const std::string> names);
 
 /// A text cut to a length that fits a sentence, for showing what was found.
 [[nodiscard]] std::string shortened(std::string_view text);

@@ -1,8 +1,8 @@
 #include "lessons/lesson/name_check.h"
 
+#include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/object/kind.h"
-#include "lessons/text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -80,12 +80,6 @@ std::string quotedList(const Names &names) {
   for (const std::string &name : names)
     list += (list.empty() ? "" : ", ") + name;
   return list;
-}
-
-/// A sentence that goes on with what was perhaps meant.
-std::string withGuess(std::string sentence, const std::string &name, const Names &known) {
-  const std::string guess = nearestOf(name, known);
-  return guess.empty() ? sentence : sentence + " " + words("Perhaps “{guess}” is meant.", {{"guess", guess}});
 }
 
 std::string saysNotWhose(const std::string &name, const std::string &first, const std::string &second) {

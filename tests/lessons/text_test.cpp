@@ -83,21 +83,6 @@ TEST(Printable, WhateverItIsGiven_GivesText) {
     }
 }
 
-TEST(NearestOf, FewLettersWrong_IsTheNameThatIsNearest) {
-  const std::vector<std::string> names{"distance", "foot", "f", "side", "signed_distance"};
-  EXPECT_EQ(nearestOf("fot", names), "foot");
-  EXPECT_EQ(nearestOf("distence", names), "distance");
-  EXPECT_EQ(nearestOf("sid", names), "side");
-  EXPECT_EQ(nearestOf("signd-distance", names), "signed_distance");
-}
-
-TEST(NearestOf, NothingNear_IsNothing) {
-  EXPECT_EQ(nearestOf("t", std::vector<std::string>{"f", "foot"}), "") << "no letter is the same";
-  EXPECT_EQ(nearestOf("parallel", std::vector<std::string>{"coincident"}), "");
-  EXPECT_EQ(nearestOf("x", {}), "");
-  EXPECT_EQ(nearestOf(std::string(5000, 'a'), std::vector<std::string>{std::string(5000, 'a')}), "");
-}
-
 TEST(Shortened, InsideOfACharacter_CutsBeforeIt) {
   const std::string text = std::string(39, 'a') + "ü" + std::string(10, 'b');
   EXPECT_EQ(shortened(text), std::string(39, 'a') + "…");

@@ -26,15 +26,24 @@ QLabel *wrappedLabel(const char *name) {
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
-      m_usual(wrappedLabel("usualCase")), m_complaint(wrappedLabel("complaint")),
-      m_words(new QStackedLayout) {
+      m_usual(wrappedLabel("usualCase")), m_nearby(wrappedLabel("nearby")),
+      m_complaint(wrappedLabel("complaint")), m_words(new QStackedLayout) {
   m_usual->setText(usualCase());
   for (QLabel *page : {m_case, m_message, m_usual}) // it is as high as the highest
     m_words->addWidget(page);
+  m_nearby->setTextFormat(Qt::RichText);
+  m_nearby->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  m_nearby->setFocusPolicy(Qt::TabFocus);
+  connect(m_nearby, &QLabel::linkActivated, this, &CaseLine::nearbyChosen);
+  setNearby({});
+  auto *column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addLayout(m_words, 1);
+  column->addWidget(m_nearby);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(m_words, 3);
+  layout->addLayout(column, 3);
   layout->addWidget(m_complaint, 2);
   m_complaint->hide();
   m_messageTimer.setSingleShot(true);
@@ -48,6 +57,17 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
     return;
   m_case->setProperty("degenerate", degenerate);
   repolish(*m_case);
+}
+
+void CaseLine::setNearby(const QString &words) {
+  // Its row stays where there is nothing to say: else the picture would jump.
+  const QString link = words.isEmpty()
+                           ? QStringLiteral("&nbsp;")
+                           : tr("%1 %2", "the nearest special case, and the way there")
+                                 .arg(words.toHtmlEscaped(),
+                                      "<a href=\"there\">" + tr("Take me there").toHtmlEscaped() + "</a>");
+  if (m_nearby->text() != link)
+    m_nearby->setText(link);
 }
 
 void CaseLine::resizeEvent(QResizeEvent *event) {

@@ -4,6 +4,7 @@
 #include "tests/lessons/construction/random_objects.h"
 
 #include "geometry/surd.h"
+#include "lessons/construction/reference.h"
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson.h"
@@ -537,18 +538,10 @@ TEST_P(EveryConstruction, OnLargeIntegers_IsRight) {
   EXPECT_GT(casesIn(checkScenes(Writing::LargeIntegers)), 1);
 }
 
-std::string listed(const std::vector<ConstructionRole> &roles) {
-  std::string list;
-  for (const ConstructionRole &role : roles)
-    list += (list.empty() ? "" : ", ") + role.name + ": " + std::string(role.kind);
-  return list;
-}
-
-TEST_P(EveryConstruction, HasItsRowInTheDocumentation) {
-  const std::string text = *readFile(DOCUMENTATION_FOLDER "/writing-a-lesson.md", 1 << 20);
-  const std::string row = "| `" + std::string(construction().id) + "` | " + listed(construction().roles) +
-                          " | " + listed(construction().makes) + " |";
-  EXPECT_NE(text.find(row), std::string::npos) << row;
+TEST(Contract, TheDocumentedReference_IsThatOfTheProgram) {
+  const auto written = readFile(DOCUMENTATION_FOLDER "/constructions.md", 1 << 20);
+  ASSERT_TRUE(written) << written.problem().text();
+  EXPECT_TRUE(*written == referenceOfConstructions()) << "halfspace constructions > docs/constructions.md";
 }
 
 /// Coordinates as long as they may be, and nearly the same: the smallest triangles and the farthest hits.
