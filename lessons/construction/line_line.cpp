@@ -10,9 +10,7 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
-#include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
 #include <glm/geometric.hpp>
@@ -234,10 +232,8 @@ void drawMoments(Figure &figure, const Out &at) {
 
 /// The shortest way between the lines, with a right angle at each of them.
 void drawWay(Figure &figure, const Out &at, const Place &from, const Place &to) {
-  MarkBase way = drawn(at.dist, Role::Result, Subject::Measure);
-  way.numbers = relatedLatex(calculated(at.dist));
-  const std::string id = way.id;
-  figure.add(SegmentMark{std::move(way), from, to});
+  const std::string &id = at.dist->mark;
+  figure.add(SegmentMark{drawn(at.dist, Role::Result, Subject::Measure), from, to});
   figure.add(RightAngleMark{{id + "/first", Role::Helper, Subject::Measure}, from, to - from, place(at.g.v)});
   figure.add(RightAngleMark{{id + "/second", Role::Helper, Subject::Measure}, to, from - to, place(at.h.v)});
 }

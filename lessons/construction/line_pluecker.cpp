@@ -7,9 +7,7 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/line.h"
-#include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
 namespace halfspace {
