@@ -144,9 +144,8 @@ void drawMoment(Figure &figure, const Out &at) {
 /// The way from the origin to the nearest point.
 void drawDistance(Figure &figure, const Out &at) {
   const Place nearest = place(at.N);
-  MarkBase way = drawn(at.dist, Role::Result, Subject::Measure);
-  way.numbers = relatedLatex(calculated(at.dist));
-  figure.add(SegmentMark{std::move(way), Place(0), nearest});
+  const std::string &id = at.dist->mark;
+  figure.add(SegmentMark{drawn(at.dist, Role::Result, Subject::Measure), Place(0), nearest});
   figure.add(RightAngleMark{
       {at.N->mark + "/angle", Role::Helper, Subject::Measure}, nearest, -nearest, place(at.v)});
 }
