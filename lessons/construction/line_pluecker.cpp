@@ -144,10 +144,9 @@ void drawMoment(Figure &figure, const Out &at) {
 /// The way from the origin to the nearest point.
 void drawDistance(Figure &figure, const Out &at) {
   const Place nearest = place(at.N);
-  const std::string &id = at.dist->mark;
   figure.add(SegmentMark{drawn(at.dist, Role::Result, Subject::Measure), Place(0), nearest});
   figure.add(RightAngleMark{
-      {at.N->mark + "/angle", Role::Helper, Subject::Measure}, nearest, -nearest, place(at.v)});
+      {at.dist->mark + "/angle", Role::Helper, Subject::Measure}, nearest, -nearest, place(at.v)});
 }
 
 Figure draw(const In &in, const Out &at) {
