@@ -138,7 +138,7 @@ private:
       second[0] = second[0] + second[1] * number();
     if (choice == 4)
       second[1] = vectorAlongPlane(first[1]);
-    if (choice == 5)
+    if (choice == 6)
       first[1] = {0, 0, 0};
   }
 
