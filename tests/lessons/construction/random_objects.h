@@ -2,10 +2,12 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 
 #include <algorithm>
@@ -30,6 +32,7 @@ public:
       objects.push_back(*makeObject(role.kind));
       for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
         coordinate(objects.back(), i) = vector();
+      objects.back().kind().settle(objects.back());
     }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
@@ -107,6 +110,8 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (Found<SphereObject> sphere(objects); sphere.typed && ray.typed)
+      makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
     if (Found<LineObject> line(objects); line.typed && point.typed)
@@ -235,6 +240,51 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A length ≠ 0.
+  Rational length() {
+    const Rational any = abs(number());
+    return any == 0 ? Rational(1) : any;
+  }
+
+  void makeSpecial(SphereObject &sphere, RayObject &ray) {
+    // Three arrows square to each other, all as long as 3.
+    const ExactVec3 along(1, 2, 2);
+    const ExactVec3 aside(2, 1, -2);
+    const auto startAt = [&](const Rational &asideShare, const Rational &alongShare) {
+      ray.origin = sphere.center + aside * asideShare + along * alongShare;
+    };
+    switch (integer(0, 7)) {
+    case 0:
+      sphere.radius = 0;
+      break;
+    case 1:
+      ray.direction = {0, 0, 0};
+      break;
+    case 2: // touching
+      ray.direction = along * number();
+      sphere.radius = length();
+      startAt(Rational(sphere.radius / 3), number());
+      break;
+    case 3: // roots without roots: sides of 3, 4 and 5
+      ray.direction = along * number();
+      sphere.radius = 5 * length();
+      startAt(Rational(sphere.radius / 5), number());
+      break;
+    case 4: // starting on it
+      sphere.radius = 3 * length();
+      startAt(0, Rational(sphere.radius / -3));
+      break;
+    case 5: // through the centre, perhaps from there
+      ray.origin = sphere.center + ray.direction * Rational(integer(-2, 2));
+      break;
+    case 6: // from inside
+      ray.origin = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
+      break;
+    default:
+      ray.direction = ExactVec3(sphere.center - ray.origin) + vector() / Rational(9);
     }
   }
 
