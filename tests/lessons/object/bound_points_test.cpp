@@ -70,8 +70,9 @@ private:
   std::mt19937_64 m_engine;
 };
 
-/// Whether a place lies on a host, told by its equations and not by its freedoms.
-bool liesOn(const Object &host, const ExactVec3 &at) {
+/// Whether a place lies on a host as this kind of points does, told by the host's equations and not by
+/// freedoms.
+bool liesOn(const Kind &bound, const Object &host, const ExactVec3 &at) {
   const std::string_view kind = kindOf(host);
   const ExactVec3 way = at - host[0];
   if (kind == "line")
@@ -84,6 +85,8 @@ bool liesOn(const Object &host, const ExactVec3 &at) {
     return dot(way, way) == host[1].x * host[1].x;
   const ExactVec3 normal = normalOfCorners(host);
   bool isWithin = dot(way, normal) == 0;
+  if (bound.word == "point-on-triangle-plane")
+    return isWithin;
   for (std::size_t i = 0; i < 3; ++i)
     isWithin = isWithin && dot(cross(host[(i + 1) % 3] - host[i], at - host[i]), normal) >= 0;
   return isWithin;
@@ -101,7 +104,7 @@ TEST_P(EveryBoundKind, WithAnyFreedoms_LiesOnItsHostExactly) {
     const Object host = random.host(hostKind());
     const auto at = placeOn(random.bound(kind()), host);
     ASSERT_TRUE(at);
-    EXPECT_TRUE(liesOn(host, *at)) << seed;
+    EXPECT_TRUE(liesOn(kind(), host, *at)) << seed;
   }
 }
 
@@ -113,7 +116,7 @@ TEST_P(EveryBoundKind, MovedToAPlace_LiesOnItsHostAndNowhereNearer) {
     const Handle handle = boundHandle("P", bound, host, *placeOn(bound, host));
     const ExactVec3 wanted = random.vector();
     const auto at = placeOn(movedTo(bound, handle, wanted), host);
-    ASSERT_TRUE(liesOn(host, *at)) << seed;
+    ASSERT_TRUE(liesOn(kind(), host, *at)) << seed;
     // A sphere's nearest place is no fraction: it is found to 1/1000 of s and t.
     const double slack = hostKind() == "sphere" ? 0.05 : 0;
     const double found = glm::distance(toDouble(*at), toDouble(wanted));
@@ -147,7 +150,7 @@ TEST_P(EveryBoundKind, DraggedOverTheGrid_LiesOnItsHostWithShortFreedoms) {
                                     q(1, 2),
                                     [](const Place &a, const Place &b) { return glm::distance(a, b) * 100; },
                                     0});
-    EXPECT_TRUE(liesOn(*dragged.host, rest.at)) << seed;
+    EXPECT_TRUE(liesOn(kind(), *dragged.host, rest.at)) << seed;
     const Object moved = movedTo(*findObject(scene, "P"), dragged, rest.at);
     if (kindOf(moved) != "point-on-plane") {
       for (std::size_t i = 0; i < moved.size(); ++i)
@@ -224,6 +227,21 @@ TEST(PointOnTriangle, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
     const ExactVec3 end = flat.p2.x == 0 ? ExactVec3(0) : ExactVec3(4, 0, 0);
     EXPECT_EQ(placeOn(moved, flat), end);
   }
+}
+
+TEST(PointOnTrianglePlane, DraggedOutOfTheTriangle_FollowsIntoItsPlane) {
+  const TriangleObject triangle{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}};
+  const Scene scene{{{"T", triangle}, {"P", withNumbers("point-on-triangle-plane", {q(1, 4), 3}), "T"}}};
+  EXPECT_EQ(placeOfP(scene), ExactVec3(1, 6, 0));
+  const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {-2, 1, 5});
+  EXPECT_EQ(moved[0].x, q(-1, 2));
+  EXPECT_EQ(moved[1].x, q(1, 2));
+}
+
+TEST(PointOnTrianglePlane, OfATriangleThatIsALine_StaysWhereItIs) {
+  const TriangleObject flat{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}};
+  const Scene scene{{{"T", flat}, {"P", withNumbers("point-on-triangle-plane", {q(1, 2), 1}), "T"}}};
+  EXPECT_EQ(movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1}), *findObject(scene, "P"));
 }
 
 TEST(PointOnSphere, TowardsItsLowestPoint_ComesAsNearAsOneSees) {
