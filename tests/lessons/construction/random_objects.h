@@ -7,6 +7,7 @@
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 
 #include <algorithm>
 #include <random>
@@ -89,6 +90,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
+        kindOf(objects[1]) == VectorObject::kind)
+      return makeSpecialVectors(objects[0], objects[1]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -104,6 +108,8 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (triangle.typed && point.typed)
+      makeSpecial(*triangle.typed, point.typed->at);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
   }
@@ -128,6 +134,26 @@ private:
       second[0] = first[0] + vectorAlongPlane(first[1]);
     if (choice == 2)
       first[1] = {0, 0, 0};
+  }
+
+  /// One zero, along each other, perpendicular, or from one point.
+  void makeSpecialVectors(Object &first, Object &second) {
+    switch (integer(0, 5)) {
+    case 0:
+      first[1] = {0, 0, 0};
+      break;
+    case 1:
+      second[1] = {0, 0, 0};
+      break;
+    case 2:
+      second[1] = first[1] * number();
+      break;
+    case 3:
+      second[1] = vectorAlongPlane(first[1]);
+      break;
+    default:
+      second[0] = first[0];
+    }
   }
 
   void makeSpecial(PlaneObject &plane) {
@@ -167,6 +193,20 @@ private:
       ray.direction = vectorAlongPlane(plane.normal);
     if (choice == 2)
       ray.direction = plane.normal;
+  }
+
+  /// No triangle, or a point of its plane: inside, outside, and on every edge and corner.
+  void makeSpecial(TriangleObject &triangle, ExactVec3 &point) {
+    const auto third = [&] { return Rational(integer(-1, 4), 3); };
+    const ExactVec3 u = triangle.p1 - triangle.p0;
+    const ExactVec3 v = triangle.p2 - triangle.p0;
+    const int choice = integer(0, 8);
+    if (choice == 0)
+      triangle.p1 = triangle.p0;
+    if (choice == 1)
+      triangle.p2 = triangle.p0 + u * number();
+    if (choice > 1)
+      point = triangle.p0 + u * third() + v * third();
   }
 
   void makeSpecial(TriangleObject &triangle, RayObject &ray) {

@@ -1,5 +1,6 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
+#include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
 
 #include "tests/lessons/scenes.h"
@@ -27,7 +28,16 @@ struct Solution {
   Entry entry;
 };
 
+/// P as a point of a triangle's plane by its s and t.
+Entry pointAt(const Rational &s, const Rational &t) {
+  Object point = *makeObject("point-on-triangle-plane");
+  point[0].x = s;
+  point[1].x = t;
+  return {"P", point, "T"};
+}
+
 const std::vector<Solution> &solutions() {
+  const auto q = [](int numerator, int denominator) { return Rational(numerator, denominator); };
   static const std::vector<Solution> all{
       {"plane-implicit", "Drag $P$ to", {"P", PointObject{{7, 7, 1}}}},
       {"plane-implicit", "Bring $P$ back", {"P", PointObject{{3, 9, 3}}}},
@@ -35,6 +45,24 @@ const std::vector<Solution> &solutions() {
       {"plane-implicit", "Slide the plane", {"E", PlaneObject{{2, -2, 1}, {1, 2, 2}}}},
       {"plane-implicit", "Make the constant", {"E", PlaneObject{{5, 4, 7}, {-1, -2, -2}}}},
       {"plane-implicit", "Let $\\vec n$ stand", {"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}},
+      {"plane-parametric", "Drag $P$ until", pointAt(q(1, 2), q(1, 2))},
+      {"plane-parametric", "Go backwards", pointAt(q(-1, 4), q(1, 2))},
+      {"plane-parametric", "Bring $P$ to the corner", pointAt(0, 1)},
+      {"plane-parametric", "Bring $P$ to the middle", pointAt(q(1, 2), 0)},
+      {"plane-parametric", "Leave the triangle", pointAt(0, q(3, 2))},
+      {"plane-parametric", "Now go onto", pointAt(q(1, 4), q(3, 4))},
+      {"plane-parametric", "Bring $P$ back", pointAt(q(1, 4), q(1, 4))},
+      {"plane-parametric", "Take $P$ out", pointAt(q(3, 4), q(1, 2))},
+      {"plane-parametric", "Bring $P$ to $P_3$", pointAt(1, 1)},
+      {"plane-parametric", "Put $P_0$", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {7, 7, 3}}}},
+      {"plane-parametric", "Bring the triangle", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {9, 4, 5}}}},
+      {"dot-product-projection", "Turn $\\vec w$ until it", {"w", VectorObject{{5, 2, 1}, {-3, 3, 0}}}},
+      {"dot-product-projection", "Make the dot", {"w", VectorObject{{5, 2, 1}, {-4, 1, 3}}}},
+      {"dot-product-projection", "Make $\\vec v$ exactly", {"v", VectorObject{{5, 2, 1}, {1, 0, 0}}}},
+      {"dot-product-projection", "Make $\\vec v$ longer", {"v", VectorObject{{5, 2, 1}, {4, 0, 0}}}},
+      {"dot-product-projection", "Turn $\\vec w$ until nothing", {"w", VectorObject{{5, 2, 1}, {2, 2, 1}}}},
+      {"dot-product-projection", "Turn $\\vec w$ away", {"w", VectorObject{{5, 2, 1}, {-3, 6, 3}}}},
+      {"dot-product-projection", "Turn $\\vec v$ until", {"v", VectorObject{{5, 2, 1}, {3, 0, 0}}}},
       {"signed-distance", "Drag $Q$ on", {"Q", PointObject{{1, 1, 1}}}},
       {"signed-distance", "Let $Q$ come", {"Q", PointObject{{3, 4, 8}}}},
       {"signed-distance", "Bring $Q$ to", {"Q", PointObject{{10, 8, 8}}}},
