@@ -1,5 +1,6 @@
 #include "app/check.h"
 
+#include "lessons/lesson/name_check.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
@@ -7,6 +8,7 @@
 #include "widgets/picture/math/read_latex.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace halfspace {
@@ -48,8 +50,10 @@ void addUnreadableFormulas(const Lesson &lesson, std::vector<Problem> &problems)
 Checked checkLessons(const std::filesystem::path &fileOrFolder) {
   LessonLibrary library = libraryOf(fileOrFolder);
   Checked checked{library.lessons.size(), std::move(library.problems)};
-  for (const Lesson &lesson : library.lessons)
+  for (const Lesson &lesson : library.lessons) {
     addUnreadableFormulas(lesson, checked.problems);
+    std::ranges::move(problemsWithNames(lesson), std::back_inserter(checked.problems));
+  }
   std::stable_sort(checked.problems.begin(), checked.problems.end(), [](const Problem &a, const Problem &b) {
     return std::tie(a.file, a.line) < std::tie(b.file, b.line);
   });

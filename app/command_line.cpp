@@ -122,6 +122,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
       ->type_name("LESSON|FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
+  auto *constructionList = app.add_subcommand(
+      "constructions", "Print the names that lessons can use: cases, values, lines and marks");
   auto *check = app.add_subcommand("check", "Say what is wrong in lesson files, and where");
   check->add_option("paths", arguments.check.paths,
                     "Files, or folders of them; without any, the lessons of this program");
@@ -146,6 +148,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
                      "” stands before a command: the lesson or file comes after it.");
   if (lessons->parsed())
     return arguments.lessons;
+  if (constructionList->parsed())
+    return ConstructionsCommand();
   if (check->parsed())
     return arguments.check;
   if (explain->parsed())

@@ -18,6 +18,9 @@ struct LessonsCommand {
   bool json = false;
 };
 
+/// Print the reference of all constructions.
+struct ConstructionsCommand {};
+
 struct CheckCommand {
   std::vector<std::string> paths; ///< lesson files and folders of them; none: the program's own lessons
 };
@@ -48,8 +51,8 @@ struct PrintCommand {
   bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
-using Command = std::variant<WindowCommand, LessonsCommand, CheckCommand, ExplainCommand, RenderCommand,
-                             EvalCommand, PrintCommand>;
+using Command = std::variant<WindowCommand, LessonsCommand, ConstructionsCommand, CheckCommand,
+                             ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

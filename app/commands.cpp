@@ -4,6 +4,7 @@
 #include "app/lessons_folder.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
+#include "lessons/construction/reference.h"
 #include "lessons/scene/explain_formats.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -41,12 +42,18 @@ int runLessons(const LessonsCommand &command) {
     auto sources = nlohmann::ordered_json::array();
     for (const std::string &source : lesson.sources)
       sources.push_back(printable(source));
-    list.push_back(
-        {{"id", lesson.id}, {"title", title}, {"steps", lesson.steps.size()}, {"sources", sources}});
+    list.push_back({{"id", lesson.id},
+                    {"title", title},
+                    {"chapter", printable(lesson.chapter)},
+                    {"needs", lesson.needs},
+                    {"steps", lesson.steps.size()},
+                    {"sources", sources}});
     lines += lesson.id + "  " + title + "\n";
   }
   return printOut(command.json ? list.dump(2) + "\n" : lines);
 }
+
+int runConstructions() { return printOut(referenceOfConstructions()); }
 
 int runCheck(const CheckCommand &command) {
   std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());

@@ -10,6 +10,9 @@ namespace halfspace {
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);
 
+/// Prints what authors of lessons need to know of all constructions.
+[[nodiscard]] int runConstructions();
+
 /// Writes a line on standard output for each problem; the exit status is then exitProblems, where there is
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);

@@ -3,6 +3,7 @@
 #include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
+#include "lessons/term/plain_text.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
@@ -135,11 +136,23 @@ void MainWindow::openNextLesson() {
     m_model.openLesson(next->id);
 }
 
+QStringList MainWindow::titlesStillNeeded(const Lesson &lesson) const {
+  QStringList titles;
+  if (stateOf(lesson, m_progress) == LessonState::Done)
+    return titles;
+  for (const std::string &id : lesson.needs)
+    if (const Lesson *needed = m_model.library().find(id);
+        needed && stateOf(*needed, m_progress) != LessonState::Done)
+      titles << QString::fromStdString(needed->title);
+  return titles;
+}
+
 void MainWindow::showContents() {
   std::vector<ContentsDrawer::Entry> entries;
   for (const Lesson &lesson : m_model.library().lessons)
     entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
-                       stateOf(lesson, m_progress)});
+                       stateOf(lesson, m_progress), QString::fromStdString(lesson.chapter),
+                       titlesStillNeeded(lesson)});
   m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
   m_contents->open();
 }
@@ -196,6 +209,27 @@ void MainWindow::showCase() {
     words = tr("Fill in the blank lines: other numbers are hidden until you do.");
   m_caseLine->setCase(words, shown.degenerate && !isPredicting());
   m_scene->setAccessibleDescription(words);
+  showNearby();
+}
+
+void MainWindow::showNearby() {
+  std::set<std::string> entries;
+  for (const WorkingLine &line : m_model.shown().working.lines)
+    entries.insert(entryOf(line.id));
+  m_nearby = nearestSpecialCase(m_model.session().scene, m_model.evaluation(), entries);
+  if (!m_nearby || hidesNumbers())
+    return m_caseLine->setNearby({});
+  const QString distance = QString::fromStdString(relatedText(number(m_nearby->distance)));
+  m_caseLine->setNearby(tr("Nearest special case, distance%1: %2", "%1 with its relation: = 3")
+                            .arg(distance, unbroken(QString::fromStdString(m_nearby->sentence))));
+}
+
+void MainWindow::goToNearby() {
+  if (!m_nearby)
+    return;
+  if (const QString refused = m_model.edit(m_nearby->change, tr("Go to the nearest special case"));
+      !refused.isEmpty())
+    say(refused);
 }
 
 void MainWindow::choose(const QString &answer) {

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 #include "app/size_scale.h"
 #include "lessons/lesson/lesson_progress.h"
+#include "lessons/scene/nearest_special_case.h"
 #include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
@@ -121,6 +122,8 @@ private:
   /// The mark under the pointer, and those that the traced number came from.
   void showHighlights();
   void showCase();
+  void showNearby();
+  void goToNearby();
   void updateTitle();
   void applyLook();
   void changeSizeBy(int steps);
@@ -135,6 +138,8 @@ private:
   void takeQuestion();
   void followGesture();
   void showContents();
+  /// The titles of the lessons that it builds on and that are not done.
+  [[nodiscard]] QStringList titlesStillNeeded(const Lesson &lesson) const;
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
   /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and
@@ -179,6 +184,7 @@ private:
   SceneFrame *m_frame = nullptr; ///< around m_scene
   NumberCard *m_card = nullptr;
   CaseLine *m_caseLine = nullptr;
+  std::optional<NearestSpecialCase> m_nearby; ///< of what the step shows
   QWidget *m_sceneColumn = nullptr;
   WorkingPractice *m_practice = nullptr;
   StepWorking *m_working = nullptr; ///< in m_practice

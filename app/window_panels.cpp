@@ -45,6 +45,7 @@ QWidget *MainWindow::createScene() {
   m_card = new NumberCard(m_model, *m_typesetter);
   m_frame = new SceneFrame(*m_scene, *m_card);
   m_caseLine = new CaseLine;
+  connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
   m_sceneColumn = new QWidget;
   auto *column = new QVBoxLayout(m_sceneColumn);
   column->setContentsMargins(0, 0, 0, 0);

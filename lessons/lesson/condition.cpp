@@ -54,17 +54,6 @@ Result<Condition> parseComparison(std::string_view text) {
   return notAComparison(text);
 }
 
-/// x, y, z or an index from 0, as the place in a list.
-std::optional<std::size_t> componentIndex(std::string_view name) {
-  constexpr std::string_view letters = "xyz";
-  constexpr std::string_view digits = "0123456789";
-  if (name.size() != 1)
-    return {};
-  const auto letter = letters.find(name);
-  const auto at = letter != std::string_view::npos ? letter : digits.find(name);
-  return at == std::string_view::npos ? std::nullopt : std::optional(at);
-}
-
 std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_view name) {
   const auto dot = name.find('.');
   const std::string_view head = name.substr(0, dot);
@@ -128,6 +117,16 @@ struct Comparison {
 };
 
 } // namespace
+
+std::optional<std::size_t> componentIndex(std::string_view name) {
+  constexpr std::string_view letters = "xyz";
+  constexpr std::string_view digits = "0123456789";
+  if (name.size() != 1)
+    return {};
+  const auto letter = letters.find(name);
+  const auto at = letter != std::string_view::npos ? letter : digits.find(name);
+  return at == std::string_view::npos ? std::nullopt : std::optional(at);
+}
 
 bool isValueName(std::string_view text) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";

@@ -13,6 +13,9 @@ namespace halfspace {
 /// construction's, and `distance.case` that of an entry. Nothing for a value that the case does not have.
 [[nodiscard]] std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name);
 
+/// x, y, z or a digit, as the place in a list; nothing for other names.
+[[nodiscard]] std::optional<std::size_t> componentIndex(std::string_view name);
+
 /// Whether the text is shaped like a value's name: letters, digits, `_`, `-`, parts joined by dots.
 [[nodiscard]] bool isValueName(std::string_view text);
 

@@ -135,11 +135,11 @@ template <class T> std::optional<Problem> addBlock(Result<T> read, LessonStep &s
   return {};
 }
 
-/// Puts what a block says of the whole step where it belongs; or why it cannot be read.
-template <class T, class Told> std::optional<Problem> take(Result<T> read, Told &told) {
-  if (!read)
-    return read.problem();
-  told = std::move(*read);
+std::optional<Problem> readBlank(const TextBlock &block, const std::string &file, LessonStep &step) {
+  const auto fading = readFading(block, file);
+  if (!fading)
+    return fading.problem();
+  step.blank = *fading;
   return {};
 }
 
@@ -158,9 +158,9 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
     return addBlock(readPrediction(fence.content, file), step);
   }
   if (fence.word == "blank")
-    return take(readFading(fence.content, file), step.blank);
+    return readBlank(fence.content, file, step);
   if (fence.word == "draw")
-    return take(readMarkIds(fence.content, file), step.drawn);
+    return readMarkIds(fence.content, file, step);
   addLines(wordsAtEnd(step), {fence.whole, fence.content.firstLine - 1});
   return {};
 }

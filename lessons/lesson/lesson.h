@@ -65,7 +65,9 @@ struct Condition {
 struct Task {
   std::string instruction;
   std::vector<Condition> conditions;
-  int line = 0; ///< of the instruction in the file
+  // In the file:
+  int line = 0; ///< of the instruction
+  int conditionsLine = 0;
 };
 
 /// A question that hides the numbers until the learner has chosen an answer.
@@ -81,6 +83,7 @@ struct Prediction {
   std::string reason;
   // In the file:
   int questionLine = 0;
+  int valueLine = 0;
   int reasonLine = 0;
 };
 
@@ -94,6 +97,7 @@ struct StepWords {
 /// all of one; empty: all.
 struct StepLines {
   std::vector<std::string> ids;
+  std::vector<int> lines{}; ///< where each of them stands in the file
 };
 
 /// Words that are folded away under their title, for those whom they concern.
@@ -112,6 +116,7 @@ struct LessonStep {
   /// are.
   std::vector<std::string> drawn{};
   std::optional<Fading> blank{}; ///< which lines the step leaves to the learner; nothing: as it was before
+  std::vector<int> drawnLines{}; ///< where each of the marks is named in the file
 };
 
 // The blocks of one sort, from top to bottom.
@@ -183,6 +188,13 @@ enum class LiveValues { Shown, Hidden };
 /// question mark where values are hidden. `{Q}` and `{E.n}` name the scene's coordinates.
 [[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
                                          const Evaluation &evaluation, LiveValues values = LiveValues::Shown);
+
+/// A `{name}` in Markdown, outside formulas and code, with its place in the text.
+struct LiveName {
+  std::string name;
+  std::size_t place; ///< of the brace
+};
+[[nodiscard]] std::vector<LiveName> liveNamesIn(std::string_view markdown);
 
 /// What a step shows of a scene.
 struct Shown {

@@ -112,13 +112,16 @@ std::vector<Prediction::Choice> readChoices(const DocumentNode &node, FieldReade
   return choices;
 }
 
-/// What stands between commas or spaces.
-std::vector<std::string> namesIn(const std::string &text) {
+/// What stands between commas or spaces, with the lines of the file.
+StepLines namesIn(const TextBlock &block) {
   constexpr std::string_view between = ", \t\r\n";
-  std::vector<std::string> names;
+  const std::string &text = block.text;
+  StepLines names;
   for (auto begin = text.find_first_not_of(between); begin != std::string::npos;) {
     const auto end = text.find_first_of(between, begin);
-    names.push_back(text.substr(begin, end - begin));
+    names.ids.push_back(text.substr(begin, end - begin));
+    const auto before = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+    names.lines.push_back(block.firstLine + static_cast<int>(before));
     begin = text.find_first_not_of(between, end);
   }
   return names;
@@ -171,6 +174,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
     return *fields.problem();
   task.conditions = std::move(*conditions);
   task.line = root->find("do")->line;
+  task.conditionsLine = root->find("when")->line;
   return task;
 }
 
@@ -192,35 +196,39 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
   if (fields.problem())
     return *fields.problem();
   prediction.questionLine = root->find("ask")->line;
+  prediction.valueLine = root->find("answer")->line;
   prediction.reasonLine = root->find("why")->line;
   return prediction;
 }
 
 Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
   constexpr std::string_view allOfOne = ".*";
-  StepLines lines{namesIn(block.text)};
-  for (const std::string_view id : lines.ids)
-    if (!isValueName(id.ends_with(allOfOne) ? id.substr(0, id.size() - allOfOne.size()) : id))
+  StepLines lines = namesIn(block);
+  for (std::size_t i = 0; i < lines.ids.size(); ++i)
+    if (const std::string_view id = lines.ids[i];
+        !isValueName(id.ends_with(allOfOne) ? id.substr(0, id.size() - allOfOne.size()) : id))
       return Problem{
           words("“{text}” cannot be the id of a line: write ids between commas.", {{"text", shortened(id)}}),
-          file, block.firstLine, "lines"};
+          file, lines.lines[i], "lines"};
   if (lines.ids.empty())
     return Problem{words("No line is named here. Name some, or leave the block out to show all."), file,
                    block.firstLine, "lines"};
   return lines;
 }
 
-Result<std::vector<std::string>> readMarkIds(const TextBlock &block, const std::string &file) {
-  std::vector<std::string> ids = namesIn(block.text);
-  for (const std::string &id : ids)
-    if (!isValueName(id))
-      return Problem{
-          words("“{text}” cannot be the id of a mark: write ids between commas.", {{"text", shortened(id)}}),
-          file, block.firstLine, "draw"};
-  if (ids.empty())
+std::optional<Problem> readMarkIds(const TextBlock &block, const std::string &file, LessonStep &step) {
+  StepLines marks = namesIn(block);
+  for (std::size_t i = 0; i < marks.ids.size(); ++i)
+    if (!isValueName(marks.ids[i]))
+      return Problem{words("“{text}” cannot be the id of a mark: write ids between commas.",
+                           {{"text", shortened(marks.ids[i])}}),
+                     file, marks.lines[i], "draw"};
+  if (marks.ids.empty())
     return Problem{words("No mark is named here. Name some, or leave the block out."), file, block.firstLine,
                    "draw"};
-  return ids;
+  step.drawn = std::move(marks.ids);
+  step.drawnLines = std::move(marks.lines);
+  return {};
 }
 
 Result<Fading> readFading(const TextBlock &block, const std::string &file) {

@@ -23,8 +23,9 @@ struct TextBlock {
 /// Reads a ```lines block: ids between commas or spaces.
 [[nodiscard]] Result<StepLines> readLines(const TextBlock &block, const std::string &file);
 
-/// Reads a ```draw block: likewise.
-[[nodiscard]] Result<std::vector<std::string>> readMarkIds(const TextBlock &block, const std::string &file);
+/// Reads a ```draw block: likewise, into what the step draws.
+[[nodiscard]] std::optional<Problem> readMarkIds(const TextBlock &block, const std::string &file,
+                                                 LessonStep &step);
 
 /// Reads a ```blank block: none, gaps, last or all.
 [[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);

@@ -163,26 +163,36 @@ void addCase(const CaseWords &told, Shown &shown) {
 
 } // namespace
 
+std::vector<LiveName> liveNamesIn(std::string_view markdown) {
+  std::vector<LiveName> names;
+  for (std::size_t place = 0; place < markdown.size();) {
+    const std::string_view rest = markdown.substr(place);
+    const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
+    if (close == std::string_view::npos || !isValueName(rest.substr(1, close - 1))) {
+      place += std::max<std::size_t>(verbatimLength(rest), 1);
+      continue;
+    }
+    names.push_back({std::string(rest.substr(1, close - 1)), place});
+    place += close + 1;
+  }
+  return names;
+}
+
 std::string withLiveValues(const std::string &markdown, const Scene &scene, const Evaluation &evaluation,
                            LiveValues values) {
+  constexpr std::size_t braces = 2;
   std::string filled;
-  for (std::string_view rest = markdown; !rest.empty();) {
-    const std::size_t verbatim = verbatimLength(rest);
-    const auto close = rest.front() == '{' ? rest.substr(0, longestName).find('}') : std::string_view::npos;
-    std::size_t taken = std::max<std::size_t>(verbatim, 1);
-    if (close != std::string_view::npos && isValueName(rest.substr(1, close - 1))) {
-      const std::string value = markdownOf(rest.substr(1, close - 1), scene, evaluation, values);
-      // “t = ≈ 3.14” says it twice, and once wrongly.
-      if (filled.ends_with("= ") && value.starts_with("$\\approx"))
-        filled.erase(filled.size() - 2);
-      filled += value;
-      taken = close + 1;
-    } else {
-      filled += rest.substr(0, taken);
-    }
-    rest.remove_prefix(taken);
+  std::size_t done = 0;
+  for (const LiveName &live : liveNamesIn(markdown)) {
+    filled += markdown.substr(done, live.place - done);
+    const std::string value = markdownOf(live.name, scene, evaluation, values);
+    // “t = ≈ 3.14” says it twice, and once wrongly.
+    if (filled.ends_with("= ") && value.starts_with("$\\approx"))
+      filled.erase(filled.size() - 2);
+    filled += value;
+    done = live.place + live.name.size() + braces;
   }
-  return filled;
+  return filled + markdown.substr(done);
 }
 
 Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure, Question question) {

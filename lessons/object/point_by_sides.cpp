@@ -1,51 +1,54 @@
 #include "lessons/object/point_by_sides.h"
 
-#include "geometry/triangle.h"
+#include "lessons/object/triangle.h"
 
 #include <algorithm>
 
 namespace halfspace {
 namespace {
 
-struct Sides {
-  explicit Sides(const Object &triangle) : u(triangle[1] - triangle[0]), v(triangle[2] - triangle[0]) {}
-  ExactVec3 u;
-  ExactVec3 v;
-};
+Object onGrid(Object bound, const Object &triangle, const Rational &step) {
+  const auto [u, v] = TriangleSides(triangle);
+  const Rational coarse = freedomStep(step, std::max(dot(u, u), dot(v, v)));
+  bound[S].x = roundToMultiple(bound[S].x, coarse);
+  bound[T].x = roundToMultiple(bound[T].x, coarse);
+  return bound;
+}
+
+void guide(const Object &triangle, Handle &handle) {
+  handle.normal = normalOfCorners(triangle);
+  if (handle.normal == ExactVec3(0)) { // no more than a line
+    const auto [u, v] = TriangleSides(triangle);
+    handle.axis = isZero(u) ? v : u;
+  }
+}
 
 } // namespace
 
-std::vector<CoordinateSpec> sideSteps() {
-  return {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}};
+std::optional<ExactVec3> placeBySides(const Object &bound, const Object &triangle) {
+  const auto [u, v] = TriangleSides(triangle);
+  return triangle[0] + u * bound[S].x + v * bound[T].x;
 }
 
-std::optional<ExactVec3> placeBySides(const Object &bound, const Object &host) {
-  return pointOf(Triangle<Rational>{host[0], host[1], host[2]}, bound[StepsOfU].x, bound[StepsOfV].x);
-}
-
-std::optional<Object> nearestBySides(Object bound, const Object &host, const ExactVec3 &place) {
-  const auto [u, v] = Sides(host);
-  const ExactVec3 w = place - host[0];
+std::optional<Object> footBySides(Object bound, const Object &triangle, const ExactVec3 &place) {
+  const auto [u, v] = TriangleSides(triangle);
+  const ExactVec3 w = place - triangle[0];
   const Rational determinant = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
   if (determinant == 0)
     return {};
-  bound[StepsOfU].x = (dot(w, u) * dot(v, v) - dot(w, v) * dot(u, v)) / determinant;
-  bound[StepsOfV].x = (dot(w, v) * dot(u, u) - dot(w, u) * dot(u, v)) / determinant;
+  bound[S].x = (dot(w, u) * dot(v, v) - dot(w, v) * dot(u, v)) / determinant;
+  bound[T].x = (dot(w, v) * dot(u, u) - dot(w, u) * dot(u, v)) / determinant;
   return bound;
 }
 
-Object bySidesOnGrid(Object bound, const Object &host, const Rational &step) {
-  const auto [u, v] = Sides(host);
-  const Rational coarse = freedomStep(step, std::max(dot(u, u), dot(v, v)));
-  bound[StepsOfU].x = roundToMultiple(bound[StepsOfU].x, coarse);
-  bound[StepsOfV].x = roundToMultiple(bound[StepsOfV].x, coarse);
-  return bound;
-}
-
-void guideBySides(const Object &host, Handle &handle) {
-  handle.normal = normalOfCorners(host);
-  if (handle.normal == ExactVec3(0)) // no more than a line
-    handle.axis = isZero(host[1] - host[0]) ? host[2] - host[0] : host[1] - host[0];
+Kind pointBySides(std::string_view word, std::string_view meaning, void (*settle)(Object &),
+                  Object (*nearest)(Object bound, const Object &triangle, const ExactVec3 &place)) {
+  return boundPoint(word, meaning, {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}}, settle,
+                    {.host = TriangleObject::kind,
+                     .placeOf = placeBySides,
+                     .nearest = nearest,
+                     .onGrid = onGrid,
+                     .guide = guide});
 }
 
 } // namespace halfspace

@@ -1,4 +1,4 @@
-// What the points have in common that two sides of a triangle lead to: P0 + s u + t v with u = P1 − P0 and
+// What points have in common that are told by two sides of a triangle: P0 + s u + t v with u = P1 − P0,
 // v = P2 − P0.
 #pragma once
 
@@ -6,15 +6,23 @@
 
 namespace halfspace {
 
-/// Their freedoms.
-enum SideSteps : std::uint8_t { StepsOfU, StepsOfV };
-[[nodiscard]] std::vector<CoordinateSpec> sideSteps();
+enum SideFreedom : std::uint8_t { S, T };
 
-[[nodiscard]] std::optional<ExactVec3> placeBySides(const Object &bound, const Object &host);
-/// With the s and t that lead to the point of the triangle's plane that is nearest to a place; nothing where
-/// the triangle is no more than a line or a point.
-[[nodiscard]] std::optional<Object> nearestBySides(Object bound, const Object &host, const ExactVec3 &place);
-[[nodiscard]] Object bySidesOnGrid(Object bound, const Object &host, const Rational &step);
-void guideBySides(const Object &host, Handle &handle);
+struct TriangleSides {
+  explicit TriangleSides(const Object &triangle)
+      : u(triangle[1] - triangle[0]), v(triangle[2] - triangle[0]) {}
+  ExactVec3 u;
+  ExactVec3 v;
+};
+
+[[nodiscard]] std::optional<ExactVec3> placeBySides(const Object &bound, const Object &triangle);
+
+/// With the s and t of the foot of a place in the triangle's plane; nothing where there is no such plane.
+[[nodiscard]] std::optional<Object> footBySides(Object bound, const Object &triangle, const ExactVec3 &place);
+
+/// A kind of such points.
+[[nodiscard]] Kind pointBySides(std::string_view word, std::string_view meaning, void (*settle)(Object &),
+                                Object (*nearest)(Object bound, const Object &triangle,
+                                                  const ExactVec3 &place));
 
 } // namespace halfspace

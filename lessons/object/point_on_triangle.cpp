@@ -1,6 +1,5 @@
-// Points of a triangle, its edges included: P0 + s u + t v with u = P1 − P0, v = P2 − P0.
+// Points of a triangle, its edges included.
 #include "lessons/object/point_by_sides.h"
-#include "lessons/object/triangle.h"
 
 #include <glm/vec2.hpp>
 
@@ -11,36 +10,32 @@ namespace {
 
 /// Within the triangle: 0 ≤ s, 0 ≤ t, s + t ≤ 1.
 void settle(Object &bound) {
-  bound[StepsOfU].x = std::clamp(bound[StepsOfU].x, Rational(0), Rational(1));
-  bound[StepsOfV].x = std::clamp(bound[StepsOfV].x, Rational(0), Rational(1 - bound[StepsOfU].x));
+  bound[S].x = std::clamp(bound[S].x, Rational(0), Rational(1));
+  bound[T].x = std::clamp(bound[T].x, Rational(0), Rational(1 - bound[S].x));
 }
 
 bool isWithin(const Object &bound) {
-  return bound[StepsOfU].x >= 0 && bound[StepsOfV].x >= 0 && bound[StepsOfU].x + bound[StepsOfV].x <= 1;
-}
-
-/// With these s and t.
-Object withSteps(Object bound, const Rational &s, const Rational &t) {
-  bound[StepsOfU].x = s;
-  bound[StepsOfV].x = t;
-  return bound;
+  return bound[S].x >= 0 && bound[T].x >= 0 && bound[S].x + bound[T].x <= 1;
 }
 
 /// On the edge between two corners, which have these s and t, the nearest to a place.
-Object nearestOnEdge(const Object &bound, const Object &host, const ExactVec3 &place, glm::ivec2 from,
+Object nearestOnEdge(Object bound, const Object &host, const ExactVec3 &place, glm::ivec2 from,
                      glm::ivec2 to) {
-  const auto corner = [&](glm::ivec2 at) { return *placeBySides(withSteps(bound, at.x, at.y), host); };
-  const ExactVec3 edge = corner(to) - corner(from);
+  const auto [u, v] = TriangleSides(host);
+  const ExactVec3 start = host[0] + u * Rational(from.x) + v * Rational(from.y);
+  const ExactVec3 edge = u * Rational(to.x - from.x) + v * Rational(to.y - from.y);
   const Rational square = dot(edge, edge);
   const Rational along =
       square == 0 ? Rational(0)
-                  : std::clamp(Rational(dot(place - corner(from), edge) / square), Rational(0), Rational(1));
-  return withSteps(bound, from.x + along * (to.x - from.x), from.y + along * (to.y - from.y));
+                  : std::clamp(Rational(dot(place - start, edge) / square), Rational(0), Rational(1));
+  bound[S].x = from.x + along * (to.x - from.x);
+  bound[T].x = from.y + along * (to.y - from.y);
+  return bound;
 }
 
 Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
-  if (const auto inPlane = nearestBySides(bound, host, place); inPlane && isWithin(*inPlane))
-    return *inPlane;
+  if (auto foot = footBySides(bound, host, place); foot && isWithin(*foot))
+    return *foot;
   const auto squaredDistance = [&](const Object &at) {
     const ExactVec3 way = *placeBySides(at, host) - place;
     return dot(way, way);
@@ -58,13 +53,8 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
 namespace object_kinds {
 
 Kind point_on_triangle() {
-  return boundPoint("point-on-triangle", "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)", sideSteps(),
-                    settle,
-                    {.host = TriangleObject::kind,
-                     .placeOf = placeBySides,
-                     .nearest = nearest,
-                     .onGrid = bySidesOnGrid,
-                     .guide = guideBySides});
+  return pointBySides("point-on-triangle", "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)", settle,
+                      nearest);
 }
 
 } // namespace object_kinds

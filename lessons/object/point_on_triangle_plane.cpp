@@ -1,12 +1,23 @@
-// Points of the plane of a triangle, also outside of it: P0 + s u + t v with any s and t.
+// Points of a triangle's plane, outside the triangle too.
 #include "lessons/object/point_by_sides.h"
-#include "lessons/object/triangle.h"
 
 namespace halfspace {
 namespace {
 
+/// In what is left of the plane where the corners lie on one line: along the first side that leads somewhere.
+Object nearestOnLine(Object bound, const Object &host, const ExactVec3 &place) {
+  const auto [u, v] = TriangleSides(host);
+  const ExactVec3 &side = isZero(u) ? v : u;
+  bound[S].x = 0;
+  bound[T].x = 0;
+  if (!isZero(side))
+    bound[isZero(u) ? T : S].x = dot(place - host[0], side) / dot(side, side);
+  return bound;
+}
+
 Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
-  return nearestBySides(bound, host, place).value_or(bound);
+  const auto foot = footBySides(bound, host, place);
+  return foot ? *foot : nearestOnLine(bound, host, place);
 }
 
 } // namespace
@@ -14,14 +25,9 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
 namespace object_kinds {
 
 Kind point_on_triangle_plane() {
-  return boundPoint("point-on-triangle-plane",
-                    "a point of a triangle's plane, also outside of it: P0 + s(P1 − P0) + t(P2 − P0)",
-                    sideSteps(), settleNothing,
-                    {.host = TriangleObject::kind,
-                     .placeOf = placeBySides,
-                     .nearest = nearest,
-                     .onGrid = bySidesOnGrid,
-                     .guide = guideBySides});
+  return pointBySides("point-on-triangle-plane",
+                      "a point of a triangle's plane, outside it too: P0 + s(P1 − P0) + t(P2 − P0)",
+                      settleNothing, nearest);
 }
 
 } // namespace object_kinds

@@ -1,6 +1,7 @@
 #include "lessons/scene/scene_checker.h"
 
 #include "lessons/construction/construction.h"
+#include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/text.h"
@@ -20,6 +21,13 @@ bool isNameCharacter(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c
 bool canBeName(const std::string &name) {
   return !name.empty() && name.size() <= maxNameLength && isLetter(name.front()) &&
          std::all_of(name.begin(), name.end(), isNameCharacter);
+}
+
+std::vector<std::string> idsOfConstructions() {
+  std::vector<std::string> ids;
+  for (const Construction &construction : constructions())
+    ids.emplace_back(construction.id);
+  return ids;
 }
 
 } // namespace
@@ -88,12 +96,22 @@ std::optional<Problem> SceneChecker::checkName(const std::string &name) const {
   return {};
 }
 
+std::vector<std::string> SceneChecker::objectsOfKind(std::string_view kind) const {
+  std::vector<std::string> ids;
+  for (const auto &[id, its] : m_kinds)
+    if (its == kind)
+      ids.push_back(id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 std::optional<Problem> SceneChecker::checkReference(const std::string &field, const std::string &id,
                                                     std::string_view expected) const {
   const auto kind = m_kinds.find(id);
   if (kind == m_kinds.end())
-    return problemWith(field,
-                       words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}));
+    return problemWith(
+        field, withGuess(words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}),
+                         id, objectsOfKind(expected)));
   if (kind->second != expected)
     return problemWith(
         field, words("Here a {kind} is expected, but “{name}” is a {other}.",
@@ -115,8 +133,10 @@ std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const 
   if (!construction)
     return problemWith(
         "construction",
-        words("There is no construction “{id}”. Mend the name, or use a newer version of Halfspace.",
-              {{"id", shortened(use.id)}}));
+        withGuess(
+            words("There is no construction “{id}”. Mend the name, or use a newer version of Halfspace.",
+                  {{"id", shortened(use.id)}}),
+            use.id, idsOfConstructions()));
   for (const ConstructionRole &role : construction->roles) {
     const std::string field = "of." + role.name;
     const auto bound = use.roles.find(role.name);

@@ -31,6 +31,8 @@ public:
   [[nodiscard]] std::string idOf(const std::string &name) const;
 
 private:
+  /// The ids of what can be looked at as this kind.
+  [[nodiscard]] std::vector<std::string> objectsOfKind(std::string_view kind) const;
   [[nodiscard]] std::optional<Problem> checkName(const std::string &name) const;
   /// Whether there is an object of a kind above that goes by an id.
   [[nodiscard]] std::optional<Problem> checkReference(const std::string &field, const std::string &id,

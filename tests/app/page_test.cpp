@@ -292,7 +292,8 @@ private slots:
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(drawer->isVisible());
     QCOMPARE(list->currentItem()->data(Qt::UserRole).toString(), QString("signed-distance"));
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+    QVERIFY2(!(list->item(0)->flags() & Qt::ItemIsEnabled), "the chapter");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
     QCOMPARE(fixture.model().session().lesson, fixture.model().library().lessons[0].id);
     QVERIFY(!drawer->isVisible() && !button->isChecked());
     QCOMPARE(fixture.window.findChild<QLabel *>("lessonTitle")->text(),
@@ -314,7 +315,7 @@ private slots:
     next.action(QKeySequence("Ctrl+L"))->trigger();
     const auto *list = next.window.findChild<ContentsDrawer *>()->findChild<QListWidget *>();
     QVERIFY(list->currentItem()->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
-    QVERIFY(!list->item(0)->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
+    QVERIFY(!list->item(1)->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
   }
 
   void question_triedAgain_hidesTheNumbersAgain() {

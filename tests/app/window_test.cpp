@@ -454,6 +454,22 @@ private slots:
     QTRY_COMPARE(reason(), before);
   }
 
+  void nearestSpecialCase_isToldOnceNumbersAreShown_andOneKeyLeadsThere() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    auto *nearby = fixture.window.findChild<QLabel *>("nearby");
+    QVERIFY(fixture.questionIsOpen());
+    QVERIFY2(nearby->text().isEmpty(), "it would give the answer away");
+    fixture.goToLine("denominator");
+    QVERIFY2(nearby->text().contains("parallel"), qPrintable(nearby->text()));
+    const Session before = fixture.model().session();
+    QTest::mouseClick(fixture.window.findChild<QPushButton *>("there"), Qt::LeftButton);
+    QCOMPARE(fixture.caseName(), std::string("parallel"));
+    QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
+    fixture.model().undo();
+    QVERIFY(fixture.model().session() == before);
+  }
+
   void slider_ofANumber_changesItInStepsWithinItsBounds() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);

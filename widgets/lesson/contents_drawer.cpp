@@ -1,5 +1,6 @@
 #include "widgets/lesson/contents_drawer.h"
 
+#include "widgets/colors.h"
 #include "widgets/verdict.h"
 
 #include <QApplication>
@@ -24,6 +25,8 @@ constexpr double titlePadding = 0.45 + 2.4;
 /// The mark of what is done stands so far from the right edge, likewise.
 constexpr double markDistance = 1.0;
 constexpr double markRadius = 0.55;
+/// Of the size of a title.
+constexpr double smallWords = 0.88;
 
 /// A title, wrapped within the style sheet's padding, which Qt leaves out of account; at its right the mark
 /// that says whether the lesson is done.
@@ -90,6 +93,8 @@ ContentsDrawer::ContentsDrawer(QWidget *parent)
   layout->addWidget(heading);
   layout->addWidget(m_list, 1);
   const auto choose = [this](const QListWidgetItem *item) {
+    if (!(item->flags() & Qt::ItemIsEnabled)) // a chapter can be clicked all the same
+      return;
     close();
     emit lessonChosen(item->data(Qt::UserRole).toString());
   };
@@ -99,9 +104,23 @@ ContentsDrawer::ContentsDrawer(QWidget *parent)
   hide();
 }
 
+void ContentsDrawer::addWords(const QString &words, bool isHeading) {
+  auto *item = new QListWidgetItem(words, m_list);
+  item->setFlags(Qt::NoItemFlags);
+  item->setForeground(toQColor(m_theme.mutedInk));
+  QFont font = m_list->font();
+  font.setPointSizeF(font.pointSizeF() * smallWords);
+  font.setBold(isHeading);
+  item->setFont(font);
+}
+
 void ContentsDrawer::setLessons(const std::vector<Entry> &lessons, const QString &current) {
   m_list->clear();
+  QString chapter;
   for (const Entry &lesson : lessons) {
+    if (lesson.chapter != chapter)
+      addWords(lesson.chapter, true);
+    chapter = lesson.chapter;
     auto *item = new QListWidgetItem(lesson.title, m_list);
     const QString state = wordFor(lesson.state);
     item->setData(Qt::UserRole, lesson.id);
@@ -111,6 +130,8 @@ void ContentsDrawer::setLessons(const std::vector<Entry> &lessons, const QString
                                   : tr("%1, %2", "a lesson and its state").arg(lesson.title, state));
     if (lesson.id == current)
       m_list->setCurrentItem(item);
+    if (!lesson.needs.isEmpty())
+      addWords(tr("After: %1", "the lessons that come first").arg(lesson.needs.join(tr("; "))), false);
   }
 }
 

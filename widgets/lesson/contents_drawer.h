@@ -22,6 +22,8 @@ public:
     QString id;
     QString title;
     LessonState state = LessonState::New;
+    QString chapter{};   ///< stands above the first of its lessons; may be empty
+    QStringList needs{}; ///< the titles of lessons that come first and are not done
   };
   void setLessons(const std::vector<Entry> &lessons, const QString &current);
   void setTheme(const Theme &theme);
@@ -38,6 +40,8 @@ protected:
 
 private:
   void arrange();
+  /// A line of the list that is no lesson.
+  void addWords(const QString &words, bool isHeading);
 
   QListWidget *m_list;
   Theme m_theme;

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QResizeEvent>
 #include <QStackedLayout>
 #include <QVariant>
@@ -26,15 +27,34 @@ QLabel *wrappedLabel(const char *name) {
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
-      m_usual(wrappedLabel("usualCase")), m_complaint(wrappedLabel("complaint")),
+      m_usual(wrappedLabel("usualCase")), m_nearby(wrappedLabel("nearby")),
+      m_there(new QPushButton(tr("Take me there"))), m_complaint(wrappedLabel("complaint")),
       m_words(new QStackedLayout) {
   m_usual->setText(usualCase());
   for (QLabel *page : {m_case, m_message, m_usual}) // it is as high as the highest
     m_words->addWidget(page);
+  m_there->setObjectName("there");
+  m_there->setFlat(true);
+  m_there->setCursor(Qt::PointingHandCursor);
+  m_there->setFocusPolicy(Qt::TabFocus);
+  // Its row stays where there is nothing to say: else the picture would jump.
+  QSizePolicy staying = m_there->sizePolicy();
+  staying.setRetainSizeWhenHidden(true);
+  m_there->setSizePolicy(staying);
+  connect(m_there, &QPushButton::clicked, this, &CaseLine::nearbyChosen);
+  setNearby({});
+  auto *special = new QHBoxLayout;
+  special->setSpacing(0);
+  special->addWidget(m_nearby, 1);
+  special->addWidget(m_there, 0, Qt::AlignTop);
+  auto *column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addLayout(m_words, 1);
+  column->addLayout(special);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(m_words, 3);
+  layout->addLayout(column, 3);
   layout->addWidget(m_complaint, 2);
   m_complaint->hide();
   m_messageTimer.setSingleShot(true);
@@ -48,6 +68,11 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
     return;
   m_case->setProperty("degenerate", degenerate);
   repolish(*m_case);
+}
+
+void CaseLine::setNearby(const QString &words) {
+  m_nearby->setText(words);
+  m_there->setVisible(!words.isEmpty());
 }
 
 void CaseLine::resizeEvent(QResizeEvent *event) {

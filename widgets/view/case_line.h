@@ -7,13 +7,14 @@
 #include <chrono>
 
 class QLabel;
+class QPushButton;
 class QStackedLayout;
 
 namespace halfspace {
 
-/// As long as width and type are the same it only grows: the picture above it would jump with the words.
 /// The case in plain words; in its place, for a moment, what the program has to tell, and beside both, as
-/// long as it holds, what it has to complain of.
+/// long as it holds, what it has to complain of. Below them the nearest special case, with a way there.
+/// As long as width and type are the same it only grows: the picture above it would jump with the words.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
@@ -23,11 +24,16 @@ public:
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
+  /// The nearest special case in words, with a button that says `nearbyChosen`; empty for none.
+  void setNearby(const QString &words);
   void say(const QString &sentence);
   /// Where the case is what counts, as in a drag.
   void endMessage();
   /// Empty: there is nothing to complain of.
   void complain(const QString &sentence, const QString &details = {});
+
+signals:
+  void nearbyChosen(); ///< the learner wants to be taken to the nearest special case
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
@@ -37,6 +43,8 @@ private:
   QLabel *m_case;
   QLabel *m_message;
   QLabel *m_usual; ///< as long as cases usually are; never shown
+  QLabel *m_nearby;
+  QPushButton *m_there; ///< leads to it
   QLabel *m_complaint;
   QStackedLayout *m_words; ///< case and message, one at a time
   QTimer m_messageTimer;

@@ -195,20 +195,6 @@ private:
       ray.direction = plane.normal;
   }
 
-  /// No triangle, or a point of its plane: inside, outside, and on every edge and corner.
-  void makeSpecial(TriangleObject &triangle, ExactVec3 &point) {
-    const auto third = [&] { return Rational(integer(-1, 4), 3); };
-    const ExactVec3 u = triangle.p1 - triangle.p0;
-    const ExactVec3 v = triangle.p2 - triangle.p0;
-    const int choice = integer(0, 8);
-    if (choice == 0)
-      triangle.p1 = triangle.p0;
-    if (choice == 1)
-      triangle.p2 = triangle.p0 + u * number();
-    if (choice > 1)
-      point = triangle.p0 + u * third() + v * third();
-  }
-
   void makeSpecial(TriangleObject &triangle, RayObject &ray) {
     const ExactVec3 u = triangle.p1 - triangle.p0;
     const ExactVec3 v = triangle.p2 - triangle.p0;
@@ -239,6 +225,27 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A point of the plane, at thirds from −1 to 4/3, or a triangle that is none.
+  void makeSpecial(TriangleObject &triangle, ExactVec3 &point) {
+    const ExactVec3 u = triangle.p1 - triangle.p0;
+    const ExactVec3 v = triangle.p2 - triangle.p0;
+    const auto third = [&] { return Rational(integer(-1, 4), 3); };
+    switch (integer(0, 9)) {
+    case 0:
+      triangle.p2 = integer(0, 1) == 0 ? triangle.p0 : triangle.p1;
+      break;
+    case 1:
+      triangle.p2 = triangle.p0 + u * number();
+      break;
+    case 2:
+      point = std::array{triangle.p0, triangle.p1, triangle.p2}.at(static_cast<std::size_t>(integer(0, 2)));
+      break;
+    default:
+      point = triangle.p0 + u * third();
+      point += v * third();
     }
   }
 

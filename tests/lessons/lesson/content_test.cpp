@@ -3,6 +3,7 @@
 #include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
 
+#include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -28,16 +29,11 @@ struct Solution {
   Entry entry;
 };
 
-/// P as a point of a triangle's plane by its s and t.
-Entry pointAt(const Rational &s, const Rational &t) {
-  Object point = *makeObject("point-on-triangle-plane");
-  point[0].x = s;
-  point[1].x = t;
-  return {"P", point, "T"};
+Object onTrianglePlane(const Rational &s, const Rational &t) {
+  return test::withNumbers("point-on-triangle-plane", {s, t});
 }
 
 const std::vector<Solution> &solutions() {
-  const auto q = [](int numerator, int denominator) { return Rational(numerator, denominator); };
   static const std::vector<Solution> all{
       {"plane-implicit", "Drag $P$ to", {"P", PointObject{{7, 7, 1}}}},
       {"plane-implicit", "Bring $P$ back", {"P", PointObject{{3, 9, 3}}}},
@@ -45,15 +41,15 @@ const std::vector<Solution> &solutions() {
       {"plane-implicit", "Slide the plane", {"E", PlaneObject{{2, -2, 1}, {1, 2, 2}}}},
       {"plane-implicit", "Make the constant", {"E", PlaneObject{{5, 4, 7}, {-1, -2, -2}}}},
       {"plane-implicit", "Let $\\vec n$ stand", {"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}},
-      {"plane-parametric", "Drag $P$ until", pointAt(q(1, 2), q(1, 2))},
-      {"plane-parametric", "Go backwards", pointAt(q(-1, 4), q(1, 2))},
-      {"plane-parametric", "Bring $P$ to the corner", pointAt(0, 1)},
-      {"plane-parametric", "Bring $P$ to the middle", pointAt(q(1, 2), 0)},
-      {"plane-parametric", "Leave the triangle", pointAt(0, q(3, 2))},
-      {"plane-parametric", "Now go onto", pointAt(q(1, 4), q(3, 4))},
-      {"plane-parametric", "Bring $P$ back", pointAt(q(1, 4), q(1, 4))},
-      {"plane-parametric", "Take $P$ out", pointAt(q(3, 4), q(1, 2))},
-      {"plane-parametric", "Bring $P$ to $P_3$", pointAt(1, 1)},
+      {"plane-parametric", "Drag $P$ until", {"P", onTrianglePlane({1, 2}, {1, 2})}},
+      {"plane-parametric", "Go backwards", {"P", onTrianglePlane({-1, 4}, {1, 2})}},
+      {"plane-parametric", "Bring $P$ to the corner", {"P", onTrianglePlane(0, 1)}},
+      {"plane-parametric", "Bring $P$ to the middle", {"P", onTrianglePlane({1, 2}, 0)}},
+      {"plane-parametric", "Leave the triangle", {"P", onTrianglePlane(0, {3, 2})}},
+      {"plane-parametric", "Now go onto", {"P", onTrianglePlane({1, 4}, {3, 4})}},
+      {"plane-parametric", "Bring $P$ back", {"P", onTrianglePlane({1, 4}, {1, 4})}},
+      {"plane-parametric", "Take $P$ out", {"P", onTrianglePlane({3, 4}, {1, 2})}},
+      {"plane-parametric", "Bring $P$ to $P_3$", {"P", onTrianglePlane(1, 1)}},
       {"plane-parametric", "Put $P_0$", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {7, 7, 3}}}},
       {"plane-parametric", "Bring the triangle", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {9, 4, 5}}}},
       {"dot-product-projection", "Turn $\\vec w$ until it", {"w", VectorObject{{5, 2, 1}, {-3, 3, 0}}}},
@@ -82,6 +78,24 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-perp", "Bring the hit", {"L", RayObject{{11, 13, 10}, {-4, -5, -3}}}},
       {"ray-triangle-perp", "Put all three", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 9, 2}}}},
       {"ray-triangle-perp", "Bring the triangle", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 2, 9}}}},
+      {"barycentric", "Drag $Q$ out", {"Q", onTrianglePlane(1, 1)}},
+      {"barycentric", "Bring $Q$ back into", {"Q", onTrianglePlane({1, 4}, {1, 4})}},
+      {"barycentric", "Bring $Q$ to where", {"Q", onTrianglePlane({1, 3}, {1, 3})}},
+      {"barycentric", "Drag a corner", {"T", TriangleObject{{8, 5, 3}, {8, 8, 0}, {0, 8, 4}}}},
+      {"barycentric", "Bring $Q$ onto", {"Q", onTrianglePlane({1, 4}, {1, 4})}},
+      {"barycentric", "Keep $\\rho$", {"Q", onTrianglePlane({1, 2}, 0)}},
+      {"barycentric", "Put $Q$ exactly", {"Q", onTrianglePlane(0, 1)}},
+      {"barycentric", "Take $Q$ to", {"Q", onTrianglePlane({-1, 2}, 2)}},
+      {"ray-triangle-cramer",
+       "Drag $Q$ or the tip of $\\vec r$ until the line",
+       {"L", RayObject{{6, 9, 5}, {1, 2, 4}}}},
+      {"ray-triangle-cramer", "Let it go", {"L", RayObject{{6, 9, 5}, {1, 2, -1}}}},
+      {"ray-triangle-cramer",
+       "Drag $Q$ or the tip of $\\vec r$ until the ray",
+       {"L", RayObject{{6, 9, 5}, {-1, -2, 1}}}},
+      {"ray-triangle-cramer", "Put the triangle", {"L", RayObject{{6, 9, 5}, {1, 2, -1}}}},
+      {"ray-triangle-cramer", "Turn the ray", {"L", RayObject{{6, 9, 5}, {-1, 0, 1}}}},
+      {"ray-triangle-cramer", "Turn it back", {"L", RayObject{{6, 9, 5}, {-1, -2, 1}}}},
       {"plane-plane", "Turn the normal", {"E", PlaneObject{{4, 2, 3}, {0, 1, 1}}}},
       {"plane-plane", "Now slide", {"E", PlaneObject{{2, 6, 0}, {0, 1, 1}}}},
       {"plane-plane", "Make the two", {"F", PlaneObject{{2, 6, 0}, {0, 1, -1}}}},

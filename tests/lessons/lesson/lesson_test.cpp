@@ -50,6 +50,17 @@ std::string replaced(std::string text, const std::string &from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
+TEST(Lesson, NamesThatAreNearlyRight_AreGuessed) {
+  EXPECT_TRUE(problemOf(replaced(frontMatter, "signed-distance", "signed-distanc") + "## One\n")
+                  .sentence.ends_with("Perhaps “signed-distance” is meant."));
+  EXPECT_TRUE(problemOf(replaced(frontMatter, "{E: E, Q: Q}", "{E: E, Q: q}") + "## One\n")
+                  .sentence.ends_with("there is no object “q”."))
+      << "no letter is right";
+  std::string longer = replaced(frontMatter, "name: Q", "name: Peak");
+  EXPECT_TRUE(problemOf(replaced(longer, "Q: Q}", "Q: Peek}") + "## One\n")
+                  .sentence.ends_with("Perhaps “Peak” is meant."));
+}
+
 TEST(Lesson, FrontMatter_IsReadExactly) {
   const auto lesson = parseLesson(frontMatter + "## One\nWords.\n", "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();

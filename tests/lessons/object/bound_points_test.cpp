@@ -70,9 +70,9 @@ private:
   std::mt19937_64 m_engine;
 };
 
-/// Whether a place lies on a host as this kind of points does, told by the host's equations and not by
-/// freedoms.
-bool liesOn(const Kind &bound, const Object &host, const ExactVec3 &at) {
+/// Whether a place lies on a host, told by its equations and not by its freedoms; for what goes on beyond a
+/// triangle's edges, in its plane.
+bool liesOn(const Object &host, const ExactVec3 &at, bool beyondEdges) {
   const std::string_view kind = kindOf(host);
   const ExactVec3 way = at - host[0];
   if (kind == "line")
@@ -85,9 +85,7 @@ bool liesOn(const Kind &bound, const Object &host, const ExactVec3 &at) {
     return dot(way, way) == host[1].x * host[1].x;
   const ExactVec3 normal = normalOfCorners(host);
   bool isWithin = dot(way, normal) == 0;
-  if (bound.word == "point-on-triangle-plane")
-    return isWithin;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3 && !beyondEdges; ++i)
     isWithin = isWithin && dot(cross(host[(i + 1) % 3] - host[i], at - host[i]), normal) >= 0;
   return isWithin;
 }
@@ -96,6 +94,9 @@ class EveryBoundKind : public testing::TestWithParam<std::string> {
 protected:
   const Kind &kind() const { return *findKind(GetParam()); }
   std::string_view hostKind() const { return kind().binding->host; }
+  bool liesOn(const Object &host, const ExactVec3 &at) const {
+    return halfspace::liesOn(host, at, kind().word == "point-on-triangle-plane");
+  }
 };
 
 TEST_P(EveryBoundKind, WithAnyFreedoms_LiesOnItsHostExactly) {
@@ -104,7 +105,7 @@ TEST_P(EveryBoundKind, WithAnyFreedoms_LiesOnItsHostExactly) {
     const Object host = random.host(hostKind());
     const auto at = placeOn(random.bound(kind()), host);
     ASSERT_TRUE(at);
-    EXPECT_TRUE(liesOn(kind(), host, *at)) << seed;
+    EXPECT_TRUE(liesOn(host, *at)) << seed;
   }
 }
 
@@ -116,7 +117,7 @@ TEST_P(EveryBoundKind, MovedToAPlace_LiesOnItsHostAndNowhereNearer) {
     const Handle handle = boundHandle("P", bound, host, *placeOn(bound, host));
     const ExactVec3 wanted = random.vector();
     const auto at = placeOn(movedTo(bound, handle, wanted), host);
-    ASSERT_TRUE(liesOn(kind(), host, *at)) << seed;
+    ASSERT_TRUE(liesOn(host, *at)) << seed;
     // A sphere's nearest place is no fraction: it is found to 1/1000 of s and t.
     const double slack = hostKind() == "sphere" ? 0.05 : 0;
     const double found = glm::distance(toDouble(*at), toDouble(wanted));
@@ -150,7 +151,7 @@ TEST_P(EveryBoundKind, DraggedOverTheGrid_LiesOnItsHostWithShortFreedoms) {
                                     q(1, 2),
                                     [](const Place &a, const Place &b) { return glm::distance(a, b) * 100; },
                                     0});
-    EXPECT_TRUE(liesOn(kind(), *dragged.host, rest.at)) << seed;
+    EXPECT_TRUE(liesOn(*dragged.host, rest.at)) << seed;
     const Object moved = movedTo(*findObject(scene, "P"), dragged, rest.at);
     if (kindOf(moved) != "point-on-plane") {
       for (std::size_t i = 0; i < moved.size(); ++i)
@@ -229,19 +230,24 @@ TEST(PointOnTriangle, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
   }
 }
 
-TEST(PointOnTrianglePlane, DraggedOutOfTheTriangle_FollowsIntoItsPlane) {
-  const TriangleObject triangle{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}};
-  const Scene scene{{{"T", triangle}, {"P", withNumbers("point-on-triangle-plane", {q(1, 4), 3}), "T"}}};
-  EXPECT_EQ(placeOfP(scene), ExactVec3(1, 6, 0));
-  const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {-2, 1, 5});
-  EXPECT_EQ(moved[0].x, q(-1, 2));
-  EXPECT_EQ(moved[1].x, q(1, 2));
+TEST(PointOnTrianglePlane, BeyondTheEdges_GoesOnAndKeepsItsFreedomsWithTheTriangle) {
+  const Scene scene{{triangleT(), {"P", withNumbers("point-on-triangle-plane", {2, q(-1, 2)}), "T"}}};
+  const TriangleObject other{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  const Scene changed = edited(scene, {ChangeObject{"T", other}});
+  EXPECT_EQ(placeOfP(changed), ExactVec3(6, -2, 0));
+  const Object moved = movedTo(*findObject(changed, "P"), handle(changed, "P"), {-3, 8, 5});
+  EXPECT_EQ(placeOn(moved, other), ExactVec3(-3, 8, 0)) << "the foot";
 }
 
-TEST(PointOnTrianglePlane, OfATriangleThatIsALine_StaysWhereItIs) {
-  const TriangleObject flat{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}};
-  const Scene scene{{{"T", flat}, {"P", withNumbers("point-on-triangle-plane", {q(1, 2), 1}), "T"}}};
-  EXPECT_EQ(movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1}), *findObject(scene, "P"));
+TEST(PointOnTrianglePlane, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
+  for (const TriangleObject &flat :
+       {TriangleObject{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}, TriangleObject{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}},
+        TriangleObject{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) {
+    const Scene scene{{{"T", flat}, {"P", withNumbers("point-on-triangle-plane", {q(1, 2), q(1, 4)}), "T"}}};
+    const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1});
+    const bool isPoint = isZero(flat.p1) && isZero(flat.p2);
+    EXPECT_EQ(placeOn(moved, flat), isPoint ? ExactVec3(0) : ExactVec3(9, 0, 0));
+  }
 }
 
 TEST(PointOnSphere, TowardsItsLowestPoint_ComesAsNearAsOneSees) {

@@ -46,6 +46,27 @@ class ContentsDrawerTest : public QObject {
   Q_OBJECT
 
 private slots:
+  void lessons_standUnderTheirChapters_withWhatTheyNeed_andTheKeysPassTheseBy() {
+    ShownDrawer shown;
+    QVERIFY(shown.ready);
+    shown.drawer.setLessons({{"plane", "What is a plane?", LessonState::Done, "Planes"},
+                             {"side", "On which side?", LessonState::New, "Planes", {"What is a plane?"}},
+                             {"ray", "Where does a ray meet it?", LessonState::New, "Rays", {"A", "B"}}},
+                            "plane");
+    QStringList rows;
+    for (int i = 0; i < shown.list().count(); ++i)
+      rows << shown.list().item(i)->text();
+    QCOMPARE(rows, (QStringList{"Planes", "What is a plane?", "On which side?", "After: What is a plane?",
+                                "Rays", "Where does a ray meet it?", "After: A; B"}));
+    shown.drawer.open();
+    QTest::keyClick(&shown.list(), Qt::Key_Down);
+    QTest::keyClick(&shown.list(), Qt::Key_Down);
+    QCOMPARE(shown.list().currentItem()->text(), QString("Where does a ray meet it?"));
+    QTest::mouseClick(shown.list().viewport(), Qt::LeftButton, {}, shown.middleOf(4));
+    QVERIFY2(shown.chosen.isEmpty(), "a chapter is no lesson");
+    QVERIFY(shown.drawer.isVisible());
+  }
+
   void drawer_opens_atTheLeftEdge_asHighAsTheWindow_withTheKeys() {
     ShownDrawer shown;
     QVERIFY(shown.ready);

@@ -1,0 +1,273 @@
+#include "lessons/lesson/name_check.h"
+
+#include "lessons/guess.h"
+#include "lessons/lesson/condition.h"
+#include "lessons/object/kind.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// An entry of the scene with the names that it can come to. Those of marks are full ids.
+struct EntryNames {
+  std::string name;
+  std::vector<ValueName> values{};
+  Names lines{};
+  Names marks{};
+};
+
+/// The cases of a construction as a value. What looks at the objects that others make may miss them.
+ValueName caseOf(const Construction &construction, const ConstructionUse &use) {
+  ValueName cases = named::word("case", construction.names.cases);
+  if (std::any_of(use.roles.begin(), use.roles.end(),
+                  [](const auto &role) { return role.second != ownerOf(role.second); }))
+    cases.words.emplace_back("missing-object");
+  return cases;
+}
+
+EntryNames namesOf(const Entry &entry) {
+  EntryNames names{entry.name};
+  if (const auto *object = std::get_if<Object>(&entry.content)) {
+    if (isBound(entry))
+      names.values.push_back(named::vector("at"));
+    names.marks.push_back(entry.name);
+    for (const CoordinateSpec &spec : coordinatesOf(*object))
+      if (!spec.name.empty())
+        names.marks.push_back(coordinateId(entry.name, spec));
+    return names;
+  }
+  const auto &use = std::get<ConstructionUse>(entry.content);
+  const Construction &construction = *findConstruction(use.id);
+  names.values = construction.names.values;
+  names.values.push_back(caseOf(construction, use));
+  names.lines = construction.names.lines;
+  for (const std::string &mark : construction.names.marks)
+    names.marks.push_back(entry.name + "." + mark);
+  return names;
+}
+
+/// The value at a path, `perp.uu`, `foot.z`; nothing where there is none.
+std::optional<ValueName> findIn(const std::vector<ValueName> &values, std::string_view path) {
+  const auto dot = path.find('.');
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const ValueName &each) { return each.name == path.substr(0, dot); });
+  if (found == values.end())
+    return {};
+  if (dot == std::string_view::npos)
+    return *found;
+  const std::string_view rest = path.substr(dot + 1);
+  if (found->shape == ValueShape::Group)
+    return findIn(found->members, rest);
+  const auto index = componentIndex(rest);
+  if (found->shape != ValueShape::List || !index || *index >= found->length)
+    return {};
+  return named::number(std::string(path));
+}
+
+void addPaths(const std::vector<ValueName> &values, const std::string &before, Names &paths) {
+  for (const ValueName &value : values) {
+    paths.push_back(before + value.name);
+    addPaths(value.members, before + value.name + ".", paths);
+  }
+}
+
+std::string quotedList(const Names &names) {
+  std::string list;
+  for (const std::string &name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::string saysNotWhose(const std::string &name, const std::string &first, const std::string &second) {
+  return words("“{name}” can be {first} or {second}: say which.",
+               {{"name", name}, {"first", first + "." + name}, {"second", second + "." + name}});
+}
+
+/// Why a value can never be compared like this; empty where it can.
+std::string whyIncomparable(const ValueName &value, const Condition &condition) {
+  const bool isNumber = parseRational(condition.against).has_value();
+  switch (value.shape) {
+  case ValueShape::Number:
+  case ValueShape::Index:
+    return isNumber ? std::string()
+                    : words("“{value}” is a number, and never “{against}”.",
+                            {{"value", condition.value}, {"against", condition.against}});
+  case ValueShape::List:
+    return words("“{value}” has several numbers: name one of them, as {value}.x or {value}.0.",
+                 {{"value", condition.value}});
+  case ValueShape::Group:
+    return words("“{value}” is a group of values: name one of them, as {value}.{first}.",
+                 {{"value", condition.value}, {"first", value.members.front().name}});
+  case ValueShape::Word:
+    break;
+  }
+  if (std::find(value.words.begin(), value.words.end(), condition.against) != value.words.end())
+    return {};
+  return withGuess(
+      words("“{value}” is never “{against}”. It can be: {words}.",
+            {{"value", condition.value}, {"against", condition.against}, {"words", quotedList(value.words)}}),
+      condition.against, value.words);
+}
+
+/// Goes through a lesson from top to bottom.
+class NameCheck {
+public:
+  explicit NameCheck(const Lesson &lesson) : m_lesson(lesson), m_start(evaluate(lesson.scene)) {
+    for (const Entry &entry : lesson.scene.entries)
+      m_entries.push_back(namesOf(entry));
+  }
+
+  std::vector<Problem> take() {
+    for (const LessonStep &step : m_lesson.steps) {
+      for (const StepBlock &block : step.blocks)
+        std::visit([this](const auto &each) { check(each); }, block);
+      for (std::size_t i = 0; i < step.drawn.size(); ++i)
+        complain(whyNoMark(step.drawn[i]), step.drawnLines[i], "draw");
+    }
+    for (const LessonWords &piece : wordsOf(m_lesson))
+      for (const LiveName &live : liveNamesIn(piece.text))
+        complain(whyNotLive(live.name), piece.lineAt(live.place), piece.field);
+    return std::move(m_problems);
+  }
+
+private:
+  void complain(const std::string &sentence, int line, const std::string &field) {
+    if (!sentence.empty())
+      m_problems.push_back({sentence, m_lesson.file, line, field});
+  }
+
+  void check(const StepWords &) {}
+  void check(const StepNote &) {}
+  void check(const StepLines &lines) {
+    for (std::size_t i = 0; i < lines.ids.size(); ++i)
+      complain(whyNoLine(lines.ids[i]), lines.lines[i], "lines");
+  }
+  void check(const Task &task) {
+    for (const Condition &condition : task.conditions)
+      complain(whyNever(condition), task.conditionsLine, "when");
+  }
+  void check(const Prediction &prediction) {
+    if (const std::string sentence = whyNoValue(prediction.value); !sentence.empty())
+      return complain(sentence, prediction.valueLine, "answer");
+    for (const Prediction::Choice &choice : prediction.choices)
+      complain(whyNever({prediction.value, Condition::Relation::Equal, choice.word}), choice.line, "choices");
+  }
+
+  /// The entry that a name begins with, or null; `rest` is then what follows.
+  [[nodiscard]] const EntryNames *ownerIn(const std::string &name, std::string &rest) const {
+    const auto dot = name.find('.');
+    const auto owner = std::find_if(m_entries.begin(), m_entries.end(),
+                                    [&](const EntryNames &each) { return each.name == name.substr(0, dot); });
+    if (dot == std::string::npos || owner == m_entries.end())
+      return nullptr;
+    rest = name.substr(dot + 1);
+    return &*owner;
+  }
+
+  [[nodiscard]] std::string whyNoLine(const std::string &name) const {
+    const auto hasIt = [](const EntryNames &entry, const std::string &id) {
+      return std::find(entry.lines.begin(), entry.lines.end(), id) != entry.lines.end();
+    };
+    std::string rest;
+    if (const EntryNames *owner = ownerIn(name, rest);
+        owner && ((rest == "*" && !owner->lines.empty()) || hasIt(*owner, rest)))
+      return {};
+    Names bearers;
+    Names known;
+    for (const EntryNames &entry : m_entries) {
+      if (hasIt(entry, name))
+        bearers.push_back(entry.name);
+      for (const std::string &line : entry.lines) {
+        known.push_back(line);
+        known.push_back(entry.name + "." + line);
+      }
+    }
+    return whyNotOne(words("There is no worked line “{name}”.", {{"name", name}}), name, bearers, known);
+  }
+
+  /// Marks go by their ids, or by what follows the first dot of one alone.
+  [[nodiscard]] std::string whyNoMark(const std::string &name) const {
+    Names bearers;
+    Names known;
+    for (const EntryNames &entry : m_entries)
+      for (const std::string &mark : entry.marks) {
+        if (mark == name)
+          return {};
+        const std::string own = mark.substr(mark.find('.') + 1);
+        if (own == name)
+          bearers.push_back(entry.name);
+        known.push_back(own);
+        known.push_back(mark);
+      }
+    return whyNotOne(words("There is no mark “{name}”.", {{"name", name}}), name, bearers, known);
+  }
+
+  /// Why a name does not mean one thing alone; empty where it does.
+  [[nodiscard]] static std::string whyNotOne(std::string sentence, const std::string &name,
+                                             const Names &bearers, const Names &known) {
+    if (bearers.size() > 1)
+      return saysNotWhose(name, bearers[0], bearers[1]);
+    return bearers.empty() ? withGuess(std::move(sentence), name, known) : std::string();
+  }
+
+  /// What a name means; or why it means no value, a sentence.
+  struct Meant {
+    std::optional<ValueName> value{};
+    std::string whyNone{};
+  };
+
+  [[nodiscard]] Meant valueOf(const std::string &name) const {
+    std::string rest;
+    if (const EntryNames *owner = ownerIn(name, rest))
+      if (auto value = findIn(owner->values, rest))
+        return {std::move(value)};
+    Names bearers;
+    Names known;
+    Meant meant;
+    for (const EntryNames &entry : m_entries) {
+      addPaths(entry.values, "", known);
+      addPaths(entry.values, entry.name + ".", known);
+      if (auto value = findIn(entry.values, name)) {
+        meant.value = std::move(value);
+        bearers.push_back(entry.name);
+      }
+    }
+    if (name != "case") // that of the last construction
+      meant.whyNone = whyNotOne(words("There is no value “{name}”.", {{"name", name}}), name, bearers, known);
+    return meant;
+  }
+
+  [[nodiscard]] std::string whyNoValue(const std::string &name) const { return valueOf(name).whyNone; }
+
+  [[nodiscard]] std::string whyNever(const Condition &condition) const {
+    const Meant meant = valueOf(condition.value);
+    if (!meant.whyNone.empty())
+      return meant.whyNone;
+    return meant.value ? whyIncomparable(*meant.value, condition)
+                       : words("No construction of this scene has a case.");
+  }
+
+  [[nodiscard]] std::string whyNotLive(const std::string &name) const {
+    if (findCoordinate(m_lesson.scene, name) || findValue(m_start, name))
+      return {};
+    const std::string sentence = whyNoValue(name);
+    return !sentence.empty()
+               ? sentence
+               : words("“{name}” has no value at the start: a dash would stand here.", {{"name", name}});
+  }
+
+  const Lesson &m_lesson;
+  Evaluation m_start;
+  std::vector<EntryNames> m_entries;
+  std::vector<Problem> m_problems;
+};
+
+} // namespace
+
+std::vector<Problem> problemsWithNames(const Lesson &lesson) { return NameCheck(lesson).take(); }
+
+} // namespace halfspace

@@ -1,0 +1,127 @@
+// What `halfspace explain` says of a scene, and what `halfspace eval` answers to the same question: one core,
+// the same figures.
+#include "tests/lessons/construction/random_objects.h"
+
+#include "eval/evaluate.h"
+#include "lessons/scene/explain_formats.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+using Json = nlohmann::json;
+
+constexpr int scenesPerWriting = 500;
+
+/// The question that a construction answers, and the names of its operands in the order of the roles.
+struct Question {
+  std::string query;
+  std::vector<std::string> operands;
+};
+
+/// Those whose figures have a question; the others have none in the eval format.
+const std::map<std::string, Question> &questions() {
+  static const std::map<std::string, Question> all{
+      {"plane-implicit", {"plane", {"plane"}}},
+      {"signed-distance", {"point-plane", {"plane", "point"}}},
+      {"ray-plane-dot", {"ray-plane", {"plane", "ray"}}},
+      {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
+      {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
+      {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
+  };
+  return all;
+}
+const std::set<std::string> withoutQuestion{"point-line", "barycentric", "dot-product-projection",
+                                            "plane-parametric"};
+
+Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
+
+/// An object as an operand: a point as its numbers, corners as a list, else by the words of the eval format.
+Json operandOf(const Object &object) {
+  static const std::map<std::string_view, std::vector<std::string>> words{
+      {"plane", {"point", "normal"}}, {"ray", {"origin", "direction"}}, {"line", {"point", "direction"}}};
+  if (object.size() == 1)
+    return numbersOf(object[0]);
+  Json operand;
+  if (const auto known = words.find(kindOf(object)); known != words.end())
+    for (std::size_t i = 0; i < object.size(); ++i)
+      operand[known->second.at(i)] = numbersOf(object[i]);
+  else
+    for (std::size_t i = 0; i < object.size(); ++i)
+      operand.push_back(numbersOf(object[i]));
+  return operand;
+}
+
+Json answerTo(const Question &question, const std::vector<Object> &objects) {
+  Json asked{{"query", question.query}};
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    asked[question.operands.at(i)] = operandOf(objects[i]);
+  std::string answer;
+  Evaluator().answer(asked.dump(), answer);
+  return Json::parse(answer);
+}
+
+/// How many figures both have; all of them are the same.
+int compare(const Json &explained, const Json &answered, const std::string &group) {
+  int compared = 0;
+  for (const auto &[name, figure] : explained.items()) {
+    if (!answered.contains(name))
+      continue;
+    const Json &other = answered.at(name);
+    if (figure.is_object() && !figure.contains("exact")) {
+      compared += compare(figure, other, group + name + ".");
+      continue;
+    }
+    EXPECT_EQ(figure, other) << group << name;
+    ++compared;
+  }
+  return compared;
+}
+
+class SameAsEval : public testing::TestWithParam<std::string> {};
+
+TEST_P(SameAsEval, EveryFigureThatBothHave_IsTheSame) {
+  const Construction &construction = *findConstruction(GetParam());
+  const Question &question = questions().at(GetParam());
+  int compared = 0;
+  for (const Writing writing :
+       {Writing::SmallIntegers, Writing::Halves, Writing::Fractions, Writing::LongFractions}) {
+    RandomObjects random(11 + static_cast<std::uint64_t>(writing));
+    for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+      const std::vector<Object> objects = random.objectsFor(construction, writing);
+      const Scene scene = sceneOf(construction, objects);
+      const Evaluation evaluation = evaluate(scene);
+      const Json explained = Json::parse(explanationJson("", scene, evaluation));
+      const Json answered = answerTo(question, objects);
+      SCOPED_TRACE(answered.dump());
+      ASSERT_EQ(answered.at("ok"), !lastOutcome(evaluation).told->degenerate);
+      if (!answered.at("ok"))
+        continue;
+      if (answered.at("result").contains("case")) {
+        EXPECT_EQ(explained.at("case"), answered.at("result").at("case"));
+      }
+      compared += compare(explained.at("values"), answered.at("result"), "");
+    }
+  }
+  EXPECT_GT(compared, scenesPerWriting) << "hardly a name is the same";
+}
+
+INSTANTIATE_TEST_SUITE_P(Constructions, SameAsEval, testing::ValuesIn([] {
+                           std::vector<std::string> ids;
+                           for (const Construction &construction : constructions())
+                             if (std::string id(construction.id); !withoutQuestion.contains(id))
+                               ids.push_back(std::move(id));
+                           return ids;
+                         }()),
+                         [](const auto &each) {
+                           std::string name = each.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+} // namespace
+} // namespace halfspace

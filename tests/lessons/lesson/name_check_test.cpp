@@ -1,0 +1,115 @@
+#include "lessons/lesson/name_check.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+const std::string frontMatter = "---\n"
+                                "id: example\n"
+                                "title: An example\n"
+                                "scene:\n"
+                                "  - {name: E, plane: {P0: [5, 4, 7], n: [1, 2, 2]}}\n"
+                                "  - {name: Q, point: [11, 15, 8]}\n"
+                                "  - {name: L, ray: {Q: [1, 1, 1], r: [1, -1, 0]}}\n"
+                                "  - {name: d, construction: signed-distance, of: {E: E, Q: Q}}\n"
+                                "  - {name: m, construction: ray-plane-dot, of: {E: E, L: L}}\n"
+                                "  - {name: e, construction: signed-distance, of: {E: E, Q: m.H}}\n"
+                                "---\n"; // 11 lines
+
+/// The problems of a lesson with this behind its front matter, as `line: field: sentence`.
+std::vector<std::string> problemsIn(const std::string &body) {
+  const auto lesson = parseLesson(frontMatter + body, "a.md");
+  EXPECT_TRUE(lesson) << lesson.problem().text();
+  std::vector<std::string> texts;
+  if (lesson)
+    for (const Problem &problem : problemsWithNames(*lesson)) {
+      EXPECT_EQ(problem.file, "a.md");
+      texts.push_back(std::to_string(problem.line) + ": " + problem.field + ": " + problem.sentence);
+    }
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+std::string lines(const std::string &ids) { return "## One\n```lines\n" + ids + "\n```\n"; }
+std::string draw(const std::string &ids) { return "## One\n```draw\n" + ids + "\n```\n"; }
+std::string task(const std::string &when) { return "## One\n```task\ndo: Go.\nwhen: " + when + "\n```\n"; }
+std::string question(const std::string &answer, const std::string &words) {
+  std::string text = "## One\n```predict\nask: Where?\nanswer: " + answer + "\nchoices:\n";
+  for (const char word : words)
+    text += std::string("  ") + word + ": Here\n";
+  return text + "why: So.\n```\n";
+}
+
+TEST(NameCheck, NamesOfTheScene_AreRight) {
+  EXPECT_EQ(problemsIn(lines("d.f, d.*, m.numerator\nt, collect")), Texts{});
+  EXPECT_EQ(problemsIn(draw("H, d.F, E.n, Q, facing, P0")), Texts{});
+  EXPECT_EQ(problemsIn(task("d.side = on and t < 1/2 and point.z = 0 and facing_normal.2 != 1")), Texts{});
+  EXPECT_EQ(problemsIn(task("case = missing-object and d.case = positive and m.case != in-plane")), Texts{});
+  EXPECT_EQ(problemsIn(question("t", "12")), Texts{});
+  EXPECT_EQ(problemsIn("## One\nIt is {d.f} at {Q} and {E.n}, {point.x}, not `{code}` or ${f}$ or \\{no}.\n"),
+            Texts{});
+}
+
+TEST(NameCheck, LineThatNobodyHas_IsToldWithItsPlaceAndWhatIsMeant) {
+  EXPECT_EQ(problemsIn(lines("t,\n  d.foto hit")),
+            Texts{"15: lines: There is no worked line “d.foto”. Perhaps “d.foot” is meant."});
+  EXPECT_EQ(problemsIn(lines("xyzzy.*")), Texts{"14: lines: There is no worked line “xyzzy.*”."});
+  EXPECT_EQ(problemsIn(lines("E.*")), Texts{"14: lines: There is no worked line “E.*”."});
+}
+
+TEST(NameCheck, NameThatSeveralHave_IsToSayWhose) {
+  EXPECT_EQ(problemsIn(lines("f")), Texts{"14: lines: “f” can be d.f or e.f: say which."});
+  EXPECT_EQ(problemsIn(draw("F")), Texts{"14: draw: “F” can be d.F or e.F: say which."});
+  EXPECT_EQ(problemsIn(task("side = on")), Texts{"15: when: “side” can be d.side or e.side: say which."});
+  EXPECT_EQ(problemsIn("## One\n{f}\n"), Texts{"13: : “f” can be d.f or e.f: say which."});
+}
+
+TEST(NameCheck, MarkThatIsNeverDrawn_IsTold) {
+  EXPECT_EQ(problemsIn(draw("facign")),
+            Texts{"14: draw: There is no mark “facign”. Perhaps “facing” is meant."});
+  EXPECT_EQ(problemsIn(draw("E.m")), Texts{"14: draw: There is no mark “E.m”. Perhaps “E.n” is meant."});
+}
+
+TEST(NameCheck, ComparisonThatCanNeverHold_IsTold) {
+  EXPECT_EQ(problemsIn(task("d.side = possitive")),
+            Texts{"15: when: “d.side” is never “possitive”. It can be: positive, negative, on. Perhaps "
+                  "“positive” is meant."});
+  EXPECT_EQ(problemsIn(task("m.case = miss")),
+            Texts{"15: when: “m.case” is never “miss”. It can be: hit, behind, parallel, in-plane, "
+                  "zero-direction, zero-normal."});
+  EXPECT_EQ(problemsIn(task("t = small")), Texts{"15: when: “t” is a number, and never “small”."});
+  EXPECT_EQ(problemsIn(task("point = 0")),
+            Texts{"15: when: “point” has several numbers: name one of them, as point.x or point.0."});
+  EXPECT_EQ(problemsIn(task("point.w = 0")),
+            Texts{"15: when: There is no value “point.w”. Perhaps “point” is meant."});
+  EXPECT_EQ(problemsIn(task("point.3 = 0")),
+            Texts{"15: when: There is no value “point.3”. Perhaps “point” is meant."});
+}
+
+TEST(NameCheck, ChoiceThatTheAnswerNeverIs_IsToldWithItsLine) {
+  EXPECT_EQ(problemsIn(question("t", "1q")), Texts{"18: choices: “t” is a number, and never “q”."});
+  EXPECT_EQ(problemsIn(question("tt", "12")),
+            Texts{"15: answer: There is no value “tt”. Perhaps “t” is meant."});
+}
+
+TEST(NameCheck, LiveValueThatIsNotThere_IsTold) {
+  EXPECT_EQ(problemsIn("## One\n\nWords\nand {denominater}.\n"),
+            Texts{"15: : There is no value “denominater”. Perhaps “denominator” is meant."});
+  EXPECT_EQ(problemsIn("## One\n```note\nA title\nIt is {Q.z}.\n```\n"),
+            Texts{"15: note: There is no value “Q.z”."});
+}
+
+TEST(NameCheck, LiveValueWithoutAValueAtTheStart_IsTold) {
+  std::string parallel = frontMatter + "## One\n{t}\n";
+  parallel.replace(parallel.find("r: [1, -1, 0]"), 13, "r: [2, -1, 0]");
+  const auto lesson = parseLesson(parallel, "a.md");
+  ASSERT_TRUE(lesson);
+  ASSERT_EQ(problemsWithNames(*lesson).size(), 1U);
+  EXPECT_EQ(problemsWithNames(*lesson).front().text(),
+            "a.md:13: “t” has no value at the start: a dash would stand here.");
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,69 @@
+#include "lessons/scene/nearest_special_case.h"
+
+#include "lessons/lesson/lesson.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/object/ray.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+
+Scene rayAndPlane(const ExactVec3 &start, const ExactVec3 &direction) {
+  return {{{"E", PlaneObject{{0, 0, 0}, {0, 0, 2}}},
+           {"L", RayObject{start, direction}},
+           {"meeting", ConstructionUse{"ray-plane-dot", {{"E", "E"}, {"L", "L"}}}}}};
+}
+
+std::optional<NearestSpecialCase> nearestIn(const Scene &scene, const std::set<std::string> &entries) {
+  return nearestSpecialCase(scene, evaluate(scene), entries);
+}
+
+TEST(NearestSpecialCase, SeveralNear_IsTheOneWithTheLeastMove) {
+  const Scene steep = rayAndPlane({1, 1, 2}, {1, 0, -3});
+  const auto start = nearestIn(steep, {"meeting"});
+  ASSERT_TRUE(start);
+  EXPECT_EQ(start->distance, Surd(2)) << "the start, down to the plane";
+  EXPECT_EQ(start->change.value, Object(RayObject{{1, 1, 0}, {1, 0, -3}}));
+
+  const auto turn = nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {"meeting"});
+  ASSERT_TRUE(turn);
+  EXPECT_EQ(turn->distance, Surd(1)) << "the tip of r, up to the level of the start";
+  EXPECT_EQ(turn->sentence, "The ray would run parallel to the plane.");
+  EXPECT_EQ(turn->change.name, "L");
+}
+
+TEST(NearestSpecialCase, TakenThere_TheCaseIsTheSpecialOne) {
+  const Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
+  const Scene there = edited(scene, {nearestIn(scene, {"meeting"})->change});
+  EXPECT_EQ(lastOutcome(evaluate(there)).told->name, "parallel");
+}
+
+TEST(NearestSpecialCase, OtherEntries_AreNotAsked) {
+  EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {}));
+  EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {"E", "L"}));
+}
+
+/// Nobody can move what a construction makes.
+TEST(NearestSpecialCase, OfWhatIsMade_IsNotOffered) {
+  Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
+  scene.entries.push_back({"F", PlaneObject{{0, 0, 7}, {0, 1, 1}}});
+  scene.entries.push_back({"d", ConstructionUse{"signed-distance", {{"E", "F"}, {"Q", "meeting.H"}}}});
+  EXPECT_FALSE(nearestIn(scene, {"d"}));
+}
+
+/// The foot would have longer numbers than a coordinate may have.
+TEST(NearestSpecialCase, BeyondTheLimitsOfCoordinates_IsNotOffered) {
+  const Rational thin(1, Integer("1234567890123456789012345678901234567"));
+  const Scene scene{{{"E", PlaneObject{{0, 0, 0}, {1, 2, thin}}},
+                     {"Q", PointObject{{3, 5, 7}}},
+                     {"d", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}}}};
+  EXPECT_FALSE(nearestIn(scene, {"d"}));
+}
+
+} // namespace
+} // namespace halfspace
