@@ -9,6 +9,7 @@
 #include "lessons/object/ray.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 
 #include <algorithm>
 #include <random>
@@ -95,6 +96,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
         kindOf(objects[1]) == LineObject::kind)
       return makeSpecialLines(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
+        kindOf(objects[1]) == VectorObject::kind)
+      return makeSpecialVectors(objects[0], objects[1]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -169,6 +173,26 @@ private:
       second[0] = first[0] + vectorAlongPlane(first[1]);
     if (choice == 2)
       first[1] = {0, 0, 0};
+  }
+
+  /// One zero, along each other, perpendicular, or from one point.
+  void makeSpecialVectors(Object &first, Object &second) {
+    switch (integer(0, 5)) {
+    case 0:
+      first[1] = {0, 0, 0};
+      break;
+    case 1:
+      second[1] = {0, 0, 0};
+      break;
+    case 2:
+      second[1] = first[1] * number();
+      break;
+    case 3:
+      second[1] = vectorAlongPlane(first[1]);
+      break;
+    default:
+      second[0] = first[0];
+    }
   }
 
   void makeSpecial(PlaneObject &plane) {

@@ -39,7 +39,8 @@ const std::map<std::string, Question> &questions() {
   };
   return all;
 }
-const std::set<std::string> withoutQuestion{"point-line", "half-spaces", "barycentric"};
+const std::set<std::string> withoutQuestion{"point-line", "half-spaces", "barycentric",
+                                            "dot-product-projection", "plane-parametric"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 

@@ -1,5 +1,6 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
+#include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
 
 #include "tests/lessons/objects.h"
@@ -49,6 +50,24 @@ const std::vector<Solution> &solutions() {
       {"half-spaces", "Slide it back", {"E", PlaneObject{{5, 4, 7}, {1, 2, 2}}}},
       {"half-spaces", "Turn $\\vec n$", {"E", PlaneObject{{5, 4, 7}, {-1, -2, -2}}}},
       {"half-spaces", "Turn it up", {"E", PlaneObject{{5, 4, 7}, {1, 2, 2}}}},
+      {"plane-parametric", "Drag $P$ until", {"P", onTrianglePlane({1, 2}, {1, 2})}},
+      {"plane-parametric", "Go backwards", {"P", onTrianglePlane({-1, 4}, {1, 2})}},
+      {"plane-parametric", "Bring $P$ to the corner", {"P", onTrianglePlane(0, 1)}},
+      {"plane-parametric", "Bring $P$ to the middle", {"P", onTrianglePlane({1, 2}, 0)}},
+      {"plane-parametric", "Leave the triangle", {"P", onTrianglePlane(0, {3, 2})}},
+      {"plane-parametric", "Now go onto", {"P", onTrianglePlane({1, 4}, {3, 4})}},
+      {"plane-parametric", "Bring $P$ back", {"P", onTrianglePlane({1, 4}, {1, 4})}},
+      {"plane-parametric", "Take $P$ out", {"P", onTrianglePlane({3, 4}, {1, 2})}},
+      {"plane-parametric", "Bring $P$ to $P_3$", {"P", onTrianglePlane(1, 1)}},
+      {"plane-parametric", "Put $P_0$", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {7, 7, 3}}}},
+      {"plane-parametric", "Bring the triangle", {"T", TriangleObject{{9, 8, 1}, {5, 6, 5}, {9, 4, 5}}}},
+      {"dot-product-projection", "Turn $\\vec w$ until it", {"w", VectorObject{{5, 2, 1}, {-3, 3, 0}}}},
+      {"dot-product-projection", "Make the dot", {"w", VectorObject{{5, 2, 1}, {-4, 1, 3}}}},
+      {"dot-product-projection", "Make $\\vec v$ exactly", {"v", VectorObject{{5, 2, 1}, {1, 0, 0}}}},
+      {"dot-product-projection", "Make $\\vec v$ longer", {"v", VectorObject{{5, 2, 1}, {4, 0, 0}}}},
+      {"dot-product-projection", "Turn $\\vec w$ until nothing", {"w", VectorObject{{5, 2, 1}, {2, 2, 1}}}},
+      {"dot-product-projection", "Turn $\\vec w$ away", {"w", VectorObject{{5, 2, 1}, {-3, 6, 3}}}},
+      {"dot-product-projection", "Turn $\\vec v$ until", {"v", VectorObject{{5, 2, 1}, {3, 0, 0}}}},
       {"signed-distance", "Drag $Q$ on", {"Q", PointObject{{1, 1, 1}}}},
       {"signed-distance", "Let $Q$ come", {"Q", PointObject{{3, 4, 8}}}},
       {"signed-distance", "Bring $Q$ to", {"Q", PointObject{{10, 8, 8}}}},
