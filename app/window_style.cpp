@@ -53,10 +53,12 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
     QToolButton#fading { padding-right: 1em; }
     QToolButton::menu-indicator { subcontrol-position: right center; }
-    QLabel#case, QLabel#usualCase { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; font-weight: 500; }
+    QLabel#case, QLabel#usualCase { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
-    QLabel#nearby { background: %3; padding: 0 1.1em 0.5em 1.1em; color: %2; }
-    QLabel#message { background: %3; padding: 0.5em 1.1em; border-top: 1px solid %1; color: %2; }
+    halfspace--CaseLine { background: %3; }
+    QLabel#nearby { padding: 0 0.4em 0.35em 1.1em; color: %2; }
+    QPushButton#there { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
+    QLabel#message { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; color: %2; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }
     QFrame#card[framed="true"] { background: %3; border-color: %1; }

@@ -3,9 +3,8 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/point_line.h"
-#include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
-#include "lessons/construction/shifted_ray.h"
+#include "lessons/construction/ray_triangle_cases.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
@@ -71,39 +70,17 @@ Out compute(const In &in) {
           name(in.own(letter("C")), tipOfTv).marked(in.mark("C"))};
 }
 
-/// Where in the triangle the point is, for people: inside the triangle, on the edge P₀P₁ …
-std::string wherePlaced(const Out &at) {
-  const FaceLocation &location = at.meet.location;
-  const std::array corners{&at.P0, &at.P1, &at.P2};
-  const auto cornerName = [&](int corner) {
-    return plainText(*corners.at(static_cast<std::size_t>(corner)));
-  };
-  switch (location.part) {
-  case FacePart::Interior:
-    return words("inside the triangle");
-  case FacePart::Edge: // named by the corner opposite to it
-    return words("on the edge {edge}",
-                 {{"edge", edgeName((*corners.at(location.feature == 0 ? 1 : 0))->symbol,
-                                    (*corners.at(location.feature == 2 ? 1 : 2))->symbol)}});
-  case FacePart::Vertex:
-    return words("at the corner {corner}", {{"corner", cornerName(location.feature)}});
-  case FacePart::Outside:
-    break;
-  }
-  return words("outside the triangle");
-}
-
 CaseWords tell(const In &in, const Out &at) {
   const std::string lambda = equation(at.lambda);
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case RayTriangleCase::Hit:
-    return {caseName,
-            words("The ray hits {place}, at {lambda}.", {{"place", wherePlaced(at)}, {"lambda", lambda}})};
+    return {caseName, words("The ray hits {place}, at {lambda}.",
+                            {{"place", placeWords(at.meet.location, at)}, {"lambda", lambda}})};
   case RayTriangleCase::Behind:
     return {caseName, words("{lambda} is negative: the triangle is behind the ray's start. The line "
                             "backwards would meet it {place}.",
-                            {{"place", wherePlaced(at)}, {"lambda", lambda}})};
+                            {{"place", placeWords(at.meet.location, at)}, {"lambda", lambda}})};
   case RayTriangleCase::Miss:
     return {caseName, words("The line meets the triangle's plane outside the triangle: {s}, {t}, {sum}.",
                             {{"s", equation(at.s)}, {"t", equation(at.t)}, {"sum", equation(at.s + at.t)}})};
@@ -116,15 +93,11 @@ CaseWords tell(const In &in, const Out &at) {
                             at.letters)};
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
-  case RayTriangleCase::Coincident: {
-    const auto &[p0, p1, p2] = in.T.object;
-    const Term &first = p0 == p1 || p0 == p2 ? at.P0 : at.P1;
-    const Term &second = p0 == p1 ? at.P1 : at.P2;
+  case RayTriangleCase::Coincident:
     return {caseName,
-            words("{first} and {second} are the same point: this is no triangle, and the denominator is 0.",
-                  {{"first", plainText(first)}, {"second", plainText(second)}}),
+            words("{same}: this is no triangle, and the denominator is 0.",
+                  {{"same", coincidentWords(in.T.object, at)}}),
             true};
-  }
   case RayTriangleCase::Collinear:
     break;
   }
@@ -254,7 +227,7 @@ WorkingLine placeLine(const Out &at) {
       {withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
       words("The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is "
             "{place}.",
-            {{"place", wherePlaced(at)}}));
+            {{"place", placeWords(at.meet.location, at)}}));
 }
 
 /// Figure 4 of the note.
@@ -366,64 +339,8 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-/// What the ray would be, moved sideways, whose line meets a corner or an edge: those that it does not meet.
-void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const auto &[origin, direction] = in.L.object;
-  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
-  const auto add = [&](const ExactVec3 &shift, const std::string &location, std::size_t feature,
-                       std::string sentence) {
-    if (!isZero(shift))
-      all.push_back({"location = " + location + " and feature = " + std::to_string(feature),
-                     std::move(sentence), "L", RayObject{origin + shift, direction}});
-  };
-  const std::array<const Term *, 3> names{&at.P0, &at.P1, &at.P2};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t next = (i + 1) % corners.size();
-    add(projectVector(ExactVec3(corners.at(i) - origin), direction).rejection, "vertex", i,
-        words("The line of the ray would go through the corner {corner}.",
-              {{"corner", plainText(*names.at(i))}}));
-    if (const auto shift = shiftOntoSegment(in.L.object, corners.at(i), corners.at(next)))
-      add(*shift, "edge", 3 - i - next, // the corner opposite to it
-          words("The line of the ray would go through the edge {edge}.",
-                {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
-  }
-}
-
-/// The triangle with one corner moved onto the line of the two others.
-void addFlattened(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const ExactVec3 &from = corners.at((i + 1) % corners.size());
-    const ExactVec3 &to = corners.at((i + 2) % corners.size());
-    std::array flat = corners;
-    flat.at(i) = footOf(corners.at(i), from, ExactVec3(to - from));
-    if (flat.at(i) != from && flat.at(i) != to)
-      all.push_back({"case = collinear", words("{P0}, {P1} and {P2} would lie on one line.", at.letters), "T",
-                     TriangleObject{flat[0], flat[1], flat[2]}});
-  }
-}
-
 std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  std::vector<SpecialCase> all;
-  const auto &[origin, direction] = in.L.object;
-  const ExactVec3 &normal = at.meet.perps.normal;
-  if (isZero(normal) || isZero(direction))
-    return all;
-  addFlattened(in, at, all);
-  if (!at.meet.crosses())
-    return all;
-  addShifted(in, at, all);
-  const bool startsInPlane = at.meet.plane.t == 0;
-  if (!startsInPlane)
-    all.push_back({"t = 0", words("{Q} would lie in the triangle's plane.", at.letters), "L",
-                   RayObject{origin - projectVector(ExactVec3(origin - in.T.object.p0), normal).projection,
-                             direction}});
-  if (const ExactVec3 turned = projectVector(direction, normal).rejection; !isZero(turned))
-    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
-                   startsInPlane ? words("The ray would lie in the triangle's plane.")
-                                 : words("The ray would run parallel to the triangle's plane."),
-                   "L", RayObject{origin, turned}});
-  return all;
+  return rayTriangleNearby(in.T.object, in.L.object, at, at);
 }
 
 } // namespace

@@ -1,6 +1,5 @@
-// Points of a triangle, its edges included: P0 + s u + t v with u = P1 − P0, v = P2 − P0.
-#include "lessons/object/bound_point.h"
-#include "lessons/object/triangle.h"
+// Points of a triangle, its edges included.
+#include "lessons/object/point_by_sides.h"
 
 #include <glm/vec2.hpp>
 
@@ -9,23 +8,10 @@
 namespace halfspace {
 namespace {
 
-enum Coordinates : std::uint8_t { S, T };
-
 /// Within the triangle: 0 ≤ s, 0 ≤ t, s + t ≤ 1.
 void settle(Object &bound) {
   bound[S].x = std::clamp(bound[S].x, Rational(0), Rational(1));
   bound[T].x = std::clamp(bound[T].x, Rational(0), Rational(1 - bound[S].x));
-}
-
-struct Sides {
-  explicit Sides(const Object &triangle) : u(triangle[1] - triangle[0]), v(triangle[2] - triangle[0]) {}
-  ExactVec3 u;
-  ExactVec3 v;
-};
-
-std::optional<ExactVec3> placeOf(const Object &bound, const Object &host) {
-  const Sides sides(host);
-  return host[0] + sides.u * bound[S].x + sides.v * bound[T].x;
 }
 
 bool isWithin(const Object &bound) {
@@ -35,32 +21,23 @@ bool isWithin(const Object &bound) {
 /// On the edge between two corners, which have these s and t, the nearest to a place.
 Object nearestOnEdge(Object bound, const Object &host, const ExactVec3 &place, glm::ivec2 from,
                      glm::ivec2 to) {
-  const Sides sides(host);
-  const auto corner = [&](glm::ivec2 at) {
-    return host[0] + sides.u * Rational(at.x) + sides.v * Rational(at.y);
-  };
-  const ExactVec3 edge = corner(to) - corner(from);
+  const auto [u, v] = TriangleSides(host);
+  const ExactVec3 start = host[0] + u * Rational(from.x) + v * Rational(from.y);
+  const ExactVec3 edge = u * Rational(to.x - from.x) + v * Rational(to.y - from.y);
   const Rational square = dot(edge, edge);
   const Rational along =
       square == 0 ? Rational(0)
-                  : std::clamp(Rational(dot(place - corner(from), edge) / square), Rational(0), Rational(1));
+                  : std::clamp(Rational(dot(place - start, edge) / square), Rational(0), Rational(1));
   bound[S].x = from.x + along * (to.x - from.x);
   bound[T].x = from.y + along * (to.y - from.y);
   return bound;
 }
 
 Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
-  const auto [u, v] = Sides(host);
-  const ExactVec3 w = place - host[0];
-  const Rational determinant = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
-  if (determinant != 0) {
-    bound[S].x = (dot(w, u) * dot(v, v) - dot(w, v) * dot(u, v)) / determinant;
-    bound[T].x = (dot(w, v) * dot(u, u) - dot(w, u) * dot(u, v)) / determinant;
-    if (isWithin(bound))
-      return bound;
-  }
+  if (auto foot = footBySides(bound, host, place); foot && isWithin(*foot))
+    return *foot;
   const auto squaredDistance = [&](const Object &at) {
-    const ExactVec3 way = *placeOf(at, host) - place;
+    const ExactVec3 way = *placeBySides(at, host) - place;
     return dot(way, way);
   };
   const Object edges[] = {nearestOnEdge(bound, host, place, {0, 0}, {1, 0}),
@@ -71,32 +48,13 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
   });
 }
 
-Object onGrid(Object bound, const Object &host, const Rational &step) {
-  const auto [u, v] = Sides(host);
-  const Rational coarse = freedomStep(step, std::max(dot(u, u), dot(v, v)));
-  bound[S].x = roundToMultiple(bound[S].x, coarse);
-  bound[T].x = roundToMultiple(bound[T].x, coarse);
-  return bound;
-}
-
-void guide(const Object &host, Handle &handle) {
-  handle.normal = normalOfCorners(host);
-  if (handle.normal == ExactVec3(0)) // no more than a line
-    handle.axis = isZero(host[1] - host[0]) ? host[2] - host[0] : host[1] - host[0];
-}
-
 } // namespace
 
 namespace object_kinds {
 
 Kind point_on_triangle() {
-  return boundPoint("point-on-triangle", "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)",
-                    {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}}, settle,
-                    {.host = TriangleObject::kind,
-                     .placeOf = placeOf,
-                     .nearest = nearest,
-                     .onGrid = onGrid,
-                     .guide = guide});
+  return pointBySides("point-on-triangle", "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)", settle,
+                      nearest);
 }
 
 } // namespace object_kinds

@@ -120,9 +120,22 @@ std::optional<std::vector<Polynomial>> entriesOf(const Parts &parts) {
   return entries;
 }
 
+/// The rows of numbers, one after the other, of vectors that are columns; nothing where they are no such.
+std::optional<std::vector<Polynomial>> rowsOf(const Parts &columns) {
+  std::vector<Polynomial> entries;
+  for (std::size_t row = 0; row < columns.size(); ++row)
+    for (const Term &column : columns) {
+      const TermValue &value = valueOf(column);
+      if (!value.isList || value.entries.size() != columns.size())
+        return {};
+      entries.push_back(value.entries[row]);
+    }
+  return entries;
+}
+
 Found determinantOf(const Parts &parts, std::size_t columns) {
-  const auto entries = entriesOf(parts);
-  if (!entries || columns == 0 || parts.size() != columns * columns)
+  const auto entries = parts.size() == columns && columns > 1 ? rowsOf(parts) : entriesOf(parts);
+  if (!entries || columns == 0 || entries->size() != columns * columns)
     return {};
   return determinantOf(*entries, columns);
 }

@@ -130,7 +130,50 @@ Term crosswise(const Term &cross) {
   return list(std::move(differences));
 }
 
+/// Whether it is one row of vectors: its columns.
+bool hasVectorsForColumns(const Term &determinant) {
+  return determinant->columns > 1 && determinant->parts.size() == determinant->columns;
+}
+
+/// What is left of a determinant without a row and a column.
+Term minorOf(const Term &determinant, std::size_t row, std::size_t column) {
+  const std::size_t size = determinant->columns;
+  std::vector<Term> left;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      if (i != row && j != column)
+        left.push_back(determinant->parts[i * size + j]);
+  return size == 2 ? left.front() : halfspace::determinant(size - 1, std::move(left));
+}
+
 } // namespace
+
+Term columnsPutIn(const Term &determinant) {
+  if (!hasVectorsForColumns(determinant) || !determinant->value)
+    return partsBy(calculated, determinant);
+  const std::size_t size = determinant->columns;
+  std::vector<Term> columns;
+  for (const Term &vector : determinant->parts)
+    columns.push_back(calculated(vector));
+  std::vector<Term> entries;
+  for (std::size_t row = 0; row < size; ++row)
+    for (std::size_t column = 0; column < size; ++column)
+      entries.push_back(columns[column]->parts[row].marked(determinant->parts[column]->mark));
+  return halfspace::determinant(size, std::move(entries));
+}
+
+Term expandedAlong(const Term &determinant, std::size_t column) {
+  const Term square = columnsPutIn(determinant);
+  const std::size_t size = square->columns;
+  if (size < 2 || square->parts.size() != size * size)
+    return square;
+  std::vector<Term> summands;
+  for (std::size_t row = 0; row < size; ++row) {
+    const Term part = product({square->parts[row * size + column], minorOf(square, row, column)});
+    summands.push_back((row + column) % 2 == 0 ? part : -part);
+  }
+  return sum(std::move(summands));
+}
 
 Term calculated(const Term &term) { return term->value ? valueAsTerm(*term->value, term) : term; }
 
@@ -145,12 +188,16 @@ Term multipleOf(const Term &factor, const Term &term) {
 Term namesPutIn(const Term &term) { return isNamed(term) ? calculated(term) : partsBy(namesPutIn, term); }
 
 Term numbersPutIn(const Term &term) {
+  if (term->kind == TermKind::Determinant)
+    return columnsPutIn(term);
   return isOneNumber(term) && !isNamed(term) ? partsBy(calculated, term) : inserted(term);
 }
 
 Term multipliedOut(const Term &term) {
   if (isNamed(term))
     return calculated(term);
+  if (term->kind == TermKind::Determinant)
+    return expandedAlong(term, 0);
   Term rewritten = isProductOfVectors(term) ? partsBy(calculated, term) : partsBy(multipliedOut, term);
   if (!isProductOfVectors(rewritten) || !areListsThatMatch(rewritten))
     return rewritten;

@@ -22,7 +22,15 @@ namespace halfspace {
 [[nodiscard]] Term numbersPutIn(const Term &term);
 
 /// Numbers for all names, and products of vectors coordinate by coordinate: u·v as 1·4 + 2·5 + 3·6, u×v as
-/// (2·6 − 3·5, 3·4 − 1·6, 1·5 − 2·4).
+/// (2·6 − 3·5, 3·4 − 1·6, 1·5 − 2·4); determinants along their first column.
 [[nodiscard]] Term multipliedOut(const Term &term);
+
+/// The numbers of a determinant: |a b c| with a column of numbers for each of the vectors, which has the
+/// vector's mark.
+[[nodiscard]] Term columnsPutIn(const Term &determinant);
+
+/// A determinant of two rows and more by one of its columns: each of its numbers times what is left without
+/// its row and column, with alternating signs. 1|4 6; 7 9| − 2|…| + 3|…|.
+[[nodiscard]] Term expandedAlong(const Term &determinant, std::size_t column);
 
 } // namespace halfspace

@@ -148,9 +148,11 @@ protected:
   }
 
   std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+    const bool areColumns = isDeterminant && columns > 1 && entries.size() == columns;
     std::string text = isDeterminant ? words("the determinant") : words("the matrix");
     for (std::size_t i = 0; i < entries.size(); ++i)
-      text += (i % columns == 0 ? ", " + words("row") + " " : ", ") + entries[i];
+      text += (i % columns != 0 ? ", " : ", " + (areColumns ? words("columns") : words("row")) + " ") +
+              entries[i];
     return text + ",";
   }
 

@@ -185,7 +185,7 @@ Term product(std::vector<Term> factors) {
 }
 
 Term determinant(std::size_t columns, std::vector<Term> entries) {
-  assert(columns > 0 && entries.size() == columns * columns);
+  assert(columns > 0 && (entries.size() == columns * columns || entries.size() == columns));
   return made(TermKind::Determinant, std::move(entries), columns);
 }
 Term matrix(std::size_t columns, std::vector<Term> entries) {

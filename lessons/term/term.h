@@ -56,13 +56,13 @@ enum class TermKind : std::uint8_t {
   Product, ///< of two and more numbers, one of which may be a vector
   Dot,
   Cross,
-  Quotient, ///< of a number or a vector by a number
-  Power,    ///< with a whole exponent, its second part
-  Root,     ///< the square root
-  Norm,     ///< of a vector, or the magnitude of a number
-  List,     ///< coordinates of a point or a vector, and other rows of numbers
-  Matrix,   ///< `columns` numbers a row
-  Determinant,
+  Quotient,    ///< of a number or a vector by a number
+  Power,       ///< with a whole exponent, its second part
+  Root,        ///< the square root
+  Norm,        ///< of a vector, or the magnitude of a number
+  List,        ///< coordinates of a point or a vector, and other rows of numbers
+  Matrix,      ///< `columns` numbers a row
+  Determinant, ///< of as many rows as columns, or of one row of vectors: its columns
   Permuted, ///< of two lines by direction and moment: d₁·m₂ + d₂·m₁, its four parts in the order d₁ m₁ d₂ m₂
 };
 
@@ -129,7 +129,7 @@ struct TermNode {
 [[nodiscard]] Term sum(std::vector<Term> summands);
 /// 1 without factors.
 [[nodiscard]] Term product(std::vector<Term> factors);
-/// Requires as many rows as columns, at least one.
+/// Requires as many rows as columns, at least one; or one row of vectors, which are the columns.
 [[nodiscard]] Term determinant(std::size_t columns, std::vector<Term> entries);
 /// Requires whole rows, at least one, of at least one column.
 [[nodiscard]] Term matrix(std::size_t columns, std::vector<Term> entries);

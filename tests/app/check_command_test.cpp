@@ -45,7 +45,7 @@ why: Because $}$.
 And λ $\bar$
 )";
 
-TEST_F(Program, Check_OfALesson_TellsEachFormulaThatCannotBeRead) {
+TEST_F(Program, Check_OfALesson_TellsEachThingThatIsWrong) {
   write("faulty.md", faultyLesson);
   const Ran ran = run("check faulty.md");
   EXPECT_EQ(ran.status, 1);
@@ -56,8 +56,10 @@ TEST_F(Program, Check_OfALesson_TellsEachFormulaThatCannotBeRead) {
       "faulty.md:12: In “\\frac{1}”, column 9: An argument is missing here.\n"
       "faulty.md:14: do: In “x^2^3”, column 4: There are two superscripts: put the first with its base into "
       "`{}`.\n"
+      "faulty.md:15: when: There is no value “side”.\n"
       "faulty.md:18: In “\\left( x”, column 1: A `\\right` is missing for this `\\left`.\n"
       "faulty.md:25: ask: In “\\Q”, column 1: `\\Q` is unknown.\n"
+      "faulty.md:26: answer: There is no value “side”.\n"
       "faulty.md:29: choices: In “\\begin{x}”, column 1: The environment `x` is unknown.\n"
       "faulty.md:30: why: In “}”, column 1: This `}` has no `{`.\n"
       "faulty.md:32: In “\\bar”, column 2: An argument is missing here.\n");

@@ -48,7 +48,8 @@ TEST_F(Program, LessonsAsJson_TellIdsTitlesStepsAndSources) {
     EXPECT_FALSE(lesson.at("sources").empty());
   }
   EXPECT_EQ(ids[0], "plane-implicit");
-  EXPECT_EQ(ids[1], "signed-distance");
+  EXPECT_EQ(lessons.at(0).at("chapter"), "Planes");
+  EXPECT_EQ(lessons.at(1).at("needs").at(0), "plane-implicit");
 }
 
 TEST_F(Program, ExplainPlane_GivesItsCoefficientsExactly) {

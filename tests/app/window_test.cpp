@@ -459,12 +459,11 @@ private slots:
     QVERIFY(fixture.ready);
     auto *nearby = fixture.window.findChild<QLabel *>("nearby");
     QVERIFY(fixture.questionIsOpen());
-    QVERIFY2(!nearby->text().contains("href"), "it would give the answer away");
+    QVERIFY2(nearby->text().isEmpty(), "it would give the answer away");
     fixture.goToLine("denominator");
     QVERIFY2(nearby->text().contains("parallel"), qPrintable(nearby->text()));
     const Session before = fixture.model().session();
-    nearby->setFocus(Qt::TabFocusReason);
-    QTest::keyClick(nearby, Qt::Key_Return);
+    QTest::mouseClick(fixture.window.findChild<QPushButton *>("there"), Qt::LeftButton);
     QCOMPARE(fixture.caseName(), std::string("parallel"));
     QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
     fixture.model().undo();

@@ -6,7 +6,7 @@
 namespace halfspace {
 
 template <class MarkKind>
-MarkKind named(MarkKind mark, const std::string &id, Subject subject = Subject::Neutral) {
+MarkKind withId(MarkKind mark, const std::string &id, Subject subject = Subject::Neutral) {
   mark.id = id;
   mark.subject = subject;
   return mark;

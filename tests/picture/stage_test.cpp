@@ -77,7 +77,7 @@ TEST(StagedFigure, OfAnotherSize_ShowsTheDirectionOfFreeArrows) {
   normal.vector = {0, 0, 3};
   normal.isFree = true;
   for (const int exponent : {-9, 0, 9}) {
-    const Figure staged = toStage({{named(normal, "n")}}, Stage{ExactVec3(0), exponent});
+    const Figure staged = toStage({{withId(normal, "n")}}, Stage{ExactVec3(0), exponent});
     const auto *arrow = std::get_if<ArrowMark>(findMark(staged, "n"));
     ASSERT_TRUE(arrow);
     const Place shown = shownVector(*arrow);
@@ -125,9 +125,9 @@ TEST(StagedFigure, BeyondReach_IsCutOffOrLeftOut) {
   ray.direction = {1, 0, 0};
   ray.meets = Place(1e109, 0, 0);
   const Figure staged =
-      toStage({{named(pointAt({1e20, 0, 0}), "far"), named(arrow, "arrow"), named(ray, "ray"),
-                named(segmentBetween({0, 5000, 0}, {9, 5000, 0}), "beside"),
-                named(segmentBetween({-1e9, 0, 0}, {1e9, 0, 0}), "through")}},
+      toStage({{withId(pointAt({1e20, 0, 0}), "far"), withId(arrow, "arrow"), withId(ray, "ray"),
+                withId(segmentBetween({0, 5000, 0}, {9, 5000, 0}), "beside"),
+                withId(segmentBetween({-1e9, 0, 0}, {1e9, 0, 0}), "through")}},
               Stage());
   ASSERT_EQ(staged.marks.size(), 3U);
   const auto *shaft = std::get_if<SegmentMark>(findMark(staged, "arrow"));

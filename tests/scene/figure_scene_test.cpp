@@ -48,7 +48,7 @@ const LabelPainter magentaForQ{[](const std::string &latex) {
                                paintMagenta};
 
 Figure labelledPoint() {
-  PointMark point = named(pointAt({11, 15, 8}), "point.Q", Subject::Point);
+  PointMark point = withId(pointAt({11, 15, 8}), "point.Q", Subject::Point);
   point.label = "Q";
   return {{point}};
 }

@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(PerspectiveAndOrthographic, Offscreen, testing::Bool())
 
 TEST_P(Offscreen, DrawsAPointWhereTheCameraProjectsIt) {
   for (const Place at : {Place(11, 15, 8), Place(2, 1, 3), Place(9, 6, 9)}) {
-    PictureRequest request = requestFor({{named(pointAt(at), "Q", Subject::Point)}});
+    PictureRequest request = requestFor({{withId(pointAt(at), "Q", Subject::Point)}});
     request.camera.orthographic = GetParam();
     const auto picture = drawOffscreen(request, noLabels);
     ASSERT_TRUE(picture) << picture.problem().text();
@@ -41,7 +41,7 @@ TEST_P(Offscreen, DrawsAPointWhereTheCameraProjectsIt) {
 }
 
 TEST(OffscreenPicture, IsTheSameWhenDrawnAgain) {
-  const PictureRequest request = requestFor({{named(patchAt({6, 8, 4}, {1, 2, 2}), "E", Subject::Plane)}});
+  const PictureRequest request = requestFor({{withId(patchAt({6, 8, 4}, {1, 2, 2}), "E", Subject::Plane)}});
   const auto first = drawOffscreen(request, noLabels);
   const auto second = drawOffscreen(request, noLabels);
   ASSERT_TRUE(first && second);
@@ -49,7 +49,7 @@ TEST(OffscreenPicture, IsTheSameWhenDrawnAgain) {
 }
 
 TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {
-  PictureRequest request = requestFor({{named(pointAt({11, 15, 8}), "Q", Subject::Point)}});
+  PictureRequest request = requestFor({{withId(pointAt({11, 15, 8}), "Q", Subject::Point)}});
   const auto small = drawOffscreen(request, noLabels);
   request.size = {1280, 800};
   const auto large = drawOffscreen(request, noLabels);
@@ -65,7 +65,7 @@ TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {
 }
 
 TEST_P(Offscreen, TooLargeToBeDrawnAtOnceHasNoSeams) {
-  PictureRequest request = requestFor({{named(pointAt({11, 15, 8}), "Q", Subject::Point)}});
+  PictureRequest request = requestFor({{withId(pointAt({11, 15, 8}), "Q", Subject::Point)}});
   request.camera.orthographic = GetParam();
   request.size = {6000, 3000};
   const auto picture = drawOffscreen(request, noLabels);
@@ -81,7 +81,7 @@ TEST_P(Offscreen, TooLargeToBeDrawnAtOnceHasNoSeams) {
 }
 
 TEST(OffscreenPicture, TransparentHasStraightAlpha) {
-  PictureRequest request = requestFor({{named(patchAt({6, 8, 12}, {1, 0.6, 0.5}), "E", Subject::Plane)}});
+  PictureRequest request = requestFor({{withId(patchAt({6, 8, 12}, {1, 0.6, 0.5}), "E", Subject::Plane)}});
   request.transparent = true;
   const auto picture = drawOffscreen(request, noLabels);
   ASSERT_TRUE(picture);
@@ -95,7 +95,7 @@ TEST(OffscreenPicture, TransparentHasStraightAlpha) {
 
 TEST(OffscreenPicture, TransparentHasNoShadowOnTheGround) {
   // The light falls so that the shadow lies in the middle of a field of the grid.
-  PictureRequest request = requestFor({{named(pointAt({6.5, 7.7, 8}), "Q", Subject::Point)}});
+  PictureRequest request = requestFor({{withId(pointAt({6.5, 7.7, 8}), "Q", Subject::Point)}});
   const auto shadow = request.camera.project({4.5, 10.5, 0}, request.size);
   const auto beside = request.camera.project({4.5, 12.5, 0}, request.size);
   ASSERT_TRUE(shadow && beside);
@@ -108,7 +108,7 @@ TEST(OffscreenPicture, TransparentHasNoShadowOnTheGround) {
 }
 
 TEST(OffscreenPicture, OpaqueIsOpaqueEverywhere) {
-  const auto picture = drawOffscreen(requestFor({{named(patchAt({6, 8, 4}, {1, 2, 2}), "E")}}), noLabels);
+  const auto picture = drawOffscreen(requestFor({{withId(patchAt({6, 8, 4}, {1, 2, 2}), "E")}}), noLabels);
   ASSERT_TRUE(picture);
   for (std::size_t i = 3; i < picture->rgba.size(); i += 4)
     ASSERT_EQ(picture->rgba[i], 255);
@@ -119,7 +119,7 @@ TEST(OffscreenPicture, WhatLiesBehindAFaceIsPalerThanBeforeIt) {
   const Place target(6, 8, 9);
   const auto orangeOf = [&](Place at) {
     PictureRequest request = requestFor(
-        {{named(patchAt(target, toEye), "E", Subject::Plane), named(pointAt(at), "Q", Subject::Point)}});
+        {{withId(patchAt(target, toEye), "E", Subject::Plane), withId(pointAt(at), "Q", Subject::Point)}});
     const auto picture = drawOffscreen(request, noLabels);
     const Rgba pixel = pixelAt(*picture, *request.camera.project(at, request.size));
     return pixel.red - pixel.blue;

@@ -14,7 +14,7 @@
 namespace halfspace {
 namespace {
 
-Figure pointQ() { return {{named(pointAt({11, 15, 8}), "Q", Subject::Point)}}; }
+Figure pointQ() { return {{withId(pointAt({11, 15, 8}), "Q", Subject::Point)}}; }
 
 LabelPicture pictureOf(const PictureRequest &request) {
   auto picture = drawOffscreen(request, noLabels);
@@ -66,7 +66,7 @@ TEST(Look, OfAMarkThatIsNotThereYet_IsThatOfNone) {
   request.content.arrival = {{"Q"}, 0};
   const LabelPicture arriving = pictureOf(request);
   // The axes reach as far as the figure, so that the place of a mark is known before it is there.
-  PictureRequest other = requestFor({{named(pointAt({11, 15, 8}), "R", Subject::Point)}});
+  PictureRequest other = requestFor({{withId(pointAt({11, 15, 8}), "R", Subject::Point)}});
   other.content.arrival = {{"R"}, 0};
   EXPECT_EQ(differences(arriving, pictureOf(other)), 0);
   EXPECT_GT(differences(arriving, pictureOf(requestFor(pointQ()))), 20);
@@ -120,7 +120,7 @@ TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
   const std::vector<Place> places{{0, 0, 0}, {11, 15, 8}, {-40, 3, 2}, {5, 90, -7}};
   Figure figure;
   for (const Place &place : places)
-    figure.marks.emplace_back(named(pointAt(place), "p" + std::to_string(figure.marks.size())));
+    figure.marks.emplace_back(withId(pointAt(place), "p" + std::to_string(figure.marks.size())));
   for (const bool orthographic : {false, true}) {
     PictureRequest request = requestFor(figure);
     request.camera.height = GetParam();
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Heights, Views, testing::Values(1.0, 21.0, 400.0));
 
 TEST(HighPlaces, FromTheSide_CutOffNothingThatStandsHigh) {
   const Place high(6, 8, 600);
-  PictureRequest request = requestFor({{named(pointAt(high), "Q")}});
+  PictureRequest request = requestFor({{withId(pointAt(high), "Q")}});
   request.content.stage.middle = {1000, 1000, 0}; // without axes, which would reach as far
   request.camera.elevation = 1.2;
   request.camera.height = 400;

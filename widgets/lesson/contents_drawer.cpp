@@ -93,6 +93,8 @@ ContentsDrawer::ContentsDrawer(QWidget *parent)
   layout->addWidget(heading);
   layout->addWidget(m_list, 1);
   const auto choose = [this](const QListWidgetItem *item) {
+    if (!(item->flags() & Qt::ItemIsEnabled)) // a chapter can be clicked all the same
+      return;
     close();
     emit lessonChosen(item->data(Qt::UserRole).toString());
   };

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QResizeEvent>
 #include <QStackedLayout>
 #include <QVariant>
@@ -27,19 +28,29 @@ QLabel *wrappedLabel(const char *name) {
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
       m_usual(wrappedLabel("usualCase")), m_nearby(wrappedLabel("nearby")),
-      m_complaint(wrappedLabel("complaint")), m_words(new QStackedLayout) {
+      m_there(new QPushButton(tr("Take me there"))), m_complaint(wrappedLabel("complaint")),
+      m_words(new QStackedLayout) {
   m_usual->setText(usualCase());
   for (QLabel *page : {m_case, m_message, m_usual}) // it is as high as the highest
     m_words->addWidget(page);
-  m_nearby->setTextFormat(Qt::RichText);
-  m_nearby->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-  m_nearby->setFocusPolicy(Qt::TabFocus);
-  connect(m_nearby, &QLabel::linkActivated, this, &CaseLine::nearbyChosen);
+  m_there->setObjectName("there");
+  m_there->setFlat(true);
+  m_there->setCursor(Qt::PointingHandCursor);
+  m_there->setFocusPolicy(Qt::TabFocus);
+  // Its row stays where there is nothing to say: else the picture would jump.
+  QSizePolicy staying = m_there->sizePolicy();
+  staying.setRetainSizeWhenHidden(true);
+  m_there->setSizePolicy(staying);
+  connect(m_there, &QPushButton::clicked, this, &CaseLine::nearbyChosen);
   setNearby({});
+  auto *special = new QHBoxLayout;
+  special->setSpacing(0);
+  special->addWidget(m_nearby, 1);
+  special->addWidget(m_there, 0, Qt::AlignTop);
   auto *column = new QVBoxLayout;
   column->setSpacing(0);
   column->addLayout(m_words, 1);
-  column->addWidget(m_nearby);
+  column->addLayout(special);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -60,14 +71,8 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
 }
 
 void CaseLine::setNearby(const QString &words) {
-  // Its row stays where there is nothing to say: else the picture would jump.
-  const QString link = words.isEmpty()
-                           ? QStringLiteral("&nbsp;")
-                           : tr("%1 %2", "the nearest special case, and the way there")
-                                 .arg(words.toHtmlEscaped(),
-                                      "<a href=\"there\">" + tr("Take me there").toHtmlEscaped() + "</a>");
-  if (m_nearby->text() != link)
-    m_nearby->setText(link);
+  m_nearby->setText(words);
+  m_there->setVisible(!words.isEmpty());
 }
 
 void CaseLine::resizeEvent(QResizeEvent *event) {

@@ -7,6 +7,7 @@
 #include <chrono>
 
 class QLabel;
+class QPushButton;
 class QStackedLayout;
 
 namespace halfspace {
@@ -23,7 +24,7 @@ public:
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
-  /// The nearest special case in words, with a link that says `nearbyChosen`; empty for none.
+  /// The nearest special case in words, with a button that says `nearbyChosen`; empty for none.
   void setNearby(const QString &words);
   void say(const QString &sentence);
   /// Where the case is what counts, as in a drag.
@@ -43,6 +44,7 @@ private:
   QLabel *m_message;
   QLabel *m_usual; ///< as long as cases usually are; never shown
   QLabel *m_nearby;
+  QPushButton *m_there; ///< leads to it
   QLabel *m_complaint;
   QStackedLayout *m_words; ///< case and message, one at a time
   QTimer m_messageTimer;

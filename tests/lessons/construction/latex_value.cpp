@@ -10,7 +10,10 @@ namespace {
 
 /// One character for each command that means an operation; what is only there for the eye is taken away.
 std::string condensed(const std::string &latex) {
-  static const std::array<std::pair<std::string, std::string>, 14> replacements{{{"\\left", ""},
+  static const std::array<std::pair<std::string, std::string>, 17> replacements{{{"\\begin{vmatrix}", "|"},
+                                                                                 {"\\end{vmatrix}", "!"},
+                                                                                 {"\\\\ ", "@"},
+                                                                                 {"\\left", ""},
                                                                                  {"\\right", ""},
                                                                                  {"\\bigl", ""},
                                                                                  {"\\bigr", ""},
@@ -106,7 +109,7 @@ private:
 
   Quantity product() {
     Quantity value = power();
-    while (m_at < m_text.size() && std::string_view("+-,)]}").find(m_text[m_at]) == std::string_view::npos)
+    while (m_at < m_text.size() && std::string_view("+-,)]}&@!").find(m_text[m_at]) == std::string_view::npos)
       if (take("*"))
         value = dotted(value, power());
       else if (take("#"))
@@ -166,6 +169,8 @@ private:
     }
     if (take("{"))
       return braced();
+    if (take("|"))
+      return determinant();
     if (take("\\sqrt{"))
       return {mp::sqrt(braced().at(0))};
     if (take("[")) {
@@ -184,6 +189,31 @@ private:
     }
     require(")");
     return values;
+  }
+
+  /// Row by row up to its end; of vectors in one row as of the columns that they are, which comes to the same
+  /// as rows.
+  Quantity determinant() {
+    Quantity entries = sum();
+    std::size_t rows = 1;
+    while (!take("!")) {
+      if (take("@"))
+        ++rows;
+      else
+        require("&");
+      const Quantity next = sum();
+      entries.insert(entries.end(), next.begin(), next.end());
+    }
+    const std::size_t size = entries.size() == 4 ? 2 : 3;
+    if (entries.size() != size * size || (rows != size && rows != 1))
+      complain();
+    const auto at = [&](std::size_t row, std::size_t column) { return entries[row * size + column]; };
+    if (size == 2)
+      return {at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0)};
+    Precise sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += at(0, i) * (at(1, (i + 1) % 3) * at(2, (i + 2) % 3) - at(1, (i + 2) % 3) * at(2, (i + 1) % 3));
+    return {sum};
   }
 
   std::string m_text;

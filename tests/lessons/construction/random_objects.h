@@ -107,6 +107,8 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (triangle.typed && point.typed)
+      makeSpecial(*triangle.typed, point.typed->at);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
     else if (line.typed)
@@ -233,6 +235,27 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A point of the plane, at thirds from −1 to 4/3, or a triangle that is none.
+  void makeSpecial(TriangleObject &triangle, ExactVec3 &point) {
+    const ExactVec3 u = triangle.p1 - triangle.p0;
+    const ExactVec3 v = triangle.p2 - triangle.p0;
+    const auto third = [&] { return Rational(integer(-1, 4), 3); };
+    switch (integer(0, 9)) {
+    case 0:
+      triangle.p2 = integer(0, 1) == 0 ? triangle.p0 : triangle.p1;
+      break;
+    case 1:
+      triangle.p2 = triangle.p0 + u * number();
+      break;
+    case 2:
+      point = std::array{triangle.p0, triangle.p1, triangle.p2}.at(static_cast<std::size_t>(integer(0, 2)));
+      break;
+    default:
+      point = triangle.p0 + u * third();
+      point += v * third();
     }
   }
 

@@ -30,6 +30,7 @@ const std::map<std::string, Question> &questions() {
       {"signed-distance", {"point-plane", {"plane", "point"}}},
       {"ray-plane-dot", {"ray-plane", {"plane", "ray"}}},
       {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
+      {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
       {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
       {"line-pluecker", {"line", {"line"}}},
       {"line-line", {"line-line", {"line", "line2"}}},
@@ -37,7 +38,7 @@ const std::map<std::string, Question> &questions() {
   };
   return all;
 }
-const std::set<std::string> withoutQuestion{"point-line"};
+const std::set<std::string> withoutQuestion{"point-line", "barycentric"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 

@@ -46,13 +46,13 @@ TEST(Reaching, ARayThatMeetsSeveralPlaces_GoesToTheFarthest) {
 
 TEST(Reaching, PatchesAndLines_CoverAllPlaces) {
   const std::vector<Place> places{{4, 0, 0}, {0, 9, 0}};
-  EXPECT_EQ(reached(named(patchAt({0, 0, 0}, {0, 0, 1}, {{1, 1, 0}}), "E"), places).covers,
+  EXPECT_EQ(reached(withId(patchAt({0, 0, 0}, {0, 0, 1}, {{1, 1, 0}}), "E"), places).covers,
             (std::vector<Place>{{1, 1, 0}, {4, 0, 0}, {0, 9, 0}}));
   EXPECT_EQ(reached(lineThrough({0, 0, 0}, {1, 0, 0}), places).covers, places);
 }
 
 TEST(Reaching, MarksWithEndsOfTheirOwn_StayAsTheyAre) {
-  const SegmentMark segment = named(segmentBetween({0, 0, 0}, {1, 0, 0}), "s");
+  const SegmentMark segment = withId(segmentBetween({0, 0, 0}, {1, 0, 0}), "s");
   EXPECT_EQ(reached(segment, {{9, 9, 9}}), segment);
 }
 
@@ -96,15 +96,15 @@ TEST(Arrow, WithALengthOfThePicture_KeepsItsDirectionAlone) {
 }
 
 TEST(Marks, ThatReachFarther_AreTheSameMarks) {
-  EXPECT_EQ(named(patchAt({1, 2, 3}, {0, 0, 1}, {{9, 9, 3}}), "E"),
-            named(patchAt({1, 2, 3}, {0, 0, 1}), "E"));
+  EXPECT_EQ(withId(patchAt({1, 2, 3}, {0, 0, 1}, {{9, 9, 3}}), "E"),
+            withId(patchAt({1, 2, 3}, {0, 0, 1}), "E"));
   EXPECT_EQ(lineThrough({1, 2, 3}, {0, 0, 1}, {{1, 2, 90}}), lineThrough({1, 2, 3}, {0, 0, 1}));
-  EXPECT_NE(named(patchAt({1, 2, 3}, {0, 0, 1}), "E"), named(patchAt({1, 2, 3}, {0, 0, 2}), "E"));
+  EXPECT_NE(withId(patchAt({1, 2, 3}, {0, 0, 1}), "E"), withId(patchAt({1, 2, 3}, {0, 0, 2}), "E"));
   EXPECT_NE(lineThrough({1, 2, 3}, {0, 0, 1}), lineThrough({1, 2, 4}, {0, 0, 1}));
 }
 
 TEST(FindMark, ByAnId_FindsItselfAndNotWhatAccompaniesIt) {
-  const Figure figure{{named(pointAt({1, 0, 0}), "F/angle"), named(pointAt({2, 0, 0}), "F")}};
+  const Figure figure{{withId(pointAt({1, 0, 0}), "F/angle"), withId(pointAt({2, 0, 0}), "F")}};
   EXPECT_EQ(findMark(figure, "F"), &figure.marks[1]);
   EXPECT_EQ(findMark(figure, "F/angle"), &figure.marks[0]);
   EXPECT_EQ(findMark(figure, "angle"), nullptr);
@@ -114,9 +114,9 @@ TEST(FindMark, ByAnId_FindsItselfAndNotWhatAccompaniesIt) {
 
 TEST(Figure, OfEveryKindOfMark_SaysWhatTheyAllHave) {
   Figure figure;
-  figure.add(named(pointAt({0, 0, 0}), "a"));
-  figure.add(named(SphereMark(), "b", Subject::Triangle));
-  figure.add(named(ArcMark(), "c"));
+  figure.add(withId(pointAt({0, 0, 0}), "a"));
+  figure.add(withId(SphereMark(), "b", Subject::Triangle));
+  figure.add(withId(ArcMark(), "c"));
   baseOf(figure.marks[1]).label = "S";
   EXPECT_EQ(baseOf(figure.marks[2]).id, "c");
   EXPECT_EQ(std::get<SphereMark>(figure.marks[1]).label, "S");
@@ -124,10 +124,10 @@ TEST(Figure, OfEveryKindOfMark_SaysWhatTheyAllHave) {
 }
 
 TEST(WithoutNumbers, AFigure_KeepsItsLettersAndItsPlaces) {
-  PointMark point = named(pointAt({1, 2, 3}), "d");
+  PointMark point = withId(pointAt({1, 2, 3}), "d");
   point.label = "d";
   point.numbers = " = 10";
-  const Figure figure = withoutNumbers({{point, named(pointAt({4, 5, 6}), "Q")}});
+  const Figure figure = withoutNumbers({{point, withId(pointAt({4, 5, 6}), "Q")}});
   point.numbers.clear();
   EXPECT_EQ(figure.marks.front(), Mark(point));
   EXPECT_EQ(figure.marks.size(), 2U);

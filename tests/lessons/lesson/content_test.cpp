@@ -2,6 +2,7 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/scene/session.h"
 
+#include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,10 @@ struct Solution {
   const char *instruction; ///< its beginning
   Entry entry;
 };
+
+Object onTrianglePlane(const Rational &s, const Rational &t) {
+  return test::withNumbers("point-on-triangle-plane", {s, t});
+}
 
 const std::vector<Solution> &solutions() {
   static const std::vector<Solution> all{
@@ -54,6 +59,24 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-perp", "Bring the hit", {"L", RayObject{{11, 13, 10}, {-4, -5, -3}}}},
       {"ray-triangle-perp", "Put all three", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 9, 2}}}},
       {"ray-triangle-perp", "Bring the triangle", {"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 2, 9}}}},
+      {"barycentric", "Drag $Q$ out", {"Q", onTrianglePlane(1, 1)}},
+      {"barycentric", "Bring $Q$ back into", {"Q", onTrianglePlane({1, 4}, {1, 4})}},
+      {"barycentric", "Bring $Q$ to where", {"Q", onTrianglePlane({1, 3}, {1, 3})}},
+      {"barycentric", "Drag a corner", {"T", TriangleObject{{8, 5, 3}, {8, 8, 0}, {0, 8, 4}}}},
+      {"barycentric", "Bring $Q$ onto", {"Q", onTrianglePlane({1, 4}, {1, 4})}},
+      {"barycentric", "Keep $\\rho$", {"Q", onTrianglePlane({1, 2}, 0)}},
+      {"barycentric", "Put $Q$ exactly", {"Q", onTrianglePlane(0, 1)}},
+      {"barycentric", "Take $Q$ to", {"Q", onTrianglePlane({-1, 2}, 2)}},
+      {"ray-triangle-cramer",
+       "Drag $Q$ or the tip of $\\vec r$ until the line",
+       {"L", RayObject{{6, 9, 5}, {1, 2, 4}}}},
+      {"ray-triangle-cramer", "Let it go", {"L", RayObject{{6, 9, 5}, {1, 2, -1}}}},
+      {"ray-triangle-cramer",
+       "Drag $Q$ or the tip of $\\vec r$ until the ray",
+       {"L", RayObject{{6, 9, 5}, {-1, -2, 1}}}},
+      {"ray-triangle-cramer", "Put the triangle", {"L", RayObject{{6, 9, 5}, {1, 2, -1}}}},
+      {"ray-triangle-cramer", "Turn the ray", {"L", RayObject{{6, 9, 5}, {-1, 0, 1}}}},
+      {"ray-triangle-cramer", "Turn it back", {"L", RayObject{{6, 9, 5}, {-1, -2, 1}}}},
       {"plane-plane", "Turn the normal", {"E", PlaneObject{{4, 2, 3}, {0, 1, 1}}}},
       {"plane-plane", "Now slide", {"E", PlaneObject{{2, 6, 0}, {0, 1, 1}}}},
       {"plane-plane", "Make the two", {"F", PlaneObject{{2, 6, 0}, {0, 1, -1}}}},

@@ -70,8 +70,9 @@ private:
   std::mt19937_64 m_engine;
 };
 
-/// Whether a place lies on a host, told by its equations and not by its freedoms.
-bool liesOn(const Object &host, const ExactVec3 &at) {
+/// Whether a place lies on a host, told by its equations and not by its freedoms; for what goes on beyond a
+/// triangle's edges, in its plane.
+bool liesOn(const Object &host, const ExactVec3 &at, bool beyondEdges) {
   const std::string_view kind = kindOf(host);
   const ExactVec3 way = at - host[0];
   if (kind == "line")
@@ -84,7 +85,7 @@ bool liesOn(const Object &host, const ExactVec3 &at) {
     return dot(way, way) == host[1].x * host[1].x;
   const ExactVec3 normal = normalOfCorners(host);
   bool isWithin = dot(way, normal) == 0;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3 && !beyondEdges; ++i)
     isWithin = isWithin && dot(cross(host[(i + 1) % 3] - host[i], at - host[i]), normal) >= 0;
   return isWithin;
 }
@@ -93,6 +94,9 @@ class EveryBoundKind : public testing::TestWithParam<std::string> {
 protected:
   const Kind &kind() const { return *findKind(GetParam()); }
   std::string_view hostKind() const { return kind().binding->host; }
+  bool liesOn(const Object &host, const ExactVec3 &at) const {
+    return halfspace::liesOn(host, at, kind().word == "point-on-triangle-plane");
+  }
 };
 
 TEST_P(EveryBoundKind, WithAnyFreedoms_LiesOnItsHostExactly) {
@@ -223,6 +227,26 @@ TEST(PointOnTriangle, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
     const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1});
     const ExactVec3 end = flat.p2.x == 0 ? ExactVec3(0) : ExactVec3(4, 0, 0);
     EXPECT_EQ(placeOn(moved, flat), end);
+  }
+}
+
+TEST(PointOnTrianglePlane, BeyondTheEdges_GoesOnAndKeepsItsFreedomsWithTheTriangle) {
+  const Scene scene{{triangleT(), {"P", withNumbers("point-on-triangle-plane", {2, q(-1, 2)}), "T"}}};
+  const TriangleObject other{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  const Scene changed = edited(scene, {ChangeObject{"T", other}});
+  EXPECT_EQ(placeOfP(changed), ExactVec3(6, -2, 0));
+  const Object moved = movedTo(*findObject(changed, "P"), handle(changed, "P"), {-3, 8, 5});
+  EXPECT_EQ(placeOn(moved, other), ExactVec3(-3, 8, 0)) << "the foot";
+}
+
+TEST(PointOnTrianglePlane, OfATriangleThatIsALineOrAPoint_MovesAsFarAsThereIsRoom) {
+  for (const TriangleObject &flat :
+       {TriangleObject{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}, TriangleObject{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}},
+        TriangleObject{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) {
+    const Scene scene{{{"T", flat}, {"P", withNumbers("point-on-triangle-plane", {q(1, 2), q(1, 4)}), "T"}}};
+    const Object moved = movedTo(*findObject(scene, "P"), handle(scene, "P"), {9, 1, 1});
+    const bool isPoint = isZero(flat.p1) && isZero(flat.p2);
+    EXPECT_EQ(placeOn(moved, flat), isPoint ? ExactVec3(0) : ExactVec3(9, 0, 0));
   }
 }
 

@@ -82,6 +82,7 @@ TEST(CrossAndDot, OfRandomVectors_FulfilTheirLaws) {
       for (const Polynomial &entry : row->value->entries)
         rows.push_back(name(letter("x"), entry));
     EXPECT_TRUE(areSame(determinant(3, rows), dot(cross(a, b), c))) << "the volume of the box";
+    EXPECT_TRUE(areSame(determinant(3, {a, b, c}), dot(cross(a, b), c))) << "rows or columns are the same";
   }
 }
 
@@ -147,6 +148,8 @@ TEST(Operations, ThatMakeNoSense_ComeToNothingAndSoDoesWhatIsMadeOfThem) {
       {"the magnitude of an unknown", norm(t)},
       {"a list in a list", list({v, 1})},
       {"a vector in a determinant", determinant(1, {v})},
+      {"fewer columns than a column has numbers", determinant(2, {v, v})},
+      {"a number for a column", determinant(3, {v, v, 1})},
       {"lines whose moment is a number", permuted(v, v, v, 1)}};
   for (const auto &[what, operation] : operations) {
     EXPECT_FALSE(operation->value) << what;

@@ -48,6 +48,29 @@ TEST(MultipliedOut, WritesCrossProductsAsDifferencesOfTwoProducts) {
   EXPECT_EQ(in(multipliedOut, 2 * cross(at.n, r)), "2(2·2 − 2·3, 2·(−1) − 1·2, 1·3 − 2·(−1))");
 }
 
+const Term columns = determinant(3, {at.n, r, name(vectorLetter("c"), ExactVec3(0, 1, 5)).marked("it.c")});
+
+TEST(ColumnsPutIn, OfVectors_WritesEachAsAColumnWithItsMark) {
+  EXPECT_EQ(in(columnsPutIn, columns), "det[1 −1 0; 2 3 1; 2 2 5]");
+  const Term written = columnsPutIn(columns);
+  EXPECT_EQ(written->parts[5]->mark, "it.c");
+  EXPECT_EQ(written->parts[3]->mark, at.n->mark);
+  EXPECT_EQ(in(columnsPutIn, determinant(2, {1, at.f, 3, 4})), "det[1 30; 3 4]") << "numbers stay";
+  EXPECT_EQ(in(numbersPutIn, columns), "det[1 −1 0; 2 3 1; 2 2 5]");
+}
+
+TEST(ExpandedAlong, AColumn_TakesItsNumbersTimesWhatIsLeftWithAlternatingSigns) {
+  EXPECT_EQ(plainText(expandedAlong(columns, 0)), "1det[3 1; 2 5] − 2det[−1 0; 2 5] + 2det[−1 0; 3 1]");
+  EXPECT_EQ(plainText(expandedAlong(columns, 1)), "−(−1)det[2 1; 2 5] + 3det[1 0; 2 5] − 2det[1 0; 2 1]");
+  EXPECT_EQ(plainText(expandedAlong(determinant(2, {1, 2, 3, 4}), 0)), "1·4 − 3·2");
+  EXPECT_EQ(plainText(expandedAlong(determinant(1, {7}), 0)), "det[7]") << "there is nothing to expand";
+  EXPECT_EQ(in(multipliedOut, columns), plainText(expandedAlong(columns, 0)));
+  for (const std::size_t column : {0U, 1U, 2U})
+    EXPECT_EQ(valueText(expandedAlong(columns, column)), valueText(columns));
+  EXPECT_EQ(valueText(columns),
+            valueText(dot(cross(columns->parts[0], columns->parts[1]), columns->parts[2])));
+}
+
 TEST(Calculated, IsANumberAListOrCollectedByUnknowns) {
   EXPECT_EQ(in(calculated, dot(at.n, difference) / norm(at.n)), "10");
   EXPECT_EQ(in(calculated, at.f / dot(at.n, at.n) * at.n), "(10/3, 20/3, 20/3)");

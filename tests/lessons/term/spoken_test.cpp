@@ -78,6 +78,8 @@ TEST(Spoken, OfRowsOfNumbers_CountsThem) {
   EXPECT_EQ(spoken(list({1, 2, -3})), "the triple 1, 2, minus 3,");
   EXPECT_EQ(spoken(list({1, 2})), "the list 1, 2,");
   EXPECT_EQ(spoken(determinant(2, {1, 2, 3, 4})), "the determinant, row 1, 2, row 3, 4,");
+  EXPECT_EQ(spoken(determinant(2, {list({1, 2}), list({3, 4})})),
+            "the determinant, columns the list 1, 2,, the list 3, 4,,");
 }
 
 TEST(Spoken, WithADecimalComma_SaysTheComma) {

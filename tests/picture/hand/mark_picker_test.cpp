@@ -12,9 +12,9 @@ constexpr PixelSize size{1280, 800};
 /// A point at the end of a segment, before a triangle in a plane, looked at from +x.
 struct MarkPicker : testing::Test {
   Camera camera;
-  Figure figure{{named(patchAt({0, 0, 0}, {1, 0, 0}), "E"),
-                 named(polygonOf({{0, -4, -3}, {0, 4, -3}, {0, 0, 3}}), "T"),
-                 named(segmentBetween({0, 0, 0}, {0, 2, 0}), "s"), named(pointAt({0, 2, 0}), "Q")}};
+  Figure figure{{withId(patchAt({0, 0, 0}, {1, 0, 0}), "E"),
+                 withId(polygonOf({{0, -4, -3}, {0, 4, -3}, {0, 0, 3}}), "T"),
+                 withId(segmentBetween({0, 0, 0}, {0, 2, 0}), "s"), withId(pointAt({0, 2, 0}), "Q")}};
 
   [[nodiscard]] std::string at(Place place, glm::dvec2 offset = {}) const {
     return markUnder(glm::dvec2(*camera.project(place, size)) + offset, figure, camera, size, 1);
@@ -34,13 +34,13 @@ TEST_F(MarkPicker, BesideTheTriangleFindsThePlane) { EXPECT_EQ(at({0, 5, 4}), "E
 TEST_F(MarkPicker, BesideEverythingFindsNothing) { EXPECT_EQ(at({0, 9, 0}), ""); }
 
 TEST_F(MarkPicker, OfTwoFacesFindsTheNearer) {
-  figure.marks.push_back(named(polygonOf({{2, -1, -2.5}, {2, 1, -2.5}, {2, 0, -1}}), "near"));
+  figure.marks.push_back(withId(polygonOf({{2, -1, -2.5}, {2, 1, -2.5}, {2, 0, -1}}), "near"));
   EXPECT_EQ(at({2, 0, -2}), "near");
 }
 
 TEST_F(MarkPicker, WithTheCameraInsideAPatchStillFindsWhatLiesAhead) {
   camera.height = 1;
-  figure.marks = {named(patchAt({0, 0, -1}, {0, 0, 1}), "floor")};
+  figure.marks = {withId(patchAt({0, 0, -1}, {0, 0, 1}), "floor")};
   EXPECT_EQ(at({-5, 0, -1}), "floor");
 }
 

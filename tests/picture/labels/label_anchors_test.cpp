@@ -234,7 +234,7 @@ TEST(Obstacles, WithAHandleSelected_LeaveAllLabelsWhereTheyAre) {
     return places;
   };
   SceneContent content;
-  PointMark point = named(pointAt({2, 2, 2}), "Q");
+  PointMark point = withId(pointAt({2, 2, 2}), "Q");
   point.label = "Q";
   content.figure.marks = {point};
   const auto before = placesIn(content);

@@ -30,7 +30,7 @@ TEST(LabelRequests, NumbersAtTheAxes_ArePinnedBesideTheirTicks) {
 TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem) {
   SceneContent content;
   for (int i = 0; i < 1000; ++i) {
-    PointMark point = named(pointAt({i % 30 - 15.0, i / 30 - 15.0, 0}), "P" + std::to_string(i));
+    PointMark point = withId(pointAt({i % 30 - 15.0, i / 30 - 15.0, 0}), "P" + std::to_string(i));
     point.label = "P";
     content.figure.marks.push_back(point);
   }
@@ -43,7 +43,7 @@ TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem)
 
 TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
   const auto clearanceOf = [](Subject subject) {
-    PointMark point = named(pointAt({1, 2, 3}), "Q", subject);
+    PointMark point = withId(pointAt({1, 2, 3}), "Q", subject);
     point.label = "Q";
     SceneContent content;
     content.figure.marks.push_back(point);
@@ -53,7 +53,7 @@ TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
 }
 
 TEST(LabelRequests, LabelWhereLinesAreThick_KeepsOffAsMuchFarther) {
-  PointMark point = named(pointAt({1, 2, 3}), "Q", Subject::Point);
+  PointMark point = withId(pointAt({1, 2, 3}), "Q", Subject::Point);
   point.label = "Q";
   SceneContent content;
   content.figure.marks.push_back(point);

@@ -17,7 +17,7 @@ const Theme &theme() { return themes().front(); }
 
 /// A segment along z.
 SegmentMark segmentOf(Role role) {
-  SegmentMark segment = named(segmentBetween({0, 0, 0}, {0, 0, 8}), "s", Subject::Plane);
+  SegmentMark segment = withId(segmentBetween({0, 0, 0}, {0, 0, 8}), "s", Subject::Plane);
   segment.role = role;
   return segment;
 }
@@ -47,7 +47,7 @@ std::vector<Face> facesOfMark(const Mark &mark, const std::set<std::string> &hig
 }
 
 PolygonMark triangle(Role role = Role::Given) {
-  PolygonMark mark = named(polygonOf({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}), "T", Subject::Triangle);
+  PolygonMark mark = withId(polygonOf({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}), "T", Subject::Triangle);
   mark.role = role;
   return mark;
 }
@@ -89,7 +89,7 @@ TEST(Lines, OfGhosts_ArePaler) {
 }
 
 TEST(Lines, OfAPatch_ArePalerThanItsNormal_ButNotWhereItWarns) {
-  PlanePatchMark patch = named(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane);
+  PlanePatchMark patch = withId(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane);
   EXPECT_NE(meshOfMark(patch).colors.front(), theme().colorOf(Subject::Plane));
   patch.role = Role::Warning;
   EXPECT_EQ(meshOfMark(patch).colors.front(), theme().warning);
@@ -104,17 +104,17 @@ TEST(Lines, OfADashedBorder_CloseAroundTheFace) {
 }
 
 TEST(Points, ThatAreFreeToMove_AreTheThickest) {
-  PointMark point = named(pointAt({0, 0, 0}), "Q", Subject::Point);
+  PointMark point = withId(pointAt({0, 0, 0}), "Q", Subject::Point);
   EXPECT_EQ(ballRadius(point), freePointRadius);
   point.role = Role::Derived;
   EXPECT_LT(ballRadius(point), freePointRadius);
-  point = named(pointAt({0, 0, 0}), "P0", Subject::Plane);
+  point = withId(pointAt({0, 0, 0}), "P0", Subject::Plane);
   EXPECT_LT(ballRadius(point), freePointRadius);
 }
 
 TEST(Faces, OfPatches_LieUnderThoseOfPolygons) {
   const auto faces =
-      facesOf({{triangle(), named(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane)}}, {}, theme());
+      facesOf({{triangle(), withId(patchAt({0, 0, 0}, {0, 0, 1}), "E", Subject::Plane)}}, {}, theme());
   ASSERT_EQ(faces.size(), 2U);
   EXPECT_EQ(faces[0].color, theme().planeFace);
   EXPECT_EQ(faces[1].color, theme().colorOf(Subject::Triangle));
@@ -122,7 +122,7 @@ TEST(Faces, OfPatches_LieUnderThoseOfPolygons) {
 
 TEST(Faces, OfMarksWithoutAny_AreNone) {
   EXPECT_TRUE(facesOfMark(segmentOf(Role::Given)).empty());
-  EXPECT_TRUE(facesOfMark(named(pointAt({0, 0, 0}), "Q")).empty());
+  EXPECT_TRUE(facesOfMark(withId(pointAt({0, 0, 0}), "Q")).empty());
 }
 
 TEST(Faces, OfRolesAndHighlights_AreMoreOrLessDense) {
@@ -143,7 +143,7 @@ TEST(Faces, OfWhatArrives_BecomeAsDenseAsItIsThere) {
 }
 
 TEST(Faces, OfABall_CoverItsSurfaceOnce) {
-  SphereMark sphere = named(SphereMark(), "S", Subject::Triangle);
+  SphereMark sphere = withId(SphereMark(), "S", Subject::Triangle);
   sphere.center = {1, 2, 3};
   sphere.radius = 2;
   double area = 0;

@@ -85,17 +85,17 @@ TEST(Mesh, WithoutLengthNothingIsAdded) {
 }
 
 TEST(Solids, OfEveryKindOfMarkAreSound) {
-  Figure figure{{named(pointAt({1, 1, 1}), "p"), named(segmentBetween({0, 0, 0}, {3, 4, 5}), "s"),
-                 named(patchAt({1, 1, 1}, {1, 2, 2}), "E"),
-                 named(polygonOf({{0, 0, 0}, {3, 0, 0}, {0, 3, 1}}), "T")}};
+  Figure figure{{withId(pointAt({1, 1, 1}), "p"), withId(segmentBetween({0, 0, 0}, {3, 4, 5}), "s"),
+                 withId(patchAt({1, 1, 1}, {1, 2, 2}), "E"),
+                 withId(polygonOf({{0, 0, 0}, {3, 0, 0}, {0, 3, 1}}), "T")}};
   ArcMark arc;
   arc.from = {1, 0, 0};
   arc.to = {-1, 0, 0};
   RightAngleMark corner;
   corner.first = {0, 0, 2};
   corner.second = {3, 0, 0};
-  figure.marks.emplace_back(named(arc, "arc"));
-  figure.marks.emplace_back(named(corner, "corner"));
+  figure.marks.emplace_back(withId(arc, "arc"));
+  figure.marks.emplace_back(withId(corner, "corner"));
   for (const Mark &mark : figure.marks) {
     const Mesh mesh = meshOf({{mark}}, {}, themes().front(), 1);
     EXPECT_FALSE(mesh.positions.empty()) << baseOf(mark).id;
@@ -106,7 +106,7 @@ TEST(Solids, OfEveryKindOfMarkAreSound) {
 TEST(Solids, NotFiniteMarksAreLeftOut) {
   const double endless = std::numeric_limits<double>::infinity();
   const Figure figure{
-      {named(pointAt({0, endless, 0}), "p"), named(segmentBetween({0, 0, 0}, {std::nan(""), 0, 0}), "s")}};
+      {withId(pointAt({0, endless, 0}), "p"), withId(segmentBetween({0, 0, 0}, {std::nan(""), 0, 0}), "s")}};
   EXPECT_TRUE(meshOf(figure, {}, themes().front(), 1).positions.empty());
 }
 
@@ -115,21 +115,21 @@ TEST(Solids, HighlightedMarksAreThicker_ButBallsDoNotSwell) {
     return spanOf(meshOf(figure, {"p"}, themes().front(), 1), axis).second /
            spanOf(meshOf(figure, {}, themes().front(), 1), axis).second;
   };
-  EXPECT_GT(growth({{named(segmentBetween({0, 0, 0}, {0, 0, 4}), "p")}}, 0), 1.3);
-  const double ofBall = growth({{named(pointAt({0, 0, 0}), "p")}}, 0);
+  EXPECT_GT(growth({{withId(segmentBetween({0, 0, 0}, {0, 0, 4}), "p")}}, 0), 1.3);
+  const double ofBall = growth({{withId(pointAt({0, 0, 0}), "p")}}, 0);
   EXPECT_GT(ofBall, 1.1);
   EXPECT_LT(ofBall, 1.3);
 }
 
 TEST(Solids, WarningsHaveTheWarningColour) {
-  PointMark point = named(pointAt({0, 0, 0}), "p", Subject::Ray);
+  PointMark point = withId(pointAt({0, 0, 0}), "p", Subject::Ray);
   point.role = Role::Warning;
   EXPECT_EQ(meshOf({{point}}, {}, themes().front(), 1).colors.front(), themes().front().warning);
 }
 
 TEST(Solids, ArrivingGrowOutOfThinPaleLines) {
   const Figure figure{
-      {named(pointAt({1, 2, 3}), "p", Subject::Point), named(pointAt({9, 9, 9}), "q", Subject::Point)}};
+      {withId(pointAt({1, 2, 3}), "p", Subject::Point), withId(pointAt({9, 9, 9}), "q", Subject::Point)}};
   const Theme &theme = themes().front();
   const auto at = [&](double presence) { return meshOf(figure, {}, theme, 1, {{"p"}, presence}); };
   const Mesh all = meshOf(figure, {}, theme, 1);

@@ -2,6 +2,8 @@
 #include "widgets/view/case_line.h"
 
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QVBoxLayout>
 #include <QtTest>
 
@@ -15,6 +17,11 @@ struct ShownLine {
   explicit ShownLine(std::chrono::milliseconds readingTime = CaseLine::usualReadingTime) : line(readingTime) {
     line.resize(600, 40);
     line.show();
+  }
+  /// That it wants at this width, with all that it says now.
+  int heightAt(int width) {
+    line.layout()->activate();
+    return line.heightForWidth(width);
   }
   /// What a label says; empty where it is hidden.
   QString said(const char *name) const {
@@ -48,7 +55,7 @@ private slots:
 
   void message_ofAsManyWordsAsTheCase_leavesTheLineItsHeight() {
     ShownLine shown;
-    const auto height = [&] { return shown.line.heightForWidth(600); };
+    const auto height = [&] { return shown.heightAt(600); };
     const QString words = QString("some words ").repeated(6);
     QVERIFY(QFontMetrics(shown.line.font()).horizontalAdvance(words) > 300); // more than half of the line
     shown.line.setCase(words, false);
@@ -120,6 +127,20 @@ private slots:
     QCOMPARE(line->height(), grown);
     window.resize(520, 400);
     QTRY_COMPARE(line->height(), usual);
+  }
+
+  void nearestSpecialCase_isOfferedByAButton_andItsRowStaysWithoutOne() {
+    ShownLine shown;
+    shown.line.setNearby("It would be parallel.");
+    const int height = shown.heightAt(600);
+    auto *there = shown.line.findChild<QPushButton *>("there");
+    QVERIFY(there->isVisible());
+    QSignalSpy chosen(&shown.line, &CaseLine::nearbyChosen);
+    QTest::mouseClick(there, Qt::LeftButton);
+    QCOMPARE(chosen.count(), 1);
+    shown.line.setNearby({});
+    QVERIFY(!there->isVisible());
+    QCOMPARE(shown.heightAt(600), height);
   }
 
   void wordsOfStrangers_arePlainText() {
