@@ -5,6 +5,7 @@
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 #include "lessons/scene/evaluation.h"
 
 #include <algorithm>
@@ -167,12 +168,14 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
+    else if (!m_vector)
+      m_vector = objectAs<VectorObject>(object);
   }
 
 private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
-          drawAs<RayObject>(object) || drawAs<LineObject>(object)))
+          drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object)))
       drawAny(object);
   }
 
@@ -226,6 +229,18 @@ private:
   }
 
   void draw(LineObject &line) { line = {m_dice.position(), m_dice.normal()}; }
+
+  /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
+  void draw(VectorObject &vector) {
+    vector.vector = m_dice.shortestNormal();
+    vector.start = m_vector ? m_vector->start : m_dice.position();
+    if (!m_vector)
+      return;
+    if (m_dice.once(alongOnceIn))
+      vector.vector = m_vector->vector * Rational(m_dice.sign());
+    else if (m_dice.once(alongOnceIn))
+      vector.vector = stepAlong(m_vector->vector, 0, 1);
+  }
 
   void draw(TriangleObject &triangle) {
     const int size = m_dice.between(smallestTriangle, largestTriangle);
@@ -320,6 +335,7 @@ private:
   Dice &m_dice;
   bool m_hasSeveralPlanes;
   std::vector<Net> m_nets;
+  std::optional<VectorObject> m_vector; ///< the first
 };
 
 /// What is looked for before what looks for it.
