@@ -89,6 +89,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
+        kindOf(objects[1]) == LineObject::kind)
+      return makeSpecialLines(objects[0], objects[1]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -108,6 +111,37 @@ private:
       makeSpecial(*triangle.typed, point.typed->at);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
+    else if (line.typed)
+      makeSpecial(*line.typed, plane.typed ? *plane.typed : PlaneObject{{0, 0, 0}, {0, 0, 1}});
+  }
+
+  /// A zero direction, through the origin, in the plane or parallel to it.
+  void makeSpecial(LineObject &line, const PlaneObject &plane) {
+    const int choice = integer(0, 5);
+    if (choice == 0)
+      line.direction = {0, 0, 0};
+    if (choice == 1)
+      line.point = line.direction * number();
+    if (choice >= 2)
+      line.direction = vectorAlongPlane(plane.normal);
+    if (choice >= 4)
+      line.point = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  /// Parallel, the same, meeting, perpendicular, or one without a direction.
+  void makeSpecialLines(Object &first, Object &second) {
+    const int choice = integer(0, 6);
+    const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
+    if (choice < 3)
+      second[1] = first[1] * factor;
+    if (choice == 1 || choice == 2 || choice == 3)
+      second[0] = first[0] + first[1] * number();
+    if (choice == 3)
+      second[0] = second[0] + second[1] * number();
+    if (choice == 4)
+      second[1] = vectorAlongPlane(first[1]);
+    if (choice == 5)
+      first[1] = {0, 0, 0};
   }
 
   void makeSpecial(LineObject &line, ExactVec3 &point) {

@@ -32,6 +32,9 @@ const std::map<std::string, Question> &questions() {
       {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
       {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
+      {"line-pluecker", {"line", {"line"}}},
+      {"line-line", {"line-line", {"line", "line2"}}},
+      {"line-plane", {"line-plane", {"line", "plane"}}},
   };
   return all;
 }
@@ -75,7 +78,8 @@ int compare(const Json &explained, const Json &answered, const std::string &grou
       compared += compare(figure, other, group + name + ".");
       continue;
     }
-    EXPECT_EQ(figure, other) << group << name;
+    // Lessons have truth values as words.
+    EXPECT_EQ(figure, other.is_boolean() ? Json(other.dump()) : other) << group << name;
     ++compared;
   }
   return compared;

@@ -84,6 +84,23 @@ const std::vector<Solution> &solutions() {
       {"point-line", "Bring the foot", {"Q", PointObject{{0, 0, 0}}}},
       {"point-line", "Put $Q$ on", {"Q", PointObject{{4, 3, 2}}}},
       {"point-line", "Take $Q$ away", {"Q", PointObject{{5, 1, 4}}}},
+      {"pluecker-lines", "Move $A_g$", {"g", LineObject{{-1, -2, 2}, {1, 2, -2}}}},
+      {"pluecker-lines", "Take the line", {"g", LineObject{{3, 3, 0}, {1, 2, -2}}}},
+      {"pluecker-lines", "Move $A_h$ or", {"h", LineObject{{3, 5, 8}, {-1, 2, 0}}}},
+      {"pluecker-lines", "Move $A_h$ until the lines meet", {"h", LineObject{{4, 2, 4}, {1, -2, 0}}}},
+      {"pluecker-lines", "Let $h$ pass", {"h", LineObject{{3, 5, 8}, {1, -2, 0}}}},
+      {"pluecker-lines", "Move $A_h$ until the lines are", {"h", LineObject{{6, 5, 2}, {1, -2, 0}}}},
+      {"pluecker-lines",
+       "Turn $\\vec v_h$ until the lines are perp",
+       {"h", LineObject{{3, 5, 8}, {2, -1, 0}}}},
+      {"pluecker-lines",
+       "Turn $\\vec v_h$ until the lines are par",
+       {"h", LineObject{{3, 5, 8}, {1, 2, -2}}}},
+      {"pluecker-planes", "Slide $G$ until the common", {"G", PlaneObject{{1, 2, 3}, {0, -1, 1}}}},
+      {"pluecker-planes", "Turn $\\vec n_G$ until the weight", {"G", PlaneObject{{1, 2, 6}, {0, 1, 1}}}},
+      {"pluecker-planes", "Turn $\\vec n_G$ until the line", {"G", PlaneObject{{1, 2, 6}, {-2, 0, 1}}}},
+      {"pluecker-planes", "Slide $G$ until the line", {"G", PlaneObject{{1, 3, 1}, {-2, 0, 1}}}},
+      {"pluecker-planes", "Turn $\\vec n_G$ until there", {"G", PlaneObject{{1, 2, 6}, {0, -1, 1}}}},
   };
   return all;
 }

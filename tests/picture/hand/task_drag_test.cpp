@@ -74,6 +74,19 @@ const std::vector<Asked> &tableOfTasks() {
       {"point-line", "t < 0", {"Q"}},
       {"point-line", "case = on", {"Q"}},
       {"point-line", "distance = 3", {"Q"}},
+      {"pluecker-lines", "six.through_origin = true", {"g.A"}},
+      {"pluecker-lines", "six.origin_distance = 3", {"g.A"}},
+      {"pluecker-lines", "pair.product < 0", {"h.A", "h.v"}},
+      {"pluecker-lines", "pair.case = intersecting and pair.product = 0", {"h.A"}},
+      {"pluecker-lines", "pair.product > 0", {"h.A", "h.v"}},
+      {"pluecker-lines", "pair.distance = 1", {"h.A"}},
+      {"pluecker-lines", "pair.perpendicular = true", {"h.v"}},
+      {"pluecker-lines", "pair.case = parallel", {"h.v"}},
+      {"pluecker-planes", "cut.point.2 = 3", {"G.offset"}},
+      {"pluecker-planes", "cut.case = point and cut.homogeneous.3 = 1", {"G.n"}},
+      {"pluecker-planes", "cut.case = parallel and cut.homogeneous.3 = 0", {"G.n"}},
+      {"pluecker-planes", "cut.case = in-plane", {"G.offset", "G.P0"}},
+      {"pluecker-planes", "cut.case = point", {"G.n"}},
   };
   return table;
 }
