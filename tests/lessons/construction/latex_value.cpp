@@ -233,6 +233,11 @@ Quantity quantity(const ExactVec3 &vector) {
   return {precise(vector.x), precise(vector.y), precise(vector.z)};
 }
 
+Quantity quantity(const Surd &number) {
+  return {precise(number.rationalPart()) +
+          precise(number.rootFactor()) * mp::sqrt(precise(Rational(number.radicand())))};
+}
+
 Quantity quantityOverRoot(const Rational &number, const Rational &square) {
   return {precise(number) / mp::sqrt(precise(square))};
 }

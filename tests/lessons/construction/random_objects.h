@@ -2,12 +2,15 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 
 #include <algorithm>
 #include <numeric>
@@ -34,6 +37,7 @@ public:
         coordinate(objects.back(), i) = vector();
       if (role.kind == PolygonObject::kind)
         objects.back() = convexPolygon();
+      objects.back().kind().settle(objects.back());
     }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
@@ -96,6 +100,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
         kindOf(objects[1]) == LineObject::kind)
       return makeSpecialLines(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
+        kindOf(objects[1]) == VectorObject::kind)
+      return makeSpecialVectors(objects[0], objects[1]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -111,6 +118,8 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (Found<SphereObject> sphere(objects); sphere.typed && ray.typed)
+      makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
     if (Found<PolygonObject> polygon(objects); polygon.typed && ray.typed)
@@ -146,7 +155,7 @@ private:
       second[0] = second[0] + second[1] * number();
     if (choice == 4)
       second[1] = vectorAlongPlane(first[1]);
-    if (choice == 5)
+    if (choice == 6)
       first[1] = {0, 0, 0};
   }
 
@@ -170,6 +179,26 @@ private:
       second[0] = first[0] + vectorAlongPlane(first[1]);
     if (choice == 2)
       first[1] = {0, 0, 0};
+  }
+
+  /// One zero, along each other, perpendicular, or from one point.
+  void makeSpecialVectors(Object &first, Object &second) {
+    switch (integer(0, 5)) {
+    case 0:
+      first[1] = {0, 0, 0};
+      break;
+    case 1:
+      second[1] = {0, 0, 0};
+      break;
+    case 2:
+      second[1] = first[1] * number();
+      break;
+    case 3:
+      second[1] = vectorAlongPlane(first[1]);
+      break;
+    default:
+      second[0] = first[0];
+    }
   }
 
   void makeSpecial(PlaneObject &plane) {
@@ -296,6 +325,51 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A length ≠ 0.
+  Rational length() {
+    const Rational any = abs(number());
+    return any == 0 ? Rational(1) : any;
+  }
+
+  void makeSpecial(SphereObject &sphere, RayObject &ray) {
+    // Three arrows square to each other, all as long as 3.
+    const ExactVec3 along(1, 2, 2);
+    const ExactVec3 aside(2, 1, -2);
+    const auto startAt = [&](const Rational &asideShare, const Rational &alongShare) {
+      ray.origin = sphere.center + aside * asideShare + along * alongShare;
+    };
+    switch (integer(0, 7)) {
+    case 0:
+      sphere.radius = 0;
+      break;
+    case 1:
+      ray.direction = {0, 0, 0};
+      break;
+    case 2: // touching
+      ray.direction = along * number();
+      sphere.radius = length();
+      startAt(Rational(sphere.radius / 3), number());
+      break;
+    case 3: // roots without roots: sides of 3, 4 and 5
+      ray.direction = along * number();
+      sphere.radius = 5 * length();
+      startAt(Rational(sphere.radius / 5), number());
+      break;
+    case 4: // starting on it
+      sphere.radius = 3 * length();
+      startAt(0, Rational(sphere.radius / -3));
+      break;
+    case 5: // through the centre, perhaps from there
+      ray.origin = sphere.center + ray.direction * Rational(integer(-2, 2));
+      break;
+    case 6: // from inside
+      ray.origin = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
+      break;
+    default:
+      ray.direction = ExactVec3(sphere.center - ray.origin) + vector() / Rational(9);
     }
   }
 
