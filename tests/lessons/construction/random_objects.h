@@ -6,12 +6,14 @@
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
+#include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace halfspace::test {
@@ -33,6 +35,8 @@ public:
       objects.push_back(*makeObject(role.kind));
       for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
         coordinate(objects.back(), i) = vector();
+      if (role.kind == PolygonObject::kind)
+        objects.back() = convexPolygon();
       objects.back().kind().settle(objects.back());
     }
     if (integer(0, 1) == 0)
@@ -118,6 +122,8 @@ private:
       makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
+    if (Found<PolygonObject> polygon(objects); polygon.typed && ray.typed)
+      makeSpecial(polygon.typed->corners, *ray.typed);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
     else if (line.typed)
@@ -261,6 +267,61 @@ private:
       break;
     case 6:
       ray.origin = inPlane;
+      break;
+    default:
+      ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// Of three to eight corners: some of those of an octagon, stretched and turned in space.
+  PolygonObject convexPolygon() {
+    static constexpr std::array<std::array<int, 2>, 8> octagon{
+        {{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}}};
+    std::vector<std::array<int, 2>> places(octagon.begin(), octagon.end());
+    for (int dropped = integer(0, 5); dropped > 0; --dropped)
+      places.erase(places.begin() + integer(0, static_cast<int>(places.size()) - 1));
+    const ExactVec3 start = vector();
+    const ExactVec3 across = vector();
+    const ExactVec3 up = vector();
+    PolygonObject polygon;
+    for (const auto &[x, y] : places)
+      polygon.corners.push_back(start + across * Rational(x) + up * Rational(y));
+    return polygon;
+  }
+
+  /// Where a ray can be aimed at: the middle of a polygon, a corner, a point of an edge, or one outside.
+  ExactVec3 placeIn(const std::vector<ExactVec3> &corners) {
+    const auto first = static_cast<std::size_t>(integer(0, static_cast<int>(corners.size()) - 1));
+    const ExactVec3 &corner = corners[first];
+    const ExactVec3 &next = corners[(first + 1) % corners.size()];
+    const ExactVec3 middle =
+        std::accumulate(corners.begin(), corners.end(), ExactVec3(0)) / Rational(int(corners.size()));
+    const std::array places{middle, corner, ExactVec3(corner + (next - corner) * Rational(1, 3)),
+                            ExactVec3(corner * Rational(2) - middle)};
+    return places.at(static_cast<std::size_t>(integer(0, 3)));
+  }
+
+  void makeSpecial(std::vector<ExactVec3> &corners, RayObject &ray) {
+    const ExactVec3 inPlane = placeIn(corners);
+    const ExactVec3 along = (corners[1] - corners[0]) * number() + (corners[2] - corners[0]) * number();
+    switch (integer(0, 9)) {
+    case 0:
+      ray.direction = {0, 0, 0};
+      break;
+    case 1:
+      ray.direction = along;
+      break;
+    case 2:
+      ray = {inPlane, along};
+      break;
+    case 3:
+      corners.back() = integer(0, 1) == 0 ? corners[0] : corners[1];
+      break;
+    case 4: // a straight corner, bends, crossings
+      corners[1] = inPlane;
+      break;
+    case 5: // not flat, when there are more than three
+      corners.back() += vector();
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);

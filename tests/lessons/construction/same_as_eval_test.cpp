@@ -36,6 +36,7 @@ const std::map<std::string, Question> &questions() {
       {"line-pluecker", {"line", {"line"}}},
       {"line-line", {"line-line", {"line", "line2"}}},
       {"line-plane", {"line-plane", {"line", "plane"}}},
+      {"ray-polygon-pluecker", {"ray-polygon", {"polygon", "ray"}}},
   };
   return all;
 }

@@ -1,5 +1,6 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
+#include "lessons/object/polygon.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
 
@@ -138,6 +139,28 @@ const std::vector<Solution> &solutions() {
       {"pluecker-planes", "Turn $\\vec n_G$ until the line", {"G", PlaneObject{{1, 2, 6}, {-2, 0, 1}}}},
       {"pluecker-planes", "Slide $G$ until the line", {"G", PlaneObject{{1, 3, 1}, {-2, 0, 1}}}},
       {"pluecker-planes", "Turn $\\vec n_G$ until there", {"G", PlaneObject{{1, 2, 6}, {0, -1, 1}}}},
+      {"ray-polygon-pluecker", "Drag $Q$ or", {"L", RayObject{{1, 8, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker", "Bring the line", {"L", RayObject{{1, 1, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker",
+       "Let the ray go exactly through an edge",
+       {"L", RayObject{{1, {-1, 2}, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker", "Bring the ray to where", {"L", RayObject{{10, -2, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker",
+       "Let the ray go exactly through a corner",
+       {"L", RayObject{{5, 4, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker", "Turn $\\vec r$ until the polygon", {"L", RayObject{{1, 1, 0}, {-2, -1, -2}}}},
+      {"ray-polygon-pluecker", "Let the ray hit", {"L", RayObject{{1, 1, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker", "Turn $\\vec r$ until the ray", {"L", RayObject{{1, 1, 0}, {2, 1, 0}}}},
+      {"ray-polygon-pluecker", "Turn it back", {"L", RayObject{{1, 1, 0}, {2, 1, 2}}}},
+      {"ray-polygon-pluecker",
+       "Drag the corner",
+       {"W", PolygonObject{{{2, 2, 4}, {8, 1, 4}, {5, 3, 4}, {4, 7, 4}}}}},
+      {"ray-polygon-pluecker",
+       "Make it convex",
+       {"W", PolygonObject{{{2, 2, 4}, {8, 1, 4}, {9, 6, 4}, {4, 7, 4}}}}},
+      {"ray-triangle-pluecker", "Move $Q$", {"L", RayObject{{4, 5, 1}, {1, 2, 1}}}},
+      {"ray-triangle-pluecker", "Bring the point", {"L", RayObject{{4, 2, 1}, {1, 2, 1}}}},
+      {"ray-triangle-pluecker", "Let the ray go", {"L", RayObject{{0, -2, 2}, {1, 2, 1}}}},
   };
   return all;
 }

@@ -124,6 +124,18 @@ const std::vector<Asked> &tableOfTasks() {
       {"pluecker-planes", "cut.case = parallel and cut.homogeneous.3 = 0", {"G.n"}},
       {"pluecker-planes", "cut.case = in-plane", {"G.offset", "G.P0"}},
       {"pluecker-planes", "cut.case = point", {"G.n"}},
+      {"ray-polygon-pluecker", "case = miss", {"L.Q", "L.r"}},
+      {"ray-polygon-pluecker", "location = interior", {"L.Q", "L.r"}},
+      {"ray-polygon-pluecker", "case = hit and location = edge", {"L.Q", "L.r"}},
+      {"ray-polygon-pluecker", "case = miss and products.0 = 0", {"L.Q", "L.r"}},
+      {"ray-polygon-pluecker", "case = hit and location = vertex", {"L.Q", "L.r"}},
+      {"ray-polygon-pluecker", "case = behind", {"L.r"}},
+      {"ray-polygon-pluecker", "case = hit", {"L.r"}},
+      {"ray-polygon-pluecker", "case = parallel", {"L.r"}},
+      {"ray-polygon-pluecker", "case = not-convex", {"W.P2"}},
+      {"ray-triangle-pluecker", "barycentric.0 < 0", {"L.Q", "L.r"}},
+      {"ray-triangle-pluecker", "case = hit and barycentric.1 = 1/2", {"L.Q", "L.r"}},
+      {"ray-triangle-pluecker", "case = hit and location = vertex", {"L.Q", "L.r"}},
   };
   return table;
 }
