@@ -27,7 +27,7 @@ std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const E
     if (!use || !found || !entries.contains(entry.name))
       continue;
     for (const SpecialCase &special : *found->outcome->nearby) {
-      const std::string &name = use->roles.at(special.role);
+      const std::string &name = use->roles.at(special.role).ids.at(special.place);
       const Object *object = findObject(scene, name); // null for what a construction makes
       if (!object || kindOf(*object) != kindOf(special.object) || refusedCoordinateOf(special.object))
         continue;
