@@ -238,12 +238,16 @@ private:
     triangle = {corner, corner + first * Rational(size), corner + second * Rational(size)};
   }
 
-  /// At random, or straight above, in or below what it looks for.
+  /// At random; straight above, in or below what it looks for; in the plane of a triangle.
   void draw(PointObject &point) {
     point.at = m_dice.position();
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
       return;
+    if (net->size > 0) {
+      point.at = m_dice.once(alongOnceIn) ? cornerOf(*net) : pointOf(*net);
+      return;
+    }
     const ExactVec3 foot = pointOf(*net);
     point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
   }
@@ -284,6 +288,12 @@ private:
     while (point == net.at)
       point = anyPointOf(net);
     return point;
+  }
+
+  /// Of a triangle's net.
+  ExactVec3 cornerOf(const Net &net) {
+    const int corner = m_dice.between(0, 2);
+    return net.after({corner == 1 ? net.size : 0, corner == 2 ? net.size : 0});
   }
 
   ExactVec3 anyPointOf(const Net &net) {

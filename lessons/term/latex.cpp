@@ -1,5 +1,6 @@
 #include "lessons/term/latex.h"
 
+#include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
 
@@ -162,9 +163,11 @@ std::string indexLatex(const Symbol &symbol) {
 } // namespace
 
 std::string latexOf(const Symbol &symbol) {
-  std::string text = symbol.isWord ? wordLatex(symbol.letter) : letterLatex(symbol.letter);
+  std::string text = symbol.isWord ? wordLatex(symbol.letter) : letterLatex(withoutPrime(symbol.letter));
   if (symbol.isVector)
     text = "\\vec " + text;
+  if (isPrimed(symbol.letter))
+    text += "'";
   if (const std::string index = indexLatex(symbol); !index.empty())
     text += index.size() == 1 ? "_" + index : "_{" + index + "}";
   return symbol.isPerp ? text + "^{\\perp}" : text;

@@ -1,5 +1,6 @@
 #include "lessons/term/mathml.h"
 
+#include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 
 #include <algorithm>
@@ -55,9 +56,11 @@ protected:
   }
 
   std::string symbol(const Symbol &symbol) override {
-    std::string text = element("mi", escaped(symbol.letter));
+    std::string text = element("mi", escaped(withoutPrime(symbol.letter)));
     if (symbol.isVector)
       text = "<mover accent=\"true\">" + text + operation("→") + "</mover>";
+    if (isPrimed(symbol.letter))
+      text = element("msup", text + operation(primeSign));
     std::string index = symbol.subscript.empty() ? "" : subscript(symbol.subscript);
     if (!symbol.owner.empty())
       index = element("mrow", index + this->symbol(symbolOf(symbol.owner)));

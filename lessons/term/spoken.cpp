@@ -1,5 +1,6 @@
 #include "lessons/term/spoken.h"
 
+#include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/words.h"
 
@@ -59,10 +60,12 @@ protected:
   }
 
   std::string symbol(const Symbol &symbol) override {
-    const std::string letter = symbol.isWord ? wordName(symbol.letter) : letterName(symbol.letter);
+    const std::string letter =
+        symbol.isWord ? wordName(symbol.letter) : letterName(withoutPrime(symbol.letter));
     const std::string owner =
         symbol.owner.empty() ? "" : words("of {object}", {{"object", this->symbol(symbolOf(symbol.owner))}});
-    return row({letter, symbol.subscript, owner, symbol.isPerp ? words("perp") : ""});
+    return row({letter, isPrimed(symbol.letter) ? words("prime") : "", symbol.subscript, owner,
+                symbol.isPerp ? words("perp") : ""});
   }
 
   std::string sign(TermSign sign) override {

@@ -16,7 +16,7 @@ namespace halfspace {
 
 /// How a name is spelled, whatever the notation.
 struct Symbol {
-  std::string letter{};    ///< one letter, in UTF-8: P, λ, θ; or a word, as `dist`
+  std::string letter{};    ///< one letter, in UTF-8: P, λ, v′ with its prime; or a word, as `dist`
   std::string subscript{}; ///< digits or letters; empty for none
   /// The name of the object that it belongs to, where several objects have the same letter: n of E and n of
   /// F. It stands in the subscript, behind what is there already.

@@ -1,6 +1,7 @@
 #include "widgets/picture/term_formula.h"
 
 #include "lessons/scene/provenance.h"
+#include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
 
@@ -14,6 +15,7 @@ using math::AtomClass;
 using math::Row;
 
 constexpr char32_t minus = 0x2212;
+constexpr char32_t primeCharacter = 0x2032;
 constexpr char32_t centredDot = 0x22C5;
 constexpr char32_t perpendicular = 0x22A5;
 constexpr char32_t infinity = 0x221E;
@@ -101,6 +103,8 @@ protected:
       below.insert(below.end(), owner.begin(), owner.end());
     }
     Row above = symbol.isPerp ? math::row(math::symbol(perpendicular)) : Row();
+    if (isPrimed(symbol.letter))
+      above.insert(above.begin(), math::symbol(primeCharacter));
     return below.empty() && above.empty()
                ? base
                : math::row(math::scripts(std::move(base), std::move(above), std::move(below)));

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -143,6 +144,17 @@ private:
     EXPECT_EQ(outcome().told->description.find('{'), std::string::npos) << outcome().told->description;
   }
 
+  static bool isSame(const Surd &number, const SumWithRoot &expected) {
+    return signedSquares({number + Rational(-expected.number)}).front() == expected.signedSquare;
+  }
+
+  static bool areSame(const std::vector<Surd> &numbers,
+                      const std::variant<SignedSquares, SumsWithRoots, std::string, int> &expected) {
+    const auto *sums = std::get_if<SumsWithRoots>(&expected);
+    return sums ? std::equal(numbers.begin(), numbers.end(), sums->begin(), sums->end(), isSame)
+                : std::get<SignedSquares>(expected) == signedSquares(numbers);
+  }
+
   static SignedSquares signedSquares(const std::vector<Surd> &numbers) {
     SignedSquares squares;
     for (const Surd &number : numbers) {
@@ -173,9 +185,9 @@ private:
   template <class Expected>
   static void checkValue(const std::string &name, const Value &value, const Expected &expected) {
     if (const auto *number = std::get_if<Surd>(&value))
-      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares({*number})) << name;
+      EXPECT_TRUE(areSame({*number}, expected)) << name;
     else if (const auto *numbers = std::get_if<std::vector<Surd>>(&value))
-      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares(*numbers)) << name;
+      EXPECT_TRUE(areSame(*numbers, expected)) << name;
     else if (const auto *word = std::get_if<std::string>(&value))
       EXPECT_EQ(*word, std::get<std::string>(expected)) << name;
     else
@@ -247,7 +259,7 @@ private:
     auto text = toText(*value.constant().exact());
     for (const Polynomial::Summand &summand : value.summands())
       if (const auto factor = toText(*summand.factor.exact()); factor && text)
-        *text += " + (" + *factor + ")" + summand.monomial.front();
+        *text += std::accumulate(summand.monomial.begin(), summand.monomial.end(), " + (" + *factor + ")");
       else
         return {};
     return text;
@@ -257,10 +269,8 @@ private:
     const Side last = chainsOf(latexOf(line)).back().back();
     const Quantity answer = calculate(last.latex, m_expected.names);
     Quantity asked;
-    for (const Polynomial &entry : truth.entries) {
-      const Surd &number = *entry.constant().exact();
-      asked.push_back(mp::sqrt(quantity(abs(signedSquares({number})[0]))[0]) * Precise(number.sign()));
-    }
+    for (const Polynomial &entry : truth.entries)
+      asked.push_back(quantity(*entry.constant().exact()).front());
     EXPECT_TRUE(agree(answer, asked, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
   }
 
@@ -382,6 +392,8 @@ private:
 
   /// The point stands where its label says.
   void checkPoint(const PointMark &mark) const {
+    if (mark.label.empty())
+      return;
     const Quantity named = calculate(mark.label, m_expected.names);
     ASSERT_EQ(named.size(), 3U) << mark.id;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -570,6 +582,7 @@ TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
         objects.push_back(*makeObject(role.kind));
         for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
           coordinate(objects.back(), index) = {any(), any(), any()};
+        objects.back().kind().settle(objects.back());
       }
     Contract(construction(), objects).checkFinite();
   }

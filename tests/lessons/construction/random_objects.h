@@ -2,11 +2,14 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 
 #include <algorithm>
 #include <random>
@@ -31,6 +34,7 @@ public:
         objects.push_back(*makeObject(role.kind));
         for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
           coordinate(objects.back(), i) = vector();
+        objects.back().kind().settle(objects.back());
       }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
@@ -93,6 +97,12 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
+        kindOf(objects[1]) == LineObject::kind)
+      return makeSpecialLines(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
+        kindOf(objects[1]) == VectorObject::kind)
+      return makeSpecialVectors(objects[0], objects[1]);
     for (std::size_t i = 1; i < objects.size(); ++i)
       if (kindOf(objects[i]) == kindOf(objects[0]) && integer(0, 3) == 0)
         objects[i] = objects[0];
@@ -108,10 +118,43 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (Found<SphereObject> sphere(objects); sphere.typed && ray.typed)
+      makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
+    else if (line.typed)
+      makeSpecial(*line.typed, plane.typed ? *plane.typed : PlaneObject{{0, 0, 0}, {0, 0, 1}});
+  }
+
+  /// A zero direction, through the origin, in the plane or parallel to it.
+  void makeSpecial(LineObject &line, const PlaneObject &plane) {
+    const int choice = integer(0, 5);
+    if (choice == 0)
+      line.direction = {0, 0, 0};
+    if (choice == 1)
+      line.point = line.direction * number();
+    if (choice >= 2)
+      line.direction = vectorAlongPlane(plane.normal);
+    if (choice >= 4)
+      line.point = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  /// Parallel, the same, meeting, perpendicular, or one without a direction.
+  void makeSpecialLines(Object &first, Object &second) {
+    const int choice = integer(0, 6);
+    const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
+    if (choice < 3)
+      second[1] = first[1] * factor;
+    if (choice == 1 || choice == 2 || choice == 3)
+      second[0] = first[0] + first[1] * number();
+    if (choice == 3)
+      second[0] = second[0] + second[1] * number();
+    if (choice == 4)
+      second[1] = vectorAlongPlane(first[1]);
+    if (choice == 6)
+      first[1] = {0, 0, 0};
   }
 
   void makeSpecial(LineObject &line, ExactVec3 &point) {
@@ -136,6 +179,26 @@ private:
       first[1] = {0, 0, 0};
   }
 
+  /// One zero, along each other, perpendicular, or from one point.
+  void makeSpecialVectors(Object &first, Object &second) {
+    switch (integer(0, 5)) {
+    case 0:
+      first[1] = {0, 0, 0};
+      break;
+    case 1:
+      second[1] = {0, 0, 0};
+      break;
+    case 2:
+      second[1] = first[1] * number();
+      break;
+    case 3:
+      second[1] = vectorAlongPlane(first[1]);
+      break;
+    default:
+      second[0] = first[0];
+    }
+  }
+
   void makeSpecial(PlaneObject &plane) {
     switch (integer(0, 5)) {
     case 0:
@@ -157,9 +220,8 @@ private:
 
   /// Each of the planes may run along the ray, contain it, or go through its start.
   void makePlanesSpecial(std::vector<Object> &objects) {
-    const auto ray = std::find_if(objects.begin(), objects.end(), [](const Object &object) {
-      return kindOf(object) == RayObject::kind;
-    });
+    const auto ray = std::find_if(objects.begin(), objects.end(),
+                                  [](const Object &object) { return kindOf(object) == RayObject::kind; });
     if (ray == objects.end())
       return;
     const ExactVec3 origin = (*ray)[0];
@@ -225,6 +287,51 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A length ≠ 0.
+  Rational length() {
+    const Rational any = abs(number());
+    return any == 0 ? Rational(1) : any;
+  }
+
+  void makeSpecial(SphereObject &sphere, RayObject &ray) {
+    // Three arrows square to each other, all as long as 3.
+    const ExactVec3 along(1, 2, 2);
+    const ExactVec3 aside(2, 1, -2);
+    const auto startAt = [&](const Rational &asideShare, const Rational &alongShare) {
+      ray.origin = sphere.center + aside * asideShare + along * alongShare;
+    };
+    switch (integer(0, 7)) {
+    case 0:
+      sphere.radius = 0;
+      break;
+    case 1:
+      ray.direction = {0, 0, 0};
+      break;
+    case 2: // touching
+      ray.direction = along * number();
+      sphere.radius = length();
+      startAt(Rational(sphere.radius / 3), number());
+      break;
+    case 3: // roots without roots: sides of 3, 4 and 5
+      ray.direction = along * number();
+      sphere.radius = 5 * length();
+      startAt(Rational(sphere.radius / 5), number());
+      break;
+    case 4: // starting on it
+      sphere.radius = 3 * length();
+      startAt(0, Rational(sphere.radius / -3));
+      break;
+    case 5: // through the centre, perhaps from there
+      ray.origin = sphere.center + ray.direction * Rational(integer(-2, 2));
+      break;
+    case 6: // from inside
+      ray.origin = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
+      break;
+    default:
+      ray.direction = ExactVec3(sphere.center - ray.origin) + vector() / Rational(9);
     }
   }
 

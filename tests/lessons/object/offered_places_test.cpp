@@ -52,7 +52,7 @@ TEST_P(EveryOffer, OfAKind_IsFoundByOthersUnderItsName) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, EveryOffer,
     testing::Values(Offer{"point", "point K", {1, 2, 3}}, Offer{"ray", "start Q", {1, 2, 3}},
-                    Offer{"vector", "point A", {1, 2, 3}}, Offer{"vector", "tip of v", {1, 2, 5}},
+                    Offer{"vector", "start of K", {1, 2, 3}}, Offer{"vector", "tip of K", {1, 2, 5}},
                     Offer{"line", "point A", {1, 2, 3}}, Offer{"line", "line K", {1, 2, -40}},
                     Offer{"segment", "corner B", {5, 2, 3}}, Offer{"segment", "edge AB", {3, 2, 3}},
                     Offer{"plane", "plane K", {77, -5, 3}}, Offer{"triangle", "corner P₁", {3, 0, 0}},

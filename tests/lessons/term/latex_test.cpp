@@ -1,5 +1,7 @@
 #include "lessons/term/latex.h"
 
+#include "lessons/term/prime.h"
+
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
@@ -77,6 +79,7 @@ TEST(Latex, OfNames_SpellsGreekLettersAndDecorations) {
   EXPECT_EQ(latexOf(2 * unknown("λ")), "2\\lambda");
   EXPECT_EQ(latexOf(perpLetter("u")), "\\vec u^{\\perp}");
   EXPECT_EQ(latexOf(vectorLetter("n", "f")), "\\vec n_f");
+  EXPECT_EQ(latexOf(primed(vectorLetter("v"))), "\\vec v'");
   EXPECT_EQ(latexOf(letter("P", "12")), "P_{12}");
   EXPECT_EQ(latexOf(word("dist")), "\\operatorname{dist}");
   EXPECT_EQ(latexOf(applied(word("cos"), name(letter("θ"), std::nullopt), Real(1))), "\\cos\\theta");

@@ -1,5 +1,7 @@
 #include "lessons/term/mathml.h"
 
+#include "lessons/term/prime.h"
+
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
@@ -148,7 +150,8 @@ TEST(MathMl, OfEveryOtherKind_IsWellFormed) {
   const Term theta = name(letter("θ"), std::nullopt);
   for (const Term &term : {determinant(2, {a, b, 1, 2}), matrix(1, {a, b / 2}), permuted(a, b, a, b),
                            applied(word("cos"), theta, Real(1)), at.f, name(perpLetter("u"), std::nullopt),
-                           name(word("dist"), std::nullopt), Term(Rational(mp::pow(Integer(10), 40)))})
+                           name(primed(vectorLetter("v")), std::nullopt), name(word("dist"), std::nullopt),
+                           Term(Rational(mp::pow(Integer(10), 40)))})
     EXPECT_EQ(XmlReader(mathMl(term)).complaint(), "") << mathMl(term);
 }
 

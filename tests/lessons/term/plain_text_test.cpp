@@ -1,5 +1,7 @@
 #include "lessons/term/plain_text.h"
 
+#include "lessons/term/prime.h"
+
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
@@ -62,6 +64,7 @@ TEST(PlainText, OfNames_LowersTheirIndices) {
   EXPECT_EQ(plainText(at.P0), "P₀");
   EXPECT_EQ(plainText(vectorLetter("n", "f")), "n_f");
   EXPECT_EQ(plainText(perpLetter("u")), "u⊥");
+  EXPECT_EQ(plainText(primed(vectorLetter("v"))), "v′");
   EXPECT_EQ(plainText(at.f), "f(Q)");
   EXPECT_EQ(plainText(applied(word("cos"), name(letter("θ"), std::nullopt), Real(1))), "cos θ");
 }

@@ -1,5 +1,7 @@
 #include "lessons/term/spoken.h"
 
+#include "lessons/term/prime.h"
+
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
@@ -64,6 +66,7 @@ TEST(Spoken, OfNumbersOfSeveralParts_SaysWhatIsRaisedOrMultiplied) {
 TEST(Spoken, OfNames_SaysThemInWords) {
   EXPECT_EQ(spoken(unknown("λ")), "lambda");
   EXPECT_EQ(spoken(name(perpLetter("u"), std::nullopt)), "u perp");
+  EXPECT_EQ(spoken(name(primed(vectorLetter("v")), std::nullopt)), "v prime");
   EXPECT_EQ(spoken(name(word("dist"), std::nullopt)), "distance");
   EXPECT_EQ(spoken(applied(word("cos"), theta, Real(1))), "cosine of theta");
   EXPECT_EQ(spoken(norm(at.n)), "the length of n");
