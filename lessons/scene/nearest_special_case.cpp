@@ -62,7 +62,7 @@ std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const E
     if (!use || !found || !entries.contains(entry.name))
       continue;
     for (const SpecialCase &special : *found->outcome->nearby) {
-      const std::string &name = use->roles.at(special.role);
+      const std::string &name = use->roles.at(special.role).ids.at(special.place);
       const auto move = moveTo(special.object, name, scene, evaluation);
       if (!move || (least && move->square >= *least))
         continue;

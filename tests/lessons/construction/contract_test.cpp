@@ -203,7 +203,7 @@ private:
       EXPECT_EQ(line.sentence.find('\\'), std::string::npos) << "sentences are plain words";
       EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
       for (const auto &chain : chainsOf(latexOf(line)))
-        checkChain(chain);
+        checkChain(chain, solutionOf(line));
       checkRelations(line);
       if (line.asked != Asked::Nothing)
         checkAsked(line);
@@ -288,17 +288,23 @@ private:
 
   /// Calculates every side of `a = b = c`. An equation `0 = …` holds at its solution, and its sides say the
   /// same anywhere.
-  void checkChain(const std::vector<Side> &chain) const {
+  void checkChain(const std::vector<Side> &chain, const std::optional<Names> &solution) const {
     Names names = m_expected.names;
     if (chain.front().latex != "0")
-      return checkSides(chain, names, m_expected.solution.value_or(Names{}));
+      return checkSides(chain, names, solution.value_or(Names{}));
     // Anywhere else the first exact side says what the others should.
     const auto exact =
         std::find_if(chain.begin(), chain.end(), [](const Side &side) { return side.relation == '='; });
     if (exact != chain.end())
       checkSides({exact, chain.end()}, names, m_expected.unknowns);
-    if (m_expected.solution)
-      checkSides(chain, names, *m_expected.solution);
+    if (solution)
+      checkSides(chain, names, *solution);
+  }
+
+  /// Where the line's equation holds, if anywhere.
+  std::optional<Names> solutionOf(const WorkingLine &line) const {
+    const auto own = m_expected.solutions.find(line.id.substr(std::string_view("it.").size()));
+    return own == m_expected.solutions.end() ? m_expected.solution : std::optional(own->second);
   }
 
   static void checkSides(const std::vector<Side> &sides, Names names, const Names &unknowns) {
@@ -471,7 +477,8 @@ private:
       if (refusedCoordinateOf(special.object))
         continue;
       const auto &use = std::get<ConstructionUse>(m_scene.entries.back().content);
-      const Scene changed = edited(m_scene, {ChangeObject{use.roles.at(special.role), special.object}});
+      const Scene changed =
+          edited(m_scene, {ChangeObject{use.roles.at(special.role).ids.at(special.place), special.object}});
       EXPECT_TRUE(isDone(task, evaluate(changed)));
     }
   }
@@ -570,12 +577,13 @@ TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
       return numbers[std::uniform_int_distribution<std::size_t>(0, numbers.size() - 1)(engine)];
     };
     std::vector<Object> objects;
-    for (const ConstructionRole &role : construction().roles) {
-      objects.push_back(*makeObject(role.kind));
-      for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
-        coordinate(objects.back(), index) = {any(), any(), any()};
-      objects.back().kind().settle(objects.back());
-    }
+    for (const ConstructionRole &role : construction().roles)
+      for (int count = role.isList ? 3 : 1; count > 0; --count) {
+        objects.push_back(*makeObject(role.kind));
+        for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
+          coordinate(objects.back(), index) = {any(), any(), any()};
+        objects.back().kind().settle(objects.back());
+      }
     Contract(construction(), objects).checkFinite();
   }
 }

@@ -31,16 +31,20 @@ public:
   std::vector<Object> objectsFor(const Construction &construction, Writing writing) {
     m_writing = writing;
     std::vector<Object> objects;
-    for (const ConstructionRole &role : construction.roles) {
-      objects.push_back(*makeObject(role.kind));
-      for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
-        coordinate(objects.back(), i) = vector();
-      if (role.kind == PolygonObject::kind)
-        objects.back() = convexPolygon();
-      objects.back().kind().settle(objects.back());
-    }
+    for (const ConstructionRole &role : construction.roles)
+      for (int count = role.isList ? integer(1, maxListedObjects) : 1; count > 0; --count) {
+        objects.push_back(*makeObject(role.kind));
+        for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
+          coordinate(objects.back(), i) = vector();
+        if (role.kind == PolygonObject::kind)
+          objects.back() = convexPolygon();
+        objects.back().kind().settle(objects.back());
+      }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
+    if (std::any_of(construction.roles.begin(), construction.roles.end(),
+                    [](const ConstructionRole &role) { return role.isList; }))
+      makePlanesSpecial(objects);
     return objects;
   }
 
@@ -217,6 +221,25 @@ private:
       break;
     default:
       break;
+    }
+  }
+
+  /// Each of the planes may run along the ray, contain it, or go through its start.
+  void makePlanesSpecial(std::vector<Object> &objects) {
+    const auto ray = std::find_if(objects.begin(), objects.end(),
+                                  [](const Object &object) { return kindOf(object) == RayObject::kind; });
+    if (ray == objects.end())
+      return;
+    const ExactVec3 origin = (*ray)[0];
+    const ExactVec3 direction = (*ray)[1];
+    for (Object &object : objects) {
+      if (kindOf(object) != PlaneObject::kind)
+        continue;
+      const int choice = integer(0, 7);
+      if (choice < 2)
+        object[1] = vectorAlongPlane(direction);
+      if (choice == 1 || choice == 2)
+        object[0] = origin;
     }
   }
 

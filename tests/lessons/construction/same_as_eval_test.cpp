@@ -40,8 +40,9 @@ const std::map<std::string, Question> &questions() {
   };
   return all;
 }
-const std::set<std::string> withoutQuestion{"point-line", "half-spaces", "barycentric",
-                                            "dot-product-projection", "plane-parametric"};
+const std::set<std::string> withoutQuestion{
+    "point-line",      "half-spaces", "barycentric", "dot-product-projection", "ray-plane-substitution",
+    "plane-parametric"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 
@@ -121,6 +122,29 @@ TEST_P(SameAsEval, EveryFigureThatBothHave_IsTheSame) {
     }
   }
   EXPECT_GT(compared, scenesPerWriting) << "hardly a name is the same";
+}
+
+/// No question has several planes, but each of them has one of its own.
+TEST(RayPlaneSubstitution, ComesToTheSameForEachPlaneAsItsOwnQuestion) {
+  const Question question{"ray-plane", {"plane", "ray"}};
+  int compared = 0;
+  RandomObjects random(5);
+  for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+    const std::vector<Object> objects =
+        random.objectsFor(*findConstruction("ray-plane-substitution"), Writing::Fractions);
+    const Scene scene = sceneOf(*findConstruction("ray-plane-substitution"), objects);
+    const Evaluation evaluation = evaluate(scene);
+    if (lastOutcome(evaluation).told->degenerate)
+      continue;
+    const Json explained = Json::parse(explanationJson("", scene, evaluation));
+    for (std::size_t place = 0; place + 1 < objects.size(); ++place) {
+      const Json answered = answerTo(question, {objects[place], objects.back()});
+      SCOPED_TRACE(answered.dump());
+      compared +=
+          compare(explained.at("values").at("plane" + std::to_string(place)), answered.at("result"), "");
+    }
+  }
+  EXPECT_GT(compared, scenesPerWriting);
 }
 
 INSTANTIATE_TEST_SUITE_P(Constructions, SameAsEval, testing::ValuesIn([] {

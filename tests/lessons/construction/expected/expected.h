@@ -42,6 +42,8 @@ struct Recomputed {
   /// The unknowns of equations `0 = …`: somewhere, and where they satisfy it, if they can.
   Names unknowns;
   std::optional<Names> solution;
+  /// By lines whose equations have others, by their own ids.
+  std::map<std::string, Names> solutions;
   /// Marks of arrows and pieces that have no length and are left out.
   std::set<std::string> vanished;
 };
