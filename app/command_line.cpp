@@ -57,6 +57,8 @@ struct Arguments {
   ExplainCommand explain;
   RenderCommand render;
   EvalCommand eval;
+  NewLessonCommand newLesson;
+  OwnLessons ownLessons;
   std::string size = "1600x1000";
   int step = 0;
 };
@@ -122,6 +124,13 @@ Command parseCommandLine(int argc, const char *const *argv) {
       ->type_name("LESSON|FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
+  app.add_option("--lessons", arguments.ownLessons, "A folder of lessons of your own (can be repeated)")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false)
+      ->take_all();
+  app.fallthrough(); // it may stand behind a command
+  auto *newLesson = app.add_subcommand("new-lesson", "Write a lesson to begin with: ID.md in this folder");
+  newLesson->add_option("id", arguments.newLesson.id, "Small letters, digits and hyphens")->required();
   auto *constructionList = app.add_subcommand(
       "constructions", "Print the names that lessons can use: cases, values, lines and marks");
   auto *check = app.add_subcommand("check", "Say what is wrong in lesson files, and where");
@@ -146,8 +155,12 @@ Command parseCommandLine(int argc, const char *const *argv) {
   if (arguments.window.subject && !app.get_subcommands().empty())
     return complaint("“" + *arguments.window.subject +
                      "” stands before a command: the lesson or file comes after it.");
+  arguments.window.ownLessons = arguments.lessons.ownLessons = arguments.ownLessons;
+  arguments.explain.ownLessons = arguments.render.ownLessons = arguments.ownLessons;
   if (lessons->parsed())
     return arguments.lessons;
+  if (newLesson->parsed())
+    return arguments.newLesson;
   if (constructionList->parsed())
     return ConstructionsCommand();
   if (check->parsed())

@@ -10,12 +10,22 @@
 
 namespace halfspace {
 
+/// Folders of a teacher's own lessons.
+using OwnLessons = std::vector<std::string>;
+
 struct WindowCommand {
   std::optional<std::string> subject; ///< a lesson's id or a .halfspace file; nothing: the first lesson
+  OwnLessons ownLessons{};            ///< none: the folder of the settings
 };
 
 struct LessonsCommand {
   bool json = false;
+  OwnLessons ownLessons{};
+};
+
+/// Write a lesson to begin with.
+struct NewLessonCommand {
+  std::string id;
 };
 
 /// Print the reference of all constructions.
@@ -29,6 +39,7 @@ struct ExplainCommand {
   std::string subject;
   std::vector<std::string> assignments; ///< name=value
   std::string format = "text";          ///< text, latex or json
+  OwnLessons ownLessons{};
 };
 
 struct RenderCommand {
@@ -36,6 +47,7 @@ struct RenderCommand {
   std::vector<std::string> assignments;
   std::string output;
   PixelSize size{1600, 1000};
+  OwnLessons ownLessons{};
   bool transparent = false;
   std::string theme = "light";
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure
@@ -51,8 +63,8 @@ struct PrintCommand {
   bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
-using Command = std::variant<WindowCommand, LessonsCommand, ConstructionsCommand, CheckCommand,
-                             ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
+using Command = std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand,
+                             CheckCommand, ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

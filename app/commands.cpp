@@ -2,6 +2,7 @@
 
 #include "app/check.h"
 #include "app/lessons_folder.h"
+#include "app/new_lesson.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/construction/reference.h"
@@ -24,8 +25,8 @@ namespace {
 constexpr int exitProblems = 1;
 
 /// A library with problems still serves the lessons that could be read; the others are told about.
-LessonLibrary openLibrary() {
-  LessonLibrary library = readLessons(lessonsFolder());
+LessonLibrary openLibrary(const OwnLessons &own) {
+  LessonLibrary library = allLessons(own);
   for (const Problem &problem : library.problems)
     printError(problem.text());
   return library;
@@ -34,7 +35,7 @@ LessonLibrary openLibrary() {
 } // namespace
 
 int runLessons(const LessonsCommand &command) {
-  const LessonLibrary library = openLibrary();
+  const LessonLibrary library = openLibrary(command.ownLessons);
   auto list = nlohmann::ordered_json::array();
   std::string lines;
   for (const Lesson &lesson : library.lessons) {
@@ -51,6 +52,15 @@ int runLessons(const LessonsCommand &command) {
     lines += lesson.id + "  " + title + "\n";
   }
   return printOut(command.json ? list.dump(2) + "\n" : lines);
+}
+
+int runNewLesson(const NewLessonCommand &command) {
+  const auto written = writeNewLesson(command.id, std::filesystem::current_path());
+  if (!written)
+    return fail(written.problem());
+  return printOut(words("{file} is written. Try it: halfspace --lessons . {id}",
+                        {{"file", written->filename().string()}, {"id", command.id}}) +
+                  "\n");
 }
 
 int runConstructions() { return printOut(referenceOfConstructions()); }
@@ -74,7 +84,7 @@ int runCheck(const CheckCommand &command) {
 }
 
 int runExplain(const ExplainCommand &command) {
-  const LessonLibrary library = openLibrary();
+  const LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
@@ -88,7 +98,7 @@ int runExplain(const ExplainCommand &command) {
 }
 
 int runRender(const RenderCommand &command) {
-  const LessonLibrary library = openLibrary();
+  const LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());

@@ -10,6 +10,9 @@ namespace halfspace {
 [[nodiscard]] int runExplain(const ExplainCommand &command);
 [[nodiscard]] int runRender(const RenderCommand &command);
 
+/// Writes a lesson file that `check` finds nothing wrong with; one that is there already stays as it is.
+[[nodiscard]] int runNewLesson(const NewLessonCommand &command);
+
 /// Prints what authors of lessons need to know of all constructions.
 [[nodiscard]] int runConstructions();
 

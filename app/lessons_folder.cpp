@@ -8,4 +8,11 @@ std::filesystem::path lessonsFolder() {
   return executable.parent_path().parent_path() / "share" / "halfspace" / "lessons";
 }
 
+LessonLibrary allLessons(const std::vector<std::string> &ownFolders) {
+  LessonLibrary library = readLessons(lessonsFolder());
+  for (const std::string &folder : ownFolders)
+    addOwnLessons(library, folder);
+  return library;
+}
+
 } // namespace halfspace

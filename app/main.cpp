@@ -12,6 +12,7 @@ using namespace halfspace;
 int run(const Command &command, int argc, char **argv) {
   return std::visit(Overloaded{[&](const WindowCommand &window) { return runWindow(window, argc, argv); },
                                [](const LessonsCommand &lessons) { return runLessons(lessons); },
+                               [](const NewLessonCommand &lesson) { return runNewLesson(lesson); },
                                [](const ConstructionsCommand &) { return runConstructions(); },
                                [](const CheckCommand &check) { return runCheck(check); },
                                [](const ExplainCommand &explain) { return runExplain(explain); },

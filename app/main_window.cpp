@@ -1,8 +1,10 @@
 #include "app/main_window.h"
 
+#include "app/lessons_folder.h"
 #include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
+#include "lessons/lesson/name_check.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -19,6 +21,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
@@ -89,6 +92,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_scene, &SceneView::selectionChanged, this,
           [this] { m_card->setSelection(m_scene->selectedCoordinate()); });
 
+  connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
   m_progress = m_keptProgress = readProgress(progressFile());
   restoreSettings();
   showLesson();
@@ -114,7 +118,34 @@ bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks
 
 void MainWindow::takeQuestion() { m_model.setQuestion(isPredicting() ? Question::Open : Question::Answered); }
 
+void MainWindow::chooseOwnLessons() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Folder of your own lessons"), m_ownLessons);
+  if (folder.isEmpty())
+    return;
+  LessonLibrary library = allLessons({folder.toStdString()});
+  const QString problem =
+      library.problems.empty() ? QString() : QString::fromStdString(library.problems.front().text());
+  m_ownLessons = folder;
+  m_model.setLibrary(std::move(library));
+  say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder) : problem);
+}
+
+void MainWindow::reloadLesson() {
+  auto lesson = readLesson(m_model.lesson().file);
+  if (!lesson)
+    return say(QString::fromStdString(lesson.problem().text()));
+  if (lesson->id != m_model.lesson().id)
+    return say(tr("The lesson has another id now: it is read at the next start."));
+  lesson->chapter = m_model.lesson().chapter;
+  const std::vector<Problem> problems = problemsWithNames(*lesson);
+  m_model.renewLesson(std::move(*lesson));
+  say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
+                       : QString::fromStdString(problems.front().text()));
+}
+
 void MainWindow::showLesson() {
+  m_watch.watch(m_model.lesson().file);
   m_contents->close();
   m_page->setLesson(m_model.lesson(), m_model.session().step);
   const Lesson *next = nextLesson();
@@ -339,6 +370,7 @@ void MainWindow::restoreSettings() {
   m_motion->setChecked(settings.motion);
   m_practice->setUsual(settings.blank);
   m_model.setSnapStep(settings.snapStep);
+  m_ownLessons = settings.ownLessons;
   restoreState(settings.panels);
   m_isSplitChosen = m_split->restoreState(settings.split);
   sharePage();
@@ -350,6 +382,7 @@ void MainWindow::storeSettings() {
   settings.motion = m_motion->isChecked();
   settings.blank = m_practice->usual();
   settings.snapStep = m_model.snapStep();
+  settings.ownLessons = m_ownLessons;
   if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
     settings.sizeScale = m_sizeScale;
   setFullScreen(false); // the next start is a window again

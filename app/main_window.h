@@ -1,6 +1,7 @@
 // The window: the scene, the page beside it, and what opens on demand, put together.
 #pragma once
 
+#include "app/lesson_watch.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
@@ -121,6 +122,10 @@ private:
   void hoverMark(const QString &markId);
   /// The mark under the pointer, and those that the traced number came from.
   void showHighlights();
+  /// Adds the lessons of a folder that the user chooses, from now on at every start.
+  void chooseOwnLessons();
+  /// Reads the file of the open lesson once more.
+  void reloadLesson();
   void showCase();
   void showNearby();
   void goToNearby();
@@ -183,6 +188,8 @@ private:
   SceneView *m_scene = nullptr;
   SceneFrame *m_frame = nullptr; ///< around m_scene
   NumberCard *m_card = nullptr;
+  LessonWatch m_watch;
+  QString m_ownLessons; ///< the folder of the settings
   CaseLine *m_caseLine = nullptr;
   std::optional<NearestSpecialCase> m_nearby; ///< of what the step shows
   QWidget *m_sceneColumn = nullptr;

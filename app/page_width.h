@@ -9,10 +9,10 @@
 namespace halfspace {
 
 // Of a page, in letters of its type.
-inline constexpr int usualPageLetters = 60;
+inline constexpr int usualPageLetters = 59;
 inline constexpr int leastPageLetters = 30;
 // Of the window.
-inline constexpr double mostPageShare = 0.349;     ///< of a page with the usual letters
+inline constexpr double mostPageShare = 0.36;      ///< of a page with the usual letters
 inline constexpr double mostNarrowPageShare = 0.5; ///< of one with the least: large type in a small window
 inline constexpr double pageShareBelow = 0.46;     ///< of its height, where the page goes below the scene
 

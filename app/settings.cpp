@@ -28,6 +28,7 @@ Settings settingsFrom(const QJsonObject &json) {
   settings.blank = fadingNamed(json["blank"].toString().toStdString()).value_or(settings.blank);
   if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
     settings.sizeScale = scale.toDouble();
+  settings.ownLessons = json["ownLessons"].toString();
   settings.window = bytesIn(json["window"]);
   settings.panels = bytesIn(json["panels"]);
   settings.split = bytesIn(json["split"]);
@@ -62,6 +63,7 @@ std::optional<Problem> writeSettings(const Settings &settings, const QString &fi
   QJsonObject json{{"theme", settings.theme},
                    {"motion", settings.motion},
                    {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
+                   {"ownLessons", settings.ownLessons},
                    {"window", textOf(settings.window)},
                    {"panels", textOf(settings.panels)},
                    {"split", textOf(settings.split)},

@@ -20,6 +20,7 @@ struct Settings {
   QByteArray window;               ///< size and place, as Qt saves them
   Rational snapStep = 1;           ///< in which handles move
   QByteArray panels;               ///< their arrangement, as Qt saves it
+  QString ownLessons{};            ///< a folder of the user's own lessons; empty for none
   QByteArray split;                ///< between scene and page, likewise; empty: as it suits the window
   bool operator==(const Settings &) const = default;
 };

@@ -4,6 +4,7 @@
 #include "app/main_window.h"
 #include "app/memory.h"
 #include "app/open_session.h"
+#include "app/settings.h"
 #include "app/standard_streams.h"
 #include "app/termination.h"
 #include "lessons/words.h"
@@ -85,11 +86,24 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   return QApplication::exec();
 }
 
+/// Those of the command line; without any that of the settings.
+OwnLessons ownLessonsOf(const WindowCommand &command) {
+  if (!command.ownLessons.empty())
+    return command.ownLessons;
+  const auto settings = readSettings(settingsFile());
+  if (!settings || settings->ownLessons.isEmpty())
+    return {};
+  return {settings->ownLessons.toStdString()};
+}
+
 } // namespace
 
 int runWindow(const WindowCommand &command, int argc, char **argv) {
   returnLargeBuffers();
-  LessonLibrary library = readLessons(lessonsFolder());
+  QCoreApplication::setApplicationName("halfspace");
+  QCoreApplication::setApplicationVersion(HALFSPACE_VERSION);
+  QCoreApplication::setOrganizationName("halfspace");
+  LessonLibrary library = allLessons(ownLessonsOf(command));
   for (const Problem &problem : library.problems)
     printError(problem.text());
   const std::string firstLesson = library.lessons.empty() ? "" : library.lessons.front().id;
@@ -112,9 +126,6 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
 
   // Writing to a pipe that nobody reads any more is a failure to be told, not the end of the window.
   std::signal(SIGPIPE, SIG_IGN);
-  QCoreApplication::setApplicationName("halfspace");
-  QCoreApplication::setApplicationVersion(HALFSPACE_VERSION);
-  QCoreApplication::setOrganizationName("halfspace");
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());

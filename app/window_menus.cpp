@@ -205,9 +205,7 @@ void MainWindow::createLessonMenu() {
   addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this, [this] { openNextLesson(); });
   addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
   menu.addSeparator();
-  for (const Lesson &lesson : m_model.library().lessons)
-    connect(menu.addAction(QString::fromStdString(lesson.title)), &QAction::triggered, this,
-            [this, id = lesson.id] { m_model.openLesson(id); });
+  addItem(menu, tr("Add Your &Own Lessons…"), {}, this, [this] { chooseOwnLessons(); });
 }
 
 void MainWindow::createHelpMenu() {

@@ -54,6 +54,18 @@ template <class Scalar>
   return {FacePart::Vertex, aroundTheEnd ? 0 : zeros[1]};
 }
 
+/// The products of a line with each edge i → i + 1 of a polygon (note PL), whatever its shape.
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> productsWithEdges(const Line<Scalar> &line,
+                                                    std::span<const Vec3<Scalar>> corners) {
+  std::vector<Scalar> products;
+  products.reserve(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    products.push_back(
+        permutedInnerProduct(line, lineThrough(corners[i], corners[(i + 1) % corners.size()])));
+  return products;
+}
+
 /// Intersects a ray with a convex polygon (note PL). Hit: t ≥ 0 inside or on the boundary. Miss: the line
 /// crosses the plane outside. Behind: it crosses the polygon at t < 0. With a zero direction the case says
 /// so. Requires a polygon whose shape is Convex.
@@ -71,10 +83,7 @@ template <class Scalar>
     assert(shapeOf(Polygon<Scalar>(corners.begin(), corners.end())) == PolygonShape::Convex);
   const Scalar zero(0);
   RayPolygon<Scalar> result;
-  const Line<Scalar> line = lineOf(ray);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    result.products.push_back(
-        permutedInnerProduct(line, lineThrough(corners[i], corners[(i + 1) % corners.size()])));
+  result.products = productsWithEdges(lineOf(ray), corners);
 
   const RayPlane<Scalar> plane = intersectRayPlane(ray, planeThrough(corners[0], corners[1], corners[2]));
   if (!plane.crosses()) {

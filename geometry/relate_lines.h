@@ -18,6 +18,28 @@ template <class Scalar> struct LineLine {
   Vec3<Scalar> point{};       ///< set only for Intersecting
 };
 
+/// The points where two lines come nearest to each other: the feet of their common perpendicular.
+template <class Scalar> struct NearestPoints {
+  Vec3<Scalar> first{};
+  Vec3<Scalar> second{};
+};
+
+/// Requires real lines that are not parallel.
+/// (1) The first point lies on a, the second on b, and the way between them is perpendicular to both.
+/// (2) The points are the same exactly where the lines meet.
+/// (3) nearestPoints(b, a) has them the other way round.
+template <class Scalar>
+[[nodiscard]] NearestPoints<Scalar> nearestPoints(const Line<Scalar> &a, const Line<Scalar> &b) {
+  const Vec3<Scalar> common = cross(a.direction, b.direction);
+  const Scalar square = dot(common, common);
+  const Vec3<Scalar> onA = nearestToOrigin(a);
+  const Vec3<Scalar> onB = nearestToOrigin(b);
+  const Vec3<Scalar> between = onB - onA;
+  const Scalar alongA = dot(cross(between, b.direction), common) / square;
+  const Scalar alongB = dot(cross(between, a.direction), common) / square;
+  return {onA + a.direction * alongA, onB + b.direction * alongB};
+}
+
 /// How two lines lie to each other (note PL). If one of them is not real, the case says so and only the
 /// product is set. Of real lines:
 /// (1) relateLines(b, a) is the same.
@@ -58,8 +80,7 @@ template <class Scalar>
     return result;
   }
   result.which = LineLineCase::Intersecting;
-  const Scalar along = dot(cross(between, b.direction), common) / square;
-  result.point = nearestToOrigin(a) + a.direction * along;
+  result.point = nearestPoints(a, b).first;
   return result;
 }
 

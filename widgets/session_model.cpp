@@ -40,6 +40,19 @@ namespace {
 
 Session startOf(const Lesson &lesson) { return {lesson.id, 0, lesson.scene}; }
 
+/// Whether the scenes differ in the numbers of their objects alone.
+bool haveSameEntries(const Scene &a, const Scene &b) {
+  const auto areAlike = [](const Entry &x, const Entry &y) {
+    const auto *first = std::get_if<Object>(&x.content);
+    const auto *second = std::get_if<Object>(&y.content);
+    const bool sameContent = first && second
+                                 ? &first->kind() == &second->kind() && first->size() == second->size()
+                                 : x.content == y.content;
+    return x.name == y.name && x.on == y.on && sameContent;
+  };
+  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), areAlike);
+}
+
 } // namespace
 
 SessionModel::SessionModel(LessonLibrary library, QObject *parent)
@@ -66,6 +79,31 @@ void SessionModel::startWith(Session session) {
   m_unknownLesson.scene = session.scene;
   m_lesson = nullptr; // the same unknown lesson may begin with another scene
   show(session);
+}
+
+void SessionModel::setLibrary(LessonLibrary library) {
+  settleGesture();
+  const Lesson before = *m_lesson;
+  m_library = std::move(library);
+  m_unknownLesson = before;
+  const Lesson *now = m_library.find(before.id);
+  Session session = m_session;
+  if (now && (session.scene == before.scene || !haveSameEntries(now->scene, session.scene)))
+    session.scene = now->scene;
+  if (!(session.scene == m_session.scene)) {
+    m_history.clear();
+    m_history.setClean();
+  }
+  m_lesson = nullptr; // the same id may be another lesson now
+  show(session);
+}
+
+void SessionModel::renewLesson(Lesson lesson) {
+  LessonLibrary library = m_library;
+  for (Lesson &each : library.lessons)
+    if (each.id == lesson.id)
+      each = std::move(lesson);
+  setLibrary(std::move(library));
 }
 
 void SessionModel::openLesson(const std::string &id) {

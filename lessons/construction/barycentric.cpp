@@ -39,6 +39,7 @@ Out compute(const In &in) {
   const auto &[p0, p1, p2] = in.T.object;
   const auto weighed = barycentricOf(in.Q.object.at, Triangle<Rational>{p0, p1, p2});
   const auto &[rho, sigma, tau] = weighed.weights;
+  const Term n = name(in.own(vectorLetter("n")), weighed.normal).marked(in.mark("n"));
   const auto area = [&](const char *index, std::size_t i) {
     return name(in.own(letter("A", index)), weighed.areas.at(i)).marked(in.mark("A" + std::string(index)));
   };
@@ -46,8 +47,9 @@ Out compute(const In &in) {
           termsOf(in.T),
           weighed,
           termOf(in.Q),
-          name(in.own(vectorLetter("n")), weighed.normal).marked(in.mark("n")),
-          name(in.own(letter("A")), weighed.area).marked(in.T.id),
+          n,
+          name(in.own(letter("A")), weighed.area).standingFor(norm(n) / 2).marked(in.T.id), // the triangle
+
           name(in.own(vectorLetter("n", "0")), weighed.normals[0]).marked(in.mark("n0")),
           name(in.own(vectorLetter("n", "1")), weighed.normals[1]).marked(in.mark("n1")),
           {area("0", 0), area("1", 1), area("2", 2)},
@@ -128,13 +130,12 @@ std::vector<MadeObject> make(const In &, const Out &) { return {}; }
 WorkingLine normalLine(const Out &at) {
   return asked(
       withNumbers(at.n == cross(at.P1 - at.P0, at.P2 - at.P0)),
-      words("The cross product of two sides is as long as twice the triangle's area."),
+      words("It is as long as twice the triangle's area."),
       {{cross(at.P2 - at.P0, at.P1 - at.P0), words("{answer} is the cross product the other way round.")}});
 }
 
 WorkingLine wholeLine(const Out &at) {
-  return asked(withNumbers(at.A == norm(at.n) / 2),
-               words("The area of the whole triangle: half the length of n."),
+  return asked(withNumbers(at.A == norm(at.n) / 2), words("A triangle is half of a parallelogram."),
                {{norm(at.n), words("{answer} is |n|, the area of a parallelogram: the triangle is half.")}});
 }
 

@@ -18,7 +18,23 @@ namespace halfspace {
 struct ConstructionRole {
   std::string name;
   std::string_view kind;
+  bool isList = false; ///< of several objects of the kind
 };
+
+/// A list role has one to so many objects.
+inline constexpr std::size_t maxListedObjects = 8;
+
+/// Whether so many objects can stand in the role.
+[[nodiscard]] inline bool isCountOf(const ConstructionRole &role, std::size_t objects) {
+  return objects >= 1 && objects <= (role.isList ? maxListedObjects : 1);
+}
+
+/// How many of the objects that a construction looks at stand in one of its roles: one; in its list role all
+/// that the others leave over.
+[[nodiscard]] inline std::size_t countIn(const ConstructionRole &role, std::size_t roles,
+                                         std::size_t objects) {
+  return role.isList ? objects + 1 - roles : 1;
+}
 
 using GivenObjects = std::span<const std::shared_ptr<const Given<Object>>>;
 
@@ -29,7 +45,8 @@ struct Construction {
   std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
   std::vector<std::string> ownLetters; ///< of what else stands in its lines: w, f, t
   ConstructionNames names;             ///< of all that it can come to
-  /// Evaluates objects in the order of the roles; their kinds are those of the roles. Of the naming all but
+  /// Evaluates objects in the order of the roles, those of a list one after the other; their kinds are those
+  /// of the roles. Of the naming all but
   /// the letters for sentences is needed.
   std::function<std::shared_ptr<const Outcome>(Naming, GivenObjects)> evaluate;
 };
@@ -42,8 +59,36 @@ struct Construction {
 [[nodiscard]] Naming withLetters(Naming naming, const std::vector<ConstructionRole> &roles,
                                  GivenObjects objects);
 
-/// The pure functions of a construction. In is a Naming with the objects of the roles, each a Given<Kind>, in
-/// their order; Out has the letters of the lines, as terms that know their numbers.
+/// In the place of a kind: a role that is a list of such objects. A construction has at most one.
+template <class Kind> struct Several;
+
+namespace detail {
+/// How the objects of a role are taken from the front of those that are left; `listed` are in a list.
+template <class Kind> struct RoleOf {
+  static constexpr std::string_view kind = Kind::kind;
+  static constexpr bool isList = false;
+  static Given<Kind> take(GivenObjects &left, std::size_t /*listed*/) {
+    const auto &first = *left.front();
+    left = left.subspan(1);
+    return as<Kind>(first);
+  }
+};
+template <class Kind> struct RoleOf<Several<Kind>> {
+  static constexpr std::string_view kind = Kind::kind;
+  static constexpr bool isList = true;
+  static std::vector<Given<Kind>> take(GivenObjects &left, std::size_t listed) {
+    std::vector<Given<Kind>> all;
+    for (const auto &object : left.first(listed))
+      all.push_back(as<Kind>(*object));
+    left = left.subspan(listed);
+    return all;
+  }
+};
+} // namespace detail
+
+/// The pure functions of a construction. In is a Naming with the objects of the roles, each a Given<Kind>, of
+/// a list role a vector of them, in their order; Out has the letters of the lines, as terms that know their
+/// numbers.
 template <class In, class Out> struct ConstructionFunctions {
   Out (*compute)(const In &);
   CaseWords (*tell)(const In &, const Out &);
@@ -62,16 +107,20 @@ template <class In, class Out, class... Kinds>
 makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)> roles,
                  std::vector<ConstructionRole> makes, std::vector<std::string> ownLetters,
                  ConstructionNames names, ConstructionFunctions<In, Out> functions) {
+  static_assert((0 + ... + (detail::RoleOf<Kinds>::isList ? 1 : 0)) <= 1, "at most one role is a list");
   Construction construction{id, {}, std::move(makes), std::move(ownLetters), std::move(names), {}};
   std::size_t next = 0;
-  (construction.roles.push_back({roles.at(next++), Kinds::kind}), ...);
+  (construction.roles.push_back(
+       {roles.at(next++), detail::RoleOf<Kinds>::kind, detail::RoleOf<Kinds>::isList}),
+   ...);
   construction.evaluate = [=, roles = construction.roles](Naming naming, GivenObjects objects) {
     struct Computed {
       In in;
       Out out;
     };
-    std::size_t index = 0;
-    In in{withLetters(std::move(naming), roles, objects), as<Kinds>(*objects[index++])...};
+    GivenObjects left = objects;
+    const std::size_t listed = objects.size() + 1 - sizeof...(Kinds);
+    In in{withLetters(std::move(naming), roles, objects), detail::RoleOf<Kinds>::take(left, listed)...};
     Out out = functions.compute(in);
     const auto computed = std::make_shared<const Computed>(Computed{std::move(in), std::move(out)});
     const auto later = [&computed = *computed](auto function) {

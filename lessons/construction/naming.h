@@ -22,7 +22,7 @@ struct Naming {
   std::string entry;                         ///< its own in the scene
   std::map<std::string, MadeLetters> made{}; ///< by the objects' names in the construction
   /// For sentences, the letters of what it looks at and makes: {E}, {Q}, {F}, {n}, and {E.n} where two roles
-  /// have a coordinate n.
+  /// have a coordinate n. Of the first object of a list role {planes0} and {planes0.n}.
   WordValues letters{};
   /// Those of the construction's own letters that something else in the scene has too.
   std::set<std::string> shared{};

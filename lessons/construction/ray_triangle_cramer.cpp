@@ -128,8 +128,7 @@ void addColumnLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(at.b == at.P0 - at.P2), words("From {P2} to {P0}.", at.letters));
   });
   lines.add("c", [&at] {
-    return asked(withNumbers(at.c == at.P0 - at.Q),
-                 words("From the ray's start {Q} to {P0}: the right side.", at.letters));
+    return asked(withNumbers(at.c == at.P0 - at.Q), words("From {Q} to {P0}.", at.letters));
   });
 }
 
@@ -138,8 +137,8 @@ WorkingLine expansionLine(const Out &at) {
   const Term whole = determinant(3, {at.a, at.b, at.r});
   return asked(
       (at.D == whole).then(columnsPutIn(whole)).then(expandedAlong(whole, 0)).then(calculated(whole)),
-      words("By its first column: each number of a times the small determinant that is left without "
-            "its row and column. The signs go plus, minus, plus."));
+      words("By its first column: each number of a times what is left without its row and column. Signs: "
+            "plus, minus, plus."));
 }
 
 /// A cross product that two determinants share.

@@ -16,8 +16,9 @@ template <class Each, class Text> std::string listed(const std::vector<Each> &al
 }
 
 std::string listedRoles(const std::vector<ConstructionRole> &roles) {
-  return listed(roles,
-                [](const ConstructionRole &role) { return code(role.name) + ": " + std::string(role.kind); });
+  return listed(roles, [](const ConstructionRole &role) {
+    return code(role.name) + ": " + (role.isList ? "list of " : "") + std::string(role.kind);
+  });
 }
 
 std::string textOf(const ValueName &value) {

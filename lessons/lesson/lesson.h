@@ -174,6 +174,10 @@ struct LessonLibrary {
 };
 [[nodiscard]] LessonLibrary readLessons(const std::filesystem::path &folder);
 
+/// Goes on with a teacher's own lessons of a folder, in their order. Those that name no chapter stand in one
+/// of their own; one whose id is taken is a problem.
+void addOwnLessons(LessonLibrary &library, const std::filesystem::path &folder);
+
 /// Whether a condition holds; false for a value that the case does not have.
 [[nodiscard]] bool holds(const Condition &condition, const Evaluation &evaluation);
 [[nodiscard]] bool isDone(const Task &task, const Evaluation &evaluation);

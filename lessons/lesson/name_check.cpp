@@ -21,10 +21,10 @@ struct EntryNames {
 };
 
 /// The cases of a construction as a value. What looks at the objects that others make may miss them.
-ValueName caseOf(const Construction &construction, const ConstructionUse &use) {
+ValueName caseOf(const Construction &construction, const Entry &entry) {
   ValueName cases = named::word("case", construction.names.cases);
-  if (std::any_of(use.roles.begin(), use.roles.end(),
-                  [](const auto &role) { return role.second != ownerOf(role.second); }))
+  const Names objects = referencesIn(entry);
+  if (std::any_of(objects.begin(), objects.end(), [](const std::string &id) { return id != ownerOf(id); }))
     cases.words.emplace_back("missing-object");
   return cases;
 }
@@ -43,7 +43,7 @@ EntryNames namesOf(const Entry &entry) {
   const auto &use = std::get<ConstructionUse>(entry.content);
   const Construction &construction = *findConstruction(use.id);
   names.values = construction.names.values;
-  names.values.push_back(caseOf(construction, use));
+  names.values.push_back(caseOf(construction, entry));
   names.lines = construction.names.lines;
   for (const std::string &mark : construction.names.marks)
     names.marks.push_back(entry.name + "." + mark);

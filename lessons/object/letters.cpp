@@ -5,11 +5,23 @@
 #include "lessons/words.h"
 
 namespace halfspace {
+namespace {
+
+/// The same name, standing for a number.
+Term standingForNumber(const Term &name, const Rational &number) {
+  const auto node = std::make_shared<TermNode>(*name);
+  node->value = number;
+  return Term(node);
+}
+
+} // namespace
 
 Term detail::coordinateTerm(const std::string &id, bool isFree, const Symbol &letter, const Object &object,
                             std::size_t index) {
+  const CoordinateSpec &spec = coordinatesOf(object)[index];
   const Term term = isFree ? given(letter, object[index], id, index) : name(letter, object[index]);
-  return term.marked(coordinateId(id, coordinatesOf(object)[index]));
+  const Term valued = numbersIn(spec.role) == 1 ? standingForNumber(term, object[index].x) : term;
+  return valued.marked(coordinateId(id, spec));
 }
 
 std::string edgeName(const Symbol &from, const Symbol &to) {

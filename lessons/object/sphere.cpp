@@ -1,6 +1,8 @@
-// Spheres.
+#include "lessons/object/sphere.h"
+
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -28,10 +30,14 @@ void offer(const Given<Object> &given, Surroundings &found) {
 
 } // namespace
 
+SphereTerms termsOf(const Given<SphereObject> &sphere) {
+  return {coordinateTerm(sphere, Center), coordinateTerm(sphere, Radius).marked(sphere.id)};
+}
+
 namespace object_kinds {
 
 Kind sphere() {
-  return {.word = "sphere",
+  return {.word = SphereObject::kind,
           .meaning = "a sphere by its centre and its radius",
           .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},
           .leavableVertices = 0,

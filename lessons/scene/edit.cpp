@@ -85,9 +85,9 @@ struct Applier {
     if (entry == scene.entries.end())
       return noEntry(edit.name);
     if (auto *use = std::get_if<ConstructionUse>(&entry->content))
-      use->roles[edit.role] = edit.object;
-    else if (edit.role == hostRole)
-      entry->on = edit.object;
+      use->roles[edit.role] = edit.objects;
+    else if (edit.role == hostRole && edit.objects.ids.size() == 1)
+      entry->on = edit.objects.ids.front();
     else
       return refused(words("“{name}” looks at nothing as its {role}.",
                            {{"name", edit.name}, {"role", shortened(edit.role)}}));

@@ -30,11 +30,12 @@ struct RenameEntry {
   std::string newName;
 };
 
-/// Lets a construction look at another object in a role, or a bound object lie on another.
+/// Lets a construction look at another object in a role, or a bound object lie on another. Of a list role it
+/// replaces the whole list.
 struct RebindRole {
-  std::string name;   ///< the entry's
-  std::string role;   ///< of a bound object `hostRole`
-  std::string object; ///< `Q`, or `distance.F` for what another construction makes
+  std::string name;    ///< the entry's
+  std::string role;    ///< of a bound object `hostRole`
+  RoleObjects objects; ///< `Q`, or `distance.F` for what another construction makes
 };
 
 /// Moves an entry to an index, counted without it. Refused where it would stand above what it looks at, or

@@ -132,12 +132,16 @@ private:
     EvaluatedEntry found{entry.name, use.id, m_letters.namingOf(entry), {}};
     for (const ConstructionRole &role : construction->roles) {
       const auto bound = use.roles.find(role.name);
-      const auto seen = bound == use.roles.end() ? m_visible.end() : m_visible.find(bound->second);
-      if (seen == m_visible.end() || kindOf(seen->second.given->object) != role.kind)
+      if (bound == use.roles.end() || !isCountOf(role, bound->second.ids.size()))
         return;
-      found.looksAt.push_back(seen->second.given);
-      if (found.missing.empty())
-        found.missing = seen->second.whyNot;
+      for (const std::string &id : bound->second.ids) {
+        const auto seen = m_visible.find(id);
+        if (seen == m_visible.end() || kindOf(seen->second.given->object) != role.kind)
+          return;
+        found.looksAt.push_back(seen->second.given);
+        if (found.missing.empty())
+          found.missing = seen->second.whyNot;
+      }
     }
     if (!takeOver(found))
       found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)

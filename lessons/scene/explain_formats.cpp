@@ -212,7 +212,7 @@ Json outcomesJson(const Scene &scene, const Evaluation &evaluation) {
   for (const Entry &entry : scene.entries)
     if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
       if (const EvaluatedEntry *evaluated = evaluation.find(entry.name)) {
-        Json json{{"entry", entry.name}, {"construction", use->id}, {"of", use->roles}};
+        Json json{{"entry", entry.name}, {"construction", use->id}, {"of", rolesJson(*use)}};
         json.update(outcomeJson(*evaluated));
         outcomes.push_back(std::move(json));
       }

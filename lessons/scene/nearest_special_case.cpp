@@ -1,6 +1,8 @@
 #include "lessons/scene/nearest_special_case.h"
 
+#include "lessons/object/bound_point.h"
 #include "lessons/object/coordinate_limits.h"
+#include "lessons/object/kind.h"
 
 namespace halfspace {
 namespace {
@@ -15,6 +17,39 @@ Rational squareOfWay(const Object &from, const Object &to) {
   return square;
 }
 
+/// What the scene's object of a name would have to be, and how far that is; nothing where nobody can bring it
+/// there.
+struct Move {
+  Object value;
+  Rational square; ///< of the way, in space
+};
+
+/// A point that lies on another object keeps to it.
+std::optional<Move> moveOnHost(const EvaluatedEntry &entry, const Object &bound, const ExactVec3 &place) {
+  if (entry.looksAt.size() != 2)
+    return {};
+  const Object &host = entry.looksAt[1]->object;
+  Object moved = bound.kind().binding->nearest(bound, host, place);
+  if (!entry.missing.empty() || placeOn(moved, host) != place)
+    return {};
+  const ExactVec3 way = place - entry.looksAt[0]->object[0];
+  return Move{std::move(moved), dot(way, way)};
+}
+
+std::optional<Move> moveTo(const Object &there, const std::string &name, const Scene &scene,
+                           const Evaluation &evaluation) {
+  const Object *now = findObject(scene, name); // null for what a construction makes
+  const EvaluatedEntry *entry = evaluation.find(name);
+  if (!now || !entry)
+    return {};
+  std::optional<Move> move;
+  if (now->kind().binding && kindOf(there) == seenKindOf(*now))
+    move = moveOnHost(*entry, *now, there[0]);
+  else if (kindOf(there) == kindOf(*now))
+    move = {there, squareOfWay(*now, there)};
+  return move && !refusedCoordinateOf(move->value) ? move : std::nullopt;
+}
+
 } // namespace
 
 std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const Evaluation &evaluation,
@@ -27,15 +62,12 @@ std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const E
     if (!use || !found || !entries.contains(entry.name))
       continue;
     for (const SpecialCase &special : *found->outcome->nearby) {
-      const std::string &name = use->roles.at(special.role);
-      const Object *object = findObject(scene, name); // null for what a construction makes
-      if (!object || kindOf(*object) != kindOf(special.object) || refusedCoordinateOf(special.object))
+      const std::string &name = use->roles.at(special.role).ids.at(special.place);
+      const auto move = moveTo(special.object, name, scene, evaluation);
+      if (!move || (least && move->square >= *least))
         continue;
-      const Rational square = squareOfWay(*object, special.object);
-      if (least && square >= *least)
-        continue;
-      least = square;
-      nearest = NearestSpecialCase{special.sentence, Surd::root(square), {name, special.object}};
+      least = move->square;
+      nearest = NearestSpecialCase{special.sentence, Surd::root(move->square), {name, move->value}};
     }
   }
   return nearest;

@@ -32,8 +32,9 @@ bool isOnlyOne(const Scene &scene, std::string_view name) {
 /// Calls a function for the id of each object that an entry looks at.
 template <class SomeEntry, class Function> void forEachReference(SomeEntry &entry, Function function) {
   if (auto *use = std::get_if<ConstructionUse>(&entry.content))
-    for (auto &[role, object] : use->roles)
-      function(object);
+    for (auto &[role, objects] : use->roles)
+      for (auto &id : objects.ids)
+        function(id);
   if (!entry.on.empty())
     function(entry.on);
 }

@@ -7,11 +7,22 @@
 
 namespace halfspace {
 
-/// The use of a construction: its id in the table of constructions, and for each of its roles the id of an
-/// object above this entry: the name of an entry that is one, `Q`, or what an entry makes, `distance.F`.
+/// What stands in a role, by ids of objects above the entry: the name of an entry that is one, `Q`, or what
+/// an entry makes, `distance.F`. One object; in a list role several, in their order.
+struct RoleObjects {
+  RoleObjects() = default;
+  RoleObjects(const char *id) : ids{id} {} // NOLINT(google-explicit-constructor): most roles have one object
+  RoleObjects(std::string id) : ids{std::move(id)} {}                // NOLINT(google-explicit-constructor)
+  RoleObjects(std::vector<std::string> all) : ids(std::move(all)) {} // NOLINT(google-explicit-constructor)
+
+  std::vector<std::string> ids{};
+  bool operator==(const RoleObjects &) const = default;
+};
+
+/// The use of a construction: its id in the table of constructions, and what stands in each of its roles.
 struct ConstructionUse {
   std::string id;
-  std::map<std::string, std::string> roles;
+  std::map<std::string, RoleObjects> roles;
   bool operator==(const ConstructionUse &) const = default;
 };
 

@@ -8,6 +8,7 @@
 #include "lessons/words.h"
 
 #include <algorithm>
+#include <map>
 
 namespace halfspace {
 namespace {
@@ -28,6 +29,21 @@ std::vector<std::string> idsOfConstructions() {
   for (const Construction &construction : constructions())
     ids.emplace_back(construction.id);
   return ids;
+}
+
+/// No object stands twice: its letters would mean two things.
+std::optional<Problem> checkTwice(const ConstructionUse &use) {
+  std::map<std::string, std::string> roleOf;
+  for (const auto &[role, objects] : use.roles)
+    for (const std::string &id : objects.ids)
+      if (const auto [before, isNew] = roleOf.emplace(id, role); !isNew)
+        return problemWith(
+            "of." + shortened(role),
+            before->second == role
+                ? words("“{name}” stands twice in this list: name it once.", {{"name", shortened(id)}})
+                : words("“{name}” stands in two roles: name another object in one of them.",
+                        {{"name", shortened(id)}}));
+  return {};
 }
 
 } // namespace
@@ -128,6 +144,28 @@ std::optional<Problem> SceneChecker::checkHost(const Entry &entry, const Object 
   return problemWith(field, words("A {kind} lies on nothing.", {{"kind", std::string(kindOf(object))}}));
 }
 
+std::optional<Problem> SceneChecker::checkRole(const ConstructionRole &role,
+                                               const ConstructionUse &use) const {
+  const std::string field = "of." + role.name;
+  const auto bound = use.roles.find(role.name);
+  if (bound == use.roles.end())
+    return problemWith(
+        field, role.isList ? words("This construction looks at a list {role}: name one {kind} or several.",
+                                   {{"kind", std::string(role.kind)}, {"role", role.name}})
+                           : words("This construction looks at a {kind} {role}: name one.",
+                                   {{"kind", std::string(role.kind)}, {"role", role.name}}));
+  const std::vector<std::string> &ids = bound->second.ids;
+  if (!isCountOf(role, ids.size()))
+    return problemWith(field, role.isList
+                                  ? words("Here a list of 1 to {limit} objects is expected, as [E, F].",
+                                          {{"limit", std::to_string(maxListedObjects)}})
+                                  : words("Here one object is expected, not a list of them."));
+  for (const std::string &id : ids)
+    if (auto problem = checkReference(field, id, role.kind))
+      return problem;
+  return {};
+}
+
 std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const {
   const Construction *construction = findConstruction(use.id);
   if (!construction)
@@ -137,23 +175,12 @@ std::optional<Problem> SceneChecker::checkUse(const ConstructionUse &use) const 
             words("There is no construction “{id}”. Mend the name, or use a newer version of Halfspace.",
                   {{"id", shortened(use.id)}}),
             use.id, idsOfConstructions()));
-  for (const ConstructionRole &role : construction->roles) {
-    const std::string field = "of." + role.name;
-    const auto bound = use.roles.find(role.name);
-    if (bound == use.roles.end())
-      return problemWith(field, words("This construction looks at a {kind} {role}: name one.",
-                                      {{"kind", std::string(role.kind)}, {"role", role.name}}));
-    if (auto problem = checkReference(field, bound->second, role.kind))
+  for (const ConstructionRole &role : construction->roles)
+    if (auto problem = checkRole(role, use))
       return problem;
-  }
-  for (const auto &[role, name] : use.roles)
-    if (std::any_of(use.roles.begin(), use.roles.end(), [&role = role, &name = name](const auto &other) {
-          return other.first < role && other.second == name;
-        }))
-      return problemWith("of." + shortened(role),
-                         words("“{name}” stands in two roles: name another object in one of them.",
-                               {{"name", shortened(name)}}));
-  for (const auto &[role, name] : use.roles)
+  if (auto problem = checkTwice(use))
+    return problem;
+  for (const auto &[role, objects] : use.roles)
     if (std::none_of(construction->roles.begin(), construction->roles.end(),
                      [&role = role](const ConstructionRole &known) { return known.name == role; }))
       return problemWith(

@@ -9,6 +9,8 @@
 
 namespace halfspace {
 
+struct ConstructionRole;
+
 /// The longest name of an entry.
 inline constexpr std::size_t maxNameLength = 32;
 inline constexpr std::size_t maxSceneEntries = 1000;
@@ -38,6 +40,8 @@ private:
   [[nodiscard]] std::optional<Problem> checkReference(const std::string &field, const std::string &id,
                                                       std::string_view kind) const;
   [[nodiscard]] std::optional<Problem> checkHost(const Entry &entry, const Object &object) const;
+  [[nodiscard]] std::optional<Problem> checkRole(const ConstructionRole &role,
+                                                 const ConstructionUse &use) const;
   [[nodiscard]] std::optional<Problem> checkUse(const ConstructionUse &use) const;
 
   std::unordered_map<std::string, std::string_view> m_kinds;          ///< of what can be looked at, by id

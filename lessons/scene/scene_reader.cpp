@@ -69,6 +69,22 @@ void readObject(const DocumentNode &node, const std::string &path, FieldReader &
     entry.keep(*fields.problem());
 }
 
+/// Reads the name of an object, or a list of names.
+RoleObjects readRole(const DocumentNode &role, FieldReader &fields) {
+  const auto read = [&](const DocumentNode &name, const std::string &path) {
+    if (name.kind != DocumentNode::Kind::Text)
+      fields.complain(name, path, words("Here the name of an object is expected."));
+    return name.text;
+  };
+  const std::string path = fields.pathOf("of." + role.key);
+  if (role.kind != DocumentNode::Kind::List)
+    return read(role, path);
+  std::vector<std::string> names;
+  for (std::size_t index = 0; index < role.children.size(); ++index)
+    names.push_back(read(role.children[index], indexed(path, index)));
+  return names;
+}
+
 ConstructionUse readUse(FieldReader &fields) {
   fields.allowOnly({"name", "construction", "of"});
   ConstructionUse use;
@@ -80,11 +96,7 @@ ConstructionUse readUse(FieldReader &fields) {
     fields.complain(*roles, fields.pathOf("of"),
                     words("Here names of objects are expected, as {E: E, Q: Q}."));
   for (const DocumentNode &role : roles->children)
-    if (role.kind == DocumentNode::Kind::Text)
-      use.roles[role.key] = role.text;
-    else
-      fields.complain(role, fields.pathOf("of." + role.key),
-                      words("Here the name of an object is expected."));
+    use.roles[role.key] = readRole(role, fields);
   return use;
 }
 

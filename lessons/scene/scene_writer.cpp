@@ -39,11 +39,21 @@ Json jsonOf(const Entry &entry) {
   }
   const auto &use = std::get<ConstructionUse>(entry.content);
   json["construction"] = use.id;
-  json["of"] = use.roles;
+  json["of"] = rolesJson(use);
   return json;
 }
 
 } // namespace
+
+Json rolesJson(const ConstructionUse &use) {
+  Json json = Json::object();
+  for (const auto &[role, objects] : use.roles)
+    if (objects.ids.size() == 1)
+      json[role] = objects.ids.front();
+    else
+      json[role] = objects.ids;
+  return json;
+}
 
 Json jsonOf(const Object &object) { return {{std::string(kindOf(object)), coordinatesJson(object)}}; }
 

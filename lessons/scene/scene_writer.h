@@ -13,4 +13,7 @@ namespace halfspace {
 /// {"plane":{"P0":["5","4","7"],"n":["1","2","2"]}}
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Object &object);
 
+/// {"E":"E","Q":"distance.F"}; several objects of a role are a list: {"planes":["E","F"]}.
+[[nodiscard]] nlohmann::ordered_json rolesJson(const ConstructionUse &use);
+
 } // namespace halfspace

@@ -5,6 +5,7 @@
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 #include "lessons/scene/evaluation.h"
 
 #include <algorithm>
@@ -167,12 +168,14 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
+    else if (!m_vector)
+      m_vector = objectAs<VectorObject>(object);
   }
 
 private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
-          drawAs<RayObject>(object) || drawAs<LineObject>(object)))
+          drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object)))
       drawAny(object);
   }
 
@@ -227,6 +230,18 @@ private:
 
   void draw(LineObject &line) { line = {m_dice.position(), m_dice.normal()}; }
 
+  /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
+  void draw(VectorObject &vector) {
+    vector.vector = m_dice.shortestNormal();
+    vector.start = m_vector ? m_vector->start : m_dice.position();
+    if (!m_vector)
+      return;
+    if (m_dice.once(alongOnceIn))
+      vector.vector = m_vector->vector * Rational(m_dice.sign());
+    else if (m_dice.once(alongOnceIn))
+      vector.vector = stepAlong(m_vector->vector, 0, 1);
+  }
+
   void draw(TriangleObject &triangle) {
     const int size = m_dice.between(smallestTriangle, largestTriangle);
     const int longest = longestSide / size;
@@ -238,12 +253,16 @@ private:
     triangle = {corner, corner + first * Rational(size), corner + second * Rational(size)};
   }
 
-  /// At random, or straight above, in or below what it looks for.
+  /// At random; straight above, in or below what it looks for; in the plane of a triangle.
   void draw(PointObject &point) {
     point.at = m_dice.position();
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
       return;
+    if (net->size > 0) {
+      point.at = m_dice.once(alongOnceIn) ? cornerOf(*net) : pointOf(*net);
+      return;
+    }
     const ExactVec3 foot = pointOf(*net);
     point.at = foot + net->normal * Rational(m_dice.between(-2, 2));
   }
@@ -286,6 +305,12 @@ private:
     return point;
   }
 
+  /// Of a triangle's net.
+  ExactVec3 cornerOf(const Net &net) {
+    const int corner = m_dice.between(0, 2);
+    return net.after({corner == 1 ? net.size : 0, corner == 2 ? net.size : 0});
+  }
+
   ExactVec3 anyPointOf(const Net &net) {
     if (net.size == 0) {
       std::vector<int> counts;
@@ -310,6 +335,7 @@ private:
   Dice &m_dice;
   bool m_hasSeveralPlanes;
   std::vector<Net> m_nets;
+  std::optional<VectorObject> m_vector; ///< the first
 };
 
 /// What is looked for before what looks for it.

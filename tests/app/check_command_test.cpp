@@ -8,7 +8,9 @@ TEST_F(Program, Check_OfOurLessons_FindsNothing) {
   const Ran ran = run("check");
   EXPECT_EQ(ran.status, 0) << ran.out;
   EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(ran.out, "Nothing is wrong. Lessons: 6\n");
+  const std::string all = run("lessons").out;
+  EXPECT_EQ(ran.out,
+            "Nothing is wrong. Lessons: " + std::to_string(std::count(all.begin(), all.end(), '\n')) + "\n");
 }
 
 const std::string faultyLesson = R"(---
@@ -63,6 +65,35 @@ TEST_F(Program, Check_OfALesson_TellsEachThingThatIsWrong) {
       "faulty.md:29: choices: In “\\begin{x}”, column 1: The environment `x` is unknown.\n"
       "faulty.md:30: why: In “}”, column 1: This `}` has no `{`.\n"
       "faulty.md:32: In “\\bar”, column 2: An argument is missing here.\n");
+}
+
+TEST_F(Program, NewLesson_PassesTheCheck_AndIsOpenedFromItsFolder) {
+  const Ran written = run("new-lesson my-first");
+  EXPECT_EQ(written.status, 0) << written.err;
+  EXPECT_EQ(written.out, "my-first.md is written. Try it: halfspace --lessons . my-first\n");
+  EXPECT_EQ(run("check my-first.md").out, "Nothing is wrong. Lessons: 1\n");
+  EXPECT_NE(run("explain my-first --lessons .").out.find("My first lesson"), std::string::npos);
+  EXPECT_EQ(run("--lessons . explain my-first --set Q=5,4,8 --format json").status, 0);
+  EXPECT_NE(run("lessons --lessons .").out.find("my-first  My first lesson\n"), std::string::npos);
+  EXPECT_EQ(run("explain my-first").status, 2) << "of ours there is none";
+}
+
+TEST_F(Program, NewLesson_OverAFile_OrWithNoId_IsRefused) {
+  write("mine.md", "precious");
+  expectRefused("new-lesson mine", "stays as it is");
+  EXPECT_EQ(run("check mine.md").status, 1) << "and so it does";
+  for (const std::string bad : {"Mine", "../mine", "a/b", "''", "'a: b'"})
+    expectRefused("new-lesson " + bad, "cannot be the id of a lesson");
+}
+
+TEST_F(Program, OwnLessons_WithIdsOfOurs_OrInNoFolder_AreToldAndLeftOut) {
+  std::filesystem::create_directory(inFolder("mine"));
+  write("mine/a.md", "---\nid: signed-distance" + faultyLesson.substr(faultyLesson.find("\ntitle")));
+  const Ran ran = run("lessons --lessons mine --lessons nowhere");
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_NE(ran.err.find("mine/a.md: id: Another lesson has the id “signed-distance”"), std::string::npos);
+  EXPECT_NE(ran.err.find("nowhere: The folder of lessons cannot be read."), std::string::npos);
+  EXPECT_EQ(ran.out.find("Faulty"), std::string::npos);
 }
 
 TEST_F(Program, Check_OfAFolder_TellsWhatIsWrongInEachFile) {

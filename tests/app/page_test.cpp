@@ -8,7 +8,9 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QSplitter>
+#include <QTemporaryDir>
 
 using namespace halfspace;
 
@@ -316,6 +318,35 @@ private slots:
     const auto *list = next.window.findChild<ContentsDrawer *>()->findChild<QListWidget *>();
     QVERIFY(list->currentItem()->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
     QVERIFY(!list->item(1)->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
+  }
+
+  void lessonFile_changed_isReadAnewAtTheSameStep_andADamagedOneIsToldAndLeftOut() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("own.md");
+    const auto save = [&](const QByteArray &text) {
+      QSaveFile written(file); // puts another file in its place, as editors do
+      QVERIFY(written.open(QIODevice::WriteOnly));
+      written.write(text);
+      QVERIFY(written.commit());
+    };
+    const QByteArray text = "---\nid: own\ntitle: Own\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n"
+                            "## One\nWords.\n## Two\nMore words.\n";
+    save(text);
+    PageFixture fixture;
+    QVERIFY(fixture.ready);
+    LessonLibrary library = fixture.model().library();
+    addOwnLessons(library, folder.path().toStdString());
+    QCOMPARE(library.lessons.back().chapter, std::string("Own lessons"));
+    fixture.model().setLibrary(library);
+    fixture.model().openLesson("own");
+    fixture.model().setStep(1);
+    save(QByteArray(text).replace("## Two", "## Second"));
+    QTRY_COMPARE(fixture.model().step().title, std::string("Second"));
+    save("no lesson at all");
+    QTRY_VERIFY(fixture.window.findChild<QLabel *>("message")->text().contains("own.md"));
+    QCOMPARE(fixture.model().step().title, std::string("Second"));
+    save(text);
+    QTRY_COMPARE(fixture.model().step().title, std::string("Two"));
   }
 
   void question_triedAgain_hidesTheNumbersAgain() {

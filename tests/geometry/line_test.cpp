@@ -221,6 +221,30 @@ TEST(RelateLines, NumbersOfNoLine_AreACaseOfTheirOwn) {
   EXPECT_EQ(relateLines(none, axis).product, 2);
 }
 
+TEST(NearestPoints, OfAnyTwoLines_AreTheFeetOfTheirCommonPerpendicular) {
+  RandomNumbers random(57);
+  for (int i = 0; i < 1000; ++i) {
+    const ExactVec3 point = random.vector();
+    const ExactVec3 other = i % 3 == 0 ? point : random.vector();
+    const auto first = lineAlong(point, random.nonZeroVector());
+    const auto second = lineAlong(other, random.nonZeroVector());
+    if (isZero(cross(first.direction, second.direction)))
+      continue;
+    const auto nearest = nearestPoints(first, second);
+    EXPECT_EQ(cross(nearest.first, first.direction), first.moment); // law (1)
+    EXPECT_EQ(cross(nearest.second, second.direction), second.moment);
+    const ExactVec3 way = nearest.second - nearest.first;
+    EXPECT_EQ(dot(way, first.direction), 0);
+    EXPECT_EQ(dot(way, second.direction), 0);
+    const auto related = relateLines(first, second);
+    EXPECT_EQ(isZero(way), related.which == LineLineCase::Intersecting); // law (2)
+    EXPECT_EQ(Surd::root(dot(way, way)), related.distance);
+    const auto swapped = nearestPoints(second, first); // law (3)
+    EXPECT_EQ(swapped.first, nearest.second);
+    EXPECT_EQ(swapped.second, nearest.first);
+  }
+}
+
 TEST(RelateLines, LinesDrawnApart_MeetOnlyAtZero) {
   for (int k = 0; k <= 60; ++k) {
     const Rational gap = tenToThe(-k);

@@ -35,13 +35,19 @@ inline Scene distanceScene() {
   return {{planeE(), pointQ(), {"distance", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}}}};
 }
 
-/// A construction over objects that are named after its roles; its own entry is called `it`.
+/// A construction over objects that are named after its roles, those of a list with their places behind; its
+/// own entry is called `it`.
 inline Scene sceneOf(const Construction &construction, const std::vector<Object> &objects) {
   Scene scene;
   ConstructionUse use{std::string(construction.id), {}};
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    scene.entries.push_back({construction.roles[i].name, objects[i]});
-    use.roles[construction.roles[i].name] = construction.roles[i].name;
+  std::size_t next = 0;
+  for (const ConstructionRole &role : construction.roles) {
+    RoleObjects names;
+    for (std::size_t place = 0; place < countIn(role, construction.roles.size(), objects.size()); ++place) {
+      names.ids.push_back(role.isList ? role.name + std::to_string(place) : role.name);
+      scene.entries.push_back({names.ids.back(), objects[next++]});
+    }
+    use.roles[role.name] = std::move(names);
   }
   scene.entries.push_back({"it", std::move(use)});
   return scene;

@@ -74,14 +74,17 @@ private:
     Scene scene;
     ConstructionUse use{std::string(construction.id), {}};
     for (const ConstructionRole &role : construction.roles) {
-      Object object = *makeObject(role.kind);
-      for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i) {
-        coordinate(object, i) = vector(kind == 2 ? integer(-9, 8) : exponent);
-        if (coordinatesOf(object)[i].role == CoordinateRole::Position)
-          coordinate(object, i) += farAway;
+      const int count = role.isList ? integer(1, maxListedObjects) : 1;
+      for (int place = 0; place < count; ++place) {
+        Object object = *makeObject(role.kind);
+        for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i) {
+          coordinate(object, i) = vector(kind == 2 ? integer(-9, 8) : exponent);
+          if (coordinatesOf(object)[i].role == CoordinateRole::Position)
+            coordinate(object, i) += farAway;
+        }
+        scene.entries.push_back({role.isList ? role.name + std::to_string(place) : role.name, object});
+        use.roles[role.name].ids.push_back(scene.entries.back().name);
       }
-      scene.entries.push_back({role.name, object});
-      use.roles[role.name] = role.name;
     }
     if (kind == 3)
       makeNearlyParallel(scene);

@@ -53,6 +53,56 @@ private slots:
     QVERIFY2(steps > 1000, qPrintable(QString::number(steps)));
   }
 
+  void lessonRenewed_withOtherWordsOrNumbers_keepsStepAndChangedScene() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    model.setStep(2);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    const Session before = model.session();
+    Lesson newer = model.lesson();
+    newer.steps[2].title = "Other words";
+    *findObject(newer.scene, "Q") = PointObject{{9, 9, 9}};
+    QSignalSpy shown(&model, &SessionModel::lessonChanged);
+    model.renewLesson(newer);
+    QCOMPARE(shown.count(), 1);
+    QVERIFY(model.session() == before);
+    QCOMPARE(model.step().title, std::string("Other words"));
+    model.undo(); // what was done is still there
+    QVERIFY(!(model.session().scene == before.scene));
+    model.resetScene();
+    QVERIFY(model.session().scene == newer.scene);
+  }
+
+  void lessonRenewed_withAnotherScene_orWhileNothingWasChanged_beginsItAnew() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    model.setStep(3);
+    Lesson newer = model.lesson();
+    *findObject(newer.scene, "Q") = PointObject{{9, 9, 9}};
+    newer.steps.resize(2);
+    model.renewLesson(newer);
+    QVERIFY(model.session().scene == newer.scene);
+    QCOMPARE(model.session().step, 1);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
+    model.renewLesson(newer);
+    QVERIFY(model.session().scene == newer.scene);
+    QVERIFY(!model.history().canUndo());
+  }
+
+  void openLesson_thatANewerLibraryLacks_staysOpen() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    const Lesson open = model.lesson();
+    LessonLibrary others = library();
+    std::erase_if(others.lessons, [](const Lesson &each) { return each.id == "signed-distance"; });
+    model.setLibrary(others);
+    QCOMPARE(model.lesson().title, open.title);
+    QVERIFY(model.session().scene == open.scene);
+    model.openLesson("plane-implicit");
+    QCOMPARE(model.lesson().id, std::string("plane-implicit"));
+  }
+
   void gesture_settledByAnEdit_isAStepOfItsOwn() {
     SessionModel model(library());
     model.openLesson("signed-distance");

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -143,6 +144,17 @@ private:
     EXPECT_EQ(outcome().told->description.find('{'), std::string::npos) << outcome().told->description;
   }
 
+  static bool isSame(const Surd &number, const SumWithRoot &expected) {
+    return signedSquares({number + Rational(-expected.number)}).front() == expected.signedSquare;
+  }
+
+  static bool areSame(const std::vector<Surd> &numbers,
+                      const std::variant<SignedSquares, SumsWithRoots, std::string, int> &expected) {
+    const auto *sums = std::get_if<SumsWithRoots>(&expected);
+    return sums ? std::equal(numbers.begin(), numbers.end(), sums->begin(), sums->end(), isSame)
+                : std::get<SignedSquares>(expected) == signedSquares(numbers);
+  }
+
   static SignedSquares signedSquares(const std::vector<Surd> &numbers) {
     SignedSquares squares;
     for (const Surd &number : numbers) {
@@ -173,9 +185,9 @@ private:
   template <class Expected>
   static void checkValue(const std::string &name, const Value &value, const Expected &expected) {
     if (const auto *number = std::get_if<Surd>(&value))
-      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares({*number})) << name;
+      EXPECT_TRUE(areSame({*number}, expected)) << name;
     else if (const auto *numbers = std::get_if<std::vector<Surd>>(&value))
-      EXPECT_TRUE(std::get<SignedSquares>(expected) == signedSquares(*numbers)) << name;
+      EXPECT_TRUE(areSame(*numbers, expected)) << name;
     else if (const auto *word = std::get_if<std::string>(&value))
       EXPECT_EQ(*word, std::get<std::string>(expected)) << name;
     else
@@ -191,7 +203,7 @@ private:
       EXPECT_EQ(line.sentence.find('\\'), std::string::npos) << "sentences are plain words";
       EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
       for (const auto &chain : chainsOf(latexOf(line)))
-        checkChain(chain);
+        checkChain(chain, solutionOf(line));
       checkRelations(line);
       if (line.asked != Asked::Nothing)
         checkAsked(line);
@@ -247,7 +259,7 @@ private:
     auto text = toText(*value.constant().exact());
     for (const Polynomial::Summand &summand : value.summands())
       if (const auto factor = toText(*summand.factor.exact()); factor && text)
-        *text += " + (" + *factor + ")" + summand.monomial.front();
+        *text += std::accumulate(summand.monomial.begin(), summand.monomial.end(), " + (" + *factor + ")");
       else
         return {};
     return text;
@@ -257,10 +269,8 @@ private:
     const Side last = chainsOf(latexOf(line)).back().back();
     const Quantity answer = calculate(last.latex, m_expected.names);
     Quantity asked;
-    for (const Polynomial &entry : truth.entries) {
-      const Surd &number = *entry.constant().exact();
-      asked.push_back(mp::sqrt(quantity(abs(signedSquares({number})[0]))[0]) * Precise(number.sign()));
-    }
+    for (const Polynomial &entry : truth.entries)
+      asked.push_back(quantity(*entry.constant().exact()).front());
     EXPECT_TRUE(agree(answer, asked, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
   }
 
@@ -278,17 +288,23 @@ private:
 
   /// Calculates every side of `a = b = c`. An equation `0 = …` holds at its solution, and its sides say the
   /// same anywhere.
-  void checkChain(const std::vector<Side> &chain) const {
+  void checkChain(const std::vector<Side> &chain, const std::optional<Names> &solution) const {
     Names names = m_expected.names;
     if (chain.front().latex != "0")
-      return checkSides(chain, names, m_expected.solution.value_or(Names{}));
+      return checkSides(chain, names, solution.value_or(Names{}));
     // Anywhere else the first exact side says what the others should.
     const auto exact =
         std::find_if(chain.begin(), chain.end(), [](const Side &side) { return side.relation == '='; });
     if (exact != chain.end())
       checkSides({exact, chain.end()}, names, m_expected.unknowns);
-    if (m_expected.solution)
-      checkSides(chain, names, *m_expected.solution);
+    if (solution)
+      checkSides(chain, names, *solution);
+  }
+
+  /// Where the line's equation holds, if anywhere.
+  std::optional<Names> solutionOf(const WorkingLine &line) const {
+    const auto own = m_expected.solutions.find(line.id.substr(std::string_view("it.").size()));
+    return own == m_expected.solutions.end() ? m_expected.solution : std::optional(own->second);
   }
 
   static void checkSides(const std::vector<Side> &sides, Names names, const Names &unknowns) {
@@ -461,7 +477,8 @@ private:
       if (refusedCoordinateOf(special.object))
         continue;
       const auto &use = std::get<ConstructionUse>(m_scene.entries.back().content);
-      const Scene changed = edited(m_scene, {ChangeObject{use.roles.at(special.role), special.object}});
+      const Scene changed =
+          edited(m_scene, {ChangeObject{use.roles.at(special.role).ids.at(special.place), special.object}});
       EXPECT_TRUE(isDone(task, evaluate(changed)));
     }
   }
@@ -560,11 +577,13 @@ TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
       return numbers[std::uniform_int_distribution<std::size_t>(0, numbers.size() - 1)(engine)];
     };
     std::vector<Object> objects;
-    for (const ConstructionRole &role : construction().roles) {
-      objects.push_back(*makeObject(role.kind));
-      for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
-        coordinate(objects.back(), index) = {any(), any(), any()};
-    }
+    for (const ConstructionRole &role : construction().roles)
+      for (int count = role.isList ? 3 : 1; count > 0; --count) {
+        objects.push_back(*makeObject(role.kind));
+        for (std::size_t index = 0; index < coordinatesOf(objects.back()).size(); ++index)
+          coordinate(objects.back(), index) = {any(), any(), any()};
+        objects.back().kind().settle(objects.back());
+      }
     Contract(construction(), objects).checkFinite();
   }
 }

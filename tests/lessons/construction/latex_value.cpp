@@ -74,8 +74,10 @@ private:
       result[i] += sign * b[i];
     return result;
   }
-  /// A dot product of two vectors, else a product.
+  /// A dot product of two vectors, the permuted inner product of two lines, else a product.
   Quantity dotted(const Quantity &a, const Quantity &b) const {
+    if (a.size() == 6 && b.size() == 6)
+      return {a[0] * b[3] + a[1] * b[4] + a[2] * b[5] + a[3] * b[0] + a[4] * b[1] + a[5] * b[2]};
     if (a.size() == 3 && b.size() == 3)
       return {a[0] * b[0] + a[1] * b[1] + a[2] * b[2]};
     return scaled(a, b);
@@ -229,6 +231,11 @@ Quantity quantity(const Rational &number) { return {precise(number)}; }
 
 Quantity quantity(const ExactVec3 &vector) {
   return {precise(vector.x), precise(vector.y), precise(vector.z)};
+}
+
+Quantity quantity(const Surd &number) {
+  return {precise(number.rationalPart()) +
+          precise(number.rootFactor()) * mp::sqrt(precise(Rational(number.radicand())))};
 }
 
 Quantity quantityOverRoot(const Rational &number, const Rational &square) {

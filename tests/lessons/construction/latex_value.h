@@ -2,6 +2,7 @@
 // each side anew.
 #pragma once
 
+#include "geometry/surd.h"
 #include "lessons/object/object.h"
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
@@ -23,6 +24,7 @@ using Names = std::map<std::string, Quantity>;
 
 [[nodiscard]] Quantity quantity(const Rational &number);
 [[nodiscard]] Quantity quantity(const ExactVec3 &vector);
+[[nodiscard]] Quantity quantity(const Surd &number);
 /// number/√square
 [[nodiscard]] Quantity quantityOverRoot(const Rational &number, const Rational &square);
 

@@ -2,14 +2,18 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
+#include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace halfspace::test {
@@ -27,13 +31,20 @@ public:
   std::vector<Object> objectsFor(const Construction &construction, Writing writing) {
     m_writing = writing;
     std::vector<Object> objects;
-    for (const ConstructionRole &role : construction.roles) {
-      objects.push_back(*makeObject(role.kind));
-      for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
-        coordinate(objects.back(), i) = vector();
-    }
+    for (const ConstructionRole &role : construction.roles)
+      for (int count = role.isList ? integer(1, maxListedObjects) : 1; count > 0; --count) {
+        objects.push_back(*makeObject(role.kind));
+        for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
+          coordinate(objects.back(), i) = vector();
+        if (role.kind == PolygonObject::kind)
+          objects.back() = convexPolygon();
+        objects.back().kind().settle(objects.back());
+      }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
+    if (std::any_of(construction.roles.begin(), construction.roles.end(),
+                    [](const ConstructionRole &role) { return role.isList; }))
+      makePlanesSpecial(objects);
     return objects;
   }
 
@@ -90,6 +101,9 @@ private:
     if (objects.size() == 2 && kindOf(objects[0]) == PlaneObject::kind &&
         kindOf(objects[1]) == PlaneObject::kind)
       return makeSpecialPair(objects[0], objects[1]);
+    if (objects.size() == 2 && kindOf(objects[0]) == LineObject::kind &&
+        kindOf(objects[1]) == LineObject::kind)
+      return makeSpecialLines(objects[0], objects[1]);
     if (objects.size() == 2 && kindOf(objects[0]) == VectorObject::kind &&
         kindOf(objects[1]) == VectorObject::kind)
       return makeSpecialVectors(objects[0], objects[1]);
@@ -108,10 +122,45 @@ private:
       makeSpecial(*ray.typed, *plane.typed);
     if (triangle.typed && ray.typed)
       makeSpecial(*triangle.typed, *ray.typed);
+    if (Found<SphereObject> sphere(objects); sphere.typed && ray.typed)
+      makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
+    if (Found<PolygonObject> polygon(objects); polygon.typed && ray.typed)
+      makeSpecial(polygon.typed->corners, *ray.typed);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
+    else if (line.typed)
+      makeSpecial(*line.typed, plane.typed ? *plane.typed : PlaneObject{{0, 0, 0}, {0, 0, 1}});
+  }
+
+  /// A zero direction, through the origin, in the plane or parallel to it.
+  void makeSpecial(LineObject &line, const PlaneObject &plane) {
+    const int choice = integer(0, 5);
+    if (choice == 0)
+      line.direction = {0, 0, 0};
+    if (choice == 1)
+      line.point = line.direction * number();
+    if (choice >= 2)
+      line.direction = vectorAlongPlane(plane.normal);
+    if (choice >= 4)
+      line.point = plane.point + vectorAlongPlane(plane.normal);
+  }
+
+  /// Parallel, the same, meeting, perpendicular, or one without a direction.
+  void makeSpecialLines(Object &first, Object &second) {
+    const int choice = integer(0, 6);
+    const Rational factor = integer(0, 1) == 0 ? Rational(-2) : Rational(3, 2);
+    if (choice < 3)
+      second[1] = first[1] * factor;
+    if (choice == 1 || choice == 2 || choice == 3)
+      second[0] = first[0] + first[1] * number();
+    if (choice == 3)
+      second[0] = second[0] + second[1] * number();
+    if (choice == 4)
+      second[1] = vectorAlongPlane(first[1]);
+    if (choice == 6)
+      first[1] = {0, 0, 0};
   }
 
   void makeSpecial(LineObject &line, ExactVec3 &point) {
@@ -175,6 +224,25 @@ private:
     }
   }
 
+  /// Each of the planes may run along the ray, contain it, or go through its start.
+  void makePlanesSpecial(std::vector<Object> &objects) {
+    const auto ray = std::find_if(objects.begin(), objects.end(),
+                                  [](const Object &object) { return kindOf(object) == RayObject::kind; });
+    if (ray == objects.end())
+      return;
+    const ExactVec3 origin = (*ray)[0];
+    const ExactVec3 direction = (*ray)[1];
+    for (Object &object : objects) {
+      if (kindOf(object) != PlaneObject::kind)
+        continue;
+      const int choice = integer(0, 7);
+      if (choice < 2)
+        object[1] = vectorAlongPlane(direction);
+      if (choice == 1 || choice == 2)
+        object[0] = origin;
+    }
+  }
+
   /// A point of the plane, its P0, or left as it is.
   void place(ExactVec3 &at, const PlaneObject &plane) {
     const int choice = integer(0, 2);
@@ -225,6 +293,106 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// Of three to eight corners: some of those of an octagon, stretched and turned in space.
+  PolygonObject convexPolygon() {
+    static constexpr std::array<std::array<int, 2>, 8> octagon{
+        {{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}}};
+    std::vector<std::array<int, 2>> places(octagon.begin(), octagon.end());
+    for (int dropped = integer(0, 5); dropped > 0; --dropped)
+      places.erase(places.begin() + integer(0, static_cast<int>(places.size()) - 1));
+    const ExactVec3 start = vector();
+    const ExactVec3 across = vector();
+    const ExactVec3 up = vector();
+    PolygonObject polygon;
+    for (const auto &[x, y] : places)
+      polygon.corners.push_back(start + across * Rational(x) + up * Rational(y));
+    return polygon;
+  }
+
+  /// Where a ray can be aimed at: the middle of a polygon, a corner, a point of an edge, or one outside.
+  ExactVec3 placeIn(const std::vector<ExactVec3> &corners) {
+    const auto first = static_cast<std::size_t>(integer(0, static_cast<int>(corners.size()) - 1));
+    const ExactVec3 &corner = corners[first];
+    const ExactVec3 &next = corners[(first + 1) % corners.size()];
+    const ExactVec3 middle =
+        std::accumulate(corners.begin(), corners.end(), ExactVec3(0)) / Rational(int(corners.size()));
+    const std::array places{middle, corner, ExactVec3(corner + (next - corner) * Rational(1, 3)),
+                            ExactVec3(corner * Rational(2) - middle)};
+    return places.at(static_cast<std::size_t>(integer(0, 3)));
+  }
+
+  void makeSpecial(std::vector<ExactVec3> &corners, RayObject &ray) {
+    const ExactVec3 inPlane = placeIn(corners);
+    const ExactVec3 along = (corners[1] - corners[0]) * number() + (corners[2] - corners[0]) * number();
+    switch (integer(0, 9)) {
+    case 0:
+      ray.direction = {0, 0, 0};
+      break;
+    case 1:
+      ray.direction = along;
+      break;
+    case 2:
+      ray = {inPlane, along};
+      break;
+    case 3:
+      corners.back() = integer(0, 1) == 0 ? corners[0] : corners[1];
+      break;
+    case 4: // a straight corner, bends, crossings
+      corners[1] = inPlane;
+      break;
+    case 5: // not flat, when there are more than three
+      corners.back() += vector();
+      break;
+    default:
+      ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A length ≠ 0.
+  Rational length() {
+    const Rational any = abs(number());
+    return any == 0 ? Rational(1) : any;
+  }
+
+  void makeSpecial(SphereObject &sphere, RayObject &ray) {
+    // Three arrows square to each other, all as long as 3.
+    const ExactVec3 along(1, 2, 2);
+    const ExactVec3 aside(2, 1, -2);
+    const auto startAt = [&](const Rational &asideShare, const Rational &alongShare) {
+      ray.origin = sphere.center + aside * asideShare + along * alongShare;
+    };
+    switch (integer(0, 7)) {
+    case 0:
+      sphere.radius = 0;
+      break;
+    case 1:
+      ray.direction = {0, 0, 0};
+      break;
+    case 2: // touching
+      ray.direction = along * number();
+      sphere.radius = length();
+      startAt(Rational(sphere.radius / 3), number());
+      break;
+    case 3: // roots without roots: sides of 3, 4 and 5
+      ray.direction = along * number();
+      sphere.radius = 5 * length();
+      startAt(Rational(sphere.radius / 5), number());
+      break;
+    case 4: // starting on it
+      sphere.radius = 3 * length();
+      startAt(0, Rational(sphere.radius / -3));
+      break;
+    case 5: // through the centre, perhaps from there
+      ray.origin = sphere.center + ray.direction * Rational(integer(-2, 2));
+      break;
+    case 6: // from inside
+      ray.origin = sphere.center + ExactVec3(sphere.radius / 3, 0, sphere.radius / 3);
+      break;
+    default:
+      ray.direction = ExactVec3(sphere.center - ray.origin) + vector() / Rational(9);
     }
   }
 

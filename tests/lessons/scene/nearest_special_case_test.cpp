@@ -4,6 +4,7 @@
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,21 @@ TEST(NearestSpecialCase, OfWhatIsMade_IsNotOffered) {
   scene.entries.push_back({"F", PlaneObject{{0, 0, 7}, {0, 1, 1}}});
   scene.entries.push_back({"d", ConstructionUse{"signed-distance", {{"E", "F"}, {"Q", "meeting.H"}}}});
   EXPECT_FALSE(nearestIn(scene, {"d"}));
+}
+
+/// A point that slides in a triangle's plane is brought to its nearest edge, by its freedoms.
+TEST(NearestSpecialCase, OfAPointThatLiesOnAnother_KeepsItThere) {
+  Entry point{"Q", *makeObject("point-on-triangle-plane"), "T"};
+  std::get<Object>(point.content)[0].x = Rational(1, 4);
+  std::get<Object>(point.content)[1].x = Rational(1, 8);
+  const Scene scene{{{"T", TriangleObject{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}},
+                     point,
+                     {"weights", ConstructionUse{"barycentric", {{"T", "T"}, {"Q", "Q"}}}}}};
+  const auto nearest = nearestIn(scene, {"weights"});
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->change.name, "Q");
+  EXPECT_EQ(nearest->distance, Surd(1));
+  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change}))).told->name, "edge");
 }
 
 /// The foot would have longer numbers than a coordinate may have.

@@ -47,6 +47,13 @@ private:
     const std::string name = anyName(scene);
     return below(2) == 0 ? name : name + "." + (below(2) == 0 ? "F" : "H");
   }
+  /// Mostly one, for a list role too.
+  RoleObjects anyReferences(const Scene &scene) {
+    RoleObjects objects = anyReference(scene);
+    while (below(4) == 0)
+      objects.ids.push_back(anyReference(scene));
+    return objects;
+  }
   /// Mostly of the kind that the object is of.
   Edit anyChange(const Scene &scene) {
     const std::string name = anyName(scene);
@@ -67,7 +74,7 @@ private:
     const std::string role = std::next(roles.begin(), static_cast<int>(below(roles.size())))->first;
     const auto others = rolesOf(uses[below(uses.size())]);
     const auto other = others.find(role);
-    return RebindRole{use->name, role, other == others.end() ? anyReference(scene) : other->second};
+    return RebindRole{use->name, role, other == others.end() ? anyReferences(scene) : other->second};
   }
   Edit anyNewHost(const Scene &scene) {
     for (const Entry &entry : scene.entries)
@@ -110,7 +117,7 @@ private:
     const Construction &construction = constructions()[below(constructions().size())];
     ConstructionUse use{std::string(construction.id), {}};
     for (const ConstructionRole &role : construction.roles)
-      use.roles[role.name] = anyReference(scene);
+      use.roles[role.name] = role.isList ? anyReferences(scene) : RoleObjects(anyReference(scene));
     return {std::move(name), std::move(use)};
   }
 

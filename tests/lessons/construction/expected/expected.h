@@ -25,16 +25,25 @@ using SignedSquares = std::vector<Rational>;
   return p * abs(p) / square;
 }
 
+/// Numbers A + B·√n, each as A and the signed square of B·√n, which need not be in their shortest form.
+struct SumWithRoot {
+  Rational number;
+  Rational signedSquare;
+};
+using SumsWithRoots = std::vector<SumWithRoot>;
+
 struct Recomputed {
   std::string caseName;
   bool degenerate = false;
   /// Exactly the values that the outcome has; those of a group as `perp.uu`.
-  std::map<std::string, std::variant<SignedSquares, std::string, int>> values;
+  std::map<std::string, std::variant<SignedSquares, SumsWithRoots, std::string, int>> values;
   /// What the formulas' names stand for.
   Names names;
   /// The unknowns of equations `0 = …`: somewhere, and where they satisfy it, if they can.
   Names unknowns;
   std::optional<Names> solution;
+  /// By lines whose equations have others, by their own ids.
+  std::map<std::string, Names> solutions;
   /// Marks of arrows and pieces that have no length and are left out.
   std::set<std::string> vanished;
 };

@@ -1,0 +1,19 @@
+// The moment of a line, as all constructions of Plücker coordinates write and draw it.
+#pragma once
+
+#include "lessons/figure/mark.h"
+#include "lessons/object/line.h"
+
+namespace halfspace {
+
+/// A letter that says whose it is where the line's own letters do: m beside v, m with the index g beside v
+/// with the index g.
+[[nodiscard]] Symbol besideLettersOf(const Given<LineObject> &line, Symbol letter);
+
+/// m = A×v.
+[[nodiscard]] Term momentOf(const Given<LineObject> &line);
+
+/// The moment ≠ 0 as an arrow from the origin. It may be very long: only its direction is drawn.
+[[nodiscard]] ArrowMark momentArrow(const Term &moment);
+
+} // namespace halfspace
