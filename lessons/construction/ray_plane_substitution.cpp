@@ -247,7 +247,7 @@ WorkingLine orderLine(const Out &at) {
 }
 
 WorkingLine hitLine(const Out &at) {
-  return asked(withNumbers(at.H == at.Q + firstMeeting(at)->t * at.r),
+  return asked(withNumbers(at.H == at.Q + at.meetings.at(at.first.front()).t * at.r),
                words("The smallest t that is not negative, put into the ray."));
 }
 
