@@ -40,6 +40,7 @@ struct Out : Naming {
 std::vector<Surd> unitCoordinates(const ExactVec3 &direction) {
   const Rational square = dot(direction, direction);
   std::vector<Surd> unit;
+  unit.reserve(3);
   for (int axis = 0; axis < 3; ++axis)
     unit.push_back(square == 0 ? Surd() : overRoot(direction[axis], square));
   return unit;

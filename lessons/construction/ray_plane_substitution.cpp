@@ -51,15 +51,18 @@ Meeting meetingWith(const Given<PlaneObject> &given, std::size_t place, const In
   const PlaneTerms letters = termsOf(given);
   const RayTerms ray = termsOf(in.L);
   const Term d = name(ofPlane(letter("d"), given), plane.offset).standingFor(-dot(letters.n, letters.P0));
+  const Term slope = dot(letters.n, ray.r);
+  const Term rest = dot(letters.n, ray.Q) + d;
+  const Term t = name(ofPlane(letter("t"), given), meet.t);
   return {letters,
           given.id,
           plainText(given.symbol),
           meet,
           d,
-          name(ofPlane(letter("t"), given), meet.t),
+          meet.crosses() ? t.standingFor(-rest / slope) : t,
           name(ofPlane(letter("H"), given), meet.point).marked(in.mark("H" + std::to_string(place))),
-          dot(letters.n, ray.r),
-          dot(letters.n, ray.Q) + d};
+          slope,
+          rest};
 }
 
 /// The planes with the smallest t that is not negative.

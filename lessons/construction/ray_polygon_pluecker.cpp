@@ -85,6 +85,7 @@ std::vector<EdgeTerms> edgesOf(const In &in, const std::vector<Term> &corners,
 
 Term sumOf(const std::vector<EdgeTerms> &edges) {
   std::vector<Term> products;
+  products.reserve(edges.size());
   for (const EdgeTerms &edge : edges)
     products.push_back(edge.p);
   return sum(std::move(products));

@@ -4,6 +4,7 @@
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/evaluation.h"
@@ -78,6 +79,8 @@ public:
     return turned(wholeLengths.at(static_cast<std::size_t>(between(0, last))));
   }
   ExactVec3 shortestNormal() { return turned(wholeLengths.front()); }
+  /// From the centre of a sphere of the radius 3 or 5 to one of its whole points.
+  ExactVec3 sphereReach() { return turned(once(2) ? wholeLengths.front() : wholeLengths.back()); }
 
 private:
   /// The numbers in any order, with any signs.
@@ -175,7 +178,8 @@ public:
 private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
-          drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object)))
+          drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
+          drawAs<SphereObject>(object)))
       drawAny(object);
   }
 
@@ -228,6 +232,28 @@ private:
       plane.point = pointOf(other);
   }
 
+  /// Such that many whole points lie on it.
+  void draw(SphereObject &sphere) {
+    const ExactVec3 reach = m_dice.sphereReach();
+    sphere = {m_dice.position(), Surd::root(dot(reach, reach)).rationalPart()};
+    m_sphere = sphere;
+  }
+
+  /// Through two whole points of a sphere, or at random.
+  void drawThrough(const SphereObject &sphere, RayObject &ray) {
+    const auto pointOnIt = [&] {
+      ExactVec3 reach = m_dice.sphereReach();
+      while (dot(reach, reach) != sphere.radius * sphere.radius)
+        reach = m_dice.sphereReach();
+      return ExactVec3(sphere.center + reach);
+    };
+    const ExactVec3 point = pointOnIt();
+    ray.direction = pointOnIt() - point;
+    if (isZero(ray.direction))
+      ray.direction = m_dice.direction(longestStep);
+    aimAt(point, ray);
+  }
+
   void draw(LineObject &line) { line = {m_dice.position(), m_dice.normal()}; }
 
   /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
@@ -270,6 +296,8 @@ private:
   /// At random, in what it looks for, along it, or towards a point of it.
   void draw(RayObject &ray) {
     ray = {m_dice.position(), m_dice.direction(longestStep)};
+    if (m_sphere && !m_dice.once(freelyOnceIn))
+      return drawThrough(*m_sphere, ray);
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
       return;
@@ -336,6 +364,7 @@ private:
   bool m_hasSeveralPlanes;
   std::vector<Net> m_nets;
   std::optional<VectorObject> m_vector; ///< the first
+  std::optional<SphereObject> m_sphere; ///< the last
 };
 
 /// What is looked for before what looks for it.
@@ -346,7 +375,8 @@ void renewAll(std::vector<Object *> objects, Dice &dice) {
   Renewal renewal(dice, planes > 1);
   std::stable_partition(objects.begin(), objects.end(), [](const Object *object) {
     const std::string_view kind = kindOf(*object);
-    return kind == PlaneObject::kind || kind == TriangleObject::kind || kind == LineObject::kind;
+    return kind == PlaneObject::kind || kind == TriangleObject::kind || kind == LineObject::kind ||
+           kind == SphereObject::kind;
   });
   for (Object *object : objects)
     renewal.renew(*object);
