@@ -3,14 +3,18 @@
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
+#include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/evaluation.h"
 
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <set>
@@ -39,6 +43,19 @@ constexpr int longestSide = 6;
 
 /// Whole numbers a, b, c for which √(a² + b² + c²) is whole too.
 constexpr std::array<std::array<int, 3>, 3> wholeLengths{{{1, 2, 2}, {2, 3, 6}, {0, 3, 4}}};
+
+/// Convex faces of three to eight corners, in steps along two directions. All have (1, 1) inside.
+using WholeFace = std::vector<glm::ivec2>;
+const WholeFace &wholeFace(std::size_t corners) {
+  static const std::array<WholeFace, 6> faces{
+      {{{0, 0}, {3, 0}, {0, 3}},
+       {{0, 0}, {2, 0}, {3, 3}, {0, 2}},
+       {{0, 0}, {2, 0}, {3, 1}, {2, 3}, {0, 2}},
+       {{1, 0}, {2, 0}, {3, 1}, {2, 2}, {1, 2}, {0, 1}},
+       {{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 1}},
+       {{1, 0}, {2, 0}, {3, 1}, {3, 2}, {2, 3}, {1, 3}, {0, 2}, {0, 1}}}};
+  return faces.at(corners - faces.front().size());
+}
 
 /// A result of 0 often means that nothing is left to calculate: it is no shorter than a fraction.
 constexpr std::size_t lengthOfZero = 3;
@@ -79,8 +96,8 @@ public:
     return turned(wholeLengths.at(static_cast<std::size_t>(between(0, last))));
   }
   ExactVec3 shortestNormal() { return turned(wholeLengths.front()); }
-  /// From the centre of a sphere of the radius 3 or 5 to one of its whole points.
-  ExactVec3 sphereReach() { return turned(once(2) ? wholeLengths.front() : wholeLengths.back()); }
+  /// 3 or 5 long.
+  ExactVec3 shortNormal() { return turned(once(2) ? wholeLengths.front() : wholeLengths.back()); }
 
 private:
   /// The numbers in any order, with any signs.
@@ -153,7 +170,8 @@ bool isShort(const Object &object) {
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  Renewal(Dice &dice, bool hasSeveralPlanes) : m_dice(dice), m_hasSeveralPlanes(hasSeveralPlanes) {}
+  Renewal(Dice &dice, bool hasSeveralPlanes, bool hasSeveralLines)
+      : m_dice(dice), m_hasSeveralPlanes(hasSeveralPlanes), m_hasSeveralLines(hasSeveralLines) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
@@ -171,6 +189,8 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
+    else if (kindOf(object) == PolygonObject::kind)
+      m_nets.push_back(m_polygon);
     else if (!m_vector)
       m_vector = objectAs<VectorObject>(object);
   }
@@ -179,7 +199,7 @@ private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
           drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
-          drawAs<SphereObject>(object)))
+          drawAs<SphereObject>(object) || drawAs<PolygonObject>(object)))
       drawAny(object);
   }
 
@@ -234,27 +254,57 @@ private:
 
   /// Such that many whole points lie on it.
   void draw(SphereObject &sphere) {
-    const ExactVec3 reach = m_dice.sphereReach();
+    const ExactVec3 reach = m_dice.shortNormal();
     sphere = {m_dice.position(), Surd::root(dot(reach, reach)).rationalPart()};
     m_sphere = sphere;
   }
 
-  /// Through two whole points of a sphere, or at random.
-  void drawThrough(const SphereObject &sphere, RayObject &ray) {
-    const auto pointOnIt = [&] {
-      ExactVec3 reach = m_dice.sphereReach();
-      while (dot(reach, reach) != sphere.radius * sphere.radius)
-        reach = m_dice.sphereReach();
-      return ExactVec3(sphere.center + reach);
-    };
-    const ExactVec3 point = pointOnIt();
-    ray.direction = pointOnIt() - point;
-    if (isZero(ray.direction))
-      ray.direction = m_dice.direction(longestStep);
-    aimAt(point, ray);
+  /// From the centre to one of the sphere's whole points.
+  ExactVec3 reachOf(const SphereObject &sphere) {
+    ExactVec3 reach = m_dice.shortNormal();
+    while (dot(reach, reach) != sphere.radius * sphere.radius)
+      reach = m_dice.shortNormal();
+    return reach;
   }
 
-  void draw(LineObject &line) { line = {m_dice.position(), m_dice.normal()}; }
+  /// Through two whole points of a sphere; now and then so that it touches it, or passes by.
+  void drawThrough(const SphereObject &sphere, RayObject &ray) {
+    const ExactVec3 reach = reachOf(sphere);
+    ray.direction = reachOf(sphere) - reach;
+    if (isZero(ray.direction))
+      ray.direction = reach;
+    if (!m_dice.once(3))
+      return aimAt(ExactVec3(sphere.center + reach), ray);
+    const ExactVec3 across = stepAlong(reach, 0, 1);
+    ray.direction = isZero(across) ? stepAlong(reach, 0, 2) : across;
+    aimAt(ExactVec3(sphere.center + reach * Rational(m_dice.between(1, 2))), ray);
+  }
+
+  /// Now and then it meets what it looks for in a whole point, lies in it, or is parallel to it.
+  void draw(LineObject &line) {
+    const bool isAlone = m_nets.empty() && !m_hasSeveralLines;
+    line = {m_dice.position(), isAlone ? m_dice.shortNormal() : m_dice.shortestNormal()};
+    if (m_nets.empty())
+      return;
+    const Net &other = m_nets.front();
+    if (m_dice.once(3))
+      line.direction = directionAlong(other);
+    if (m_dice.once(2))
+      line.point = anyPointOf(other);
+    line.point += line.direction * Rational(m_dice.between(-1, 1));
+  }
+
+  /// With as many corners as before.
+  void draw(PolygonObject &polygon) {
+    const ExactVec3 first = m_dice.direction(1);
+    ExactVec3 second = first;
+    while (isZero(cross(first, second)))
+      second = m_dice.direction(1);
+    m_polygon = {m_dice.position(), {first, second}, cross(first, second), 3};
+    const WholeFace &corners = wholeFace(polygon.corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      polygon.corners[i] = m_polygon.after({corners[i].x, corners[i].y});
+  }
 
   /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
   void draw(VectorObject &vector) {
@@ -296,7 +346,7 @@ private:
   /// At random, in what it looks for, along it, or towards a point of it.
   void draw(RayObject &ray) {
     ray = {m_dice.position(), m_dice.direction(longestStep)};
-    if (m_sphere && !m_dice.once(freelyOnceIn))
+    if (m_sphere)
       return drawThrough(*m_sphere, ray);
     const Net *net = aim();
     if (!net || m_dice.once(freelyOnceIn))
@@ -362,22 +412,27 @@ private:
 
   Dice &m_dice;
   bool m_hasSeveralPlanes;
+  bool m_hasSeveralLines;
   std::vector<Net> m_nets;
+  Net m_polygon;                        ///< of the last that was drawn
   std::optional<VectorObject> m_vector; ///< the first
   std::optional<SphereObject> m_sphere; ///< the last
 };
 
 /// What is looked for before what looks for it.
 void renewAll(std::vector<Object *> objects, Dice &dice) {
-  const auto planes = std::count_if(objects.begin(), objects.end(), [](const Object *object) {
-    return kindOf(*object) == PlaneObject::kind;
-  });
-  Renewal renewal(dice, planes > 1);
-  std::stable_partition(objects.begin(), objects.end(), [](const Object *object) {
+  const auto hasSeveral = [&](std::string_view kind) {
+    return std::count_if(objects.begin(), objects.end(),
+                         [&](const Object *object) { return kindOf(*object) == kind; }) > 1;
+  };
+  Renewal renewal(dice, hasSeveral(PlaneObject::kind), hasSeveral(LineObject::kind));
+  const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
+  const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
-    return kind == PlaneObject::kind || kind == TriangleObject::kind || kind == LineObject::kind ||
-           kind == SphereObject::kind;
+    return isLine(object) || kind == PlaneObject::kind || kind == TriangleObject::kind ||
+           kind == SphereObject::kind || kind == PolygonObject::kind;
   });
+  std::stable_partition(objects.begin(), others, std::not_fn(isLine));
   for (Object *object : objects)
     renewal.renew(*object);
 }
