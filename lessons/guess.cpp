@@ -45,7 +45,8 @@ std::string nearestOf(std::string_view wrong, std::span<const std::string> names
   return nearest;
 }
 
-std::string withGuess(std::string sentence, std::string_view wrong, std::span<const std::string> names) {
+std::string withGuess(const std::string &sentence, std::string_view wrong,
+                      std::span<const std::string> names) {
   const std::string guess = nearestOf(wrong, names);
   return guess.empty() ? sentence : sentence + " " + words("Perhaps “{guess}” is meant.", {{"guess", guess}});
 }

@@ -12,7 +12,7 @@ namespace halfspace {
 [[nodiscard]] std::string nearestOf(std::string_view wrong, std::span<const std::string> names);
 
 /// A sentence that complains of a wrong name, and, where one of the names is near, another that guesses it.
-[[nodiscard]] std::string withGuess(std::string sentence, std::string_view wrong,
+[[nodiscard]] std::string withGuess(const std::string &sentence, std::string_view wrong,
                                     std::span<const std::string> names);
 
 } // namespace halfspace

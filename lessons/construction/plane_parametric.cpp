@@ -15,6 +15,8 @@
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
+#include <glm/geometric.hpp>
+
 #include <array>
 
 namespace halfspace {
@@ -237,19 +239,24 @@ Explanation explain(const In &, const Out &at) {
 
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
 constexpr double drawnNormalLength = 3;
-/// The line of an edge is drawn so far beyond its ends, in lengths of the edge.
-constexpr double beyondEdge = 0.6;
+/// The line of an edge is drawn so far from the edge's middle, in lengths of the edge.
+constexpr double edgeLineReach = 0.9;
 
 /// The whole line that an edge is a piece of: all points for which one share is 0.
-SegmentMark edgeLine(std::string id, std::string label, const Place &from, const Place &to) {
-  const Place beyond = (to - from) * beyondEdge;
-  return {{std::move(id), Role::Ghost, Subject::Measure, std::move(label)}, from - beyond, to + beyond};
+LineMark edgeLine(std::string id, std::string label, const ExactVec3 &from, const ExactVec3 &to) {
+  const ExactVec3 edge = to - from;
+  const double reach = glm::length(place(edge)) * edgeLineReach;
+  LineMark line{{std::move(id), Role::Ghost, Subject::Measure, std::move(label)},
+                place(ExactVec3(from + edge * Rational(1, 2))),
+                unitOf(edge)};
+  line.held = Extent{-reach, reach};
+  return line;
 }
 
 void drawEdgeLines(Figure &figure, const Out &at) {
-  const Place p0 = place(at.P0);
-  const Place p1 = place(at.P1);
-  const Place p2 = place(at.P2);
+  const ExactVec3 p0 = vectorOf(at.P0);
+  const ExactVec3 p1 = vectorOf(at.P1);
+  const ExactVec3 p2 = vectorOf(at.P2);
   const auto zero = [](const Term &share) { return latexOf(share) + " = 0"; };
   figure.add(edgeLine(at.mark("s0"), zero(at.s), p0, p2));
   figure.add(edgeLine(at.mark("t0"), zero(at.t), p0, p1));

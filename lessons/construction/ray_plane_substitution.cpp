@@ -235,12 +235,14 @@ WorkingLine orderLine(const Out &at) {
   std::stable_sort(crossed.begin(), crossed.end(),
                    [](const Meeting *a, const Meeting *b) { return a->meet.t < b->meet.t; });
   std::vector<Term> parameters;
+  parameters.reserve(crossed.size() + 1);
   for (const Meeting *meeting : crossed)
     parameters.push_back(meeting->t);
   const auto ahead = std::find_if(crossed.begin(), crossed.end(),
                                   [](const Meeting *meeting) { return meeting->meet.t >= 0; });
   parameters.insert(parameters.begin() + (ahead - crossed.begin()), Term(0));
   std::vector<Chain> order;
+  order.reserve(parameters.size());
   for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
     order.push_back(compared(parameters[i], parameters[i + 1]));
   return line(std::move(order),

@@ -163,7 +163,7 @@ Term columnsPutIn(const Term &determinant) {
 }
 
 Term expandedAlong(const Term &determinant, std::size_t column) {
-  const Term square = columnsPutIn(determinant);
+  Term square = columnsPutIn(determinant);
   const std::size_t size = square->columns;
   if (size < 2 || square->parts.size() != size * size)
     return square;
