@@ -63,6 +63,13 @@ struct Arguments {
   int step = 0;
 };
 
+void addOwnLessons(CLI::App &app, OwnLessons &folders) {
+  app.add_option("--lessons", folders, "A folder of lessons of your own (can be repeated)")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
 void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
   app.add_option("subject", subject, "A lesson's id or a .halfspace file")->required();
   app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
@@ -124,11 +131,9 @@ Command parseCommandLine(int argc, const char *const *argv) {
       ->type_name("LESSON|FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
-  app.add_option("--lessons", arguments.ownLessons, "A folder of lessons of your own (can be repeated)")
-      ->type_name("FOLDER")
-      ->allow_extra_args(false)
-      ->take_all();
-  app.fallthrough(); // it may stand behind a command
+  addOwnLessons(app, arguments.ownLessons);
+  addOwnLessons(*lessons, arguments.ownLessons); // what it is called itself does not fall through
+  app.fallthrough();                             // it may stand behind the other commands
   auto *newLesson = app.add_subcommand("new-lesson", "Write a lesson to begin with: ID.md in this folder");
   newLesson->add_option("id", arguments.newLesson.id, "Small letters, digits and hyphens")->required();
   auto *constructionList = app.add_subcommand(
