@@ -157,6 +157,15 @@ void expectFiniteAndBounded(const Mesh &mesh) {
     ASSERT_TRUE(isFinite(Place(normal)));
 }
 
+/// A ball is drawn as many flat faces, all else as a few.
+std::size_t mostFacesOf(const Figure &figure) {
+  constexpr std::size_t ofABall = 200;
+  constexpr std::size_t ofTheRest = 100;
+  const auto balls = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                   [](const Mark &mark) { return std::holds_alternative<SphereMark>(mark); });
+  return ofTheRest + ofABall * static_cast<std::size_t>(balls);
+}
+
 void expectAllIsBounded(const Prepared &made) {
   const Figure &figure = made.content.figure;
   const Theme &theme = themes().front();
@@ -168,7 +177,7 @@ void expectAllIsBounded(const Prepared &made) {
       ASSERT_TRUE(isWithinReach(place)) << baseOf(mark).id;
   expectFiniteAndBounded(meshOf(figure, {}, theme, scale));
   const FaceOrder faces(facesOf(figure, {}, theme));
-  EXPECT_LE(faces.backToFront(glm::dvec4(view.camera.eye(), 1)).size(), 100U);
+  EXPECT_LE(faces.backToFront(glm::dvec4(view.camera.eye(), 1)).size(), mostFacesOf(figure));
   EXPECT_LE(gridAround(view.camera).lines.size(), mostGridLines);
   const AxesReach axes = axesAround(figure);
   expectFiniteAndBounded(axesMesh(axes, view.camera, theme, scale));
