@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <numbers>
+#include <numeric>
 
 using namespace halfspace;
 using namespace halfspace::test;
@@ -164,9 +165,12 @@ private slots:
         const Spot &pressed = drawn[i].spots()[spot];
         ++spots;
         // What is seen there is another handle, nearer to the eye. Its middle every handle shows.
-        if (spot > 0 && std::any_of(drawn.begin(), drawn.end(), [&](const Drawn &other) {
-              return &other != &drawn[i] && other.covers(pressed);
-            })) {
+        const auto isCoveredBy = [&](std::size_t other) {
+          return !isAtThePlaceOf(handles, handles[other].id, handles[i]) && drawn[other].covers(pressed);
+        };
+        std::vector<std::size_t> others(handles.size());
+        std::iota(others.begin(), others.end(), 0U);
+        if (spot > 0 && std::any_of(others.begin(), others.end(), isCoveredBy)) {
           ++covered;
           continue;
         }
