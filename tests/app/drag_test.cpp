@@ -57,6 +57,13 @@ private:
   std::optional<Scene> m_drawn; ///< what the picture shows
 };
 
+/// Whether an object has the places of its handles for its coordinates; bound ones have freedoms, spheres a
+/// length, and two vectors may start at one point.
+bool goesByTheGrid(const Object &object) {
+  const std::set<std::string_view> kinds{"point", "plane", "ray", "line", "triangle", "polygon"};
+  return kinds.contains(kindOf(object));
+}
+
 } // namespace
 
 class DragTest : public QObject {
@@ -71,8 +78,9 @@ private slots:
     QTest::addColumn<QString>("handleId");
     for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons)
       for (const Handle &handle : handlesOf(lesson.scene))
-        QTest::newRow((lesson.id + " " + handle.id).c_str())
-            << QString::fromStdString(lesson.id) << QString::fromStdString(handle.id);
+        if (goesByTheGrid(*findObject(lesson.scene, handle.object)))
+          QTest::newRow((lesson.id + " " + handle.id).c_str())
+              << QString::fromStdString(lesson.id) << QString::fromStdString(handle.id);
   }
 
   void handle_draggedToAGridPlace_hasExactlyItsNumbersInOneUndoStep() {
