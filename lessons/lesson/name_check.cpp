@@ -207,11 +207,11 @@ private:
   }
 
   /// Why a name does not mean one thing alone; empty where it does.
-  [[nodiscard]] static std::string whyNotOne(std::string sentence, const std::string &name,
+  [[nodiscard]] static std::string whyNotOne(const std::string &sentence, const std::string &name,
                                              const Names &bearers, const Names &known) {
     if (bearers.size() > 1)
       return saysNotWhose(name, bearers[0], bearers[1]);
-    return bearers.empty() ? withGuess(std::move(sentence), name, known) : std::string();
+    return bearers.empty() ? withGuess(sentence, name, known) : std::string();
   }
 
   /// What a name means; or why it means no value, a sentence.

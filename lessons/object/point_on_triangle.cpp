@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -42,7 +43,7 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
   };
   const Object edges[] = {nearestOnEdge(bound, host, place, {0, 0}, {1, 0}),
                           nearestOnEdge(bound, host, place, {0, 0}, {0, 1}),
-                          nearestOnEdge(bound, host, place, {1, 0}, {0, 1})};
+                          nearestOnEdge(std::move(bound), host, place, {1, 0}, {0, 1})};
   return *std::min_element(std::begin(edges), std::end(edges), [&](const Object &a, const Object &b) {
     return squaredDistance(a) < squaredDistance(b);
   });

@@ -1,6 +1,8 @@
 // Points of a triangle's plane, outside the triangle too.
 #include "lessons/object/point_by_sides.h"
 
+#include <utility>
+
 namespace halfspace {
 namespace {
 
@@ -17,7 +19,7 @@ Object nearestOnLine(Object bound, const Object &host, const ExactVec3 &place) {
 
 Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
   const auto foot = footBySides(bound, host, place);
-  return foot ? *foot : nearestOnLine(bound, host, place);
+  return foot ? *foot : nearestOnLine(std::move(bound), host, place);
 }
 
 } // namespace
