@@ -11,15 +11,31 @@ using namespace halfspace;
 namespace {
 
 /// A question and the word of the choice that is right at the start.
-struct Asked {
+struct RightAnswer {
   const char *lesson;
   int step;
   const char *right;
 };
 
-const std::vector<Asked> &questions() {
-  static const std::vector<Asked> all{
-      // QUESTIONS
+const std::vector<RightAnswer> &questions() {
+  static const std::vector<RightAnswer> all{
+      {"plane-implicit", 1, "on"},
+      {"plane-parametric", 1, "s"},
+      {"half-spaces", 1, "2"},
+      {"plane-plane", 1, "line"},
+      {"dot-product-projection", 1, "positive"},
+      {"signed-distance", 1, "positive"},
+      {"point-line", 1, "2"},
+      {"ray-plane-substitution", 1, "behind"},
+      {"ray-plane-substitution", 3, "plane2"},
+      {"ray-plane-dot", 1, "behind"},
+      {"ray-triangle-perp", 1, "interior"},
+      {"barycentric", 1, "P2"},
+      {"ray-triangle-cramer", 1, "interior"},
+      {"ray-sphere", 1, "two"},
+      {"pluecker-lines", 5, "skew"},
+      {"ray-polygon-pluecker", 1, "same"},
+      {"ray-triangle-pluecker", 1, "same"},
   };
   return all;
 }
@@ -47,8 +63,8 @@ private slots:
 
   void everyQuestion_hasARowHere() {
     std::set<std::pair<std::string, int>> rows;
-    for (const Asked &asked : questions())
-      rows.emplace(asked.lesson, asked.step);
+    for (const RightAnswer &answer : questions())
+      rows.emplace(answer.lesson, answer.step);
     std::set<std::pair<std::string, int>> inLessons;
     for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons)
       for (std::size_t step = 0; step < lesson.steps.size(); ++step)
@@ -61,8 +77,8 @@ private slots:
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<int>("step");
     QTest::addColumn<QString>("right");
-    for (const Asked &asked : questions())
-      QTest::addRow("%s %d", asked.lesson, asked.step) << asked.lesson << asked.step << asked.right;
+    for (const RightAnswer &answer : questions())
+      QTest::addRow("%s %d", answer.lesson, answer.step) << answer.lesson << answer.step << answer.right;
   }
   void question_answeredWrong_andThenRight_isJudged() {
     QFETCH(QString, lesson);

@@ -29,11 +29,11 @@ const QString manyWords = QString("some words ").repeated(40);
 
 /// How many pixels are red rather than green.
 int redPixels(const QImage &image) {
-  int red = 0;
+  int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
-      red += qRed(image.pixel(x, y)) > qGreen(image.pixel(x, y)) + 100 ? 1 : 0;
-  return red;
+      count += qRed(image.pixel(x, y)) > qGreen(image.pixel(x, y)) + 100 ? 1 : 0;
+  return count;
 }
 
 } // namespace
