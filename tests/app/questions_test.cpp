@@ -30,10 +30,13 @@ const std::vector<RightAnswer> &questions() {
       {"ray-plane-substitution", 3, "plane2"},
       {"ray-plane-dot", 1, "behind"},
       {"ray-triangle-perp", 1, "interior"},
+      {"triangle-degenerate", 1, "no"},
+      {"triangle-degenerate", 2, "no"},
       {"barycentric", 1, "P2"},
       {"ray-triangle-cramer", 1, "interior"},
       {"ray-sphere", 1, "two"},
       {"pluecker-lines", 5, "skew"},
+      {"pluecker-planes", 1, "point"},
       {"ray-polygon-pluecker", 1, "same"},
       {"ray-triangle-pluecker", 1, "same"},
   };
