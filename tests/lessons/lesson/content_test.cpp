@@ -162,6 +162,13 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-pluecker", "Move $Q$", {"L", RayObject{{4, 5, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Bring the point", {"L", RayObject{{4, 2, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Let the ray go", {"L", RayObject{{0, -2, 2}, {1, 2, 1}}}},
+      {"three-methods", "Drag $Q$ straight", {"L", RayObject{{3, 6, 3}, {1, -1, -2}}}},
+      {"three-methods", "Lift $Q$ again", {"L", RayObject{{3, 6, 9}, {1, -1, -2}}}},
+      {"three-methods", "Turn $\\vec r$ until", {"L", RayObject{{3, 6, 9}, {0, -3, -2}}}},
+      {"three-methods", "Move $Q$ down", {"L", RayObject{{3, 6, 4}, {0, -3, -2}}}},
+      {"three-methods", "Turn $\\vec r$ out", {"L", RayObject{{3, 6, 4}, {1, -1, -2}}}},
+      {"three-methods", "Put all three", {"T", TriangleObject{{2, 2, 1}, {8, 2, 3}, {5, 2, 2}}}},
+      {"three-methods", "Bring the triangle", {"T", TriangleObject{{2, 2, 1}, {8, 2, 3}, {2, 8, 5}}}},
   };
   return all;
 }
