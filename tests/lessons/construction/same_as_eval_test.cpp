@@ -32,6 +32,7 @@ const std::map<std::string, Question> &questions() {
       {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
       {"three-methods", {"ray-triangle", {"triangle", "ray"}}},
+      {"misprints", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-sphere", {"ray-sphere", {"sphere", "ray"}}},
       {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
       {"line-pluecker", {"line", {"line"}}},

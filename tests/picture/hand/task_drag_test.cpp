@@ -145,6 +145,15 @@ const std::vector<Asked> &tableOfTasks() {
       {"three-methods", "case != in-plane and case != parallel", {"L.r"}},
       {"three-methods", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
       {"three-methods", "perp.denominator != 0", {"T.P0"}},
+      {"misprints", "distance = fails", {"L.Q"}},
+      {"misprints", "triple = fails", {"T.P0", "T.P1", "T.P2"}},
+      {"misprints", "cosine = fails", {"T.P0"}},
+      {"misprints", "case != collinear", {"T.P0"}},
+      {"misprints", "perimeter = fails", {"L.Q", "L.r"}},
+      {"misprints", "vertex = fails", {"L.Q", "L.r"}},
+      {"misprints", "facing = fails", {"L.r"}},
+      {"misprints", "direction = fails", {"T.P1"}},
+      {"misprints", "start = fails", {"L.r"}},
   };
   return table;
 }
