@@ -37,6 +37,8 @@ const std::vector<RightAnswer> &questions() {
       {"pluecker-lines", 5, "skew"},
       {"ray-polygon-pluecker", 1, "same"},
       {"ray-triangle-pluecker", 1, "same"},
+      {"three-methods", 1, "interior"},
+      {"misprints", 1, "holds"},
   };
   return all;
 }

@@ -316,6 +316,7 @@ private slots:
     QVERIFY(rich.document().find("left").charFormat().fontWeight() == QFont::Bold);
     QVERIFY(rich.document().find("d").charFormat().fontWeight() != QFont::Bold);
     const double line = QFontMetricsF(usualFont()).height();
+    QVERIFY2(boxOf("right").left() - boxOf("left").right() > line / 2, "a gap between the columns");
     QVERIFY2(boxOf("left").top() < line, "no empty line above");
     QVERIFY2(rich.document().size().height() - boxOf("d").bottom() < 1.5 * line, "nor below");
     const RichText behind("| a |\n|---|\n\nwords", typesetter, {usualFont(), Qt::black});
