@@ -89,13 +89,14 @@ struct Mistake {
 const std::vector<Mistake> &mistakes() {
   static const std::vector<Mistake> all{
       {"id: base", "id: Base", 2, "id: An id is made of"},
-      {"title: My", "titel: My", 3,
-       "titel: There is no such field. Remove it or mend its name. Perhaps “title” is"},
+      {"title: My", "titl: My", 3,
+       "titl: There is no such field. Remove it or mend its name. Perhaps “title” is"},
       {"title: My first lesson", "", 2, "title: This field is missing."},
       {"sources: []", "sources: &a [*a]", 5, "References with * are not read."},
       {"sources: []", "sources: [&a [x, x], &b [*a, *a], &c [*b, *b]]", 5, "References with * are not read."},
-      {"sources: []", "sources: " + std::string(100, '['), 5, "This is nested more than"},
-      {"sources: []", "sources: [", 8, "This is not YAML as it should be"},
+      {"sources: []", "sources: " + std::string(100, '[') + std::string(100, ']'), 5,
+       "Lists and maps are nested too deeply"},
+      {"sources: []", "sources: [", 7, "This is not YAML as it should be"},
       {"{P0: [5, 4, 7], n:", "{P: [5, 4, 7], n:", 7, "scene[0].plane"},
       {"E, plane:", "E, plain:", 7, "scene[0]: It does not say what it is"},
       {"point: [11, 15, 8]", "point: [11, 15]", 8, "scene[1].point: Here three numbers are expected"},
@@ -157,7 +158,7 @@ TEST_F(Program, LessonFile_IsOpenedLikeALesson) {
   write("broken.md", "---\nid: broken\n---\n");
   const Ran broken = run("explain broken.md");
   EXPECT_EQ(broken.status, 2);
-  EXPECT_TRUE(broken.err.starts_with("broken.md:2: title:")) << broken.err;
+  EXPECT_TRUE(broken.err.starts_with("halfspace: broken.md:2: title:")) << broken.err;
   const std::string ours = contentOf(inFolder("my-first.md"));
   write("other.md", std::string(ours).replace(ours.find("my-first"), 8, "ray-sphere"));
   EXPECT_NE(run("explain other.md").out.find("My first lesson"), std::string::npos) << "the file comes first";

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 
+#include <memory>
 #include <set>
 
 using namespace halfspace;
@@ -39,6 +40,8 @@ const std::vector<RightAnswer> &questions() {
       {"pluecker-planes", 1, "point"},
       {"ray-polygon-pluecker", 1, "same"},
       {"ray-triangle-pluecker", 1, "same"},
+      {"three-methods", 1, "interior"},
+      {"misprints", 1, "holds"},
   };
   return all;
 }
@@ -49,11 +52,13 @@ class QuestionsTest : public QObject {
   Q_OBJECT
 
 private:
-  static QList<ChoiceButton *> choicesOf(WindowFixture &fixture) {
-    return fixture.window.findChild<PredictionBox *>()->choices();
-  }
-  static QString reasonIn(WindowFixture &fixture) {
-    return fixture.window.findChild<PredictionBox *>()->reason()->accessibleName();
+  std::unique_ptr<WindowFixture> m_fixture; // one for all: opening it takes most of the time
+
+  const PredictionBox &box() { return *m_fixture->window.findChild<PredictionBox *>(); }
+  void open(const QString &lesson, int step) {
+    m_fixture->model().openLesson(lesson.toStdString());
+    m_fixture->model().setStep(step - 1);
+    QTest::qWait(1); // what stood on the page before is gone
   }
 
 private slots:
@@ -61,8 +66,11 @@ private slots:
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName("halfspace-test");
     QCoreApplication::setApplicationName("questions");
+    forgetStarts();
+    m_fixture = std::make_unique<WindowFixture>("plane-implicit");
+    QVERIFY(m_fixture->ready);
   }
-  void init() { forgetStarts(); }
+  void cleanupTestCase() { m_fixture.reset(); }
 
   void everyQuestion_hasARowHere() {
     std::set<std::pair<std::string, int>> rows;
@@ -87,24 +95,24 @@ private slots:
     QFETCH(QString, lesson);
     QFETCH(int, step);
     QFETCH(QString, right);
-    WindowFixture fixture(lesson.toStdString());
-    QVERIFY(fixture.ready);
-    fixture.model().setStep(step - 1);
-    const Prediction question = *predictionOf(fixture.model().step());
+    open(lesson, step);
+    const Prediction question = *predictionOf(m_fixture->model().step());
     QVERIFY(question.choices.size() >= 2);
     for (int choice = static_cast<int>(question.choices.size()) - 1; choice >= 0; --choice) {
       const bool isRight = question.choices[static_cast<std::size_t>(choice)].word == right.toStdString();
-      QVERIFY(fixture.questionIsOpen());
-      QVERIFY2(fixture.window.findChild<QLabel *>("nearby")->text().isEmpty(),
+      QVERIFY(m_fixture->questionIsOpen());
+      QVERIFY2(m_fixture->window.findChild<QLabel *>("nearby")->text().isEmpty(),
                "it would give the answer away");
-      fixture.answer(choice);
-      QCOMPARE(choicesOf(fixture)[choice]->verdict(), isRight ? Verdict::Right : Verdict::Wrong);
-      QCOMPARE(std::count_if(choicesOf(fixture).begin(), choicesOf(fixture).end(),
-                             [](const ChoiceButton *each) { return each->verdict() == Verdict::Right; }),
-               1);
-      QVERIFY2(reasonIn(fixture).startsWith(isRight ? "Right." : "Not quite."),
-               qPrintable(reasonIn(fixture)));
-      QTest::mouseClick(fixture.window.findChild<QToolButton *>("again"), Qt::LeftButton);
+      m_fixture->answer(choice);
+      const QList<ChoiceButton *> choices = box().choices();
+      QCOMPARE(choices[choice]->verdict(), isRight ? Verdict::Right : Verdict::Wrong);
+      const auto told = std::count_if(choices.begin(), choices.end(), [](const ChoiceButton *each) {
+        return each->verdict() == Verdict::Right;
+      });
+      QCOMPARE(int(told), 1);
+      const QString reason = box().reason()->accessibleName();
+      QVERIFY2(reason.startsWith(isRight ? "Right." : "Not quite."), qPrintable(reason));
+      QTest::mouseClick(m_fixture->window.findChild<QToolButton *>("again"), Qt::LeftButton);
     }
   }
 };

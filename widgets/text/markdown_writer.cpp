@@ -218,7 +218,6 @@ private:
       format.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
       format.setBottomBorderBrush(m_style.ink);
     }
-    place.setFormat(format);
     m_cursor = place.firstCursorPosition();
     QTextBlockFormat paragraph;
     paragraph.setAlignment(alignmentOf(cell.side));
@@ -226,6 +225,7 @@ private:
     m_inTableHead = isHeading;
     m_cursor.setBlockCharFormat(textFormat(cell));
     writeSpans(cell);
+    place.setFormat(format); // at last: it stands where the look of the first paragraph's end does
     m_inTableHead = false;
   }
 

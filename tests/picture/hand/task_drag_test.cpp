@@ -153,6 +153,22 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-triangle-pluecker", "barycentric.0 < 0", {"L.Q", "L.r"}},
       {"ray-triangle-pluecker", "case = hit and barycentric.1 = 1/2", {"L.Q", "L.r"}},
       {"ray-triangle-pluecker", "case = hit and location = vertex", {"L.Q", "L.r"}},
+      {"three-methods", "case = behind", {"L.Q"}},
+      {"three-methods", "case = hit and t > 0", {"L.Q"}},
+      {"three-methods", "case = parallel", {"L.r"}},
+      {"three-methods", "case = in-plane", {"L.Q"}},
+      {"three-methods", "case != in-plane and case != parallel", {"L.r"}},
+      {"three-methods", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
+      {"three-methods", "perp.denominator != 0", {"T.P0"}},
+      {"misprints", "distance = fails", {"L.Q"}},
+      {"misprints", "triple = fails", {"T.P0", "T.P1", "T.P2"}},
+      {"misprints", "cosine = fails", {"T.P0"}},
+      {"misprints", "case != collinear", {"T.P0"}},
+      {"misprints", "perimeter = fails", {"L.Q", "L.r"}},
+      {"misprints", "vertex = fails", {"L.Q", "L.r"}},
+      {"misprints", "facing = fails", {"L.r"}},
+      {"misprints", "direction = fails", {"T.P1"}},
+      {"misprints", "start = fails", {"L.r"}},
   };
   return table;
 }
