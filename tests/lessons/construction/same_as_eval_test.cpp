@@ -42,9 +42,13 @@ const std::map<std::string, Question> &questions() {
   };
   return all;
 }
-const std::set<std::string> withoutQuestion{
-    "point-line",      "half-spaces", "barycentric", "dot-product-projection", "ray-plane-substitution",
-    "plane-parametric"};
+const std::set<std::string> withoutQuestion{"point-line",
+                                            "half-spaces",
+                                            "barycentric",
+                                            "dot-product-projection",
+                                            "ray-plane-substitution",
+                                            "plane-parametric",
+                                            "triangle-degenerate"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 
