@@ -34,6 +34,10 @@ Object onTrianglePlane(const Rational &s, const Rational &t) {
   return test::withNumbers("point-on-triangle-plane", {s, t});
 }
 
+Object box(const ExactVec3 &lowest, const ExactVec3 &lengths) {
+  return test::objectOf("box", {lowest, {lengths.x, 0, 0}, {lengths.y, 0, 0}, {lengths.z, 0, 0}});
+}
+
 const std::vector<Solution> &solutions() {
   static const std::vector<Solution> all{
       {"plane-implicit", "Drag $P$ to", {"P", PointObject{{7, 7, 1}}}},
@@ -162,6 +166,20 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-pluecker", "Move $Q$", {"L", RayObject{{4, 5, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Bring the point", {"L", RayObject{{4, 2, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Let the ray go", {"L", RayObject{{0, -2, 2}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Move $Q$ sideways", {"L", RayObject{{2, -1, 3}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Turn $\\vec r$ until", {"L", RayObject{{2, -1, 1}, {1, 2, 0}}}},
+      {"ray-solid-pluecker", "Let the ray come out", {"L", RayObject{{2, -1, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Change a length", {"K", box({2, 3, 0}, {6, 5, 2})}},
+      {"ray-solid-pluecker", "Let the ray hit the box again", {"K", box({2, 3, 0}, {6, 5, 4})}},
+      {"ray-solid-pluecker", "Move $Q$ until the ray goes in", {"L", RayObject{{2, 1, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Move $Q$ until the ray comes", {"L", RayObject{{6, 1, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Drag $Q$ into", {"L", RayObject{{4, 4, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Drag $Q$ out", {"L", RayObject{{6, 9, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray hit the box from", {"L", RayObject{{2, -1, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray go into", {"L", RayObject{{1, 1, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray go exactly", {"L", RayObject{{-1, -3, 1}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Make the box", {"K", box({2, 3, 0}, {6, 5, 0})}},
+      {"ray-solid-pluecker", "Make it a box", {"K", box({2, 3, 0}, {6, 5, 4})}},
   };
   return all;
 }

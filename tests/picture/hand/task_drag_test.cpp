@@ -138,6 +138,20 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-triangle-pluecker", "barycentric.0 < 0", {"L.Q", "L.r"}},
       {"ray-triangle-pluecker", "case = hit and barycentric.1 = 1/2", {"L.Q", "L.r"}},
       {"ray-triangle-pluecker", "case = hit and location = vertex", {"L.Q", "L.r"}},
+      {"ray-solid-pluecker", "products.8 < 0", {"L.Q"}},
+      {"ray-solid-pluecker", "case = hit and left.face = 3", {"L.r"}},
+      {"ray-solid-pluecker", "case = hit and left.face = 0", {"L.r"}},
+      {"ray-solid-pluecker", "case = miss", {"K.a", "K.c"}},
+      {"ray-solid-pluecker", "case = hit", {"K.a"}},
+      {"ray-solid-pluecker", "entered.point.z = 2", {"L.Q"}},
+      {"ray-solid-pluecker", "case = hit and left.face = 5", {"L.Q"}},
+      {"ray-solid-pluecker", "origin = inside", {"L.Q"}},
+      {"ray-solid-pluecker", "case = behind", {"L.Q"}},
+      {"ray-solid-pluecker", "case = hit and origin = outside", {"L.Q"}},
+      {"ray-solid-pluecker", "case = hit and contacts = two and entered.location = edge", {"L.Q", "L.r"}},
+      {"ray-solid-pluecker", "case = hit and entered.location = vertex", {"L.Q", "L.r"}},
+      {"ray-solid-pluecker", "case = flat", {"K.c"}},
+      {"ray-solid-pluecker", "case != flat", {"K.c"}},
   };
   return table;
 }
