@@ -19,8 +19,9 @@ Term way(const Given<Object> &given, std::size_t from, std::size_t to) {
 }
 
 std::string face(const Given<Object> &given, std::size_t index) {
+  const SolidMesh<Rational> all = mesh(given.object);
   std::string corners;
-  for (const std::uint32_t corner : mesh(given.object).faces[index]) {
+  for (const std::uint32_t corner : all.faces[index]) {
     const Symbol &letter = given.letters[corner];
     corners += (corners.empty() || letter.owner.empty() ? "" : ", ") + plainText(letter);
   }

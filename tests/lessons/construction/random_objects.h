@@ -403,27 +403,31 @@ private:
       face.push_back(mesh.vertices[corner]);
     const ExactVec3 middle = middleOf(mesh.vertices);
     const ExactVec3 side = face[1] - face[0];
-    switch (integer(0, 11)) {
+    switch (integer(0, 15)) {
     case 0:
       ray.direction = {0, 0, 0};
       break;
     case 1:
+    case 2:
+    case 3:
+    case 4:
+    case 5:
       spoil(solid);
       break;
-    case 2:
+    case 6:
       ray.origin = middle;
       break;
-    case 3:
+    case 7:
       ray.origin = placeIn(face);
       break;
-    case 4: // along an edge
+    case 8: // along an edge
       ray = {face[0] + side * number(), side * Rational(integer(0, 1) == 0 ? -1 : 2)};
       break;
-    case 5: // in a face
+    case 9: // in a face
       ray.direction = middleOf(face) - face[0];
       ray.origin = face[0] + ray.direction * number();
       break;
-    case 6: // mostly touching a corner alone
+    case 10: // mostly touching a corner alone
       ray.direction = cross(face[0] - middle, vector());
       ray.origin = face[0] + ray.direction * Rational(integer(-2, 2));
       break;

@@ -143,7 +143,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-solid-pluecker", "case = hit and left.face = 0", {"L.r"}},
       {"ray-solid-pluecker", "case = miss", {"K.a", "K.c"}},
       {"ray-solid-pluecker", "case = hit", {"K.a"}},
-      {"ray-solid-pluecker", "entered.point.z = 2", {"L.Q"}},
+      {"ray-solid-pluecker", "entered.point.z = 3", {"L.Q"}},
       {"ray-solid-pluecker", "case = hit and left.face = 5", {"L.Q"}},
       {"ray-solid-pluecker", "origin = inside", {"L.Q"}},
       {"ray-solid-pluecker", "case = behind", {"L.Q"}},
@@ -152,6 +152,12 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-solid-pluecker", "case = hit and entered.location = vertex", {"L.Q", "L.r"}},
       {"ray-solid-pluecker", "case = flat", {"K.c"}},
       {"ray-solid-pluecker", "case != flat", {"K.c"}},
+      {"ray-prism-pluecker", "case = hit and left.face = 3", {"L.r"}},
+      {"ray-prism-pluecker", "case = hit and left.face = 4", {"L.r"}},
+      {"ray-prism-pluecker", "case = flat", {"K.h"}},
+      {"ray-prism-pluecker", "case != flat", {"K.h"}},
+      {"ray-prism-pluecker", "case = not-convex", {"K.P3"}},
+      {"ray-prism-pluecker", "case != not-convex and case != not-planar", {"K.P3"}},
   };
   return table;
 }
