@@ -482,7 +482,8 @@ void drawEdge(Figure &figure, const Out &at, const EdgeTerms &edge) {
                           : edge.product < 0 ? Subject::EdgeV
                                              : Subject::Measure;
   MarkBase base = drawn(edge.p, Role::Derived, subject);
-  base.numbers = edge.product > 0 ? "> 0" : edge.product < 0 ? "< 0" : "= 0"; // the sign is what decides
+  // The sign is what decides, and many edges leave no room for more.
+  base.numbers = edge.product > 0 ? "\\,{+}" : edge.product < 0 ? "\\,{-}" : "= 0";
   const std::string arrow = base.id + "/way";
   figure.add(SegmentMark{std::move(base), from, place(at.corners[edge.to])});
   figure.add(ArrowMark{{arrow, Role::Derived, subject}, from, place(edge.e) * arrowPart});

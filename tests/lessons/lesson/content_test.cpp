@@ -39,7 +39,7 @@ Object box(const ExactVec3 &lowest, const ExactVec3 &lengths) {
 }
 
 Object house(const ExactVec3 &ridge, const ExactVec3 &depth) {
-  return test::objectOf("prism", {{2, 2, 0}, depth, {8, 2, 0}, {8, 2, 4}, ridge, {2, 2, 4}});
+  return test::objectOf("prism", {{8, 2, 0}, depth, {8, 2, 4}, ridge, {2, 2, 4}, {2, 2, 0}});
 }
 
 const std::vector<Solution> &solutions() {
@@ -184,12 +184,12 @@ const std::vector<Solution> &solutions() {
       {"ray-solid-pluecker", "Let the ray go exactly", {"L", RayObject{{-2, -1, 2}, {2, 2, 1}}}},
       {"ray-solid-pluecker", "Make the box", {"K", box({2, 3, 0}, {6, 5, 0})}},
       {"ray-solid-pluecker", "Make it a box", {"K", box({2, 3, 0}, {6, 5, 4})}},
-      {"ray-prism-pluecker", "Turn $\\vec r$", {"L", RayObject{{4, -2, 2}, {1, 2, 0}}}},
-      {"ray-prism-pluecker", "Let it come", {"L", RayObject{{4, -2, 2}, {1, 2, 1}}}},
+      {"ray-prism-pluecker", "Turn $\\vec r$", {"L", RayObject{{3, -2, 2}, {2, 2, 0}}}},
+      {"ray-prism-pluecker", "Let it come", {"L", RayObject{{3, -2, 2}, {1, 2, 1}}}},
       {"ray-prism-pluecker", "Drag $\\vec h$", {"K", house({5, 2, 7}, {0, 0, 0})}},
       {"ray-prism-pluecker", "Make it", {"K", house({5, 2, 7}, {0, 6, 0})}},
-      {"ray-prism-pluecker", "Drag $P_3$ straight", {"K", house({5, 2, 3}, {0, 6, 0})}},
-      {"ray-prism-pluecker", "Drag $P_3$ up", {"K", house({5, 2, 7}, {0, 6, 0})}},
+      {"ray-prism-pluecker", "Drag $P_2$ straight", {"K", house({5, 2, 3}, {0, 6, 0})}},
+      {"ray-prism-pluecker", "Drag $P_2$ up", {"K", house({5, 2, 7}, {0, 6, 0})}},
   };
   return all;
 }

@@ -152,12 +152,12 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-solid-pluecker", "case = hit and entered.location = vertex", {"L.Q", "L.r"}},
       {"ray-solid-pluecker", "case = flat", {"K.c"}},
       {"ray-solid-pluecker", "case != flat", {"K.c"}},
+      {"ray-prism-pluecker", "case = hit and left.face = 2", {"L.r"}},
       {"ray-prism-pluecker", "case = hit and left.face = 3", {"L.r"}},
-      {"ray-prism-pluecker", "case = hit and left.face = 4", {"L.r"}},
       {"ray-prism-pluecker", "case = flat", {"K.h"}},
       {"ray-prism-pluecker", "case != flat", {"K.h"}},
-      {"ray-prism-pluecker", "case = not-convex", {"K.P3"}},
-      {"ray-prism-pluecker", "case != not-convex and case != not-planar", {"K.P3"}},
+      {"ray-prism-pluecker", "case = not-convex", {"K.P2"}},
+      {"ray-prism-pluecker", "case != not-convex and case != not-planar", {"K.P2"}},
   };
   return table;
 }
