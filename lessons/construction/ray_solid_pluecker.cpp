@@ -171,14 +171,11 @@ std::string throughWords(const Out &at) {
                  "start.",
                  values);
   if (isAhead(at.in()))
-    return words("The ray goes in at {H1} through {in}, with {t1}, and comes out at {H2} through {out}, "
-                 "with {t2}.",
-                 values);
+    return words("The ray goes in through {in} at {t1}, and comes out through {out} at {t2}.", values);
   return at.meet.origin == SolidLocation::On
              ? words("The ray starts on the solid and leads away from it: it has only its start in common "
                      "with it.")
-             : words("The ray starts inside: {t1} is behind its start. It comes out at {H2} through {out}, "
-                     "with {t2}.",
+             : words("The ray starts inside: {t1} is behind its start. It comes out through {out} at {t2}.",
                      values);
 }
 
@@ -369,7 +366,7 @@ std::string faceWords(const Out &at, std::size_t face, const std::vector<Term> &
   if (!at.isConvex())
     return words("These are the products of {face}. They decide for a convex solid only.", values);
   if (hasSign(1) && hasSign(-1))
-    return words("Both signs are there: the line passes {face} by.", values);
+    return words("Both signs are there: the line misses {face}.", values);
   if (hasSign(1))
     return words("None is negative: the line comes out through {face}.", values);
   if (hasSign(-1))
