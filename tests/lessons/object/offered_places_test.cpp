@@ -64,6 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Offer{"prism", "edge P₀P₁", {1, 0, 0}}, Offer{"prism", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "corner P₀", {1, 2, 3}},
+                    Offer{"box", "corner of K", {5, 7, 9}}, Offer{"box", "edge of K", {5, 7, 4}},
+                    Offer{"prism", "corner of K", {0, 3, 5}}, Offer{"prism", "edge of K", {1, 0, 5}},
                     Offer{"sphere", "centre c", {1, 2, 3}}));
 
 TEST(Offers, OfAnEdge_EndWithItsEnds) {
