@@ -84,7 +84,7 @@ int runCheck(const CheckCommand &command) {
 }
 
 int runExplain(const ExplainCommand &command) {
-  const LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
@@ -98,7 +98,7 @@ int runExplain(const ExplainCommand &command) {
 }
 
 int runRender(const RenderCommand &command) {
-  const LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());

@@ -141,7 +141,7 @@ CaseWords tell(const In &, const Out &at) {
 std::string planeValue(std::size_t place) { return "plane" + std::to_string(place); }
 
 std::vector<NamedValue> valuesOfPlane(const Meeting &meeting) {
-  std::vector<NamedValue> values{{"case", words("case"), std::string(nameOf(meeting.meet.which))}};
+  std::vector<NamedValue> values{{"case", meeting.name, std::string(nameOf(meeting.meet.which))}};
   if (meeting.meet.crosses()) {
     values.push_back(listed("t", meeting.t));
     values.push_back(listed("point", meeting.H));

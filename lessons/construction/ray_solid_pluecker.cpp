@@ -112,11 +112,12 @@ std::vector<Contact> contactsOf(const In &in, const SolidMesh<Rational> &mesh,
   return contacts;
 }
 
-Term sidesOf(const In &in, const SolidMesh<Rational> &mesh) {
+/// The edges of all faces, one by one.
+int sidesOf(const SolidMesh<Rational> &mesh) {
   std::size_t count = 0;
   for (const auto &face : mesh.faces)
     count += face.size();
-  return name(in.own(letter("k")), Rational(static_cast<int>(count)));
+  return static_cast<int>(count);
 }
 
 Out compute(const In &in) {
@@ -147,7 +148,7 @@ Out compute(const In &in) {
           std::move(faceNames),
           name(in.own(vectorLetter("m")), lineOf(ray).moment).standingFor(cross(L.Q, L.r)),
           std::move(edges),
-          sidesOf(in, mesh),
+          name(in.own(letter("k")), Rational(sidesOf(mesh))),
           N,
           std::move(contacts)};
 }
@@ -392,20 +393,19 @@ WorkingLine productsLine(const Out &at) {
   return line(std::move(products), words("One product for each edge."));
 }
 
+/// The counts come from the faces, not from coordinates: no number of these lines could be traced to one.
 void addCountLines(const Out &at, Explanation &lines) {
   lines.add("sides", [&at] {
     std::vector<Term> counts;
     counts.reserve(at.mesh.faces.size());
     for (const auto &face : at.mesh.faces)
       counts.emplace_back(static_cast<int>(face.size()));
-    return asked(withResult(at.k == sum(std::move(counts))), words("The edges of each face, face by face."));
+    return line((at.k == sum(std::move(counts))) == Term(sidesOf(at.mesh)),
+                words("The edges of each face, face by face."));
   });
   lines.add("count", [&at] {
-    return asked(withNumbers(at.N == at.k / 2),
-                 words("Each edge belongs to two faces, so it was counted twice."),
-                 {{at.k, words("{answer} counts each edge twice.")},
-                  {Term(static_cast<int>(at.mesh.faces.size())),
-                   words("{answer} is the number of faces: count edges.")}});
+    return line((at.N == at.k / 2) == Term(static_cast<int>(at.edges.size())),
+                words("Each edge belongs to two faces, so it was counted twice."));
   });
 }
 

@@ -292,8 +292,10 @@ private:
     case 2:
       triangle.p2 = triangle.p0 + u * number();
       break;
-    case 3:
+    case 3: // and where a formula that has lost signs is right by chance
       ray.direction = {0, 0, 0};
+      if (const ExactVec3 n = cross(u, v); n.x != 0)
+        ray.origin.x = dot(n, triangle.p0) / n.x;
       break;
     case 4:
       ray.direction = u * number() + v * number();

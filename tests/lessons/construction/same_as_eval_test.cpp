@@ -31,6 +31,8 @@ const std::map<std::string, Question> &questions() {
       {"ray-plane-dot", {"ray-plane", {"plane", "ray"}}},
       {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
+      {"three-methods", {"ray-triangle", {"triangle", "ray"}}},
+      {"misprints", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-sphere", {"ray-sphere", {"sphere", "ray"}}},
       {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
       {"line-pluecker", {"line", {"line"}}},

@@ -55,7 +55,7 @@ TEST(Condition, OfPartsAndGroups_FindsTheNumber) {
 
 TEST(Condition, OfALongList_FindsTheNumbersBehindTheTenth) {
   const Evaluation twelve =
-      withValues({{"list", {}, std::vector<Surd>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}});
+      test::withValues({{"list", {}, std::vector<Surd>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}});
   const auto holdsForTwelve = [&](const char *text) { return holds(parseConditions(text)->front(), twelve); };
   EXPECT_TRUE(holdsForTwelve("list.11 = 11") && holdsForTwelve("list.9 = 9"));
   EXPECT_FALSE(holdsForTwelve("list.12 = 12"));

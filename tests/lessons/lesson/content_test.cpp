@@ -190,6 +190,22 @@ const std::vector<Solution> &solutions() {
       {"ray-prism-pluecker", "Make it", {"K", house({5, 2, 7}, {0, 6, 0})}},
       {"ray-prism-pluecker", "Drag $P_2$ straight", {"K", house({5, 2, 3}, {0, 6, 0})}},
       {"ray-prism-pluecker", "Drag $P_2$ up", {"K", house({5, 2, 7}, {0, 6, 0})}},
+      {"three-methods", "Drag $Q$ straight", {"L", RayObject{{3, 6, 3}, {1, -1, -2}}}},
+      {"three-methods", "Lift $Q$ again", {"L", RayObject{{3, 6, 9}, {1, -1, -2}}}},
+      {"three-methods", "Turn $\\vec r$ until", {"L", RayObject{{3, 6, 9}, {0, -3, -2}}}},
+      {"three-methods", "Move $Q$ down", {"L", RayObject{{3, 6, 4}, {0, -3, -2}}}},
+      {"three-methods", "Turn $\\vec r$ out", {"L", RayObject{{3, 6, 4}, {1, -1, -2}}}},
+      {"three-methods", "Put all three", {"T", TriangleObject{{2, 2, 1}, {8, 2, 3}, {5, 2, 2}}}},
+      {"three-methods", "Bring the triangle", {"T", TriangleObject{{2, 2, 1}, {8, 2, 3}, {2, 8, 5}}}},
+      {"misprints", "Move $Q$", {"L", RayObject{{7, 8, 5}, {-1, -1, -1}}}},
+      {"misprints", "Drag a corner", {"T", TriangleObject{{2, 0, 1}, {6, 4, 1}, {2, 9, 3}}}},
+      {"misprints", "Put $P_0$", {"T", TriangleObject{{4, 6, 2}, {6, 4, 1}, {2, 8, 3}}}},
+      {"misprints", "Drag $P_0$", {"T", TriangleObject{{2, 0, 1}, {6, 4, 1}, {2, 8, 3}}}},
+      {"misprints", "Drag $Q$", {"L", RayObject{{4, 2, 4}, {-1, -1, -1}}}},
+      {"misprints", "Bring $I$", {"L", RayObject{{5, 3, 4}, {-1, -1, -1}}}},
+      {"misprints", "Turn $\\vec r$ until the", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
+      {"misprints", "Drag $P_1$", {"T", TriangleObject{{2, 0, 1}, {6, 4, 5}, {2, 8, 3}}}},
+      {"misprints", "Turn $\\vec r$ until only", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
   };
   return all;
 }

@@ -158,6 +158,22 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-prism-pluecker", "case != flat", {"K.h"}},
       {"ray-prism-pluecker", "case = not-convex", {"K.P2"}},
       {"ray-prism-pluecker", "case != not-convex and case != not-planar", {"K.P2"}},
+      {"three-methods", "case = behind", {"L.Q"}},
+      {"three-methods", "case = hit and t > 0", {"L.Q"}},
+      {"three-methods", "case = parallel", {"L.r"}},
+      {"three-methods", "case = in-plane", {"L.Q"}},
+      {"three-methods", "case != in-plane and case != parallel", {"L.r"}},
+      {"three-methods", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
+      {"three-methods", "perp.denominator != 0", {"T.P0"}},
+      {"misprints", "distance = fails", {"L.Q"}},
+      {"misprints", "triple = fails", {"T.P0", "T.P1", "T.P2"}},
+      {"misprints", "cosine = fails", {"T.P0"}},
+      {"misprints", "case != collinear", {"T.P0"}},
+      {"misprints", "perimeter = fails", {"L.Q", "L.r"}},
+      {"misprints", "vertex = fails", {"L.Q", "L.r"}},
+      {"misprints", "facing = fails", {"L.r"}},
+      {"misprints", "direction = fails", {"T.P1"}},
+      {"misprints", "start = fails", {"L.r"}},
   };
   return table;
 }

@@ -304,16 +304,6 @@ void addPermuted(std::vector<WrongAnswer> &all, const Body &body, const Edge &ed
   line.add("the sign lost", Rational(-first - second));
 }
 
-void addCounts(std::vector<WrongAnswer> &all, const Body &body) {
-  const auto edges = static_cast<int>(edgesOf(body).size());
-  Line sides("sides", Rational(2 * edges), all);
-  sides.add("the last face forgotten", Rational(2 * edges - static_cast<int>(body.faces.back().size())));
-  Line count("count", Rational(edges), all);
-  count.add("not halved", Rational(2 * edges));
-  count.add("faces counted", Rational(static_cast<int>(body.faces.size())));
-  count.add("doubled instead of halved", Rational(4 * edges));
-}
-
 std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   const Body body = bodyOf(*objects[0]);
   const auto ray = objectAs<RayObject>(*objects[1]).value();
@@ -323,7 +313,6 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   const std::vector<Edge> edges = edgesOf(body);
   for (std::size_t i = 0; i < edges.size(); ++i)
     addPermuted(all, body, edges[i], i, ray);
-  addCounts(all, body);
   if (const auto chord = chordOf(slabsOf(body, ray)))
     for (const auto &[id, face] : {std::pair("t1", chord->in), std::pair("t2", chord->out)}) {
       const Corners corners = cornersOf(body, body.faces[face]);
