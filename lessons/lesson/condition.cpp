@@ -120,12 +120,13 @@ struct Comparison {
 
 std::optional<std::size_t> componentIndex(std::string_view name) {
   constexpr std::string_view letters = "xyz";
-  constexpr std::string_view digits = "0123456789";
-  if (name.size() != 1)
-    return {};
-  const auto letter = letters.find(name);
-  const auto at = letter != std::string_view::npos ? letter : digits.find(name);
-  return at == std::string_view::npos ? std::nullopt : std::optional(at);
+  constexpr std::size_t mostDigits = 2;
+  if (const auto letter = letters.find(name); name.size() == 1 && letter != std::string_view::npos)
+    return letter;
+  const bool isIndex = !name.empty() && name.size() <= mostDigits &&
+                       (name.size() == 1 || name.front() != '0') &&
+                       name.find_first_not_of("0123456789") == std::string_view::npos;
+  return isIndex ? std::optional<std::size_t>(std::stoul(std::string(name))) : std::nullopt;
 }
 
 bool isValueName(std::string_view text) {

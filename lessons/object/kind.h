@@ -42,7 +42,7 @@ struct Kind {
 /// The kind of this word, or null.
 [[nodiscard]] const Kind *findKind(std::string_view word);
 
-/// The word of the kind that others look at: of a bound object it is a point.
+/// The word of the kind that others look at: of a bound object it is a point, of a box a solid.
 [[nodiscard]] std::string_view seenKindOf(const Object &object);
 
 // For kinds that have none:

@@ -2,6 +2,7 @@
 
 #include "lessons/object/kind.h"
 #include "lessons/object/point.h"
+#include "lessons/object/solid.h"
 
 #include <cassert>
 #include <stdexcept>
@@ -41,7 +42,9 @@ const Kind *findKind(std::string_view word) {
 }
 
 std::string_view seenKindOf(const Object &object) {
-  return object.kind().binding ? PointObject::kind : kindOf(object);
+  if (object.kind().binding)
+    return PointObject::kind;
+  return findSolidKind(kindOf(object)) ? SolidObject::kind : kindOf(object);
 }
 
 const Kind &detail::kindNamed(std::string_view word) {

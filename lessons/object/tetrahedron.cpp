@@ -1,27 +1,45 @@
 // Tetrahedra.
 #include "lessons/object/kind.h"
+#include "lessons/object/letters.h"
+#include "lessons/object/solid.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
 
-std::vector<Mark> draw(const Given<Object> &given) {
-  const Object &corners = given.object;
-  std::vector<Mark> marks;
-  addFaces(given, {corners[0], corners[1], corners[2], corners[3]},
-           {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, marks);
-  addPoints(given, Subject::Triangle, marks);
-  return marks;
+SolidMesh<Rational> mesh(const Object &corners) {
+  return {{corners[0], corners[1], corners[2], corners[3]}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
 }
 
-void offer(const Given<Object> &given, Surroundings &found) {
-  offerRing(given, {0, 1, 2, 3}, found);
-  offerEdge(given, 0, 2, found);
-  offerEdge(given, 1, 3, found);
+Term corner(const Given<Object> &given, std::size_t index) { return coordinateTerm(given, index); }
+
+Term way(const Given<Object> &given, std::size_t from, std::size_t to) {
+  return corner(given, to) - corner(given, from);
+}
+
+std::string face(const Given<Object> &given, std::size_t index) {
+  const SolidMesh<Rational> all = mesh(given.object);
+  std::string corners;
+  for (const std::uint32_t corner : all.faces[index]) {
+    const Symbol &letter = given.letters[corner];
+    corners += (corners.empty() || letter.owner.empty() ? "" : ", ") + plainText(letter);
+  }
+  return words("the face {corners}", {{"corners", corners}});
+}
+
+std::vector<Mark> draw(const Given<Object> &given) {
+  std::vector<Mark> marks;
+  drawSolid(given, marks);
+  addPoints(given, Subject::Triangle, marks);
+  return marks;
 }
 
 } // namespace
 
 namespace object_kinds {
+
+SolidKind tetrahedronSolid() { return {"tetrahedron", mesh, corner, way, face}; }
 
 Kind tetrahedron() {
   return {.word = "tetrahedron",
@@ -35,7 +53,7 @@ Kind tetrahedron() {
           .settle = settleNothing,
           .draw = draw,
           .ownHandles = wholeHandle,
-          .offer = offer,
+          .offer = offerSolid,
           .aim = aimAtNothing};
 }
 

@@ -136,7 +136,7 @@ private:
         return;
       for (const std::string &id : bound->second.ids) {
         const auto seen = m_visible.find(id);
-        if (seen == m_visible.end() || kindOf(seen->second.given->object) != role.kind)
+        if (seen == m_visible.end() || seenKindOf(seen->second.given->object) != role.kind)
           return;
         found.looksAt.push_back(seen->second.given);
         if (found.missing.empty())

@@ -1,10 +1,12 @@
 #include "lessons/scene/short_numbers.h"
 
+#include "lessons/object/corners.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/solid.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
@@ -189,7 +191,7 @@ public:
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
-    else if (kindOf(object) == PolygonObject::kind)
+    else if (kindOf(object) == PolygonObject::kind || findSolidKind(kindOf(object)))
       m_nets.push_back(m_polygon);
     else if (!m_vector)
       m_vector = objectAs<VectorObject>(object);
@@ -199,7 +201,7 @@ private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
           drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
-          drawAs<SphereObject>(object) || drawAs<PolygonObject>(object)))
+          drawAs<SphereObject>(object) || drawAs<PolygonObject>(object) || drawSolid(object)))
       drawAny(object);
   }
 
@@ -304,6 +306,40 @@ private:
     const WholeFace &corners = wholeFace(polygon.corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
       polygon.corners[i] = m_polygon.after({corners[i].x, corners[i].y});
+  }
+
+  /// Square to the axes as far as it can be: rays meet its other faces at short numbers too. A face of it is
+  /// looked for.
+  bool drawSolid(Object &solid) {
+    if (!findSolidKind(kindOf(solid)))
+      return false;
+    const int axis = m_dice.between(0, 2);
+    const auto arrow = [&](int turn, int length) {
+      ExactVec3 along{};
+      along[(axis + turn) % 3] = length;
+      return along;
+    };
+    const int size = m_dice.between(smallestTriangle, largestTriangle);
+    const ExactVec3 corner = m_dice.position();
+    solid[0] = corner;
+    if (kindOf(solid) == "box") {
+      for (std::size_t i = 1; i < solid.size(); ++i)
+        solid[i].x = m_dice.between(smallestTriangle, longestSide);
+      m_polygon = {corner, {arrow(1, 1), arrow(2, 1)}, arrow(0, 1), smallestTriangle};
+    } else if (kindOf(solid) == "tetrahedron") {
+      m_polygon = {corner, {arrow(1, m_dice.sign()), arrow(2, m_dice.sign())}, arrow(0, 1), size};
+      for (std::size_t i = 0; i < 2; ++i)
+        solid[i + 1] = corner + m_polygon.steps[i] * Rational(size);
+      solid[3] = corner + arrow(0, size * m_dice.sign());
+    } else {
+      m_polygon = {corner, {arrow(1, m_dice.sign()), arrow(2, m_dice.between(1, 2))}, arrow(0, 1), 3};
+      const std::vector<std::size_t> base = cornersOf(solid);
+      const WholeFace &corners = wholeFace(base.size());
+      for (std::size_t i = 0; i < base.size(); ++i)
+        solid[base[i]] = m_polygon.after({corners[i].x, corners[i].y});
+      solid[1] = arrow(0, m_dice.sign() * m_dice.between(smallestTriangle, longestSide));
+    }
+    return true;
   }
 
   /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
@@ -430,7 +466,7 @@ void renewAll(std::vector<Object *> objects, Dice &dice) {
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
     return isLine(object) || kind == PlaneObject::kind || kind == TriangleObject::kind ||
-           kind == SphereObject::kind || kind == PolygonObject::kind;
+           kind == SphereObject::kind || kind == PolygonObject::kind || findSolidKind(kind);
   });
   std::stable_partition(objects.begin(), others, std::not_fn(isLine));
   for (Object *object : objects)

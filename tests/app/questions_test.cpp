@@ -40,6 +40,8 @@ const std::vector<RightAnswer> &questions() {
       {"pluecker-planes", 1, "point"},
       {"ray-polygon-pluecker", 1, "same"},
       {"ray-triangle-pluecker", 1, "same"},
+      {"ray-solid-pluecker", 1, "two"},
+      {"ray-prism-pluecker", 1, "hit"},
       {"three-methods", 1, "interior"},
       {"misprints", 1, "holds"},
   };

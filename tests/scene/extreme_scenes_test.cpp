@@ -4,6 +4,7 @@
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/solid.h"
 #include "lessons/object/triangle.h"
 #include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
@@ -76,7 +77,8 @@ private:
     for (const ConstructionRole &role : construction.roles) {
       const int count = role.isList ? integer(1, maxListedObjects) : 1;
       for (int place = 0; place < count; ++place) {
-        Object object = *makeObject(role.kind);
+        const auto words = kindsSeenAs(role.kind);
+        Object object = *makeObject(words[static_cast<std::size_t>(integer(0, int(words.size()) - 1))]);
         for (std::size_t i = 0; i < coordinatesOf(object).size(); ++i) {
           coordinate(object, i) = vector(kind == 2 ? integer(-9, 8) : exponent);
           if (coordinatesOf(object)[i].role == CoordinateRole::Position)

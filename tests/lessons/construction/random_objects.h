@@ -2,12 +2,14 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/solid.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "lessons/object/vector.h"
@@ -33,9 +35,11 @@ public:
     std::vector<Object> objects;
     for (const ConstructionRole &role : construction.roles)
       for (int count = role.isList ? integer(1, maxListedObjects) : 1; count > 0; --count) {
-        objects.push_back(*makeObject(role.kind));
+        objects.push_back(*makeObject(anyOf(kindsSeenAs(role.kind))));
         for (std::size_t i = 0; i < coordinatesOf(objects.back()).size(); ++i)
           coordinate(objects.back(), i) = vector();
+        if (kindOf(objects.back()) == "prism")
+          giveConvexBase(objects.back());
         if (role.kind == PolygonObject::kind)
           objects.back() = convexPolygon();
         objects.back().kind().settle(objects.back());
@@ -50,6 +54,13 @@ public:
 
 private:
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
+
+  /// Nothing is drawn where there is one alone.
+  std::string_view anyOf(const std::vector<std::string_view> &words) {
+    return words.size() == 1
+               ? words[0]
+               : words[static_cast<std::size_t>(integer(0, static_cast<int>(words.size()) - 1))];
+  }
 
   Rational number() {
     constexpr int twelveDigits = 999'999'999;
@@ -130,6 +141,8 @@ private:
       makeSpecial(*triangle.typed);
     if (Found<PolygonObject> polygon(objects); polygon.typed && ray.typed)
       makeSpecial(polygon.typed->corners, *ray.typed);
+    if (ray.typed && findSolidKind(kindOf(objects[0])))
+      makeSpecialSolid(objects[0], *ray.typed);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
     else if (line.typed)
@@ -352,6 +365,78 @@ private:
       break;
     default:
       ray.direction = ExactVec3(inPlane - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  void giveConvexBase(Object &prism) {
+    const std::vector<ExactVec3> corners = convexPolygon().corners;
+    while (cornersOf(prism).size() < corners.size())
+      prism.addVertex();
+    std::size_t next = 0;
+    for (const std::size_t corner : cornersOf(prism))
+      prism[corner] = corners[next++];
+  }
+
+  /// What a solid is not to be: flat, or bent.
+  void spoil(Object &solid) {
+    const std::vector<std::size_t> base = cornersOf(solid);
+    const std::size_t last = solid.size() - 1;
+    const auto isPrism = [&] { return !base.empty(); };
+    switch (integer(0, 2)) {
+    case 0:
+      solid[1] = isPrism() ? solid[base[1]] - solid[base[0]] : solid[0];
+      break;
+    case 1:
+      solid[last] = isPrism() ? solid[last] + vector() : ExactVec3(0);
+      break;
+    default:
+      solid[last] = isPrism() ? (solid[base[0]] + solid[base[1]]) / Rational(2) : solid[0] + solid[1];
+    }
+    solid.kind().settle(solid);
+  }
+
+  void makeSpecialSolid(Object &solid, RayObject &ray) {
+    const SolidMesh<Rational> mesh = meshOf(solid);
+    const auto middleOf = [](const std::vector<ExactVec3> &corners) {
+      return ExactVec3(std::accumulate(corners.begin(), corners.end(), ExactVec3(0)) /
+                       Rational(static_cast<int>(corners.size())));
+    };
+    std::vector<ExactVec3> face;
+    for (const std::uint32_t corner :
+         mesh.faces[static_cast<std::size_t>(integer(0, static_cast<int>(mesh.faces.size()) - 1))])
+      face.push_back(mesh.vertices[corner]);
+    const ExactVec3 middle = middleOf(mesh.vertices);
+    const ExactVec3 side = face[1] - face[0];
+    switch (integer(0, 15)) {
+    case 0:
+      ray.direction = {0, 0, 0};
+      break;
+    case 1:
+    case 2:
+    case 3:
+    case 4:
+    case 5:
+      spoil(solid);
+      break;
+    case 6:
+      ray.origin = middle;
+      break;
+    case 7:
+      ray.origin = placeIn(face);
+      break;
+    case 8: // along an edge
+      ray = {face[0] + side * number(), side * Rational(integer(0, 1) == 0 ? -1 : 2)};
+      break;
+    case 9: // in a face
+      ray.direction = middleOf(face) - face[0];
+      ray.origin = face[0] + ray.direction * number();
+      break;
+    case 10: // mostly touching a corner alone
+      ray.direction = cross(face[0] - middle, vector());
+      ray.origin = face[0] + ray.direction * Rational(integer(-2, 2));
+      break;
+    default:
+      ray.direction = ExactVec3(placeIn(face) - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
     }
   }
 

@@ -39,6 +39,7 @@ const std::map<std::string, Question> &questions() {
       {"line-line", {"line-line", {"line", "line2"}}},
       {"line-plane", {"line-plane", {"line", "plane"}}},
       {"ray-polygon-pluecker", {"ray-polygon", {"polygon", "ray"}}},
+      {"ray-solid-pluecker", {"ray-solid", {"solid", "ray"}}},
   };
   return all;
 }
@@ -57,6 +58,14 @@ Json coordinateOf(const Object &object, std::size_t index) {
                                                            : numbersOf(object[index]);
 }
 
+Json solidOperandOf(const Object &object) {
+  const SolidMesh<Rational> mesh = meshOf(object);
+  Json solid{{"vertices", Json::array()}, {"faces", mesh.faces}};
+  for (const ExactVec3 &corner : mesh.vertices)
+    solid["vertices"].push_back(numbersOf(corner));
+  return solid;
+}
+
 /// An object as an operand: a point as its numbers, corners as a list, else by the words of the eval format.
 Json operandOf(const Object &object) {
   static const std::map<std::string_view, std::vector<std::string>> words{{"plane", {"point", "normal"}},
@@ -65,6 +74,8 @@ Json operandOf(const Object &object) {
                                                                           {"sphere", {"center", "radius"}}};
   if (object.size() == 1)
     return numbersOf(object[0]);
+  if (findSolidKind(kindOf(object)))
+    return solidOperandOf(object);
   Json operand;
   if (const auto known = words.find(kindOf(object)); known != words.end())
     for (std::size_t i = 0; i < object.size(); ++i)
@@ -151,6 +162,28 @@ TEST(RayPlaneSubstitution, ComesToTheSameForEachPlaneAsItsOwnQuestion) {
     }
   }
   EXPECT_GT(compared, scenesPerWriting);
+}
+
+/// Lessons name where the line goes in and where it comes out, questions have lists of two.
+TEST(RaySolidPluecker, ComesToTheFacesAndThePointsOfItsQuestion) {
+  const Construction &construction = *findConstruction("ray-solid-pluecker");
+  int compared = 0;
+  RandomObjects random(6);
+  for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+    const std::vector<Object> objects = random.objectsFor(construction, Writing::Fractions);
+    const Scene scene = sceneOf(construction, objects);
+    const Evaluation evaluation = evaluate(scene);
+    const Json values = Json::parse(explanationJson("", scene, evaluation)).at("values");
+    if (!values.contains("entered"))
+      continue;
+    const Json answered = answerTo(questions().at("ray-solid-pluecker"), objects).at("result");
+    const Json &entered = values.at("entered");
+    const Json &left = values.at("left");
+    EXPECT_EQ(Json::array({entered.at("face"), left.at("face")}), answered.at("faces"));
+    EXPECT_EQ(Json::array({entered.at("point"), left.at("point")}), answered.at("points"));
+    ++compared;
+  }
+  EXPECT_GT(compared, scenesPerWriting / 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Constructions, SameAsEval, testing::ValuesIn([] {

@@ -53,6 +53,15 @@ TEST(Condition, OfPartsAndGroups_FindsTheNumber) {
   EXPECT_FALSE(holdsFor("perp != 0"));
 }
 
+TEST(Condition, OfALongList_FindsTheNumbersBehindTheTenth) {
+  const Evaluation twelve =
+      test::withValues({{"list", {}, std::vector<Surd>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}});
+  const auto holdsForTwelve = [&](const char *text) { return holds(parseConditions(text)->front(), twelve); };
+  EXPECT_TRUE(holdsForTwelve("list.11 = 11") && holdsForTwelve("list.9 = 9"));
+  EXPECT_FALSE(holdsForTwelve("list.12 = 12"));
+  EXPECT_FALSE(holdsForTwelve("list.01 = 1")) << "that is no index";
+}
+
 TEST(Condition, OfAValueThatTheCaseDoesNotHave_NeverHolds) {
   EXPECT_FALSE(holdsFor("s = 0"));
   EXPECT_FALSE(holdsFor("s != 0"));

@@ -34,6 +34,14 @@ Object onTrianglePlane(const Rational &s, const Rational &t) {
   return test::withNumbers("point-on-triangle-plane", {s, t});
 }
 
+Object box(const ExactVec3 &lowest, const ExactVec3 &lengths) {
+  return test::objectOf("box", {lowest, {lengths.x, 0, 0}, {lengths.y, 0, 0}, {lengths.z, 0, 0}});
+}
+
+Object house(const ExactVec3 &ridge, const ExactVec3 &depth) {
+  return test::objectOf("prism", {{8, 2, 0}, depth, {8, 2, 4}, ridge, {2, 2, 4}, {2, 2, 0}});
+}
+
 const std::vector<Solution> &solutions() {
   static const std::vector<Solution> all{
       {"plane-implicit", "Drag $P$ to", {"P", PointObject{{7, 7, 1}}}},
@@ -194,6 +202,26 @@ const std::vector<Solution> &solutions() {
       {"ray-triangle-pluecker", "Move $Q$", {"L", RayObject{{4, 5, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Bring the point", {"L", RayObject{{4, 2, 1}, {1, 2, 1}}}},
       {"ray-triangle-pluecker", "Let the ray go", {"L", RayObject{{0, -2, 2}, {1, 2, 1}}}},
+      {"ray-solid-pluecker", "Move $Q$ sideways", {"L", RayObject{{1, 0, 3}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Turn $\\vec r$ until", {"L", RayObject{{1, 0, 2}, {1, 2, 0}}}},
+      {"ray-solid-pluecker", "Let the ray come out", {"L", RayObject{{1, 0, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Change a length", {"K", box({2, 3, 0}, {6, 5, 2})}},
+      {"ray-solid-pluecker", "Let the ray hit the box again", {"K", box({2, 3, 0}, {6, 5, 4})}},
+      {"ray-solid-pluecker", "Move $Q$ until the ray goes in", {"L", RayObject{{1, 1, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Move $Q$ until the ray comes", {"L", RayObject{{5, 1, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Drag $Q$ into", {"L", RayObject{{3, 4, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Drag $Q$ out", {"L", RayObject{{7, 9, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray hit the box from", {"L", RayObject{{1, 0, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray go into", {"L", RayObject{{1, 2, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Let the ray go exactly", {"L", RayObject{{-2, -1, 2}, {2, 2, 1}}}},
+      {"ray-solid-pluecker", "Make the box", {"K", box({2, 3, 0}, {6, 5, 0})}},
+      {"ray-solid-pluecker", "Make it a box", {"K", box({2, 3, 0}, {6, 5, 4})}},
+      {"ray-prism-pluecker", "Turn $\\vec r$", {"L", RayObject{{3, -2, 2}, {2, 2, 0}}}},
+      {"ray-prism-pluecker", "Let it come", {"L", RayObject{{3, -2, 2}, {1, 2, 1}}}},
+      {"ray-prism-pluecker", "Drag $\\vec h$", {"K", house({5, 2, 7}, {0, 0, 0})}},
+      {"ray-prism-pluecker", "Make it", {"K", house({5, 2, 7}, {0, 6, 0})}},
+      {"ray-prism-pluecker", "Drag $P_2$ straight", {"K", house({5, 2, 3}, {0, 6, 0})}},
+      {"ray-prism-pluecker", "Drag $P_2$ up", {"K", house({5, 2, 7}, {0, 6, 0})}},
       {"three-methods", "Drag $Q$ straight", {"L", RayObject{{3, 6, 3}, {1, -1, -2}}}},
       {"three-methods", "Lift $Q$ again", {"L", RayObject{{3, 6, 9}, {1, -1, -2}}}},
       {"three-methods", "Turn $\\vec r$ until", {"L", RayObject{{3, 6, 9}, {0, -3, -2}}}},

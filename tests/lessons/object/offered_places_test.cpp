@@ -1,6 +1,7 @@
 // What the handles of others snap to on each kind of object, and what its own handles snap to.
 #include "lessons/scene/snap_targets.h"
 
+#include "lessons/object/solid.h"
 #include "tests/lessons/object/spelled_objects.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Offer{"tetrahedron", "edge P₀P₂", {0, 1, 0}},
                     Offer{"tetrahedron", "edge P₁P₃", {2, 0, 2}}, Offer{"box", "corner P₀", {1, 2, 3}},
                     Offer{"sphere", "centre c", {1, 2, 3}}));
+
+TEST(Offers, OfSolids_AreAllCornersAndEdges) {
+  for (const auto &[kind, corners, edges] :
+       {std::tuple("box", 8U, 12U), {"prism", 6U, 9U}, {"tetrahedron", 4U, 6U}}) {
+    const Object solid = spelledObject(kind);
+    Surroundings found;
+    offerSolid({"K", letter("K"), std::vector<Symbol>(solid.size(), letter("P")), solid}, found);
+    EXPECT_EQ(found.points.size(), corners) << kind;
+    EXPECT_EQ(found.edges.size(), edges) << kind;
+  }
+}
 
 TEST(Offers, OfAnEdge_EndWithItsEnds) {
   const auto targets = offeredBy("segment");
