@@ -41,8 +41,8 @@ const std::map<std::string, Question> &questions() {
   return all;
 }
 const std::set<std::string> withoutQuestion{
-    "point-line",      "half-spaces", "barycentric", "dot-product-projection", "ray-plane-substitution",
-    "plane-parametric"};
+    "point-line",       "half-spaces",      "barycentric", "dot-product-projection", "ray-plane-substitution",
+    "plane-parametric", "ray-plane-picture"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 
