@@ -1,6 +1,8 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
 
+#include "widgets/view/flat_view.h"
+
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
@@ -136,6 +138,8 @@ void MainWindow::createLayoutItems(QMenu &menu) {
     connect(action, &QAction::triggered, this, slot);
     return action;
   };
+  m_flat->unfolded().setShortcut(QKeySequence("6"));
+  menu.addAction(&m_flat->unfolded());
   m_sceneOnly = addChoice(tr("&Scene Only"), Qt::Key_F9,
                           [this](bool on) { showParts(on ? Parts::SceneOnly : Parts::Both); });
   m_pageOnly = addChoice(tr("Pa&ge Only"), Qt::Key_F8,
