@@ -45,7 +45,7 @@ void MainWindow::createPanels() {
 QWidget *MainWindow::createScene() {
   m_card = new NumberCard(m_model, *m_typesetter);
   m_frame = new SceneFrame(*m_scene, *m_card);
-  m_flat = new FlatView(m_model, *m_typesetter);
+  m_flat = new FlatView(m_model, *m_typesetter, m_frame);
   m_frame->setFlatView(*m_flat);
   connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
   m_caseLine = new CaseLine;

@@ -6,9 +6,6 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
-
 namespace halfspace {
 namespace {
 
@@ -19,6 +16,15 @@ const Lesson &lesson() {
 
 /// Places of scenes are some units from the origin; turning them loses no more than the last digits.
 constexpr double lastDigits = 1e-13;
+
+/// The mark of this kind with an id.
+template <class Kind> Kind markIn(const Figure &figure, std::string_view id) {
+  for (const Mark &mark : figure.marks)
+    if (const auto *found = std::get_if<Kind>(&mark); found && found->id == id)
+      return *found;
+  ADD_FAILURE() << "no such mark: " << id;
+  return {};
+}
 
 /// Directions without a pattern, some of them along one line.
 std::vector<std::pair<ExactVec3, ExactVec3>> directions() {
@@ -44,13 +50,12 @@ Figure planeAndCorner(const ExactVec3 &up, const FlatFrame &frame) {
 
 TEST(FlatFrame, IsSquareAndOfUnitLength_WhateverTheDirections) {
   for (const auto &[up, right] : directions()) {
-    const auto frame = flatFrame(up, right);
-    ASSERT_TRUE(frame);
-    for (const Place &axis : {frame->toEye, frame->right, frame->up})
+    const FlatFrame frame = flatFrame(up, right).value();
+    for (const Place &axis : {frame.toEye, frame.right, frame.up})
       EXPECT_NEAR(glm::length(axis), 1, lastDigits);
-    EXPECT_NEAR(glm::dot(frame->right, frame->up), 0, lastDigits);
-    EXPECT_GE(glm::dot(frame->right, toDouble(right)), -lastDigits) << "it points to the right";
-    EXPECT_NEAR(glm::dot(frame->toEye, toDouble(right)), 0, lastDigits * 1000) << "in its true length";
+    EXPECT_NEAR(glm::dot(frame.right, frame.up), 0, lastDigits);
+    EXPECT_GE(glm::dot(frame.right, toDouble(right)), -lastDigits) << "it points to the right";
+    EXPECT_NEAR(glm::dot(frame.toEye, toDouble(right)), 0, lastDigits * 1000) << "in its true length";
   }
 }
 
@@ -58,29 +63,27 @@ TEST(FlatFrame, OfAZeroNormal_IsNone) { EXPECT_FALSE(flatFrame(ExactVec3(0), Exa
 
 TEST(FlatPicture, OfAPlaneWithItsNormalUp_IsALevelLine) {
   for (const auto &[up, right] : directions()) {
-    const auto frame = flatFrame(up, right);
-    const Figure flat = laidFlat(planeAndCorner(up, *frame), *frame);
-    const auto *line = std::get_if<SegmentMark>(findMark(flat, "E"));
-    ASSERT_TRUE(line);
-    EXPECT_NEAR(line->from.z, line->to.z, lastDigits * 20);
-    EXPECT_GE(line->to.y - line->from.y, minimumPatchSide - 1e-9);
-    EXPECT_EQ(line->label, "E");
+    const FlatFrame frame = flatFrame(up, right).value();
+    const Figure flat = laidFlat(planeAndCorner(up, frame), frame);
+    const auto line = markIn<SegmentMark>(flat, "E");
+    EXPECT_NEAR(line.from.z, line.to.z, lastDigits * 20);
+    EXPECT_GE(line.to.y - line.from.y, minimumPatchSide - 1e-9);
+    EXPECT_EQ(line.label, "E");
   }
 }
 
 TEST(FlatPicture, OfATriangleInThePage_HasItsTrueSidesAndRightAngle_OnTheScreen) {
   constexpr PixelSize size{400, 300};
   for (const auto &[up, right] : directions()) {
-    const auto frame = flatFrame(up, right);
-    const Figure flat = laidFlat(planeAndCorner(up, *frame), *frame);
+    const FlatFrame frame = flatFrame(up, right).value();
+    const Figure flat = laidFlat(planeAndCorner(up, frame), frame);
     const Camera camera = flatCamera(flat, size, 1);
     const double pixels = size.height / camera.height;
-    const auto &corners = std::get<PolygonMark>(*findMark(flat, "triangle")).corners;
-    std::vector<glm::dvec2> seen;
-    for (const Place &corner : corners)
-      seen.emplace_back(*camera.project(corner, size));
-    const glm::dvec2 a = seen[1] - seen[0];
-    const glm::dvec2 b = seen[2] - seen[0];
+    const std::vector<Place> corners = markIn<PolygonMark>(flat, "triangle").corners;
+    ASSERT_EQ(corners.size(), 3U);
+    const auto seen = [&](std::size_t i) { return glm::dvec2(camera.project(corners.at(i), size).value()); };
+    const glm::dvec2 a = seen(1) - seen(0);
+    const glm::dvec2 b = seen(2) - seen(0);
     EXPECT_NEAR(glm::length(a), 3 * pixels, 1e-9);
     EXPECT_NEAR(glm::length(b), 4 * pixels, 1e-9);
     EXPECT_NEAR(glm::dot(a, b), 0, 1e-9);
@@ -92,29 +95,30 @@ TEST(FlatPicture, OfATriangleInThePage_HasItsTrueSidesAndRightAngle_OnTheScreen)
 TEST(FlatPicture, OfAPlaneThatIsNotEdgeOn_IsItsFace) {
   Figure figure;
   figure.add(PlanePatchMark{{"E"}, Place(0), Place(1, 1, 0), {}});
-  const Figure flat = laidFlat(figure, *flatFrame(ExactVec3(0, 0, 1), ExactVec3(1, 0, 0)));
+  const Figure flat = laidFlat(figure, flatFrame(ExactVec3(0, 0, 1), ExactVec3(1, 0, 0)).value());
   EXPECT_TRUE(std::holds_alternative<PolygonMark>(flat.marks.front()));
 }
 
 TEST(FlatPicture, OfItsLesson_ShowsAllPointsButNoPlaneBeyondItsSides) {
   const Evaluation evaluation = evaluate(lesson().scene);
-  const auto frame = flatFrame(lesson().flat.value(), lesson().scene);
-  const Figure flat = laidFlat(figureOf(evaluation), *frame);
+  const FlatFrame frame = flatFrame(lesson().flat.value(), lesson().scene).value();
+  const Figure flat = laidFlat(figureOf(evaluation), frame);
   View view{{}, {300, 220}, 0.8};
   view.camera = flatCamera(flat, view.size, view.pixelRatio);
   EXPECT_TRUE(showsAll(flat, view));
   const Figure clipped = clippedTo(view, flat);
-  const auto &line = std::get<SegmentMark>(*findMark(clipped, "G"));
+  const auto line = markIn<SegmentMark>(clipped, "G");
   for (const Place &end : {line.from, line.to}) {
-    const auto pixel = view.camera.project(end, view.size);
-    EXPECT_GE(pixel->x, -1e-9);
-    EXPECT_LE(pixel->x, view.size.width + 1e-9);
+    const glm::dvec3 pixel = view.camera.project(end, view.size).value();
+    EXPECT_GE(pixel.x, -1e-9);
+    EXPECT_LE(pixel.x, view.size.width + 1e-9);
   }
 }
 
 TEST(FlatPicture, TurnsRightAnglesOfTheFigureIntoRightAngles) {
   const Evaluation evaluation = evaluate(lesson().scene);
-  const Figure flat = laidFlat(figureOf(evaluation), *flatFrame(lesson().flat.value(), lesson().scene));
+  const Figure flat =
+      laidFlat(figureOf(evaluation), flatFrame(lesson().flat.value(), lesson().scene).value());
   int corners = 0;
   for (const Mark &mark : flat.marks)
     if (const auto *corner = std::get_if<RightAngleMark>(&mark)) {
@@ -129,7 +133,7 @@ TEST(FlatPicture, TurnsRightAnglesOfTheFigureIntoRightAngles) {
 TEST(FlatShapes, OfALesson_LieFromFacesOverLinesToPoints_AndHaveASize) {
   const Evaluation evaluation = evaluate(lesson().scene);
   SceneContent content;
-  content.figure = laidFlat(figureOf(evaluation), *flatFrame(lesson().flat.value(), lesson().scene));
+  content.figure = laidFlat(figureOf(evaluation), flatFrame(lesson().flat.value(), lesson().scene).value());
   View view{{}, {300, 220}, 0.8};
   view.camera = flatCamera(content.figure, view.size, view.pixelRatio);
   const std::vector<FlatShape> shapes = flatShapes(content, themes().front(), view);

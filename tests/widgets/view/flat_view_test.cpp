@@ -25,8 +25,10 @@ struct FlatFixture {
   }
 
   [[nodiscard]] glm::dvec2 pixelOf(const std::string &point) const {
-    const auto &mark = std::get<PointMark>(*findMark(flat.figure(), point));
-    return glm::dvec2(*flat.view().camera.project(mark.at, flat.view().size));
+    for (const Mark &mark : flat.figure().marks)
+      if (const auto *found = std::get_if<PointMark>(&mark); found && found->id == point)
+        return glm::dvec2(flat.view().camera.project(found->at, flat.view().size).value());
+    return {-1, -1};
   }
   /// How much of the picture is not background.
   [[nodiscard]] int inked() {
