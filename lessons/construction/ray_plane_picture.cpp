@@ -175,7 +175,7 @@ void addOriginLines(const Out &at, Explanation &lines) {
 
 std::string stepWords(const Out &at) {
   const int sign = at.meet.denominator.sign();
-  return sign > 0   ? words("Positive: each step {r} goes on in the direction of {n}.", at.letters)
+  return sign > 0   ? words("Positive: each step {r} goes as {n} points.", at.letters)
          : sign < 0 ? words("Negative: each step {r} goes against {n}.", at.letters)
                     : words("Zero: no step gains anything along {n}.", at.letters);
 }
@@ -194,22 +194,22 @@ void addStepLines(const Out &at, Explanation &lines) {
 }
 
 void addStartLines(const Out &at, Explanation &lines) {
+  if (at.hasPlane())
+    lines.add("A", [&at] {
+      return asked(withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))),
+                   words("The foot of {Q} on the line through the origin.", at.letters));
+    });
   lines.add("v0", [&at] {
     return asked(
         withNumbers(at.v0 == at.D - dot(at.n, at.Q)),
         words("From where {Q} is, along {n}, to where the plane is.", at.letters),
         {{-at.v0, words("{answer} is {n}·{Q} − D, from the plane to {Q}: turn it round.", at.letters)}});
   });
-  if (!at.hasPlane())
-    return;
-  lines.add("A", [&at] {
-    return asked(withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))),
-                 words("The foot of {Q} on the line through the origin.", at.letters));
-  });
-  lines.add("C", [&at] {
-    return asked(withNumbers(at.C == at.Q + alongNormal(at, at.v0)),
-                 words("The foot of {Q} in the plane.", at.letters));
-  });
+  if (at.hasPlane())
+    lines.add("C", [&at] {
+      return asked(withNumbers(at.C == at.Q + alongNormal(at, at.v0)),
+                   words("The foot of {Q} in the plane.", at.letters));
+    });
 }
 
 /// The opposite sides of the rectangle, as vectors.
@@ -223,10 +223,14 @@ void addMeetingLines(const Out &at, Explanation &lines) {
     return asked(withNumbers(at.t == at.v0 / at.vd),
                  words("So many steps {r} lead from {Q} to the plane.", at.letters));
   });
-  lines.add("similar", [&at] {
+  lines.add("similar-n", [&at] {
     return line(
-        {withNumbers(at.C - at.Q == at.t * (at.E - at.Q)), withNumbers(at.H - at.Q == at.t * (at.F - at.Q))},
-        words("Both sides of the small triangle, times t, are those of the large one."));
+        withNumbers(at.C - at.Q == at.t * (at.E - at.Q)),
+        words("Along {n}: t times the side of the small triangle is that of the large one.", at.letters));
+  });
+  lines.add("similar-r", [&at] {
+    return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)),
+                words("Along the ray: just as many times."));
   });
   lines.add("hit", [&at] {
     return asked(withNumbers(at.H == at.Q + at.t * at.r),
@@ -408,8 +412,8 @@ Construction ray_plane_picture() {
                   named::number("length_n"), named::word("origin_way", {"with-n", "against-n", "none"}),
                   named::word("normal", {"kept", "turned", "none"}), named::number("t"),
                   named::vector("point"), named::vector("facing_normal")},
-       .lines = {"D", "B", "vd", "F", "E", "v0", "A", "C", "rectangle", "t", "similar", "hit", "OB", "QE",
-                 "QC", "facing"},
+       .lines = {"D", "B", "vd", "F", "E", "v0", "A", "C", "rectangle", "t", "similar-n", "similar-r", "hit",
+                 "OB", "QE", "QC", "facing"},
        .marks = {"O", "A", "B", "C", "E", "F", "H", "OB", "AB", "QC", "QE", "large", "small", "facing"}},
       {compute, tell, valuesOf, make, explain, draw, nearby});
 }

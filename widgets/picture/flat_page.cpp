@@ -4,12 +4,19 @@
 #include "lessons/object/drawing.h"
 #include "widgets/picture/camera_views.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 
 namespace halfspace {
 namespace {
+
+/// What a flat picture takes of the scene's width and height …
+constexpr glm::dvec2 shareOfRoom{0.38, 0.34};
+/// … but at least so much, and never more, in pixels; and never more than half of the room.
+constexpr glm::dvec2 leastSize{210, 150};
+constexpr glm::dvec2 mostSize{460, 340};
 
 /// A direction square to another.
 ExactVec3 anySquareTo(const ExactVec3 &direction) {
@@ -131,6 +138,10 @@ std::optional<FlatFrame> flatFrame(const FlatPage &page, const Scene &scene) {
   const ExactVec3 *up = vectorIn(scene, page.up);
   const ExactVec3 *right = vectorIn(scene, page.right);
   return up && right ? flatFrame(*up, *right) : std::nullopt;
+}
+
+glm::dvec2 flatSizeIn(glm::dvec2 room, double sizeScale) {
+  return glm::min(glm::clamp(room * shareOfRoom, leastSize, mostSize * sizeScale), room / 2.0);
 }
 
 Figure laidFlat(const Figure &figure, const FlatFrame &frame) {

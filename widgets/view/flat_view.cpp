@@ -14,12 +14,6 @@
 namespace halfspace {
 namespace {
 
-/// What it takes of the scene's width and height …
-constexpr double shareOfWidth = 0.38;
-constexpr double shareOfHeight = 0.36;
-/// … but at least so much, and never more, at the usual size of type, in pixels.
-constexpr QSize least(210, 150);
-constexpr QSize most(460, 340);
 /// In a small picture type and lines are a little smaller than in the scene.
 constexpr double smallness = 0.8;
 
@@ -70,8 +64,8 @@ QSize FlatView::sizeIn(const QSize &room) const {
   const QSize title = m_title->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
   if (!m_unfolded->isChecked())
     return title;
-  const QSize share(qRound(shareOfWidth * room.width()), qRound(shareOfHeight * room.height()));
-  return share.expandedTo(least).boundedTo(most * m_sizeScale).boundedTo(room / 2).expandedTo(title);
+  const glm::dvec2 size = flatSizeIn({room.width(), room.height()}, m_sizeScale);
+  return QSize(qRound(size.x), qRound(size.y)).expandedTo(title);
 }
 
 void FlatView::takeOutcome() {

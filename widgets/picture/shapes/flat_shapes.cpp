@@ -50,7 +50,9 @@ public:
 
 private:
   void addLine(std::vector<glm::dvec2> path, bool isClosed = false) {
-    const double dash = isDashed(baseOf(m_mark).role) ? dashLength * m_scale * m_pixels : 0;
+    const bool isAngle =
+        std::holds_alternative<ArcMark>(m_mark) || std::holds_alternative<RightAngleMark>(m_mark);
+    const double dash = isDashed(baseOf(m_mark).role) && !isAngle ? dashLength * m_scale * m_pixels : 0;
     m_shapes.push_back({std::move(path), m_color, 1, strokeRadius(m_mark) * m_thickness, dash, isClosed});
   }
 
