@@ -283,8 +283,8 @@ protected:
     const double height = size.height;
     const glm::dvec2 corner(width, height);
     std::vector<PixelBox> covered{{{width - 44 * ratio, 0}, {width, 160 * ratio}}};
-    if (lesson.flat)
-      covered.push_back({corner - flatSizeIn(corner / ratio, 1) * ratio, corner});
+    if (const auto flat = flatSizeIn(corner / ratio, 1); flat && lesson.flat)
+      covered.push_back({corner - *flat * ratio, corner});
     const double cardEnd = std::min(430 * ratio, covered.size() > 1 ? covered.back().low.x : width);
     covered.push_back({{0, height - 56 * ratio}, {cardEnd, height}});
     return covered;

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 
@@ -140,7 +141,9 @@ std::optional<FlatFrame> flatFrame(const FlatPage &page, const Scene &scene) {
   return up && right ? flatFrame(*up, *right) : std::nullopt;
 }
 
-glm::dvec2 flatSizeIn(glm::dvec2 room, double sizeScale) {
+std::optional<glm::dvec2> flatSizeIn(glm::dvec2 room, double sizeScale) {
+  if (glm::any(glm::lessThan(room / 2.0, leastSize)))
+    return {};
   return glm::min(glm::clamp(room * shareOfRoom, leastSize, mostSize * sizeScale), room / 2.0);
 }
 

@@ -30,8 +30,8 @@ inline constexpr double edgeOnTolerance = 1e-9;
 [[nodiscard]] Figure laidFlat(const Figure &figure, const FlatFrame &frame);
 
 /// The width and height that a flat picture takes of the room of a scene that it lies over, in pixels, where
-/// the usual size of type is so many times as large.
-[[nodiscard]] glm::dvec2 flatSizeIn(glm::dvec2 room, double sizeScale);
+/// the usual size of type is so many times as large. Nothing where half of the room is too little for it.
+[[nodiscard]] std::optional<glm::dvec2> flatSizeIn(glm::dvec2 room, double sizeScale);
 
 /// The camera that looks at such a figure, with all of it in view but what runs on without end.
 [[nodiscard]] Camera flatCamera(const Figure &flat, PixelSize size, double pixelRatio);

@@ -62,11 +62,13 @@ void FlatView::setHighlighted(std::set<std::string> markIds) {
 
 QSize FlatView::sizeIn(const QSize &room) const {
   const QSize title = m_title->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
-  if (!m_unfolded->isChecked())
+  const auto size = flatSizeIn({room.width(), room.height()}, m_sizeScale);
+  if (!m_unfolded->isChecked() || !size)
     return title;
-  const glm::dvec2 size = flatSizeIn({room.width(), room.height()}, m_sizeScale);
-  return QSize(qRound(size.x), qRound(size.y)).expandedTo(title);
+  return QSize(qRound(size->x), qRound(size->y)).expandedTo(title);
 }
+
+bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameWidth(); }
 
 void FlatView::takeOutcome() {
   const auto &flat = m_model.lesson().flat;
@@ -107,7 +109,7 @@ void FlatView::describe() {
 
 void FlatView::paintEvent(QPaintEvent *event) {
   QFrame::paintEvent(event);
-  if (!m_unfolded->isChecked() || !hasPicture())
+  if (!isOpen() || !hasPicture())
     return;
   QPainter painter(this);
   painter.setClipRect(contentsRect());
@@ -129,7 +131,7 @@ void FlatView::resizeEvent(QResizeEvent *event) {
 void FlatView::mousePressEvent(QMouseEvent *event) { event->accept(); }
 
 void FlatView::mouseMoveEvent(QMouseEvent *event) {
-  if (!m_unfolded->isChecked())
+  if (!isOpen())
     return;
   const QPointF at = event->localPos();
   hover(markUnder({at.x(), at.y()}, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio));

@@ -13,8 +13,8 @@ class QToolButton;
 
 namespace halfspace {
 
-/// Lies over the scene's corner in lessons that have such a picture, and in no others. Folded, only its title
-/// is left.
+/// Lies over the scene's corner in lessons that have such a picture, and in no others. Folded, or in a very
+/// small window, only its title is left.
 class FlatView : public QFrame {
   Q_OBJECT
 public:
@@ -49,6 +49,8 @@ protected:
   void leaveEvent(QEvent *event) override;
 
 private:
+  /// Whether there is more of it than its title: unfolded, and not too little room for that.
+  [[nodiscard]] bool isOpen() const;
   void takeOutcome();
   void takeView();
   void describe();

@@ -114,6 +114,7 @@ private slots:
       QVERIFY(size.width() <= room.width() / 2 && size.height() <= room.height() / 2);
       QVERIFY(size.width() >= 200 && size.height() >= 140);
     }
+    QVERIFY(fixture.flat.sizeIn(QSize(380, 300)).height() < 60); // its title alone
     fixture.flat.setSizeScale(2);
     QVERIFY(fixture.flat.sizeIn(QSize(2500, 1900)).width() > 500);
   }
