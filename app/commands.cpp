@@ -44,7 +44,7 @@ Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSessio
     return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
                    "--flat"};
   View view{{}, command.size, command.size.height / designHeight};
-  view.camera = flatCamera(laidFlat(whole, *frame), view.size, view.pixelRatio);
+  view.camera = flatCamera(laidFlat(whole, *frame), view);
   content.figure = clippedTo(view, laidFlat(content.figure, *frame));
   return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
 }

@@ -77,7 +77,7 @@ TEST(FlatPicture, OfATriangleInThePage_HasItsTrueSidesAndRightAngle_OnTheScreen)
   for (const auto &[up, right] : directions()) {
     const FlatFrame frame = flatFrame(up, right).value();
     const Figure flat = laidFlat(planeAndCorner(up, frame), frame);
-    const Camera camera = flatCamera(flat, size, 1);
+    const Camera camera = flatCamera(flat, {{}, size, 1});
     const double pixels = size.height / camera.height;
     const std::vector<Place> corners = markIn<PolygonMark>(flat, "triangle").corners;
     ASSERT_EQ(corners.size(), 3U);
@@ -104,7 +104,7 @@ TEST(FlatPicture, OfItsLesson_ShowsAllPointsButNoPlaneBeyondItsSides) {
   const FlatFrame frame = flatFrame(lesson().flat.value(), lesson().scene).value();
   const Figure flat = laidFlat(figureOf(evaluation), frame);
   View view{{}, {300, 220}, 0.8};
-  view.camera = flatCamera(flat, view.size, view.pixelRatio);
+  view.camera = flatCamera(flat, view);
   EXPECT_TRUE(showsAll(flat, view));
   const Figure clipped = clippedTo(view, flat);
   const auto line = markIn<SegmentMark>(clipped, "G");
@@ -135,7 +135,7 @@ TEST(FlatShapes, OfALesson_LieFromFacesOverLinesToPoints_AndHaveASize) {
   SceneContent content;
   content.figure = laidFlat(figureOf(evaluation), flatFrame(lesson().flat.value(), lesson().scene).value());
   View view{{}, {300, 220}, 0.8};
-  view.camera = flatCamera(content.figure, view.size, view.pixelRatio);
+  view.camera = flatCamera(content.figure, view);
   const std::vector<FlatShape> shapes = flatShapes(content, themes().front(), view);
   ASSERT_FALSE(shapes.empty());
   EXPECT_LT(shapes.front().opacity, 1);

@@ -154,12 +154,12 @@ Figure laidFlat(const Figure &figure, const FlatFrame &frame) {
   return flat;
 }
 
-Camera flatCamera(const Figure &flat, PixelSize size, double pixelRatio) {
-  Camera camera;
-  camera.azimuth = 0;
-  camera.elevation = 0;
-  camera.orthographic = true;
-  return fitted({camera, size, pixelRatio}, placesIn(flat));
+Camera flatCamera(const Figure &flat, View view) {
+  view.camera = {};
+  view.camera.azimuth = 0;
+  view.camera.elevation = 0;
+  view.camera.orthographic = true;
+  return fitted(view, placesIn(flat));
 }
 
 bool showsAll(const Figure &flat, const View &view) {

@@ -33,8 +33,9 @@ inline constexpr double edgeOnTolerance = 1e-9;
 /// the usual size of type is so many times as large. Nothing where half of the room is too little for it.
 [[nodiscard]] std::optional<glm::dvec2> flatSizeIn(glm::dvec2 room, double sizeScale);
 
-/// The camera that looks at such a figure, with all of it in view but what runs on without end.
-[[nodiscard]] Camera flatCamera(const Figure &flat, PixelSize size, double pixelRatio);
+/// The camera that looks at such a figure, with all of it in view, beside what covers that, but what runs on
+/// without end.
+[[nodiscard]] Camera flatCamera(const Figure &flat, View view);
 
 /// Whether such a camera still shows what it would be put up for.
 [[nodiscard]] bool showsAll(const Figure &flat, const View &view);

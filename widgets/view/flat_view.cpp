@@ -16,6 +16,9 @@ namespace {
 
 /// In a small picture type and lines are a little smaller than in the scene.
 constexpr double smallness = 0.8;
+/// … where it is lower than this, in pixels, even more, down to a part that can still be read.
+constexpr double roomyHeight = 240;
+constexpr double leastPart = 0.8;
 
 } // namespace
 
@@ -91,11 +94,12 @@ void FlatView::takeOutcome() {
 }
 
 void FlatView::takeView() {
-  const double ratio = m_sizeScale * smallness;
+  const double part = std::clamp(height() / (roomyHeight * m_sizeScale), leastPart, 1.0);
+  const double ratio = m_sizeScale * smallness * part;
   m_view.size = {std::max(1, width()), std::max(1, height())};
   m_view.pixelRatio = ratio;
   m_view.covered = {{{0, 0}, {m_title->width(), m_title->height()}}};
-  m_view.camera = flatCamera(m_whole, m_view.size, ratio);
+  m_view.camera = flatCamera(m_whole, m_view);
 }
 
 void FlatView::describe() {

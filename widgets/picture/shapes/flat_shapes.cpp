@@ -13,6 +13,8 @@ namespace halfspace {
 namespace {
 
 constexpr double highlightWidth = 1.55;
+/// Nothing foreshortens a corner here: it may be smaller than in space.
+constexpr double cornerSize = 0.6 * rightAngleSize;
 
 /// Faces lie below lines, and lines below points.
 int levelOf(const Mark &mark) {
@@ -30,7 +32,7 @@ public:
     const MarkBase &base = baseOf(mark);
     m_color = solidColor(base, theme, standsOut);
     m_thickness = 2 * thicknessOf(base, theme, m_scale) * m_pixels * (standsOut ? highlightWidth : 1);
-    const auto path = projectAll(view.camera, view.size, outlineOf(mark, rightAngleSize * m_scale).path);
+    const auto path = projectAll(view.camera, view.size, outlineOf(mark, cornerSize * m_scale).path);
     if (path)
       m_path.assign(path->begin(), path->end());
   }
