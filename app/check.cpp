@@ -1,11 +1,13 @@
 #include "app/check.h"
 
+#include "lessons/lesson/lesson_picture.h"
 #include "lessons/lesson/name_check.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
+#include "widgets/text/picture_object.h"
 
 #include <algorithm>
 #include <iterator>
@@ -36,13 +38,50 @@ void addIfUnreadable(const MarkdownFormula::Source &formula, const LessonWords &
          lesson.file, piece.lineAt(formula.place), piece.field});
 }
 
-/// The formulas in a lesson's words that cannot be read, each with its line and the column within it.
-void addUnreadableFormulas(const Lesson &lesson, std::vector<Problem> &problems) {
-  for (const LessonWords &piece : wordsOf(lesson))
-    if (const auto markdown = readMarkdown(piece.text))
-      for (const MarkdownFormula &formula : markdown->formulas)
-        for (const MarkdownFormula::Source &source : formula.sources)
-          addIfUnreadable(source, piece, lesson, problems);
+/// The pictures among blocks, those in each other too.
+void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::string> &names) {
+  for (const MarkdownBlock &block : blocks) {
+    for (const MarkdownSpan &span : block.spans)
+      if (span.kind == MarkdownSpan::Kind::Picture)
+        names.push_back(span.picture);
+    addPictures(block.children, names);
+  }
+}
+
+/// Why a picture would not be shown; empty where it is.
+std::string whyNotShown(const std::string &picture, const Lesson &lesson) {
+  const auto bytes = readLessonPicture(std::filesystem::path(lesson.file).parent_path(), picture);
+  if (!bytes)
+    return bytes.problem().sentence;
+  const auto image = imageOf(*bytes);
+  return image ? std::string()
+               : words("The picture “{name}” cannot be shown. {reason}",
+                       {{"name", shortened(picture)}, {"reason", image.problem().sentence}});
+}
+
+void addIfNotShown(const std::string &picture, const LessonWords &piece, const Lesson &lesson,
+                   std::vector<Problem> &problems) {
+  const std::string sentence = whyNotShown(picture, lesson);
+  if (!sentence.empty())
+    problems.push_back({sentence, lesson.file,
+                        piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
+}
+
+/// What in a lesson's words would not be seen as it is meant: formulas that cannot be read, each with its
+/// line and the column within it, and pictures.
+void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
+  for (const LessonWords &piece : wordsOf(lesson)) {
+    const auto markdown = readMarkdown(piece.text);
+    if (!markdown)
+      continue; // such a lesson is not read
+    for (const MarkdownFormula &formula : markdown->formulas)
+      for (const MarkdownFormula::Source &source : formula.sources)
+        addIfUnreadable(source, piece, lesson, problems);
+    std::vector<std::string> pictures;
+    addPictures(markdown->blocks, pictures);
+    for (const std::string &picture : pictures)
+      addIfNotShown(picture, piece, lesson, problems);
+  }
 }
 
 } // namespace
@@ -51,7 +90,7 @@ Checked checkLessons(const std::filesystem::path &fileOrFolder) {
   LessonLibrary library = libraryOf(fileOrFolder);
   Checked checked{library.lessons.size(), std::move(library.problems)};
   for (const Lesson &lesson : library.lessons) {
-    addUnreadableFormulas(lesson, checked.problems);
+    addUnreadable(lesson, checked.problems);
     std::ranges::move(problemsWithNames(lesson), std::back_inserter(checked.problems));
   }
   std::stable_sort(checked.problems.begin(), checked.problems.end(), [](const Problem &a, const Problem &b) {

@@ -101,7 +101,7 @@ int runCheck(const CheckCommand &command) {
 }
 
 int runExplain(const ExplainCommand &command) {
-  const LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
@@ -115,7 +115,7 @@ int runExplain(const ExplainCommand &command) {
 }
 
 int runRender(const RenderCommand &command) {
-  const LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = openLibrary(command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());

@@ -3,6 +3,8 @@
 #include "lessons/scene/session_file.h"
 #include "lessons/words.h"
 
+#include <utility>
+
 namespace halfspace {
 namespace {
 
@@ -15,40 +17,63 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
           "", 0, ""};
 }
 
+/// Puts a lesson of a file into the library, in the place of one with its id; the id.
+Result<std::string> addLessonFile(LessonLibrary &library, const std::string &file) {
+  auto lesson = readLesson(file);
+  if (!lesson)
+    return lesson.problem();
+  std::string id = lesson->id;
+  std::erase_if(library.lessons, [&](const Lesson &each) { return each.id == id; });
+  library.lessons.push_back(std::move(*lesson));
+  return id;
+}
+
+Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string &id) {
+  const Lesson *lesson = library.find(id);
+  if (!lesson)
+    return unknownLesson(library, id);
+  return OpenedSession{{lesson->id, 0, lesson->scene}, lesson, {}};
+}
+
+Result<OpenedSession> openSessionFile(const LessonLibrary &library, const std::string &name) {
+  auto file = readSessionFile(name);
+  if (!file)
+    return file.problem();
+  const Lesson *lesson = library.find(file->session.lesson);
+  return OpenedSession{std::move(file->session), lesson, std::move(file->text)};
+}
+
+Result<OpenedSession> open(LessonLibrary &library, const std::string &name) {
+  if (name.ends_with(".md")) {
+    const auto id = addLessonFile(library, name);
+    return id ? openLesson(library, *id) : id.problem();
+  }
+  return namesFile(library, name) ? openSessionFile(library, name) : openLesson(library, name);
+}
+
 } // namespace
 
 bool namesFile(const LessonLibrary &library, const std::string &name) {
   std::error_code error;
   return !name.empty() && !library.find(name) &&
-         (name.ends_with(".halfspace") || name.find('/') != std::string::npos ||
+         (name.ends_with(".halfspace") || name.ends_with(".md") || name.find('/') != std::string::npos ||
           std::filesystem::exists(name, error));
 }
 
-Result<OpenedSession> openSession(const LessonLibrary &library, const std::string &name,
+Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
                                   const std::vector<std::string> &assignments) {
   if (library.lessons.empty())
     return library.problems.empty()
                ? Problem{words("No lessons were found: the program is not installed completely."), "", 0, ""}
                : library.problems.front();
-  OpenedSession opened;
-  if (namesFile(library, name)) {
-    auto file = readSessionFile(name);
-    if (!file)
-      return file.problem();
-    opened.session = std::move(file->session);
-    opened.text = std::move(file->text);
-    opened.lesson = library.find(opened.session.lesson);
-  } else {
-    opened.lesson = library.find(name);
-    if (!opened.lesson)
-      return unknownLesson(library, name);
-    opened.session = {opened.lesson->id, 0, opened.lesson->scene};
-  }
+  auto opened = open(library, name);
+  if (!opened)
+    return opened;
   for (const std::string &assignment : assignments) {
-    auto changed = withValue(std::move(opened.session), assignment);
+    auto changed = withValue(std::move(opened->session), assignment);
     if (!changed)
       return changed.problem();
-    opened.session = std::move(*changed);
+    opened->session = std::move(*changed);
   }
   return opened;
 }

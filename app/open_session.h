@@ -14,11 +14,13 @@ struct OpenedSession {
   std::optional<std::string> text; ///< of the file that the session stands in, if it is a file's
 };
 
-/// Whether the name is a file's rather than a lesson's: it ends in .halfspace, has a slash, or is there.
+/// Whether the name is a file's rather than a lesson's: it ends in .halfspace or .md, has a slash, or is
+/// there.
 [[nodiscard]] bool namesFile(const LessonLibrary &library, const std::string &name);
 
-/// Opens a lesson by its id or a .halfspace file, and gives coordinates their values.
-[[nodiscard]] Result<OpenedSession> openSession(const LessonLibrary &library, const std::string &name,
+/// Opens a lesson by its id, a .halfspace file or a lesson's .md file, and gives coordinates their values.
+/// The lesson of a file stands in the library from then on, also in the place of another with its id.
+[[nodiscard]] Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
                                                 const std::vector<std::string> &assignments = {});
 
 } // namespace halfspace

@@ -7,11 +7,11 @@
 
 namespace halfspace {
 
-/// The ink of each mark of the model's figure; terms without a mark have the theme's. The model must outlive
-/// it.
+/// The ink of each mark that is drawn; terms of others have the theme's. So, while a question is open, none
+/// gives the answer away by its colour. The model must outlive it.
 [[nodiscard]] inline MathPicture::InkOf markInk(const SessionModel &model, const Theme &theme) {
   return [&model, theme](const QString &markId) {
-    const Mark *mark = findMark(model.figure(), markId.toStdString());
+    const Mark *mark = findMark(model.shown().figure, markId.toStdString());
     return toQColor(mark ? theme.inkOf(baseOf(*mark).subject) : theme.ink);
   };
 }

@@ -3,6 +3,7 @@
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
+#include "lessons/construction/product_signs.h"
 #include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -125,19 +126,6 @@ Out compute(const In &in) {
           weightsOf(in, meet, whole)};
 }
 
-/// What the signs of the products have in common: those that are 0 go with both.
-enum class Signs : std::uint8_t { Same, Mixed, Zero };
-
-Signs signsOf(const std::vector<Rational> &products) {
-  const bool hasPositive = std::any_of(products.begin(), products.end(), [](const auto &p) { return p > 0; });
-  const bool hasNegative = std::any_of(products.begin(), products.end(), [](const auto &p) { return p < 0; });
-  return hasPositive && hasNegative ? Signs::Mixed : hasPositive || hasNegative ? Signs::Same : Signs::Zero;
-}
-
-std::string nameOfSigns(Signs signs) {
-  return signs == Signs::Same ? "same" : signs == Signs::Mixed ? "mixed" : "zero";
-}
-
 /// For people: the inside of the polygon, the edge P₀P₁ …
 std::string partWords(const Out &at) {
   const FaceLocation &location = at.meet.location;
@@ -224,7 +212,7 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
     products.push_back(edge.p);
   std::vector<NamedValue> values{listed("products", list(std::move(products))),
                                  listed("sum", at.S),
-                                 {"signs", words("signs"), nameOfSigns(signsOf(at.meet.products))}};
+                                 {"signs", words("signs"), nameOf(signsOf(at.meet.products))}};
   if (!at.meet.crosses())
     return values;
   values.push_back({"location", words("place"), std::string(nameOf(at.meet.location.part))});
@@ -289,13 +277,13 @@ void addEdgeLines(const Out &at, std::size_t index, Explanation &lines) {
 }
 
 std::string commonSignWords(const Out &at) {
-  const Signs signs = signsOf(at.meet.products);
+  const ProductSigns signs = signsOf(at.meet.products);
   if (!at.isConvex())
     return words("The signs say which way the ray passes each edge. They decide for a flat, convex polygon "
                  "only.");
-  if (signs == Signs::Zero)
+  if (signs == ProductSigns::Zero)
     return words("All are 0: the ray and all edges lie in one plane.");
-  if (signs == Signs::Mixed)
+  if (signs == ProductSigns::Mixed)
     return words("Both signs are there: the line of the ray passes outside the polygon.");
   return words("No two differ in sign: the line of the ray goes through {part}.", {{"part", partWords(at)}});
 }

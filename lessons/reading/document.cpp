@@ -1,5 +1,6 @@
 #include "lessons/reading/document.h"
 
+#include "lessons/guess.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -20,10 +21,11 @@ const DocumentNode *DocumentNode::find(std::string_view name) const {
 void FieldReader::allowOnly(std::initializer_list<std::string_view> keys) {
   if (m_node.kind != DocumentNode::Kind::Map)
     return complain(m_node, m_path, words("Here named fields are expected, as `name: value`."));
+  const std::vector<std::string> known(keys.begin(), keys.end());
   for (const DocumentNode &child : m_node.children)
-    if (std::find(keys.begin(), keys.end(), child.key) == keys.end())
+    if (std::find(known.begin(), known.end(), child.key) == known.end())
       complain(child, pathOf(shortened(child.key)),
-               words("There is no such field. Remove it or mend its name."));
+               withGuess(words("There is no such field. Remove it or mend its name."), child.key, known));
 }
 
 const DocumentNode *FieldReader::required(std::string_view key) {

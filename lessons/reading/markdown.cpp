@@ -6,6 +6,8 @@
 
 #include <md4c.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace halfspace {
@@ -13,28 +15,55 @@ namespace {
 
 using Kind = MarkdownBlock::Kind;
 
-/// Addresses among the words are recognized, so that what stands in them is no markup; HTML is not.
+/// Addresses among the words are links; HTML is text.
 constexpr unsigned dialect =
-    MD_FLAG_PERMISSIVEAUTOLINKS | MD_FLAG_STRIKETHROUGH | MD_FLAG_TASKLISTS | MD_FLAG_NOHTML;
+    MD_FLAG_PERMISSIVEAUTOLINKS | MD_FLAG_STRIKETHROUGH | MD_FLAG_TABLES | MD_FLAG_TASKLISTS | MD_FLAG_NOHTML;
+
+std::string textOf(const MD_ATTRIBUTE &attribute) {
+  std::string text;
+  for (int i = 0; attribute.substr_offsets[i] < attribute.size; ++i) {
+    const MD_OFFSET begin = attribute.substr_offsets[i];
+    const std::string_view part(attribute.text + begin, attribute.substr_offsets[i + 1] - begin);
+    text += attribute.substr_types[i] == MD_TEXT_ENTITY     ? characterOfEntity(part)
+            : attribute.substr_types[i] == MD_TEXT_NULLCHAR ? "\uFFFD"
+                                                            : std::string(part);
+  }
+  return text;
+}
+
+/// The address of a link; empty where nobody shall be led there, or a formula stands in it.
+std::string openableAddress(const MD_ATTRIBUTE &target) {
+  std::string address = textOf(target);
+  return isOpenable(address) && nextFormula(address).begin == address.size() ? address : std::string();
+}
+
+MarkdownBlock::Side sideOf(MD_ALIGN align) {
+  return align == MD_ALIGN_CENTER  ? MarkdownBlock::Side::Middle
+         : align == MD_ALIGN_RIGHT ? MarkdownBlock::Side::Right
+                                   : MarkdownBlock::Side::Left;
+}
 
 /// Builds the tree from the parser's events.
 class MarkdownBuilder {
 public:
   MarkdownBuilder() { m_open.push_back({Kind::Quote}); } // holds all blocks, as a quote does
 
-  /// False where blocks are nested too deeply.
+  /// False where there is too much of something, see `problem`.
   bool enterBlock(MD_BLOCKTYPE type, const void *detail);
   void leaveBlock(MD_BLOCKTYPE type);
-  void enterSpan(MD_SPANTYPE type);
-  void leaveSpan() { m_faces.pop_back(); }
+  void enterSpan(MD_SPANTYPE type, const void *detail);
+  void leaveSpan(MD_SPANTYPE type);
   void text(MD_TEXTTYPE type, std::string_view text);
   [[nodiscard]] std::vector<MarkdownBlock> finish() { return std::move(m_open.front().children); }
+  [[nodiscard]] std::string problem() const;
 
 private:
   void open(MarkdownBlock block) { m_open.push_back(std::move(block)); }
   bool nest(MarkdownBlock block);
   bool openList(char mark, std::optional<unsigned> first);
   bool openItem(const MD_BLOCK_LI_DETAIL &detail);
+  void openRow();
+  bool openCell(const MD_BLOCK_TD_DETAIL &detail);
   void close();
   void closeBareWords();
   void addLines(std::string_view text);
@@ -44,6 +73,9 @@ private:
   std::vector<MarkdownBlock> m_open; ///< each holds the next
   std::vector<MarkdownSpan::Face> m_faces{{}};
   std::vector<std::optional<unsigned>> m_numbers; ///< of the next item of each open list
+  std::vector<MarkdownSpan> m_pictures;           ///< the open ones, whose descriptions are being read
+  bool m_inTableHead = false;
+  std::size_t m_cells = 0;
 };
 
 bool MarkdownBuilder::enterBlock(MD_BLOCKTYPE type, const void *detail) {
@@ -70,14 +102,27 @@ bool MarkdownBuilder::enterBlock(MD_BLOCKTYPE type, const void *detail) {
   case MD_BLOCK_HR:
     open({Kind::Rule});
     return true;
-  default: // HTML and tables are not in our dialect
+  case MD_BLOCK_TABLE:
+    open({Kind::Table});
+    return true;
+  case MD_BLOCK_THEAD:
+  case MD_BLOCK_TBODY:
+    m_inTableHead = type == MD_BLOCK_THEAD;
+    return true;
+  case MD_BLOCK_TR:
+    openRow();
+    return true;
+  case MD_BLOCK_TH:
+  case MD_BLOCK_TD:
+    return openCell(*static_cast<const MD_BLOCK_TD_DETAIL *>(detail));
+  default: // HTML is not in our dialect
     open({Kind::Paragraph});
     return true;
   }
 }
 
 void MarkdownBuilder::leaveBlock(MD_BLOCKTYPE type) {
-  if (type == MD_BLOCK_DOC)
+  if (type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY)
     return;
   if (type == MD_BLOCK_LI)
     closeBareWords();
@@ -86,13 +131,30 @@ void MarkdownBuilder::leaveBlock(MD_BLOCKTYPE type) {
   close();
 }
 
-void MarkdownBuilder::enterSpan(MD_SPANTYPE type) {
+void MarkdownBuilder::enterSpan(MD_SPANTYPE type, const void *detail) {
+  if (type == MD_SPAN_IMG)
+    m_pictures.push_back({MarkdownSpan::Kind::Picture,
+                          "",
+                          0,
+                          {},
+                          textOf(static_cast<const MD_SPAN_IMG_DETAIL *>(detail)->src)});
   MarkdownSpan::Face face = m_faces.back();
   face.emphasized = face.emphasized || type == MD_SPAN_EM;
   face.strong = face.strong || type == MD_SPAN_STRONG;
   face.struck = face.struck || type == MD_SPAN_DEL;
   face.code = face.code || type == MD_SPAN_CODE;
-  m_faces.push_back(face);
+  if (type == MD_SPAN_A)
+    face.link = openableAddress(static_cast<const MD_SPAN_A_DETAIL *>(detail)->href);
+  m_faces.push_back(std::move(face));
+}
+
+void MarkdownBuilder::leaveSpan(MD_SPANTYPE type) {
+  m_faces.pop_back();
+  if (type != MD_SPAN_IMG)
+    return;
+  MarkdownSpan picture = std::move(m_pictures.back());
+  m_pictures.pop_back();
+  addSpan(std::move(picture));
 }
 
 void MarkdownBuilder::text(MD_TEXTTYPE type, std::string_view text) {
@@ -135,6 +197,27 @@ bool MarkdownBuilder::openItem(const MD_BLOCK_LI_DETAIL &detail) {
   return nest(std::move(item));
 }
 
+void MarkdownBuilder::openRow() {
+  MarkdownBlock row{Kind::Row};
+  row.heading = m_inTableHead;
+  open(std::move(row));
+}
+
+bool MarkdownBuilder::openCell(const MD_BLOCK_TD_DETAIL &detail) {
+  MarkdownBlock cell{Kind::Cell};
+  cell.side = sideOf(detail.align);
+  open(std::move(cell));
+  return ++m_cells <= maxMarkdownCells;
+}
+
+std::string MarkdownBuilder::problem() const {
+  return m_cells > maxMarkdownCells
+             ? words("The tables here are too large: at most {limit} cells are read.",
+                     {{"limit", std::to_string(maxMarkdownCells)}})
+             : words("Lists and quotes are nested too deeply here: at most {limit} levels are read.",
+                     {{"limit", std::to_string(maxMarkdownDepth)}});
+}
+
 void MarkdownBuilder::close() {
   MarkdownBlock block = std::move(m_open.back());
   m_open.pop_back();
@@ -173,6 +256,10 @@ void MarkdownBuilder::addText(std::string_view text) {
 }
 
 void MarkdownBuilder::addSpan(MarkdownSpan span) {
+  if (!m_pictures.empty()) { // a description is plain
+    m_pictures.back().text += span.kind == MarkdownSpan::Kind::LineBreak ? " " : span.text;
+    return;
+  }
   span.face = m_faces.back();
   std::vector<MarkdownSpan> &spans = m_open.back().spans;
   const bool goesOn = !spans.empty() && span.kind == MarkdownSpan::Kind::Text &&
@@ -197,12 +284,12 @@ MD_PARSER parserOfOurDialect() {
     builderOf(userData).leaveBlock(type);
     return 0;
   };
-  parser.enter_span = [](MD_SPANTYPE type, void *, void *userData) noexcept {
-    builderOf(userData).enterSpan(type);
+  parser.enter_span = [](MD_SPANTYPE type, void *detail, void *userData) noexcept {
+    builderOf(userData).enterSpan(type, detail);
     return 0;
   };
-  parser.leave_span = [](MD_SPANTYPE, void *, void *userData) noexcept {
-    builderOf(userData).leaveSpan();
+  parser.leave_span = [](MD_SPANTYPE type, void *, void *userData) noexcept {
+    builderOf(userData).leaveSpan(type);
     return 0;
   };
   parser.text = [](MD_TEXTTYPE type, const MD_CHAR *text, MD_SIZE size, void *userData) noexcept {
@@ -214,6 +301,12 @@ MD_PARSER parserOfOurDialect() {
 
 } // namespace
 
+bool isOpenable(std::string_view address) {
+  constexpr std::array<std::string_view, 3> schemes{"https://", "http://", "mailto:"};
+  return std::any_of(schemes.begin(), schemes.end(),
+                     [address](std::string_view scheme) { return address.starts_with(scheme); });
+}
+
 Result<Markdown> readMarkdown(std::string_view text) {
   if (text.size() > maxMarkdownBytes)
     return Problem{words("These words are too long: at most {limit} KiB are read.",
@@ -223,9 +316,7 @@ Result<Markdown> readMarkdown(std::string_view text) {
   MarkdownBuilder builder;
   const MD_PARSER parser = parserOfOurDialect();
   if (md_parse(taken.markdown.data(), static_cast<MD_SIZE>(taken.markdown.size()), &parser, &builder) != 0)
-    return Problem{words("Lists and quotes are nested too deeply here: at most {limit} levels are read.",
-                         {{"limit", std::to_string(maxMarkdownDepth)}}),
-                   "", 0, ""};
+    return Problem{builder.problem(), "", 0, ""};
   return Markdown{builder.finish(), std::move(taken.formulas)};
 }
 

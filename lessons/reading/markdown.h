@@ -1,6 +1,5 @@
-// Markdown with `$…$` formulas as a tree of blocks, for whatever shows a lesson's words. Links lead nowhere
-// and nothing is loaded: of a link its text is left, of an image its description. HTML stands as it is
-// written.
+// Markdown with `$…$` formulas as a tree of blocks, for whatever shows a lesson's words. Nothing is loaded or
+// followed here: links and pictures are named. HTML stands as it is written.
 #pragma once
 
 #include "lessons/reading/problem.h"
@@ -30,32 +29,39 @@ struct MarkdownFormula {
 
 /// A piece of a line.
 struct MarkdownSpan {
-  enum class Kind { Text, Formula, LineBreak };
+  enum class Kind { Text, Formula, LineBreak, Picture };
   struct Face {
     bool strong = false;
     bool emphasized = false;
     bool struck = false;
     bool code = false;
+    std::string link{}; ///< the address that a click leads to; empty: to none
     bool operator==(const Face &) const = default;
   };
 
   Kind kind = Kind::Text;
-  std::string text{};      ///< of a text; not empty, and without ends of lines
+  std::string text{};      ///< of a text; not empty, and without ends of lines. Of a picture: its description
   std::size_t formula = 0; ///< of a formula: its index
   Face face{};
+  std::string picture{}; ///< of a picture: what it is called by
   bool operator==(const MarkdownSpan &) const = default;
 };
 
 struct MarkdownBlock {
-  enum class Kind { Paragraph, Heading, Code, Rule, Quote, List, Item };
+  enum class Kind { Paragraph, Heading, Code, Rule, Quote, List, Item, Table, Row, Cell };
+  enum class Side { Left, Middle, Right };
 
   Kind kind = Kind::Paragraph;
   int level = 0; ///< of a heading: from 1 to 6
   char mark = 0; ///< of a list: its bullet - + or *, or what stands behind its numbers: . or )
-  std::optional<unsigned> number{};      ///< of an item of a numbered list
-  std::optional<bool> ticked{};          ///< of an item with a box
-  std::vector<MarkdownSpan> spans{};     ///< of a paragraph, a heading or code, with breaks between its lines
-  std::vector<MarkdownBlock> children{}; ///< of a quote, a list (its items) or an item
+  std::optional<unsigned> number{}; ///< of an item of a numbered list
+  std::optional<bool> ticked{};     ///< of an item with a box
+  Side side = Side::Left;           ///< of a cell: where its words stand
+  bool heading = false;             ///< of a row: its cells name the columns
+  std::vector<MarkdownSpan>
+      spans{}; ///< of a paragraph, a heading, a cell or code, with breaks between its lines
+  std::vector<MarkdownBlock>
+      children{}; ///< of a quote, a list (its items), an item, a table (its rows) or a row
   bool operator==(const MarkdownBlock &) const = default;
 };
 
@@ -67,8 +73,14 @@ struct Markdown {
 inline constexpr std::size_t maxMarkdownBytes = 1U << 16U;
 /// So many quotes, lists and items in each other are read.
 inline constexpr std::size_t maxMarkdownDepth = 32;
+/// So many cells in all tables together: two short lines can ask for millions of empty ones.
+inline constexpr std::size_t maxMarkdownCells = 1000;
+
+/// Whether an address is one that a learner may be led to: of the web, or of somebody to write to.
+[[nodiscard]] bool isOpenable(std::string_view address);
 
 /// Reads a text in UTF-8. A problem, without a place, where it is larger or nested deeper than the bounds.
+/// Links to what is not openable lead nowhere.
 [[nodiscard]] Result<Markdown> readMarkdown(std::string_view text);
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "lessons/scene/scene_reader.h"
 
+#include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/scene/scene_checker.h"
@@ -100,6 +101,21 @@ ConstructionUse readUse(FieldReader &fields) {
   return use;
 }
 
+/// Complains of an entry that says neither a kind nor a construction.
+void complainOfKind(const DocumentNode &node, FieldReader &fields) {
+  std::vector<std::string> known{"construction"};
+  std::string list;
+  for (const Kind &kind : kinds()) {
+    known.emplace_back(kind.word);
+    list += known.back() + ", ";
+  }
+  std::string sentence = words("It does not say what it is: one of {kinds}construction.", {{"kinds", list}});
+  for (const DocumentNode &field : node.children)
+    if (field.key != "name")
+      sentence = withGuess(sentence, field.key, known);
+  fields.complain(node, fields.pathOf(""), sentence);
+}
+
 /// Reads one entry into `fields`' problem or an entry.
 Entry readEntry(const DocumentNode &node, FieldReader &fields) {
   Entry entry;
@@ -116,11 +132,7 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
       entry.content = object;
       return entry;
     }
-  std::string known;
-  for (const Kind &kind : kinds())
-    known += std::string(kind.word) + ", ";
-  fields.complain(node, fields.pathOf(""),
-                  words("It does not say what it is: one of {kinds}construction.", {{"kinds", known}}));
+  complainOfKind(node, fields);
   return entry;
 }
 

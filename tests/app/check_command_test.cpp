@@ -78,6 +78,92 @@ TEST_F(Program, NewLesson_PassesTheCheck_AndIsOpenedFromItsFolder) {
   EXPECT_EQ(run("explain my-first").status, 2) << "of ours there is none";
 }
 
+/// A mistake in the lesson that new-lesson writes, and what is told of it behind the file's name.
+struct Mistake {
+  std::string right;
+  std::string wrong;
+  int line;
+  std::string told; ///< its beginning
+};
+
+const std::vector<Mistake> &mistakes() {
+  static const std::vector<Mistake> all{
+      {"id: base", "id: Base", 2, "id: An id is made of"},
+      {"title: My", "titl: My", 3,
+       "titl: There is no such field. Remove it or mend its name. Perhaps “title” is"},
+      {"title: My first lesson", "", 2, "title: This field is missing."},
+      {"sources: []", "sources: &a [*a]", 5, "References with * are not read."},
+      {"sources: []", "sources: [&a [x, x], &b [*a, *a], &c [*b, *b]]", 5, "References with * are not read."},
+      {"sources: []", "sources: " + std::string(100, '[') + std::string(100, ']'), 5,
+       "Lists and maps are nested too deeply"},
+      {"sources: []", "sources: [", 7, "This is not YAML as it should be"},
+      {"{P0: [5, 4, 7], n:", "{P: [5, 4, 7], n:", 7, "scene[0].plane"},
+      {"E, plane:", "E, plain:", 7, "scene[0]: It does not say what it is"},
+      {"point: [11, 15, 8]", "point: [11, 15]", 8, "scene[1].point: Here three numbers are expected"},
+      {"point: [11, 15, 8]", "point: {x: 11}", 8, "scene[1].point: Here three numbers are expected"},
+      {"point: [11, 15, 8]", "point: [11, fifteen, 8]", 8, "scene[1].point: “fifteen” is not a number"},
+      {"name: Q", "name: E", 8, "scene[1].name: The name “E” is taken"},
+      {"signed-distance", "signed-distanse", 9,
+       "scene[2].construction: There is no construction “signed-distanse”. Mend the name, or use a newer "
+       "version of "
+       "Halfspace. Perhaps “signed-distance” is meant."},
+      {"{E: E, Q: Q}", "{E: E}", 9, "scene[2].of.Q: This construction looks at a point Q"},
+      {"{E: E, Q: Q}", "{E: E, Q: R}", 9, "scene[2].of.Q: Above this entry there is no object “R”."},
+      {"{E: E, Q: Q}", "{E: Q, Q: Q}", 9, "scene[2].of.E: Here a plane is expected, but “Q” is a point."},
+      {"from: [1.25, -0.1, 0.6]", "from: [0, 0, 0]", 10, "camera.from: The camera cannot look"},
+      {"height: 21", "height: -21", 10, "camera.height: The height of the view must"},
+      {"between dollars", "as $\\frac{1$", 14, "In “\\frac{1”, column 6: A `}` is missing"},
+      {"between dollars", "![a box](box.png)", 14, "There is no picture “box.png”"},
+      {"between dollars", "![a box](../../etc/hostname)", 14, "The picture “../../etc/hostname” is not in"},
+      {"between dollars", "![a box](base.md)", 14, "The picture “base.md” cannot be shown. It is neither"},
+      {"answer: side", "answer: sides", 18, "answer: There is no value “sides”. Perhaps “side” is meant."},
+      {"  on: Exactly", "  inside: Exactly", 22,
+       "choices: “side” is never “inside”. It can be: positive, negative, on."},
+      {"is now {f}", "is now {g}", 26, "There is no value “g”."},
+      {"f, side", "f, sides", 29, "lines: There is no worked line “sides”. Perhaps “side” is meant."},
+      {"The program notices", std::string(40, '>') + " The program notices", 34,
+       "Lists and quotes are nested too"},
+      {"```draw\nF\n", "```draw\nG\n", 41, "draw: There is no mark “G”."},
+      {"```task", "```tusk", 44, "There is no block “tusk”. Perhaps “task” is meant."},
+      {"signed_distance = 6", "signed_distanse = 6", 46,
+       "when: There is no value “signed_distanse”. Perhaps “signed_distance” is meant."},
+      {"signed_distance = 6", "signed_distance = six", 46,
+       "when: “signed_distance” is a number, and never “six”."},
+      {"signed_distance = 6", "side = upward", 46,
+       "when: “side” is never “upward”. It can be: positive, negative, on."},
+      {"signed_distance = 6", "signed_distance", 46, "when: “signed_distance” is not a comparison"},
+  };
+  return all;
+}
+
+TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  const std::string base = contentOf(inFolder("base.md"));
+  for (const Mistake &mistake : mistakes()) {
+    const auto place = base.find(mistake.right);
+    ASSERT_NE(place, std::string::npos) << mistake.right;
+    write("base.md", std::string(base).replace(place, mistake.right.size(), mistake.wrong));
+    const Ran ran = run("check base.md");
+    EXPECT_EQ(ran.status, 1) << mistake.wrong;
+    EXPECT_TRUE(ran.out.starts_with("base.md:" + std::to_string(mistake.line) + ": " + mistake.told))
+        << ran.out;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+  }
+}
+
+TEST_F(Program, LessonFile_IsOpenedLikeALesson) {
+  ASSERT_EQ(run("new-lesson my-first").status, 0);
+  EXPECT_EQ(run("explain my-first.md").out, run("explain my-first --lessons .").out);
+  EXPECT_EQ(run("explain my-first.md --set Q=5,4,8 --format json").status, 0);
+  write("broken.md", "---\nid: broken\n---\n");
+  const Ran broken = run("explain broken.md");
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_TRUE(broken.err.starts_with("halfspace: broken.md:2: title:")) << broken.err;
+  const std::string ours = contentOf(inFolder("my-first.md"));
+  write("other.md", std::string(ours).replace(ours.find("my-first"), 8, "ray-sphere"));
+  EXPECT_NE(run("explain other.md").out.find("My first lesson"), std::string::npos) << "the file comes first";
+}
+
 TEST_F(Program, NewLesson_OverAFile_OrWithNoId_IsRefused) {
   write("mine.md", "precious");
   expectRefused("new-lesson mine", "stays as it is");

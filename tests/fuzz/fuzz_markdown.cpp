@@ -14,10 +14,12 @@ void demand(bool holds) {
 }
 
 void demandSound(const MarkdownBlock &block, const Markdown &markdown, std::size_t depth) {
-  demand(depth <= maxMarkdownDepth + 1);
+  demand(depth <= maxMarkdownDepth + 3); // a row and a cell are in a table
   demand(block.spans.empty() || block.children.empty());
   for (const MarkdownSpan &span : block.spans) {
-    demand(span.text.empty() == (span.kind != MarkdownSpan::Kind::Text));
+    if (span.kind != MarkdownSpan::Kind::Picture)
+      demand(span.text.empty() == (span.kind != MarkdownSpan::Kind::Text));
+    demand(span.face.link.empty() || isOpenable(span.face.link));
     demand(span.text.find('\n') == std::string::npos);
     demand(span.kind != MarkdownSpan::Kind::Formula || span.formula < markdown.formulas.size());
   }

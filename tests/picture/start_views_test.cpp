@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -212,6 +213,19 @@ std::vector<std::string> handlesInTheWay(const Page &page) {
   return wrong;
 }
 
+/// What a plain drag does not move along the grid, because what it would move on is seen edge-on.
+std::vector<std::string> handlesSeenEdgeOn(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Handle &handle : page.handles) {
+    const auto mode = grabMode(handle, false, page.view.camera);
+    if (!mode)
+      wrong.push_back(handle.id + " cannot be grabbed");
+    else if (movesFreely(handle) && *mode != DragMode::Horizontal)
+      wrong.push_back(handle.id + " can be dragged up and down only");
+  }
+  return wrong;
+}
+
 /// The sine of the angle between two strokes on the screen.
 double angleBetween(const Stroke &a, const Stroke &b) {
   const glm::dvec2 first = glm::normalize(a.to - a.from);
@@ -296,7 +310,29 @@ TEST_P(StartView, EveryMarkHasItsLabel) { expectNothing(missingLabels); }
 TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatMove); }
 TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
 TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }
+TEST_P(StartView, NoHandleIsSeenEdgeOn) { expectNothing(handlesSeenEdgeOn); }
 TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); }
+
+/// The first step of a lesson, looked at from another direction.
+Page pageFrom(const glm::dvec3 &direction, const std::string &id) {
+  Lesson lesson = *library().find(id);
+  lesson.camera.from = direction;
+  return pageOf(lesson, lesson.steps.front(), themes().front(), {840, 725}, 1, {});
+}
+
+TEST(HandlesSeenEdgeOn, FromTooLow_AreThoseThatMoveHorizontally) {
+  const double elevation = leastPlaneGrabAngle / 2;
+  const std::vector<std::string> wrong =
+      handlesSeenEdgeOn(pageFrom({std::cos(elevation), 0, std::sin(elevation)}, "signed-distance"));
+  EXPECT_EQ(std::count(wrong.begin(), wrong.end(), "E.P0 can be dragged up and down only"), 1);
+  EXPECT_EQ(std::count(wrong.begin(), wrong.end(), "E.offset cannot be grabbed"), 0);
+}
+
+TEST(HandlesSeenEdgeOn, AlongTheNormal_AreThoseThatMoveAlongIt) {
+  const glm::dvec3 normal(1, 2, 2); // of the lesson's plane
+  const std::vector<std::string> wrong = handlesSeenEdgeOn(pageFrom(normal, "signed-distance"));
+  EXPECT_EQ(wrong, std::vector<std::string>{"E.offset cannot be grabbed"});
+}
 
 std::vector<std::string> lessonNames() {
   std::vector<std::string> names;

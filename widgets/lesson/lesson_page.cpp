@@ -181,6 +181,7 @@ void LessonPage::makeBlocks() {
 
 QWidget *LessonPage::blockOf(const StepWords &words) {
   m_words.push_back({words.markdown, new RichLabel(m_typesetter)});
+  m_words.back().label->setPictures(std::filesystem::path(m_lesson.file).parent_path());
   return m_words.back().label;
 }
 
@@ -189,6 +190,7 @@ QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().ad
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
   m_words.push_back({note.words.markdown, &m_notes.back()->words()});
+  m_words.back().label->setPictures(std::filesystem::path(m_lesson.file).parent_path());
   connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] { scrollTo(*fold); });
   return m_notes.back();
 }
@@ -264,7 +266,7 @@ void LessonPage::setTheme(const Theme &theme) {
   m_stepTitle->setFont(titleFont);
   m_dots->setTheme(theme);
   for (const SetWords &words : m_words)
-    words.label->setInk(toQColor(theme.ink), toQColor(theme.warning));
+    words.label->setInk(theme.ink, theme);
   for (NoteFold *note : m_notes)
     note->setTheme(theme);
   for (TaskRow *task : m_tasks)

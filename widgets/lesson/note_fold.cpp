@@ -1,7 +1,5 @@
 #include "widgets/lesson/note_fold.h"
 
-#include "widgets/colors.h"
-
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -42,8 +40,6 @@ void NoteFold::resizeEvent(QResizeEvent *event) {
 
 bool NoteFold::isOpen() const { return m_title->isChecked(); }
 
-void NoteFold::setTheme(const Theme &theme) {
-  m_words->setInk(toQColor(theme.mutedInk), toQColor(theme.warning));
-}
+void NoteFold::setTheme(const Theme &theme) { m_words->setInk(theme.mutedInk, theme); }
 
 } // namespace halfspace

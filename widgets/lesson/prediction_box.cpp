@@ -46,7 +46,7 @@ void ChoiceButton::setVerdict(Verdict verdict) {
 void ChoiceButton::setTheme(const Theme &theme) {
   m_theme = theme;
   layout()->setContentsMargins(choiceMargins * theme.textScale);
-  m_label->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  m_label->setInk(theme.ink, theme);
   update();
 }
 
@@ -124,8 +124,8 @@ void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
 }
 
 void PredictionBox::setTheme(const Theme &theme) {
-  m_question->setInk(toQColor(theme.ink), toQColor(theme.warning));
-  m_reason->setInk(toQColor(theme.ink), toQColor(theme.warning));
+  m_question->setInk(theme.ink, theme);
+  m_reason->setInk(theme.ink, theme);
   for (ChoiceButton *button : m_buttons)
     button->setTheme(theme);
 }

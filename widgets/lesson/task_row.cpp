@@ -53,11 +53,9 @@ void TaskRow::setTheme(const Theme &theme) {
 }
 
 void TaskRow::setInks() {
-  const QColor muted = toQColor(m_theme.mutedInk);
-  const QColor warning = toQColor(m_theme.warning);
   const bool isDue = m_state == TaskState::Open || m_state == TaskState::HoldsAlready;
-  m_words->setInk(isDue ? toQColor(m_theme.ink) : muted, warning);
-  m_holdsAlready->setInk(muted, warning);
+  m_words->setInk(isDue ? m_theme.ink : m_theme.mutedInk, m_theme);
+  m_holdsAlready->setInk(m_theme.mutedInk, m_theme);
 }
 
 void TaskRow::tellAccessibly() {

@@ -1,5 +1,7 @@
 #include "widgets/text/markdown_writer.h"
 
+#include "lessons/lesson/lesson_picture.h"
+#include "widgets/text/picture_object.h"
 #include "widgets/text/unbroken.h"
 
 #include <QFontDatabase>
@@ -7,7 +9,9 @@
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextList>
+#include <QTextTable>
 
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -22,6 +26,10 @@ constexpr double paragraphGap = 0.55;
 constexpr double itemGap = 0.12;
 constexpr double listIndent = 1.4;
 
+/// Space around the words of a table's cell: above and below, and at the sides between columns.
+constexpr double cellGap = 0.2;
+constexpr double columnGap = 0.5;
+
 /// By how much a quote is indented, in pixels.
 constexpr double quoteIndent = 40;
 
@@ -31,6 +39,7 @@ constexpr int headingSizes = 4;
 QString textOf(const MarkdownSpan &span) {
   switch (span.kind) {
   case MarkdownSpan::Kind::Formula:
+  case MarkdownSpan::Kind::Picture:
     return QChar(QChar::ObjectReplacementCharacter);
   case MarkdownSpan::Kind::LineBreak:
     return QChar(QChar::LineSeparator);
@@ -65,6 +74,17 @@ QTextListFormat listFormat(char mark, int level) {
   if (format.style() == QTextListFormat::ListDecimal)
     format.setNumberSuffix(QChar::fromLatin1(mark));
   return format;
+}
+
+Qt::Alignment alignmentOf(MarkdownBlock::Side side) {
+  return side == MarkdownBlock::Side::Middle  ? Qt::AlignHCenter
+         : side == MarkdownBlock::Side::Right ? Qt::AlignRight
+                                              : Qt::AlignLeft;
+}
+
+Result<QImage> readPicture(const std::filesystem::path &folder, const std::string &name) {
+  const auto bytes = readLessonPicture(folder, name);
+  return bytes ? imageOf(*bytes) : bytes.problem();
 }
 
 class MarkdownWriter {
@@ -111,6 +131,11 @@ private:
     case Kind::Item:
       m_lists.back().item = &block;
       return writeBlocks(block.children);
+    case Kind::Table:
+      return writeTable(block);
+    case Kind::Row: // a table writes them
+    case Kind::Cell:
+      return;
     }
   }
 
@@ -126,12 +151,18 @@ private:
     if (block.kind == Kind::Code && block.spans.empty())
       return; // no line is no empty line
     startParagraph(block);
+    writeSpans(block);
+  }
+
+  void writeSpans(const MarkdownBlock &block) {
     const QStringList texts = unbrokenTexts(block.spans);
     int index = 0;
     for (const MarkdownSpan &span : block.spans) {
       const QString &text = texts[index++];
       if (block.kind == Kind::Code && span.kind == MarkdownSpan::Kind::LineBreak)
         startParagraph(block);
+      else if (span.kind == MarkdownSpan::Kind::Picture)
+        writePicture(span, spanFormat(block, span));
       else
         m_cursor.insertText(text, spanFormat(block, span));
       if (span.kind == MarkdownSpan::Kind::Formula) {
@@ -140,6 +171,74 @@ private:
         m_cursor.insertText(wordJoiner, textFormat(block));
       }
     }
+  }
+
+  void writePicture(const MarkdownSpan &span, QTextCharFormat format) {
+    const QString description = QString::fromStdString(span.text);
+    if (m_style.pictures.empty())
+      return m_cursor.insertText(description, format);
+    const auto image = readPicture(m_style.pictures, span.picture);
+    if (image)
+      return m_cursor.insertText(QChar(QChar::ObjectReplacementCharacter),
+                                 pictureObjectFormat(*image, description, format));
+    if (m_style.warning.isValid())
+      format.setForeground(m_style.warning);
+    m_cursor.insertText(
+        QStringLiteral("%1 (%2)").arg(description, QString::fromStdString(image.problem().sentence)), format);
+  }
+
+  void writeTable(const MarkdownBlock &table) {
+    const auto widest = std::max_element(
+        table.children.begin(), table.children.end(),
+        [](const MarkdownBlock &a, const MarkdownBlock &b) { return a.children.size() < b.children.size(); });
+    if (widest == table.children.end() || widest->children.empty())
+      return;
+    QTextTable *grid = m_cursor.insertTable(static_cast<int>(table.children.size()),
+                                            static_cast<int>(widest->children.size()), tableFormat());
+    int row = 0;
+    for (const MarkdownBlock &cells : table.children) {
+      int column = 0;
+      for (const MarkdownBlock &cell : cells.children)
+        writeCell(cell, cells.heading, grid->cellAt(row, column++));
+      ++row;
+    }
+    m_cursor = grid->lastCursorPosition();
+    m_cursor.movePosition(QTextCursor::NextBlock);
+    m_isEmpty = true; // the paragraph behind a table is always there
+  }
+
+  void writeCell(const MarkdownBlock &cell, bool isHeading, QTextTableCell place) {
+    QTextTableCellFormat format;
+    format.setTopPadding(typeSize() * cellGap);
+    format.setBottomPadding(typeSize() * cellGap);
+    format.setRightPadding(typeSize() * columnGap);
+    format.setLeftPadding(typeSize() * columnGap);
+    if (isHeading) {
+      format.setBottomBorder(1);
+      format.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+      format.setBottomBorderBrush(m_style.ink);
+    }
+    m_cursor = place.firstCursorPosition();
+    QTextBlockFormat paragraph;
+    paragraph.setAlignment(alignmentOf(cell.side));
+    m_cursor.setBlockFormat(paragraph);
+    m_inTableHead = isHeading;
+    m_cursor.setBlockCharFormat(textFormat(cell));
+    writeSpans(cell);
+    place.setFormat(format); // at last: it stands where the look of the first paragraph's end does
+    m_inTableHead = false;
+  }
+
+  [[nodiscard]] QTextTableFormat tableFormat() const {
+    QTextTableFormat format;
+    format.setBorder(0);
+    format.setBorderCollapse(true);
+    format.setCellSpacing(0);
+    format.setCellPadding(0);
+    format.setLeftMargin(m_document.indentWidth() * static_cast<double>(m_lists.size()) +
+                         quoteIndent * m_quotes);
+    format.setBottomMargin(typeSize() * paragraphGap);
+    return format;
   }
 
   void startParagraph(const MarkdownBlock &block) {
@@ -187,6 +286,8 @@ private:
       format.setProperty(QTextFormat::FontSizeAdjustment, headingSizes - block.level);
       format.setFontWeight(QFont::Bold);
     }
+    if (m_inTableHead)
+      format.setFontWeight(QFont::Bold);
     if (block.kind == Kind::Code)
       setFixedPitch(format);
     return format;
@@ -202,7 +303,17 @@ private:
       format.setFontStrikeOut(true);
     if (span.face.code)
       setFixedPitch(format);
+    if (!span.face.link.empty())
+      setLink(format, span.face.link);
     return span.kind == MarkdownSpan::Kind::Formula ? m_formulaFormat(span.formula, format) : format;
+  }
+
+  void setLink(QTextCharFormat &format, const std::string &address) const {
+    format.setAnchor(true);
+    format.setAnchorHref(QString::fromStdString(address));
+    format.setFontUnderline(true);
+    if (m_style.link.isValid())
+      format.setForeground(m_style.link);
   }
 
   static void setFixedPitch(QTextCharFormat &format) {
@@ -214,6 +325,8 @@ private:
 
   void setSpacing() {
     for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
+      if (QTextCursor(block).currentTable())
+        continue; // cells have their own
       QTextBlockFormat format = block.blockFormat();
       const QTextBlock next = block.next();
       const bool betweenItems = block.textList() && next.isValid() && next.textList();
@@ -230,6 +343,7 @@ private:
   QTextDocument &m_document;
   QTextCursor m_cursor;
   bool m_isEmpty = true;
+  bool m_inTableHead = false;
   int m_quotes = 0;
   std::vector<OpenList> m_lists;
   std::vector<std::size_t> m_formulas;

@@ -1,12 +1,17 @@
 #include "widgets/text/rich_label.h"
 
+#include "widgets/colors.h"
+
 #include <QAbstractTextDocumentLayout>
+#include <QDesktopServices>
 #include <QHelpEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <QUrl>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 
@@ -19,8 +24,8 @@ constexpr int fewestLetters = 16;
 } // namespace
 
 RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_ink(palette().color(QPalette::WindowText)),
-      m_text({}, typesetter, {font(), m_ink}) {
+    : QWidget(parent), m_typesetter(typesetter), m_style{font(), palette().color(QPalette::WindowText)},
+      m_text({}, typesetter, m_style) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -34,22 +39,35 @@ void RichLabel::setMarkdown(const QString &markdown) {
   const int before = heightForWidth(width());
   m_markdown = markdown;
   m_text.setMarkdown(markdown);
+  lookForLinks();
   setAccessibleName(m_text.plain());
   if (heightForWidth(width()) != before)
     updateGeometry();
   update();
 }
 
-void RichLabel::setInk(const QColor &ink, const QColor &warning) {
-  if (ink == m_ink && warning == m_warning)
+void RichLabel::setInk(Color ink, const Theme &theme) {
+  RichTextStyle style = m_style;
+  style.ink = toQColor(ink);
+  style.warning = toQColor(theme.warning);
+  style.link = toQColor(theme.accent);
+  if (style.ink == m_style.ink && style.warning == m_style.warning && style.link == m_style.link)
     return;
-  m_ink = ink;
-  m_warning = warning;
+  m_style = std::move(style);
+  build();
+}
+
+void RichLabel::setPictures(const std::filesystem::path &folder) {
+  if (folder == m_style.pictures)
+    return;
+  m_style.pictures = folder;
   build();
 }
 
 void RichLabel::build() {
-  m_text = RichText(m_markdown, m_typesetter, {font(), m_ink, m_warning});
+  m_style.font = font();
+  m_text = RichText(m_markdown, m_typesetter, m_style);
+  lookForLinks();
   updateGeometry();
   update();
 }
@@ -81,21 +99,92 @@ QString RichLabel::problemAt(QPoint place) const {
   return m_text.problemAt(place);
 }
 
+QString RichLabel::linkAt(QPoint place) const {
+  (void)layOut(width());
+  return m_text.linkAt(place);
+}
+
+void RichLabel::lookForLinks() {
+  m_links = m_text.links();
+  m_focused = 0;
+  setFocusPolicy(m_links.empty() ? Qt::NoFocus : Qt::TabFocus);
+  setMouseTracking(!m_links.empty());
+  if (m_links.empty())
+    unsetCursor();
+}
+
 bool RichLabel::event(QEvent *event) {
   if (event->type() != QEvent::ToolTip)
     return QWidget::event(event);
-  const auto *help = static_cast<QHelpEvent *>(event);
-  const QString problem = problemAt(help->pos());
-  if (problem.isEmpty())
+  showTip(*static_cast<QHelpEvent *>(event));
+  return true;
+}
+
+void RichLabel::showTip(const QHelpEvent &help) {
+  const QString problem = problemAt(help.pos());
+  const QString tip = problem.isEmpty() ? linkAt(help.pos()) : problem;
+  if (tip.isEmpty())
     QToolTip::hideText();
   else
-    QToolTip::showText(help->globalPos(), Qt::convertFromPlainText(problem, Qt::WhiteSpaceNormal), this);
+    QToolTip::showText(help.globalPos(), Qt::convertFromPlainText(tip, Qt::WhiteSpaceNormal), this);
+}
+
+/// Tab goes from link to link before it leaves.
+bool RichLabel::focusNextPrevChild(bool next) {
+  const int link = m_focused + (next ? 1 : -1);
+  if (link < 0 || link >= static_cast<int>(m_links.size()))
+    return QWidget::focusNextPrevChild(next);
+  m_focused = link;
+  update();
   return true;
+}
+
+void RichLabel::focusInEvent(QFocusEvent *event) {
+  const bool fromBehind = event->reason() == Qt::BacktabFocusReason;
+  m_focused = fromBehind ? static_cast<int>(m_links.size()) - 1 : 0;
+  QWidget::focusInEvent(event);
+}
+
+void RichLabel::keyPressEvent(QKeyEvent *event) {
+  const bool opens =
+      event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space;
+  if (!opens || m_links.empty())
+    return QWidget::keyPressEvent(event);
+  QDesktopServices::openUrl(QUrl(m_links[static_cast<std::size_t>(m_focused)].charFormat().anchorHref()));
+}
+
+void RichLabel::mouseMoveEvent(QMouseEvent *event) {
+  if (linkAt(event->pos()).isEmpty())
+    unsetCursor();
+  else
+    setCursor(Qt::PointingHandCursor);
+  QWidget::mouseMoveEvent(event);
+}
+
+void RichLabel::mousePressEvent(QMouseEvent *event) {
+  m_pressed = event->button() == Qt::LeftButton ? linkAt(event->pos()) : QString();
+  if (m_pressed.isEmpty())
+    QWidget::mousePressEvent(event);
+}
+
+void RichLabel::mouseReleaseEvent(QMouseEvent *event) {
+  const QString pressed = std::exchange(m_pressed, QString());
+  if (pressed.isEmpty())
+    return QWidget::mouseReleaseEvent(event);
+  if (linkAt(event->pos()) == pressed)
+    QDesktopServices::openUrl(QUrl(pressed));
 }
 
 void RichLabel::paintEvent(QPaintEvent *) {
   QPainter painter(this);
-  layOut(width()).drawContents(&painter);
+  QAbstractTextDocumentLayout::PaintContext context;
+  if (hasFocus() && !m_links.empty()) {
+    QTextCharFormat focused;
+    focused.setBackground(palette().highlight());
+    focused.setForeground(palette().highlightedText());
+    context.selections.push_back({m_links[static_cast<std::size_t>(m_focused)], focused});
+  }
+  layOut(width()).documentLayout()->draw(&painter, context);
 }
 
 void RichLabel::changeEvent(QEvent *event) {

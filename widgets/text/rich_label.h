@@ -1,9 +1,13 @@
-// A piece of Markdown with formulas, as tall as its words need.
+// A piece of Markdown with formulas, as tall as its words need. A link is opened by a click, or by Enter once
+// Tab has led to it.
 #pragma once
 
+#include "widgets/picture/theme.h"
 #include "widgets/text/rich_text.h"
 
 #include <QWidget>
+
+class QHelpEvent;
 
 namespace halfspace {
 
@@ -15,10 +19,14 @@ public:
   ~RichLabel() override;
 
   void setMarkdown(const QString &markdown);
-  /// `warning` is for formulas that cannot be read.
-  void setInk(const QColor &ink, const QColor &warning);
+  /// The colour of words; the theme tells that of links and of what cannot be read.
+  void setInk(Color ink, const Theme &theme);
+  /// The folder that pictures are taken from; before, they are told by their descriptions.
+  void setPictures(const std::filesystem::path &folder);
   /// Why the formula at a place of the label cannot be read; empty where there is nothing to say.
   [[nodiscard]] QString problemAt(QPoint place) const;
+  /// The address of the link at a place of the label; empty where there is none.
+  [[nodiscard]] QString linkAt(QPoint place) const;
 
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override;
@@ -27,19 +35,29 @@ public:
 
 protected:
   bool event(QEvent *event) override;
+  bool focusNextPrevChild(bool next) override;
+  void focusInEvent(QFocusEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
   void paintEvent(QPaintEvent *event) override;
   void changeEvent(QEvent *event) override;
 
 private:
   void build();
+  void lookForLinks();
+  void showTip(const QHelpEvent &help);
   /// The text in lines of a width; −1: as long as they like.
   [[nodiscard]] QTextDocument &layOut(double width) const;
 
   const Typesetter &m_typesetter;
-  QColor m_ink;
-  QColor m_warning;
+  RichTextStyle m_style; ///< but for the font, which is the label's
   QString m_markdown;
   RichText m_text;
+  std::vector<QTextCursor> m_links;
+  int m_focused = 0; ///< the link that keys are about
+  QString m_pressed; ///< the address that the mouse went down on
 };
 
 } // namespace halfspace

@@ -3,6 +3,7 @@
 #include "lessons/lesson/prose.h"
 #include "widgets/text/markdown_writer.h"
 #include "widgets/text/math_object.h"
+#include "widgets/text/picture_object.h"
 #include "widgets/text/unbroken.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -57,6 +58,25 @@ int characterAt(const QTextDocument &document, QPointF place) {
   return -1;
 }
 
+/// The format of the character at a place.
+QTextCharFormat formatAt(const QTextDocument &document, int place) {
+  QTextCursor behind(document.findBlock(place));
+  behind.setPosition(place + 1); // its format is that of the character before
+  return behind.charFormat();
+}
+
+/// The document's text, with the description of each picture in its place.
+QString textWithDescriptions(const QTextDocument &document) {
+  const QString text = document.toPlainText();
+  QString described;
+  for (int place = 0; place < text.size(); ++place) {
+    const QTextCharFormat format =
+        text[place] == formulaCharacter ? formatAt(document, place) : QTextCharFormat();
+    described += isPictureObject(format) ? pictureDescription(format) : QString(text[place]);
+  }
+  return described;
+}
+
 } // namespace
 
 RichText::RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style)
@@ -108,9 +128,28 @@ QString RichText::problemAt(QPointF place) const {
   const int character = m_failed.empty() ? -1 : characterAt(*m_document, place);
   if (character < 0 || m_document->characterAt(character) != formulaCharacter)
     return {};
-  QTextCursor behind(m_document.get());
-  behind.setPosition(character + 1); // its format is that of the character before
-  return problemOf(mathObjectNumber(behind.charFormat()));
+  const QTextCharFormat format = formatAt(*m_document, character);
+  return isPictureObject(format) ? QString() : problemOf(mathObjectNumber(format));
+}
+
+QString RichText::linkAt(QPointF place) const { return m_document->documentLayout()->anchorAt(place); }
+
+std::vector<QTextCursor> RichText::links() const {
+  std::vector<QTextCursor> links;
+  QString last;
+  for (QTextBlock block = m_document->begin(); block.isValid(); block = block.next(), last.clear())
+    for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+      const QTextFragment fragment = piece.fragment();
+      const QString address = fragment.charFormat().anchorHref();
+      if (!address.isEmpty() && address != last) {
+        links.emplace_back(block);
+        links.back().setPosition(fragment.position());
+      }
+      if (!address.isEmpty())
+        links.back().setPosition(fragment.position() + fragment.length(), QTextCursor::KeepAnchor);
+      last = address;
+    }
+  return links;
 }
 
 void RichText::makeDocument() {
@@ -119,12 +158,13 @@ void RichText::makeDocument() {
   m_document->setDefaultFont(m_style.font);
   m_document->setDocumentMargin(0);
   enableMathObjects(*m_document);
+  enablePictureObjects(*m_document);
   m_failed.clear();
   m_shown = writeMarkdown(
       m_markdown.blocks, m_style,
       [this](std::size_t formula, const QTextCharFormat &text) { return formulaFormat(formula, text); },
       *m_document);
-  m_plain = breakable(m_document->toPlainText());
+  m_plain = breakable(textWithDescriptions(*m_document));
 }
 
 QTextCharFormat RichText::formulaFormat(std::size_t formula, QTextCharFormat text) {
@@ -149,6 +189,8 @@ void RichText::replaceFormulas(const std::vector<MarkdownFormula> &before) {
       continue;
     place.setPosition(at);
     place.setPosition(at + 1, QTextCursor::KeepAnchor);
+    if (isPictureObject(place.charFormat()))
+      continue;
     const std::size_t formula = mathObjectNumber(place.charFormat());
     if (typesetLatex(m_markdown.formulas[formula]) != typesetLatex(before[formula]))
       place.insertText(formulaCharacter, formulaFormat(formula, place.charFormat()));

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QTextCharFormat>
+#include <QTextCursor>
 #include <QTextDocument>
 
 #include <map>
@@ -34,7 +35,11 @@ public:
   [[nodiscard]] QTextDocument &document() const { return *m_document; }
   /// Why the formula at a place of the document cannot be read; empty where there is none, or it can.
   [[nodiscard]] QString problemAt(QPointF place) const;
-  /// Formulas included, and what is wrong with some: for screen readers.
+  /// The address of the link at a place of the document; empty where there is none.
+  [[nodiscard]] QString linkAt(QPointF place) const;
+  /// The links as selections, in the order of the text.
+  [[nodiscard]] std::vector<QTextCursor> links() const;
+  /// Formulas included, and what is wrong with some, and pictures' descriptions: for screen readers.
   [[nodiscard]] QString plain() const;
 
 private:

@@ -126,6 +126,8 @@ private:
       makeSpecial(*sphere.typed, *ray.typed);
     if (triangle.typed && point.typed)
       makeSpecial(*triangle.typed, point.typed->at);
+    if (triangle.typed && objects.size() == 1)
+      makeSpecial(*triangle.typed);
     if (Found<PolygonObject> polygon(objects); polygon.typed && ray.typed)
       makeSpecial(polygon.typed->corners, *ray.typed);
     if (Found<LineObject> line(objects); line.typed && point.typed)
@@ -279,8 +281,10 @@ private:
     case 2:
       triangle.p2 = triangle.p0 + u * number();
       break;
-    case 3:
+    case 3: // and where a formula that has lost signs is right by chance
       ray.direction = {0, 0, 0};
+      if (const ExactVec3 n = cross(u, v); n.x != 0)
+        ray.origin.x = dot(n, triangle.p0) / n.x;
       break;
     case 4:
       ray.direction = u * number() + v * number();
@@ -414,6 +418,26 @@ private:
     default:
       point = triangle.p0 + u * third();
       point += v * third();
+    }
+  }
+
+  /// No triangle: corners that are one point, two of them or all, or that lie on one line in any order.
+  void makeSpecial(TriangleObject &triangle) {
+    switch (integer(0, 5)) {
+    case 0:
+      triangle.p1 = triangle.p0;
+      break;
+    case 1:
+      triangle.p2 = triangle.p0;
+      break;
+    case 2:
+      triangle.p2 = triangle.p1;
+      break;
+    case 3:
+      triangle.p1 = triangle.p2 = triangle.p0;
+      break;
+    default:
+      triangle.p2 = triangle.p0 + (triangle.p1 - triangle.p0) * number();
     }
   }
 

@@ -31,6 +31,8 @@ const std::map<std::string, Question> &questions() {
       {"ray-plane-dot", {"ray-plane", {"plane", "ray"}}},
       {"ray-triangle-perp", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-triangle-cramer", {"ray-triangle", {"triangle", "ray"}}},
+      {"three-methods", {"ray-triangle", {"triangle", "ray"}}},
+      {"misprints", {"ray-triangle", {"triangle", "ray"}}},
       {"ray-sphere", {"ray-sphere", {"sphere", "ray"}}},
       {"plane-plane", {"plane-plane", {"plane", "plane2"}}},
       {"line-pluecker", {"line", {"line"}}},
@@ -40,9 +42,14 @@ const std::map<std::string, Question> &questions() {
   };
   return all;
 }
-const std::set<std::string> withoutQuestion{
-    "point-line",       "half-spaces",      "barycentric", "dot-product-projection", "ray-plane-substitution",
-    "plane-parametric", "ray-plane-picture"};
+const std::set<std::string> withoutQuestion{"point-line",
+                                            "half-spaces",
+                                            "barycentric",
+                                            "dot-product-projection",
+                                            "ray-plane-substitution",
+                                            "plane-parametric",
+                                            "ray-plane-picture",
+                                            "triangle-degenerate"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 

@@ -29,7 +29,9 @@ std::string spelled(const MarkdownSpan &span) {
   };
   std::string text = span.kind == MarkdownSpan::Kind::LineBreak ? "/"
                      : span.kind == MarkdownSpan::Kind::Formula ? "$" + std::to_string(span.formula) + "$"
+                     : span.kind == MarkdownSpan::Kind::Picture ? "!" + span.text + "<" + span.picture + ">"
                                                                 : span.text;
+  text = span.face.link.empty() ? text : "[" + text + "](" + span.face.link + ")";
   text = within(span.face.code, "`", text);
   text = within(span.face.struck, "~", text);
   text = within(span.face.emphasized, "*", text);
@@ -38,12 +40,17 @@ std::string spelled(const MarkdownSpan &span) {
 
 /// A block on one line: `List-(Item(Paragraph(a)) Item(Paragraph(b)))`.
 std::string spelled(const MarkdownBlock &block) {
-  constexpr std::array names{"Paragraph", "Heading", "Code", "Rule", "Quote", "List", "Item"};
+  constexpr std::array names{"Paragraph", "Heading", "Code",  "Rule", "Quote",
+                             "List",      "Item",    "Table", "Row",  "Cell"};
   std::string text = names.at(static_cast<std::size_t>(block.kind));
   text += block.level > 0 ? std::to_string(block.level) : "";
   text += block.mark != 0 ? std::string(1, block.mark) : "";
   text += block.number ? std::to_string(*block.number) : "";
   text += !block.ticked ? "" : *block.ticked ? "[x]" : "[ ]";
+  text += block.heading ? "^" : "";
+  text += block.side == MarkdownBlock::Side::Middle  ? "="
+          : block.side == MarkdownBlock::Side::Right ? ">"
+                                                     : "";
   std::string inside;
   for (const MarkdownSpan &span : block.spans)
     inside += (inside.empty() ? "" : "|") + spelled(span);
@@ -151,11 +158,33 @@ TEST(Markdown, WithLines_JoinsThemUnlessABreakIsAskedFor) {
   EXPECT_EQ(blocksIn("a\nb  \nc\\\nd"), "Paragraph(a b|/|c|/|d)");
 }
 
-TEST(Markdown, WithLinksImagesAndHtml_HasTheirTextAlone) {
-  EXPECT_EQ(blocksIn("[a *b*](x \"y\") <https://c.d> ![e $f$](file:///g)"),
-            "Paragraph(a |*b*| https://c.d e |$0$)");
+TEST(Markdown, WithLinksToTheWeb_TellsWhereTheyLead) {
+  EXPECT_EQ(blocksIn("[a *b*](https://x.y \"z\") <https://c.d> e@f.g"),
+            "Paragraph([a ](https://x.y)|*[b](https://x.y)*| |[https://c.d](https://c.d)| "
+            "|[e@f.g](mailto:e@f.g))");
+  EXPECT_EQ(blocksIn("[a](https://x.y/?b&amp;c)"), "Paragraph([a](https://x.y/?b&c))");
+}
+
+TEST(Markdown, WithLinksToAnythingElse_HasTheirTextAlone) {
+  for (const char *address : {"javascript:alert(1)", "file:///etc/passwd", "data:text/html,b", "/etc/passwd",
+                              "b.md", "ftp://b", "vbscript:b", "#b", "\\\\b\\c", "https:b", "https://b/$c$"})
+    EXPECT_EQ(blocksIn("[a](" + std::string(address) + ")"), "Paragraph(a)") << address;
+}
+
+TEST(Markdown, WithPictures_TellsWhatTheyAreCalledAndTheirDescriptions) {
+  EXPECT_EQ(blocksIn("a ![b **c**\nd](e/f.png \"g\")"), "Paragraph(a |!b c d<e/f.png>)");
+  EXPECT_EQ(blocksIn("[![a](b.png)](https://c.d)"), "Paragraph([!a<b.png>](https://c.d))");
+}
+
+TEST(Markdown, WithTables_HasTheirRowsAndCells) {
+  EXPECT_EQ(blocksIn("| a | b |\n|:-:|--:|\n| $c \\lvert d$ | **e** f |\n| g |"),
+            "Table(Row^(Cell=(a) Cell>(b)) Row(Cell=($0$) Cell>(**e**| f)) Row(Cell=(g) Cell>))");
+  EXPECT_EQ(blocksIn("- | a |\n  |---|\n"), "List-(Item(Table(Row^(Cell(a)))))");
+}
+
+TEST(Markdown, WithHtml_ShowsItAsText) {
   EXPECT_EQ(blocksIn("<b>a</b>\n\n<div>\nb"), "Paragraph(<b>a</b>) Paragraph(<div> b)");
-  EXPECT_EQ(blocksIn("| a | b |\n|---|---|"), "Paragraph(| a | b | |---|---|)");
+  EXPECT_EQ(blocksIn("<script>a</script>"), "Paragraph(<script>a</script>)");
 }
 
 TEST(Markdown, WithEntities_HasTheirCharacters) {
@@ -182,6 +211,26 @@ TEST(Markdown, TooLongOrNestedTooDeeply_IsRefused) {
     const auto tooDeep = readMarkdown(text + "a");
     ASSERT_FALSE(tooDeep) << nested;
     EXPECT_NE(tooDeep.problem().sentence.find("too deeply"), std::string::npos);
+  }
+}
+
+TEST(Markdown, WithTooManyCells_IsRefused) {
+  const auto table = [](std::size_t columns, std::size_t rows) {
+    std::string text = "|";
+    for (std::size_t i = 0; i < columns; ++i)
+      text += "a|";
+    text += "\n|";
+    for (std::size_t i = 0; i < columns; ++i)
+      text += "---|";
+    for (std::size_t i = 0; i < rows; ++i)
+      text += "\n|b|";
+    return text;
+  };
+  EXPECT_TRUE(readMarkdown(table(10, maxMarkdownCells / 10 - 1)));
+  for (const auto &tooLarge : {table(10, maxMarkdownCells / 10), table(3000, 3000)}) {
+    const auto refused = readMarkdown(tooLarge);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.problem().sentence.find("tables"), std::string::npos);
   }
 }
 

@@ -3,7 +3,10 @@
 
 #include "tests/widgets/ink.h"
 
+#include <QDesktopServices>
 #include <QImage>
+#include <QLineEdit>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QtTest>
 
@@ -13,18 +16,38 @@ using test::painted;
 
 namespace {
 
+constexpr Color red{255, 0, 0};
+constexpr Color blue{0, 0, 255};
+
+Theme warningIn(Color color) {
+  Theme theme = themes().front();
+  theme.warning = color;
+  return theme;
+}
+
 const QString manyWords = QString("some words ").repeated(40);
 
 /// How many pixels are red rather than green.
 int redPixels(const QImage &image) {
-  int red = 0;
+  int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
-      red += qRed(image.pixel(x, y)) > qGreen(image.pixel(x, y)) + 100 ? 1 : 0;
-  return red;
+      count += qRed(image.pixel(x, y)) > qGreen(image.pixel(x, y)) + 100 ? 1 : 0;
+  return count;
 }
 
 } // namespace
+
+/// Stands for the browser.
+class Opened : public QObject {
+  Q_OBJECT
+public:
+  Opened() { QDesktopServices::setUrlHandler("https", this, "open"); }
+  ~Opened() override { QDesktopServices::unsetUrlHandler("https"); }
+  Q_INVOKABLE void open(const QUrl &url) { addresses << url.toString(); }
+
+  QStringList addresses;
+};
 
 class RichLabelTest : public QObject {
   Q_OBJECT
@@ -97,9 +120,9 @@ private slots:
     RichLabel label(m_typesetter);
     label.setMarkdown("word");
     QCOMPARE(redPixels(painted(label, {200, 40})), 0);
-    label.setInk(Qt::red, Qt::blue);
+    label.setInk(red, warningIn(blue));
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
-    label.setInk(Qt::black, Qt::red);
+    label.setInk({0, 0, 0}, warningIn(red));
     QCOMPARE(redPixels(painted(label, {200, 40})), 0);
     label.setMarkdown("word $\\foo$");
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
@@ -109,7 +132,7 @@ private slots:
 
   void inkStaysWithOtherWords() {
     RichLabel label(m_typesetter);
-    label.setInk(Qt::red, Qt::blue);
+    label.setInk(red, warningIn(blue));
     label.setMarkdown("words");
     QVERIFY(redPixels(painted(label, {200, 40})) > 10);
   }
@@ -144,6 +167,54 @@ private slots:
     QVERIFY(label.problemAt(below).isEmpty());
     QVERIFY(label.problemAt({label.fontMetrics().horizontalAdvance("first second ") + 4, line / 2})
                 .contains("is unknown"));
+  }
+
+  void link_isOpenedByAClickAndByNothingElse() {
+    const Opened opened;
+    RichLabel label(m_typesetter);
+    label.setMarkdown("[one](https://a.b) and more words");
+    label.resize(300, 100);
+    label.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&label));
+    const QPoint onLink(6, label.fontMetrics().height() / 2);
+    const QPoint beside(label.fontMetrics().horizontalAdvance("one and m"), onLink.y());
+    QCOMPARE(label.linkAt(onLink), QString("https://a.b"));
+    QTest::mouseMove(&label, onLink);
+    QTest::mouseClick(&label, Qt::LeftButton, {}, beside);
+    QTest::mouseClick(&label, Qt::RightButton, {}, onLink);
+    QTest::mousePress(&label, Qt::LeftButton, {}, onLink); // and away with it
+    QTest::mouseRelease(&label, Qt::LeftButton, {}, beside);
+    QCOMPARE(opened.addresses, QStringList());
+    QTest::mouseClick(&label, Qt::LeftButton, {}, onLink);
+    QCOMPARE(opened.addresses, QStringList("https://a.b"));
+  }
+
+  void links_areReachedByTab_andOpenedByEnter() {
+    const Opened opened;
+    QWidget column;
+    auto *layout = new QVBoxLayout(&column);
+    auto *label = new RichLabel(m_typesetter);
+    auto *plain = new RichLabel(m_typesetter);
+    auto *behind = new QLineEdit;
+    layout->addWidget(label);
+    layout->addWidget(plain);
+    layout->addWidget(behind);
+    label->setMarkdown("[one](https://a.b) and [two](https://c.d)");
+    plain->setMarkdown("words");
+    QCOMPARE(plain->focusPolicy(), Qt::NoFocus);
+    column.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&column));
+    label->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(label, Qt::Key_Return);
+    QTest::keyClick(label, Qt::Key_Tab);
+    QTest::keyClick(label, Qt::Key_Return);
+    QCOMPARE(opened.addresses, QStringList({"https://a.b", "https://c.d"}));
+    QTest::keyClick(label, Qt::Key_Tab);
+    QTRY_VERIFY(behind->hasFocus());
+    QTest::keyClick(behind, Qt::Key_Backtab);
+    QTRY_VERIFY(label->hasFocus());
+    QTest::keyClick(label, Qt::Key_Return);
+    QCOMPARE(opened.addresses.back(), QString("https://c.d"));
   }
 
   void layoutGivesMoreHeightToLongerWords() {

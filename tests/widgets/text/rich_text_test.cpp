@@ -2,10 +2,12 @@
 #include "widgets/text/rich_label.h"
 #include "widgets/text/unbroken.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QHelpEvent>
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTextBlock>
 #include <QTextList>
 #include <QToolTip>
@@ -25,6 +27,33 @@ QImage painted(const RichText &text) {
   QPainter painter(&image);
   text.document().drawContents(&painter);
   return image;
+}
+
+/// A red picture as a file.
+void writePicture(const QString &file, QSize size, const char *format = "png") {
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  image.save(file, format);
+}
+
+/// How many columns of the text, laid out so wide, have red in them.
+int redWidth(const RichText &text, int width) {
+  text.document().setTextWidth(width);
+  const QImage image = painted(text);
+  int columns = 0;
+  for (int x = 0; x < image.width(); ++x) {
+    bool red = false;
+    for (int y = 0; y < image.height(); ++y)
+      red = red || image.pixel(x, y) == qRgb(255, 0, 0);
+    columns += red ? 1 : 0;
+  }
+  return columns;
+}
+
+QFont usualFont() {
+  QFont font;
+  font.setPixelSize(16);
+  return font;
 }
 
 } // namespace
@@ -98,10 +127,8 @@ private slots:
     QVERIFY(rich.plain().contains("a link"));
     QVERIFY(!rich.document().toPlainText().contains(QChar::ObjectReplacementCharacter));
     for (QTextBlock block = rich.document().begin(); block.isValid(); block = block.next())
-      for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
+      for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment)
         QVERIFY(!fragment.fragment().charFormat().isImageFormat());
-        QVERIFY(!fragment.fragment().charFormat().isAnchor());
-      }
   }
 
   void plainTextReadsTheFormulas() {
@@ -207,6 +234,108 @@ private slots:
     }
     changed.setMarkdown("Other words");
     QCOMPARE(changed.plain(), QString("Other words"));
+  }
+
+  void pictureOfTheLessonsFolder_isDrawnNoWiderThanTheLines_andReadOut() {
+    const Typesetter typesetter;
+    const QTemporaryDir folder;
+    writePicture(folder.filePath("a.png"), {100, 20});
+    writePicture(folder.filePath("b.jpg"), {100, 20}, "jpg");
+    const RichText rich("words ![a box](a.png) and $x$", typesetter,
+                        {usualFont(), Qt::black, {}, {}, folder.path().toStdString()});
+    QCOMPARE(redWidth(rich, 290), 100);
+    QCOMPARE(redWidth(rich, 60), 60);
+    QCOMPARE(rich.plain(), QString("words a box and x"));
+    QFont large = usualFont();
+    large.setPixelSize(32);
+    const RichText grown("![a box](a.png)", typesetter,
+                         {large, Qt::black, {}, {}, folder.path().toStdString()});
+    QCOMPARE(redWidth(grown, 290), 200);
+    const RichText jpeg("![a box](b.jpg)", typesetter,
+                        {usualFont(), Qt::black, {}, {}, folder.path().toStdString()});
+    QVERIFY(!jpeg.document().toPlainText().contains("a box"));
+  }
+
+  void pictureThatCannotBeShown_isDescribedWithTheReason_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("not there") << "b.png"
+                               << "There is no picture";
+    QTest::newRow("outside") << "../a.png"
+                             << "There is no picture";
+    QTest::newRow("text") << "text.png"
+                          << "neither a PNG nor a JPEG";
+    QTest::newRow("drawing") << "drawing.svg"
+                             << "neither a PNG nor a JPEG";
+    QTest::newRow("cut off") << "cut.png"
+                             << "damaged";
+    QTest::newRow("too many pixels") << "huge.png"
+                                     << "too many pixels";
+  }
+  void pictureThatCannotBeShown_isDescribedWithTheReason() {
+    QFETCH(QString, name);
+    QFETCH(QString, reason);
+    const Typesetter typesetter;
+    const QTemporaryDir folder;
+    const auto write = [&](const QString &file, const QByteArray &bytes) {
+      QFile out(folder.filePath(file));
+      QVERIFY(out.open(QFile::WriteOnly));
+      out.write(bytes);
+    };
+    write("text.png", "words");
+    write("drawing.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
+    writePicture(folder.filePath("whole.png"), {100, 100});
+    QFile whole(folder.filePath("whole.png"));
+    QVERIFY(whole.open(QFile::ReadOnly));
+    write("cut.png", whole.readAll().left(60));
+    QImage(5000, 5000, QImage::Format_Mono).save(folder.filePath("huge.png"));
+    const RichText rich("![a box](" + name + ") and $x$", typesetter,
+                        {usualFont(), Qt::black, Qt::red, {}, folder.path().toStdString()});
+    QVERIFY2(rich.plain().startsWith("a box (") && rich.plain().contains(reason), qPrintable(rich.plain()));
+    QVERIFY(redWidth(rich, 290) > 10);
+  }
+
+  void pictureWithoutAFolder_isDescribed() {
+    const Typesetter typesetter;
+    QCOMPARE(plain("![a box](a.png)", typesetter), QString("a box"));
+  }
+
+  void table_hasItsColumnsBesideEachOther_andNoLinesAroundIt() {
+    const Typesetter typesetter;
+    const RichText rich("| left | right |\n|---|--:|\n| $x$ | b |\n| c | d |", typesetter,
+                        {usualFont(), Qt::black});
+    rich.document().setTextWidth(290);
+    const auto blockOf = [&](const QString &word) { return rich.document().find(word).block(); };
+    const auto boxOf = [&](const QString &word) {
+      return rich.document().documentLayout()->blockBoundingRect(blockOf(word));
+    };
+    QCOMPARE(boxOf("left").top(), boxOf("right").top());
+    QVERIFY(boxOf("left").right() <= boxOf("right").left());
+    QVERIFY(boxOf("c").top() > boxOf("left").bottom());
+    QCOMPARE(blockOf("right").blockFormat().alignment(), Qt::AlignRight);
+    QVERIFY(rich.document().find("left").charFormat().fontWeight() == QFont::Bold);
+    QVERIFY(rich.document().find("d").charFormat().fontWeight() != QFont::Bold);
+    const double line = QFontMetricsF(usualFont()).height();
+    QVERIFY2(boxOf("right").left() - boxOf("left").right() > line / 2, "a gap between the columns");
+    QVERIFY2(boxOf("left").top() < line, "no empty line above");
+    QVERIFY2(rich.document().size().height() - boxOf("d").bottom() < 1.5 * line, "nor below");
+    const RichText behind("| a |\n|---|\n\nwords", typesetter, {usualFont(), Qt::black});
+    behind.document().setTextWidth(290);
+    QCOMPARE(behind.document().lastBlock().text(), QString("words"));
+  }
+
+  void links_areFoundByTheirPlace_andInTheirOrder() {
+    const Typesetter typesetter;
+    const RichText rich("[one *of*](https://a.b) and [$x$](https://c.d) [three](b.md)", typesetter,
+                        {usualFont(), Qt::black, {}, Qt::red});
+    rich.document().setTextWidth(290);
+    rich.document().size();
+    QCOMPARE(rich.links().size(), std::size_t(2));
+    QCOMPARE(rich.links()[0].selectedText(), QString("one of"));
+    QCOMPARE(rich.links()[1].charFormat().anchorHref(), QString("https://c.d"));
+    QCOMPARE(rich.linkAt({8, 8}), QString("https://a.b"));
+    QVERIFY(rich.linkAt({8, 190}).isEmpty());
+    QVERIFY(redWidth(rich, 290) > 10);
   }
 
   void labelShowsWhyAFormulaCannotBeReadAsAToolTip() {

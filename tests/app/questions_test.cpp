@@ -1,0 +1,123 @@
+// Every question of every lesson, answered wrong and right as a learner does.
+#include "tests/app/window_fixture.h"
+#include "widgets/lesson/lesson_page.h"
+
+#include <QLabel>
+
+#include <memory>
+#include <set>
+
+using namespace halfspace;
+
+namespace {
+
+/// A question and the word of the choice that is right at the start.
+struct RightAnswer {
+  const char *lesson;
+  int step;
+  const char *right;
+};
+
+const std::vector<RightAnswer> &questions() {
+  static const std::vector<RightAnswer> all{
+      {"plane-implicit", 1, "on"},
+      {"plane-parametric", 1, "s"},
+      {"half-spaces", 1, "2"},
+      {"plane-plane", 1, "line"},
+      {"dot-product-projection", 1, "positive"},
+      {"signed-distance", 1, "positive"},
+      {"point-line", 1, "2"},
+      {"ray-plane-substitution", 1, "behind"},
+      {"ray-plane-substitution", 3, "plane2"},
+      {"ray-plane-dot", 1, "behind"},
+      {"ray-plane-picture", 1, "with-n"},
+      {"ray-plane-picture", 8, "turned"},
+      {"ray-triangle-perp", 1, "interior"},
+      {"triangle-degenerate", 1, "no"},
+      {"triangle-degenerate", 2, "no"},
+      {"barycentric", 1, "P2"},
+      {"ray-triangle-cramer", 1, "interior"},
+      {"ray-sphere", 1, "two"},
+      {"pluecker-lines", 5, "skew"},
+      {"pluecker-planes", 1, "point"},
+      {"ray-polygon-pluecker", 1, "same"},
+      {"ray-triangle-pluecker", 1, "same"},
+      {"three-methods", 1, "interior"},
+      {"misprints", 1, "holds"},
+  };
+  return all;
+}
+
+} // namespace
+
+class QuestionsTest : public QObject {
+  Q_OBJECT
+
+private:
+  std::unique_ptr<WindowFixture> m_fixture; // one for all: opening it takes most of the time
+
+  const PredictionBox &box() { return *m_fixture->window.findChild<PredictionBox *>(); }
+  void open(const QString &lesson, int step) {
+    m_fixture->model().openLesson(lesson.toStdString());
+    m_fixture->model().setStep(step - 1);
+    QTest::qWait(1); // what stood on the page before is gone
+  }
+
+private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("halfspace-test");
+    QCoreApplication::setApplicationName("questions");
+    forgetStarts();
+    m_fixture = std::make_unique<WindowFixture>("plane-implicit");
+    QVERIFY(m_fixture->ready);
+  }
+  void cleanupTestCase() { m_fixture.reset(); }
+
+  void everyQuestion_hasARowHere() {
+    std::set<std::pair<std::string, int>> rows;
+    for (const RightAnswer &answer : questions())
+      rows.emplace(answer.lesson, answer.step);
+    std::set<std::pair<std::string, int>> inLessons;
+    for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons)
+      for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+        if (predictionOf(lesson.steps[step]))
+          inLessons.emplace(lesson.id, static_cast<int>(step) + 1);
+    QCOMPARE(rows, inLessons);
+  }
+
+  void question_answeredWrong_andThenRight_isJudged_data() {
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<int>("step");
+    QTest::addColumn<QString>("right");
+    for (const RightAnswer &answer : questions())
+      QTest::addRow("%s %d", answer.lesson, answer.step) << answer.lesson << answer.step << answer.right;
+  }
+  void question_answeredWrong_andThenRight_isJudged() {
+    QFETCH(QString, lesson);
+    QFETCH(int, step);
+    QFETCH(QString, right);
+    open(lesson, step);
+    const Prediction question = *predictionOf(m_fixture->model().step());
+    QVERIFY(question.choices.size() >= 2);
+    for (int choice = static_cast<int>(question.choices.size()) - 1; choice >= 0; --choice) {
+      const bool isRight = question.choices[static_cast<std::size_t>(choice)].word == right.toStdString();
+      QVERIFY(m_fixture->questionIsOpen());
+      QVERIFY2(m_fixture->window.findChild<QLabel *>("nearby")->text().isEmpty(),
+               "it would give the answer away");
+      m_fixture->answer(choice);
+      const QList<ChoiceButton *> choices = box().choices();
+      QCOMPARE(choices[choice]->verdict(), isRight ? Verdict::Right : Verdict::Wrong);
+      const auto told = std::count_if(choices.begin(), choices.end(), [](const ChoiceButton *each) {
+        return each->verdict() == Verdict::Right;
+      });
+      QCOMPARE(int(told), 1);
+      const QString reason = box().reason()->accessibleName();
+      QVERIFY2(reason.startsWith(isRight ? "Right." : "Not quite."), qPrintable(reason));
+      QTest::mouseClick(m_fixture->window.findChild<QToolButton *>("again"), Qt::LeftButton);
+    }
+  }
+};
+
+QTEST_MAIN(QuestionsTest)
+#include "questions_test.moc"

@@ -1,0 +1,103 @@
+#include "widgets/text/picture_object.h"
+
+#include "lessons/words.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QFontInfo>
+#include <QImageReader>
+#include <QPainter>
+#include <QTextBlock>
+#include <QTextObjectInterface>
+
+#include <algorithm>
+
+namespace halfspace {
+
+namespace {
+
+constexpr int objectType = QTextFormat::UserObject + 2;
+constexpr int imageProperty = QTextFormat::UserProperty + 3;
+constexpr int descriptionProperty = QTextFormat::UserProperty + 4;
+
+/// The type, in pixels, beside which a pixel of a picture is one of the screen's.
+constexpr double usualTypeSize = 16;
+
+/// The room beside the margins and the indent of the paragraph at a place of the document.
+double lineWidth(const QTextDocument &document, int place) {
+  const QTextBlockFormat format = document.findBlock(place).blockFormat();
+  return document.textWidth() - format.leftMargin() - format.rightMargin() -
+         format.indent() * document.indentWidth();
+}
+
+/// Draws the pictures of a document.
+class PictureObject : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+public:
+  using QObject::QObject;
+
+  QSizeF intrinsicSize(QTextDocument *document, int place, const QTextFormat &format) override {
+    const QSizeF size = QSizeF(imageIn(format).size()) *
+                        (QFontInfo(format.toCharFormat().font()).pixelSize() / usualTypeSize);
+    const bool asLongAsTheyLike = document->textWidth() < 0;
+    const double room = asLongAsTheyLike ? size.width() : std::max(1.0, lineWidth(*document, place));
+    return size.width() > room ? size * (room / size.width()) : size;
+  }
+
+  void drawObject(QPainter *painter, const QRectF &rect, QTextDocument *, int,
+                  const QTextFormat &format) override {
+    painter->setRenderHint(QPainter::SmoothPixmapTransform);
+    painter->drawImage(rect, imageIn(format));
+  }
+
+private:
+  [[nodiscard]] static QImage imageIn(const QTextFormat &format) {
+    return format.property(imageProperty).value<QImage>();
+  }
+};
+
+} // namespace
+
+Result<QImage> imageOf(const std::string &bytes) {
+  QByteArray data = QByteArray::fromRawData(bytes.data(), static_cast<int>(bytes.size()));
+  QBuffer buffer(&data);
+  QImageReader reader(&buffer);
+  reader.setDecideFormatFromContent(true);
+  const QByteArray format = reader.format();
+  if (format != "png" && format != "jpeg")
+    return Problem{words("It is neither a PNG nor a JPEG file."), "", 0, ""};
+  const Problem damaged{words("The file is damaged."), "", 0, ""};
+  const QSize size = reader.size();
+  if (size.isEmpty())
+    return damaged;
+  if (size.height() > mostPicturePixels / size.width())
+    return Problem{words("It has too many pixels: at most {limit} million are shown.",
+                         {{"limit", std::to_string(mostPicturePixels >> 20)}}),
+                   "", 0, ""};
+  QImage image = reader.read();
+  if (image.isNull())
+    return damaged;
+  return image;
+}
+
+void enablePictureObjects(QTextDocument &document) {
+  document.documentLayout()->registerHandler(objectType, new PictureObject(&document));
+}
+
+QTextCharFormat pictureObjectFormat(const QImage &image, const QString &description, QTextCharFormat text) {
+  text.setObjectType(objectType);
+  text.setProperty(imageProperty, image);
+  text.setProperty(descriptionProperty, description);
+  return text;
+}
+
+bool isPictureObject(const QTextCharFormat &format) { return format.objectType() == objectType; }
+
+QString pictureDescription(const QTextCharFormat &format) {
+  return format.stringProperty(descriptionProperty);
+}
+
+} // namespace halfspace
+
+#include "picture_object.moc"
