@@ -94,6 +94,7 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   render->add_option("-o,--output", command.output, "The PNG file to write")->required();
   render->add_option("--size", arguments.size, "Width x height in pixels")->capture_default_str();
   render->add_flag("--transparent", command.transparent, "No background");
+  render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
   render->add_option("--theme", command.theme, themeNames())->capture_default_str();
   render->add_option("--step", arguments.step, "The lesson's step to show, counted from 1");
   return render;

@@ -49,6 +49,7 @@ struct RenderCommand {
   PixelSize size{1600, 1000};
   OwnLessons ownLessons{};
   bool transparent = false;
+  bool flat = false; ///< the lesson's flat picture in the place of the one in space
   std::string theme = "light";
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure
 };

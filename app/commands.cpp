@@ -11,8 +11,10 @@
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
+#include "widgets/picture/flat_page.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
+#include "widgets/typeset/flat_painter.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 
@@ -30,6 +32,21 @@ LessonLibrary openLibrary(const OwnLessons &own) {
   for (const Problem &problem : library.problems)
     printError(problem.text());
   return library;
+}
+
+/// The flat picture of a figure that is on its stage; why there is none.
+Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
+                                const Figure &whole, SceneContent content, const Typesetter &typesetter) {
+  const auto frame = opened.lesson && opened.lesson->flat
+                         ? flatFrame(*opened.lesson->flat, opened.session.scene)
+                         : std::nullopt;
+  if (!frame)
+    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
+                   "--flat"};
+  View view{{}, command.size, command.size.height / designHeight};
+  view.camera = flatCamera(laidFlat(whole, *frame), view);
+  content.figure = clippedTo(view, laidFlat(content.figure, *frame));
+  return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
 }
 
 } // namespace
@@ -125,7 +142,9 @@ int runRender(const RenderCommand &command) {
   request.theme = *findTheme(command.theme);
   request.size = command.size;
   request.transparent = command.transparent;
-  const auto picture = drawOffscreen(request, labelPainter(typesetter));
+  const auto picture = command.flat
+                           ? drawFlatly(command, *opened, toStage(whole, stage), request.content, typesetter)
+                           : drawOffscreen(request, labelPainter(typesetter));
   if (!picture)
     return fail(picture.problem());
   if (const auto problem = writePng(*picture, command.output))

@@ -15,6 +15,7 @@
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/view/case_line.h"
+#include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"
 #include "widgets/working/working_practice.h"
 
@@ -287,6 +288,7 @@ void MainWindow::showHighlights() {
   if (!m_hoveredMark.isEmpty())
     marks.insert(m_hoveredMark.toStdString());
   m_working->setHighlighted(marks);
+  m_flat->setHighlighted(marks);
   m_scene->setHighlighted(std::move(marks));
 }
 
@@ -318,6 +320,8 @@ void MainWindow::applyLook() {
   applyStyle(*qApp, panels);
   m_scene->setTheme(m_theme);
   m_scene->setSizeScale(sizeScale());
+  m_flat->setTheme(m_theme);
+  m_flat->setSizeScale(sizeScale());
   m_working->setTheme(panels);
   m_inspector->setTheme(panels);
   m_card->setTheme(panels);

@@ -25,6 +25,7 @@ namespace halfspace {
 
 class CaseLine;
 class ContentsDrawer;
+class FlatView;
 class Inspector;
 class LessonPage;
 class NumberCard;
@@ -187,6 +188,7 @@ private:
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
   SceneFrame *m_frame = nullptr; ///< around m_scene
+  FlatView *m_flat = nullptr;    ///< in m_frame
   NumberCard *m_card = nullptr;
   LessonWatch m_watch;
   QString m_ownLessons; ///< the folder of the settings

@@ -1,6 +1,8 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
 
+#include "widgets/view/flat_view.h"
+
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
@@ -136,6 +138,8 @@ void MainWindow::createLayoutItems(QMenu &menu) {
     connect(action, &QAction::triggered, this, slot);
     return action;
   };
+  m_flat->unfolded().setShortcut(QKeySequence("6"));
+  menu.addAction(&m_flat->unfolded());
   m_sceneOnly = addChoice(tr("&Scene Only"), Qt::Key_F9,
                           [this](bool on) { showParts(on ? Parts::SceneOnly : Parts::Both); });
   m_pageOnly = addChoice(tr("Pa&ge Only"), Qt::Key_F8,
@@ -220,7 +224,8 @@ void MainWindow::createHelpMenu() {
            "Up/Down</b> step the selected handle, with Shift a tenth, with Ctrl ten steps. <b>Tab</b> goes "
            "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
            "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
-           "orthographic, <b>1</b>–<b>5</b> are views. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
+           "orthographic, <b>1</b>–<b>5</b> are views, <b>6</b> folds the flat picture of a lesson that has "
+           "one. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
            "larger and smaller. <b>F9</b> shows the scene alone, <b>F8</b> the page, <b>F11</b> fills the "
            "screen; <b>Ctrl I</b> shows all numbers, <b>Ctrl L</b> all lessons.</p><p><b>Point at a term</b> "
            "of the working and its "

@@ -6,6 +6,7 @@
 #include "widgets/numbers/inspector.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/view/case_line.h"
+#include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"
 #include "widgets/working/working_practice.h"
 
@@ -44,6 +45,9 @@ void MainWindow::createPanels() {
 QWidget *MainWindow::createScene() {
   m_card = new NumberCard(m_model, *m_typesetter);
   m_frame = new SceneFrame(*m_scene, *m_card);
+  m_flat = new FlatView(m_model, *m_typesetter, m_frame);
+  m_frame->setFlatView(*m_flat);
+  connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
   m_caseLine = new CaseLine;
   connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
   m_sceneColumn = new QWidget;

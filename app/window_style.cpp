@@ -60,6 +60,8 @@ QString styleSheetOf(const Theme &theme) {
     QPushButton#there { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
     QLabel#message { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; color: %2; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
+    QFrame#flatView { background: %3; border: 1px solid %1; border-radius: 5px; }
+    QToolButton#flatTitle { color: %2; padding: 0.2em 0.5em; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }
     QFrame#card[framed="true"] { background: %3; border-color: %1; }
     QLabel#hint { color: %2; }

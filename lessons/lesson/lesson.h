@@ -1,4 +1,4 @@
-// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera), its steps as
+// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera, flat), its steps as
 // second-level headings.
 //
 //   ---
@@ -126,6 +126,14 @@ struct LessonStep {
 /// Their places among the tasks of the step number what a learner has done.
 [[nodiscard]] std::vector<Task> tasksOf(const LessonStep &step);
 
+/// How a lesson's second, flat picture lies: two directions of its scene span the page. Both are seen in
+/// their true length, and so is every angle between what lies along them.
+struct FlatPage {
+  CoordinateId up;    ///< points upwards
+  CoordinateId right; ///< points to the right, and up or down as far as it is not at a right angle to that
+  bool operator==(const FlatPage &) const = default;
+};
+
 struct Lesson {
   std::string id;
   std::string title;
@@ -137,6 +145,7 @@ struct Lesson {
   Macros macros; ///< of the LaTeX in its words
   Scene scene;
   CameraView camera;
+  std::optional<FlatPage> flat{}; ///< nothing: there is only the picture in space
   std::vector<LessonStep> steps;
 };
 

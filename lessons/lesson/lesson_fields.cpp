@@ -38,6 +38,29 @@ CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
   return camera;
 }
 
+CoordinateId readDirection(const std::string &key, const Scene &scene, FieldReader &fields,
+                           const DocumentNode &node) {
+  const std::string name = fields.text(key);
+  const auto found = findCoordinate(scene, name);
+  const Object *object = found ? findObject(scene, found->object) : nullptr;
+  if (object && coordinatesOf(*object)[found->index].role == CoordinateRole::Direction)
+    return *found;
+  if (!fields.problem())
+    fields.complain(*node.find(key), "flat." + key,
+                    words("“{name}” is no direction of the scene: name one, as E.n or L.r.",
+                          {{"name", shortened(name)}}));
+  return {};
+}
+
+FlatPage readFlatPage(const DocumentNode &node, const Scene &scene, FieldReader &lesson) {
+  FieldReader fields(node, lesson.file(), "flat");
+  fields.allowOnly({"up", "right"});
+  FlatPage page{readDirection("up", scene, fields, node), readDirection("right", scene, fields, node)};
+  if (fields.problem())
+    lesson.keep(*fields.problem());
+  return page;
+}
+
 bool isMacroName(const std::string &name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), isLetter);
 }
@@ -134,7 +157,8 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera"});
+  fields.allowOnly(
+      {"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera", "flat"});
   Lesson lesson;
   lesson.id = fields.lessonId("id");
   lesson.title = fields.text("title");
@@ -156,6 +180,10 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   if (!scene)
     return scene.problem();
   lesson.scene = std::move(*scene);
+  if (const DocumentNode *flat = fields.optional("flat"))
+    lesson.flat = readFlatPage(*flat, lesson.scene, fields);
+  if (fields.problem())
+    return *fields.problem();
   return lesson;
 }
 

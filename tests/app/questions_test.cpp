@@ -30,6 +30,8 @@ const std::vector<RightAnswer> &questions() {
       {"ray-plane-substitution", 1, "behind"},
       {"ray-plane-substitution", 3, "plane2"},
       {"ray-plane-dot", 1, "behind"},
+      {"ray-plane-picture", 1, "with-n"},
+      {"ray-plane-picture", 8, "turned"},
       {"ray-triangle-perp", 1, "interior"},
       {"triangle-degenerate", 1, "no"},
       {"triangle-degenerate", 2, "no"},

@@ -4,6 +4,7 @@
 #include "tests/picture/labels/vectors_only.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
+#include "widgets/picture/flat_page.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/picture/screen_shapes.h"
@@ -285,17 +286,22 @@ protected:
         for (const double ratio : {1.0, 1.5})
           for (const LessonStep &step : fits(lesson, theme, Screen{size, ratio}) ? lesson.steps : noSteps)
             for (const std::string &sentence :
-                 look(pageOf(lesson, step, theme, size, ratio, coveredIn(size, ratio))))
+                 look(pageOf(lesson, step, theme, size, ratio, coveredIn(lesson, size, ratio))))
               ADD_FAILURE() << theme.name << ", " << size.width << " wide, at " << ratio << ", " << step.title
                             << ": " << sentence;
   }
 
-  /// Buttons in the upper right corner, a card in the lower left one.
-  static std::vector<PixelBox> coveredIn(PixelSize size, double ratio) {
+  /// Buttons in the upper right corner, a card in the lower left one, a flat picture in the lower right one.
+  static std::vector<PixelBox> coveredIn(const Lesson &lesson, PixelSize size, double ratio) {
     const double width = size.width;
     const double height = size.height;
-    return {{{width - 44 * ratio, 0}, {width, 160 * ratio}},
-            {{0, height - 56 * ratio}, {std::min(430 * ratio, width), height}}};
+    const glm::dvec2 corner(width, height);
+    std::vector<PixelBox> covered{{{width - 44 * ratio, 0}, {width, 160 * ratio}}};
+    if (const auto flat = flatSizeIn(corner / ratio, 1); flat && lesson.flat)
+      covered.push_back({corner - *flat * ratio, corner});
+    const double cardEnd = std::min(430 * ratio, covered.size() > 1 ? covered.back().low.x : width);
+    covered.push_back({{0, height - 56 * ratio}, {cardEnd, height}});
+    return covered;
   }
 };
 

@@ -25,6 +25,8 @@ struct Label {
 };
 auto qHash(const Label &label) { return ::qHash(label.formula.get()); }
 
+} // namespace
+
 LabelPicture fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
   LabelPicture picture{straight.width(), straight.height(), {}};
@@ -35,8 +37,6 @@ LabelPicture fromImage(const QImage &image) {
                 rowBytes);
   return picture;
 }
-
-} // namespace
 
 LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
   const double em = style.pixelSize;

@@ -3,6 +3,8 @@
 
 #include "widgets/picture/labels/label_picture.h"
 
+class QImage;
+
 namespace halfspace {
 
 class MathPicture;
@@ -13,5 +15,8 @@ class Typesetter;
 
 /// The picture of a formula in the style's ink on its halo.
 [[nodiscard]] LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style);
+
+/// The same pixels.
+[[nodiscard]] LabelPicture fromImage(const QImage &image);
 
 } // namespace halfspace

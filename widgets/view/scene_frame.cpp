@@ -2,6 +2,7 @@
 
 #include "widgets/colors.h"
 #include "widgets/numbers/number_card.h"
+#include "widgets/view/flat_view.h"
 #include "widgets/view/scene_view.h"
 
 #include <QAction>
@@ -54,6 +55,15 @@ void SceneFrame::addTool(QAction &action, ToolIcon icon) {
   arrange();
 }
 
+void SceneFrame::setFlatView(FlatView &flat) {
+  m_flat = &flat;
+  const bool isShown = flat.hasPicture();
+  flat.setParent(this);
+  flat.setVisible(isShown);
+  connect(&flat, &FlatView::sizeChanged, this, &SceneFrame::arrange);
+  arrange();
+}
+
 void SceneFrame::setTheme(const Theme &theme) {
   const int side = qRound(iconSide * std::min(theme.textScale, largestIconScale));
   for (const auto &[button, icon] : m_buttons) {
@@ -77,7 +87,17 @@ bool SceneFrame::eventFilter(QObject *watched, QEvent *event) {
 void SceneFrame::arrange() {
   const QSize tools = m_tools->sizeHint();
   m_tools->setGeometry(width() - tools.width() - edgeGap, edgeGap, tools.width(), tools.height());
-  const int cardWidth = std::min(m_card.sizeHint().width(), width() - 2 * edgeGap);
+  std::vector<QRect> covered{m_tools->geometry()};
+  int cardRoom = width() - 2 * edgeGap;
+  if (m_flat && m_flat->hasPicture()) {
+    const QSize flat = m_flat->sizeIn(size() - QSize(2 * edgeGap, 2 * edgeGap));
+    const QRect corner(QPoint(width() - flat.width() - edgeGap, height() - flat.height() - edgeGap), flat);
+    m_flat->setGeometry(corner);
+    m_flat->raise();
+    covered.push_back(corner);
+    cardRoom = corner.left() - 2 * edgeGap;
+  }
+  const int cardWidth = std::min(m_card.sizeHint().width(), cardRoom);
   const int cardHeight =
       m_card.hasHeightForWidth() ? m_card.heightForWidth(cardWidth) : m_card.sizeHint().height();
   m_card.setGeometry(edgeGap, height() - cardHeight - edgeGap, cardWidth, cardHeight);
@@ -85,8 +105,9 @@ void SceneFrame::arrange() {
   m_tools->raise();
   // The card comes and goes with the selection; the figure does not make way for it each time.
   const QSize room = m_card.usualSize().boundedTo(size() / 2);
-  m_view.setCovered(
-      {m_tools->geometry(), {edgeGap, height() - room.height() - edgeGap, room.width(), room.height()}});
+  covered.emplace_back(edgeGap, height() - room.height() - edgeGap, std::min(room.width(), cardRoom),
+                       room.height());
+  m_view.setCovered(covered);
 }
 
 } // namespace halfspace

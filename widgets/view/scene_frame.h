@@ -11,17 +11,20 @@ class QToolButton;
 
 namespace halfspace {
 
+class FlatView;
 class NumberCard;
 class SceneView;
 
-/// Keeps the card in the view's lower left corner and the tools in the upper right one, and tells the view
-/// what they cover.
+/// Keeps the card in the view's lower left corner, a flat picture in the lower right one, and the tools in
+/// the upper right one, and tells the view what they cover.
 class SceneFrame : public QWidget {
   Q_OBJECT
 public:
   /// View and card become its own.
   SceneFrame(SceneView &view, NumberCard &card, QWidget *parent = nullptr);
 
+  /// Puts a flat picture into the lower right corner, where there is one to show; it becomes its own.
+  void setFlatView(FlatView &flat);
   /// A button that does what the action does.
   void addTool(QAction &action, ToolIcon icon);
   void setTheme(const Theme &theme);
@@ -39,6 +42,7 @@ private:
 
   SceneView &m_view;
   NumberCard &m_card;
+  FlatView *m_flat = nullptr;
   QWidget *m_tools;
   std::vector<Tool> m_buttons;
 };

@@ -49,6 +49,7 @@ const std::set<std::string> withoutQuestion{"point-line",
                                             "dot-product-projection",
                                             "ray-plane-substitution",
                                             "plane-parametric",
+                                            "ray-plane-picture",
                                             "triangle-degenerate"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }

@@ -240,6 +240,21 @@ TEST(LessonProblems, OfBytesThatAreNoText_NameTheLine) {
   EXPECT_EQ(problemOf(frontMatter + "## One\n" + std::string(1, '\0')).line, 13);
 }
 
+TEST(Lesson, FlatPage_IsTwoDirectionsOfTheScene) {
+  const auto withFlat = [](const std::string &flat) {
+    return replaced(frontMatter, "height: 12}\n", "height: 12}\nflat: " + flat + "\n") + "## One\n";
+  };
+  EXPECT_FALSE(parseLesson(frontMatter + "## One\n", "mine.md")->flat);
+  const auto lesson = parseLesson(withFlat("{up: E.n, right: n}"), "mine.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->flat, (FlatPage{{"E", 1}, {"E", 1}}));
+  EXPECT_EQ(problemOf(withFlat("{up: E.n}")).field, "flat.right");
+  EXPECT_EQ(problemOf(withFlat("{up: F.n, right: E.n}")).field, "flat.up");
+  EXPECT_EQ(problemOf(withFlat("{up: E.P0, right: E.n}")).field, "flat.up") << "a point is no direction";
+  EXPECT_EQ(problemOf(withFlat("{up: E.n, right: E.n, left: E.n}")).field, "flat.left");
+  EXPECT_FALSE(problemOf(withFlat("up")).sentence.empty());
+}
+
 TEST(LessonProblems, InTheFrontMatter_NameLineAndField) {
   const Problem id = problemOf(replaced(frontMatter, "id: example", "id: An Example"));
   EXPECT_EQ(id.line, 2);

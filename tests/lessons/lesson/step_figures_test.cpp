@@ -136,7 +136,8 @@ TEST(StepFigures, HaveWhatTheStepSpeaksOf) {
 std::vector<Place> endsOf(const Mark &mark) {
   if (const auto *segment = std::get_if<SegmentMark>(&mark))
     return {segment->from, segment->to};
-  if (const auto *arrow = std::get_if<ArrowMark>(&mark); arrow && !arrow->drawnLength)
+  // The tip of a normal or of a ray's direction is a place only for those who go there.
+  if (const auto *arrow = std::get_if<ArrowMark>(&mark); arrow && !arrow->drawnLength && !arrow->isFree)
     return {arrow->from, arrow->from + arrow->vector};
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include "tests/widgets/view/view_fixture.h"
 #include "widgets/numbers/number_card.h"
+#include "widgets/view/flat_view.h"
 
 #include <QAction>
 #include <QSignalSpy>
@@ -16,7 +17,9 @@ namespace {
 /// A frame around the view, with two tools.
 class FrameFixture : public ViewFixture {
 public:
-  FrameFixture() : card(*new NumberCard(model, m_typesetter)), frame(view, card) {
+  FrameFixture() : FrameFixture(libraryOf({distanceScene()})) {}
+  explicit FrameFixture(LessonLibrary library)
+      : ViewFixture(std::move(library)), card(*new NumberCard(model, m_typesetter)), frame(view, card) {
     home.setShortcut(Qt::Key_H);
     numbers.setCheckable(true);
     frame.addTool(home, ToolIcon::Home);
@@ -45,6 +48,13 @@ public:
   NumberCard &card;
   SceneFrame frame;
 };
+
+/// Two lessons, of which the first has a flat picture.
+LessonLibrary libraryWithFlatPicture() {
+  LessonLibrary library = libraryOf({distanceScene(), distanceScene()});
+  library.lessons.front().flat = FlatPage{{"E", 1}, {"E", 1}};
+  return library;
+}
 
 } // namespace
 
@@ -76,6 +86,32 @@ private slots:
       QVERIFY(fixture.placeOf(*fixture.tools()[1]).top() > first.bottom());
       QVERIFY(fixture.frame.rect().contains(first));
     }
+  }
+
+  void flatPicture_keepsItsCorner_besideTheCard_whereALessonHasOne() {
+    const Typesetter typesetter; // outlives the picture, which becomes the frame's
+    FrameFixture fixture(libraryWithFlatPicture());
+    QVERIFY(fixture.ready);
+    auto &flat = *new FlatView(fixture.model, typesetter, &fixture.frame);
+    fixture.frame.setFlatView(flat);
+    fixture.card.setSelection(CoordinateId{"E", 0});
+    for (const QSize size : {QSize(1000, 800), QSize(620, 520)}) {
+      fixture.window.resize(size);
+      QTest::qWait(50);
+      const QRect place = fixture.placeOf(flat);
+      QVERIFY(flat.isVisible());
+      QCOMPARE(fixture.frame.width() - place.right(), fixture.frame.height() - place.bottom());
+      QVERIFY(!place.intersects(fixture.placeOf(fixture.card)));
+      for (const QToolButton *tool : fixture.tools())
+        QVERIFY(!place.intersects(fixture.placeOf(*tool)));
+      for (const char *handle : {"Q", "E.P0", "E.n"})
+        QVERIFY(!place.contains(fixture.at(handle)));
+    }
+    const int unfolded = flat.height();
+    flat.unfolded().toggle();
+    QVERIFY(flat.height() < unfolded / 2);
+    fixture.model.openLesson("lesson1");
+    QVERIFY(!flat.isVisible());
   }
 
   void tool_doesWhatItsActionDoes_andSaysItsKey() {

@@ -14,7 +14,6 @@ constexpr double polygonEdgeRadius = 0.05;
 constexpr double patchEdgeRadius = 0.045;
 constexpr double angleRadius = 0.04;
 constexpr double sphereRadius = 0.03;
-constexpr double dashLength = 0.42;
 
 /// More points than this are drawn as coarse balls.
 constexpr int mostFineBalls = 150;
@@ -90,34 +89,44 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
   const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
   if (outline.path.empty())
     return;
-  const auto line = [&](double radius) { addLine(mesh, outline.path, radius, brush); };
+  const double radius = strokeRadius(mark);
+  const auto line = [&] { addLine(mesh, outline.path, radius, brush); };
   std::visit(
       Overloaded{
           [&](const PointMark &point) {
             addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color, brush.ball);
           },
-          [&](const SegmentMark &) { line(segmentRadius); },
-          [&](const RayMark &) { line(rayRadius); },
-          [&](const LineMark &) { line(rayRadius); },
+          [&](const SegmentMark &) { line(); },
+          [&](const RayMark &) { line(); },
+          [&](const LineMark &) { line(); },
           [&](const ArrowMark &arrow) {
-            addArrow(mesh, arrow.from, shownVector(arrow), arrowRadius * brush.width, brush.color,
-                     brush.dash);
+            addArrow(mesh, arrow.from, shownVector(arrow), radius * brush.width, brush.color, brush.dash);
           },
           [&](const PlanePatchMark &patch) {
             const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.dash};
-            addBorder(mesh, outline.path, patchEdgeRadius, border);
+            addBorder(mesh, outline.path, radius, border);
           },
-          [&](const PolygonMark &) { addBorder(mesh, outline.path, polygonEdgeRadius, brush); },
-          [&](const SphereMark &) { line(sphereRadius); },
-          [&](const ArcMark &) { addTube(mesh, outline.path, angleRadius * brush.width, brush.color); },
-          [&](const RightAngleMark &) {
-            addTube(mesh, outline.path, angleRadius * brush.width, brush.color);
-          },
+          [&](const PolygonMark &) { addBorder(mesh, outline.path, radius, brush); },
+          [&](const SphereMark &) { line(); },
+          [&](const ArcMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
+          [&](const RightAngleMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
       },
       mark);
 }
 
 } // namespace
+
+double strokeRadius(const Mark &mark) {
+  return std::visit(
+      Overloaded{[](const PointMark &) { return 0.0; }, [](const SegmentMark &) { return segmentRadius; },
+                 [](const RayMark &) { return rayRadius; }, [](const LineMark &) { return rayRadius; },
+                 [](const ArrowMark &) { return arrowRadius; },
+                 [](const PlanePatchMark &) { return patchEdgeRadius; },
+                 [](const PolygonMark &) { return polygonEdgeRadius; },
+                 [](const SphereMark &) { return sphereRadius; }, [](const ArcMark &) { return angleRadius; },
+                 [](const RightAngleMark &) { return angleRadius; }},
+      mark);
+}
 
 double ballRadius(const PointMark &point) {
   const bool isFree = point.subject == Subject::Point && point.role == Role::Given;

@@ -17,6 +17,12 @@ inline constexpr double pointRadius = 0.23;
 /// The radius of an arrow's shaft.
 inline constexpr double arrowRadius = 0.11;
 
+/// The length of a dash at scale 1, in scene units.
+inline constexpr double dashLength = 0.42;
+
+/// The radius of the lines that a mark is drawn with, at scale 1, in scene units; 0 for a point.
+[[nodiscard]] double strokeRadius(const Mark &mark);
+
 /// The radius of a point's ball at scale 1, in scene units.
 [[nodiscard]] double ballRadius(const PointMark &point);
 /// What the radii of a mark at scale 1 are multiplied by.

@@ -1,0 +1,141 @@
+// The flat picture: in the lesson that has one, live, and absent everywhere else.
+#include "widgets/view/flat_view.h"
+
+#include "lessons/object/plane.h"
+#include "lessons/object/ray.h"
+#include "tests/widgets/pointer.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+using namespace halfspace;
+
+namespace {
+
+constexpr const char *lessonWithPicture = "ray-plane-picture";
+
+struct FlatFixture {
+  FlatFixture() : model(readLessons(TEST_LESSONS_FOLDER)), flat(model, typesetter) {
+    model.openLesson(lessonWithPicture);
+    flat.resize(300, 220);
+    flat.show();
+  }
+
+  [[nodiscard]] glm::dvec2 pixelOf(const std::string &point) const {
+    for (const Mark &mark : flat.figure().marks)
+      if (const auto *found = std::get_if<PointMark>(&mark); found && found->id == point)
+        return glm::dvec2(flat.view().camera.project(found->at, flat.view().size).value());
+    return {-1, -1};
+  }
+  /// How much of the picture is not background.
+  [[nodiscard]] int inked() {
+    const QImage image = flat.grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        count += image.pixel(x, y) != image.pixel(image.width() - 3, image.height() - 3) ? 1 : 0;
+    return count;
+  }
+
+  Typesetter typesetter;
+  SessionModel model;
+  FlatView flat;
+};
+
+} // namespace
+
+class FlatViewTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void picture_isThereInItsLessonAlone() {
+    FlatFixture fixture;
+    for (const Lesson &lesson : fixture.model.library().lessons) {
+      fixture.model.openLesson(lesson.id);
+      QCOMPARE(fixture.flat.hasPicture(), lesson.flat.has_value());
+      QCOMPARE(fixture.flat.isVisible(), lesson.flat.has_value());
+    }
+    fixture.model.openLesson(lessonWithPicture);
+    QVERIFY(fixture.flat.hasPicture() && fixture.flat.isVisible());
+    QVERIFY(fixture.inked() > 1000);
+  }
+
+  void drag_movesItsMarks_andNothingElse() {
+    FlatFixture fixture;
+    const glm::dvec2 start = fixture.pixelOf("L.Q");
+    const glm::dvec2 plane = fixture.pixelOf("G.P0");
+    const View before = fixture.flat.view();
+    fixture.model.beginGesture("drag");
+    fixture.model.moveGesture(ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
+    QVERIFY(fixture.pixelOf("L.Q") != start);
+    QVERIFY(fixture.flat.view() == before);
+    QVERIFY(fixture.pixelOf("G.P0") == plane);
+    fixture.model.cancelGesture();
+    QVERIFY(fixture.pixelOf("L.Q") == start);
+  }
+
+  void openQuestion_leavesOnlyWhatIsGiven() {
+    FlatFixture fixture;
+    fixture.model.setQuestion(Question::Open);
+    QVERIFY(!findMark(fixture.flat.figure(), "picture.B"));
+    QVERIFY(findMark(fixture.flat.figure(), "L.Q"));
+    fixture.model.setQuestion(Question::Answered);
+    QVERIFY(findMark(fixture.flat.figure(), "picture.B"));
+  }
+
+  void zeroNormal_hasNoPicture_untilItIsOneAgain() {
+    FlatFixture fixture;
+    fixture.model.edit(ChangeObject{"G", PlaneObject{{1, 7, 6}, ExactVec3(0)}}, "zero");
+    QVERIFY(!fixture.flat.hasPicture() && !fixture.flat.isVisible());
+    fixture.model.undo();
+    QVERIFY(fixture.flat.hasPicture() && fixture.flat.isVisible());
+  }
+
+  void folded_isItsTitleAlone() {
+    FlatFixture fixture;
+    const QSize room(800, 700);
+    const QSize unfolded = fixture.flat.sizeIn(room);
+    QSignalSpy changed(&fixture.flat, &FlatView::sizeChanged);
+    QTest::mouseClick(fixture.flat.findChild<QToolButton *>("flatTitle"), Qt::LeftButton);
+    QCOMPARE(changed.count(), 1);
+    const QSize folded = fixture.flat.sizeIn(room);
+    QVERIFY(folded.height() < unfolded.height() / 3);
+    fixture.flat.unfolded().toggle();
+    QCOMPARE(fixture.flat.sizeIn(room), unfolded);
+  }
+
+  void size_leavesTheSceneMostOfItsRoom_onAnyScreen() {
+    FlatFixture fixture;
+    for (const QSize room : {QSize(500, 400), QSize(820, 700), QSize(2500, 1900)}) {
+      const QSize size = fixture.flat.sizeIn(room);
+      QVERIFY(size.width() <= room.width() / 2 && size.height() <= room.height() / 2);
+      QVERIFY(size.width() >= 200 && size.height() >= 140);
+    }
+    QVERIFY(fixture.flat.sizeIn(QSize(380, 300)).height() < 60); // its title alone
+    fixture.flat.setSizeScale(2);
+    QVERIFY(fixture.flat.sizeIn(QSize(2500, 1900)).width() > 500);
+  }
+
+  void pointUnderThePointer_isTold_andForgottenOutside() {
+    FlatFixture fixture;
+    QSignalSpy hovered(&fixture.flat, &FlatView::markHovered);
+    const glm::dvec2 start = fixture.pixelOf("L.Q");
+    test::movePointer(fixture.flat, QPoint(qRound(start.x), qRound(start.y)));
+    QCOMPARE(hovered.last().first().toString(), QString("L.Q"));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&fixture.flat, &leave);
+    QVERIFY(hovered.last().first().toString().isEmpty());
+  }
+
+  void describesItself() {
+    FlatFixture fixture;
+    QVERIFY(!fixture.flat.accessibleName().isEmpty());
+    QVERIFY(fixture.flat.accessibleDescription().contains("n points up"));
+  }
+};
+
+QTEST_MAIN(FlatViewTest)
+#include "flat_view_test.moc"

@@ -1,0 +1,157 @@
+#include "widgets/view/flat_view.h"
+
+#include "widgets/colors.h"
+#include "widgets/picture/hand/mark_picker.h"
+
+#include <QAction>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+/// In a small picture type and lines are a little smaller than in the scene.
+constexpr double smallness = 0.8;
+/// … where it is lower than this, in pixels, even more, down to a part that can still be read.
+constexpr double roomyHeight = 240;
+constexpr double leastPart = 0.8;
+
+} // namespace
+
+FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
+    : QFrame(parent), m_model(model), m_painter(typesetter), m_theme(themes().front()),
+      m_unfolded(new QAction(tr("Flat &Picture"), this)), m_title(new QToolButton(this)) {
+  setObjectName("flatView");
+  setMouseTracking(true);
+  setAccessibleName(tr("Flat picture"));
+  m_unfolded->setCheckable(true);
+  m_unfolded->setChecked(true);
+  m_title->setObjectName("flatTitle");
+  m_title->setText(tr("From the side"));
+  m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_title->setAutoRaise(true);
+  m_title->setArrowType(Qt::DownArrow);
+  m_title->setFocusPolicy(Qt::NoFocus); // the keys stay with the scene; the menu has one for it
+  connect(m_title, &QToolButton::clicked, m_unfolded, &QAction::toggle);
+  connect(m_unfolded, &QAction::toggled, this, [this](bool on) {
+    m_title->setArrowType(on ? Qt::DownArrow : Qt::UpArrow);
+    emit sizeChanged();
+  });
+  connect(&m_model, &SessionModel::outcomeChanged, this, &FlatView::takeOutcome);
+  connect(&m_model, &SessionModel::gestureChanged, this, &FlatView::takeOutcome);
+  takeOutcome();
+}
+
+void FlatView::setTheme(const Theme &theme) {
+  m_theme = theme;
+  m_title->adjustSize();
+  update();
+}
+
+void FlatView::setSizeScale(double scale) {
+  m_sizeScale = scale;
+  takeView();
+  emit sizeChanged();
+}
+
+void FlatView::setHighlighted(std::set<std::string> markIds) {
+  m_highlighted = std::move(markIds);
+  update();
+}
+
+QSize FlatView::sizeIn(const QSize &room) const {
+  const QSize title = m_title->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
+  const auto size = flatSizeIn({room.width(), room.height()}, m_sizeScale);
+  if (!m_unfolded->isChecked() || !size)
+    return title;
+  return QSize(qRound(size->x), qRound(size->y)).expandedTo(title);
+}
+
+bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameWidth(); }
+
+void FlatView::takeOutcome() {
+  const auto &flat = m_model.lesson().flat;
+  const bool hadPicture = hasPicture();
+  m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
+  setVisible(hasPicture());
+  if (hadPicture != hasPicture())
+    emit sizeChanged();
+  if (!hasPicture())
+    return;
+  const Stage &stage = m_model.stage();
+  m_whole = laidFlat(toStage(m_model.figure(), stage), *m_frame);
+  m_content.stage = stage;
+  m_content.figure = laidFlat(toStage(m_model.shown().figure, stage), *m_frame);
+  describe();
+  // What is held must not jump under the hand.
+  if (!m_model.inGesture() || !showsAll(m_whole, m_view))
+    takeView();
+  update();
+}
+
+void FlatView::takeView() {
+  const double part = std::clamp(height() / (roomyHeight * m_sizeScale), leastPart, 1.0);
+  const double ratio = m_sizeScale * smallness * part;
+  m_view.size = {std::max(1, width()), std::max(1, height())};
+  m_view.pixelRatio = ratio;
+  m_view.covered = {{{0, 0}, {m_title->width(), m_title->height()}}};
+  m_view.camera = flatCamera(m_whole, m_view);
+}
+
+void FlatView::describe() {
+  const FlatPage &page = *m_model.lesson().flat;
+  const Scene &scene = m_model.session().scene;
+  setAccessibleDescription(tr("The scene seen from the side: %1 points up and %2 to the right, both in their "
+                              "true length. A plane with the normal %1 is a level line.")
+                               .arg(QString::fromStdString(shortName(scene, page.up)),
+                                    QString::fromStdString(shortName(scene, page.right))));
+}
+
+void FlatView::paintEvent(QPaintEvent *event) {
+  QFrame::paintEvent(event);
+  if (!isOpen() || !hasPicture())
+    return;
+  QPainter painter(this);
+  painter.setClipRect(contentsRect());
+  SceneContent content = m_content;
+  content.figure = clippedTo(m_view, std::move(content.figure));
+  content.highlighted = m_highlighted;
+  if (!m_hovered.empty())
+    content.highlighted.insert(m_hovered);
+  m_painter.paint(painter, content, m_theme, m_view);
+}
+
+void FlatView::resizeEvent(QResizeEvent *event) {
+  QFrame::resizeEvent(event);
+  m_title->adjustSize();
+  m_title->move(frameWidth(), frameWidth());
+  takeView();
+}
+
+void FlatView::mousePressEvent(QMouseEvent *event) { event->accept(); }
+
+void FlatView::mouseMoveEvent(QMouseEvent *event) {
+  if (!isOpen())
+    return;
+  const QPointF at = event->localPos();
+  hover(markUnder({at.x(), at.y()}, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio));
+}
+
+void FlatView::leaveEvent(QEvent *event) {
+  hover({});
+  QFrame::leaveEvent(event);
+}
+
+void FlatView::hover(const std::string &mark) {
+  if (mark == m_hovered)
+    return;
+  m_hovered = mark;
+  update();
+  emit markHovered(QString::fromStdString(mark));
+}
+
+} // namespace halfspace

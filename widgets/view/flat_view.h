@@ -1,0 +1,73 @@
+// The flat picture beside the scene: the same marks, seen from the one side from which their shapes are true.
+#pragma once
+
+#include "widgets/picture/flat_page.h"
+#include "widgets/picture/scene_content.h"
+#include "widgets/session_model.h"
+#include "widgets/typeset/flat_painter.h"
+
+#include <QFrame>
+
+class QAction;
+class QToolButton;
+
+namespace halfspace {
+
+/// Lies over the scene's corner in lessons that have such a picture, and in no others. Folded, or in a very
+/// small window, only its title is left.
+class FlatView : public QFrame {
+  Q_OBJECT
+public:
+  FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
+
+  void setTheme(const Theme &theme);
+  /// Makes type and lines larger; 1 is their usual size.
+  void setSizeScale(double scale);
+  /// Marks that stand out beside the hovered one.
+  void setHighlighted(std::set<std::string> markIds);
+
+  /// Whether the open lesson has a flat picture, and its scene what that is made of.
+  [[nodiscard]] bool hasPicture() const { return m_frame.has_value(); }
+  /// Checked while the picture is unfolded.
+  [[nodiscard]] QAction &unfolded() { return *m_unfolded; }
+  /// What it takes of so much room.
+  [[nodiscard]] QSize sizeIn(const QSize &room) const;
+
+  /// What is drawn now, and from where.
+  [[nodiscard]] const Figure &figure() const { return m_content.figure; }
+  [[nodiscard]] const View &view() const { return m_view; }
+
+signals:
+  void markHovered(const QString &markId); ///< empty: none
+  void sizeChanged();                      ///< it comes, goes, folds or unfolds
+
+protected:
+  void paintEvent(QPaintEvent *event) override;
+  void resizeEvent(QResizeEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void leaveEvent(QEvent *event) override;
+
+private:
+  /// Whether there is more of it than its title: unfolded, and not too little room for that.
+  [[nodiscard]] bool isOpen() const;
+  void takeOutcome();
+  void takeView();
+  void describe();
+  void hover(const std::string &mark);
+
+  SessionModel &m_model;
+  FlatPainter m_painter;
+  Theme m_theme;
+  double m_sizeScale = 1;
+  std::optional<FlatFrame> m_frame;
+  Figure m_whole; ///< of all steps: what the view is fitted to
+  SceneContent m_content;
+  View m_view;
+  std::set<std::string> m_highlighted;
+  std::string m_hovered; ///< a mark's id
+  QAction *m_unfolded;
+  QToolButton *m_title;
+};
+
+} // namespace halfspace
