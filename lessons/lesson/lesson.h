@@ -1,5 +1,5 @@
-// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera, flat), its steps as
-// second-level headings.
+// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera, flat), its
+// steps as second-level headings.
 //
 //   ---
 //   id: signed-distance
