@@ -57,11 +57,19 @@ private:
   std::optional<Scene> m_drawn; ///< what the picture shows
 };
 
-/// Whether an object has the places of its handles for its coordinates; bound ones have freedoms, spheres a
-/// length, and two vectors may start at one point.
+bool standsOnTheGrid(const Object &object) {
+  for (std::size_t i = 0; i < object.size(); ++i)
+    for (const Rational &number : {object[i].x, object[i].y, object[i].z})
+      if (number.denominator() != 1)
+        return false;
+  return true;
+}
+
+/// Whether an object stands on the grid and has the places of its handles for its coordinates; bound ones
+/// have freedoms, spheres a length, and two vectors may start at one point.
 bool goesByTheGrid(const Object &object) {
   const std::set<std::string_view> kinds{"point", "plane", "ray", "line", "triangle", "polygon"};
-  return kinds.contains(kindOf(object));
+  return kinds.contains(kindOf(object)) && standsOnTheGrid(object);
 }
 
 } // namespace

@@ -82,6 +82,13 @@ Qt::Alignment alignmentOf(MarkdownBlock::Side side) {
                                               : Qt::AlignLeft;
 }
 
+bool hasPicture(const QTextBlock &block) {
+  for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+    if (isPictureObject(piece.fragment().charFormat()))
+      return true;
+  return false;
+}
+
 Result<QImage> readPicture(const std::filesystem::path &folder, const std::string &name) {
   const auto bytes = readLessonPicture(folder, name);
   return bytes ? imageOf(*bytes) : bytes.problem();
@@ -331,7 +338,9 @@ private:
       const QTextBlock next = block.next();
       const bool betweenItems = block.textList() && next.isValid() && next.textList();
       format.setBottomMargin(next.isValid() ? typeSize() * (betweenItems ? itemGap : paragraphGap) : 0);
-      format.setLineHeight(100 * richLineSpacing, QTextBlockFormat::ProportionalHeight);
+      const double spacing =
+          hasPicture(block) ? 1 : richLineSpacing; // beside a picture it would be part of its height
+      format.setLineHeight(100 * spacing, QTextBlockFormat::ProportionalHeight);
       QTextCursor(block).setBlockFormat(format);
     }
   }
