@@ -143,7 +143,7 @@ const std::vector<Solution> &solutions() {
       {"triangle-degenerate", "Drag $P_1$ until $", {"T", TriangleObject{{6, 5, 3}, {10, 9, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Put the three", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Make a triangle", {"T", TriangleObject{{6, 5, 3}, {10, 10, 3}, {5, 3, 3}}}},
-      {"triangle-degenerate", "Deceive", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},
+      {"triangle-degenerate", "Put the corners so", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Put two", {"T", TriangleObject{{6, 5, 3}, {5, 3, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Bring the triangle", {"T", TriangleObject{{6, 5, 3}, {10, 10, 3}, {5, 3, 3}}}},
       {"ray-sphere", "Move $Q$ sideways", {"L", RayObject{{15, 13, 9}, {-1, -2, -2}}}},
