@@ -109,12 +109,21 @@ bool isDegenerate(const Out &at) {
   return withoutNormal(at) || at.meetings.front().meet.which == RayPlaneCase::ZeroDirection;
 }
 
+/// The places of all planes that are hit.
+std::vector<std::size_t> hitOf(const Out &at) {
+  std::vector<std::size_t> hit;
+  for (std::size_t i = 0; i < at.meetings.size(); ++i)
+    if (at.meetings[i].meet.which == RayPlaneCase::Hit)
+      hit.push_back(i);
+  return hit;
+}
+
 /// “E and F”, “E, F and G”
-std::string namesOfFirst(const Out &at) {
-  std::string all = at.meetings[at.first.front()].name;
-  for (std::size_t i = 1; i < at.first.size(); ++i) {
-    const bool isLast = i + 1 == at.first.size();
-    const WordValues both{{"before", all}, {"last", at.meetings[at.first[i]].name}};
+std::string namesOf(const std::vector<std::size_t> &places, const Out &at) {
+  std::string all = at.meetings[places.front()].name;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const bool isLast = i + 1 == places.size();
+    const WordValues both{{"before", all}, {"last", at.meetings[places[i]].name}};
     all = isLast ? words("{before} and {last}", both) : words("{before}, {last}", both);
   }
   return all;
@@ -131,11 +140,16 @@ CaseWords tell(const In &, const Out &at) {
   if (at.first.empty())
     return {"miss", words("None of the parameters is 0 or more: the ray meets no plane ahead of it.")};
   const std::string t = equation(firstMeeting(at)->t);
+  const std::vector<std::size_t> hit = hitOf(at);
+  if (hit.size() == 1)
+    return {"hit", words("{t}: the ray hits {plane} and no other plane.",
+                         {{"t", t}, {"plane", firstMeeting(at)->name}})};
   if (at.first.size() > 1)
     return {"hit", words("{planes} have the same parameter, {t}: the ray hits them at one point.",
-                         {{"planes", namesOfFirst(at)}, {"t", t}})};
-  return {"hit", words("{t} is the smallest parameter that is not negative: the ray hits {plane} first.",
-                       {{"t", t}, {"plane", firstMeeting(at)->name}})};
+                         {{"planes", namesOf(at.first, at)}, {"t", t}})};
+  // Which of them first is the learner's to find.
+  return {"hit", words("The ray hits {planes}. The smallest of their parameters tells which comes first.",
+                       {{"planes", namesOf(hit, at)}})};
 }
 
 std::string planeValue(std::size_t place) { return "plane" + std::to_string(place); }

@@ -9,7 +9,8 @@ SceneLetters::SceneLetters(const Scene &scene) {
   for (const Entry &entry : scene.entries) {
     if (const auto *object = std::get_if<Object>(&entry.content)) {
       count(entry.name);
-      countCoordinates(*object);
+      if (!isBound(entry)) // freedoms always say whose they are
+        countCoordinates(*object);
     } else if (const Construction *construction =
                    findConstruction(std::get<ConstructionUse>(entry.content).id)) {
       for (const ConstructionRole &made : construction->makes) {

@@ -108,7 +108,7 @@ TEST(ListRole, Evaluated_LooksAtItsObjectsInTheirOrder) {
     ids.push_back(given->id);
   EXPECT_EQ(ids, (Ids{"E", "F", "G", "L"}));
   EXPECT_EQ(way.outcome->told->description,
-            "t_F = 1 is the smallest parameter that is not negative: the ray hits F first.");
+            "The ray hits E, F and G. The smallest of their parameters tells which comes first.");
 }
 
 TEST(ListRole, OfARenamedObject_FollowsIt) {
