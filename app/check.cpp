@@ -1,5 +1,6 @@
 #include "app/check.h"
 
+#include "lessons/guess.h"
 #include "lessons/lesson/lesson_picture.h"
 #include "lessons/lesson/name_check.h"
 #include "lessons/reading/document.h"
@@ -67,10 +68,27 @@ void addIfNotShown(const std::string &picture, const LessonWords &piece, const L
                         piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
 }
 
+/// Blocks of code that were perhaps meant to be instructions: ```tusk.
+void addBlocksNearlyKnown(const LessonWords &piece, const Lesson &lesson, std::vector<Problem> &problems) {
+  const std::vector<std::string> known{"lines", "note", "task", "predict", "blank", "draw"};
+  constexpr std::string_view fence = "```";
+  for (auto place = piece.text.find(fence); place != std::string::npos;
+       place = piece.text.find(fence, place + fence.size())) {
+    const auto begin = place + fence.size();
+    const std::string word(
+        trimmed(std::string_view(piece.text).substr(begin, piece.text.find('\n', begin) - begin)));
+    if (!nearestOf(word, known).empty())
+      problems.push_back(
+          {withGuess(words("There is no block “{word}”.", {{"word", shortened(word)}}), word, known),
+           lesson.file, piece.lineAt(place), piece.field});
+  }
+}
+
 /// What in a lesson's words would not be seen as it is meant: formulas that cannot be read, each with its
 /// line and the column within it, and pictures.
 void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
   for (const LessonWords &piece : wordsOf(lesson)) {
+    addBlocksNearlyKnown(piece, lesson, problems);
     const auto markdown = readMarkdown(piece.text);
     if (!markdown)
       continue; // such a lesson is not read

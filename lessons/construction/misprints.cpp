@@ -238,8 +238,11 @@ std::vector<MadeObject> make(const In &, const Out &at) {
   return {{"I", PointObject{at.meet.plane.point}}};
 }
 
-/// Of two terms that come to exact numbers or vectors.
+/// Of two terms that come to exact numbers or vectors; without numbers where those would be rounded.
 std::string comparedWords(const Term &printed, const Term &right, bool areSame) {
+  if (showsRounded(calculated(printed)) || showsRounded(calculated(right)))
+    return areSame ? words("Here it comes to the right result. That proves nothing.")
+                   : words("Refuted: the two results differ.");
   const WordValues values{{"printed", plainText(calculated(printed))},
                           {"right", plainText(calculated(right))}};
   return areSame ? words("Here it comes to the right result, {right}. That proves nothing.", values)

@@ -368,11 +368,12 @@ std::string faceWords(const Out &at, std::size_t face, const std::vector<Term> &
     return words("These are the products of {face}. They decide for a convex solid only.", values);
   if (hasSign(1) && hasSign(-1))
     return words("Both signs are there: the line misses {face}.", values);
-  if (hasSign(1))
-    return words("None is negative: the line comes out through {face}.", values);
-  if (hasSign(-1))
-    return words("None is positive: the line goes in through {face}.", values);
-  return words("All are 0: the line runs in the plane of {face}.", values);
+  if (!hasSign(1) && !hasSign(-1))
+    return words("All are 0: the line runs in the plane of {face}.", values);
+  if (at.meet.contacts != SolidContacts::Two)
+    return words("No two differ in sign: the line touches {face} at its border.", values);
+  return hasSign(1) ? words("None is negative: the line comes out through {face}.", values)
+                    : words("None is positive: the line goes in through {face}.", values);
 }
 
 /// The products of a face, as it runs along its edges.
@@ -412,6 +413,8 @@ void addCountLines(const Out &at, Explanation &lines) {
 std::string parameterWords(const Out &at, std::size_t index) {
   if (!isAhead(at.contacts[index]))
     return words("Negative: that is behind the start {Q}.", at.letters);
+  if (at.meet.contacts != SolidContacts::Two)
+    return words("Not negative: the ray itself gets there.");
   return index == 0 ? words("Not negative: the ray itself gets there, and goes in.")
                     : words("Not negative: the ray itself gets there, and comes out.");
 }

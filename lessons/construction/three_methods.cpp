@@ -253,6 +253,8 @@ void addPerpSteps(const Out &at, std::vector<Step> &steps) {
 }
 
 std::string determinantWords(const Out &at) {
+  if (at.perps.which == RayTriangleCase::ZeroDirection)
+    return words("Zero, because {r} is the zero vector: there is no ray.", at.letters);
   return at.cramer.det == 0
              ? words("Zero: nothing to divide by. Either the ray is parallel, or there is no triangle.")
              : words("Not zero: there is exactly one answer.");
@@ -475,6 +477,8 @@ void addCountLines(const Out &at, Explanation &lines) {
 }
 
 std::string signsWords(const Out &at) {
+  if (at.perps.which == RayTriangleCase::ZeroDirection)
+    return words("All are 0, because {r} is the zero vector: there is no line.", at.letters);
   switch (signsOf(at.pluecker.products)) {
   case ProductSigns::Same:
     return at.perps.which == RayTriangleCase::Behind

@@ -1,7 +1,6 @@
 #include "lessons/lesson/lesson.h"
 
 #include "lessons/files/read_file.h"
-#include "lessons/guess.h"
 #include "lessons/lesson/lesson_reader.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
@@ -162,11 +161,6 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
     return readBlank(fence.content, file, step);
   if (fence.word == "draw")
     return readMarkIds(fence.content, file, step);
-  const std::vector<std::string> known{"lines", "note", "task", "predict", "blank", "draw"};
-  if (!nearestOf(fence.word, known).empty())
-    return Problem{
-        withGuess(words("There is no block “{word}”.", {{"word", shortened(fence.word)}}), fence.word, known),
-        file, fence.content.firstLine - 1, ""};
   addLines(wordsAtEnd(step), {fence.whole, fence.content.firstLine - 1}); // code
   return {};
 }

@@ -33,7 +33,7 @@ Term lengthTerm(const Given<Object> &box, std::size_t axis) {
 
 /// P₀ + (a, 0, c)
 Term corner(const Given<Object> &box, std::size_t index) {
-  const Term lowest = coordinateTerm(box, 0);
+  Term lowest = coordinateTerm(box, 0);
   if (index == 0)
     return lowest;
   std::vector<Term> way;
@@ -63,7 +63,7 @@ std::string face(const Given<Object> &box, std::size_t index) {
   Rational at = box.object[0][static_cast<int>(axis)];
   if (isFar)
     at += box.object[axis + 1].x;
-  return words("the face {axis} = {value}", {{"axis", axes.at(axis)}, {"value", plainText(Term(at))}});
+  return words("the face {axis} {value}", {{"axis", axes.at(axis)}, {"value", relatedText(Term(at))}});
 }
 
 std::vector<Mark> draw(const Given<Object> &given) {

@@ -51,7 +51,7 @@ public:
   /// False where there is too much of something, see `problem`.
   bool enterBlock(MD_BLOCKTYPE type, const void *detail);
   void leaveBlock(MD_BLOCKTYPE type);
-  void enterSpan(MD_SPANTYPE type, const void *detail);
+  bool enterSpan(MD_SPANTYPE type, const void *detail);
   void leaveSpan(MD_SPANTYPE type);
   void text(MD_TEXTTYPE type, std::string_view text);
   [[nodiscard]] std::vector<MarkdownBlock> finish() { return std::move(m_open.front().children); }
@@ -76,6 +76,7 @@ private:
   std::vector<MarkdownSpan> m_pictures;           ///< the open ones, whose descriptions are being read
   bool m_inTableHead = false;
   std::size_t m_cells = 0;
+  std::size_t m_pictureCount = 0;
 };
 
 bool MarkdownBuilder::enterBlock(MD_BLOCKTYPE type, const void *detail) {
@@ -131,7 +132,7 @@ void MarkdownBuilder::leaveBlock(MD_BLOCKTYPE type) {
   close();
 }
 
-void MarkdownBuilder::enterSpan(MD_SPANTYPE type, const void *detail) {
+bool MarkdownBuilder::enterSpan(MD_SPANTYPE type, const void *detail) {
   if (type == MD_SPAN_IMG)
     m_pictures.push_back({MarkdownSpan::Kind::Picture,
                           "",
@@ -146,6 +147,8 @@ void MarkdownBuilder::enterSpan(MD_SPANTYPE type, const void *detail) {
   if (type == MD_SPAN_A)
     face.link = openableAddress(static_cast<const MD_SPAN_A_DETAIL *>(detail)->href);
   m_faces.push_back(std::move(face));
+  m_pictureCount += type == MD_SPAN_IMG ? 1U : 0U;
+  return m_pictureCount <= maxMarkdownPictures;
 }
 
 void MarkdownBuilder::leaveSpan(MD_SPANTYPE type) {
@@ -211,6 +214,9 @@ bool MarkdownBuilder::openCell(const MD_BLOCK_TD_DETAIL &detail) {
 }
 
 std::string MarkdownBuilder::problem() const {
+  if (m_pictureCount > maxMarkdownPictures)
+    return words("There are too many pictures here: at most {limit} are read.",
+                 {{"limit", std::to_string(maxMarkdownPictures)}});
   return m_cells > maxMarkdownCells
              ? words("The tables here are too large: at most {limit} cells are read.",
                      {{"limit", std::to_string(maxMarkdownCells)}})
@@ -285,8 +291,7 @@ MD_PARSER parserOfOurDialect() {
     return 0;
   };
   parser.enter_span = [](MD_SPANTYPE type, void *detail, void *userData) noexcept {
-    builderOf(userData).enterSpan(type, detail);
-    return 0;
+    return builderOf(userData).enterSpan(type, detail) ? 0 : -1;
   };
   parser.leave_span = [](MD_SPANTYPE type, void *, void *userData) noexcept {
     builderOf(userData).leaveSpan(type);

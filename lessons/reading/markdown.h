@@ -76,6 +76,9 @@ inline constexpr std::size_t maxMarkdownDepth = 32;
 /// So many cells in all tables together: two short lines can ask for millions of empty ones.
 inline constexpr std::size_t maxMarkdownCells = 1000;
 
+/// So many pictures: each takes memory, however often it is named.
+inline constexpr std::size_t maxMarkdownPictures = 16;
+
 /// Whether an address is one that a learner may be led to: of the web, or of somebody to write to.
 [[nodiscard]] bool isOpenable(std::string_view address);
 

@@ -31,6 +31,11 @@ constexpr double titleSize = 1.4;
 /// A line of words has at most so many letters: longer ones are hard to follow.
 constexpr int mostLettersInLine = 78;
 
+/// Empty for a lesson of no file.
+std::filesystem::path folderOf(const Lesson &lesson) {
+  return lesson.file.empty() ? std::filesystem::path() : std::filesystem::absolute(lesson.file).parent_path();
+}
+
 void setInk(QWidget &widget, Color color) {
   QPalette palette = widget.palette();
   palette.setColor(QPalette::WindowText, toQColor(color));
@@ -181,7 +186,7 @@ void LessonPage::makeBlocks() {
 
 QWidget *LessonPage::blockOf(const StepWords &words) {
   m_words.push_back({words.markdown, new RichLabel(m_typesetter)});
-  m_words.back().label->setPictures(std::filesystem::path(m_lesson.file).parent_path());
+  m_words.back().label->setPictures(folderOf(m_lesson));
   return m_words.back().label;
 }
 
@@ -190,7 +195,7 @@ QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().ad
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
   m_words.push_back({note.words.markdown, &m_notes.back()->words()});
-  m_words.back().label->setPictures(std::filesystem::path(m_lesson.file).parent_path());
+  m_words.back().label->setPictures(folderOf(m_lesson));
   connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] { scrollTo(*fold); });
   return m_notes.back();
 }

@@ -200,6 +200,8 @@ private:
         [](const MarkdownBlock &a, const MarkdownBlock &b) { return a.children.size() < b.children.size(); });
     if (widest == table.children.end() || widest->children.empty())
       return;
+    if (!m_lists.empty())
+      m_lists.back().item = nullptr; // an item that begins with a table has no line for its mark
     QTextTable *grid = m_cursor.insertTable(static_cast<int>(table.children.size()),
                                             static_cast<int>(widest->children.size()), tableFormat());
     int row = 0;

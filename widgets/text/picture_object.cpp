@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QTextBlock>
 #include <QTextObjectInterface>
+#include <QTextTable>
 
 #include <algorithm>
 
@@ -23,9 +24,13 @@ constexpr int descriptionProperty = QTextFormat::UserProperty + 4;
 /// The type, in pixels, beside which a pixel of a picture is one of the screen's.
 constexpr double usualTypeSize = 16;
 
-/// The room beside the margins and the indent of the paragraph at a place of the document.
+/// The room beside the margins and the indent of the paragraph at a place of the document; in a table its
+/// share.
 double lineWidth(const QTextDocument &document, int place) {
-  const QTextBlockFormat format = document.findBlock(place).blockFormat();
+  const QTextBlock block = document.findBlock(place);
+  if (const QTextTable *table = QTextCursor(block).currentTable())
+    return document.textWidth() / table->columns();
+  const QTextBlockFormat format = block.blockFormat();
   return document.textWidth() - format.leftMargin() - format.rightMargin() -
          format.indent() * document.indentWidth();
 }
@@ -75,6 +80,9 @@ Result<QImage> imageOf(const std::string &bytes) {
     return Problem{words("It has too many pixels: at most {limit} million are shown.",
                          {{"limit", std::to_string(mostPicturePixels >> 20)}}),
                    "", 0, ""};
+  const QSize longest(longestPictureSide, longestPictureSide);
+  if (size.width() > longest.width() || size.height() > longest.height())
+    reader.setScaledSize(size.scaled(longest, Qt::KeepAspectRatio).expandedTo({1, 1}));
   QImage image = reader.read();
   if (image.isNull())
     return damaged;

@@ -14,6 +14,9 @@ namespace halfspace {
 /// A larger picture would take more memory, once it is unpacked, than a page of words is worth.
 inline constexpr int mostPicturePixels = 1 << 24;
 
+/// More are of no use on a page: a wider or higher picture is kept smaller.
+inline constexpr int longestPictureSide = 1600;
+
 /// The image that the bytes of a PNG or JPEG file hold; else a sentence about what is wrong with them.
 [[nodiscard]] Result<QImage> imageOf(const std::string &bytes);
 

@@ -234,6 +234,16 @@ TEST(Markdown, WithTooManyCells_IsRefused) {
   }
 }
 
+TEST(Markdown, WithTooManyPictures_IsRefused) {
+  std::string pictures;
+  for (std::size_t i = 0; i < maxMarkdownPictures; ++i)
+    pictures += "![a](b.png) ";
+  EXPECT_TRUE(readMarkdown(pictures));
+  const auto refused = readMarkdown(pictures + "![a](b.png)");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.problem().sentence.find("pictures"), std::string::npos);
+}
+
 TEST(Markdown, DollarsInFencesOfTildes_AreNoFormulas) {
   EXPECT_TRUE(formulasIn("~~~\n$x$\n~~~").empty());
   EXPECT_TRUE(formulasIn("words\n\n~~~~\n$x$\n~~~~\n").empty());

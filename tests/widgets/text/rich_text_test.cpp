@@ -261,8 +261,8 @@ private slots:
     QTest::addColumn<QString>("reason");
     QTest::newRow("not there") << "b.png"
                                << "There is no picture";
-    QTest::newRow("outside") << "../a.png"
-                             << "There is no picture";
+    QTest::newRow("outside") << "../outside.png"
+                             << "is not in";
     QTest::newRow("text") << "text.png"
                           << "neither a PNG nor a JPEG";
     QTest::newRow("drawing") << "drawing.svg"
@@ -276,7 +276,10 @@ private slots:
     QFETCH(QString, name);
     QFETCH(QString, reason);
     const Typesetter typesetter;
-    const QTemporaryDir folder;
+    const QTemporaryDir outer;
+    writePicture(outer.filePath("outside.png"), {100, 100});
+    const QDir folder(outer.filePath("lesson"));
+    QVERIFY(folder.mkpath("."));
     const auto write = [&](const QString &file, const QByteArray &bytes) {
       QFile out(folder.filePath(file));
       QVERIFY(out.open(QFile::WriteOnly));
