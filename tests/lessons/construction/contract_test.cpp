@@ -24,7 +24,9 @@ namespace {
 
 using namespace test;
 
-constexpr int scenesPerWriting = 250;
+constexpr int scenesPerWriting = 100;
+/// As many as it takes to come to every name of every construction.
+constexpr int scenesForAllNames = 250;
 
 /// Two results of a hundred digits are the same when they agree to far more than any number on the page has.
 const Precise sameDigits("1e-60");
@@ -523,21 +525,24 @@ protected:
   const Construction &construction() const { return *findConstruction(GetParam()); }
 
   /// Checks many scenes; the names that came up.
-  NamesSeen checkScenes(Writing writing) const {
+  NamesSeen checkScenes(Writing writing, int count = scenesPerWriting) {
     RandomObjects random(20'240'000 + static_cast<std::uint64_t>(writing));
     NamesSeen names;
-    for (int i = 0; i < scenesPerWriting && !HasFailure(); ++i) {
+    for (int i = 0; i < count && !HasFailure(); ++i) {
       const std::vector<Object> objects = random.objectsFor(construction(), writing);
       Contract contract(construction(), objects);
       contract.check();
       names.merge(contract.namesSeen());
+      m_isAnyRounded = m_isAnyRounded || isRounded(contract.working());
     }
     return names;
   }
+
+  bool m_isAnyRounded = false; ///< of the scenes that were checked
 };
 
 TEST_P(EveryConstruction, OnSmallIntegers_IsRightAndComesToAllThatItNames) {
-  EXPECT_EQ(checkScenes(Writing::SmallIntegers), declaredNames(construction().names));
+  EXPECT_EQ(checkScenes(Writing::SmallIntegers, scenesForAllNames), declaredNames(construction().names));
 }
 
 TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(casesIn(checkScenes(Writing::Halves)), 1); }
@@ -548,9 +553,7 @@ TEST_P(EveryConstruction, OnFractions_IsRight) { EXPECT_GT(casesIn(checkScenes(W
 
 TEST_P(EveryConstruction, OnFractionsOfTwelveDigits_IsRightAndMarksWhatItRounds) {
   EXPECT_GT(casesIn(checkScenes(Writing::LongFractions)), 1);
-  RandomObjects random(7);
-  const std::vector<Object> objects = random.objectsFor(construction(), Writing::LongFractions);
-  EXPECT_TRUE(isRounded(Contract(construction(), objects).working()));
+  EXPECT_TRUE(m_isAnyRounded);
 }
 
 TEST_P(EveryConstruction, OnLargeIntegers_IsRight) {
