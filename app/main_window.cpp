@@ -42,8 +42,19 @@ constexpr int keepDelay = 800;
 /// Whoever lives so long after the first picture of a session has not ended for it.
 constexpr int openedDelay = 1500;
 
+/// A way of more letters is told rounded: its line is read in passing.
+constexpr int longestExactWay = 6;
+
 constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
+
+/// How long a move is, in words: "3", "≈ 1.16499".
+QString wayText(const Surd &way) {
+  const QString inFull = QString::fromStdString(plainText(number(way)));
+  const WrittenNumber shown = inFull.size() <= longestExactWay ? written(way) : decimalOf(way);
+  return (shown.exact ? QString() : QStringLiteral("≈\u00a0")) +
+         QString::fromStdString(plainText(shown.term));
+}
 
 } // namespace
 
@@ -251,9 +262,9 @@ void MainWindow::showNearby() {
   m_nearby = nearestSpecialCase(m_model.session().scene, m_model.evaluation(), entries);
   if (!m_nearby || hidesNumbers())
     return m_caseLine->setNearby({});
-  const QString distance = QString::fromStdString(relatedText(number(m_nearby->distance)));
-  m_caseLine->setNearby(tr("Nearest special case, distance%1: %2", "%1 with its relation: = 3")
-                            .arg(distance, unbroken(QString::fromStdString(m_nearby->sentence))));
+  m_caseLine->setNearby(
+      tr("Nearest special case, a move of %1 away: %2", "%1 a length: 3")
+          .arg(wayText(m_nearby->distance), unbroken(QString::fromStdString(m_nearby->sentence))));
 }
 
 void MainWindow::goToNearby() {

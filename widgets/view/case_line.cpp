@@ -1,6 +1,7 @@
 #include "widgets/view/case_line.h"
 
 #include "widgets/repolish.h"
+#include "widgets/text/indices.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,6 +22,13 @@ QLabel *wrappedLabel(const char *name) {
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
+}
+
+/// Rich text takes time, which counts in a drag: it is for words with indices alone.
+void setWords(QLabel &label, const QString &words) {
+  const bool hasIndices = runsOf(words).size() > 1;
+  label.setTextFormat(hasIndices ? Qt::RichText : Qt::PlainText);
+  label.setText(hasIndices ? richTextOf(words) : words);
 }
 
 } // namespace
@@ -63,7 +71,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
-  m_case->setText(words);
+  setWords(*m_case, words);
   if (m_case->property("degenerate") == degenerate)
     return;
   m_case->setProperty("degenerate", degenerate);
@@ -71,7 +79,7 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
 }
 
 void CaseLine::setNearby(const QString &words) {
-  m_nearby->setText(words);
+  setWords(*m_nearby, words);
   m_there->setVisible(!words.isEmpty());
 }
 

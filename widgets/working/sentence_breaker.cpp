@@ -1,8 +1,11 @@
 #include "widgets/working/sentence_breaker.h"
 
+#include "widgets/text/indices.h"
 #include "widgets/text/unbroken.h"
 
 #include <QTextLayout>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -10,14 +13,49 @@ namespace {
 /// So many sentences are remembered: more than a working has, fewer than a long drag makes.
 constexpr std::size_t mostRemembered = 200;
 
+/// Where runs stand in their text.
+std::vector<QTextLayout::FormatRange> rangesOf(const std::vector<TextRun> &runs, const QFont &font) {
+  std::vector<QTextLayout::FormatRange> ranges;
+  ranges.reserve(runs.size());
+  int start = 0;
+  for (const TextRun &run : runs) {
+    QTextCharFormat format;
+    format.setFont(run.isIndex ? indexFont(font) : font);
+    ranges.push_back({start, run.text.size(), format});
+    start += run.text.size();
+  }
+  return ranges;
+}
+
+/// What of the runs stands in a line.
+std::vector<SentenceBreaker::Run> runsIn(const QTextLine &line, const std::vector<TextRun> &runs) {
+  std::vector<SentenceBreaker::Run> inLine;
+  const int lineEnd = line.textStart() + line.textLength();
+  int start = 0;
+  for (const TextRun &run : runs) {
+    const int first = std::max(start, line.textStart());
+    const int end = std::min(start + run.text.size(), lineEnd);
+    if (first < end)
+      inLine.push_back({run.text.mid(first - start, end - first), line.cursorToX(first), run.isIndex});
+    start += run.text.size();
+  }
+  return inLine;
+}
+
 std::vector<SentenceBreaker::Line> broken(const QString &sentence, const QFont &font, double width) {
-  const QString text = unbroken(sentence);
+  const std::vector<TextRun> runs = runsOf(unbroken(sentence));
+  const auto ranges = rangesOf(runs, font);
+  QString text;
+  for (const TextRun &run : runs)
+    text += run.text;
   std::vector<SentenceBreaker::Line> lines;
   QTextLayout layout(text, font);
+  layout.setFormats({ranges.begin(), ranges.end()});
   layout.beginLayout();
   for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
     line.setLineWidth(width);
-    lines.push_back({text.mid(line.textStart(), line.textLength()), line.ascent(), line.height()});
+    lines.push_back(
+        {text.mid(line.textStart(), line.textLength()), runsIn(line, runs), line.ascent(), line.height()});
   }
   layout.endLayout();
   return lines;

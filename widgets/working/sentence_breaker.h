@@ -13,8 +13,14 @@ namespace halfspace {
 /// Breaks sentences, and remembers how: from one frame to the next most of them stay the same.
 class SentenceBreaker {
 public:
+  struct Run {
+    QString text;
+    double x = 0; ///< from the line's left
+    bool isIndex = false;
+  };
   struct Line {
     QString text;
+    std::vector<Run> runs; ///< the same text, in pieces of one font
     double ascent = 0;
     double height = 0;
   };

@@ -1,5 +1,6 @@
 // How the lines are painted.
 #include "widgets/colors.h"
+#include "widgets/text/indices.h"
 #include "widgets/verdict.h"
 #include "widgets/working/blank_field.h"
 #include "widgets/working/working_block.h"
@@ -29,6 +30,15 @@ constexpr double hoverOpacity = 0.10;
 QColor translucent(QColor color, double opacity) {
   color.setAlphaF(opacity);
   return color;
+}
+
+void paintText(QPainter &painter, const PlacedText &text) {
+  const QFont font = painter.font();
+  for (const SentenceBreaker::Run &run : text.runs) {
+    painter.setFont(run.isIndex ? indexFont(font) : font);
+    painter.drawText(text.baseline + QPointF(run.x, run.isIndex ? indexDrop(font) : 0), run.text);
+  }
+  painter.setFont(font);
 }
 
 /// Numbers stand closer to each other than terms do.
@@ -82,7 +92,7 @@ void WorkingBlock::paintLine(QPainter &painter, std::size_t index) const {
   painter.setPen(toQColor(m_theme.mutedInk));
   for (const auto *texts : {&line.heading, &line.sentence})
     for (const PlacedText &text : *texts)
-      painter.drawText(text.baseline, text.text);
+      paintText(painter, text);
 }
 
 void WorkingBlock::paintNumbers(QPainter &painter, std::size_t index) const {
@@ -134,7 +144,7 @@ void WorkingBlock::paintRemark(QPainter &painter, const PlacedLine &line, const 
                remark.right ? Verdict::Right : Verdict::Wrong, m_theme);
   painter.setPen(toQColor(remark.right ? m_theme.inkOf(Subject::Triangle) : m_theme.warning));
   for (const PlacedText &text : line.remark)
-    painter.drawText(text.baseline, text.text);
+    paintText(painter, text);
 }
 
 } // namespace halfspace

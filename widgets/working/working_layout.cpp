@@ -215,7 +215,7 @@ private:
     m_y += sentenceGap * m_em;
     for (const SentenceBreaker::Line &line :
          m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
-      placed.push_back({line.text, {left, m_y + line.ascent}});
+      placed.push_back({line.text, line.runs, {left, m_y + line.ascent}});
       m_y += sentenceLineHeight * line.height;
     }
     m_y -= (sentenceLineHeight - 1) * QFontMetricsF(m_font).height(); // nothing below the last

@@ -47,6 +47,7 @@ struct PlacedFormula {
 /// A line of plain text in its place.
 struct PlacedText {
   QString text;
+  std::vector<SentenceBreaker::Run> runs;
   QPointF baseline;
 };
 

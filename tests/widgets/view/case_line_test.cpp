@@ -96,6 +96,15 @@ private slots:
     QCOMPARE(shown.said("message"), QString("Second."));
   }
 
+  void indicesAreLowered_andSignsAreNoTags() {
+    ShownLine shown;
+    shown.line.setCase("h < v_d", false);
+    QCOMPARE(shown.said("case"), QString("h &lt; v<sub>d</sub>"));
+    shown.line.setCase("h < v", false);
+    QCOMPARE(shown.said("case"), QString("h < v"));
+    QCOMPARE(shown.line.findChild<QLabel *>("case")->textFormat(), Qt::PlainText);
+  }
+
   void warning_looksDifferent() {
     ShownLine shown;
     shown.line.setStyleSheet("QLabel#case { color: black } QLabel#case[degenerate=\"true\"] { color: red }");

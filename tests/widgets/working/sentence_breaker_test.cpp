@@ -60,6 +60,20 @@ private slots:
     QCOMPARE(lines[0].text, QString("word "));
   }
 
+  void indices_standBehindTheirLetters_smallerThanThese() {
+    SentenceBreaker breaker;
+    const QFont font = fontOf(16);
+    const auto &lines = breaker.lines("So v_d is one step", font, 70);
+    QCOMPARE(texts(lines).join(QString()), QString("So vd is one step"));
+    QVERIFY(lines.size() > 1);
+    const auto &runs = lines[0].runs;
+    QCOMPARE(runs.size(), std::size_t(3));
+    QVERIFY(!runs[0].isIndex && runs[1].isIndex && !runs[2].isIndex);
+    QVERIFY(qAbs(runs[1].x - QFontMetricsF(font).horizontalAdvance("So v")) < 1);
+    QVERIFY(runs[2].x - runs[1].x < QFontMetricsF(font).horizontalAdvance("d"));
+    QCOMPARE(lines[1].runs[0].x, 0.0);
+  }
+
   void emptySentence_hasAtMostAnEmptyLine() {
     SentenceBreaker breaker;
     QVERIFY(texts(breaker.lines({}, fontOf(16), 100)).join(QString()).isEmpty());
