@@ -263,7 +263,7 @@ void MainWindow::showNearby() {
   if (!m_nearby || hidesNumbers())
     return m_caseLine->setNearby({});
   m_caseLine->setNearby(
-      tr("Nearest special case, a move of %1 away: %2", "%1 a length: 3")
+      tr("Nearest special case, %1 away: %2", "%1 a length: 3")
           .arg(wayText(m_nearby->distance), unbroken(QString::fromStdString(m_nearby->sentence))));
 }
 

@@ -63,7 +63,7 @@ std::string face(const Given<Object> &box, std::size_t index) {
   Rational at = box.object[0][static_cast<int>(axis)];
   if (isFar)
     at += box.object[axis + 1].x;
-  return words("the face {axis} {value}", {{"axis", axes.at(axis)}, {"value", relatedText(Term(at))}});
+  return words("the face {axis}{value}", {{"axis", axes.at(axis)}, {"value", relatedText(Term(at))}});
 }
 
 std::vector<Mark> draw(const Given<Object> &given) {

@@ -139,7 +139,14 @@ public:
   }
 
 private:
+  static void expectPlainWords(const std::string &sentence) {
+    EXPECT_EQ(sentence.find('\\'), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find('{'), std::string::npos) << "every value is filled in: " << sentence;
+    EXPECT_EQ(sentence.find("  "), std::string::npos) << sentence;
+  }
+
   void checkCase() const {
+    expectPlainWords(outcome().told->description);
     EXPECT_EQ(caseName(), m_expected.caseName);
     EXPECT_EQ(outcome().told->degenerate, m_expected.degenerate);
     EXPECT_FALSE(outcome().told->description.empty());
@@ -202,8 +209,7 @@ private:
       SCOPED_TRACE(line.id + ": " + latexOf(line));
       EXPECT_TRUE(ids.insert(line.id).second) << "an id stands once";
       checkMarksOf(line);
-      EXPECT_EQ(line.sentence.find('\\'), std::string::npos) << "sentences are plain words";
-      EXPECT_EQ(line.sentence.find('{'), std::string::npos) << "every value is filled in";
+      expectPlainWords(line.sentence);
       for (const auto &chain : chainsOf(latexOf(line)))
         checkChain(chain, solutionOf(line));
       checkRelations(line);
@@ -471,7 +477,7 @@ private:
   void checkNearby() const {
     for (const SpecialCase &special : *outcome().nearby) {
       SCOPED_TRACE(special.when + ": " + special.sentence);
-      EXPECT_EQ(special.sentence.find('{'), std::string::npos) << "every letter is filled in";
+      expectPlainWords(special.sentence);
       const auto conditions = parseConditions(special.when);
       ASSERT_TRUE(conditions) << conditions.problem().sentence;
       const Task task{special.sentence, *conditions};

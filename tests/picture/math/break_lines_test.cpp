@@ -110,6 +110,17 @@ TEST(BreakLines, InsideParentheses_ALineEndsBehindACommaRatherThanBeforeASign) {
   EXPECT_EQ(lineAt(broken, letterIn(broken, 'g').y), 2U);
 }
 
+TEST(BreakLines, APlusThatLeavesALineHalfEmpty_IsBetterThanATimesThatFillsIt) {
+  for (const char *latex : {"abcd+efg\\cdot hijk", "(abcd+efg\\cdot hijk)"}) {
+    LineRules rules = width(6);
+    rules.indent = 0;
+    const Layout broken = breakLines(laidOut(latex), rules);
+    ASSERT_EQ(broken.lines.size(), 2U) << latex;
+    EXPECT_EQ(lineAt(broken, letterIn(broken, 'd').y), 0U) << latex;
+    EXPECT_EQ(lineAt(broken, letterIn(broken, 'e').y), 1U) << latex;
+  }
+}
+
 TEST(BreakLines, BetweenStatements_IsBetterThanBeforeARelation) {
   const Layout broken = breakLines(laidOut("s=1,\\quad t=2"), width(5));
   ASSERT_EQ(broken.lines.size(), 2U);

@@ -101,8 +101,11 @@ TEST(Breaks, BehindACommaInParentheses_AreBetterThanBeforeASignThere) {
 }
 
 TEST(Breaks, InsideParentheses_AreTheWorst) {
-  for (const char *latex : {"a=b", "a-b", "a\\times b"})
+  for (const char *latex : {"a=b", "a-b"})
     EXPECT_EQ(secondBreak(latex, 1), Break::Inside) << latex;
+  EXPECT_EQ(secondBreak("a\\times b", 1), Break::InsideProduct);
+  EXPECT_LT(Break::Product, Break::Inside);
+  EXPECT_LT(Break::Inside, Break::InsideProduct);
 }
 
 TEST(Breaks, BeforeLettersAndSignsOfTheirOwn_AreNever) {

@@ -10,7 +10,7 @@ namespace {
 
 /// What it costs to break where one should rather not, counted in widths of a line: a line may be left this
 /// much emptier to be broken at a better place.
-constexpr std::array<double, 6> costs{0, 0.4, 0.9, 1.2, 1.4, 1.7};
+constexpr std::array<double, 7> costs{0, 0.4, 0.9, 1.5, 1.6, 1.9, 2.5};
 
 /// A relation that stands further right than this part of the line has no others below it.
 constexpr double furthestRelation = 0.25;

@@ -71,7 +71,8 @@ enum class Break : std::uint8_t {
   Sign,      ///< before + or −
   Product,   ///< before · or another operation
   Entry,     ///< behind a comma inside parentheses
-  Inside,    ///< a relation or an operation there
+  Inside,    ///< before a relation, + or − there
+  InsideProduct,
   Never
 };
 

@@ -84,11 +84,11 @@ Break breakBefore(const RowAtom &atom, int parentheses, std::optional<AtomClass>
     return Break::Entry;
   if (atom.atomClass != AtomClass::Rel && atom.atomClass != AtomClass::Bin)
     return Break::Never;
+  const bool isRelation = atom.atomClass == AtomClass::Rel;
+  const bool isProduct = !isRelation && signs.find(characterOf(*atom.node)) == std::u32string_view::npos;
   if (parentheses > 0)
-    return Break::Inside;
-  if (atom.atomClass == AtomClass::Rel)
-    return Break::Relation;
-  return signs.find(characterOf(*atom.node)) != std::u32string_view::npos ? Break::Sign : Break::Product;
+    return isProduct ? Break::InsideProduct : Break::Inside;
+  return isRelation ? Break::Relation : isProduct ? Break::Product : Break::Sign;
 }
 
 } // namespace halfspace::math
