@@ -99,6 +99,7 @@ MainWindow::MainWindow(LessonLibrary library)
       reopenQuestion();        // so was the answer
     progress().tasks.arrive(); // other numbers are no deed of the learner
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
+    m_scene->showAnother();
   });
   connect(m_scene, &SceneView::hint, m_card, &NumberCard::setHint);
   connect(m_scene, &SceneView::selectionChanged, this,

@@ -369,6 +369,26 @@ private slots:
     QVERIFY(fixture.model().session() == before);
   }
 
+  void newNumbers_afterLookingAround_areFittedIntoTheView() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.goToLine("length");
+    const auto seesAll = [&] {
+      const std::vector<Place> places = placesOf(fixture.model().shown().figure);
+      return std::all_of(places.begin(), places.end(), [&](const Place &place) {
+        return fixture.scene().rect().contains(fixture.pixelOf(place));
+      });
+    };
+    for (int i = 0; i < 15; ++i) {
+      QWheelEvent nearer({20, 20}, fixture.scene().mapToGlobal(QPoint(20, 20)), {}, {0, 120}, Qt::NoButton,
+                         Qt::NoModifier, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&fixture.scene(), &nearer);
+    }
+    QVERIFY(!seesAll());
+    QTest::mouseClick(fixture.practice().findChild<QToolButton *>("newNumbers"), Qt::LeftButton);
+    QVERIFY(seesAll());
+  }
+
   void task_trueOnArrival_isDoneOnlyAfterItWasBroughtAbout() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);

@@ -58,6 +58,8 @@ public:
   void goHome();
   void setAxisView(AxisView view);
   void fit();
+  /// Another figure: as the lesson begins, or fitted where the learner had looked around.
+  void showAnother() { m_atHome ? goHome() : fit(); }
   /// Looks along the first plane or triangle of the scene, so that it is seen as a line.
   void lookAlongPlane();
   /// Looks from the start of the first ray in its direction.
