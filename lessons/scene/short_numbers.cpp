@@ -1,7 +1,9 @@
 #include "lessons/scene/short_numbers.h"
 
 #include "lessons/object/corners.h"
+#include "lessons/object/kind.h"
 #include "lessons/object/line.h"
+#include "lessons/object/number.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/polygon.h"
@@ -214,8 +216,10 @@ private:
     return typed.has_value();
   }
 
-  /// Of a kind that nothing more is known of. A number keeps its value: it may be a bound or a step.
+  /// Of a kind that nothing more is known of.
   void drawAny(Object &object) {
+    if (object.kind().binding)
+      return drawFreedoms(object);
     const auto specs = coordinatesOf(object);
     for (std::size_t i = 0; i < specs.size(); ++i)
       switch (specs[i].role) {
@@ -231,6 +235,15 @@ private:
       case CoordinateRole::Number:
         break;
       }
+  }
+
+  /// Where on its host a bound point lies: after sixths of a side or of a direction. Every second one is in
+  /// the triangle, if there is one.
+  void drawFreedoms(Object &bound) {
+    const bool isInside = m_dice.once(2);
+    for (std::size_t i = 0; i < bound.size(); ++i)
+      bound[i].x = {isInside ? m_dice.between(1, 3) : m_dice.between(-2, 8), 6};
+    bound.kind().settle(bound);
   }
 
   void draw(PlaneObject &plane) {
@@ -499,11 +512,15 @@ std::vector<Object *> objectsOf(Scene &scene) {
   return objects;
 }
 
+/// A plain number does: it may be a bound or a step.
+bool keepsItsNumbers(const Entry &entry) {
+  const auto *object = std::get_if<Object>(&entry.content);
+  return !object || kindOf(*object) == NumberObject::kind;
+}
+
 bool differEverywhere(const Scene &a, const Scene &b) {
   return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(),
-                    [](const Entry &x, const Entry &y) {
-                      return std::holds_alternative<ConstructionUse>(x.content) || !(x == y);
-                    });
+                    [](const Entry &x, const Entry &y) { return keepsItsNumbers(x) || !(x == y); });
 }
 
 std::size_t lengthOf(const Surd &number) {
@@ -529,33 +546,49 @@ std::size_t lengthOf(const std::vector<NamedValue> &values) {
   return length;
 }
 
-/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one.
+/// Keeps the shortest of the first few scenes.
+class Shortest {
+public:
+  [[nodiscard]] bool isFull() const { return m_count == comparedScenes; }
+  void compare(Scene scene, std::size_t length) {
+    if (isFull())
+      return;
+    ++m_count;
+    if (!m_scene || length < m_length) {
+      m_scene = std::move(scene);
+      m_length = length;
+    }
+  }
+  [[nodiscard]] const std::optional<Scene> &scene() const { return m_scene; }
+
+private:
+  std::optional<Scene> m_scene;
+  std::size_t m_length = 0;
+  int m_count = 0;
+};
+
+/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one: of those of
+/// which the same is told beside numbers, where there are such.
 std::optional<Scene> renewed(const Scene &before, Dice &dice) {
-  const auto caseOf = [](const Evaluation &evaluation) {
-    return *evaluation.lastConstruction()->outcome->told;
-  };
   const Evaluation start = evaluate(before);
   if (!start.lastConstruction())
     return before; // nothing is shown as the result
-  const CaseWords present = caseOf(start);
-  std::optional<Scene> best;
-  std::size_t shortest = 0;
-  for (int tried = 0, compared = 0; tried < mostNumbersTried && compared < comparedScenes; ++tried) {
+  const Outcome &present = *start.lastConstruction()->outcome;
+  const std::vector<std::string> lines = present.explanation->ids();
+  Shortest alike;
+  Shortest others;
+  for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
     Scene scene = before;
     renewAll(objectsOf(scene), dice);
     const Evaluation evaluation = evaluate(scene);
-    const CaseWords told = caseOf(evaluation);
-    if (told.degenerate || !differEverywhere(scene, before) ||
-        (!present.degenerate && told.name != present.name))
+    const Outcome &outcome = *evaluation.lastConstruction()->outcome;
+    if (outcome.told->degenerate || !differEverywhere(scene, before) ||
+        (!present.told->degenerate && outcome.told->name != present.told->name))
       continue;
-    ++compared;
-    if (const std::size_t length = lengthOf(*evaluation.lastConstruction()->outcome->values);
-        !best || length < shortest) {
-      best = std::move(scene);
-      shortest = length;
-    }
+    Shortest &kept = present.told->degenerate || outcome.explanation->ids() == lines ? alike : others;
+    kept.compare(std::move(scene), lengthOf(*outcome.values));
   }
-  return best;
+  return alike.scene() ? alike.scene() : others.scene();
 }
 
 } // namespace

@@ -8,9 +8,10 @@
 namespace halfspace {
 
 /// The scene with other coordinates: whole numbers of one digit, chosen so that the last construction's case
-/// stays what it was, or is an ordinary one where it was degenerate, and so that its results are short. What
-/// meets does so at whole points, and normals are as long as whole numbers say. The same seed gives the same
-/// numbers everywhere.
+/// stays what it was, or is an ordinary one where it was degenerate, and so that its results are short. It
+/// has the same lines too, where chance allows: what a lesson says of them goes on to hold. What meets does
+/// so at whole points, and normals are as long as whole numbers say. The same seed gives the same numbers
+/// everywhere.
 ///
 /// A scene whose constructions allow nothing of that kind keeps its numbers.
 [[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed);

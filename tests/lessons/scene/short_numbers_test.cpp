@@ -105,6 +105,21 @@ TEST(ShortNumbers, everyCaseOfEveryConstruction_isKept_withShortCoordinatesAndRe
   }
 }
 
+/// The words of a lesson would no longer hold else.
+TEST(ShortNumbers, ofEveryLesson_areOthersWithTheSameLines) {
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
+    SCOPED_TRACE(lesson.id);
+    const Evaluation before = evaluate(lesson.scene);
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const Scene renewed = withShortNumbers(lesson.scene, seed);
+      EXPECT_FALSE(shareAnObject(renewed, lesson.scene)) << textOf(renewed);
+      const Evaluation after = evaluate(renewed);
+      EXPECT_EQ(lastOutcome(after).explanation->ids(), lastOutcome(before).explanation->ids())
+          << textOf(renewed);
+    }
+  }
+}
+
 TEST(ShortNumbers, again_areOthers) {
   Scene scene = distanceScene();
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
