@@ -4,6 +4,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QToolButton>
 
@@ -29,6 +30,7 @@ BlankField::BlankField(int letters, QWidget *parent)
   inside->addStretch();
   inside->addWidget(m_show);
   setFocusProxy(m_edit);
+  m_edit->installEventFilter(this);
   setWidth();
 }
 
@@ -42,6 +44,17 @@ void BlankField::changeEvent(QEvent *event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
     setWidth();
+}
+
+/// While there is no text to move in, Ctrl+Right and its like are the window's shortcuts, as everywhere else.
+bool BlankField::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() != QEvent::ShortcutOverride || !m_edit->text().isEmpty())
+    return QWidget::eventFilter(watched, event);
+  const auto &key = static_cast<const QKeyEvent &>(*event);
+  if (!key.matches(QKeySequence::MoveToNextWord) && !key.matches(QKeySequence::MoveToPreviousWord))
+    return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
 }
 
 void BlankField::setQuestion(const QString &question) {

@@ -126,7 +126,7 @@ void WorkingPractice::showScore() {
   constexpr QChar figureSpace(0x2007); // as wide as a digit: nothing moves from 9 to 10
   const int digits = static_cast<int>(QString::number(asked).size());
   m_score->setText(
-      tr("1st try: %1/%n", "lines that were filled in right", asked).arg(right, digits, 10, figureSpace));
+      tr("%1/%n right", "lines that were filled in right", asked).arg(right, digits, 10, figureSpace));
   m_score->setAccessibleName(
       tr("%1 of %n right at the first try", "lines that were filled in", asked).arg(right));
   m_score->setVisible(asked > 0 && !m_hidden);

@@ -55,6 +55,23 @@ private slots:
     QCOMPARE(edit(field).text(), QString("10"));
   }
 
+  void keysThatMoveByWords_areShortcutsOfTheWindowWhileThereIsNoText() {
+    BlankField field(12);
+    const auto isTaken = [&](Qt::Key key, Qt::KeyboardModifiers modifiers) {
+      QKeyEvent asked(QEvent::ShortcutOverride, key, modifiers);
+      asked.ignore();
+      QApplication::sendEvent(&edit(field), &asked);
+      return asked.isAccepted();
+    };
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Right}) {
+      edit(field).clear();
+      QVERIFY(!isTaken(key, Qt::ControlModifier));
+      QVERIFY(isTaken(key, Qt::NoModifier));
+      edit(field).setText("10");
+      QVERIFY(isTaken(key, Qt::ControlModifier));
+    }
+  }
+
   void showButton_asksForTheLineByClickAndByKey() {
     BlankField field(12);
     field.show();
