@@ -19,7 +19,8 @@ namespace halfspace {
 
 namespace {
 
-// In pixels.
+// In pixels, at the usual size of text.
+constexpr QSize smallestButton(64, 24);
 constexpr int margin = 20;
 constexpr int footMargin = 10;
 constexpr int blockGap = 10;
@@ -55,7 +56,6 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   setAutoFillBackground(true);
   auto *content = new QWidget;
   m_page = new QVBoxLayout(content);
-  m_page->setSpacing(blockGap);
   makeHead(*m_page, practice);
   m_blocks = new QWidget;
   m_page->addWidget(m_blocks);
@@ -88,14 +88,13 @@ void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
   m_stepTitle = plainLabel();
   m_stepTitle->setWordWrap(true);
   auto *above = new FlowLayout;
-  above->setSpacing(headSpacing);
+  m_above = above;
   above->addWidget(m_stepNumber);
   above->addWidget(&practice);
-  auto *head = new QVBoxLayout;
-  head->setSpacing(headGap);
-  head->addLayout(above);
-  head->addWidget(m_stepTitle);
-  layout.addLayout(head);
+  m_head = new QVBoxLayout;
+  m_head->addLayout(above);
+  m_head->addWidget(m_stepTitle);
+  layout.addLayout(m_head);
 }
 
 void LessonPage::makeFoot(QBoxLayout &layout) {
@@ -104,7 +103,7 @@ void LessonPage::makeFoot(QBoxLayout &layout) {
   m_next->setObjectName("next");
   m_dots = new StepDots;
   auto *foot = new QHBoxLayout;
-  foot->setContentsMargins(margin, footMargin, margin, footMargin);
+  m_foot = foot;
   foot->addWidget(m_back);
   foot->addStretch(1);
   foot->addWidget(m_dots);
@@ -174,7 +173,7 @@ void LessonPage::makeBlocks() {
   auto *blocks = new QWidget;
   auto *column = new QVBoxLayout(blocks);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(blockGap);
+  column->setSpacing(scaled(blockGap));
   for (const StepBlock &block : stepOf(m_lesson, m_step).blocks)
     column->addWidget(std::visit([this](const auto &each) { return blockOf(each); }, block));
   delete m_page->replaceWidget(m_blocks, blocks);
@@ -262,7 +261,7 @@ void LessonPage::setTheme(const Theme &theme) {
   QPalette background = palette();
   background.setColor(QPalette::Window, toQColor(theme.panel));
   setPalette(background);
-  setMargins();
+  setGaps();
   setInk(*m_stepNumber, theme.mutedInk);
   setInk(*m_stepTitle, theme.ink);
   QFont titleFont = font();
@@ -287,13 +286,27 @@ void LessonPage::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
 }
 
+int LessonPage::scaled(int pixels) const { return qRound(pixels * m_theme.textScale); }
+
+void LessonPage::setGaps() {
+  m_page->setSpacing(scaled(blockGap));
+  if (QLayout *column = m_blocks->layout())
+    column->setSpacing(scaled(blockGap));
+  m_above->setSpacing(scaled(headSpacing));
+  m_head->setSpacing(scaled(headGap));
+  m_foot->setContentsMargins(scaled(margin), scaled(footMargin), scaled(margin), scaled(footMargin));
+  for (QPushButton *button : {m_back, m_next})
+    button->setMinimumSize(smallestButton * m_theme.textScale);
+  setMargins();
+}
+
 void LessonPage::setMargins() {
   const QScrollBar &bar = *m_scroll->verticalScrollBar();
   const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
-  const int side = std::max({margin, bar.sizeHint().width(), (width() - longestLine) / 2});
+  const int side = std::max({scaled(margin), bar.sizeHint().width(), (width() - longestLine) / 2});
   // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
   const int right = side - (bar.maximum() > 0 ? bar.sizeHint().width() : 0);
-  m_page->setContentsMargins(side, margin / 2, right, margin / 2);
+  m_page->setContentsMargins(side, scaled(margin) / 2, right, scaled(margin) / 2);
 }
 
 } // namespace halfspace

@@ -11,6 +11,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QScrollArea;
 
@@ -69,6 +70,8 @@ private:
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
   void showStep();
   /// So that no line of words gets too long.
+  [[nodiscard]] int scaled(int pixels) const;
+  void setGaps();
   void setMargins();
   void showNextButton();
   void goOn();
@@ -93,6 +96,9 @@ private:
   QLabel *m_stepTitle = nullptr;
   QScrollArea *m_scroll = nullptr;
   QBoxLayout *m_page = nullptr;
+  QBoxLayout *m_head = nullptr;
+  QLayout *m_above = nullptr; ///< the title
+  QLayout *m_foot = nullptr;
   QWidget *m_blocks = nullptr;
   // Of the step that is shown:
   std::vector<SetWords> m_words;

@@ -265,7 +265,7 @@ private slots:
     QCOMPARE(practice.score(), QString());
     practice.choose("All blank");
     QCOMPARE(practice.score(), QString("0/2 right")); // the vector asks for nothing
-    answer(practice.fields().first(), "abc");            // no answer
+    answer(practice.fields().first(), "abc");         // no answer
     answer(practice.fields().first(), "30");
     QCOMPARE(practice.score(), QString("1/2 right"));
     answer(practice.fields().first(), "30"); // wrong
