@@ -3,6 +3,7 @@
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
+#include "lessons/construction/name_rows.h"
 #include "lessons/construction/product_signs.h"
 #include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
@@ -456,21 +457,6 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
   return all;
 }
 
-/// word0 … word7: as many as there are edges at most.
-std::vector<std::string> numbered(const std::string &word) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < mostCorners; ++i)
-    names.push_back(word + std::to_string(i));
-  return names;
-}
-
-std::vector<std::string> joined(std::vector<std::vector<std::string>> lists) {
-  std::vector<std::string> all;
-  for (std::vector<std::string> &each : lists)
-    std::move(each.begin(), each.end(), std::back_inserter(all));
-  return all;
-}
-
 /// The lines of the edges stand together edge by edge.
 std::vector<std::string> lineNames() {
   std::vector<std::string> names{"moment"};
@@ -485,7 +471,10 @@ std::vector<std::string> lineNames() {
 Construction ray_polygon_pluecker() {
   return makeConstruction<In, Out, PolygonObject, RayObject>(
       "ray-polygon-pluecker", {"W", "L"}, {{"I", "point"}},
-      joined({{"m", "S", "n", "t", "ρ", "σ", "τ"}, numbered("e"), numbered("m"), numbered("p")}),
+      joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},
+              numbered("e", mostCorners),
+              numbered("m", mostCorners),
+              numbered("p", mostCorners)}),
       {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "not-planar",
                  "not-convex"},
        .values = {named::list("products", mostCorners), named::number("sum"),
@@ -493,7 +482,7 @@ Construction ray_polygon_pluecker() {
                   named::word("location", {"interior", "edge", "vertex", "outside"}), named::index("feature"),
                   named::number("t"), named::vector("point"), named::list("barycentric", 3)},
        .lines = lineNames(),
-       .marks = joined({numbered("p"), {"n", "I"}})},
+       .marks = joined({numbered("p", mostCorners), {"n", "I"}})},
       {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/project_vector.h"
 #include "geometry/solid_shape.h"
 #include "lessons/construction/construction.h"
+#include "lessons/construction/name_rows.h"
 #include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
 #include "lessons/object/drawing.h"
@@ -564,21 +565,6 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
     for (const Contact &contact : at.contacts)
       all.push_back({"origin = on", words("{Q} would lie on the solid.", at.letters), "L",
                      RayObject{contact.crossing.point, in.L.object.direction}});
-  return all;
-}
-
-/// word0, word1 …
-std::vector<std::string> numbered(const std::string &word, std::size_t count) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < count; ++i)
-    names.push_back(word + std::to_string(i));
-  return names;
-}
-
-std::vector<std::string> joined(std::vector<std::vector<std::string>> lists) {
-  std::vector<std::string> all;
-  for (std::vector<std::string> &each : lists)
-    std::move(each.begin(), each.end(), std::back_inserter(all));
   return all;
 }
 

@@ -29,7 +29,7 @@ struct Out : Naming, TriangleTerms {
 
   [[nodiscard]] bool isTriangle() const { return shape == TriangleShape::Proper; }
   [[nodiscard]] bool hasAngle() const { return perps.uu != 0 && perps.vv != 0; }
-  /// Whether u and v lie along one line, either way round.
+  /// Whether u and v lead opposite ways along one line.
   [[nodiscard]] bool areOpposite() const { return !isTriangle() && perps.uv < 0; }
 };
 
