@@ -387,6 +387,7 @@ void MainWindow::restoreSettings() {
   m_practice->setUsual(settings.blank);
   m_model.setSnapStep(settings.snapStep);
   m_ownLessons = settings.ownLessons;
+  m_flat->unfolded().setChecked(settings.flatPicture);
   restoreState(settings.panels);
   m_isSplitChosen = m_split->restoreState(settings.split);
   sharePage();
@@ -399,6 +400,7 @@ void MainWindow::storeSettings() {
   settings.blank = m_practice->usual();
   settings.snapStep = m_model.snapStep();
   settings.ownLessons = m_ownLessons;
+  settings.flatPicture = m_flat->unfolded().isChecked();
   if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
     settings.sizeScale = m_sizeScale;
   setFullScreen(false); // the next start is a window again

@@ -29,6 +29,7 @@ Settings settingsFrom(const QJsonObject &json) {
   if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
     settings.sizeScale = scale.toDouble();
   settings.ownLessons = json["ownLessons"].toString();
+  settings.flatPicture = json["flatPicture"].toBool(settings.flatPicture);
   settings.window = bytesIn(json["window"]);
   settings.panels = bytesIn(json["panels"]);
   settings.split = bytesIn(json["split"]);
@@ -64,6 +65,7 @@ std::optional<Problem> writeSettings(const Settings &settings, const QString &fi
                    {"motion", settings.motion},
                    {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
                    {"ownLessons", settings.ownLessons},
+                   {"flatPicture", settings.flatPicture},
                    {"window", textOf(settings.window)},
                    {"panels", textOf(settings.panels)},
                    {"split", textOf(settings.split)},

@@ -21,6 +21,7 @@ struct Settings {
   Rational snapStep = 1;           ///< in which handles move
   QByteArray panels;               ///< their arrangement, as Qt saves it
   QString ownLessons{};            ///< a folder of the user's own lessons; empty for none
+  bool flatPicture = true;         ///< unfolded, where a lesson has one
   QByteArray split;                ///< between scene and page, likewise; empty: as it suits the window
   bool operator==(const Settings &) const = default;
 };

@@ -193,6 +193,21 @@ private slots:
     QCOMPARE(next.split().sizes(), mine);
   }
 
+  void flatPicture_thatWasFolded_staysSoForTheNextStart() {
+    for (const bool unfolded : {false, true}) {
+      {
+        WindowFixture fixture("ray-plane-picture");
+        QVERIFY(fixture.ready);
+        QCOMPARE(fixture.action(Qt::Key_6)->isChecked(), !unfolded);
+        fixture.action(Qt::Key_6)->trigger();
+        QVERIFY(fixture.window.close());
+      }
+      WindowFixture next("ray-plane-picture");
+      QCOMPARE(next.action(Qt::Key_6)->isChecked(), unfolded);
+      QVERIFY(next.window.close());
+    }
+  }
+
   void type_thatGrows_getsAWiderPage_andLeavesHalfToTheScene() {
     PageFixture fixture;
     QVERIFY(fixture.ready);

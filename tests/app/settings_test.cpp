@@ -49,6 +49,8 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   settings.sizeScale = 1.75;
   settings.window = QByteArray("\0\xFFgeometry", 10);
   settings.snapStep = Rational(1, 4);
+  settings.ownLessons = "/somewhere/über";
+  settings.flatPicture = false;
   settings.panels = "panels";
   settings.split = QByteArray("\xFF\0split", 7);
   ASSERT_FALSE(writeSettings(settings, file));
@@ -102,8 +104,10 @@ TEST_F(SettingsFile, WithASnapStepThatIsNone_KeepsTheUsualOne) {
 }
 
 TEST_F(SettingsFile, WithOtherFieldsOfTheWrongKind_KeepsTheUsualOnes) {
-  EXPECT_EQ(readFrom(R"({"theme":5,"motion":"no","window":7,"panels":null,"split":3,"unknown":{}})"),
-            Settings());
+  EXPECT_EQ(
+      readFrom(
+          R"({"theme":5,"motion":"no","window":7,"panels":null,"split":3,"flatPicture":"no","unknown":{}})"),
+      Settings());
   EXPECT_EQ(readFrom("{}"), Settings());
 }
 

@@ -93,11 +93,11 @@ TEST(Colours, OfAMiddleFence_AreThoseAroundIt) {
 }
 
 /// What may begin a line, atom by atom: S statement, R relation, + sign, * product,
-/// `,` entry, ( inside, - never.
+/// `,` entry, ( inside, ) a product inside, - never.
 std::string breaksOf(const std::string &latex) {
   std::string text;
   for (const Piece &piece : laidOut(latex).pieces)
-    text += "SR+*,(-"[static_cast<std::size_t>(piece.before)];
+    text += "SR+*,()-"[static_cast<std::size_t>(piece.before)];
   return text;
 }
 
@@ -105,6 +105,7 @@ TEST(Pieces, OfARow_SayWhereItsLinesCanBeBroken) {
   EXPECT_EQ(breaksOf("a=b+c\\cdot d"), "-R-+-*-");
   EXPECT_EQ(breaksOf("(a+b)=c"), "--(--R-");
   EXPECT_EQ(breaksOf("|a-b|-c"), "--(--+-");
+  EXPECT_EQ(breaksOf("(a\\cdot b)"), "--)--");
   EXPECT_EQ(breaksOf("\\left(a+b\\right)-c"), "-+-") << "one atom";
 }
 

@@ -66,13 +66,13 @@ struct TagBox {
 
 /// What may begin a line. The better, the smaller.
 enum class Break : std::uint8_t {
-  Statement, ///< behind a wide space, which sets statements apart
-  Relation,  ///< before a relation
-  Sign,      ///< before + or −
-  Product,   ///< before · or another operation
-  Entry,     ///< behind a comma inside parentheses
-  Inside,    ///< before a relation, + or − there
-  InsideProduct,
+  Statement,     ///< behind a wide space, which sets statements apart
+  Relation,      ///< before a relation
+  Sign,          ///< before + or −
+  Product,       ///< before · or another operation
+  Entry,         ///< behind a comma inside parentheses
+  Inside,        ///< before a relation, + or − there
+  InsideProduct, ///< before an operation there
   Never
 };
 
