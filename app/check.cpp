@@ -3,7 +3,7 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/lesson_picture.h"
 #include "lessons/lesson/name_check.h"
-#include "lessons/reading/document.h"
+#include "lessons/lesson/words_check.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -17,9 +17,13 @@
 namespace halfspace {
 namespace {
 
-LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
+bool isFolder(const std::filesystem::path &path) {
   std::error_code error;
-  if (std::filesystem::is_directory(fileOrFolder, error))
+  return std::filesystem::is_directory(path, error);
+}
+
+LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
+  if (isFolder(fileOrFolder))
     return readLessons(fileOrFolder);
   auto lesson = readLesson(fileOrFolder);
   if (!lesson)
@@ -68,27 +72,10 @@ void addIfNotShown(const std::string &picture, const LessonWords &piece, const L
                         piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
 }
 
-/// Blocks of code that were perhaps meant to be instructions: ```tusk.
-void addBlocksNearlyKnown(const LessonWords &piece, const Lesson &lesson, std::vector<Problem> &problems) {
-  const std::vector<std::string> known{"lines", "note", "task", "predict", "blank", "draw"};
-  constexpr std::string_view fence = "```";
-  for (auto place = piece.text.find(fence); place != std::string::npos;
-       place = piece.text.find(fence, place + fence.size())) {
-    const auto begin = place + fence.size();
-    const std::string word(
-        trimmed(std::string_view(piece.text).substr(begin, piece.text.find('\n', begin) - begin)));
-    if (!nearestOf(word, known).empty())
-      problems.push_back(
-          {withGuess(words("There is no block “{word}”.", {{"word", shortened(word)}}), word, known),
-           lesson.file, piece.lineAt(place), piece.field});
-  }
-}
-
 /// What in a lesson's words would not be seen as it is meant: formulas that cannot be read, each with its
 /// line and the column within it, and pictures.
 void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
   for (const LessonWords &piece : wordsOf(lesson)) {
-    addBlocksNearlyKnown(piece, lesson, problems);
     const auto markdown = readMarkdown(piece.text);
     if (!markdown)
       continue; // such a lesson is not read
@@ -102,14 +89,64 @@ void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
   }
 }
 
+void addIds(const LessonLibrary &library, std::vector<std::string> &ids) {
+  for (const Lesson &lesson : library.lessons)
+    ids.push_back(lesson.id);
+  for (const Problem &problem : library.problems) // of a lesson that cannot be read, but may well be needed
+    ids.push_back(std::filesystem::path(problem.file).stem().string());
+}
+
+/// Holds lessons against the others that there are: those of their folder and the program's own.
+class LibraryCheck {
+public:
+  LibraryCheck(const LessonLibrary &beside, const LessonLibrary &ours) : m_ours(ours) {
+    addIds(beside, m_ids);
+    addIds(ours, m_ids);
+    // A folder with all of the program's lessons is where they come from.
+    m_isOurs = std::ranges::all_of(ours.lessons,
+                                   [&](const Lesson &lesson) { return beside.find(lesson.id) != nullptr; });
+  }
+
+  void addProblems(const Lesson &lesson, std::vector<Problem> &problems) const {
+    if (!m_isOurs && m_ours.find(lesson.id))
+      problems.push_back(
+          {words("A lesson of the program has the id “{id}” already, and this one would be left "
+                 "out beside it. Give it its own.",
+                 {{"id", lesson.id}}),
+           lesson.file, lesson.idLine, "id"});
+    for (std::size_t i = 0; i < lesson.needs.size(); ++i)
+      if (std::ranges::find(m_ids, lesson.needs[i]) == m_ids.end())
+        problems.push_back(
+            {withGuess(words("There is no lesson “{id}”.", {{"id", shortened(lesson.needs[i])}}),
+                       lesson.needs[i], m_ids),
+             lesson.file, lesson.needsLines[i], "needs"});
+  }
+
+private:
+  const LessonLibrary &m_ours;
+  std::vector<std::string> m_ids;
+  bool m_isOurs = false;
+};
+
 } // namespace
 
-Checked checkLessons(const std::filesystem::path &fileOrFolder) {
+std::vector<Problem> problemsIn(const Lesson &lesson) {
+  std::vector<Problem> problems = problemsWithWords(lesson);
+  addUnreadable(lesson, problems);
+  std::ranges::move(problemsWithNames(lesson), std::back_inserter(problems));
+  std::ranges::stable_sort(problems, {}, &Problem::line);
+  return problems;
+}
+
+Checked checkLessons(const std::filesystem::path &fileOrFolder, const LessonLibrary &ours) {
   LessonLibrary library = libraryOf(fileOrFolder);
+  const LibraryCheck libraryCheck(
+      isFolder(fileOrFolder) ? library : readLessons(std::filesystem::absolute(fileOrFolder).parent_path()),
+      ours);
   Checked checked{library.lessons.size(), std::move(library.problems)};
   for (const Lesson &lesson : library.lessons) {
-    addUnreadable(lesson, checked.problems);
-    std::ranges::move(problemsWithNames(lesson), std::back_inserter(checked.problems));
+    libraryCheck.addProblems(lesson, checked.problems);
+    std::ranges::move(problemsIn(lesson), std::back_inserter(checked.problems));
   }
   std::stable_sort(checked.problems.begin(), checked.problems.end(), [](const Problem &a, const Problem &b) {
     return std::tie(a.file, a.line) < std::tie(b.file, b.line);

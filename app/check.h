@@ -5,12 +5,16 @@
 
 namespace halfspace {
 
-/// What kept lessons of this file, or of the files of this folder, from being read, and the formulas in their
-/// words that cannot be.
+/// What in one lesson would not be seen or found as it is meant, from top to bottom: its words, their
+/// formulas and pictures, and the names that it uses.
+[[nodiscard]] std::vector<Problem> problemsIn(const Lesson &lesson);
+
+/// What kept lessons of a file, or of the files of a folder, from being read, what is wrong in the others,
+/// and how they do not fit to those beside them and to the program's own.
 struct Checked {
   std::size_t lessons = 0; ///< that can be opened
   std::vector<Problem> problems;
 };
-[[nodiscard]] Checked checkLessons(const std::filesystem::path &fileOrFolder);
+[[nodiscard]] Checked checkLessons(const std::filesystem::path &fileOrFolder, const LessonLibrary &ours);
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "lessons/guess.h"
 #include "widgets/picture/theme.h"
 #include "widgets/scene/offscreen.h"
 
@@ -71,7 +72,7 @@ void addOwnLessons(CLI::App &app, OwnLessons &folders) {
 }
 
 void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
-  app.add_option("subject", subject, "A lesson's id or a .halfspace file")->required();
+  app.add_option("subject", subject, "A lesson's id, its .md file or a .halfspace file")->required();
   app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false) // one value each time: what follows it is another word
@@ -119,6 +120,15 @@ Command finishRender(const Arguments &arguments, bool stepGiven) {
   return command;
 }
 
+/// A guess where what stands in the place of a lesson is nearly a command: `explin`; else empty.
+std::string commandMeant(const CLI::App &app, const std::optional<std::string> &subject) {
+  std::vector<std::string> names;
+  for (const CLI::App *command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  const std::string meant = subject ? nearestOf(*subject, names) : std::string();
+  return meant.empty() ? std::string() : " Perhaps the command “" + meant + "” is meant.";
+}
+
 } // namespace
 
 Command parseCommandLine(int argc, const char *const *argv) {
@@ -128,7 +138,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
   app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
   app.footer("Without a command, `halfspace [LESSON|FILE]` opens the window.");
   app.add_option("subject", arguments.window.subject,
-                 "A lesson's id or a .halfspace file to open in the window")
+                 "A lesson's id, its .md file or a .halfspace file to open in the window")
       ->type_name("LESSON|FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
@@ -152,7 +162,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {
     if (error.get_exit_code() != 0)
-      return complaint(std::string(error.what()) + ". Try halfspace --help.");
+      return complaint(std::string(error.what()) + "." + commandMeant(app, arguments.window.subject) +
+                       " Try halfspace --help.");
     std::ostringstream out;
     std::ostringstream unused;
     app.exit(error, out, unused);

@@ -14,8 +14,9 @@ namespace halfspace {
 using OwnLessons = std::vector<std::string>;
 
 struct WindowCommand {
-  std::optional<std::string> subject; ///< a lesson's id or a .halfspace file; nothing: the first lesson
-  OwnLessons ownLessons{};            ///< none: the folder of the settings
+  std::optional<std::string>
+      subject;             ///< a lesson's id, its .md file or a .halfspace file; nothing: the first lesson
+  OwnLessons ownLessons{}; ///< none: the folder of the settings
 };
 
 struct LessonsCommand {

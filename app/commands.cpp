@@ -86,10 +86,11 @@ int runCheck(const CheckCommand &command) {
   std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
   if (paths.empty())
     paths.push_back(lessonsFolder());
+  const LessonLibrary ours = readLessons(lessonsFolder());
   std::size_t lessons = 0;
   std::string lines;
   for (const auto &path : paths) {
-    const Checked checked = checkLessons(path);
+    const Checked checked = checkLessons(path, ours);
     lessons += checked.lessons;
     for (const Problem &problem : checked.problems)
       lines += printable(problem.text()) + "\n";

@@ -1,10 +1,10 @@
 #include "app/main_window.h"
 
+#include "app/check.h"
 #include "app/lessons_folder.h"
 #include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
-#include "lessons/lesson/name_check.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -151,7 +151,7 @@ void MainWindow::reloadLesson() {
   if (lesson->id != m_model.lesson().id)
     return say(tr("The lesson has another id now: it is read at the next start."));
   lesson->chapter = m_model.lesson().chapter;
-  const std::vector<Problem> problems = problemsWithNames(*lesson);
+  const std::vector<Problem> problems = problemsIn(*lesson);
   m_model.renewLesson(std::move(*lesson));
   say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
                        : QString::fromStdString(problems.front().text()));

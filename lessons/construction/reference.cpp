@@ -58,6 +58,8 @@ std::string referenceOfConstructions() {
       "come to. Not every case has every\nvalue, line and mark. A list's numbers are named as "
       "`foot.z` or `coefficients.0`, those in a group as `perp.uu`. Where several\nentries of a "
       "scene have a name, say whose: `distance.f`.\n\n"
+      "An entry that looks at what another makes has one more case, `missing-object`: there is no such "
+      "object in the present case of\nthe other.\n\n"
       "This page is what `halfspace constructions` prints.\n\n";
   for (const Construction &construction : constructions())
     text += sectionOf(construction);

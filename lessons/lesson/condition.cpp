@@ -28,7 +28,7 @@ constexpr std::array relationSigns{RelationSign{"!=", Relation::NotEqual},
 bool isOrder(Relation relation) { return relation != Relation::Equal && relation != Relation::NotEqual; }
 
 Problem notAComparison(std::string_view text) {
-  return {words("“{text}” is not a comparison: write it as side = negative, or t < 0.",
+  return {words("“{text}” is not a comparison: write it as side = negative, or t < 0, with and between two.",
                 {{"text", shortened(text)}}),
           "", 0, ""};
 }
@@ -52,6 +52,47 @@ Result<Condition> parseComparison(std::string_view text) {
     return condition;
   }
   return notAComparison(text);
+}
+
+Result<std::vector<Condition>> parseComparisons(std::string_view text) {
+  constexpr std::string_view joint = " and ";
+  std::vector<Condition> conditions;
+  while (true) {
+    const auto end = text.find(joint);
+    auto condition = parseComparison(trimmed(text.substr(0, end)));
+    if (!condition)
+      return condition.problem();
+    conditions.push_back(std::move(*condition));
+    if (end == std::string_view::npos)
+      return conditions;
+    text.remove_prefix(end + joint.size());
+  }
+}
+
+/// The text with a point in the place of each comma between two digits.
+std::string withDecimalPoints(std::string text) {
+  const auto isDigit = [&](std::size_t at) { return text[at] >= '0' && text[at] <= '9'; };
+  for (std::size_t at = 1; at + 1 < text.size(); ++at)
+    if (text[at] == ',' && isDigit(at - 1) && isDigit(at + 1))
+      text[at] = '.';
+  return text;
+}
+
+/// Conditions as programming languages and books write them, in the signs that are read here.
+std::string inOurSigns(std::string_view text) {
+  struct Sign {
+    std::string_view foreign;
+    std::string_view ours;
+  };
+  constexpr std::array signs{Sign{"==", "="},  Sign{"=<", "<="},       Sign{"=>", ">="},
+                             Sign{"<>", "!="}, Sign{"≤", "<="},        Sign{"≥", ">="},
+                             Sign{"≠", "!="},  Sign{" AND ", " and "}, Sign{"&&", " and "}};
+  std::string meant(text);
+  for (const Sign &sign : signs)
+    meant = replacedAll(meant, sign.foreign, sign.ours);
+  while (meant.find("  ") != std::string::npos)
+    meant = replacedAll(meant, "  ", " ");
+  return withDecimalPoints(meant);
 }
 
 std::optional<Value> findIn(const std::vector<NamedValue> &values, std::string_view name) {
@@ -137,18 +178,14 @@ bool isValueName(std::string_view text) {
 }
 
 Result<std::vector<Condition>> parseConditions(std::string_view text) {
-  constexpr std::string_view joint = " and ";
-  std::vector<Condition> conditions;
-  while (true) {
-    const auto end = text.find(joint);
-    auto condition = parseComparison(trimmed(text.substr(0, end)));
-    if (!condition)
-      return condition.problem();
-    conditions.push_back(std::move(*condition));
-    if (end == std::string_view::npos)
-      return conditions;
-    text.remove_prefix(end + joint.size());
-  }
+  auto conditions = parseComparisons(text);
+  if (conditions)
+    return conditions;
+  const std::string meant = inOurSigns(text);
+  Problem problem = conditions.problem();
+  if (meant != text && parseComparisons(meant))
+    problem.sentence += " " + words("Perhaps “{guess}” is meant.", {{"guess", shortened(meant)}});
+  return problem;
 }
 
 std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson_reader.h"
+#include "lessons/lesson/line_scanner.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
@@ -15,48 +16,6 @@ namespace {
 
 constexpr std::string_view frontMatterFence = "---";
 
-/// A text's lines with their numbers, without their ends.
-class LineScanner {
-public:
-  LineScanner(std::string_view text, int firstLine) : m_rest(text), m_number(firstLine - 1) {}
-
-  bool next() {
-    if (m_rest.empty())
-      return false;
-    const auto end = m_rest.find('\n');
-    m_line = m_rest.substr(0, end);
-    m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-    if (!m_line.empty() && m_line.back() == '\r')
-      m_line.remove_suffix(1);
-    ++m_number;
-    return true;
-  }
-  [[nodiscard]] std::string_view line() const { return m_line; }
-  [[nodiscard]] int number() const { return m_number; }
-  [[nodiscard]] std::string_view rest() const { return m_rest; }
-
-private:
-  std::string_view m_rest;
-  std::string_view m_line;
-  int m_number;
-};
-
-/// The run of ``` or ~~~ that opens or closes a block of code here; empty when there is none.
-std::string_view fenceOf(std::string_view line) {
-  const auto indent = std::min(line.find_first_not_of(' '), line.size());
-  if (indent > 3 || indent == line.size() || (line[indent] != '`' && line[indent] != '~'))
-    return {};
-  line.remove_prefix(indent);
-  const auto run = line.substr(0, std::min(line.find_first_not_of(line.front()), line.size()));
-  return run.size() >= 3 ? run : std::string_view();
-}
-
-bool closes(std::string_view line, std::string_view opening) {
-  const std::string_view fence = fenceOf(line);
-  return fence.size() >= opening.size() && fence.front() == opening.front() &&
-         trimmed(line).size() == fence.size();
-}
-
 /// A fenced block: its word, its text, and itself as it stands.
 struct Fence {
   std::string word;
@@ -64,13 +23,19 @@ struct Fence {
   std::string whole;
 };
 
+/// Whether a line opens the next block while this one is still open. In Markdown it would be of its text, but
+/// no instruction is meant to be.
+bool opensNext(std::string_view line, std::string_view opening) {
+  const auto &known = instructionBlocks();
+  return fenceOf(line).starts_with(opening) &&
+         std::find(known.begin(), known.end(), wordOfFence(line)) != known.end();
+}
+
 Result<Fence> readFence(LineScanner &lines, const std::string &file) {
   const int openedAt = lines.number();
   const std::string opening(fenceOf(lines.line()));
-  const auto after = lines.line().find(opening) + opening.size();
-  Fence fence{
-      std::string(trimmed(lines.line().substr(after))), {"", openedAt + 1}, std::string(lines.line()) + "\n"};
-  while (lines.next()) {
+  Fence fence{std::string(wordOfFence(lines.line())), {"", openedAt + 1}, std::string(lines.line()) + "\n"};
+  while (lines.next() && !opensNext(lines.line(), opening)) {
     fence.whole += std::string(lines.line()) + "\n";
     if (closes(lines.line(), opening))
       return fence;
@@ -182,19 +147,21 @@ Result<LessonParts> splitFrontMatter(std::string_view text, const std::string &f
       return LessonParts{frontMatter, {std::string(lines.rest()), lines.number() + 1}};
     frontMatter.text += std::string(lines.line()) + "\n";
   }
-  return Problem{words("The front matter has no end. Put a line --- behind it."), file, lines.number(), ""};
-}
-
-std::optional<std::string> stepTitle(std::string_view line) {
-  constexpr std::string_view heading = "## ";
-  if (!line.starts_with(heading))
-    return {};
-  return std::string(trimmed(line.substr(heading.size())));
+  return Problem{words("The head that opens here has no end. Put a line --- between it and the first step."),
+                 file, 1, ""};
 }
 
 bool isEmptyWords(const StepBlock &block) {
   const auto *words = std::get_if<StepWords>(&block);
   return words && words->markdown.empty();
+}
+
+/// Why words above the first step cannot stand there.
+std::string whyOfNoStep(std::string_view line) {
+  const auto title = titleMeant(line);
+  return title ? words("This heading begins no step. Perhaps “## {title}” is meant.",
+                       {{"title", shortened(*title)}})
+               : words("These words belong to no step. Put a heading ## above them.");
 }
 
 /// Where a step says nothing of lines, all stand behind its first words.
@@ -235,6 +202,11 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
 
 } // namespace
 
+const std::vector<std::string> &instructionBlocks() {
+  static const std::vector<std::string> names{"lines", "note", "task", "predict", "blank", "draw"};
+  return names;
+}
+
 Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file) {
   std::vector<LessonStep> steps;
   LineScanner lines(block.text, block.firstLine);
@@ -246,8 +218,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
     }
     if (steps.empty()) {
       if (!trimmed(lines.line()).empty())
-        return Problem{words("These words belong to no step. Put a heading ## above them."), file,
-                       lines.number(), ""};
+        return Problem{whyOfNoStep(lines.line()), file, lines.number(), ""};
       continue;
     }
     if (fenceOf(lines.line()).empty()) {
@@ -377,7 +348,7 @@ void addLessons(LessonLibrary &library, const std::filesystem::path &folder) {
     else if (library.find(lesson->id))
       library.problems.push_back(
           {words("Another lesson has the id “{id}” already. Give this one its own.", {{"id", lesson->id}}),
-           file.string(), 0, "id"});
+           file.string(), lesson->idLine, "id"});
     else
       library.lessons.push_back(std::move(*lesson));
   }

@@ -147,6 +147,9 @@ struct Lesson {
   CameraView camera;
   std::optional<FlatPage> flat{}; ///< nothing: there is only the picture in space
   std::vector<LessonStep> steps;
+  // In the file:
+  int idLine = 0;
+  std::vector<int> needsLines{}; ///< of each
 };
 
 /// A piece of a lesson's words, with `$…$` LaTeX.

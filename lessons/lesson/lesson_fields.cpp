@@ -28,6 +28,16 @@ std::vector<std::string> readTexts(const DocumentNode &node, const std::string &
   return texts;
 }
 
+/// The lines of what `readTexts` reads.
+std::vector<int> linesOfTexts(const DocumentNode &node) {
+  if (node.kind == DocumentNode::Kind::Text)
+    return {node.line};
+  std::vector<int> lines;
+  for (const DocumentNode &child : node.children)
+    lines.push_back(child.line);
+  return lines;
+}
+
 CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
   CameraView camera;
   FieldReader fields(node, lesson.file(), "camera");
@@ -161,12 +171,16 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
       {"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera", "flat"});
   Lesson lesson;
   lesson.id = fields.lessonId("id");
+  if (const DocumentNode *id = fields.optional("id"))
+    lesson.idLine = id->line;
   lesson.title = fields.text("title");
   lesson.order = fields.integer("order", 0, highestOrder, 0);
   if (fields.optional("chapter"))
     lesson.chapter = fields.text("chapter");
-  if (const DocumentNode *needs = fields.optional("needs"))
+  if (const DocumentNode *needs = fields.optional("needs")) {
     lesson.needs = readTexts(*needs, "needs", fields);
+    lesson.needsLines = linesOfTexts(*needs);
+  }
   if (const DocumentNode *sources = fields.optional("sources"))
     lesson.sources = readTexts(*sources, "sources", fields);
   if (const DocumentNode *macros = fields.optional("macros"))
@@ -263,7 +277,7 @@ Result<Fading> readFading(const TextBlock &block, const std::string &file) {
   const std::string_view word = trimmed(block.text);
   if (const auto fading = fadingNamed(word))
     return *fading;
-  return Problem{words("“{text}” does not say which lines are blank: write none, last or all.",
+  return Problem{words("“{text}” does not say which lines are blank: write none, gaps, last or all.",
                        {{"text", shortened(word)}}),
                  file, block.firstLine, "blank"};
 }

@@ -11,6 +11,9 @@ struct TextBlock {
   int firstLine = 1;
 };
 
+/// The words behind the fences of blocks that are no code.
+[[nodiscard]] const std::vector<std::string> &instructionBlocks();
+
 /// Reads the front matter into a lesson without steps.
 [[nodiscard]] Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file);
 

@@ -153,8 +153,26 @@ private:
   void check(const Prediction &prediction) {
     if (const std::string sentence = whyNoValue(prediction.value); !sentence.empty())
       return complain(sentence, prediction.valueLine, "answer");
+    const std::size_t before = m_problems.size();
     for (const Prediction::Choice &choice : prediction.choices)
       complain(whyNever({prediction.value, Condition::Relation::Equal, choice.word}), choice.line, "choices");
+    if (m_problems.size() == before) // a choice with a slip was perhaps the right one
+      complain(whyNoneIsRight(prediction), prediction.valueLine, "answer");
+  }
+
+  /// Why no choice is right for the scene as it is at the start; empty where one is.
+  [[nodiscard]] std::string whyNoneIsRight(const Prediction &prediction) const {
+    if (!rightChoice(prediction, m_start).empty())
+      return {};
+    const auto value = findValue(m_start, prediction.value);
+    if (!value)
+      return words("“{value}” has no value at the start: no choice is right there.",
+                   {{"value", prediction.value}});
+    const auto *word = std::get_if<std::string>(&*value);
+    return word ? words("At the start “{value}” is “{word}”, but there is no such choice. Add one.",
+                        {{"value", prediction.value}, {"word", *word}})
+                : words("At the start “{value}” is none of these choices. Add one for what it is there.",
+                        {{"value", prediction.value}});
   }
 
   /// The entry that a name begins with, or null; `rest` is then what follows.

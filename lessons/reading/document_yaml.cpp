@@ -1,4 +1,5 @@
 #include "lessons/reading/document_builder.h"
+#include "lessons/reading/yaml_hint.h"
 #include "lessons/words.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -59,11 +60,22 @@ private:
   int m_firstLine;
 };
 
+/// The problem with what it perhaps comes from. `reason` is the library's.
+Problem withHint(Problem problem, std::string_view text, const std::string &reason, int firstLine) {
+  const YamlHint hint = yamlHint(text, reason, problem.line - firstLine + 1);
+  if (!hint.sentence.empty()) {
+    problem.sentence += " " + hint.sentence;
+    problem.line = firstLine + hint.line - 1;
+  }
+  return problem;
+}
+
 } // namespace
 
 Result<DocumentNode> parseYaml(std::string_view text, const std::string &file, int firstLine, int maxDepth) {
   DocumentBuilder builder(file, maxDepth);
   YamlEvents events(builder, firstLine);
+  std::string reason;
   try {
     std::istringstream stream{std::string(text)};
     YAML::Parser parser(stream);
@@ -72,10 +84,12 @@ Result<DocumentNode> parseYaml(std::string_view text, const std::string &file, i
       builder.refuse(words("Something stands behind the end here. Remove it."), 0);
   } catch (const Stopped &) {
   } catch (const YAML::Exception &exception) {
-    builder.refuse(words("This is not YAML as it should be: {reason}.", {{"reason", exception.msg}}),
+    reason = exception.msg;
+    builder.refuse(words("This is not YAML as it should be: {reason}.", {{"reason", reason}}),
                    events.line(exception.mark));
   }
-  return builder.finish();
+  auto root = builder.finish();
+  return root ? std::move(root) : withHint(root.problem(), text, reason, firstLine);
 }
 
 } // namespace halfspace

@@ -87,8 +87,10 @@ public:
         copy(2);
       else if (character == '`' || beginsTildeFence())
         passCode();
-      else if (character != '$' || !takeFormula())
+      else if (character != '$')
         copy(1);
+      else if (!takeFormula())
+        copyLoneDollar();
     }
     return std::move(m_found);
   }
@@ -97,6 +99,11 @@ private:
   void copy(std::size_t count) {
     m_found.markdown += m_text.substr(m_next, count);
     m_next += count;
+  }
+
+  void copyLoneDollar() {
+    m_found.loneDollars.push_back(m_next);
+    copy(1);
   }
 
   /// Whether ~~~ begins a line here.

@@ -9,6 +9,7 @@ namespace halfspace {
 struct MarkdownWithoutFormulas {
   std::string markdown;
   std::vector<MarkdownFormula> formulas;
+  std::vector<std::size_t> loneDollars{}; ///< the places in the text of those without a partner
 };
 
 /// Requires at most `maxMarkdownBytes`, so that there are characters enough.

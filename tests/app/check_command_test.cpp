@@ -96,7 +96,47 @@ const std::vector<Mistake> &mistakes() {
       {"sources: []", "sources: [&a [x, x], &b [*a, *a], &c [*b, *b]]", 5, "References with * are not read."},
       {"sources: []", "sources: " + std::string(100, '[') + std::string(100, ']'), 5,
        "Lists and maps are nested too deeply"},
-      {"sources: []", "sources: [", 7, "This is not YAML as it should be"},
+      {"sources: []", "sources: [", 5,
+       "This is not YAML as it should be: illegal block entry. Perhaps a ] is missing: this [ is never "
+       "closed."},
+      {"title: My first lesson", "title: Roof: how far", 3,
+       "This is not YAML as it should be: illegal map value. A text with a colon in it needs quotes. Perhaps "
+       "“title: 'Roof: how far'” is meant."},
+      {"P0: [5, 4, 7],", "P0: [5, 4, 7,", 7,
+       "This is not YAML as it should be: illegal flow end. Perhaps a ] is missing: this [ is never closed."},
+      {"title: My first lesson", "title: 'It's mine'", 3,
+       "This is not YAML as it should be: end of map not found. Perhaps a text in quotes has such a quote in "
+       "it: "
+       "write that twice."},
+      {"  - {name: Q", "\t- {name: Q", 8,
+       "This is not YAML as it should be: illegal block entry. Perhaps spaces are meant: this line is "
+       "indented "
+       "by a tab."},
+      {"  - {name: Q", " - {name: Q", 8,
+       "This is not YAML as it should be: end of map not found. Perhaps this line is indented too much or "
+       "too "
+       "little."},
+      {"n: [1, 2, 2]", "n:[1, 2, 2]", 7,
+       "This is not YAML as it should be: end of map flow not found. Perhaps a comma is missing, or the "
+       "space "
+       "behind a colon."},
+      {"[11, 15, 8]}", "[11, 15, 8]]}", 8,
+       "This is not YAML as it should be: illegal flow end. Perhaps there is a ] too many."},
+      {"of: {E: E, Q: Q}}", "of: {E: E, Q: Q}", 9,
+       "A list or a map cannot be a name. Names are plain words. Perhaps a } is missing: this { is never "
+       "closed."},
+      {"height: 21}\n---\n", "height: 21}\n\n", 1, "The head that opens here has no end. Put a line ---"},
+      {"sources: []", "needs: [plain-implicit]", 5,
+       "needs: There is no lesson “plain-implicit”. Perhaps “plane-implicit” is meant."},
+      {"id: base", "id: ray-sphere", 2, "id: A lesson of the program has the id “ray-sphere” already"},
+      {"## Ask first", "# Ask first", 12, "This heading begins no step. Perhaps “## Ask first” is meant."},
+      {"## Give", "# Give", 32, "This heading begins no step. Perhaps “## Give something to do” is meant."},
+      {"between dollars", "as $x^2 in the space", 14, "This $ has no partner in its paragraph."},
+      {"plane is $Q$?", "plane is $Q?", 17, "ask: This $ has no partner in its paragraph."},
+      {"  positive: On the side that $\\vec n$ points to\n", "", 18,
+       "answer: At the start “side” is “positive”, but there is no such choice. Add one."},
+      {"f, side\n```\n", "f, side\n", 28,
+       "The block that opens here is never closed. End it with a line ```."},
       {"{P0: [5, 4, 7], n:", "{P: [5, 4, 7], n:", 7, "scene[0].plane"},
       {"E, plane:", "E, plain:", 7, "scene[0]: It does not say what it is"},
       {"point: [11, 15, 8]", "point: [11, 15]", 8, "scene[1].point: Here three numbers are expected"},
@@ -132,6 +172,13 @@ const std::vector<Mistake> &mistakes() {
       {"signed_distance = 6", "side = upward", 46,
        "when: “side” is never “upward”. It can be: positive, negative, on."},
       {"signed_distance = 6", "signed_distance", 46, "when: “signed_distance” is not a comparison"},
+      {"signed_distance = 6", "signed_distance == 6", 46,
+       "when: “signed_distance == 6” is not a comparison: write it as side = negative, or t < 0, with and "
+       "between two. Perhaps “signed_distance = 6” is meant."},
+      {"signed_distance = 6", "signed_distance > 5,5 && side != on", 46,
+       "when: “signed_distance > 5,5 && side != on” is not a comparison: write it as side = negative, or t < "
+       "0, "
+       "with and between two. Perhaps “signed_distance > 5.5 and side != on” is meant."},
   };
   return all;
 }
@@ -177,9 +224,32 @@ TEST_F(Program, OwnLessons_WithIdsOfOurs_OrInNoFolder_AreToldAndLeftOut) {
   write("mine/a.md", "---\nid: signed-distance" + faultyLesson.substr(faultyLesson.find("\ntitle")));
   const Ran ran = run("lessons --lessons mine --lessons nowhere");
   EXPECT_EQ(ran.status, 0);
-  EXPECT_NE(ran.err.find("mine/a.md: id: Another lesson has the id “signed-distance”"), std::string::npos);
+  EXPECT_NE(ran.err.find("mine/a.md:2: id: Another lesson has the id “signed-distance”"), std::string::npos);
   EXPECT_NE(ran.err.find("nowhere: The folder of lessons cannot be read."), std::string::npos);
   EXPECT_EQ(ran.out.find("Faulty"), std::string::npos);
+}
+
+TEST_F(Program, Check_TellsWhatALessonNeeds_UnlessItIsBesideItOrOfOurs) {
+  ASSERT_EQ(run("new-lesson first").status, 0);
+  const std::string first = contentOf(inFolder("first.md"));
+  const auto needing = [&](const std::string &ids) {
+    return std::string(first)
+        .replace(first.find("id: first"), 9, "id: second")
+        .replace(first.find("sources") + 1, 11, "needs: [" + ids + "]");
+  };
+  write("second.md", needing("first, ray-sphere"));
+  EXPECT_EQ(run("check second.md").status, 0);
+  EXPECT_EQ(run("check .").status, 0);
+  write("first.md", "---\nid: first\n---\n");
+  EXPECT_EQ(run("check second.md").status, 0) << "it is there, with another mistake";
+  write("second.md", needing("ray-sphere, fist"));
+  EXPECT_EQ(run("check second.md").out,
+            "second.md:5: needs: There is no lesson “fist”. Perhaps “first” is meant.\n");
+}
+
+TEST_F(Program, Check_OfAllOurLessonsElsewhere_FindsNothing) {
+  EXPECT_EQ(run("check '" TEST_LESSONS_FOLDER "'").status, 0);
+  EXPECT_EQ(run("check '" TEST_LESSONS_FOLDER "/ray-sphere.md'").status, 0);
 }
 
 TEST_F(Program, Check_OfAFolder_TellsWhatIsWrongInEachFile) {

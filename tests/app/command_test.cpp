@@ -196,6 +196,7 @@ TEST_F(Program, Arguments_ThatItDoesNotKnow_AreRefused) {
   expectRefused("explain", "subject");
   expectRefused("explain signed-distance --format xml", "xml");
   expectRefused("lessons --yaml", "--yaml");
+  expectRefused("explin ray-sphere", "Perhaps the command “explain” is meant. Try halfspace --help.");
   expectRefused("render signed-distance", "--output");
   expectRefused("render signed-distance -o a.png --size 0x10", "--size");
   expectRefused("render signed-distance -o a.png --size wide", "--size");

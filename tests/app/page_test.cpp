@@ -335,7 +335,7 @@ private slots:
     QVERIFY(!list->item(1)->data(Qt::AccessibleTextRole).toString().endsWith("begun"));
   }
 
-  void lessonFile_changed_isReadAnewAtTheSameStep_andADamagedOneIsToldAndLeftOut() {
+  void lessonFile_changed_isReadAnewAtTheSameStep_itsMistakesAreTold_andADamagedOneIsLeftOut() {
     QTemporaryDir folder;
     const QString file = folder.filePath("own.md");
     const auto save = [&](const QByteArray &text) {
@@ -355,8 +355,12 @@ private slots:
     fixture.model().setLibrary(library);
     fixture.model().openLesson("own");
     fixture.model().setStep(1);
-    save(QByteArray(text).replace("## Two", "## Second"));
+    const QByteArray changed = QByteArray(text).replace("## Two", "## Second");
+    save(changed);
     QTRY_COMPARE(fixture.model().step().title, std::string("Second"));
+    save(QByteArray(changed).replace("Words.", "Words $\\foo$."));
+    QTRY_VERIFY(
+        fixture.window.findChild<QLabel *>("message")->text().contains("own.md:8: In “\\foo”, column 1"));
     save("no lesson at all");
     QTRY_VERIFY(fixture.window.findChild<QLabel *>("message")->text().contains("own.md"));
     QCOMPARE(fixture.model().step().title, std::string("Second"));

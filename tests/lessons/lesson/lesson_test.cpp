@@ -205,7 +205,7 @@ TEST(Lesson, ABlankBlock_SaysWhichLinesAreLeftToTheLearner) {
   EXPECT_EQ(lesson->steps[2].blank, std::nullopt);
   const Problem problem = problemOf(frontMatter + "## One\n```blank\nsome\n```\n");
   EXPECT_EQ(problem.line, 14);
-  EXPECT_NE(problem.sentence.find("none, last or all"), std::string::npos);
+  EXPECT_NE(problem.sentence.find("none, gaps, last or all"), std::string::npos);
 }
 
 TEST(Lesson, AHeadingInABlockOfCode_IsNoStep) {
@@ -226,7 +226,7 @@ TEST(Lesson, WithWindowsLineEndsAndAByteOrderMark_IsReadTheSame) {
 
 TEST(LessonProblems, InTheFrame_NameTheLine) {
   EXPECT_EQ(problemOf("# A title\n").line, 1);
-  EXPECT_EQ(problemOf("---\nid: x\n").line, 2);
+  EXPECT_EQ(problemOf("---\nid: x\n").line, 1);
   EXPECT_EQ(problemOf(frontMatter + "\nloose words\n## One\n").line, 13);
   problemOf(frontMatter);
   EXPECT_EQ(problemOf(frontMatter + "## One\n```task\ndo: x\n").line, 13);

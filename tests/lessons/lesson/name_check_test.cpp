@@ -47,7 +47,9 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
   EXPECT_EQ(problemsIn(draw("H, d.F, E.n, Q, facing, P0")), Texts{});
   EXPECT_EQ(problemsIn(task("d.side = on and t < 1/2 and point.z = 0 and facing_normal.2 != 1")), Texts{});
   EXPECT_EQ(problemsIn(task("case = missing-object and d.case = positive and m.case != in-plane")), Texts{});
-  EXPECT_EQ(problemsIn(question("t", "12")), Texts{});
+  EXPECT_EQ(
+      problemsIn("## One\n```predict\nask: What?\nanswer: t\nchoices:\n  0: No\n  -22: Yes\nwhy: So.\n```\n"),
+      Texts{});
   EXPECT_EQ(problemsIn("## One\nIt is {d.f} at {Q} and {E.n}, {point.x}, not `{code}` or ${f}$ or \\{no}.\n"),
             Texts{});
 }
@@ -57,6 +59,15 @@ TEST(NameCheck, LineThatNobodyHas_IsToldWithItsPlaceAndWhatIsMeant) {
             Texts{"15: lines: There is no worked line “d.foto”. Perhaps “d.foot” is meant."});
   EXPECT_EQ(problemsIn(lines("xyzzy.*")), Texts{"14: lines: There is no worked line “xyzzy.*”."});
   EXPECT_EQ(problemsIn(lines("E.*")), Texts{"14: lines: There is no worked line “E.*”."});
+}
+
+TEST(NameCheck, QuestionWithoutTheChoiceThatIsRightAtTheStart_IsTold) {
+  EXPECT_EQ(problemsIn(question("t", "12")),
+            Texts{"15: answer: At the start “t” is none of these choices. Add one for what it is there."});
+  EXPECT_EQ(
+      problemsIn("## One\n```predict\nask: Where?\nanswer: m.case\nchoices:\n  hit: Here\n  parallel: There\n"
+                 "why: So.\n```\n"),
+      Texts{"15: answer: At the start “m.case” is “behind”, but there is no such choice. Add one."});
 }
 
 TEST(NameCheck, NameThatSeveralHave_IsToSayWhose) {

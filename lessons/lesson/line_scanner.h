@@ -1,0 +1,41 @@
+// A lesson file by its lines: fences of blocks, and what looks like the heading of a step.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace halfspace {
+
+/// A text's lines with their numbers, without their ends.
+class LineScanner {
+public:
+  LineScanner(std::string_view text, int firstLine) : m_rest(text), m_number(firstLine - 1) {}
+
+  bool next();
+  [[nodiscard]] std::string_view line() const { return m_line; }
+  [[nodiscard]] int number() const { return m_number; }
+  [[nodiscard]] std::string_view rest() const { return m_rest; }
+
+private:
+  std::string_view m_rest;
+  std::string_view m_line;
+  int m_number;
+};
+
+/// The run of ``` or ~~~ that opens or closes a block of code here; empty when there is none.
+[[nodiscard]] std::string_view fenceOf(std::string_view line);
+
+/// What stands behind the fence of a line that has one: `task`.
+[[nodiscard]] std::string_view wordOfFence(std::string_view line);
+
+/// Whether a line ends the block that a fence has opened.
+[[nodiscard]] bool closes(std::string_view line, std::string_view opening);
+
+/// The title of the step that begins here.
+[[nodiscard]] std::optional<std::string> stepTitle(std::string_view line);
+
+/// The title of the step that was perhaps to begin at a line where none does: `# Title`, `##Title`.
+[[nodiscard]] std::optional<std::string> titleMeant(std::string_view line);
+
+} // namespace halfspace

@@ -1,0 +1,77 @@
+#include "lessons/lesson/words_check.h"
+
+#include "lessons/guess.h"
+#include "lessons/lesson/lesson_reader.h"
+#include "lessons/lesson/line_scanner.h"
+#include "lessons/reading/markdown_formulas.h"
+#include "lessons/text.h"
+#include "lessons/words.h"
+
+namespace halfspace {
+namespace {
+
+/// Goes through the lines of a step's words.
+class LinesCheck {
+public:
+  LinesCheck(const StepWords &block, const std::string &file, std::vector<Problem> &problems)
+      : m_block(block), m_file(file), m_problems(problems), m_lines(block.markdown, 0) {}
+
+  void run() {
+    while (m_lines.next())
+      if (!fenceOf(m_lines.line()).empty())
+        passCode();
+      else if (const auto title = titleMeant(m_lines.line()))
+        complain(words("This heading begins no step. Perhaps “## {title}” is meant.",
+                       {{"title", shortened(*title)}}));
+  }
+
+private:
+  void complain(const std::string &sentence) {
+    m_problems.push_back(
+        {sentence, m_file, m_block.lines.at(static_cast<std::size_t>(m_lines.number())), ""});
+  }
+
+  /// Goes on behind a block of code, which was perhaps meant to be an instruction: ```tusk.
+  void passCode() {
+    const std::string word(wordOfFence(m_lines.line()));
+    if (!nearestOf(word, instructionBlocks()).empty())
+      complain(withGuess(words("There is no block “{word}”.", {{"word", shortened(word)}}), word,
+                         instructionBlocks()));
+    const std::string_view opening = fenceOf(m_lines.line());
+    while (m_lines.next() && !closes(m_lines.line(), opening)) {
+    }
+  }
+
+  const StepWords &m_block;
+  const std::string &m_file;
+  std::vector<Problem> &m_problems;
+  LineScanner m_lines;
+};
+
+/// One of each paragraph: where one is missing, two may be without a partner.
+void addLoneDollars(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
+  std::optional<std::size_t> before;
+  for (const std::size_t place : takeFormulas(piece.text).loneDollars) {
+    if (!before || piece.text.substr(*before, place - *before).find("\n\n") != std::string::npos)
+      problems.push_back(
+          {words("This $ has no partner in its paragraph. End the formula with another, without "
+                 "a space before it, or write \\$ for a dollar."),
+           file, piece.lineAt(place), piece.field});
+    before = place;
+  }
+}
+
+} // namespace
+
+std::vector<Problem> problemsWithWords(const Lesson &lesson) {
+  std::vector<Problem> problems;
+  for (const LessonStep &step : lesson.steps)
+    for (const StepBlock &block : step.blocks)
+      if (const auto *words = std::get_if<StepWords>(&block))
+        LinesCheck(*words, lesson.file, problems).run();
+  for (const LessonWords &piece : wordsOf(lesson))
+    addLoneDollars(piece, lesson.file, problems);
+  return problems;
+}
+
+} // namespace halfspace

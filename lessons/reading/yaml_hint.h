@@ -1,0 +1,18 @@
+// What is perhaps wrong in a text that cannot be read as YAML, in plain words.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace halfspace {
+
+/// A guess, and the line of the text that it is about, counted from 1.
+struct YamlHint {
+  std::string sentence; ///< empty: nothing is guessed
+  int line;
+};
+
+/// `reason` is the library's, or empty where it is ours; `line` is where the reading stopped.
+[[nodiscard]] YamlHint yamlHint(std::string_view text, std::string_view reason, int line);
+
+} // namespace halfspace

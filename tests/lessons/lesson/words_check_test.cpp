@@ -1,0 +1,51 @@
+#include "lessons/lesson/words_check.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// The problems of a lesson of one step with these words, as `line: sentence`; their first line is 1.
+Texts problemsIn(const std::string &words) {
+  constexpr int linesBefore = 7;
+  const auto lesson = parseLesson(
+      "---\nid: example\ntitle: An example\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n## One\n" + words,
+      "a.md");
+  EXPECT_TRUE(lesson) << lesson.problem().text();
+  Texts texts;
+  if (lesson)
+    for (const Problem &problem : problemsWithWords(*lesson))
+      texts.push_back(std::to_string(problem.line - linesBefore) + ": " + problem.sentence);
+  return texts;
+}
+
+std::string noStep(int line, const std::string &title) {
+  return std::to_string(line) + ": This heading begins no step. Perhaps “## " + title + "” is meant.";
+}
+
+std::string loneDollar(int line) {
+  return std::to_string(line) + ": This $ has no partner in its paragraph. End the formula with another, "
+                                "without a space before it, or write \\$ for a dollar.";
+}
+
+TEST(WordsCheck, HeadingThatBeginsNoStep_IsTold) {
+  EXPECT_EQ(problemsIn("Words\n\n# Guess\n"), Texts{noStep(3, "Guess")});
+  EXPECT_EQ(problemsIn("##Guess\nWords\n#Look\n"), (Texts{noStep(1, "Guess"), noStep(3, "Look")}));
+  EXPECT_EQ(problemsIn("```note\nTitle\nWords\n```\n\n ## Guess\n"), Texts{noStep(6, "Guess")});
+}
+
+TEST(WordsCheck, HeadingsWithinAStep_CodeAndNumbers_AreRight) {
+  EXPECT_EQ(problemsIn("### Smaller\n#1 is the first, # and ##\n\n    # code\n"), Texts{});
+  EXPECT_EQ(problemsIn("```python\n# a comment\n```\n~~~\n## another\n~~~\n"), Texts{});
+}
+
+TEST(WordsCheck, DollarWithoutAPartner_IsToldOnceAParagraph) {
+  EXPECT_EQ(problemsIn("So $x is it\n\nand $y$.\n"), Texts{loneDollar(1)});
+  EXPECT_EQ(problemsIn("A $x $ with a space\n\nand\n$$y\n"), (Texts{loneDollar(1), loneDollar(4)}));
+  EXPECT_EQ(problemsIn("It costs \\$5, `$x` and $x$ and $$y$$\n\n```\n$code\n```\n"), Texts{});
+}
+
+} // namespace
+} // namespace halfspace
