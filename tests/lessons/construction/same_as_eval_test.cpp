@@ -17,7 +17,11 @@ namespace {
 using namespace test;
 using Json = nlohmann::json;
 
+#ifdef NDEBUG
 constexpr int scenesPerWriting = 500;
+#else
+constexpr int scenesPerWriting = 50; // a scene takes ten times as long with asserts
+#endif
 constexpr std::array writings{Writing::SmallIntegers, Writing::Halves, Writing::Fractions,
                               Writing::LongFractions};
 
@@ -136,7 +140,7 @@ template <class Compare> void compareScenes(std::string_view id, const Compare &
       compared += compareWith(objects, explained);
     }
   }
-  EXPECT_GT(compared, scenesPerWriting) << "hardly a figure is the same";
+  EXPECT_GT(compared, scenesPerWriting / 2) << "hardly a figure is the same";
 }
 
 class EveryConstructionWithAQuestion : public testing::TestWithParam<std::string> {};
