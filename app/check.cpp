@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 #include <tuple>
 
 namespace halfspace {
@@ -89,22 +91,26 @@ void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
   }
 }
 
-void addIds(const LessonLibrary &library, std::vector<std::string> &ids) {
+using Ids = std::set<std::string>;
+
+Ids idsOf(const LessonLibrary &library) {
+  Ids ids;
   for (const Lesson &lesson : library.lessons)
-    ids.push_back(lesson.id);
+    ids.insert(lesson.id);
   for (const Problem &problem : library.problems) // of a lesson that cannot be read, but may well be needed
-    ids.push_back(std::filesystem::path(problem.file).stem().string());
+    ids.insert(std::filesystem::path(problem.file).stem().string());
+  return ids;
 }
 
 /// Holds lessons against the others that there are: those of their folder and the program's own.
 class LibraryCheck {
 public:
-  LibraryCheck(const LessonLibrary &beside, const LessonLibrary &ours) : m_ours(ours) {
-    addIds(beside, m_ids);
-    addIds(ours, m_ids);
-    // A folder with all of the program's lessons is where they come from.
-    m_isOurs = std::ranges::all_of(ours.lessons,
-                                   [&](const Lesson &lesson) { return beside.find(lesson.id) != nullptr; });
+  LibraryCheck(const Ids &beside, const LessonLibrary &ours) : m_ours(ours), m_ids(idsOf(ours)) {
+    const auto known =
+        std::ranges::count_if(m_ids, [&](const std::string &id) { return beside.contains(id); });
+    // A folder with most of the program's lessons is where they come from.
+    m_isOurs = 2 * static_cast<std::size_t>(known) > m_ids.size();
+    m_ids.insert(beside.begin(), beside.end());
   }
 
   void addProblems(const Lesson &lesson, std::vector<Problem> &problems) const {
@@ -114,19 +120,51 @@ public:
                  "out beside it. Give it its own.",
                  {{"id", lesson.id}}),
            lesson.file, lesson.idLine, "id"});
-    for (std::size_t i = 0; i < lesson.needs.size(); ++i)
-      if (std::ranges::find(m_ids, lesson.needs[i]) == m_ids.end())
-        problems.push_back(
-            {withGuess(words("There is no lesson “{id}”.", {{"id", shortened(lesson.needs[i])}}),
-                       lesson.needs[i], m_ids),
-             lesson.file, lesson.needsLines[i], "needs"});
+    for (const Need &need : lesson.needs)
+      if (const std::string sentence = whyNotNeeded(need.id, lesson); !sentence.empty())
+        problems.push_back({sentence, lesson.file, need.line, "needs"});
   }
 
 private:
+  /// Why a lesson cannot need the one with this id; empty where it can.
+  [[nodiscard]] std::string whyNotNeeded(const std::string &id, const Lesson &lesson) const {
+    if (id == lesson.id)
+      return words("The lesson cannot come before itself. Take this id away.");
+    if (m_ids.contains(id))
+      return {};
+    return withGuess(words("There is no lesson “{id}”.", {{"id", shortened(id)}}), id,
+                     std::vector(m_ids.begin(), m_ids.end()));
+  }
+
   const LessonLibrary &m_ours;
-  std::vector<std::string> m_ids;
+  Ids m_ids;
   bool m_isOurs = false;
 };
+
+/// The ids of the lessons of folders. Each is read once.
+class FolderIds {
+public:
+  const Ids &of(const std::filesystem::path &folder) {
+    const auto [found, isNew] = m_ids.try_emplace(folder.empty() ? "." : folder);
+    if (isNew)
+      found->second = idsOf(readLessons(found->first));
+    return found->second;
+  }
+
+private:
+  std::map<std::filesystem::path, Ids> m_ids;
+};
+
+void check(const LessonLibrary &library, const LibraryCheck &libraryCheck, Checked &checked) {
+  std::vector<Problem> problems = library.problems;
+  for (const Lesson &lesson : library.lessons) {
+    libraryCheck.addProblems(lesson, problems);
+    std::ranges::move(problemsIn(lesson), std::back_inserter(problems));
+  }
+  std::ranges::stable_sort(problems, {}, [](const Problem &each) { return std::tie(each.file, each.line); });
+  checked.lessons += library.lessons.size();
+  std::ranges::move(problems, std::back_inserter(checked.problems));
+}
 
 } // namespace
 
@@ -138,19 +176,14 @@ std::vector<Problem> problemsIn(const Lesson &lesson) {
   return problems;
 }
 
-Checked checkLessons(const std::filesystem::path &fileOrFolder, const LessonLibrary &ours) {
-  LessonLibrary library = libraryOf(fileOrFolder);
-  const LibraryCheck libraryCheck(
-      isFolder(fileOrFolder) ? library : readLessons(std::filesystem::absolute(fileOrFolder).parent_path()),
-      ours);
-  Checked checked{library.lessons.size(), std::move(library.problems)};
-  for (const Lesson &lesson : library.lessons) {
-    libraryCheck.addProblems(lesson, checked.problems);
-    std::ranges::move(problemsIn(lesson), std::back_inserter(checked.problems));
+Checked checkLessons(const std::vector<std::filesystem::path> &filesAndFolders, const LessonLibrary &ours) {
+  Checked checked;
+  FolderIds folders;
+  for (const std::filesystem::path &path : filesAndFolders) {
+    const LessonLibrary library = libraryOf(path);
+    check(library, LibraryCheck(isFolder(path) ? idsOf(library) : folders.of(path.parent_path()), ours),
+          checked);
   }
-  std::stable_sort(checked.problems.begin(), checked.problems.end(), [](const Problem &a, const Problem &b) {
-    return std::tie(a.file, a.line) < std::tie(b.file, b.line);
-  });
   return checked;
 }
 

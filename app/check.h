@@ -9,12 +9,13 @@ namespace halfspace {
 /// formulas and pictures, and the names that it uses.
 [[nodiscard]] std::vector<Problem> problemsIn(const Lesson &lesson);
 
-/// What kept lessons of a file, or of the files of a folder, from being read, what is wrong in the others,
+/// What kept lessons of files, or of the files of folders, from being read, what is wrong in the others,
 /// and how they do not fit to those beside them and to the program's own.
 struct Checked {
   std::size_t lessons = 0; ///< that can be opened
   std::vector<Problem> problems;
 };
-[[nodiscard]] Checked checkLessons(const std::filesystem::path &fileOrFolder, const LessonLibrary &ours);
+[[nodiscard]] Checked checkLessons(const std::vector<std::filesystem::path> &filesAndFolders,
+                                   const LessonLibrary &ours);
 
 } // namespace halfspace

@@ -60,10 +60,13 @@ int runLessons(const LessonsCommand &command) {
     auto sources = nlohmann::ordered_json::array();
     for (const std::string &source : lesson.sources)
       sources.push_back(printable(source));
+    auto needs = nlohmann::ordered_json::array();
+    for (const Need &need : lesson.needs)
+      needs.push_back(printable(need.id));
     list.push_back({{"id", lesson.id},
                     {"title", title},
                     {"chapter", printable(lesson.chapter)},
-                    {"needs", lesson.needs},
+                    {"needs", needs},
                     {"steps", lesson.steps.size()},
                     {"sources", sources}});
     lines += lesson.id + "  " + title + "\n";
@@ -86,17 +89,13 @@ int runCheck(const CheckCommand &command) {
   std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
   if (paths.empty())
     paths.push_back(lessonsFolder());
-  const LessonLibrary ours = readLessons(lessonsFolder());
-  std::size_t lessons = 0;
+  const Checked checked = checkLessons(paths, readLessons(lessonsFolder()));
   std::string lines;
-  for (const auto &path : paths) {
-    const Checked checked = checkLessons(path, ours);
-    lessons += checked.lessons;
-    for (const Problem &problem : checked.problems)
-      lines += printable(problem.text()) + "\n";
-  }
+  for (const Problem &problem : checked.problems)
+    lines += printable(problem.text()) + "\n";
   if (lines.empty())
-    return printOut(words("Nothing is wrong. Lessons: {count}", {{"count", std::to_string(lessons)}}) + "\n");
+    return printOut(
+        words("Nothing is wrong. Lessons: {count}", {{"count", std::to_string(checked.lessons)}}) + "\n");
   const int printed = printOut(lines);
   return printed == 0 ? exitProblems : printed;
 }

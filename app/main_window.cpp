@@ -184,8 +184,8 @@ QStringList MainWindow::titlesStillNeeded(const Lesson &lesson) const {
   QStringList titles;
   if (stateOf(lesson, m_progress) == LessonState::Done)
     return titles;
-  for (const std::string &id : lesson.needs)
-    if (const Lesson *needed = m_model.library().find(id);
+  for (const Need &need : lesson.needs)
+    if (const Lesson *needed = m_model.library().find(need.id);
         needed && stateOf(*needed, m_progress) != LessonState::Done)
       titles << QString::fromStdString(needed->title);
   return titles;

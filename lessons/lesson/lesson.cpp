@@ -1,8 +1,8 @@
 #include "lessons/lesson/lesson.h"
 
 #include "lessons/files/read_file.h"
+#include "lessons/lesson/lesson_lines.h"
 #include "lessons/lesson/lesson_reader.h"
-#include "lessons/lesson/line_scanner.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
@@ -157,11 +157,9 @@ bool isEmptyWords(const StepBlock &block) {
 }
 
 /// Why words above the first step cannot stand there.
-std::string whyOfNoStep(std::string_view line) {
-  const auto title = titleMeant(line);
-  return title ? words("This heading begins no step. Perhaps “## {title}” is meant.",
-                       {{"title", shortened(*title)}})
-               : words("These words belong to no step. Put a heading ## above them.");
+std::string whyAboveAll(std::string_view line) {
+  const std::string sentence = whyNoStep(line);
+  return sentence.empty() ? words("These words belong to no step. Put a heading ## above them.") : sentence;
 }
 
 /// Where a step says nothing of lines, all stand behind its first words.
@@ -218,7 +216,7 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
     }
     if (steps.empty()) {
       if (!trimmed(lines.line()).empty())
-        return Problem{whyOfNoStep(lines.line()), file, lines.number(), ""};
+        return Problem{whyAboveAll(lines.line()), file, lines.number(), ""};
       continue;
     }
     if (fenceOf(lines.line()).empty()) {
@@ -266,28 +264,29 @@ Result<Lesson> readLesson(const std::filesystem::path &file) {
 }
 
 int LessonWords::lineAt(std::size_t place) const {
-  const auto passed = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+  const auto passed = std::ranges::lower_bound(lineEnds, place) - lineEnds.begin();
   return lines.empty() ? 0 : lines[std::min(static_cast<std::size_t>(passed), lines.size() - 1)];
+}
+
+LessonWords::LessonWords(std::string words, std::vector<int> linesOfWords, std::string fieldOfWords)
+    : text(std::move(words)), lines(std::move(linesOfWords)), field(std::move(fieldOfWords)) {
+  for (auto end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1))
+    lineEnds.push_back(end);
 }
 
 std::vector<LessonWords> wordsOf(const Lesson &lesson) {
   std::vector<LessonWords> words;
-  const Overloaded add{[&](const StepWords &block) {
-                         words.push_back({block.markdown, block.lines, ""});
-                       },
-                       [](const StepLines &) {},
-                       [&](const StepNote &note) {
-                         words.push_back({note.words.markdown, note.words.lines, "note"});
-                       },
-                       [&](const Task &task) {
-                         words.push_back({task.instruction, {task.line}, "do"});
-                       },
-                       [&](const Prediction &prediction) {
-                         words.push_back({prediction.question, {prediction.questionLine}, "ask"});
-                         for (const Prediction::Choice &choice : prediction.choices)
-                           words.push_back({choice.text, {choice.line}, "choices"});
-                         words.push_back({prediction.reason, {prediction.reasonLine}, "why"});
-                       }};
+  const Overloaded add{
+      [&](const StepWords &block) { words.emplace_back(block.markdown, block.lines, ""); },
+      [](const StepLines &) {},
+      [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
+      [&](const Task &task) { words.emplace_back(task.instruction, std::vector{task.line}, "do"); },
+      [&](const Prediction &prediction) {
+        words.emplace_back(prediction.question, std::vector{prediction.questionLine}, "ask");
+        for (const Prediction::Choice &choice : prediction.choices)
+          words.emplace_back(choice.text, std::vector{choice.line}, "choices");
+        words.emplace_back(prediction.reason, std::vector{prediction.reasonLine}, "why");
+      }};
   for (const LessonStep &step : lesson.steps)
     for (const StepBlock &block : step.blocks)
       std::visit(add, block);

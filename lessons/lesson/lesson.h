@@ -134,29 +134,36 @@ struct FlatPage {
   bool operator==(const FlatPage &) const = default;
 };
 
+/// A lesson that another builds on.
+struct Need {
+  std::string id;
+  int line = 0; ///< of the file
+};
+
 struct Lesson {
   std::string id;
+  int idLine = 0; ///< of the file
   std::string title;
-  int order = 0;                  ///< its place in the list of lessons
-  std::string chapter;            ///< that it stands in, as people read it; may be empty
-  std::vector<std::string> needs; ///< the ids of the lessons that it builds on
-  std::string file;               ///< that it was read from
+  int order = 0;       ///< its place in the list of lessons
+  std::string chapter; ///< that it stands in, as people read it; may be empty
+  std::vector<Need> needs;
+  std::string file; ///< that it was read from
   std::vector<std::string> sources;
   Macros macros; ///< of the LaTeX in its words
   Scene scene;
   CameraView camera;
   std::optional<FlatPage> flat{}; ///< nothing: there is only the picture in space
   std::vector<LessonStep> steps;
-  // In the file:
-  int idLine = 0;
-  std::vector<int> needsLines{}; ///< of each
 };
 
 /// A piece of a lesson's words, with `$…$` LaTeX.
 struct LessonWords {
+  LessonWords(std::string words, std::vector<int> linesOfWords, std::string fieldOfWords);
+
   std::string text;
   std::vector<int> lines; ///< where its lines stand in the file; one for all where YAML has folded them
   std::string field;      ///< of a block; empty for the words of a step
+  std::vector<std::size_t> lineEnds; ///< places in the text
 
   /// The line of the file that a place in the text is of.
   [[nodiscard]] int lineAt(std::size_t place) const;

@@ -16,26 +16,18 @@ namespace {
 constexpr int maxFrontMatterDepth = 12;
 constexpr int highestOrder = 10000;
 
-std::vector<std::string> readTexts(const DocumentNode &node, const std::string &field, FieldReader &fields) {
-  std::vector<std::string> texts;
-  if (node.kind == DocumentNode::Kind::Text)
-    texts.push_back(node.text);
+/// The texts of a list, or one alone; none where nothing stands there.
+std::vector<const DocumentNode *> textsIn(const DocumentNode &node, const std::string &field,
+                                          FieldReader &fields) {
+  std::vector<const DocumentNode *> texts;
+  if (node.kind == DocumentNode::Kind::Text && !node.text.empty())
+    texts.push_back(&node);
   for (const DocumentNode &child : node.children)
     if (child.kind == DocumentNode::Kind::Text)
-      texts.push_back(child.text);
+      texts.push_back(&child);
     else
       fields.complain(child, field, words("Here a list of texts is expected."));
   return texts;
-}
-
-/// The lines of what `readTexts` reads.
-std::vector<int> linesOfTexts(const DocumentNode &node) {
-  if (node.kind == DocumentNode::Kind::Text)
-    return {node.line};
-  std::vector<int> lines;
-  for (const DocumentNode &child : node.children)
-    lines.push_back(child.line);
-  return lines;
 }
 
 CameraView readCamera(const DocumentNode &node, FieldReader &lesson) {
@@ -177,12 +169,12 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   lesson.order = fields.integer("order", 0, highestOrder, 0);
   if (fields.optional("chapter"))
     lesson.chapter = fields.text("chapter");
-  if (const DocumentNode *needs = fields.optional("needs")) {
-    lesson.needs = readTexts(*needs, "needs", fields);
-    lesson.needsLines = linesOfTexts(*needs);
-  }
+  if (const DocumentNode *needs = fields.optional("needs"))
+    for (const DocumentNode *text : textsIn(*needs, "needs", fields))
+      lesson.needs.push_back({text->text, text->line});
   if (const DocumentNode *sources = fields.optional("sources"))
-    lesson.sources = readTexts(*sources, "sources", fields);
+    for (const DocumentNode *text : textsIn(*sources, "sources", fields))
+      lesson.sources.push_back(text->text);
   if (const DocumentNode *macros = fields.optional("macros"))
     lesson.macros = readMacros(*macros, block, fields);
   if (const DocumentNode *camera = fields.optional("camera"))

@@ -1,8 +1,8 @@
 #include "lessons/lesson/words_check.h"
 
 #include "lessons/guess.h"
+#include "lessons/lesson/lesson_lines.h"
 #include "lessons/lesson/lesson_reader.h"
-#include "lessons/lesson/line_scanner.h"
 #include "lessons/reading/markdown_formulas.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -10,36 +10,43 @@
 namespace halfspace {
 namespace {
 
-/// Goes through the lines of a step's words.
+/// Goes through the lines of words.
 class LinesCheck {
 public:
   LinesCheck(const StepWords &block, const std::string &file, std::vector<Problem> &problems)
       : m_block(block), m_file(file), m_problems(problems), m_lines(block.markdown, 0) {}
 
-  void run() {
+  void lookThroughStep() {
     while (m_lines.next())
-      if (!fenceOf(m_lines.line()).empty())
-        passCode();
-      else if (const auto title = titleMeant(m_lines.line()))
-        complain(words("This heading begins no step. Perhaps “## {title}” is meant.",
-                       {{"title", shortened(*title)}}));
+      if (!passCode())
+        complain(whyNoStep(m_lines.line()));
+  }
+
+  /// No step was to begin inside of one.
+  void lookThroughNote() {
+    while (m_lines.next())
+      passCode();
   }
 
 private:
   void complain(const std::string &sentence) {
-    m_problems.push_back(
-        {sentence, m_file, m_block.lines.at(static_cast<std::size_t>(m_lines.number())), ""});
+    if (!sentence.empty())
+      m_problems.push_back(
+          {sentence, m_file, m_block.lines.at(static_cast<std::size_t>(m_lines.number())), ""});
   }
 
-  /// Goes on behind a block of code, which was perhaps meant to be an instruction: ```tusk.
-  void passCode() {
+  /// Goes on behind a block of code, if one begins here. It was perhaps meant to be an instruction: ```tusk.
+  bool passCode() {
+    const std::string_view opening = fenceOf(m_lines.line());
+    if (opening.empty())
+      return false;
     const std::string word(wordOfFence(m_lines.line()));
     if (!nearestOf(word, instructionBlocks()).empty())
       complain(withGuess(words("There is no block “{word}”.", {{"word", shortened(word)}}), word,
                          instructionBlocks()));
-    const std::string_view opening = fenceOf(m_lines.line());
     while (m_lines.next() && !closes(m_lines.line(), opening)) {
     }
+    return true;
   }
 
   const StepWords &m_block;
@@ -68,7 +75,9 @@ std::vector<Problem> problemsWithWords(const Lesson &lesson) {
   for (const LessonStep &step : lesson.steps)
     for (const StepBlock &block : step.blocks)
       if (const auto *words = std::get_if<StepWords>(&block))
-        LinesCheck(*words, lesson.file, problems).run();
+        LinesCheck(*words, lesson.file, problems).lookThroughStep();
+      else if (const auto *note = std::get_if<StepNote>(&block))
+        LinesCheck(note->words, lesson.file, problems).lookThroughNote();
   for (const LessonWords &piece : wordsOf(lesson))
     addLoneDollars(piece, lesson.file, problems);
   return problems;

@@ -11,7 +11,9 @@ namespace halfspace {
 namespace {
 
 /// Thrown through yaml-cpp's parser to stop it, and caught below.
-struct Stopped {};
+struct Stopped {
+  std::string slip{}; ///< what reads as YAML, but was hardly meant; empty where it was
+};
 
 /// The receiver of yaml-cpp's events. Anchors are harmless, but what refers to them could grow without bound.
 class YamlEvents : public YAML::EventHandler {
@@ -51,9 +53,14 @@ private:
   }
   void open(DocumentNode::Kind kind, const YAML::Mark &mark) {
     if (m_builder.expectsKey())
-      m_builder.refuse(words("A list or a map cannot be a name. Names are plain words."), line(mark));
+      refuseAsName(mark);
     if (m_builder.problem() || !m_builder.open(kind, line(mark)))
       throw Stopped{};
+  }
+
+  [[noreturn]] void refuseAsName(const YAML::Mark &mark) {
+    m_builder.refuse(words("A list or a map cannot be a name. Names are plain words."), line(mark));
+    throw Stopped{"a list or a map as a name"};
   }
 
   DocumentBuilder &m_builder;
@@ -82,14 +89,15 @@ Result<DocumentNode> parseYaml(std::string_view text, const std::string &file, i
     parser.HandleNextDocument(events);
     if (parser)
       builder.refuse(words("Something stands behind the end here. Remove it."), 0);
-  } catch (const Stopped &) {
+  } catch (const Stopped &stopped) {
+    reason = stopped.slip;
   } catch (const YAML::Exception &exception) {
     reason = exception.msg;
     builder.refuse(words("This is not YAML as it should be: {reason}.", {{"reason", reason}}),
                    events.line(exception.mark));
   }
   auto root = builder.finish();
-  return root ? std::move(root) : withHint(root.problem(), text, reason, firstLine);
+  return root || reason.empty() ? std::move(root) : withHint(root.problem(), text, reason, firstLine);
 }
 
 } // namespace halfspace

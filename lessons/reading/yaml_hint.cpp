@@ -78,7 +78,8 @@ private:
 
   [[nodiscard]] bool beginsValue() const {
     const char sign = before();
-    return sign == '\0' || std::string_view(":-,[{").find(sign) != std::string_view::npos;
+    const std::string_view signs = m_open.empty() ? ":-" : ":-,[{"; // a plain text has commas, too
+    return sign == '\0' || signs.find(sign) != std::string_view::npos;
   }
 
   [[nodiscard]] bool closesMore() const { return before() == ']' || before() == '}'; }

@@ -12,7 +12,8 @@ struct YamlHint {
   int line;
 };
 
-/// `reason` is the library's, or empty where it is ours; `line` is where the reading stopped.
+/// `reason` is the library's, or ours for what reads as YAML but was hardly meant; `line` is where the
+/// reading stopped.
 [[nodiscard]] YamlHint yamlHint(std::string_view text, std::string_view reason, int line);
 
 } // namespace halfspace

@@ -512,7 +512,7 @@ std::vector<Object *> objectsOf(Scene &scene) {
   return objects;
 }
 
-/// A plain number does: it may be a bound or a step.
+/// A construction has none of its own, and a plain number keeps its one: it may be a bound or a step.
 bool keepsItsNumbers(const Entry &entry) {
   const auto *object = std::get_if<Object>(&entry.content);
   return !object || kindOf(*object) == NumberObject::kind;

@@ -102,6 +102,7 @@ const std::vector<Mistake> &mistakes() {
       {"title: My first lesson", "title: Roof: how far", 3,
        "This is not YAML as it should be: illegal map value. A text with a colon in it needs quotes. Perhaps "
        "“title: 'Roof: how far'” is meant."},
+      {"title: My first lesson", "title: Half-open, [0, 1)\ntitle: Again", 4, "“title” stands here twice"},
       {"P0: [5, 4, 7],", "P0: [5, 4, 7,", 7,
        "This is not YAML as it should be: illegal flow end. Perhaps a ] is missing: this [ is never closed."},
       {"title: My first lesson", "title: 'It's mine'", 3,
@@ -245,6 +246,22 @@ TEST_F(Program, Check_TellsWhatALessonNeeds_UnlessItIsBesideItOrOfOurs) {
   write("second.md", needing("ray-sphere, fist"));
   EXPECT_EQ(run("check second.md").out,
             "second.md:5: needs: There is no lesson “fist”. Perhaps “first” is meant.\n");
+  write("second.md", needing("second"));
+  EXPECT_EQ(run("check second.md").out,
+            "second.md:5: needs: The lesson cannot come before itself. Take this id away.\n");
+}
+
+TEST_F(Program, Check_OfACopyOfOurLessons_TellsOnlyTheSlipThatIsInIt) {
+  std::filesystem::copy(TEST_LESSONS_FOLDER, inFolder("ours"), std::filesystem::copy_options::recursive);
+  write("ours/ray-sphere.md", "no lesson\n");
+  EXPECT_EQ(run("check ours").out,
+            "ours/ray-sphere.md:1: A lesson begins with a line --- and its id, title and scene below it.\n");
+}
+
+TEST_F(Program, Check_OfNoFileAtAll_IsRefused) {
+  const Ran ran = run("check ''");
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_EQ(ran.out, "There is no such file.\n");
 }
 
 TEST_F(Program, Check_OfAllOurLessonsElsewhere_FindsNothing) {

@@ -69,9 +69,9 @@ private:
   [[nodiscard]] QWidget *blockOf(const Task &task);
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
   void showStep();
-  /// So that no line of words gets too long.
   [[nodiscard]] int scaled(int pixels) const;
   void setGaps();
+  /// So that no line of words gets too long.
   void setMargins();
   void showNextButton();
   void goOn();

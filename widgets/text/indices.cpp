@@ -20,7 +20,7 @@ std::vector<TextRun> runsOf(const QString &plain) {
     const QRegularExpressionMatch match = found.next();
     runs.push_back({plain.mid(end, match.capturedStart() - end)});
     runs.push_back({match.captured(1), true});
-    end = match.capturedEnd();
+    end = static_cast<int>(match.capturedEnd());
   }
   if (end < plain.size() || runs.empty())
     runs.push_back({plain.mid(end)});

@@ -21,8 +21,9 @@ std::vector<QTextLayout::FormatRange> rangesOf(const std::vector<TextRun> &runs,
   for (const TextRun &run : runs) {
     QTextCharFormat format;
     format.setFont(run.isIndex ? indexFont(font) : font);
-    ranges.push_back({start, run.text.size(), format});
-    start += run.text.size();
+    const int length = static_cast<int>(run.text.size());
+    ranges.push_back({start, length, format});
+    start += length;
   }
   return ranges;
 }
@@ -34,10 +35,11 @@ std::vector<SentenceBreaker::Run> runsIn(const QTextLine &line, const std::vecto
   int start = 0;
   for (const TextRun &run : runs) {
     const int first = std::max(start, line.textStart());
-    const int end = std::min(start + run.text.size(), lineEnd);
+    const int runEnd = start + static_cast<int>(run.text.size());
+    const int end = std::min(runEnd, lineEnd);
     if (first < end)
       inLine.push_back({run.text.mid(first - start, end - first), line.cursorToX(first), run.isIndex});
-    start += run.text.size();
+    start = runEnd;
   }
   return inLine;
 }

@@ -31,7 +31,7 @@ struct Question {
   std::vector<std::string> operands;
 };
 
-/// Those whose figures have a question; the others have none in the eval format.
+/// Those whose objects are a question's own; what the others show is asked in parts below.
 const std::map<std::string, Question> &questions() {
   static const std::map<std::string, Question> all{
       {"plane-implicit", {"plane", {"plane"}}},

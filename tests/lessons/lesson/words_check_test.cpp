@@ -37,8 +37,15 @@ TEST(WordsCheck, HeadingThatBeginsNoStep_IsTold) {
 }
 
 TEST(WordsCheck, HeadingsWithinAStep_CodeAndNumbers_AreRight) {
-  EXPECT_EQ(problemsIn("### Smaller\n#1 is the first, # and ##\n\n    # code\n"), Texts{});
+  EXPECT_EQ(problemsIn("### Smaller\n#1 is the first, # and ##\n#\n##\n\n    # code\n"), Texts{});
+  EXPECT_EQ(problemsIn("~~~note\nTitle\n# A heading\n~~~\n"), Texts{});
   EXPECT_EQ(problemsIn("```python\n# a comment\n```\n~~~\n## another\n~~~\n"), Texts{});
+}
+
+TEST(WordsCheck, BlockThatIsNearlyAnInstruction_IsTold_InNotesToo) {
+  const std::string sentence = ": There is no block “tusk”. Perhaps “task” is meant.";
+  EXPECT_EQ(problemsIn("Words\n```tusk\ndo: x\n```\n"), Texts{"2" + sentence});
+  EXPECT_EQ(problemsIn("~~~note\nTitle\n```tusk\ndo: x\n```\n~~~\n"), Texts{"3" + sentence});
 }
 
 TEST(WordsCheck, DollarWithoutAPartner_IsToldOnceAParagraph) {

@@ -35,7 +35,8 @@ private:
 /// The title of the step that begins here.
 [[nodiscard]] std::optional<std::string> stepTitle(std::string_view line);
 
-/// The title of the step that was perhaps to begin at a line where none does: `# Title`, `##Title`.
-[[nodiscard]] std::optional<std::string> titleMeant(std::string_view line);
+/// What is wrong with a line where a step was perhaps to begin, but none does: `# Title`, `##Title`; else
+/// empty.
+[[nodiscard]] std::string whyNoStep(std::string_view line);
 
 } // namespace halfspace

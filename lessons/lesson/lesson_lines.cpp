@@ -1,6 +1,7 @@
-#include "lessons/lesson/line_scanner.h"
+#include "lessons/lesson/lesson_lines.h"
 
 #include "lessons/text.h"
+#include "lessons/words.h"
 
 #include <algorithm>
 
@@ -60,13 +61,17 @@ std::optional<std::string> stepTitle(std::string_view line) {
   return std::string(trimmed(line.substr(heading.size())));
 }
 
-std::optional<std::string> titleMeant(std::string_view line) {
+std::string whyNoStep(std::string_view line) {
   const std::string_view heading = withoutIndent(line);
   const std::size_t marks = runOf('#', heading);
   const std::string_view behind = heading.substr(marks);
   const std::string_view title = trimmed(behind);
+  if (title.empty())
+    return {};
   const bool isHeading = marks == 2 || (marks == 1 && (title != behind || isLetter(title.front())));
-  return isHeading && !title.empty() ? std::optional(std::string(title)) : std::nullopt;
+  return isHeading ? words("This heading begins no step. Perhaps “## {title}” is meant.",
+                           {{"title", shortened(title)}})
+                   : std::string();
 }
 
 } // namespace halfspace
