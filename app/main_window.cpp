@@ -49,11 +49,14 @@ constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
 
 /// How long a move is, in words: "3", "≈ 1.16499".
-QString wayText(const Surd &way) {
-  const QString inFull = QString::fromStdString(plainText(number(way)));
-  const WrittenNumber shown = inFull.size() <= longestExactWay ? written(way) : decimalOf(way);
-  return (shown.exact ? QString() : QStringLiteral("≈\u00a0")) +
-         QString::fromStdString(plainText(shown.term));
+QString wayText(const Surd &squareOfWay) {
+  const bool isSurd = squareOfWay.isRational(); // a root of a root is none
+  const Surd way =
+      isSurd ? Surd::root(squareOfWay.rationalPart()) : exactly(std::sqrt(toDouble(squareOfWay)));
+  const auto textOf = [](const Term &term) { return QString::fromStdString(plainText(term)); };
+  const bool isShort = isSurd && textOf(number(way)).size() <= longestExactWay;
+  const WrittenNumber shown = isShort ? written(way) : decimalOf(way);
+  return (isSurd && shown.exact ? QString() : QStringLiteral("≈\u00a0")) + textOf(shown.term);
 }
 
 } // namespace
@@ -262,16 +265,18 @@ void MainWindow::showNearby() {
     entries.insert(entryOf(line.id));
   m_nearby = nearestSpecialCase(m_model.session().scene, m_model.evaluation(), entries);
   if (!m_nearby || hidesNumbers())
-    return m_caseLine->setNearby({});
-  m_caseLine->setNearby(
+    return m_caseLine->setNearby({}, false);
+  const QString words =
       tr("Nearest special case, %1 away: %2", "%1 a length: 3")
-          .arg(wayText(m_nearby->distance), unbroken(QString::fromStdString(m_nearby->sentence))));
+          .arg(wayText(m_nearby->squareOfWay), unbroken(QString::fromStdString(m_nearby->sentence)));
+  m_caseLine->setNearby(m_nearby->change ? words : tr("%1 There, coordinates have roots.").arg(words),
+                        m_nearby->change.has_value());
 }
 
 void MainWindow::goToNearby() {
-  if (!m_nearby)
+  if (!m_nearby || !m_nearby->change)
     return;
-  if (const QString refused = m_model.edit(m_nearby->change, tr("Go to the nearest special case"));
+  if (const QString refused = m_model.edit(*m_nearby->change, tr("Go to the nearest special case"));
       !refused.isEmpty())
     say(refused);
 }

@@ -182,6 +182,22 @@ bool Surd::operator==(const Surd &other) const {
          rootSquare(*this) == rootSquare(other);
 }
 
+Surd Surd::squared() const {
+  return root(m_radicand, 2 * m_rational * m_factor) + m_rational * m_rational +
+         m_factor * m_factor * m_radicand;
+}
+
+std::strong_ordering Surd::operator<=>(const Surd &other) const {
+  const Surd difference = *this + (-other.m_rational);
+  const int sign = difference.sign();
+  const int rootSign = other.m_factor.sign(); // of the root that is taken away
+  if (sign * rootSign <= 0)
+    return sign != 0 ? sign <=> 0 : 0 <=> rootSign;
+  // The parts pull apart: the one with the larger square wins.
+  const Surd squares = difference.squared() + (-other.m_factor * other.m_factor * other.m_radicand);
+  return sign * squares.sign() <=> 0;
+}
+
 namespace {
 
 /// The sum A + B·√n in long doubles, where these hold a whole word and their rounding leaves no doubt which

@@ -4,6 +4,7 @@
 #include "geometry/rational.h"
 
 #include <cmath>
+#include <compare>
 
 namespace halfspace {
 
@@ -44,8 +45,16 @@ public:
   [[nodiscard]] Surd operator+(const Rational &shift) const;
   [[nodiscard]] Surd operator*(const Rational &scale) const;
 
+  /// x², exactly.
+  /// (1) (−x)² = x².
+  /// (2) (B·√n)² = B²·n.
+  [[nodiscard]] Surd squared() const;
+
   /// Whether the values are equal, canonical or not.
   [[nodiscard]] bool operator==(const Surd &other) const;
+  /// The order of the values, exactly, whatever their radicands.
+  /// (1) x < y < z gives x < z, and x < y gives −y < −x.
+  [[nodiscard]] std::strong_ordering operator<=>(const Surd &other) const;
 
 private:
   /// Whether this form tells the value's square-free radicand without factoring beyond the limit.

@@ -197,7 +197,7 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
                    PlaneObject{projectVector(point, normal).rejection, normal}});
   for (int axis = 0; axis < 3; ++axis)
     if (SpecialCase tilted = parallelToAxis(in, axis);
-        normal[axis] != 0 && !isZero(objectAs<PlaneObject>(tilted.object)->normal))
+        normal[axis] != 0 && !isZero(objectAs<PlaneObject>(*tilted.object)->normal))
       all.push_back(std::move(tilted));
   return all;
 }

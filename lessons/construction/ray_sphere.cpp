@@ -379,32 +379,36 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-/// What the ray would be, moved sideways, whose line touches the sphere: where the centre's distance has no
-/// root, as else the way has roots.
+/// What the ray would be, moved sideways, whose line touches the sphere.
 void addTangent(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   const Surd &distance = at.nearest.distance;
-  if (at.meet.contacts == SphereContacts::Tangent || !distance.isRational() || distance == Surd())
+  const Rational &radius = in.S.object.radius;
+  if (at.meet.contacts == SphereContacts::Tangent || distance == Surd())
     return;
-  const auto &[origin, direction] = in.L.object;
+  SpecialCase tangent{"contacts = tangent", words("The line of the ray would touch the sphere."), "L", {}};
   const ExactVec3 aside = at.nearest.foot - in.S.object.center;
-  const Rational share = in.S.object.radius / distance.rationalPart() - 1;
-  all.push_back({"contacts = tangent", words("The line of the ray would touch the sphere."), "L",
-                 RayObject{origin + aside * share, direction}});
+  const auto &[origin, direction] = in.L.object;
+  if (distance.isRational())
+    tangent.object = RayObject{origin + aside * (radius / distance.rationalPart() - 1), direction};
+  else
+    tangent.rootedWay = (distance + -radius).squared();
+  all.push_back(std::move(tangent));
 }
 
-/// What the ray would be, moved along its line, that starts at the nearer contact, where that has no roots.
+/// What the ray would be, moved along its line, that starts at the nearer contact.
 void addStartOnSphere(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   if (at.contacts.empty() || at.meet.origin == SolidLocation::On)
     return;
+  SpecialCase start{"origin = on", words("{Q} would lie on the sphere.", at.letters), "L", {}};
   const Surd &first = at.meet.along.front().t;
   const Surd &last = at.meet.along.back().t;
-  if (!first.isRational() || !last.isRational())
-    return;
-  const Rational nearer =
-      abs(first.rationalPart()) <= abs(last.rationalPart()) ? first.rationalPart() : last.rationalPart();
+  const Surd &nearer = first.squared() <= last.squared() ? first : last;
   const auto &[origin, direction] = in.L.object;
-  all.push_back({"origin = on", words("{Q} would lie on the sphere.", at.letters), "L",
-                 RayObject{origin + direction * nearer, direction}});
+  if (nearer.isRational())
+    start.object = RayObject{origin + direction * nearer.rationalPart(), direction};
+  else
+    start.rootedWay = nearer.squared() * dot(direction, direction);
+  all.push_back(std::move(start));
 }
 
 std::vector<SpecialCase> nearby(const In &in, const Out &at) {

@@ -20,8 +20,8 @@ Rational squareOfWay(const Object &from, const Object &to) {
 /// What the scene's object of a name would have to be, and how far that is; nothing where nobody can bring it
 /// there.
 struct Move {
-  Object value;
-  Rational square; ///< of the way, in space
+  std::optional<Object> value; ///< nothing where it would have roots
+  Surd square;                 ///< of the way, in space
 };
 
 /// A point that lies on another object keeps to it.
@@ -36,18 +36,21 @@ std::optional<Move> moveOnHost(const EvaluatedEntry &entry, const Object &bound,
   return Move{std::move(moved), dot(way, way)};
 }
 
-std::optional<Move> moveTo(const Object &there, const std::string &name, const Scene &scene,
+std::optional<Move> moveTo(const SpecialCase &special, const std::string &name, const Scene &scene,
                            const Evaluation &evaluation) {
   const Object *now = findObject(scene, name); // null for what a construction makes
   const EvaluatedEntry *entry = evaluation.find(name);
   if (!now || !entry)
     return {};
+  if (!special.object)
+    return Move{{}, *special.rootedWay};
   std::optional<Move> move;
+  const Object &there = *special.object;
   if (now->kind().binding && kindOf(there) == seenKindOf(*now))
     move = moveOnHost(*entry, *now, there[0]);
   else if (kindOf(there) == kindOf(*now))
     move = {there, squareOfWay(*now, there)};
-  return move && !refusedCoordinateOf(move->value) ? move : std::nullopt;
+  return move && !refusedCoordinateOf(*move->value) ? move : std::nullopt;
 }
 
 } // namespace
@@ -55,7 +58,6 @@ std::optional<Move> moveTo(const Object &there, const std::string &name, const S
 std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const Evaluation &evaluation,
                                                      const std::set<std::string> &entries) {
   std::optional<NearestSpecialCase> nearest;
-  std::optional<Rational> least;
   for (const Entry &entry : scene.entries) {
     const auto *use = std::get_if<ConstructionUse>(&entry.content);
     const EvaluatedEntry *found = evaluation.find(entry.name);
@@ -63,11 +65,12 @@ std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const E
       continue;
     for (const SpecialCase &special : *found->outcome->nearby) {
       const std::string &name = use->roles.at(special.role).ids.at(special.place);
-      const auto move = moveTo(special.object, name, scene, evaluation);
-      if (!move || (least && move->square >= *least))
+      const auto move = moveTo(special, name, scene, evaluation);
+      if (!move || (nearest && move->square >= nearest->squareOfWay))
         continue;
-      least = move->square;
-      nearest = NearestSpecialCase{special.sentence, Surd::root(move->square), {name, move->value}};
+      nearest = NearestSpecialCase{special.sentence, move->square, {}};
+      if (move->value)
+        nearest->change = ChangeObject{name, *move->value};
     }
   }
   return nearest;

@@ -11,11 +11,11 @@
 
 namespace halfspace {
 
-/// A special case that one edit of one free object leads to.
+/// A special case that a move of one free object leads to.
 struct NearestSpecialCase {
-  std::string sentence; ///< "The ray would run parallel to the plane."
-  Surd distance;        ///< by which a coordinate moves to get there; above 0
-  ChangeObject change;
+  std::string sentence;               ///< "The ray would run parallel to the plane."
+  Surd squareOfWay;                   ///< by which a coordinate moves to get there; above 0
+  std::optional<ChangeObject> change; ///< nothing where a coordinate would have a root there
 };
 
 /// Of the special cases that the constructions of these entries name, the one that the least move of a

@@ -161,6 +161,47 @@ TEST(SurdArithmetic, AnyValueWithinAndBeyondTheLimit_ObeysItsLaws) {
   EXPECT_GT(beyond, 50);
 }
 
+TEST(SurdSquare, OfAnyValue_ObeysItsLaws) {
+  RandomNumbers random(31);
+  for (int i = 0; i < 1000; ++i) {
+    const Rational square = abs(random.rational(50));
+    const Rational factor = random.rational();
+    const Surd x = surd(square, factor, random.rational());
+    EXPECT_EQ((-x).squared(), x.squared()); // law (1)
+    EXPECT_EQ(x.squared().sign(), x.sign() * x.sign());
+    EXPECT_NEAR(toDouble(x.squared()), toDouble(x) * toDouble(x), 1e-12 * toDouble(x.squared()));
+    EXPECT_EQ(surd(square, factor).squared(), Surd(Rational(factor * factor * square))); // law (2)
+  }
+}
+
+TEST(SurdOrder, OfAnyTwo_IsThatOfTheirDoubles_AndObeysItsLaws) {
+  RandomNumbers random(32);
+  for (int i = 0; i < 2000; ++i) {
+    const Surd x = surd(abs(random.rational(50)), random.rational(), random.rational());
+    const Surd y = surd(abs(random.rational(50)), random.rational(), random.rational());
+    if (toDouble(x) != toDouble(y)) {
+      EXPECT_EQ(x < y, toDouble(x) < toDouble(y));
+    }
+    EXPECT_EQ(x <=> y, -y <=> -x); // law (1)
+    EXPECT_EQ(x <=> x, std::strong_ordering::equal);
+    EXPECT_EQ((x <=> y) == std::strong_ordering::equal, x == y);
+  }
+}
+
+/// √2 + p/q and √3 differ by less than doubles tell where p/q comes near √3 − √2.
+TEST(SurdOrder, OfTwoRadicands_IsDecidedExactly) {
+  Rational below = 0;
+  Rational above = 1;
+  for (int i = 0; i < 120; ++i) {
+    const Rational middle = (below + above) / 2;
+    const bool isBelow = surd(2) + middle < surd(3);
+    // √2 + m < √3 where m² + 2m√2 + 2 < 3, which is where 8m² < (1 − m²)².
+    EXPECT_EQ(isBelow, 8 * middle * middle < (1 - middle * middle) * (1 - middle * middle));
+    (isBelow ? below : above) = middle;
+  }
+  EXPECT_EQ(toDouble(below), toDouble(above)) << "it came as near as that";
+}
+
 TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
   int expected = -1;
   for (const auto &[p, q] : bestFractionsOfRootTwo(300)) {

@@ -50,7 +50,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   staying.setRetainSizeWhenHidden(true);
   m_there->setSizePolicy(staying);
   connect(m_there, &QPushButton::clicked, this, &CaseLine::nearbyChosen);
-  setNearby({});
+  setNearby({}, false);
   auto *special = new QHBoxLayout;
   special->setSpacing(0);
   special->addWidget(m_nearby, 1);
@@ -78,9 +78,9 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
   repolish(*m_case);
 }
 
-void CaseLine::setNearby(const QString &words) {
+void CaseLine::setNearby(const QString &words, bool canBeReached) {
   setWords(*m_nearby, words);
-  m_there->setVisible(!words.isEmpty());
+  m_there->setVisible(canBeReached);
 }
 
 void CaseLine::resizeEvent(QResizeEvent *event) {

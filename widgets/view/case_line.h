@@ -24,8 +24,9 @@ public:
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
-  /// The nearest special case in words, with a button that says `nearbyChosen`; empty for none.
-  void setNearby(const QString &words);
+  /// The nearest special case in words, empty for none; where it can be reached, with a button that says
+  /// `nearbyChosen`.
+  void setNearby(const QString &words, bool canBeReached);
   void say(const QString &sentence);
   /// Where the case is what counts, as in a drag.
   void endMessage();

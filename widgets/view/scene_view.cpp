@@ -263,6 +263,7 @@ void SceneView::takeOutcome() {
     m_hovered.clear();
   m_fade.show(m_model.session(), m_model.shown().figure, m_motion && isVisible());
   updateContent();
+  showHint(); // from its new place a handle may move otherwise
   m_outcomeTaken = Clock::now();
 }
 

@@ -482,11 +482,13 @@ private:
       ASSERT_TRUE(conditions) << conditions.problem().sentence;
       const Task task{special.sentence, *conditions};
       EXPECT_FALSE(isDone(task, m_evaluation)) << "it holds already";
-      if (refusedCoordinateOf(special.object))
+      ASSERT_NE(special.object.has_value(), special.rootedWay.has_value());
+      EXPECT_GT(special.rootedWay.value_or(Surd(1)), Surd(0));
+      if (!special.object || refusedCoordinateOf(*special.object))
         continue;
       const auto &use = std::get<ConstructionUse>(m_scene.entries.back().content);
       const Scene changed =
-          edited(m_scene, {ChangeObject{use.roles.at(special.role).ids.at(special.place), special.object}});
+          edited(m_scene, {ChangeObject{use.roles.at(special.role).ids.at(special.place), *special.object}});
       EXPECT_TRUE(isDone(task, evaluate(changed)));
     }
   }

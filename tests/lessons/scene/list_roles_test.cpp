@@ -145,8 +145,8 @@ TEST(ListRole, NearASpecialCase_ChangesTheObjectThatIsMeant) {
   const auto nearest = nearestSpecialCase(scene, evaluate(scene), {"way"});
   ASSERT_TRUE(nearest);
   EXPECT_EQ(nearest->sentence, "The ray would hit F and E at one point.");
-  EXPECT_EQ(nearest->change.name, "E");
-  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change}))).told->description,
+  EXPECT_EQ(nearest->change.value().name, "E");
+  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change.value()}))).told->description,
             "E and F have the same parameter, t_E = 1: the ray hits them at one point.");
 }
 

@@ -4,6 +4,7 @@
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/ray.h"
+#include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
 #include "tests/lessons/scenes.h"
 
@@ -28,25 +29,37 @@ TEST(NearestSpecialCase, SeveralNear_IsTheOneWithTheLeastMove) {
   const Scene steep = rayAndPlane({1, 1, 2}, {1, 0, -3});
   const auto start = nearestIn(steep, {"meeting"});
   ASSERT_TRUE(start);
-  EXPECT_EQ(start->distance, Surd(2)) << "the start, down to the plane";
-  EXPECT_EQ(start->change.value, Object(RayObject{{1, 1, 0}, {1, 0, -3}}));
+  EXPECT_EQ(start->squareOfWay, Surd(4)) << "the start, down to the plane";
+  EXPECT_EQ(start->change.value().value, Object(RayObject{{1, 1, 0}, {1, 0, -3}}));
 
   const auto turn = nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {"meeting"});
   ASSERT_TRUE(turn);
-  EXPECT_EQ(turn->distance, Surd(1)) << "the tip of r, up to the level of the start";
+  EXPECT_EQ(turn->squareOfWay, Surd(1)) << "the tip of r, up to the level of the start";
   EXPECT_EQ(turn->sentence, "The ray would run parallel to the plane.");
-  EXPECT_EQ(turn->change.name, "L");
+  EXPECT_EQ(turn->change.value().name, "L");
 }
 
 TEST(NearestSpecialCase, TakenThere_TheCaseIsTheSpecialOne) {
   const Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
-  const Scene there = edited(scene, {nearestIn(scene, {"meeting"})->change});
+  const Scene there = edited(scene, {nearestIn(scene, {"meeting"})->change.value()});
   EXPECT_EQ(lastOutcome(evaluate(there)).told->name, "parallel");
 }
 
 TEST(NearestSpecialCase, OtherEntries_AreNotAsked) {
   EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {}));
   EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {"E", "L"}));
+}
+
+/// With roots in its coordinates, the touching ray is nearer than the one through the centre, which has none.
+TEST(NearestSpecialCase, ThatNoFractionsLeadTo_IsToldAllTheSame_ButNotOffered) {
+  const Scene scene{{{"S", SphereObject{{0, 0, 0}, 5}},
+                     {"L", RayObject{{2, 2, -9}, {0, 0, 1}}},
+                     {"meeting", ConstructionUse{"ray-sphere", {{"S", "S"}, {"L", "L"}}}}}};
+  const auto nearest = nearestIn(scene, {"meeting"});
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->sentence, "The line of the ray would touch the sphere.");
+  EXPECT_EQ(nearest->squareOfWay, Surd::root(8, -10) + Rational(33)) << "(5 − √8)²";
+  EXPECT_FALSE(nearest->change);
 }
 
 /// Nobody can move what a construction makes.
@@ -67,9 +80,9 @@ TEST(NearestSpecialCase, OfAPointThatLiesOnAnother_KeepsItThere) {
                      {"weights", ConstructionUse{"barycentric", {{"T", "T"}, {"Q", "Q"}}}}}};
   const auto nearest = nearestIn(scene, {"weights"});
   ASSERT_TRUE(nearest);
-  EXPECT_EQ(nearest->change.name, "Q");
-  EXPECT_EQ(nearest->distance, Surd(1));
-  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change}))).told->name, "edge");
+  EXPECT_EQ(nearest->change.value().name, "Q");
+  EXPECT_EQ(nearest->squareOfWay, Surd(1));
+  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change.value()}))).told->name, "edge");
 }
 
 /// The foot would have longer numbers than a coordinate may have.

@@ -65,6 +65,13 @@ TEST(Grips, OfTwoBallsAtAPixel_TheOneInFrontWins) {
   }
 }
 
+TEST(Grips, OfTwoBallsInOnePlace_TheSelectedOneWins) {
+  for (const std::string selected : {"first", "second"})
+    EXPECT_EQ(
+        (Seen{{{point("first", {1, 2, 3}), point("second", {1, 2, 3})}}, selected}.beside(selected, {0, 0})),
+        selected);
+}
+
 TEST(Grips, BesideTwoBalls_TheNearerOnTheScreenWins) {
   const Seen seen{{{point("left", {0, 0, 0}), point("right", {0, q(3, 4), 0})}}};
   EXPECT_EQ(seen.beside("left", {-14, 0}), "left");

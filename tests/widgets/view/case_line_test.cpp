@@ -140,14 +140,16 @@ private slots:
 
   void nearestSpecialCase_isOfferedByAButton_andItsRowStaysWithoutOne() {
     ShownLine shown;
-    shown.line.setNearby("It would be parallel.");
+    shown.line.setNearby("It would be parallel.", true);
     const int height = shown.heightAt(600);
     auto *there = shown.line.findChild<QPushButton *>("there");
     QVERIFY(there->isVisible());
     QSignalSpy chosen(&shown.line, &CaseLine::nearbyChosen);
     QTest::mouseClick(there, Qt::LeftButton);
     QCOMPARE(chosen.count(), 1);
-    shown.line.setNearby({});
+    shown.line.setNearby("It would touch, with roots.", false);
+    QVERIFY(!there->isVisible());
+    shown.line.setNearby({}, false);
     QVERIFY(!there->isVisible());
     QCOMPARE(shown.heightAt(600), height);
   }

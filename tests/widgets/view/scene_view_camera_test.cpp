@@ -70,6 +70,9 @@ private slots:
     QVERIFY(told().startsWith("Moves up and down"));
     fixture.dragBeside({0, 60});
     QVERIFY(told().startsWith("Moves in x and y"));
+    hint.clear();
+    fixture.model.edit(ChangeObject{"Q", PointObject{{10, 15, 8}}}, "typed");
+    QVERIFY2(told().startsWith("Moves in x and y"), "told anew: from its new place it may be otherwise");
   }
 
   void viewThatFollowsWhatWasTyped_isTheSessions() {

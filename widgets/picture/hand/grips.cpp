@@ -31,7 +31,7 @@ public:
   }
 
   [[nodiscard]] Grip gripOf(const Handle &handle, bool isSelected) const {
-    Grip grip{handle.id, {}, {}};
+    Grip grip{handle.id, {}, isSelected, {}};
     if (const auto knob = knobOf(handle, isSelected))
       addKnob(grip, *knob);
     else if (const auto mark = m_marks.find(handle.id); mark != m_marks.end())
@@ -125,12 +125,14 @@ double surfaceDepth(const GripPiece &piece, glm::dvec2 pixel) {
 struct Claim {
   bool isBeside = true; ///< beside what is seen, not on it
   double measure = 0;   ///< the distance on the screen beside it, the depth on it
+  bool isSelected = false;
 
-  /// Of two that are as good the later one wins: a bound point lies on a handle of its host.
+  /// Of two that are as good the selected one wins, which was perhaps just brought there, else the later one:
+  /// a bound point lies on a handle of its host.
   [[nodiscard]] bool winsOver(const std::optional<Claim> &earlier) const {
     if (!earlier || isBeside != earlier->isBeside)
       return !earlier || !isBeside;
-    return measure <= earlier->measure;
+    return measure < earlier->measure || (measure == earlier->measure && !earlier->isSelected);
   }
 };
 
@@ -141,7 +143,8 @@ std::optional<Claim> claimOf(const Grip &grip, glm::dvec2 pixel, double margin) 
     const double distance = distanceTo(piece.stroke, pixel);
     if (distance > margin && !isInRing)
       continue;
-    const Claim claim = distance <= 0 ? Claim{false, surfaceDepth(piece, pixel)} : Claim{true, distance};
+    const Claim claim = distance <= 0 ? Claim{false, surfaceDepth(piece, pixel), grip.isSelected}
+                                      : Claim{true, distance, grip.isSelected};
     if (claim.winsOver(best))
       best = claim;
   }

@@ -22,6 +22,7 @@ struct GripPiece {
 struct Grip {
   std::string handle; ///< its id
   std::vector<GripPiece> pieces;
+  bool isSelected = false;
   std::optional<Stroke> ring; ///< around a selected handle that moves freely; it is grabbed up to there
 };
 
@@ -34,7 +35,7 @@ inline constexpr double grabMargin = 5;
                                         const Figure &figure, const Theme &theme, const View &view);
 
 /// The id of the handle that is grabbed at a pixel, or empty. What is seen there wins, the nearest to the eye
-/// first; beside what is seen, the nearest on the screen.
+/// first; beside what is seen, the nearest on the screen. Of handles in one place the selected one wins.
 [[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips,
                                           double pixelRatio);
 
