@@ -10,6 +10,7 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <sstream>
 
 namespace halfspace {
 namespace {

@@ -101,7 +101,7 @@ std::uint32_t indexFrom(const JsonValue &value, std::size_t count) {
   const Rational number = numberFrom(value);
   if (!number.isInteger() || number < 0 || number >= count)
     throw Malformed{"an index is that of no vertex"};
-  return static_cast<std::uint32_t>(number.numerator());
+  return static_cast<std::uint32_t>(number.words()->numerator);
 }
 
 SolidMesh<Rational> meshFrom(const JsonValue &value) {

@@ -25,12 +25,8 @@ void plane(Operands &operands, Answer &answer) {
   const auto plane = operands.plane("plane");
   if (operands.fault())
     return;
-  const auto primitive = primitiveCoefficients(plane);
-  std::array<Rational, 4> whole;
-  std::transform(primitive.begin(), primitive.end(), whole.begin(),
-                 [](const Integer &coefficient) { return Rational(coefficient); });
   answer.numbers("coefficients", std::array{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset});
-  answer.numbers("primitive", whole);
+  answer.numbers("primitive", primitiveCoefficients(plane));
   answer.numbers("normalized", normalizedCoefficients(plane));
   answer.number("origin_distance", measurePointPlane(ExactVec3(), plane).signedDistance);
 }

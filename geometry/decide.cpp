@@ -1,6 +1,7 @@
 #include "geometry/decide.h"
 
 #include "geometry/filter.h"
+#include "geometry/integer.h"
 
 #include <initializer_list>
 #include <limits>
@@ -108,8 +109,8 @@ RayTriangleVerdict verdictOf(const WholeNumbers &whole, const TriangleProducts<I
 }
 
 Rational tOf(const WholeNumbers &whole, const TriangleProducts<Integer> &exact) {
-  const Rational t(exact.volume, exact.sum);
-  const Rational power(Integer(Integer(1) << std::abs(whole.tExponent())));
+  const Rational t = rationalOf(exact.volume) / rationalOf(exact.sum);
+  const Rational power = rationalOf(Integer(1) << std::abs(whole.tExponent()));
   return whole.tExponent() < 0 ? t / power : t * power;
 }
 

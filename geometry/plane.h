@@ -54,7 +54,10 @@ template <class Scalar>
           overRoot(plane.normal.z, square), overRoot(plane.offset, square)};
 }
 
-/// [a, b, c, d] as `primitiveIntegers`. Requires n ≠ 0.
-[[nodiscard]] std::array<Integer, 4> primitiveCoefficients(const Plane<Rational> &plane);
+/// The positive multiple of [a, b, c, d] in whole numbers without a common factor. Requires n ≠ 0.
+/// (1) They are in the proportion of the coefficients, with the same signs.
+/// (2) Their greatest common divisor is 1.
+/// (3) The same for k·[n, d] with k > 0, the negatives for k < 0.
+[[nodiscard]] std::array<Rational, 4> primitiveCoefficients(const Plane<Rational> &plane);
 
 } // namespace halfspace

@@ -1,4 +1,4 @@
-#include "geometry/rational.h"
+#include "geometry/integer.h"
 
 #include <algorithm>
 #include <array>
@@ -11,16 +11,6 @@
 namespace halfspace {
 
 // --- The number itself
-
-#ifdef HALFSPACE_GMP
-using BigFraction = mp::number<mp::gmp_rational, mp::et_off>;
-#else
-using BigFraction = mp::number<mp::cpp_rational_backend, mp::et_off>;
-#endif
-
-struct Rational::Big {
-  BigFraction value;
-};
 
 namespace {
 
@@ -61,14 +51,19 @@ std::int64_t remainder(TwoWords value, std::int64_t divisor) {
 
 } // namespace
 
-Rational::Rational(const Integer &value) {
-  if (fitsWord(value))
-    m_numerator = static_cast<std::int64_t>(value);
+Rational::Rational(Big value) {
+  const Integer p = mp::numerator(value.value);
+  const Integer q = mp::denominator(value.value);
+  if (fitsWord(p) && fitsWord(q))
+    *this = fromParts(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
   else
-    m_big = std::make_shared<const Big>(Big{value});
+    m_big = std::make_shared<const Big>(std::move(value));
 }
 
-Rational::Rational(const Integer &p, const Integer &q) { *this = Rational(p) / Rational(q); }
+Rational Rational::beyondWords(bool isNegative, std::uint64_t bits) {
+  const Integer magnitude(isNegative ? -bits : bits);
+  return rationalOf(isNegative ? Integer(-magnitude) : magnitude);
+}
 
 Rational Rational::fromParts(TwoWords numerator, TwoWords denominator) {
   Rational result;
@@ -77,26 +72,16 @@ Rational Rational::fromParts(TwoWords numerator, TwoWords denominator) {
   return result;
 }
 
-Rational Rational::fromBig(Big big) {
-  const Integer p = mp::numerator(big.value);
-  const Integer q = mp::denominator(big.value);
-  if (fitsWord(p) && fitsWord(q))
-    return fromParts(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
-  Rational result;
-  result.m_big = std::make_shared<const Big>(std::move(big));
-  return result;
-}
-
 Rational::Big Rational::big() const {
   return m_big ? *m_big : Big{{Integer(m_numerator), Integer(m_denominator)}};
 }
 
-Integer Rational::numerator() const {
-  return m_big ? Integer(mp::numerator(m_big->value)) : Integer(m_numerator);
+Rational Rational::numerator() const {
+  return m_big ? rationalOf(mp::numerator(m_big->value)) : fromParts(m_numerator, 1);
 }
 
-Integer Rational::denominator() const {
-  return m_big ? Integer(mp::denominator(m_big->value)) : Integer(m_denominator);
+Rational Rational::denominator() const {
+  return m_big ? rationalOf(mp::denominator(m_big->value)) : fromParts(m_denominator, 1);
 }
 
 bool Rational::isInteger() const { return m_big ? mp::denominator(m_big->value) == 1 : m_denominator == 1; }
@@ -108,7 +93,7 @@ int Rational::sign() const {
 }
 
 Rational Rational::operator-() const {
-  return m_big ? fromBig({-m_big->value}) : fromParts(-m_numerator, m_denominator);
+  return m_big ? Rational(Big{-m_big->value}) : fromParts(-m_numerator, m_denominator);
 }
 
 // The greatest common divisors are taken before the products, of single words (Knuth, The Art of Computer
@@ -126,7 +111,7 @@ Rational Rational::plus(const Rational &other) const {
     if (fitsWord(numerator) && fitsWord(denominator))
       return fromParts(numerator, denominator);
   }
-  return fromBig({big().value + other.big().value});
+  return Rational(Big{big().value + other.big().value});
 }
 
 Rational Rational::times(const Rational &other) const {
@@ -138,13 +123,13 @@ Rational Rational::times(const Rational &other) const {
     if (fitsWord(numerator) && fitsWord(denominator))
       return fromParts(numerator, denominator);
   }
-  return fromBig({big().value * other.big().value});
+  return Rational(Big{big().value * other.big().value});
 }
 
 Rational Rational::over(const Rational &divisor) const {
   assert(divisor.sign() != 0);
   if (!divisor.isSmall())
-    return fromBig({big().value / divisor.big().value});
+    return Rational(Big{big().value / divisor.big().value});
   const bool negative = divisor.m_numerator < 0;
   return times(negative ? fromParts(-divisor.m_denominator, -divisor.m_numerator)
                         : fromParts(divisor.m_denominator, divisor.m_numerator));
@@ -157,6 +142,16 @@ std::strong_ordering Rational::compare(const Rational &other) const {
     return left <=> right;
   }
   return big().value.compare(other.big().value) <=> 0;
+}
+
+Integer integerOf(const Rational &whole) {
+  assert(whole.isInteger());
+  const auto words = whole.words();
+  return words ? Integer(words->numerator) : Integer(mp::numerator(whole.big().value));
+}
+
+Rational rationalOf(const Integer &value) {
+  return fitsWord(value) ? Rational(static_cast<std::int64_t>(value)) : Rational(Rational::Big{value});
 }
 
 std::ostream &operator<<(std::ostream &out, const Rational &value) { return out << toText(value); }
@@ -292,8 +287,9 @@ Rational powerOfTen(int exponent) {
     return powers;
   }();
   const auto power = static_cast<std::size_t>(std::abs(exponent));
-  const Rational value = power < words.size() ? Rational(words[power])
-                                              : Rational(mp::pow(Integer(10), static_cast<unsigned>(power)));
+  const Rational value = power < words.size()
+                             ? Rational(words[power])
+                             : rationalOf(mp::pow(Integer(10), static_cast<unsigned>(power)));
   return exponent < 0 ? 1 / value : value;
 }
 
@@ -327,10 +323,7 @@ std::string toText(const Rational &value) {
       text += "/" + wordText(words->denominator);
     return text;
   }
-  std::string text = value.numerator().str();
-  if (!value.isInteger())
-    text += "/" + value.denominator().str();
-  return text;
+  return value.big().value.str();
 }
 
 double nearestDouble(const Integer &p, const Integer &q, int exponent) {
@@ -372,7 +365,8 @@ double toDouble(const Rational &value) {
   const auto words = value.words();
   if (words && std::abs(words->numerator) <= largestWhole && words->denominator <= largestWhole)
     return static_cast<double>(words->numerator) / static_cast<double>(words->denominator);
-  return nearestDouble(value.numerator(), value.denominator());
+  const BigFraction big = value.big().value;
+  return nearestDouble(mp::numerator(big), mp::denominator(big));
 }
 
 Rational exactly(double value) {
@@ -381,18 +375,18 @@ Rational exactly(double value) {
   constexpr int digits = std::numeric_limits<double>::digits;
   const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, digits)));
   exponent -= digits;
-  return exponent >= 0 ? Rational(Integer(whole << exponent))
-                       : Rational(whole, Integer(Integer(1) << -exponent));
+  const Rational power = rationalOf(Integer(1) << std::abs(exponent));
+  return exponent >= 0 ? rationalOf(whole) * power : rationalOf(whole) / power;
 }
 
 Rational roundToMultiple(const Rational &value, const Rational &step) {
   const Rational count = value / step + Rational(1, 2);
-  const Integer p = count.numerator();
-  const Integer q = count.denominator();
+  const Integer p = integerOf(count.numerator());
+  const Integer q = integerOf(count.denominator());
   Integer floor = p / q;
   if (p < 0 && floor * q != p)
     --floor;
-  return Rational(floor) * step;
+  return rationalOf(floor) * step;
 }
 
 Rational roundToMultiple(double value, const Rational &step) { return roundToMultiple(exactly(value), step); }

@@ -1,11 +1,5 @@
-// Exact numbers: integers and fractions of any size.
+// Exact numbers: fractions of any size.
 #pragma once
-
-#ifdef HALFSPACE_GMP
-#include <boost/multiprecision/gmp.hpp>
-#else
-#include <boost/multiprecision/cpp_int.hpp>
-#endif
 
 #include <compare>
 #include <concepts>
@@ -20,15 +14,6 @@
 
 namespace halfspace {
 
-namespace mp = boost::multiprecision;
-
-/// An integer of any size. Expression templates are off: GLM and `auto` need plain values.
-#ifdef HALFSPACE_GMP
-using Integer = mp::number<mp::gmp_int, mp::et_off>;
-#else
-using Integer = mp::number<mp::cpp_int_backend<>, mp::et_off>;
-#endif
-
 /// A fraction in lowest terms with a positive denominator, of any size.
 /// (1) Sums, differences, products, quotients and comparisons are exact.
 /// (2) Equal values have the same numerator, denominator and text, however they were come by.
@@ -42,19 +27,25 @@ public:
   Rational() = default;
   template <std::integral Int>
   Rational(Int value) { // NOLINT(google-explicit-constructor): every integer is a fraction
+    static_assert(sizeof(Int) <= sizeof(std::int64_t));
     if (std::in_range<std::int64_t>(value) &&
         std::cmp_not_equal(value, std::numeric_limits<std::int64_t>::min()))
       m_numerator = static_cast<std::int64_t>(value);
     else
-      *this = Rational(Integer(value));
+      *this = beyondWords(std::cmp_less(value, 0), static_cast<std::uint64_t>(value));
   }
-  explicit Rational(const Integer &value);
-  /// p/q. Requires q ≠ 0, as the next one does.
+  /// p/q. Requires q ≠ 0.
   template <std::integral P, std::integral Q> Rational(P p, Q q) { *this = Rational(p) / Rational(q); }
-  Rational(const Integer &p, const Integer &q);
 
-  [[nodiscard]] Integer numerator() const;
-  [[nodiscard]] Integer denominator() const;
+  /// The same value as Boost knows it; `geometry/integer.h` has what that is. Few need it, and all others
+  /// compile in half the time without.
+  struct Big;
+  explicit Rational(Big value);
+  [[nodiscard]] Big big() const;
+
+  /// Whole numbers, the denominator a positive one.
+  [[nodiscard]] Rational numerator() const;
+  [[nodiscard]] Rational denominator() const;
   [[nodiscard]] bool isInteger() const;
   /// −1, 0 or 1.
   [[nodiscard]] int sign() const;
@@ -109,13 +100,10 @@ public:
 private:
   __extension__ using TwoWords = __int128;
 
-  /// What does not fit into the words.
-  struct Big;
-
   [[nodiscard]] bool isSmall() const { return m_big == nullptr; }
   [[nodiscard]] bool isSmallInteger() const { return m_big == nullptr && m_denominator == 1; }
-  [[nodiscard]] Big big() const;
-  [[nodiscard]] static Rational fromBig(Big big);
+  /// An integer that a word does not hold, by its bits.
+  [[nodiscard]] static Rational beyondWords(bool isNegative, std::uint64_t bits);
   [[nodiscard]] static Rational fromParts(TwoWords numerator, TwoWords denominator);
 
   [[nodiscard]] Rational plus(const Rational &other) const;
@@ -177,10 +165,6 @@ enum class NotRead { NoNumber, TooLong, TooLarge };
 
 /// The exact value of a double. Requires a finite one.
 [[nodiscard]] Rational exactly(double value);
-
-/// The double nearest to p/q·2^exponent; ±infinity beyond the range of doubles. Requires q > 0.
-/// (1) It is `toDouble` of that number.
-[[nodiscard]] double nearestDouble(const Integer &p, const Integer &q, int exponent = 0);
 
 /// The multiple of `step` nearest to the value; halves go up. Requires step > 0.
 /// (1) It is a whole number of steps and at most step/2 away.

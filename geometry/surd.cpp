@@ -1,5 +1,7 @@
 #include "geometry/surd.h"
 
+#include "geometry/integer.h"
+
 #include <limits>
 #include <vector>
 
@@ -116,15 +118,15 @@ Surd Surd::root(const Rational &square, const Rational &factor) {
   // B·√n = ±√(B²n), so the form depends on the value alone and not on how it was come by.
   // √(p/q) = root(p)/(root(q)·rest(q)) · √(rest(p)·rest(q)), square-free because p and q share no factor.
   const Rational whole = square * factor * factor;
-  const SquareParts p = splitSquares(whole.numerator());
-  const SquareParts q = splitSquares(whole.denominator());
-  const Rational magnitude(p.root, Integer(q.root * q.rest));
+  const SquareParts p = splitSquares(integerOf(whole.numerator()));
+  const SquareParts q = splitSquares(integerOf(whole.denominator()));
+  const Rational magnitude = rationalOf(p.root) / rationalOf(q.root * q.rest);
   const Rational outside = factor < 0 ? Rational(-magnitude) : magnitude;
   const Integer inside = p.rest * q.rest;
   if (inside == 1)
     return outside;
   result.m_factor = outside;
-  result.m_radicand = Rational(inside);
+  result.m_radicand = rationalOf(inside);
   result.m_canonical = p.complete && q.complete;
   return result;
 }
@@ -155,10 +157,11 @@ Surd Surd::operator+(const Rational &shift) const {
 bool Surd::isWithinFactorLimit() const {
   // B²n = p/q in lowest terms, found without factors as n is square-free: p and q are squares but for the
   // parts of n that they keep.
-  const Integer denominator = m_factor.denominator();
-  const Integer shared = mp::gcd(radicand(), denominator);
-  const Integer rest = radicand() / shared;
-  const Integer numerator = m_factor.numerator();
+  const Integer radicand = integerOf(m_radicand);
+  const Integer denominator = integerOf(m_factor.denominator());
+  const Integer shared = mp::gcd(radicand, denominator);
+  const Integer rest = radicand / shared;
+  const Integer numerator = integerOf(m_factor.numerator());
   return (rest == 1 || numerator * numerator * rest <= factorLimit) &&
          (shared == 1 || denominator * denominator / shared <= factorLimit);
 }
@@ -207,14 +210,14 @@ std::optional<double> quickDouble(const Surd &value) {
     return {};
   const auto rational = value.rationalPart().words();
   const auto factor = value.rootFactor().words();
-  if (!rational || !factor || value.radicand() > factorLimit)
+  const auto radicand = value.radicand().words();
+  if (!rational || !factor || !radicand)
     return {};
   const auto quotient = [](const Rational::Words &words) {
     return static_cast<long double>(words.numerator) / static_cast<long double>(words.denominator);
   };
   const long double whole = quotient(*rational);
-  const long double root =
-      quotient(*factor) * std::sqrt(static_cast<long double>(static_cast<std::int64_t>(value.radicand())));
+  const long double root = quotient(*factor) * std::sqrt(static_cast<long double>(radicand->numerator));
   const long double sum = whole + root;
   // A is rounded once, B·√n three times, and their sum once, each time by epsilon/2 at most: less than half
   // of this, which also covers the two roundings below.
@@ -235,15 +238,15 @@ double toDouble(const Surd &value) {
   // The root is taken in fixed point, B·√n = ±√(B²n), and cut off: the sum lies between what comes of it and
   // of the next number. More bits are added until both are nearest to the same double, which happens, as the
   // sum is irrational and never in the middle between two.
-  const Rational square = value.rootFactor() * value.rootFactor() * Rational(value.radicand());
-  const Integer p = square.numerator();
-  const Integer q = square.denominator();
+  const Rational square = value.rootFactor() * value.rootFactor() * value.radicand();
+  const Integer p = integerOf(square.numerator());
+  const Integer q = integerOf(square.denominator());
   for (int bits = 128 + static_cast<int>(mp::msb(q));; bits *= 2) {
-    const Rational shifted = value.rationalPart() * Rational(Integer(Integer(1) << bits));
+    const Rational shifted = value.rationalPart() * rationalOf(Integer(1) << bits);
     const Integer root = mp::sqrt(Integer((p << (2 * bits)) / q));
     const auto sumWith = [&](const Integer &magnitude) {
-      const Rational sum = shifted + Rational(value.rootFactor() < 0 ? Integer(-magnitude) : magnitude);
-      return nearestDouble(sum.numerator(), sum.denominator(), -bits);
+      const Rational sum = shifted + rationalOf(value.rootFactor() < 0 ? Integer(-magnitude) : magnitude);
+      return nearestDouble(integerOf(sum.numerator()), integerOf(sum.denominator()), -bits);
     };
     const double sum = sumWith(root);
     if (sum == sumWith(root + 1))
@@ -266,7 +269,7 @@ std::optional<std::string> toText(const Surd &value) {
     text += "-";
   else if (magnitude != 1)
     text += toText(magnitude) + "*";
-  return text + "sqrt(" + value.radicand().str() + ")";
+  return text + "sqrt(" + toText(value.radicand()) + ")";
 }
 
 } // namespace halfspace

@@ -28,7 +28,8 @@ public:
 
   [[nodiscard]] const Rational &rationalPart() const { return m_rational; }
   [[nodiscard]] const Rational &rootFactor() const { return m_factor; }
-  [[nodiscard]] Integer radicand() const { return m_radicand.numerator(); }
+  /// A whole number.
+  [[nodiscard]] const Rational &radicand() const { return m_radicand; }
   [[nodiscard]] bool isRational() const { return m_factor == 0; }
   [[nodiscard]] bool canonical() const { return m_canonical; }
 
@@ -62,12 +63,12 @@ private:
 
   Rational m_rational = 0;
   Rational m_factor = 0;
-  Rational m_radicand = 1; ///< an integer, kept as a fraction is: a small one without memory of its own
+  Rational m_radicand = 1;
   bool m_canonical = true;
 };
 
 /// The largest number that is factored to find the square-free part of a radicand.
-inline const Integer factorLimit = mp::pow(Integer(10), 18);
+inline constexpr std::int64_t factorLimit = 1'000'000'000'000'000'000;
 
 /// The double nearest to the exact value; ±infinity beyond their range.
 /// (1) toDouble(−x) = −toDouble(x).

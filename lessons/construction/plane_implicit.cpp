@@ -65,11 +65,10 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
        std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
   if (at.zeroNormal)
     return values;
-  std::vector<Surd> primitive;
-  for (const Integer &integer : primitiveCoefficients(plane))
-    primitive.emplace_back(Rational(integer));
+  const auto primitive = primitiveCoefficients(plane);
   const auto normalized = normalizedCoefficients(plane);
-  values.push_back({"primitive", words("in lowest integers"), primitive});
+  values.push_back(
+      {"primitive", words("in lowest integers"), std::vector<Surd>(primitive.begin(), primitive.end())});
   values.push_back({"normalized", words("normalized"), std::vector(normalized.begin(), normalized.end())});
   values.push_back({"origin_distance", words("signed distance of the origin"),
                     measurePointPlane(ExactVec3(0), plane).signedDistance});

@@ -170,10 +170,9 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
                                               : "none"});
   }
   values.push_back(listed("normal", at.n));
-  std::vector<Surd> primitive;
-  for (const Integer &integer : primitiveCoefficients(at.plane))
-    primitive.emplace_back(Rational(integer));
-  values.push_back({"primitive", words("in lowest integers"), primitive});
+  const auto primitive = primitiveCoefficients(at.plane);
+  values.push_back(
+      {"primitive", words("in lowest integers"), std::vector<Surd>(primitive.begin(), primitive.end())});
   return values;
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// condition holds.
 struct Lack {
   Rational amount;
-  Integer radicand; ///< what is lacking is `amount` times the root of this
+  Rational radicand; ///< what is lacking is `amount` times the root of this
 };
 
 /// The scene as it is with a handle at other places.
@@ -59,7 +59,7 @@ std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, con
   const std::array ways{ExactVec3(0), ExactVec3(1, 0, 0), ExactVec3(0, 1, 0), ExactVec3(0, 0, 1),
                         ExactVec3(-2, 3, 5)};
   std::vector<Rational> lacking;
-  std::optional<Integer> radicand;
+  std::optional<Rational> radicand;
   for (const ExactVec3 &way : ways) {
     const auto lack = lackOf(condition, tried.at(start + way));
     if (!lack || (lack->amount != 0 && radicand && *radicand != lack->radicand))

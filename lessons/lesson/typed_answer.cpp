@@ -150,8 +150,8 @@ std::optional<Rational> roundingOf(const std::string &text) {
   const auto digits = first == std::string::npos ? 0 : text.size() - first - (first < point ? 1 : 0);
   if (digits < fewestDigits)
     return {};
-  const auto places = static_cast<unsigned>(text.size() - point - 1);
-  return Rational(1, Integer(2 * mp::pow(Integer(10), places)));
+  const auto places = static_cast<int>(text.size() - point - 1);
+  return powerOfTen(-places) / 2;
 }
 
 std::optional<TypedEntry> readEntry(std::string_view piece) {

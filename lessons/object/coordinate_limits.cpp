@@ -5,18 +5,16 @@
 namespace halfspace {
 namespace {
 
-bool hasTooManyDigits(const Integer &value) {
-  return Integer(mp::abs(value)).str().size() > coordinateDigits;
-}
+bool hasTooManyDigits(const Rational &whole) { return toText(abs(whole)).size() > coordinateDigits; }
 
 } // namespace
 
 bool hasEndlessNumbers(const Object &made) {
-  static const Integer limit = mp::pow(Integer(10), madeDigits);
+  static const Rational limit = powerOfTen(madeDigits);
   for (std::size_t index = 0; index < made.size(); ++index)
     for (int axis = 0; axis < 3; ++axis)
       if (const Rational &number = made[index][axis];
-          mp::abs(number.numerator()) > limit || number.denominator() > limit)
+          abs(number.numerator()) > limit || number.denominator() > limit)
         return true;
   return false;
 }

@@ -4,6 +4,7 @@
 #include "lessons/object/object.h"
 
 #include <map>
+#include <variant>
 
 namespace halfspace {
 

@@ -15,11 +15,9 @@ constexpr int gridReach = 2;
 /// One way to satisfy a target.
 struct Candidate {
   ExactVec3 at;
-  Integer offGrid = 1; ///< the longest denominator of its coordinates counted in steps; 1 on the grid
-  double pixels = 0;   ///< from where the pointer wants it
+  Rational offGrid = 1; ///< the longest denominator of its coordinates counted in steps; 1 on the grid
+  double pixels = 0;    ///< from where the pointer wants it
 };
-
-Integer denominatorOf(const Rational &value) { return value.denominator(); }
 
 int dominantAxis(const ExactVec3 &vector) {
   int dominant = 0;
@@ -167,11 +165,12 @@ private:
   }
 
   /// The longest denominator of the coordinates that move, counted in steps.
-  Integer offGrid(const ExactVec3 &at) const {
-    Integer longest = 1;
+  Rational offGrid(const ExactVec3 &at) const {
+    Rational longest = 1;
     for (int axis = 0; axis < 3; ++axis)
       if (m_request.freedom.moves(axis))
-        longest = std::max(longest, denominatorOf((at[axis] - m_request.handle.base[axis]) / m_request.step));
+        longest = std::max(longest,
+                           Rational((at[axis] - m_request.handle.base[axis]) / m_request.step).denominator());
     return longest;
   }
 
@@ -200,7 +199,7 @@ private:
   }
 
   static bool isTooLong(const Rational &value) {
-    return denominatorOf(value).str().size() > longestSnapDenominator;
+    return toText(value.denominator()).size() > longestSnapDenominator;
   }
 
   const SnapRequest &m_request;

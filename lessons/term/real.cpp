@@ -1,11 +1,14 @@
 #include "lessons/term/real.h"
 
+#include "lessons/term/interval.h"
+
 #include <algorithm>
 #include <array>
 
 namespace halfspace {
 namespace {
 
+namespace mp = boost::multiprecision;
 using Bound = Interval::Bound;
 
 /// Wide enough for the rounding of the operation that gave the bounds.
@@ -15,7 +18,7 @@ Interval widened(const Bound &low, const Bound &high) {
 }
 
 Interval boundsOf(const Rational &value) {
-  const Bound near = Bound(value.numerator().str()) / Bound(value.denominator().str());
+  const Bound near = Bound(toText(value.numerator())) / Bound(toText(value.denominator()));
   return widened(near, near);
 }
 
@@ -35,13 +38,13 @@ Interval reciprocal(const Interval &divisor) { return widened(1 / divisor.high, 
 /// A² − B²n, which is (A + B√n)(A − B√n)
 Rational normOf(const Surd &value) {
   return value.rationalPart() * value.rationalPart() -
-         value.rootFactor() * value.rootFactor() * Rational(value.radicand());
+         value.rootFactor() * value.rootFactor() * value.radicand();
 }
 
 Interval boundsOf(const Surd &value) {
   const Rational &a = value.rationalPart();
   const Rational &b = value.rootFactor();
-  const Interval radicand = root(boundsOf(Rational(value.radicand())));
+  const Interval radicand = root(boundsOf(value.radicand()));
   if (a.sign() * b.sign() >= 0)
     return sum(boundsOf(a), product(boundsOf(b), radicand));
   // As (A² − B²n)/(A − B√n): the difference itself would lose all digits that both parts have in common.
@@ -49,8 +52,8 @@ Interval boundsOf(const Surd &value) {
                  reciprocal(sum(boundsOf(a), product(boundsOf(Rational(-b)), radicand))));
 }
 
-Surd made(const Rational &rationalPart, const Rational &rootFactor, const Integer &radicand) {
-  return Surd::root(Rational(radicand), rootFactor) + rationalPart;
+Surd made(const Rational &rationalPart, const Rational &rootFactor, const Rational &radicand) {
+  return Surd::root(radicand, rootFactor) + rationalPart;
 }
 
 /// Nothing where the sum has two different roots.
@@ -70,12 +73,12 @@ std::optional<Surd> exactProduct(const Surd &a, const Surd &b) {
   if (a.isRational())
     return b * a.rationalPart();
   if (a.radicand() == b.radicand()) {
-    const Integer n = a.radicand();
-    return made(a.rationalPart() * b.rationalPart() + a.rootFactor() * b.rootFactor() * Rational(n),
+    const Rational &n = a.radicand();
+    return made(a.rationalPart() * b.rationalPart() + a.rootFactor() * b.rootFactor() * n,
                 a.rationalPart() * b.rootFactor() + a.rootFactor() * b.rationalPart(), n);
   }
   if (a.rationalPart() == 0 && b.rationalPart() == 0)
-    return Surd::root(Rational(Integer(a.radicand() * b.radicand())), a.rootFactor() * b.rootFactor());
+    return Surd::root(a.radicand() * b.radicand(), a.rootFactor() * b.rootFactor());
   return {};
 }
 
@@ -89,7 +92,7 @@ Surd reciprocal(const Surd &value) {
 
 } // namespace
 
-Real::Real(Interval value) : m_within(std::make_shared<const Interval>(std::move(value))) {}
+Real::Real(const Interval &within) : m_within(std::make_shared<const Interval>(within)) {}
 
 Interval Real::bounds() const {
   const Surd *surd = exact();

@@ -3,27 +3,19 @@
 
 #include "geometry/surd.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <memory>
 #include <optional>
 
 namespace halfspace {
 
-/// Between `low` and `high`, both included; each operation widens by its own rounding.
-struct Interval {
-  /// Digits enough to tell any two numbers apart that a page shows, and then some.
-  using Bound = mp::number<mp::cpp_bin_float<120>, mp::et_off>;
-  Bound low;
-  Bound high;
-};
+struct Interval; // lessons/term/interval.h
 
 class Real {
 public:
   Real(Surd value) : m_exact(std::move(value)) {} // NOLINT(google-explicit-constructor): every surd is one
   Real(Rational value) : Real(Surd(std::move(value))) {} // NOLINT(google-explicit-constructor)
   Real(int value) : Real(Surd(value)) {}                 // NOLINT(google-explicit-constructor)
-  explicit Real(Interval value);
+  explicit Real(const Interval &within);
 
   /// The value where it is A + B·√n; null where it is only known to lie between bounds.
   [[nodiscard]] const Surd *exact() const { return m_within ? nullptr : &m_exact; }

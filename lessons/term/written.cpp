@@ -103,7 +103,7 @@ Term exactForm(const Surd &value) {
     return rational;
   const Term root =
       signedTerm(value.rootFactor() < 0,
-                 fraction(abs(value.rootFactor()), halfspace::root(digits(value.radicand().str()))));
+                 fraction(abs(value.rootFactor()), halfspace::root(digits(toText(value.radicand())))));
   return part == 0 ? root : rational + root;
 }
 

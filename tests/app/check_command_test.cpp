@@ -1,6 +1,8 @@
 // `halfspace check` as a shell meets it: what is wrong with lessons, a line for each problem.
 #include "tests/app/command_fixture.h"
 
+#include <vector>
+
 namespace halfspace {
 namespace {
 

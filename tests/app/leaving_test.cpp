@@ -412,10 +412,10 @@ private slots:
     fixture.window.findChild<QDockWidget *>("numbersDock")->show();
     QTest::qWait(50); // its layout
     NumberField &number = *fixture.window.findChild<Inspector *>()->given().field("Q", 0);
-    number.setValue(Rational(Integer("1234567890123456789"), Integer("987654321987654321")));
+    number.setValue(Rational(1234567890123456789, 987654321987654321));
     QVERIFY(number.text().contains('/'));
     QVERIFY2(number.shownText().startsWith("≈ 1.2"), qPrintable(number.shownText()));
-    number.setValue(Rational(Integer(1), Integer("123456789012345")));
+    number.setValue(Rational(1, 123456789012345));
     QVERIFY2(number.shownText().endsWith("·10⁻¹⁵"), qPrintable(number.shownText()));
     QApplication::setActiveWindow(&fixture.window);
     number.setFocus();

@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace halfspace::bench {
 namespace {
 

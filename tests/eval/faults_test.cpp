@@ -4,6 +4,7 @@
 #include "eval/fault.h"
 #include "eval/json_line.h"
 
+#include <algorithm>
 #include <set>
 
 namespace halfspace {

@@ -18,8 +18,8 @@ public:
     std::string denominator = "1";
     for (int i = 0; i < digits; ++i)
       denominator += static_cast<char>('0' + std::uniform_int_distribution<int>(0, 9)(m_engine));
-    const Integer numerator = Integer(denominator) * whole + 1;
-    return "\"" + numerator.str() + "/" + denominator + "\"";
+    const Rational numerator = *parseRational(denominator) * whole + 1;
+    return "\"" + toText(numerator) + "/" + denominator + "\"";
   }
 
 private:

@@ -1,6 +1,7 @@
 // Questions in a stream: order, outcome, and answers that do not wait for the end.
 #include "tests/eval/answers.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace halfspace {

@@ -84,7 +84,7 @@ TEST(HitAll, ManyTriangles_GiveThoseThatAreHitOneByOneInOrder) { // laws (1) to 
 
 TEST(HitAll, TrianglesAHairApart_KeepTheirOrder) {
   for (int k = 0; k <= 60; ++k) {
-    const Rational hair = tenToThe(-k);
+    const Rational hair = powerOfTen(-k);
     EXPECT_EQ(order(hitsOf(up, {levelAt(Rational(1 + hair)), levelAt(1)})), (std::vector<std::size_t>{1, 0}));
   }
 }

@@ -125,13 +125,13 @@ TEST(IntersectRayPlane, FacingNormal_IsUnitAndAgainstTheRayOnWhicheverSideTheNor
 TEST(IntersectRayPlane, RayTurnedTowardsParallel_IsParallelOnlyAtZero) {
   const Plane<Rational> ground{ExactVec3(0, 0, 1), 0};
   for (int k = 0; k <= 60; ++k) {
-    const Rational tilt = tenToThe(-k);
+    const Rational tilt = powerOfTen(-k);
     const auto down = intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, Rational(-tilt))}, ground);
     EXPECT_EQ(down.which, RayPlaneCase::Hit);
-    EXPECT_EQ(down.t, tenToThe(k));
+    EXPECT_EQ(down.t, powerOfTen(k));
     const auto up = intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, tilt)}, ground);
     EXPECT_EQ(up.which, RayPlaneCase::Behind);
-    EXPECT_EQ(up.t, -tenToThe(k));
+    EXPECT_EQ(up.t, -powerOfTen(k));
   }
   EXPECT_EQ(intersectRayPlane({ExactVec3(0, 0, 1), ExactVec3(1, 0, 0)}, ground).which,
             RayPlaneCase::Parallel);

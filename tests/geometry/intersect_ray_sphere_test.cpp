@@ -25,7 +25,7 @@ Parts partsOf(const SurdVec3 &vector) {
     parts.rational[axis] = value.rationalPart();
     parts.factor[axis] = value.rootFactor();
     if (!value.isRational())
-      parts.radicand = Rational(value.radicand());
+      parts.radicand = value.radicand();
   }
   return parts;
 }
@@ -33,7 +33,7 @@ Parts partsOf(const SurdVec3 &vector) {
 bool rootsAreShared(const SurdVec3 &vector) {
   const Parts parts = partsOf(vector);
   return std::all_of(vector.begin(), vector.end(), [&](const Surd &value) {
-    return value.isRational() || Rational(value.radicand()) == parts.radicand;
+    return value.isRational() || value.radicand() == parts.radicand;
   });
 }
 
@@ -163,7 +163,7 @@ TEST(IntersectRaySphere, BothT_HaveTheSumAndProductOfTheQuadratic) { // law (4)
     // A − B·√n and A + B·√n, or two fractions.
     const Surd &first = meet.along.front().t;
     const Surd &last = meet.along.back().t;
-    const Rational rootSquare = last.rootFactor() * last.rootFactor() * Rational(last.radicand());
+    const Rational rootSquare = last.rootFactor() * last.rootFactor() * last.radicand();
     EXPECT_EQ(first.rootFactor(), -last.rootFactor());
     EXPECT_EQ(first.rationalPart() + last.rationalPart(), -2 * dot(ray.direction, m) / square);
     EXPECT_EQ(first.rationalPart() * last.rationalPart() - rootSquare, product);
@@ -224,9 +224,9 @@ TEST(IntersectRaySphere, TangentMovedByAHair_TouchesTwiceOrNotAtAll) {
     const auto at = [&](const Rational &height) {
       return intersectRaySphere(Ray<Rational>{ExactVec3(-5, height, 0), ExactVec3(1, 0, 0)}, sphere).contacts;
     };
-    EXPECT_EQ(at(Rational(1 - tenToThe(-k))), SphereContacts::Two);
+    EXPECT_EQ(at(Rational(1 - powerOfTen(-k))), SphereContacts::Two);
     EXPECT_EQ(at(Rational(1)), SphereContacts::Tangent);
-    EXPECT_EQ(at(Rational(1 + tenToThe(-k))), SphereContacts::None);
+    EXPECT_EQ(at(Rational(1 + powerOfTen(-k))), SphereContacts::None);
   }
 }
 

@@ -94,7 +94,7 @@ TEST(PlaceInTriangle, EdgeLineBeyondTheCorners_IsOutside) {
 
 TEST(PlaceInTriangle, PointMovedOverAnEdge_IsOnItOnlyAtZero) {
   for (int k = 1; k <= 60; ++k) {
-    const Rational step = tenToThe(-k);
+    const Rational step = powerOfTen(-k);
     const Rational half(1, 2);
     expectLocation(locationInTriangle(step, half), FacePart::Interior, -1);
     expectLocation(locationInTriangle(Rational(-step), half), FacePart::Outside, -1);
@@ -215,7 +215,7 @@ TEST(IntersectRayTriangle, TriangleSqueezedToALine_KeepsItsParametersUntilItIsOn
   RandomNumbers random(55);
   for (int k = 0; k <= 60; ++k) {
     const Triangle<Rational> thin{ExactVec3(1, 1, 1), ExactVec3(5, 1, 1),
-                                  ExactVec3(3, Rational(1 + tenToThe(-k)), 1)};
+                                  ExactVec3(3, Rational(1 + powerOfTen(-k)), 1)};
     const auto result = intersectRayTriangle(rayThrough(pointIn(thin, s, t), thin, random), thin);
     EXPECT_EQ(result.which, RayTriangleCase::Hit);
     EXPECT_EQ(result.s, s);

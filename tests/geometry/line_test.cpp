@@ -247,7 +247,7 @@ TEST(NearestPoints, OfAnyTwoLines_AreTheFeetOfTheirCommonPerpendicular) {
 
 TEST(RelateLines, LinesDrawnApart_MeetOnlyAtZero) {
   for (int k = 0; k <= 60; ++k) {
-    const Rational gap = tenToThe(-k);
+    const Rational gap = powerOfTen(-k);
     const auto related = relateLines(lineAlong(ExactVec3(0, 0, 0), ExactVec3(1, 2, 0)),
                                      lineAlong(ExactVec3(0, 0, gap), ExactVec3(3, -1, 0)));
     EXPECT_EQ(related.which, LineLineCase::Skew);

@@ -1,3 +1,4 @@
+#include "geometry/integer.h"
 #include "geometry/plane.h"
 #include "geometry/point_plane.h"
 #include "tests/geometry/random_numbers.h"
@@ -6,11 +7,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace halfspace {
 namespace {
 
-using Coefficients = std::array<Integer, 4>;
+using Coefficients = std::array<Rational, 4>;
 
 const Plane<Rational> notesPlane = planeThrough(ExactVec3(5, 4, 7), ExactVec3(1, 2, 2));
 
@@ -135,8 +137,8 @@ TEST(NormalizedCoefficients, Normal_HasLengthOne) { // law (1)
     Rational square = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Surd &part = normalized[axis];
-      square += part.rationalPart() * part.rationalPart() +
-                part.rootFactor() * part.rootFactor() * Rational(part.radicand());
+      square +=
+          part.rationalPart() * part.rationalPart() + part.rootFactor() * part.rootFactor() * part.radicand();
     }
     EXPECT_EQ(square, 1);
   }
@@ -159,12 +161,14 @@ TEST(PrimitiveCoefficients, PositiveMultiples_GiveTheSameAndNegativeOnesTheOppos
     const Coefficients scaled = primitiveCoefficients({plane.normal * k, Rational(plane.offset * k)});
     const std::array given{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
     for (std::size_t j = 0; j < primitive.size(); ++j) {
-      EXPECT_EQ(scaled[j], primitive[j] * k.sign());             // law (3)
-      EXPECT_EQ(Rational(primitive[j]).sign(), given[j].sign()); // law (1)
-      EXPECT_EQ(Rational(primitive[j]) * given[0], Rational(primitive[0]) * given[j]);
+      EXPECT_EQ(scaled[j], primitive[j] * k.sign());   // law (3)
+      EXPECT_EQ(primitive[j].sign(), given[j].sign()); // law (1)
+      EXPECT_EQ(primitive[j] * given[0], primitive[0] * given[j]);
     }
-    EXPECT_EQ(mp::gcd(mp::gcd(primitive[0], primitive[1]), mp::gcd(primitive[2], primitive[3])),
-              1); // law (2)
+    Integer common = 0;
+    for (const Rational &whole : primitive)
+      common = mp::gcd(common, integerOf(whole));
+    EXPECT_EQ(common, 1); // law (2)
   }
 }
 

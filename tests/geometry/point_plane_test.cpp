@@ -70,12 +70,12 @@ TEST(MeasurePointPlane, MultipleOfThePlane_KeepsTheFootAndAllOfTheDistanceButIts
 
 TEST(MeasurePointPlane, PointMovedThroughThePlane_IsOnItOnlyAtZero) {
   for (int k = 0; k <= 60; ++k) {
-    const ExactVec3 step = notesPlane.normal * tenToThe(-k);
+    const ExactVec3 step = notesPlane.normal * powerOfTen(-k);
     const ExactVec3 on(5, 4, 7);
     EXPECT_EQ(measurePointPlane(ExactVec3(on + step), notesPlane).which, PointPlaneCase::Positive);
     EXPECT_EQ(measurePointPlane(ExactVec3(on - step), notesPlane).which, PointPlaneCase::Negative);
     EXPECT_EQ(measurePointPlane(ExactVec3(on + step), notesPlane).signedDistance,
-              Surd(Rational(3 * tenToThe(-k))));
+              Surd(Rational(3 * powerOfTen(-k))));
   }
   EXPECT_EQ(measurePointPlane(ExactVec3(5, 4, 7), notesPlane).which, PointPlaneCase::On);
 }

@@ -79,7 +79,7 @@ TEST(PolygonShape, OneCornerOffThePlane_IsNotPlanarHoweverLittle) {
   for (int k = 0; k <= 60; ++k)
     for (std::size_t lifted = 0; lifted < 4; ++lifted) {
       Polygon<Rational> corners = slanted({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
-      corners[lifted].z += tenToThe(-k);
+      corners[lifted].z += powerOfTen(-k);
       EXPECT_EQ(shapeOfPolygon(corners), PolygonShape::NotPlanar);
     }
 }
@@ -90,9 +90,9 @@ TEST(PolygonShape, CornerPressedIn_IsConvexUntilItIsStraight) {
       return shapeOfPolygon({ExactVec3(0, 0, 0), ExactVec3(4, 0, 0),
                              ExactVec3(Rational(2 + bulge), Rational(2 + bulge), 0), ExactVec3(0, 4, 0)});
     };
-    EXPECT_EQ(with(tenToThe(-k)), PolygonShape::Convex);
+    EXPECT_EQ(with(powerOfTen(-k)), PolygonShape::Convex);
     EXPECT_EQ(with(Rational(0)), PolygonShape::NotConvex);
-    EXPECT_EQ(with(Rational(-tenToThe(-k))), PolygonShape::NotConvex);
+    EXPECT_EQ(with(Rational(-powerOfTen(-k))), PolygonShape::NotConvex);
   }
 }
 

@@ -70,9 +70,4 @@ private:
   std::mt19937_64 m_engine;
 };
 
-inline Rational tenToThe(int exponent) {
-  const Rational power(Integer(mp::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)))));
-  return exponent < 0 ? Rational(1 / power) : power;
-}
-
 } // namespace halfspace

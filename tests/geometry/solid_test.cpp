@@ -73,8 +73,8 @@ TEST(SolidShape, DentHoweverSmall_IsNotConvex) {
     return shapeOf(mesh);
   };
   for (int k = 0; k <= 60; ++k) {
-    EXPECT_EQ(withRoof(tenToThe(-k)), SolidShape::Convex);
-    EXPECT_EQ(withRoof(Rational(-tenToThe(-k))), SolidShape::NotConvex);
+    EXPECT_EQ(withRoof(powerOfTen(-k)), SolidShape::Convex);
+    EXPECT_EQ(withRoof(Rational(-powerOfTen(-k))), SolidShape::NotConvex);
   }
   EXPECT_EQ(withRoof(0), SolidShape::Convex);
 }
@@ -83,7 +83,7 @@ TEST(SolidShape, VertexOfNoFace_MayLieInsideButNotInFront) {
   Mesh mesh = cubeMesh();
   mesh.vertices.emplace_back(1, 1, 1);
   EXPECT_EQ(shapeOf(mesh), SolidShape::Convex);
-  mesh.vertices.back() = ExactVec3(1, 1, Rational(2 + tenToThe(-50)));
+  mesh.vertices.back() = ExactVec3(1, 1, Rational(2 + powerOfTen(-50)));
   EXPECT_EQ(shapeOf(mesh), SolidShape::NotConvex);
 }
 
@@ -95,7 +95,7 @@ TEST(SolidShape, FlatBody_IsNotConvex) {
 
 TEST(SolidShape, BentFace_IsNotPlanarWhateverElseIsWrong) {
   Mesh mesh = cubeMesh();
-  mesh.vertices[6].z += tenToThe(-50);
+  mesh.vertices[6].z += powerOfTen(-50);
   EXPECT_EQ(shapeOf(mesh), SolidShape::NotPlanar);
   mesh.faces.pop_back();
   std::reverse(mesh.faces[0].begin(), mesh.faces[0].end());
@@ -484,8 +484,8 @@ TEST(IntersectRaySolid, AnySolidAndRay_IsMetBetweenTheTwoAndTheSameWhenStretched
     };
     EXPECT_EQ(placeAt(meet.entered->t), SolidLocation::On);
     EXPECT_EQ(placeAt(meet.left->t), SolidLocation::On);
-    EXPECT_EQ(placeAt(Rational(meet.entered->t - tenToThe(-30))), SolidLocation::Outside);
-    EXPECT_EQ(placeAt(Rational(meet.left->t + tenToThe(-30))), SolidLocation::Outside);
+    EXPECT_EQ(placeAt(Rational(meet.entered->t - powerOfTen(-30))), SolidLocation::Outside);
+    EXPECT_EQ(placeAt(Rational(meet.left->t + powerOfTen(-30))), SolidLocation::Outside);
     if (meet.contacts != SolidContacts::One) {
       EXPECT_EQ(placeAt(Rational(meet.entered->t + (meet.left->t - meet.entered->t) / 3)),
                 meet.contacts == SolidContacts::Two ? SolidLocation::Inside : SolidLocation::On);

@@ -1,4 +1,5 @@
 // Surds through long calculations: their form, the limit of factoring, and the nearest double.
+#include "geometry/integer.h"
 #include "geometry/surd.h"
 #include "tests/geometry/random_numbers.h"
 
@@ -7,14 +8,14 @@
 namespace halfspace {
 namespace {
 
-bool isSquare(const Integer &value) {
-  const Integer root = mp::sqrt(value);
-  return root * root == value;
+bool isSquare(const Rational &whole) {
+  const Rational root = rationalOf(mp::sqrt(integerOf(whole)));
+  return root * root == whole;
 }
 
 /// The rule of the format for B·√n by its square alone: p or q beyond the limit and no square itself.
 bool isBeyondLimit(const Rational &square) {
-  const auto beyond = [](const Integer &part) { return part > factorLimit && !isSquare(part); };
+  const auto beyond = [](const Rational &part) { return part > factorLimit && !isSquare(part); };
   return beyond(square.numerator()) || beyond(square.denominator());
 }
 
@@ -74,7 +75,7 @@ TEST(SurdSweep, AnyOrderOfOperations_HasATextExactlyWhereTheValueIsWithinTheLimi
       ASSERT_EQ(value, direct.value());
       ASSERT_EQ(toText(value), toText(direct.value())); // law (1) of the text
       if (expected) {
-        ASSERT_EQ(value.rootFactor() * value.rootFactor() * Rational(value.radicand()),
+        ASSERT_EQ(value.rootFactor() * value.rootFactor() * value.radicand(),
                   value.isRational() ? Rational(0) : direct.rootSquare());
       }
     }
@@ -88,7 +89,7 @@ TEST(SurdSweep, ScaledBeyondTheLimitAndBack_HasItsTextAgain) {
   for (int i = 0; i < 300; ++i) {
     const Rational square = abs(random.nonZeroRational(100));
     const Rational factor = random.nonZeroRational();
-    const Rational scale = tenToThe(random.integer(12, 60));
+    const Rational scale = powerOfTen(random.integer(12, 60));
     const Surd start = Surd::root(square, factor) + random.rational();
     const Surd far = start * scale;
     EXPECT_EQ(far.canonical(), !isBeyondLimit(Rational(square * factor * factor * scale * scale)));
@@ -99,16 +100,16 @@ TEST(SurdSweep, ScaledBeyondTheLimitAndBack_HasItsTextAgain) {
 
 TEST(SurdSweep, SquareAtTheLimit_HasATextAndOneBeyondOnlyIfItIsASquareItself) {
   // 10^18 − 11 is a prime; 10^18 is a square and so is (10^9 + 1)².
-  const Integer prime("999999999999999989");
-  EXPECT_TRUE(Surd::root(Rational(prime)).canonical());
-  EXPECT_TRUE(Surd::root(Rational(1 / Rational(prime))).canonical());
-  EXPECT_FALSE(Surd::root(Rational(prime), 2).canonical());
-  EXPECT_TRUE(Surd::root(Rational(prime), Rational(1, 2)).canonical());
-  EXPECT_TRUE(Surd::root(Rational(prime), Rational(1, 1000000007)).canonical())
+  const Rational prime = 999999999999999989;
+  EXPECT_TRUE(Surd::root(prime).canonical());
+  EXPECT_TRUE(Surd::root(Rational(1 / prime)).canonical());
+  EXPECT_FALSE(Surd::root(prime, 2).canonical());
+  EXPECT_TRUE(Surd::root(prime, Rational(1, 2)).canonical());
+  EXPECT_TRUE(Surd::root(prime, Rational(1, 1000000007)).canonical())
       << "the denominator is a square beyond the limit";
   EXPECT_FALSE(Surd::root(Rational(factorLimit + 1)).canonical());
-  EXPECT_EQ(toText(Surd::root(Rational(Integer(factorLimit) * 9))), "3000000000");
-  EXPECT_EQ(toText(Surd::root(Rational(Integer("1000000002000000001"), Integer(2)))), "1000000001/2*sqrt(2)");
+  EXPECT_EQ(toText(Surd::root(Rational(factorLimit) * 9)), "3000000000");
+  EXPECT_EQ(toText(Surd::root(Rational(1000000002000000001, 2))), "1000000001/2*sqrt(2)");
 }
 
 /// Whether the double is the nearest one or its neighbour, decided exactly.
@@ -121,7 +122,7 @@ bool isWithinOneUnit(double rounded, const Surd &value) {
 
 /// A fraction with some 2^bits as its denominator that lies so near to −B·√n.
 Rational against(const Surd &root, unsigned bits) {
-  const Rational power(Integer(Integer(1) << bits));
+  const Rational power = rationalOf(Integer(1) << bits);
   return Rational(-roundToMultiple(exactly(toDouble(root)), Rational(1 / power)));
 }
 
@@ -139,9 +140,9 @@ TEST(SurdToDouble, PartsThatCancelToAnyDegree_StayWithinOneUnit) {
 TEST(SurdToDouble, PartsOfAnySize_StayWithinOneUnit) {
   RandomNumbers random(154);
   for (int i = 0; i < 1000; ++i) {
-    const Surd root = Surd::root(abs(random.nonZeroRational(1000)) * tenToThe(random.integer(-200, 200)),
-                                 random.nonZeroRational() * tenToThe(random.integer(-100, 100)));
-    const Surd value = root + Rational(random.rational() * tenToThe(random.integer(-200, 200)));
+    const Surd root = Surd::root(abs(random.nonZeroRational(1000)) * powerOfTen(random.integer(-200, 200)),
+                                 random.nonZeroRational() * powerOfTen(random.integer(-100, 100)));
+    const Surd value = root + Rational(random.rational() * powerOfTen(random.integer(-200, 200)));
     ASSERT_TRUE(isWithinOneUnit(toDouble(value), value)) << i;
   }
 }
@@ -149,7 +150,7 @@ TEST(SurdToDouble, PartsOfAnySize_StayWithinOneUnit) {
 TEST(SurdToDouble, HugePartsThatCancelAlmostWhole_StayWithinOneUnit) {
   // √(N² + 1) − N is about 1/(2N).
   for (int digits = 1; digits <= 200; digits += 7) {
-    const Rational whole = tenToThe(digits);
+    const Rational whole = powerOfTen(digits);
     const Surd value = Surd::root(Rational(whole * whole + 1)) + Rational(-whole);
     EXPECT_TRUE(isWithinOneUnit(toDouble(value), value)) << digits;
     EXPECT_TRUE(isWithinOneUnit(toDouble(-value), -value)) << digits;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace halfspace {
 namespace {
@@ -13,9 +14,9 @@ Surd surd(const Rational &square, const Rational &factor = 1, const Rational &sh
   return Surd::root(square, factor) + shift;
 }
 
-bool isSquareFree(const Integer &value) {
-  for (Integer root = 2; root * root <= value; ++root)
-    if (value % (root * root) == 0)
+bool isSquareFree(const Rational &whole) {
+  for (Rational root = 2; root * root <= whole; root += 1)
+    if ((whole / (root * root)).isInteger())
       return false;
   return true;
 }
@@ -32,11 +33,11 @@ testing::AssertionResult isNearestDoubleOf(double rounded, const Surd &value) {
 }
 
 /// The fractions p/q with p² − 2q² = ±1: each is nearer to √2 than the one before, on the other side.
-std::vector<std::pair<Integer, Integer>> bestFractionsOfRootTwo(int count) {
-  std::vector<std::pair<Integer, Integer>> fractions{{1, 1}};
+std::vector<std::pair<Rational, Rational>> bestFractionsOfRootTwo(int count) {
+  std::vector<std::pair<Rational, Rational>> fractions{{1, 1}};
   while (static_cast<int>(fractions.size()) < count) {
     const auto [p, q] = fractions.back();
-    fractions.emplace_back(Integer(p + 2 * q), Integer(p + q));
+    fractions.emplace_back(p + 2 * q, p + q);
   }
   return fractions;
 }
@@ -73,7 +74,7 @@ TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
     EXPECT_TRUE(isSquareFree(value.radicand())) << value.radicand();
     EXPECT_EQ(value.sign(), factor.sign()); // law (1)
     const Rational root = value.isRational() ? value.rationalPart() : value.rootFactor();
-    EXPECT_EQ(Rational(root * root * Rational(value.radicand())), Rational(square * factor * factor));
+    EXPECT_EQ(Rational(root * root * value.radicand()), Rational(square * factor * factor));
     EXPECT_EQ(value.isRational(), value.radicand() == 1);
   }
 }
@@ -82,7 +83,7 @@ TEST(SurdRoot, FactorTakenUnderTheRoot_HasTheSamePartsWithinAndBeyondTheLimit) {
   RandomNumbers random(203);
   int beyond = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Rational square = abs(random.rational(50)) * tenToThe(random.integer(-40, 40));
+    const Rational square = abs(random.rational(50)) * powerOfTen(random.integer(-40, 40));
     const Rational factor = random.rational();
     const Rational k = i % 10 == 0 ? Rational(0) : abs(random.nonZeroRational());
     const Surd inside = surd(Rational(k * k * square), factor);
@@ -98,16 +99,15 @@ TEST(SurdRoot, FactorTakenUnderTheRoot_HasTheSamePartsWithinAndBeyondTheLimit) {
 
 TEST(SurdRoot, LargePrimeFactors_AreFoundUpToTheLimit) {
   // Two primes just below a million, so that p²q is just below the limit; and the largest prime below it.
-  EXPECT_EQ(toText(surd(Rational(Integer(999983) * 999983 * 999979))), "999983*sqrt(999979)");
-  EXPECT_EQ(toText(surd(Rational(Integer(707106781) * 707106781 * 2))), "707106781*sqrt(2)");
-  EXPECT_EQ(toText(surd(Rational(Integer("999999999999999989")))), "sqrt(999999999999999989)");
-  EXPECT_EQ(toText(surd(Rational(Integer(1), Integer("999999999999999989")))),
-            "1/999999999999999989*sqrt(999999999999999989)");
-  EXPECT_EQ(toText(surd(Rational(factorLimit))), "1000000000");
+  EXPECT_EQ(toText(surd(Rational(999983) * 999983 * 999979)), "999983*sqrt(999979)");
+  EXPECT_EQ(toText(surd(Rational(707106781) * 707106781 * 2)), "707106781*sqrt(2)");
+  EXPECT_EQ(toText(surd(999999999999999989)), "sqrt(999999999999999989)");
+  EXPECT_EQ(toText(surd(Rational(1, 999999999999999989))), "1/999999999999999989*sqrt(999999999999999989)");
+  EXPECT_EQ(toText(surd(factorLimit)), "1000000000");
 }
 
 TEST(SurdRoot, BeyondTheLimit_HasNoTextUnlessItIsASquare) {
-  const Rational beyond(Integer(factorLimit + 1));
+  const Rational beyond = factorLimit + 1;
   EXPECT_EQ(toText(surd(beyond)), std::nullopt);
   EXPECT_EQ(toText(surd(Rational(1 / beyond), 1, 3)), std::nullopt);
   EXPECT_FALSE(surd(beyond).canonical());
@@ -118,14 +118,14 @@ TEST(SurdRoot, BeyondTheLimit_HasNoTextUnlessItIsASquare) {
 
 TEST(SurdRoot, ValueWithinTheLimit_HasItsTextHoweverItWasComeBy) {
   // 10^10/√(3·10^20) = 1/√3: what is judged is the value's own square, 1/3.
-  const Rational large = tenToThe(10);
+  const Rational large = powerOfTen(10);
   EXPECT_EQ(toText(overRoot(large, Rational(3 * large * large))), "1/3*sqrt(3)");
   EXPECT_EQ(toText(surd(Rational(large * large * 3)) * Rational(1 / large)), "sqrt(3)");
   EXPECT_EQ(toText(surd(3) * large), std::nullopt);
 }
 
 TEST(SurdEquality, SameValueInTwoForms_IsEqual) {
-  const Rational beyond(Integer(factorLimit + 1));
+  const Rational beyond = factorLimit + 1;
   EXPECT_EQ(surd(12), surd(3, 2));
   EXPECT_EQ(surd(Rational(4 * beyond)), surd(beyond, 2));
   EXPECT_FALSE(surd(2) == surd(2, -1));
@@ -146,7 +146,7 @@ TEST(SurdArithmetic, AnyValueWithinAndBeyondTheLimit_ObeysItsLaws) {
   RandomNumbers random(204);
   int beyond = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Rational square = abs(random.rational(50)) * tenToThe(random.integer(-40, 40));
+    const Rational square = abs(random.rational(50)) * powerOfTen(random.integer(-40, 40));
     const Surd x = surd(square, random.rational(), random.rational());
     const Rational r = random.rational();
     const Rational k = i % 10 == 0 ? Rational(0) : random.nonZeroRational();
@@ -227,7 +227,7 @@ TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) { // law (2)
 TEST(SurdToDouble, AnyValue_IsTheNearestDouble) {
   RandomNumbers random(13);
   for (int i = 0; i < 3000; ++i) {
-    const Rational scale = tenToThe(random.integer(-60, 60));
+    const Rational scale = powerOfTen(random.integer(-60, 60));
     const Surd value =
         surd(abs(random.nonZeroRational(1000)), Rational(random.rational() * scale), random.rational());
     EXPECT_TRUE(isNearestDoubleOf(toDouble(value), value));
@@ -241,7 +241,7 @@ TEST(SurdToDouble, NearTheMiddleBetweenTwoDoubles_IsTheNearerOne) {
   for (int i = 0; i < 3000; ++i) {
     const double below = random.integer(1, 1 << 30) * 0x1p-20;
     const Rational middle = (exactly(below) + exactly(std::nextafter(below, 1e9))) / 2;
-    const Rational factor(random.integer(0, 1) == 0 ? 1 : -1, tenToThe(random.integer(10, 18)).numerator());
+    const Rational factor = (random.integer(0, 1) == 0 ? 1 : -1) * powerOfTen(random.integer(-18, -10));
     const Surd value = surd(random.integer(2, 50), factor, middle);
     EXPECT_TRUE(isNearestDoubleOf(toDouble(value), value));
   }
@@ -255,10 +255,10 @@ TEST(SurdToDouble, PartsThatCancel_LoseNoDigits) {
 }
 
 TEST(SurdToDouble, TinyAndHugeValues_KeepTheirRange) {
-  EXPECT_EQ(toDouble(surd(tenToThe(-801))), 0);
-  EXPECT_EQ(toDouble(surd(tenToThe(801))), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(toDouble(surd(tenToThe(801), -1)), -std::numeric_limits<double>::infinity());
-  const Surd tiny = surd(Rational(2 * tenToThe(-640)));
+  EXPECT_EQ(toDouble(surd(powerOfTen(-801))), 0);
+  EXPECT_EQ(toDouble(surd(powerOfTen(801))), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(toDouble(surd(powerOfTen(801), -1)), -std::numeric_limits<double>::infinity());
+  const Surd tiny = surd(Rational(2 * powerOfTen(-640)));
   EXPECT_TRUE(isNearestDoubleOf(toDouble(tiny), tiny));
 }
 

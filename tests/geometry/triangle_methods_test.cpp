@@ -133,7 +133,7 @@ TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
 TEST(TriangleMethods, OnLargeFractions_AgreeExactly) {
   RandomNumbers random(62);
   for (int i = 0; i < 800; ++i) {
-    const Rational scale = tenToThe(random.integer(-30, 30)) / 7;
+    const Rational scale = powerOfTen(random.integer(-30, 30)) / 7;
     const Triangle<Rational> triangle{random.vector() * scale, random.vector() * scale,
                                       random.vector() * scale};
     const ExactVec3 target = pointInPlane(triangle, random);

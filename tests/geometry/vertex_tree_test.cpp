@@ -1,4 +1,5 @@
 // Points in front of a plane by nested boxes, against looking at each.
+#include "geometry/integer.h"
 #include "geometry/vertex_tree.h"
 #include "tests/geometry/random_numbers.h"
 
@@ -31,8 +32,8 @@ TEST(VertexTree, PointsOfAnySizeHoweverFarAway_AreInFrontAsOneByOne) { // law (1
   int inFront = 0;
   constexpr int questions = 6000;
   for (int i = 0; i < questions / 20; ++i) {
-    const Rational scale = tenToThe(random.integer(-40, 40)) / 3;
-    const ExactVec3 far = random.wholeVector(1) * tenToThe(random.integer(0, 60));
+    const Rational scale = powerOfTen(random.integer(-40, 40)) / 3;
+    const ExactVec3 far = random.wholeVector(1) * powerOfTen(random.integer(0, 60));
     Points points;
     for (int count = random.integer(1, 60); count > 0; --count)
       points.push_back(weighted(ExactVec3(far + random.wholeVector(4) * scale)));
@@ -55,7 +56,7 @@ TEST(VertexTree, PlaneMovedOverTheOutermostPoint_HasItInFrontOnlyBeyond) { // la
     points.push_back(weighted(ExactVec3(x, -x, Rational(x, 7))));
   const VertexTree<Rational> tree(points);
   for (int k = 0; k <= 60; ++k) {
-    const Rational unit = tenToThe(k);
+    const Rational unit = powerOfTen(k);
     const auto upTo = [&](const Rational &offset) {
       return Plane<Rational>{ExactVec3(unit, 0, 0), Rational(-39 * unit + offset)};
     };
@@ -69,13 +70,13 @@ TEST(BinaryExponent, AnyWholeNumbers_IsWithinOneOfTheQuotients) { // law (1)
   RandomNumbers random(179);
   for (int i = 0; i < 3000; ++i) {
     const auto someWhole = [&] {
-      const Rational whole = random.integer(1, 70) * tenToThe(random.integer(0, 40));
+      const Rational whole = random.integer(1, 70) * powerOfTen(random.integer(0, 40));
       return random.integer(0, 1) == 0 ? whole : Rational(-whole);
     };
     const Rational p = someWhole();
     const Rational q = abs(someWhole());
     const int exponent = binaryExponent(p, q);
-    const Rational power(Integer(Integer(1) << std::abs(exponent)));
+    const Rational power = rationalOf(Integer(1) << std::abs(exponent));
     const Rational scaled = abs(p) / q * (exponent < 0 ? power : Rational(1 / power));
     EXPECT_LT(scaled, 2);
     EXPECT_GT(scaled, Rational(1, 2));

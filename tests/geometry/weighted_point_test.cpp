@@ -1,4 +1,5 @@
 // Points in whole numbers, and what is computed of them, against the points themselves.
+#include "geometry/integer.h"
 #include "geometry/weighted_point.h"
 #include "tests/geometry/random_numbers.h"
 
@@ -18,7 +19,7 @@ TEST(Weighted, AnyPoint_IsItsMultipleInWholeNumbersWithoutACommonFactor) {
     Integer common = 0;
     for (const Rational &number : {whole.position.x, whole.position.y, whole.position.z, whole.weight}) {
       EXPECT_TRUE(number.isInteger()); // law (2)
-      common = mp::gcd(common, number.numerator());
+      common = mp::gcd(common, integerOf(number));
     }
     EXPECT_EQ(common, 1);
     EXPECT_GT(whole.weight, 0);
@@ -70,7 +71,7 @@ TEST(MeanOf, AnyPoints_IsTheirSumByTheirNumber) { // law (1)
 TEST(Rounded, PointWithinAndBeyondTheRangeOfDoubles_IsTheNearestDoublesOrItself) {
   const ExactVec3 point(Rational(1, 3), Rational(-2, 7), 5);
   EXPECT_EQ(rounded(weighted(point)), weighted(ExactVec3(exactly(1.0 / 3), exactly(-2.0 / 7), 5)));
-  const auto far = weighted(ExactVec3(tenToThe(400), Rational(1, 3), 0));
+  const auto far = weighted(ExactVec3(powerOfTen(400), Rational(1, 3), 0));
   EXPECT_EQ(rounded(far), far);
 }
 

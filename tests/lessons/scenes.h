@@ -12,6 +12,7 @@
 #include "lessons/scene/session.h"
 
 #include <ostream>
+#include <stdexcept>
 
 // GoogleTest finds it by the type's own namespace.
 namespace glm {

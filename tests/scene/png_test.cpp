@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 

@@ -48,7 +48,7 @@ bool isDecimalOf(int digits, const Rational &value) {
 }
 
 /// Counted in the last place that is shown: whole where the decimal ends there.
-Rational inLastPlaces(const Rational &value) { return value * Rational(mp::pow(Integer(10), shownPlaces)); }
+Rational inLastPlaces(const Rational &value) { return value * powerOfTen(shownPlaces); }
 
 /// What was typed, in the one spelling that files have too.
 std::string fileSpelling(const QString &text, const QLocale &locale) {
@@ -65,7 +65,7 @@ QString typedText(const Rational &value, const QLocale &locale, NumberLook look)
   const Rational scaled = inLastPlaces(value);
   if (look == NumberLook::Fraction || value.denominator() == 1 || scaled.denominator() != 1)
     return QString::fromStdString(toText(value));
-  QString digits = QString::fromStdString(Integer(mp::abs(scaled.numerator())).str());
+  QString digits = QString::fromStdString(toText(abs(scaled)));
   digits = digits.rightJustified(shownPlaces + 1, '0');
   digits.insert(digits.size() - shownPlaces, decimalPoint(locale));
   while (digits.endsWith('0'))

@@ -170,7 +170,7 @@ private:
       EXPECT_TRUE(number.isRational() || number.rationalPart() == 0);
       EXPECT_TRUE(std::isfinite(toDouble(number)));
       squares.push_back(Rational(signedSquare(number.rationalPart()) +
-                                 signedSquare(number.rootFactor()) * Rational(number.radicand())));
+                                 signedSquare(number.rootFactor()) * number.radicand()));
     }
     return squares;
   }
@@ -576,8 +576,8 @@ TEST(Contract, TheDocumentedReference_IsThatOfTheProgram) {
 
 /// Coordinates as long as they may be, and nearly the same: the smallest triangles and the farthest hits.
 TEST_P(EveryConstruction, AtTheLimitsOfCoordinates_StaysFinite) {
-  const Rational tiny(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)));
-  const Rational tinier(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)) + 7);
+  const Rational tiny = 1 / powerOfTen(coordinateDigits - 1);
+  const Rational tinier = 1 / (powerOfTen(coordinateDigits - 1) + 7);
   const std::vector<Rational> all{0,    1,      coordinateLimit, Rational(-coordinateLimit),
                                   tiny, tinier, Rational(-tiny)};
   const std::vector<Rational> smallest{tiny, tinier, Rational(-tiny)};

@@ -222,7 +222,7 @@ private:
 };
 
 Precise precise(const Rational &number) {
-  return Precise(number.numerator()) / Precise(number.denominator());
+  return Precise(toText(number.numerator())) / Precise(toText(number.denominator()));
 }
 
 } // namespace
@@ -235,7 +235,7 @@ Quantity quantity(const ExactVec3 &vector) {
 
 Quantity quantity(const Surd &number) {
   return {precise(number.rationalPart()) +
-          precise(number.rootFactor()) * mp::sqrt(precise(Rational(number.radicand())))};
+          precise(number.rootFactor()) * mp::sqrt(precise(number.radicand()))};
 }
 
 Quantity quantityOverRoot(const Rational &number, const Rational &square) {

@@ -13,6 +13,8 @@
 
 namespace halfspace::test {
 
+namespace mp = boost::multiprecision;
+
 /// A hundred digits: a number rounded for the page is seen at once, the calculation's own rounding never.
 using Precise = mp::number<mp::cpp_dec_float<100>, mp::et_off>;
 

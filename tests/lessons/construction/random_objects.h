@@ -79,9 +79,10 @@ private:
       break;
     }
     const auto longInteger = [&] {
-      return Integer(integer(1, 999)) * 1'000'000'000 + integer(0, twelveDigits);
+      return Rational(integer(1, 999)) * 1'000'000'000 + integer(0, twelveDigits);
     };
-    return {Integer(longInteger() * (integer(0, 1) == 0 ? 1 : -1)), longInteger()};
+    const Rational numerator = longInteger() * (integer(0, 1) == 0 ? 1 : -1);
+    return numerator / longInteger();
   }
 
   ExactVec3 vector() { return {number(), number(), number()}; }

@@ -52,8 +52,7 @@ TEST(LiveValues, WhileTheLearnerLooksForThem_AreQuestionMarks_AndTheSceneIsAsItS
 TEST(LiveValues, BracesThatHoldNoName_Stay) { EXPECT_EQ(filled("{1} {} {a b} {"), "{1} {} {a b} {"); }
 
 TEST(LiveValues, WhenRounded_SaySo) {
-  const Evaluation outcome =
-      test::withValues({{"x", "", Surd(Rational(Integer(1234567890123), Integer(9876543210987)))}});
+  const Evaluation outcome = test::withValues({{"x", "", Surd(Rational(1234567890123, 9876543210987))}});
   EXPECT_EQ(withLiveValues("{x}", Scene{}, outcome).substr(0, 9), "$\\approx ");
 }
 

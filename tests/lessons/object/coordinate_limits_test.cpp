@@ -8,10 +8,10 @@ namespace {
 
 TEST(RefuseCoordinate, AtTheLimits_TakesWhatIsWithinAndSaysWhyNotBeyond) {
   EXPECT_FALSE(refuseCoordinate(coordinateLimit));
-  EXPECT_FALSE(refuseCoordinate(Rational(1, mp::pow(Integer(10), 39))));
+  EXPECT_FALSE(refuseCoordinate(powerOfTen(-39)));
   EXPECT_TRUE(refuseCoordinate(Rational(coordinateLimit + 1))->find("too large") != std::string::npos);
   EXPECT_TRUE(refuseCoordinate(Rational(-coordinateLimit - 1)));
-  EXPECT_TRUE(refuseCoordinate(Rational(1, mp::pow(Integer(10), 40)))->find("too long") != std::string::npos);
+  EXPECT_TRUE(refuseCoordinate(powerOfTen(-40))->find("too long") != std::string::npos);
 }
 
 TEST(RefusedCoordinateOf, AnObject_NamesTheCoordinate) {

@@ -74,9 +74,9 @@ TEST_P(EveryDraggedKind, WithOneHandleDragged_HasTheOthersWhereTheyBelong) {
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryDraggedKind, testing::ValuesIn(draggedKinds));
 
 TEST(CoordinateLimits, OfNumerators_AreFortyDigits) {
-  const Rational longest(mp::pow(Integer(10), 40) - 1, mp::pow(Integer(10), 39) + 1);
+  const Rational longest = (powerOfTen(40) - 1) / (powerOfTen(39) + 1);
   EXPECT_FALSE(refuseCoordinate(longest));
-  const Rational tooLong(mp::pow(Integer(10), 40) + 1, mp::pow(Integer(10), 39) + 1);
+  const Rational tooLong = (powerOfTen(40) + 1) / (powerOfTen(39) + 1);
   ASSERT_TRUE(refuseCoordinate(tooLong));
   EXPECT_NE(refuseCoordinate(tooLong)->find("40"), std::string::npos) << "it says how many there may be";
 }
@@ -97,14 +97,14 @@ TEST(CoordinateLimits, OfASingleNumber_AreNotForWhatItHasNot) {
 }
 
 TEST(EndlessNumbers, OfWhatIsMade_AreThoseOfVeryManyDigits) {
-  const Integer limit = mp::pow(Integer(10), madeDigits);
+  const Rational limit = powerOfTen(madeDigits);
   Object point = spelledObject("point");
   EXPECT_FALSE(hasEndlessNumbers(point));
-  point[0].y = Rational(limit);
+  point[0].y = limit;
   EXPECT_FALSE(hasEndlessNumbers(point));
-  point[0].y = Rational(-limit - 1);
+  point[0].y = -limit - 1;
   EXPECT_TRUE(hasEndlessNumbers(point));
-  point[0].y = Rational(1, limit + 1);
+  point[0].y = 1 / (limit + 1);
   EXPECT_TRUE(hasEndlessNumbers(point));
 }
 

@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto &each) { return std::string(each.param.name); });
 
 TEST(UnitOf, VeryShortAndLongDirections_AreOneUnitLong) {
-  const Rational tiny(1, mp::pow(Integer(10), 200));
+  const Rational tiny = powerOfTen(-200);
   for (const Rational &size : {tiny, Rational(1), Rational(1 / tiny)}) {
     const Place unit = unitOf(ExactVec3(1, -2, 2) * size);
     EXPECT_NEAR(glm::distance(unit, Place(1, -2, 2) / 3.0), 0, 1e-12);

@@ -77,7 +77,7 @@ TEST(IsUnit, OfVectors_IsDecidedExactly) {
   EXPECT_TRUE(isUnit(vector({0, 0, -1})));
   EXPECT_TRUE(isUnit(vector({q(1, 3), q(2, 3), q(2, 3)})));
   EXPECT_FALSE(isUnit(vector({0, 0, 0})));
-  EXPECT_FALSE(isUnit(vector({0, 0, Rational(1) + Rational(1, mp::pow(Integer(10), 30))})));
+  EXPECT_FALSE(isUnit(vector({0, 0, 1 + powerOfTen(-30)})));
 }
 
 TEST(VectorOf, ATerm_IsTheExactVectorItComesTo) {

@@ -34,10 +34,10 @@ TEST(PlainSpelling, OfWhatPeopleType_IsThatOfFiles) {
 
 /// As people write it who avoid improper fractions: −3 1/3.
 std::string mixedText(const Rational &value) {
-  const Integer below(value.denominator());
-  const Integer above = mp::abs(Integer(value.numerator()));
-  return std::string(value < 0 ? "-" : "") + Integer(above / below).str() + " " +
-         Integer(above % below).str() + "/" + below.str();
+  const auto [numerator, below] = *value.words();
+  const std::int64_t above = std::abs(numerator);
+  return (value < 0 ? "-" : "") + std::to_string(above / below) + " " + std::to_string(above % below) + "/" +
+         std::to_string(below);
 }
 
 TEST(TypedNumbers, InEverySpelling_AreTheSame) {

@@ -166,7 +166,7 @@ TEST(Evaluate, WhereTheLookedAtIsNotMade_SaysSoAndComesBack) {
 }
 
 TEST(Evaluate, AChainWhoseNumbersGrowWithoutEnd_EndsWithASentence) {
-  const Rational odd(1, Integer(mp::pow(Integer(10), coordinateDigits - 1)) + 7);
+  const Rational odd = 1 / (powerOfTen(coordinateDigits - 1) + 7);
   Scene scene{{{"E", PlaneObject{{odd, 1, 2}, {1, odd, 3}}},
                {"G", PlaneObject{{0, odd, 1}, {odd, 2, 1}}},
                {"d0", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "P"}}}}}};

@@ -19,7 +19,7 @@ Evaluation sample() {
   const Term u = name(vectorLetter("u"), ExactVec3(4, 8, 0));
   const std::vector<NamedValue> values{{"tenth", {}, Surd(Rational(1, 10))},
                                        {"root", {}, Surd::root(3, Rational(1, 3))},
-                                       {"huge", {}, Surd(Rational(mp::pow(Integer(10), 400)))},
+                                       {"huge", {}, Surd(powerOfTen(400))},
                                        listed("foot", F),
                                        listed("t", name(letter("λ"), Surd::root(3, Rational(-1, 3)))),
                                        {"side", std::string("side"), std::string("on")},

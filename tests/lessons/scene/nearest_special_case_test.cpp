@@ -87,7 +87,7 @@ TEST(NearestSpecialCase, OfAPointThatLiesOnAnother_KeepsItThere) {
 
 /// The foot would have longer numbers than a coordinate may have.
 TEST(NearestSpecialCase, BeyondTheLimitsOfCoordinates_IsNotOffered) {
-  const Rational thin(1, Integer("1234567890123456789012345678901234567"));
+  const Rational thin = *parseRational("1/1234567890123456789012345678901234567");
   const Scene scene{{{"E", PlaneObject{{0, 0, 0}, {1, 2, thin}}},
                      {"Q", PointObject{{3, 5, 7}}},
                      {"d", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "Q"}}}}}};

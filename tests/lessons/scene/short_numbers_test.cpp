@@ -67,10 +67,10 @@ std::vector<Surd> numbersIn(const std::vector<NamedValue> &values) {
 void expectWithinReach(const Scene &scene) {
   const Evaluation evaluation = evaluate(scene);
   for (const Surd &number : numbersIn(*lastOutcome(evaluation).values)) {
-    EXPECT_LE(mp::abs(number.rootFactor().numerator()), 108);
+    EXPECT_LE(abs(number.rootFactor().numerator()), 108);
     EXPECT_LE(number.rootFactor().denominator(), 108); // a root divided by is one below
     EXPECT_LE(number.radicand(), 108 * 108);
-    EXPECT_LE(mp::abs(number.rationalPart().numerator()), 108 * 108);
+    EXPECT_LE(abs(number.rationalPart().numerator()), 108 * 108);
     EXPECT_LT(number.rationalPart().denominator(), 30);
   }
 }

@@ -1,11 +1,12 @@
 #include "lessons/term/latex.h"
 
+#include "lessons/term/interval.h"
 #include "lessons/term/prime.h"
-
-#include "tests/lessons/term/term_samples.h"
-
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"
+#include "tests/lessons/construction/latex_value.h"
+#include "tests/lessons/term/term_samples.h"
+#include "tests/lessons/term/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,16 @@ namespace halfspace {
 namespace {
 
 using namespace test;
+
+Names namesOfRandomTerms() {
+  return {{"p", quantity(Rational(3, 4))},
+          {"q", quantity(Rational(-5))},
+          {"f(Q)", quantity(Rational(-24))},
+          {"\\vec u", quantity(ExactVec3(4, -8, 0))},
+          {"\\vec v", quantity(ExactVec3(1, 2, 2))},
+          {"P_0", quantity(ExactVec3(-5, 4, 7))},
+          {"t", quantity(RandomTerms::unknownValue())}};
+}
 
 const NoteTerms at;
 const Term t = unknown("t");
@@ -138,7 +149,7 @@ std::vector<Truth> truthsOf(const TermValue &value) {
 void expectReadAsMeant(const Term &term) {
   const std::string latex = latexOf(term);
   const std::vector<Truth> expected = truthsOf(*term->value);
-  const Quantity read = calculate(latex, RandomTerms::names());
+  const Quantity read = calculate(latex, namesOfRandomTerms());
   ASSERT_EQ(read.size(), expected.size()) << latex;
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (mp::isnan(read[i]))

@@ -1,6 +1,8 @@
-#include "tests/lessons/term/term_samples.h"
-
 #include "lessons/term/real.h"
+
+#include "lessons/term/interval.h"
+#include "tests/lessons/term/term_samples.h"
+#include "tests/lessons/term/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -154,19 +156,18 @@ TEST(SquareRoot, OfARoot_LiesBetweenItsBounds) {
 
 /// p − q√2 = 1/(p + q√2) for the best fractions p/q: the difference has lost all its digits.
 TEST(SquareRoot, OfANumberTooSmallForItsBounds_StillContainsIt) {
-  Integer p = 3;
-  Integer q = 2;
+  Rational p = 3;
+  Rational q = 2;
   for (int i = 0; i < 180; ++i) {
-    const Integer next = 3 * p + 4 * q;
+    const Rational next = 3 * p + 4 * q;
     q = 2 * p + 3 * q;
     p = next;
   }
-  const Surd tiny = Surd::root(2, Rational(Integer(-q))) + Rational(p);
+  const Surd tiny = Surd::root(2, -q) + p;
   const auto root = squareRoot(Real(tiny));
   ASSERT_TRUE(root);
   // The truth loses as many digits as p has when it is calculated as a difference.
-  const Truth truth =
-      mp::sqrt(Truth(1 / Truth(truthOf(Rational(p)) + mp::sqrt(Truth(2)) * truthOf(Rational(q)))));
+  const Truth truth = mp::sqrt(Truth(1 / Truth(truthOf(p) + mp::sqrt(Truth(2)) * truthOf(q))));
   EXPECT_TRUE(contains(*root, truth));
   EXPECT_NEAR(toDouble(*root) / truth.convert_to<double>(), 1, 1e-12);
 }

@@ -1,23 +1,12 @@
 // Terms that several tests begin with, terms at random, and what they come to as text.
 #pragma once
 
+#include "lessons/object/object.h"
 #include "lessons/term/term.h"
-#include "tests/lessons/construction/latex_value.h"
 
 #include <random>
 
 namespace halfspace::test {
-
-/// Digits beyond those of a term's own bounds, so that the truth is known better than the bounds say.
-using Truth = mp::number<mp::cpp_bin_float<200>, mp::et_off>;
-
-[[nodiscard]] inline Truth truthOf(const Rational &number) {
-  return Truth(number.numerator().str()) / Truth(number.denominator().str());
-}
-[[nodiscard]] inline Truth truthOf(const Surd &number) {
-  return truthOf(number.rationalPart()) +
-         truthOf(number.rootFactor()) * mp::sqrt(Truth(number.radicand().str()));
-}
 
 [[nodiscard]] inline std::string textOf(const Real &number) {
   return number.exact() ? toText(*number.exact()).value_or("not canonical") : "between bounds";
@@ -60,16 +49,6 @@ public:
   explicit RandomTerms(std::uint64_t seed, bool withUnknowns = false)
       : m_engine(seed), m_withUnknowns(withUnknowns) {}
 
-  /// What the terms' names stand for.
-  [[nodiscard]] static Names names() {
-    return {{"p", quantity(Rational(3, 4))},
-            {"q", quantity(Rational(-5))},
-            {"f(Q)", quantity(Rational(-24))},
-            {"\\vec u", quantity(ExactVec3(4, -8, 0))},
-            {"\\vec v", quantity(ExactVec3(1, 2, 2))},
-            {"P_0", quantity(ExactVec3(-5, 4, 7))},
-            {"t", quantity(unknownValue())}};
-  }
   /// What the unknown t is set to where a number is needed.
   [[nodiscard]] static Rational unknownValue() { return {137, 11}; }
 

@@ -266,9 +266,9 @@ private slots:
   void longNumber_withFewDigits_isShownExactlyAsAPowerOfTen() {
     ShownField shown(70);
     QVERIFY(shown.ready);
-    shown.field.setValue(Rational(-5) * Rational(mp::pow(Integer(10), 17)));
+    shown.field.setValue(-5 * powerOfTen(17));
     QCOMPARE(shown.field.shownText(), QString::fromUtf8("-5·10¹⁷"));
-    shown.field.setValue(Rational(1, mp::pow(Integer(10), 17)));
+    shown.field.setValue(powerOfTen(-17));
     QCOMPARE(shown.field.shownText(), QString::fromUtf8("1·10⁻¹⁷"));
   }
 

@@ -8,6 +8,7 @@
 #include <QTextList>
 #include <QtTest>
 
+#include <algorithm>
 #include <memory>
 
 using namespace halfspace;

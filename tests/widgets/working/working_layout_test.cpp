@@ -313,3 +313,5 @@ private slots:
 
 QTEST_MAIN(WorkingLayoutTest)
 #include "working_layout_test.moc"
+
+#include <algorithm>

@@ -42,17 +42,26 @@ inline SignedSquares normalizedNumbers(const ExactVec3 &v, const Rational &norma
           signedSquare(v.z, normalSquared)};
 }
 
+/// Of two whole numbers ≥ 0 (Euclid, Elements VII.2).
+inline Rational commonFactor(Rational a, Rational b) {
+  while (b != 0) {
+    const Rational times = roundToMultiple(a / b, 1);
+    a = std::exchange(b, abs(a - times * b));
+  }
+  return a;
+}
+
 /// The shortest positive multiple in integers: times the common denominator, by the common factor.
 inline SignedSquares primitiveOf(const std::array<Rational, 4> &coefficients) {
-  Integer multiple = 1;
+  Rational multiple = 1;
   for (const Rational &each : coefficients)
     multiple *= each.denominator();
-  Integer factor = 0;
+  Rational factor = 0;
   for (const Rational &each : coefficients)
-    factor = mp::gcd(factor, (each * Rational(multiple)).numerator());
+    factor = commonFactor(factor, abs(each * multiple));
   SignedSquares result;
   for (const Rational &each : coefficients)
-    result.push_back(signedSquare(Rational(each * Rational(multiple, factor))));
+    result.push_back(signedSquare(Rational(each * multiple / factor)));
   return result;
 }
 
