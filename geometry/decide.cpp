@@ -116,6 +116,19 @@ Rational tOf(const WholeNumbers &whole, const TriangleProducts<Integer> &exact) 
 
 } // namespace
 
+TriangleShape decideShape(const Triangle<double> &triangle) {
+  if (isTame(triangle)) {
+    const Vec3<double> u = triangle.p1 - triangle.p0;
+    const Vec3<double> v = triangle.p2 - triangle.p0;
+    const Vec3<double> normal = cross(u, v);
+    const double size = 2 * largestCoordinate(u) * largestCoordinate(v); // of either term of a coordinate
+    for (const double coordinate : {normal.x, normal.y, normal.z})
+      if (Bounded::of(coordinate, size).sign() != 0)
+        return TriangleShape::Proper;
+  }
+  return shapeOf(exactly(triangle));
+}
+
 RayTriangleVerdict decideRayTriangle(const Ray<double> &ray, const Triangle<double> &triangle) {
   if (isTame(ray) && isTame(triangle))
     if (const auto which = surelyCaseOf(filterRayTriangle(ray, triangle))) {

@@ -21,6 +21,9 @@ namespace halfspace {
 /// The case of `intersectRayPlane`.
 [[nodiscard]] RayPlaneCase decideRayPlane(const Ray<double> &ray, const Plane<double> &plane);
 
+/// The shape of `shapeOf`.
+[[nodiscard]] TriangleShape decideShape(const Triangle<double> &triangle);
+
 struct RayTriangleVerdict {
   RayTriangleCase which = RayTriangleCase::Coincident;
   FaceLocation location; ///< Outside, too, where the line does not cross the plane in one point

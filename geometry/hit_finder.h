@@ -28,8 +28,8 @@ struct NearestHit {
 ///     passed over.
 /// (4) Its t is within `hitPrecision` of the exact one, or the double nearest to that.
 ///
-/// Embree proposes candidates by boxes that are larger than its floats are wrong; each is decided by a filter
-/// with a bound on its error, or else over fractions.
+/// A tree of boxes proposes candidates (`TriangleTree`); each is decided by a filter with a bound on its
+/// error, or else over fractions.
 class HitFinder {
 public:
   /// Copies the triangles. Requires finite coordinates.
@@ -42,8 +42,8 @@ public:
   [[nodiscard]] std::optional<NearestHit> find(const Ray<double> &ray) const;
 
 private:
-  struct Tree;
-  std::unique_ptr<const Tree> m_tree;
+  struct Scene;
+  std::unique_ptr<const Scene> m_scene;
 };
 
 } // namespace halfspace

@@ -122,6 +122,24 @@ void expectExactVerdict(const Ray<double> &ray, const Triangle<double> &triangle
   ASSERT_TRUE(!exact.crosses() || exactT(ray, triangle) == exact.plane.t);
 }
 
+TEST(DecideShape, NearlyInLineAndNearlyInOnePoint_IsTheExactShape) {
+  NastyDoubles nasty(215);
+  int degenerate = 0;
+  for (int i = 0; i < times(20'000); ++i) {
+    const Vec3<double> p0 = i % 2 == 0 ? nasty.vector() : nasty.ordinaryVector();
+    const Vec3<double> way =
+        i % 3 == 0 ? Vec3<double>(0) : Vec3<double>(1, 2, -0.5) * std::ldexp(1.0, nasty.integer(-30, 30));
+    Triangle<double> triangle{p0, p0 + way, p0 + way * double(nasty.integer(-2, 2))};
+    if (i % 5 == 0)
+      triangle.p2.x = nasty.nudged(triangle.p2.x);
+    const TriangleShape expected = shapeOf(exactly(triangle));
+    ASSERT_EQ(decideShape(triangle), expected) << i;
+    degenerate += expected == TriangleShape::Proper ? 0 : 1;
+  }
+  EXPECT_GT(degenerate, times(1000));
+  EXPECT_LT(degenerate, times(19'000));
+}
+
 TEST(DecideRayTriangle, AimedAtEdgesAndCorners_IsTheExactVerdict) {
   NastyDoubles nasty(3);
   for (int i = 0; i < times(4000); ++i) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -180,6 +181,73 @@ TEST(HitFinder, FarAwayHugeAndTiny_AgreesWithTheExactLoop) {
         ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(finder, triangles, {origin, target - origin})) << size;
       }
   }
+}
+
+TEST(HitFinder, TrianglesOfAllSizesTogether_AgreesWithTheExactLoop) {
+  // From as large as the scene down to what floats cannot tell from a point.
+  Scenes scenes(5);
+  Triangles triangles;
+  for (int i = 0; i < 120; ++i) {
+    const double size = std::ldexp(1.0, -i / 3);
+    const Vec3<double> corner = scenes.vector(1);
+    triangles.push_back({corner, corner + scenes.vector(size), corner + scenes.vector(size)});
+  }
+  const HitFinder finder(triangles);
+  for (int i = 0; i < 240; ++i) {
+    const auto &[p0, p1, p2] = triangles[scenes.index(triangles.size())];
+    const double share = i % 3 == 0 ? 0 : scenes.uniform(0, 1); // corners, edges, insides
+    const Vec3<double> target = p0 + (p1 - p0) * share + (p2 - p0) * (i % 3 == 1 ? 0 : (1 - share) / 2);
+    const Vec3<double> origin = scenes.vector(4);
+    ASSERT_NO_FATAL_FAILURE(expectAsTheExactLoop(finder, triangles, {origin, target - origin})) << i;
+  }
+}
+
+/// The lowest index of the smallest t, asked one triangle after the other.
+std::optional<std::size_t> nearestOfEach(const Triangles &triangles, const Ray<double> &ray) {
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (decideRayTriangle(ray, triangles[i]).which == RayTriangleCase::Hit &&
+        (!nearest || exactT(ray, triangles[i]) < exactT(ray, triangles[*nearest])))
+      nearest = i;
+  return nearest;
+}
+
+TEST(HitFinder, TreeOfManyLevels_FindsTheNearestOfEach) {
+  Scenes scenes(6);
+  Triangles triangles = terrain(scenes, 40, {0, 0, 0});
+  const Triangles above = scenes.soup(2000, {20, 20, 10});
+  triangles.insert(triangles.end(), above.begin(), above.end());
+  const HitFinder finder(triangles);
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Ray<double> ray{{scenes.uniform(-10, 50), scenes.uniform(-10, 50), scenes.uniform(-5, 30)},
+                          i % 4 == 0 ? Vec3<double>(0, i % 8 == 0 ? 0.5 : 0, -1) : scenes.vector(1)};
+    const auto expected = nearestOfEach(triangles, ray);
+    const auto found = finder.find(ray);
+    ASSERT_EQ(found.has_value(), expected.has_value()) << i;
+    if (found) {
+      ASSERT_EQ(found->index, *expected) << i;
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 200);
+}
+
+TEST(HitFinder, VeryManyDegenerateTrianglesInThePointAimedAt_HideNothing) {
+  const Vec3<double> place(1, 1, 1);
+  Triangles triangles(30'000, {place, place, place});
+  for (int i = 0; i < 3000; ++i)
+    triangles.push_back({place, place + Vec3<double>(i, i, 0), place - Vec3<double>(1, 1, 0)});
+  triangles.push_back({{0, 0, 9}, {4, 0, 9}, {0, 4, 9}});
+  const HitFinder finder(triangles);
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(finder.find({{1, 1, 0}, {0, 0, 1}})->index, triangles.size() - 1);
+}
+
+TEST(HitFinder, VeryManyTrianglesInOnePlace_GiveTheLowestIndex) { // law (3)
+  Triangles triangles(20'000, {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}});
+  triangles.front() = {{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};
+  EXPECT_EQ(HitFinder(triangles).find({{1, 1, 0}, {0, 0, 1}})->index, 1U);
 }
 
 TEST(HitFinder, DirectionOfAnyLength_FindsTheSameTriangle) {

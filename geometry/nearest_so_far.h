@@ -1,0 +1,75 @@
+// The nearest of several triangles that a ray hits, one after the other.
+#pragma once
+
+#include "geometry/decide.h"
+#include "geometry/filter.h"
+#include "geometry/hit_finder.h"
+
+namespace halfspace {
+
+/// The nearest of the hits that were offered so far; t is compared over fractions where doubles leave it
+/// open.
+class NearestSoFar {
+public:
+  /// `tame` tells whether all triangles are.
+  NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles, bool tame)
+      : m_ray(ray), m_tame(tame && isTame(ray)), m_triangles(triangles) {}
+
+  /// Tells the machine that this triangle will perhaps be offered soon.
+  void expect(std::size_t index) const {
+    __builtin_prefetch(&m_triangles[index]);
+    __builtin_prefetch(reinterpret_cast<const char *>(&m_triangles[index]) + sizeof(Triangle<double>) - 1);
+  }
+
+  /// Looks whether the ray hits a triangle, and takes it if it is nearer, or as near and of lower index.
+  void offer(std::size_t index) {
+    const Triangle<double> &triangle = m_triangles[index];
+    if (m_tame) {
+      const FilteredTriangle filtered = filterRayTriangle(m_ray, triangle);
+      if (const auto which = surelyCaseOf(filtered)) {
+        if (*which == RayTriangleCase::Hit)
+          take(index, filtered.bounded.volume / filtered.bounded.sum);
+        return;
+      }
+    }
+    if (const auto exact = exactHit(m_ray, triangle)) {
+      const double t = toDouble(*exact);
+      take(index, {t, t * filterError});
+    }
+  }
+
+  /// No hit beyond this t can become the nearest.
+  [[nodiscard]] double reach() const { return m_t.value + m_t.error; }
+  [[nodiscard]] std::optional<NearestHit> result() const {
+    if (!m_index)
+      return {};
+    const bool precise = std::isfinite(m_t.value) && m_t.error <= hitPrecision * m_t.value;
+    return NearestHit{*m_index, precise ? m_t.value : toDouble(exactT(m_ray, m_triangles[*m_index]))};
+  }
+
+private:
+  void take(std::size_t index, const Bounded &t) {
+    if (m_index && !isBefore(index, t))
+      return;
+    m_index = index;
+    m_t = t;
+  }
+
+  [[nodiscard]] bool isBefore(std::size_t index, const Bounded &t) const {
+    if (t.value + t.error < m_t.value - m_t.error)
+      return true;
+    if (t.value - t.error > m_t.value + m_t.error)
+      return false;
+    const Rational exact = exactT(m_ray, m_triangles[index]);
+    const Rational best = exactT(m_ray, m_triangles[*m_index]);
+    return exact < best || (exact == best && index < *m_index);
+  }
+
+  const Ray<double> &m_ray;
+  bool m_tame;
+  std::span<const Triangle<double>> m_triangles;
+  std::optional<std::size_t> m_index;
+  Bounded m_t{std::numeric_limits<double>::infinity(), 0};
+};
+
+} // namespace halfspace

@@ -1,0 +1,81 @@
+// Very many triangles in nested boxes.
+#pragma once
+
+#include "geometry/nearest_so_far.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace halfspace {
+
+/// Finds the few triangles that a ray may hit among very many.
+///
+/// Boxes and triangles are asked four at once, in floats: boxes are larger than those are wrong, and a
+/// triangle is passed over only where they are sure. So none that the ray hits is missed.
+class TriangleTree {
+public:
+  /// Keeps no reference to the triangles. Requires finite coordinates.
+  explicit TriangleTree(std::span<const Triangle<double>> triangles);
+  TriangleTree(const TriangleTree &) = delete;
+  TriangleTree &operator=(const TriangleTree &) = delete;
+  ~TriangleTree();
+
+  /// Offers every triangle that may be the nearest hit, about from near to far. False, and nothing is
+  /// offered, where it cannot tell: each triangle is to be asked then. Requires a direction ≠ 0 and finite
+  /// numbers.
+  [[nodiscard]] bool search(const Ray<double> &ray, NearestSoFar &nearest) const;
+
+  /// Whether all coordinates are so small that bounds on errors hold.
+  [[nodiscard]] bool isTame() const { return m_isTame; }
+
+private:
+  struct Node;
+  struct Block;
+  struct MovedRay;
+  struct Memory;
+  struct Builder;
+  class Search;
+
+  /// To a node, or to the blocks of a leaf.
+  class Link {
+  public:
+    Link() = default;
+    explicit Link(const Node *node) : Link(static_cast<const void *>(node)) {}
+    Link(const Block *blocks, std::size_t count);
+    /// As Embree hands links on.
+    explicit Link(const void *place) : m_place(static_cast<const std::byte *>(place)) {}
+    [[nodiscard]] void *place() const { return const_cast<std::byte *>(m_place); }
+
+    [[nodiscard]] bool isNull() const { return m_place == nullptr; }
+    [[nodiscard]] bool isLeaf() const { return blockCount() != 0; }
+    [[nodiscard]] const Node &node() const;
+    [[nodiscard]] std::span<const Block> blocks() const;
+    /// Tells the machine that this will be looked at soon.
+    void expect() const;
+
+  private:
+    [[nodiscard]] std::size_t blockCount() const {
+      return reinterpret_cast<std::uintptr_t>(m_place) % alignment;
+    }
+
+    /// Of a leaf as many bytes further as it has blocks, which the alignment leaves free. Not set from the
+    /// start: room is kept for many more than come.
+    const std::byte *m_place;
+  };
+  static constexpr std::size_t alignment = 32;
+
+  void build(std::span<const Triangle<double>> triangles);
+  [[nodiscard]] std::optional<MovedRay> move(const Ray<double> &ray) const;
+
+  // The tree counts from the middle of the scene, in units of once to twice its half width.
+  Vec3<double> m_middle{};
+  double m_scale = 1; ///< how many of its units are 1; a power of two
+  bool m_isTame = true;
+  std::unique_ptr<Memory> m_memory;
+  Link m_root{}; ///< null: there is nothing to ask, or it could not be built
+};
+
+} // namespace halfspace
