@@ -121,7 +121,7 @@ TriangleShape decideShape(const Triangle<double> &triangle) {
     const Vec3<double> u = triangle.p1 - triangle.p0;
     const Vec3<double> v = triangle.p2 - triangle.p0;
     const Vec3<double> normal = cross(u, v);
-    const double size = 2 * largestCoordinate(u) * largestCoordinate(v); // of either term of a coordinate
+    const double size = 2 * largestCoordinate(u) * largestCoordinate(v); // of the two terms of a coordinate
     for (const double coordinate : {normal.x, normal.y, normal.z})
       if (Bounded::of(coordinate, size).sign() != 0)
         return TriangleShape::Proper;

@@ -3,6 +3,8 @@
 
 #include "geometry/vector.h"
 
+#include <cstddef>
+
 namespace halfspace {
 
 inline constexpr std::size_t laneCount = 4;

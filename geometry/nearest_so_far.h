@@ -5,6 +5,12 @@
 #include "geometry/filter.h"
 #include "geometry/hit_finder.h"
 
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+
 namespace halfspace {
 
 /// The nearest of the hits that were offered so far; t is compared over fractions where doubles leave it
@@ -53,16 +59,18 @@ private:
       return;
     m_index = index;
     m_t = t;
+    m_exactT.reset();
   }
 
-  [[nodiscard]] bool isBefore(std::size_t index, const Bounded &t) const {
+  [[nodiscard]] bool isBefore(std::size_t index, const Bounded &t) {
     if (t.value + t.error < m_t.value - m_t.error)
       return true;
     if (t.value - t.error > m_t.value + m_t.error)
       return false;
     const Rational exact = exactT(m_ray, m_triangles[index]);
-    const Rational best = exactT(m_ray, m_triangles[*m_index]);
-    return exact < best || (exact == best && index < *m_index);
+    if (!m_exactT)
+      m_exactT = exactT(m_ray, m_triangles[*m_index]);
+    return exact < *m_exactT || (exact == *m_exactT && index < *m_index);
   }
 
   const Ray<double> &m_ray;
@@ -70,6 +78,7 @@ private:
   std::span<const Triangle<double>> m_triangles;
   std::optional<std::size_t> m_index;
   Bounded m_t{std::numeric_limits<double>::infinity(), 0};
+  std::optional<Rational> m_exactT; ///< of the nearest, once it was compared with
 };
 
 } // namespace halfspace

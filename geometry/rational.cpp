@@ -183,7 +183,7 @@ bool takeChar(std::string_view &text, char c) {
 constexpr std::size_t wordDigits = std::numeric_limits<std::int64_t>::digits10;
 
 /// Decimal digits, leading zeros allowed (Boost would read `010` as octal).
-Rational integerOf(std::string_view digits) {
+Rational readDigits(std::string_view digits) {
   Rational value = 0;
   while (!digits.empty()) {
     const std::string_view part = digits.substr(0, wordDigits);
@@ -222,7 +222,7 @@ std::optional<Rational> takeInteger(std::string_view &text) {
   const auto digits = takeDigits(text);
   if (digits.empty() || digits.size() > maxDigits)
     return {};
-  const Rational value = integerOf(digits);
+  const Rational value = readDigits(digits);
   return negative ? -value : value;
 }
 
@@ -274,7 +274,7 @@ std::optional<Rational> parseDecimal(std::string_view text) {
 
   exponent -= static_cast<int>(decimals.size());
   const Rational digits =
-      integerOf(whole) * powerOfTen(static_cast<int>(decimals.size())) + integerOf(decimals);
+      readDigits(whole) * powerOfTen(static_cast<int>(decimals.size())) + readDigits(decimals);
   const Rational value = exponent >= 0 ? digits * powerOfTen(exponent) : digits / powerOfTen(-exponent);
   return negative ? -value : value;
 }

@@ -37,8 +37,8 @@ public:
   /// p/q. Requires q ≠ 0.
   template <std::integral P, std::integral Q> Rational(P p, Q q) { *this = Rational(p) / Rational(q); }
 
-  /// The same value as Boost knows it; `geometry/integer.h` has what that is. Few need it, and all others
-  /// compile in half the time without.
+  /// The same value as Boost knows it: `geometry/integer.h` says what that is. Few need it, and it takes
+  /// seconds to compile.
   struct Big;
   explicit Rational(Big value);
   [[nodiscard]] Big big() const;

@@ -1,5 +1,7 @@
 #include "geometry/triangle_tree.h"
 
+#include "geometry/decide.h"
+#include "geometry/filter.h"
 #include "geometry/lanes.h"
 
 #include <embree3/rtcore.h>
@@ -7,16 +9,21 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
+#include <cmath>
 #include <limits>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace halfspace {
 namespace {
 
 /// By how much each box is made larger on each side, in the tree's units. A ray is followed for less than
-/// eight of them, and where it crosses the plane of a box's side is told after four roundings of 2^-24 and
-/// one of its origin: less than 2^-19 + 2^-21 off.
+/// eight of them: four to where it is nearest to the middle, and no more than 2√3 from there on. Where it
+/// crosses the plane of a box's side is told after four roundings of 2^-24, one of its origin and one of the
+/// side: less than 2^-19 + 2^-21
+/// + 2^-24 off.
 constexpr double boxMargin = 0x1p-18;
 /// A bound on the error of a triangle's products, as a share of the sum of their terms' magnitudes: at most
 /// 20 roundings of 2^-24. How far a corner lies from the ray's origin is off by another 2^-20 at most,
@@ -24,9 +31,9 @@ constexpr double boxMargin = 0x1p-18;
 constexpr float productError = 0x1p-19F;
 /// More than what underflow adds to that.
 constexpr float leastError = 0x1p-120F;
-/// Origins further off than so many units are not moved up to the scene in doubles: the move's own rounding
-/// would use up the margin.
-constexpr double farthestOrigin = 0x1p20;
+/// Origins further off than so many units are not moved up to the scene: in doubles that rounds by up to
+/// 2^-25 of a unit, and the margin has no more to spare.
+constexpr double farthestOrigin = 0x1p26;
 /// A direction's coordinates below this share of the largest one are taken as this: over eight units that
 /// moves the ray by far less than the margin, and its reciprocal stays finite.
 constexpr float smallestSlope = 0x1p-60F;
@@ -58,7 +65,7 @@ struct Box {
 
 } // namespace
 
-/// Up to eight boxes and what lies in them. Two lines of a cache for four boxes, so it begins with one.
+/// Up to eight boxes and what lies in them. The boxes are three lines of a cache, the links one.
 struct alignas(64) TriangleTree::Node {
   using Sides = std::array<Lanes, 2>; ///< of four boxes, on one axis: the lower ones, the upper ones
   std::array<std::array<Sides, 3>, mostChildren / laneCount> boxes;
@@ -73,7 +80,7 @@ struct alignas(32) TriangleTree::Block {
 
 TriangleTree::Link::Link(const Block *blocks, std::size_t count)
     : m_place(reinterpret_cast<const std::byte *>(blocks) + count) {
-  static_assert(alignof(Block) == alignment);
+  static_assert(alignof(Block) == alignment && mostInLeaf / laneCount < alignment);
 }
 
 const TriangleTree::Node &TriangleTree::Link::node() const {
@@ -134,8 +141,14 @@ struct TriangleTree::Builder {
     return boxes;
   }
 
+  /// Embree catches what is thrown, and has then built nothing.
+  template <class Kept> static Kept *roomFor(std::size_t count, RTCThreadLocalAllocator allocator) {
+    void *room = rtcThreadLocalAlloc(allocator, count * sizeof(Kept), alignof(Kept));
+    return room != nullptr ? static_cast<Kept *>(room) : throw std::bad_alloc();
+  }
+
   static void *createNode(RTCThreadLocalAllocator allocator, unsigned, void *) {
-    auto *node = new (rtcThreadLocalAlloc(allocator, sizeof(Node), alignof(Node))) Node;
+    auto *node = new (roomFor<Node>(1, allocator)) Node;
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (auto &four : node->boxes) // no ray meets these
       four.fill({inAllLanes(infinity), inAllLanes(-infinity)});
@@ -144,7 +157,7 @@ struct TriangleTree::Builder {
 
   static void setChildren(void *node, void **children, unsigned count, void *) {
     for (unsigned child = 0; child < count; ++child)
-      static_cast<Node *>(node)->children[child] = Link(static_cast<const void *>(children[child]));
+      static_cast<Node *>(node)->children[child] = Link(children[child]);
   }
 
   static void setBounds(void *node, const RTCBounds **bounds, unsigned count, void *) {
@@ -164,8 +177,7 @@ struct TriangleTree::Builder {
   static void *createLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive *primitives,
                           std::size_t count, void *builder) {
     const std::size_t blockCount = (count + laneCount - 1) / laneCount;
-    auto *blocks =
-        static_cast<Block *>(rtcThreadLocalAlloc(allocator, blockCount * sizeof(Block), alignof(Block)));
+    auto *blocks = roomFor<Block>(blockCount, allocator);
     for (std::size_t i = 0; i < blockCount; ++i)
       (new (blocks + i) Block{})->indices.fill(noTriangle);
     for (std::size_t i = 0; i < count; ++i)
@@ -183,6 +195,7 @@ struct TriangleTree::Builder {
 };
 
 TriangleTree::TriangleTree(std::span<const Triangle<double>> triangles) {
+  assert(triangles.size() < noTriangle);
   Box box;
   for (const Triangle<double> &triangle : triangles) {
     m_isTame = m_isTame && halfspace::isTame(triangle);
@@ -205,6 +218,10 @@ void TriangleTree::build(std::span<const Triangle<double>> triangles) {
     return;
   Builder builder{*this, triangles};
   std::vector<RTCBuildPrimitive> boxes = builder.boxes();
+  if (boxes.empty()) {
+    m_isBuilt = true;
+    return;
+  }
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.maxBranchingFactor = mostChildren;
   arguments.maxDepth = maxDepth;
@@ -220,25 +237,27 @@ void TriangleTree::build(std::span<const Triangle<double>> triangles) {
   arguments.setNodeBounds = Builder::setBounds;
   arguments.createLeaf = Builder::createLeaf;
   arguments.userPtr = &builder;
-  m_root = Link(static_cast<const void *>(rtcBuildBVH(&arguments)));
+  m_root = Link(rtcBuildBVH(&arguments));
+  m_isBuilt = !m_root.isNull();
 }
 
 /// Nothing where the ray is so far off, or so short, that each triangle must be asked.
 std::optional<TriangleTree::MovedRay> TriangleTree::move(const Ray<double> &ray) const {
   const Vec3<double> origin = (ray.origin - m_middle) * m_scale;
   const double size = largestCoordinate(ray.direction);
-  // A direction of subnormal length has no reciprocal.
+  const double perT = size * m_scale;
+  // What is below the smallest normal number has no reciprocal, or lost digits.
   if (!halfspace::isTame(ray) || largestCoordinate(origin) > farthestOrigin ||
-      size < std::numeric_limits<double>::min())
+      std::min(size, perT) < std::numeric_limits<double>::min())
     return {};
   const Vec3<double> direction = ray.direction * (1 / size);
   // To where the ray comes into a ball around the scene, or a little before. The corners of the scene's box
-  // are √3 away from its middle, and twice that where the middle could only be rounded to a corner.
+  // are at most √3 away from its middle, and twice that where the middle could only be rounded to a corner.
   constexpr double ballRadius = 4;
   double start = 0;
   if (largestCoordinate(origin) > ballRadius / 2)
     start = std::max(0.0, -dot(origin, direction) / dot(direction, direction) - ballRadius);
-  return MovedRay{Vec3<float>(origin + direction * start), Vec3<float>(direction), start, size * m_scale};
+  return MovedRay{Vec3<float>(origin + direction * start), Vec3<float>(direction), start, perT};
 }
 
 /// One ray on its way through the tree.
@@ -384,10 +403,11 @@ private:
 };
 
 bool TriangleTree::search(const Ray<double> &ray, NearestSoFar &nearest) const {
-  const auto moved = m_root.isNull() ? std::nullopt : move(ray);
+  const auto moved = m_isBuilt ? move(ray) : std::nullopt;
   if (!moved)
     return false;
-  Search(*moved, nearest).run(m_root);
+  if (!m_root.isNull())
+    Search(*moved, nearest).run(m_root);
   return true;
 }
 

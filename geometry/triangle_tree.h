@@ -17,7 +17,7 @@ namespace halfspace {
 /// triangle is passed over only where they are sure. So none that the ray hits is missed.
 class TriangleTree {
 public:
-  /// Keeps no reference to the triangles. Requires finite coordinates.
+  /// Keeps no reference to the triangles. Requires finite coordinates, and fewer than 2^32 − 1 triangles.
   explicit TriangleTree(std::span<const Triangle<double>> triangles);
   TriangleTree(const TriangleTree &) = delete;
   TriangleTree &operator=(const TriangleTree &) = delete;
@@ -75,7 +75,8 @@ private:
   double m_scale = 1; ///< how many of its units are 1; a power of two
   bool m_isTame = true;
   std::unique_ptr<Memory> m_memory;
-  Link m_root{}; ///< null: there is nothing to ask, or it could not be built
+  bool m_isBuilt = false; ///< else each triangle is to be asked
+  Link m_root{};          ///< null: no triangle can be hit
 };
 
 } // namespace halfspace

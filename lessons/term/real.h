@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace halfspace {
 
@@ -28,8 +29,8 @@ public:
 
 private:
   Surd m_exact;
-  std::shared_ptr<const Interval>
-      m_within; ///< the bounds of what is not exact; rare, large, and never changed
+  /// The bounds of what is not exact; rare, large, and never changed.
+  std::shared_ptr<const Interval> m_within;
 };
 
 /// Nothing where the bounds leave it open.

@@ -69,9 +69,8 @@ void expectAsTheExactLoop(const HitFinder &finder, const Triangles &triangles, c
   if (!found)
     return;
   EXPECT_EQ(found->index, all.hits.front().index); // law (1)
-  const double t = toDouble(all.hits.front().t);   // law (4)
-  EXPECT_NEAR(found->t, t,
-              std::abs(t) * 1e-12); // far coarser than promised, far finer than any wrong triangle
+  const double t = toDouble(all.hits.front().t);
+  EXPECT_NEAR(found->t, t, std::abs(t) * hitPrecision); // law (4)
 }
 
 TEST(HitFinder, RandomTriangles_AgreesWithTheExactLoop) {
@@ -122,7 +121,7 @@ TEST(HitFinder, TrianglesAtTheSamePlace_GiveTheLowestIndex) { // law (3)
 }
 
 TEST(HitFinder, HitsThatDoublesCannotTellApart_AreOrderedExactly) {
-  // The planes x + y + k·z = 3·k cut the axis at z = 3; the second one a hair lower.
+  // One crosses the axis at z = 3, the other a hair lower.
   const double hair = std::nextafter(3.0, 0.0);
   const Triangle<double> at{{3, 0, 3}, {-3, 3, 3}, {-3, -3, 3}};
   const Triangle<double> lower{{3, 0, hair}, {-3, 3, hair}, {-3, -3, hair}};
@@ -231,6 +230,38 @@ TEST(HitFinder, TreeOfManyLevels_FindsTheNearestOfEach) {
     }
   }
   EXPECT_GT(hits, 200);
+}
+
+TEST(HitFinder, ShortDirectionsInWideScenes_FindTheNearestOfEach) {
+  // A power of two makes the scene as wide, another the direction as short, without a rounding.
+  Scenes scenes(7);
+  const Triangles triangles = scenes.soup(400, {0, 0, 0});
+  for (const int width : {0, 60, 100, 180}) {
+    Triangles wide = triangles;
+    for (Triangle<double> &triangle : wide)
+      for (Vec3<double> *corner : {&triangle.p0, &triangle.p1, &triangle.p2})
+        *corner *= std::ldexp(1.0, width);
+    const HitFinder finder(wide);
+    for (const int length : {-1021, -1000, -900, -500, 0}) {
+      for (int i = 0; i < 60; ++i) {
+        const Ray<double> ray{scenes.vector(15), scenes.vector(1)};
+        const auto expected = nearestOfEach(triangles, ray);
+        const auto found =
+            finder.find({ray.origin * std::ldexp(1.0, width), ray.direction * std::ldexp(1.0, length)});
+        ASSERT_EQ(found.has_value(), expected.has_value()) << width << ", " << length << ", ray " << i;
+        if (found && length > -1021) { // the shortest were rounded
+          ASSERT_EQ(found->index, *expected) << width << ", " << length << ", ray " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(HitFinder, OnlyDegenerateTriangles_FindsNothing) {
+  Triangles triangles;
+  for (int i = 0; i < 50; ++i)
+    triangles.push_back({{i, 0, 1}, {i, 1, 1}, {i, 3, 1}});
+  EXPECT_FALSE(HitFinder(triangles).find({{7, 2, 0}, {0, 0, 1}}));
 }
 
 TEST(HitFinder, VeryManyDegenerateTrianglesInThePointAimedAt_HideNothing) {
