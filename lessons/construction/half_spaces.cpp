@@ -81,8 +81,11 @@ std::string sidesWords(const Out &at) {
   add(PointPlaneCase::Positive, [&](const std::string &names) {
     return words("On the side that {n} points to: {points}.", at.letters, {{"points", names}});
   });
-  add(PointPlaneCase::Negative, [](const std::string &names) {
-    return words("On the other side: {points}.", {{"points", names}});
+  const bool isFirst = sentences.empty();
+  add(PointPlaneCase::Negative, [&](const std::string &names) {
+    return isFirst
+               ? words("On the side that {n} points away from: {points}.", at.letters, {{"points", names}})
+               : words("On the other side: {points}.", {{"points", names}});
   });
   add(PointPlaneCase::On, [](const std::string &names) {
     return words("In the plane, on neither side: {points}.", {{"points", names}});

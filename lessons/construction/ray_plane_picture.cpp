@@ -87,17 +87,11 @@ CaseWords tell(const In &, const Out &at) {
     return {caseName, words("{t} is positive: the ray hits the plane after so many steps {r}.",
                             {{"t", t}, {"r", plainText(at.r)}})};
   case RayPlaneCase::Behind:
-    return {caseName,
-            words("{t} is negative: {E} and {C} are on different sides of {Q}, so the plane is behind the "
-                  "ray's start.",
-                  {{"t", t}, {"E", plainText(at.E)}, {"C", plainText(at.C)}, {"Q", plainText(at.Q)}})};
+    return {caseName, words("{t} is negative: the plane is behind the ray's start.", {{"t", t}})};
   case RayPlaneCase::Parallel:
-    return {caseName, words("{r} has no part along {n}, so {E} is {Q} itself: the ray runs parallel to the "
-                            "plane and never meets it.",
-                            {{"r", plainText(at.r)},
-                             {"n", plainText(at.n)},
-                             {"E", plainText(at.E)},
-                             {"Q", plainText(at.Q)}})};
+    return {caseName,
+            words("{r} has no part along {n}: the ray runs parallel to the plane and never meets it.",
+                  at.letters)};
   case RayPlaneCase::InPlane:
     return {caseName, words("{r} has no part along {n}, and {Q} is in the plane: the whole ray lies in it, "
                             "and no single point is the hit.",

@@ -88,21 +88,29 @@ private slots:
     QTRY_COMPARE(field->text(), QString("11"));
   }
 
-  void undoKey_inAFieldThatWaits_isLeftToTheWindow() {
+  void keysOfTheWindow_inAFieldThatWaits_areLeftToIt_data() {
+    QTest::addColumn<int>("key");
+    QTest::newRow("undo") << int(Qt::Key_Z);
+    QTest::newRow("next step") << int(Qt::Key_Right);
+    QTest::newRow("step before") << int(Qt::Key_Left);
+  }
+
+  void keysOfTheWindow_inAFieldThatWaits_areLeftToIt() {
+    QFETCH(int, key);
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     NumberField *field = fixture.field("Q", 0);
     QVERIFY(field);
-    const auto takesUndo = [&] {
-      QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
-      undo.ignore();
-      QCoreApplication::sendEvent(field, &undo);
-      return undo.isAccepted();
+    const auto takesKey = [&] {
+      QKeyEvent press(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+      press.ignore();
+      QCoreApplication::sendEvent(field, &press);
+      return press.isAccepted();
     };
     typeInto(*field, "3");
-    QVERIFY(!takesUndo());
+    QVERIFY(!takesKey());
     QTest::keyClicks(field, "12"); // half typed: the key belongs to the field
-    QVERIFY(takesUndo());
+    QVERIFY(takesKey());
   }
 
   void number_thatIsNone_isRefusedWithASentence_andTheSessionStays_data() {

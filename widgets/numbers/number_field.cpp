@@ -156,12 +156,15 @@ void NumberField::focusOutEvent(QFocusEvent *event) {
 }
 
 bool NumberField::event(QEvent *event) {
-  // With nothing half typed in the field, undo and redo are the window's; so is the key for a picture, which
-  // Qt takes for the end of the line.
+  // With nothing half typed in the field, undo and redo are the window's; so are the keys for the next step
+  // and the one before, which Qt takes for words, and the key for a picture, which it takes for the end of
+  // the line.
   if (event->type() == QEvent::ShortcutOverride && text() == ownText()) {
     const auto *key = static_cast<QKeyEvent *>(event);
     const bool isPictureKey = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
-    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isPictureKey) {
+    const bool isStepKey =
+        key->matches(QKeySequence::MoveToNextWord) || key->matches(QKeySequence::MoveToPreviousWord);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isPictureKey || isStepKey) {
       event->ignore();
       return true;
     }

@@ -84,6 +84,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-plane-picture", "D < 0", {"G.offset"}},
       {"ray-plane-picture", "D > 0 and case = hit", {"G.offset"}},
       {"ray-plane-picture", "denominator < 0", {"L.r"}},
+      {"ray-plane-picture", "denominator > 0", {"L.r"}},
       {"ray-plane-picture", "case = hit", {"L.r"}},
       {"ray-plane-picture", "numerator = 0 and case = hit", {"L.Q"}},
       {"ray-plane-picture", "case = hit and t > 0", {"L.Q"}},
