@@ -27,6 +27,10 @@ struct Rational::Big {
   BigFraction value;
 };
 
+/// `numerator` and `denominator` of a fraction.
+[[nodiscard]] Integer numeratorOf(const Rational &value);
+[[nodiscard]] Integer denominatorOf(const Rational &value);
+
 /// Requires a whole number.
 [[nodiscard]] Integer integerOf(const Rational &whole);
 

@@ -13,8 +13,8 @@ std::array<Rational, 4> primitiveCoefficients(const Plane<Rational> &plane) {
   Integer commonFactor = 0;
   Integer commonDenominator = 1;
   for (const Rational &each : coefficients) {
-    commonFactor = mp::gcd(commonFactor, integerOf(each.numerator()));
-    commonDenominator = mp::lcm(commonDenominator, integerOf(each.denominator()));
+    commonFactor = mp::gcd(commonFactor, numeratorOf(each));
+    commonDenominator = mp::lcm(commonDenominator, denominatorOf(each));
   }
   const Rational unit = rationalOf(commonFactor) / rationalOf(commonDenominator);
   for (Rational &each : coefficients)

@@ -144,10 +144,19 @@ std::strong_ordering Rational::compare(const Rational &other) const {
   return big().value.compare(other.big().value) <=> 0;
 }
 
+Integer numeratorOf(const Rational &value) {
+  const auto words = value.words();
+  return words ? Integer(words->numerator) : Integer(mp::numerator(value.big().value));
+}
+
+Integer denominatorOf(const Rational &value) {
+  const auto words = value.words();
+  return words ? Integer(words->denominator) : Integer(mp::denominator(value.big().value));
+}
+
 Integer integerOf(const Rational &whole) {
   assert(whole.isInteger());
-  const auto words = whole.words();
-  return words ? Integer(words->numerator) : Integer(mp::numerator(whole.big().value));
+  return numeratorOf(whole);
 }
 
 Rational rationalOf(const Integer &value) {
@@ -381,8 +390,8 @@ Rational exactly(double value) {
 
 Rational roundToMultiple(const Rational &value, const Rational &step) {
   const Rational count = value / step + Rational(1, 2);
-  const Integer p = integerOf(count.numerator());
-  const Integer q = integerOf(count.denominator());
+  const Integer p = numeratorOf(count);
+  const Integer q = denominatorOf(count);
   Integer floor = p / q;
   if (p < 0 && floor * q != p)
     --floor;

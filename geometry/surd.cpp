@@ -118,8 +118,8 @@ Surd Surd::root(const Rational &square, const Rational &factor) {
   // B·√n = ±√(B²n), so the form depends on the value alone and not on how it was come by.
   // √(p/q) = root(p)/(root(q)·rest(q)) · √(rest(p)·rest(q)), square-free because p and q share no factor.
   const Rational whole = square * factor * factor;
-  const SquareParts p = splitSquares(integerOf(whole.numerator()));
-  const SquareParts q = splitSquares(integerOf(whole.denominator()));
+  const SquareParts p = splitSquares(numeratorOf(whole));
+  const SquareParts q = splitSquares(denominatorOf(whole));
   const Rational magnitude = rationalOf(p.root) / rationalOf(q.root * q.rest);
   const Rational outside = factor < 0 ? Rational(-magnitude) : magnitude;
   const Integer inside = p.rest * q.rest;
@@ -158,10 +158,10 @@ bool Surd::isWithinFactorLimit() const {
   // B²n = p/q in lowest terms, found without factors as n is square-free: p and q are squares but for the
   // parts of n that they keep.
   const Integer radicand = integerOf(m_radicand);
-  const Integer denominator = integerOf(m_factor.denominator());
+  const Integer denominator = denominatorOf(m_factor);
   const Integer shared = mp::gcd(radicand, denominator);
   const Integer rest = radicand / shared;
-  const Integer numerator = integerOf(m_factor.numerator());
+  const Integer numerator = numeratorOf(m_factor);
   return (rest == 1 || numerator * numerator * rest <= factorLimit) &&
          (shared == 1 || denominator * denominator / shared <= factorLimit);
 }
@@ -239,14 +239,14 @@ double toDouble(const Surd &value) {
   // of the next number. More bits are added until both are nearest to the same double, which happens, as the
   // sum is irrational and never in the middle between two.
   const Rational square = value.rootFactor() * value.rootFactor() * value.radicand();
-  const Integer p = integerOf(square.numerator());
-  const Integer q = integerOf(square.denominator());
+  const Integer p = numeratorOf(square);
+  const Integer q = denominatorOf(square);
   for (int bits = 128 + static_cast<int>(mp::msb(q));; bits *= 2) {
     const Rational shifted = value.rationalPart() * rationalOf(Integer(1) << bits);
     const Integer root = mp::sqrt(Integer((p << (2 * bits)) / q));
     const auto sumWith = [&](const Integer &magnitude) {
       const Rational sum = shifted + rationalOf(value.rootFactor() < 0 ? Integer(-magnitude) : magnitude);
-      return nearestDouble(integerOf(sum.numerator()), integerOf(sum.denominator()), -bits);
+      return nearestDouble(numeratorOf(sum), denominatorOf(sum), -bits);
     };
     const double sum = sumWith(root);
     if (sum == sumWith(root + 1))

@@ -9,8 +9,8 @@ namespace halfspace {
 WeightedPoint<Rational> weighted(const Vec3<Rational> &point) {
   if (point.x.isInteger() && point.y.isInteger() && point.z.isInteger())
     return {point, 1};
-  const auto denominator = [&](int axis) { return integerOf(point[axis].denominator()); };
-  const Rational weight = rationalOf(mp::lcm(mp::lcm(denominator(0), denominator(1)), denominator(2)));
+  const Rational weight =
+      rationalOf(mp::lcm(mp::lcm(denominatorOf(point.x), denominatorOf(point.y)), denominatorOf(point.z)));
   return {point * weight, weight};
 }
 
