@@ -31,29 +31,15 @@ using Lanes [[gnu::vector_size(laneCount * sizeof(float))]] = float;
 }
 
 /// Four vectors, by their coordinates.
-struct VectorLanes {
-  Lanes x{};
-  Lanes y{};
-  Lanes z{};
+using VectorLanes = Vec3<Lanes>;
 
-  void set(std::size_t lane, const Vec3<float> &vector) {
-    x[lane] = vector.x;
-    y[lane] = vector.y;
-    z[lane] = vector.z;
-  }
-};
-
+inline void setLane(VectorLanes &vectors, std::size_t lane, const Vec3<float> &vector) {
+  vectors.x[lane] = vector.x;
+  vectors.y[lane] = vector.y;
+  vectors.z[lane] = vector.z;
+}
 [[nodiscard]] inline VectorLanes inAllLanes(const Vec3<float> &v) {
   return {inAllLanes(v.x), inAllLanes(v.y), inAllLanes(v.z)};
-}
-[[nodiscard]] inline VectorLanes operator-(const VectorLanes &a, const VectorLanes &b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-[[nodiscard]] inline Lanes dot(const VectorLanes &a, const VectorLanes &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-[[nodiscard]] inline VectorLanes cross(const VectorLanes &a, const VectorLanes &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 [[nodiscard]] inline Lanes largestCoordinate(const VectorLanes &a) {
   return max(max(abs(a.x), abs(a.y)), abs(a.z));

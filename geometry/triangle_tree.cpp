@@ -187,9 +187,9 @@ struct TriangleTree::Builder {
   void put(std::uint32_t index, Block &block, std::size_t lane) const {
     const auto &[p0, p1, p2] = triangles[index];
     block.indices[lane] = index;
-    block.p0.set(lane, Vec3<float>((p0 - tree.m_middle) * tree.m_scale));
-    block.u.set(lane, Vec3<float>((p1 - p0) * tree.m_scale));
-    block.v.set(lane, Vec3<float>((p2 - p0) * tree.m_scale));
+    setLane(block.p0, lane, Vec3<float>((p0 - tree.m_middle) * tree.m_scale));
+    setLane(block.u, lane, Vec3<float>((p1 - p0) * tree.m_scale));
+    setLane(block.v, lane, Vec3<float>((p2 - p0) * tree.m_scale));
   }
 };
 
