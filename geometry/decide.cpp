@@ -147,6 +147,13 @@ std::optional<Rational> exactHit(const Ray<double> &ray, const Triangle<double> 
   return tOf(whole, exact);
 }
 
+std::optional<Rational> exactHit(const Ray<Rational> &ray, const Triangle<double> &triangle) {
+  const RayTriangle<Rational> meet = intersectRayTriangle(ray, exactly(triangle));
+  if (meet.which != RayTriangleCase::Hit)
+    return {};
+  return meet.plane.t;
+}
+
 Rational exactT(const Ray<double> &ray, const Triangle<double> &triangle) {
   const WholeNumbers whole(ray, triangle);
   return tOf(whole, whole.products());

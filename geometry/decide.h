@@ -35,6 +35,7 @@ struct RayTriangleVerdict {
 /// The t of a Hit of `intersectRayTriangle`, in exact arithmetic from the start; nothing in any other case.
 /// (1) It is plane.t of the query on exactly(ray) and exactly(triangle).
 [[nodiscard]] std::optional<Rational> exactHit(const Ray<double> &ray, const Triangle<double> &triangle);
+[[nodiscard]] std::optional<Rational> exactHit(const Ray<Rational> &ray, const Triangle<double> &triangle);
 
 /// The t of `intersectRayTriangle`. Requires a ray whose line crosses the triangle's plane in one point.
 /// (1) It is plane.t of the query on exactly(ray) and exactly(triangle).

@@ -18,17 +18,33 @@ struct HitFinder::Scene {
 
 HitFinder::HitFinder(std::span<const Triangle<double>> triangles)
     : m_scene(std::make_unique<const Scene>(triangles)) {}
-HitFinder::HitFinder(HitFinder &&) noexcept = default;
-HitFinder &HitFinder::operator=(HitFinder &&) noexcept = default;
 HitFinder::~HitFinder() = default;
+
+SearchCost HitFinder::offerCandidates(const Ray<double> &ray, NearestSoFar &nearest) const {
+  if (const auto cost = m_scene->tree.search(ray, nearest))
+    return *cost;
+  const std::size_t count = m_scene->triangles.size();
+  for (std::size_t i = 0; i < count; ++i)
+    nearest.offer(i);
+  return {0, count};
+}
 
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
   assert(!isZero(ray.direction));
   NearestSoFar nearest(ray, m_scene->triangles, m_scene->tree.isTame());
-  if (!m_scene->tree.search(ray, nearest))
-    for (std::size_t i = 0; i < m_scene->triangles.size(); ++i)
-      nearest.offer(i);
+  offerCandidates(ray, nearest);
   return nearest.result();
+}
+
+SearchResult HitFinder::search(const Ray<Rational> &ray) const {
+  assert(!isZero(ray.direction));
+  const auto exact = inDoubles(ray);
+  // What rounding moves a ray by is far below what the tree's boxes are larger than they must be.
+  const Ray<double> rounded = exact.value_or(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)});
+  NearestSoFar nearest = exact ? NearestSoFar(rounded, m_scene->triangles, m_scene->tree.isTame())
+                               : NearestSoFar(rounded, ray, m_scene->triangles);
+  const SearchCost cost = offerCandidates(rounded, nearest);
+  return {nearest.exactResult(), cost};
 }
 
 } // namespace halfspace

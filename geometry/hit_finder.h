@@ -1,8 +1,7 @@
 // The first of very many triangles that a ray hits.
 #pragma once
 
-#include "geometry/ray.h"
-#include "geometry/triangle.h"
+#include "geometry/hit_search.h"
 
 #include <memory>
 #include <optional>
@@ -10,14 +9,7 @@
 
 namespace halfspace {
 
-/// The most that the t of a hit is off, as a share of it, unless it is the nearest double.
-inline constexpr double hitPrecision = 0x1p-36;
-
-/// The triangle with the smallest t ≥ 0, of several the one with the lowest index.
-struct NearestHit {
-  std::size_t index = 0;
-  double t = 0; ///< +infinity beyond the range of doubles
-};
+class NearestSoFar;
 
 /// Many triangles, made ready once and then asked often.
 ///
@@ -30,18 +22,21 @@ struct NearestHit {
 ///
 /// A tree of boxes proposes candidates (`TriangleTree`); each is decided by a filter with a bound on its
 /// error, or else over fractions.
-class HitFinder {
+class HitFinder final : public HitSearch {
 public:
   /// Copies the triangles. Requires finite coordinates.
   explicit HitFinder(std::span<const Triangle<double>> triangles);
-  HitFinder(HitFinder &&) noexcept;
-  HitFinder &operator=(HitFinder &&) noexcept;
-  ~HitFinder();
+  ~HitFinder() override;
 
   /// Requires a direction ≠ 0 and finite numbers. May be called from several threads at once.
   [[nodiscard]] std::optional<NearestHit> find(const Ray<double> &ray) const;
+  /// A ray that is in no doubles costs a calculation with fractions for each candidate, or, seen from very far
+  /// away (2^26 times the half width of all triangles), for each triangle.
+  [[nodiscard]] SearchResult search(const Ray<Rational> &ray) const override;
 
 private:
+  SearchCost offerCandidates(const Ray<double> &ray, NearestSoFar &nearest) const;
+
   struct Scene;
   std::unique_ptr<const Scene> m_scene;
 };

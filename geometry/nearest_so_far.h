@@ -3,7 +3,7 @@
 
 #include "geometry/decide.h"
 #include "geometry/filter.h"
-#include "geometry/hit_finder.h"
+#include "geometry/hit_search.h"
 
 #include <cmath>
 #include <cstddef>
@@ -20,6 +20,10 @@ public:
   /// `tame` tells whether all triangles are.
   NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles, bool tame)
       : m_ray(ray), m_tame(tame && isTame(ray)), m_triangles(triangles) {}
+  /// Of a ray that is in no doubles; `rounded` is the nearest that is. Each triangle is decided over fractions.
+  NearestSoFar(const Ray<double> &rounded, const Ray<Rational> &exact,
+               std::span<const Triangle<double>> triangles)
+      : m_ray(rounded), m_exactRay(&exact), m_tame(false), m_triangles(triangles) {}
 
   /// Tells the machine that this triangle will perhaps be offered soon.
   void expect(std::size_t index) const {
@@ -38,7 +42,7 @@ public:
         return;
       }
     }
-    if (const auto exact = exactHit(m_ray, triangle)) {
+    if (const auto exact = m_exactRay ? exactHit(*m_exactRay, triangle) : exactHit(m_ray, triangle)) {
       const double t = toDouble(*exact);
       take(index, {t, t * filterError});
     }
@@ -50,7 +54,12 @@ public:
     if (!m_index)
       return {};
     const bool precise = std::isfinite(m_t.value) && m_t.error <= hitPrecision * m_t.value;
-    return NearestHit{*m_index, precise ? m_t.value : toDouble(exactT(m_ray, m_triangles[*m_index]))};
+    return NearestHit{*m_index, precise ? m_t.value : toDouble(exactTOf(*m_index))};
+  }
+  [[nodiscard]] std::optional<ExactNearestHit> exactResult() const {
+    if (!m_index)
+      return {};
+    return ExactNearestHit{*m_index, exactTOf(*m_index)};
   }
 
 private:
@@ -67,13 +76,19 @@ private:
       return true;
     if (t.value - t.error > m_t.value + m_t.error)
       return false;
-    const Rational exact = exactT(m_ray, m_triangles[index]);
+    const Rational exact = exactTOf(index);
     if (!m_exactT)
-      m_exactT = exactT(m_ray, m_triangles[*m_index]);
+      m_exactT = exactTOf(*m_index);
     return exact < *m_exactT || (exact == *m_exactT && index < *m_index);
   }
 
+  [[nodiscard]] Rational exactTOf(std::size_t index) const {
+    const Triangle<double> &triangle = m_triangles[index];
+    return m_exactRay ? exactHit(*m_exactRay, triangle).value() : exactT(m_ray, triangle);
+  }
+
   const Ray<double> &m_ray;
+  const Ray<Rational> *m_exactRay = nullptr;
   bool m_tame;
   std::span<const Triangle<double>> m_triangles;
   std::optional<std::size_t> m_index;

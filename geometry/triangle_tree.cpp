@@ -22,7 +22,7 @@ namespace {
 /// By how much each box is made larger on each side, in the tree's units. A ray is followed for less than
 /// eight of them: four to where it is nearest to the middle, and no more than 2√3 from there on. Where it
 /// crosses the plane of a box's side is told after four roundings of 2^-24, one of its origin and one of the
-/// side: less than 2^-19 + 2^-21 + 2^-24 off.
+/// side: less than 2^-19 + 2^-21 + 2^-24 off. Rounded to doubles from farthestOrigin, it is another 2^-26 off.
 constexpr double boxMargin = 0x1p-18;
 /// A bound on the error of a triangle's products, as a share of the sum of their terms' magnitudes: at most
 /// 20 roundings of 2^-24. How far a corner lies from the ray's origin is off by another 2^-20 at most,
@@ -283,6 +283,8 @@ public:
     } while (goBack(next));
   }
 
+  [[nodiscard]] const SearchCost &cost() const { return m_cost; }
+
 private:
   struct Axis {
     Lanes origin;
@@ -307,6 +309,7 @@ private:
   /// The nearest of the node's children that the ray meets is next, the others wait. False where it meets
   /// none.
   [[nodiscard]] bool goInto(const Node &node, Waiting &next) {
+    m_cost.boxes += mostChildren;
     std::array<Lanes, mostChildren / laneCount> entered;
     unsigned met = 0;
     for (unsigned four = 0; four < mostChildren / laneCount; ++four) {
@@ -347,6 +350,7 @@ private:
   }
 
   void ask(const Block &block) {
+    m_cost.triangles += laneCount;
     for (const std::uint32_t index : block.indices)
       if (index != noTriangle)
         m_nearest.expect(index);
@@ -399,15 +403,18 @@ private:
   float m_reach = std::numeric_limits<float>::infinity(); ///< boxes that are entered later are done with
   std::array<Waiting, mostWaiting> m_waiting;             ///< the first `m_waitingCount` of them
   std::size_t m_waitingCount = 0;
+  SearchCost m_cost;
 };
 
-bool TriangleTree::search(const Ray<double> &ray, NearestSoFar &nearest) const {
+std::optional<SearchCost> TriangleTree::search(const Ray<double> &ray, NearestSoFar &nearest) const {
   const auto moved = m_isBuilt ? move(ray) : std::nullopt;
   if (!moved)
-    return false;
-  if (!m_root.isNull())
-    Search(*moved, nearest).run(m_root);
-  return true;
+    return {};
+  if (m_root.isNull())
+    return SearchCost{};
+  Search search(*moved, nearest);
+  search.run(m_root);
+  return search.cost();
 }
 
 } // namespace halfspace

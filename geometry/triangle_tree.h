@@ -23,10 +23,11 @@ public:
   TriangleTree &operator=(const TriangleTree &) = delete;
   ~TriangleTree();
 
-  /// Offers every triangle that may be the nearest hit, about from near to far. False, and nothing is
-  /// offered, where it cannot tell: each triangle is to be asked then. Requires a direction ≠ 0 and finite
-  /// numbers.
-  [[nodiscard]] bool search(const Ray<double> &ray, NearestSoFar &nearest) const;
+  /// Offers every triangle that may be the nearest hit, about from near to far, and says what was looked at.
+  /// Nothing, and nothing is offered, where it cannot tell: each triangle is to be asked then. Requires a
+  /// direction ≠ 0 and finite numbers.
+  /// (1) No triangle is left out that a ray hits whose numbers this one's are the nearest doubles to.
+  std::optional<SearchCost> search(const Ray<double> &ray, NearestSoFar &nearest) const;
 
   /// Whether all coordinates are so small that bounds on errors hold.
   [[nodiscard]] bool isTame() const { return m_isTame; }

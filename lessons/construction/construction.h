@@ -98,6 +98,8 @@ template <class In, class Out> struct ConstructionFunctions {
   Figure (*draw)(const In &, const Out &);
   /// The nearest special cases, one change of one object each; none that holds already.
   std::vector<SpecialCase> (*nearby)(const In &, const Out &);
+  /// Of a construction that looks at a ray and many triangles.
+  Crossings (*cross)(const In &, const Out &) = [](const In &, const Out &) { return Crossings(); };
 };
 
 /// Puts a construction together: its id, the roles' names, what it makes, its own letters, the names of all
@@ -130,7 +132,8 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
         Outcome{functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
                 Lazy<std::vector<NamedValue>>(later(functions.valuesOf)),
                 Lazy<Explanation>(later(functions.explain)), Lazy<Figure>(later(functions.draw)),
-                Lazy<std::vector<SpecialCase>>(later(functions.nearby)), computed});
+                Lazy<std::vector<SpecialCase>>(later(functions.nearby)),
+                Lazy<Crossings>(later(functions.cross)), computed});
   };
   return construction;
 }

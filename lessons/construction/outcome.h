@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/surd.h"
+#include "lessons/construction/crossings.h"
 #include "lessons/construction/explanation.h"
 #include "lessons/construction/special_case.h"
 #include "lessons/figure/figure.h"
@@ -57,6 +58,7 @@ struct Outcome {
   Lazy<Explanation> explanation;         ///< empty for an object
   Lazy<Figure> figure;                   ///< the entry's own marks
   Lazy<std::vector<SpecialCase>> nearby; ///< the special cases near the present input
+  Lazy<Crossings> crossings;             ///< of a ray with many triangles; none where it is about something else
   std::shared_ptr<const void> computed;  ///< what the others are made from
 };
 

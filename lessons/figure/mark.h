@@ -2,9 +2,11 @@
 // belong to the visitors (the 3D scene, exports, the description in words).
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +14,9 @@
 #include <vector>
 
 namespace halfspace {
+
+struct TriangleMesh;
+class HitSearch;
 
 using Place = glm::dvec3; ///< a place or a vector of the drawing, in scene units
 
@@ -127,8 +132,18 @@ struct RightAngleMark : MarkBase {
   bool operator==(const RightAngleMark &) const = default;
 };
 
+/// Very many triangles as one surface. They are never copied: a corner at c is drawn at place + axes·c.
+struct MeshMark : MarkBase {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const HitSearch> search; ///< among the mesh's triangles, to find what is under a pixel
+  std::pair<Place, Place> box{};           ///< around the mesh's corners: the lowest and the highest
+  Place place{};
+  glm::dmat3 axes{1};
+  bool operator==(const MeshMark &) const = default;
+};
+
 using Mark = std::variant<PointMark, SegmentMark, RayMark, LineMark, ArrowMark, PlanePatchMark, PolygonMark,
-                          SphereMark, ArcMark, RightAngleMark>;
+                          SphereMark, MeshMark, ArcMark, RightAngleMark>;
 
 /// For std::visit with one lambda a kind: a kind without one does not compile.
 template <class... Visitors> struct Overloaded : Visitors... { using Visitors::operator()...; };

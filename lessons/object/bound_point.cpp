@@ -33,6 +33,7 @@ Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<Coo
           .meaning = meaning,
           .coordinates = std::move(freedoms),
           .leavableVertices = 0,
+          .shape = {},
           .binding = binding,
           .settle = settle,
           .draw = drawNothing, // what looks at it looks at a point, and draws that

@@ -91,6 +91,7 @@ Kind box() {
                           {"b", CoordinateRole::Length},
                           {"c", CoordinateRole::Length}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleLengths,
           .draw = draw,

@@ -19,6 +19,7 @@ struct Kind {
   /// position.
   std::vector<CoordinateSpec> coordinates;
   std::size_t leavableVertices;   ///< so many of the last vertices may be missing
+  std::shared_ptr<const MeshShape> shape; ///< that its objects begin with; null where they have coordinates alone
   std::optional<Binding> binding; ///< of what lies on another object; nothing for free ones
   /// Brings the coordinates within what the kind allows: a number within its bounds, a length not below 0.
   void (*settle)(Object &);

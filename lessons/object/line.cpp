@@ -40,6 +40,7 @@ Kind line() {
           .meaning = "a line by a point of it and a direction",
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -27,6 +27,7 @@ Kind number() {
                           {"to", CoordinateRole::Number},
                           {"step", CoordinateRole::Number}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settle,
           .draw = drawNothing,

@@ -1,17 +1,20 @@
 #include "lessons/object/object.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/object/mesh_shape.h"
 #include "lessons/object/point.h"
 #include "lessons/object/solid.h"
 
 #include <cassert>
 #include <stdexcept>
+#include <utility>
 
 namespace halfspace {
 
 Object::Object() : Object(detail::kindNamed("point")) {}
 
-Object::Object(const Kind &kind) : m_kind(&kind), m_coordinates(kind.fewestCoordinates(), ExactVec3(0)) {}
+Object::Object(const Kind &kind)
+    : m_kind(&kind), m_coordinates(kind.fewestCoordinates(), ExactVec3(0)), m_shape(kind.shape) {}
 
 void Object::addVertex() {
   assert(size() < m_kind->coordinates.size());
@@ -21,6 +24,16 @@ void Object::addVertex() {
 void Object::removeLastVertex() {
   assert(size() > m_kind->fewestCoordinates());
   m_coordinates.pop_back();
+}
+
+void Object::setShape(std::shared_ptr<const MeshShape> shape) {
+  assert(m_shape && shape);
+  m_shape = std::move(shape);
+}
+
+bool Object::operator==(const Object &other) const {
+  return m_kind == other.m_kind && m_coordinates == other.m_coordinates &&
+         (m_shape == other.m_shape || *m_shape == *other.m_shape);
 }
 
 std::string_view kindOf(const Object &object) { return object.kind().word; }

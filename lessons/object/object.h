@@ -4,6 +4,7 @@
 #include "geometry/vector.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@ namespace halfspace {
 using ExactVec3 = Vec3<Rational>;
 
 struct Kind;
+class MeshShape;
 
 /// What a coordinate is.
 enum class CoordinateRole : std::uint8_t {
@@ -50,7 +52,14 @@ concept TypedObject = requires(T typed) {
   T::coordinatesOf(typed);
 };
 
-/// An object: its kind, and as many coordinates as that says.
+/// The coordinates' struct of a kind whose objects have a shape besides.
+template <class T>
+concept ShapedObject = requires(T typed) {
+  { typed.shape } -> std::convertible_to<std::shared_ptr<const MeshShape>>;
+};
+
+/// An object: its kind, and as many coordinates as that says; of a kind that says so a shape, which all
+/// objects that have it share.
 class Object {
 public:
   /// A point at the origin.
@@ -71,11 +80,17 @@ public:
   void addVertex();
   void removeLastVertex();
 
-  bool operator==(const Object &) const = default;
+  /// What it is made of; null for a kind of coordinates alone.
+  [[nodiscard]] const std::shared_ptr<const MeshShape> &shape() const { return m_shape; }
+  /// Requires a kind of objects with a shape, and one.
+  void setShape(std::shared_ptr<const MeshShape> shape);
+
+  bool operator==(const Object &other) const;
 
 private:
   const Kind *m_kind;
   std::vector<ExactVec3> m_coordinates;
+  std::shared_ptr<const MeshShape> m_shape;
 };
 
 /// The word for the object's kind in files: point, plane, ray …
@@ -114,6 +129,8 @@ template <TypedObject T> Object::Object(const T &typed) : Object(detail::kindNam
         (detail::write(values, m_coordinates.at(index++)), ...);
       },
       T::coordinatesOf(typed));
+  if constexpr (ShapedObject<T>)
+    m_shape = typed.shape;
 }
 
 template <TypedObject T> std::optional<T> objectAs(const Object &object) {
@@ -126,6 +143,8 @@ template <TypedObject T> std::optional<T> objectAs(const Object &object) {
         (detail::read(object[index++], values), ...);
       },
       T::coordinatesOf(typed));
+  if constexpr (ShapedObject<T>)
+    typed.shape = object.shape();
   return typed;
 }
 

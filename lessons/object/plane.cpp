@@ -69,6 +69,7 @@ Kind plane() {
           .meaning = "a plane by a point of it and its normal",
           .coordinates = {{"P0", CoordinateRole::Position}, {"n", CoordinateRole::Direction}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -28,6 +28,7 @@ Kind plane_through_points() {
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

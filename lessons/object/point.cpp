@@ -25,6 +25,7 @@ Kind point() {
           .meaning = "a free point",
           .coordinates = {{"", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -60,6 +60,7 @@ Kind polygon() {
                           {"P6", CoordinateRole::Position},
                           {"P7", CoordinateRole::Position}},
           .leavableVertices = 5,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -80,6 +80,7 @@ Kind prism() {
                           {"P6", CoordinateRole::Position},
                           {"P7", CoordinateRole::Position}},
           .leavableVertices = 5,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

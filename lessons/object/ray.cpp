@@ -36,6 +36,7 @@ Kind ray() {
           .meaning = "a ray by its start and its direction",
           .coordinates = {{"Q", CoordinateRole::Position}, {"r", CoordinateRole::Direction}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

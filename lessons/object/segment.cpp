@@ -29,6 +29,7 @@ Kind segment() {
           .meaning = "a segment by its ends",
           .coordinates = {{"A", CoordinateRole::Position}, {"B", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

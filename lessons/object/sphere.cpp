@@ -41,6 +41,7 @@ Kind sphere() {
           .meaning = "a sphere by its centre and its radius",
           .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleLengths,
           .draw = draw,

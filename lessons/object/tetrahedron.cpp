@@ -49,6 +49,7 @@ Kind tetrahedron() {
                           {"P2", CoordinateRole::Position},
                           {"P3", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

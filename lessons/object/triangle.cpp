@@ -49,6 +49,7 @@ Kind triangle() {
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -36,6 +36,7 @@ Kind vector() {
           .meaning = "a vector, drawn from a point",
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction, true}},
           .leavableVertices = 0,
+          .shape = {},
           .binding = {},
           .settle = settleNothing,
           .draw = draw,

@@ -31,6 +31,7 @@ std::shared_ptr<const Outcome> outcomeOf(const SharedGiven &given, Lazy<std::vec
                 return Figure{given->object.kind().draw(*given), reaches};
               }),
               nothing<std::vector<SpecialCase>>(),
+              nothing<Crossings>(),
               given});
 }
 
@@ -56,6 +57,7 @@ std::shared_ptr<const Outcome> withoutAnObject(const std::string &reason) {
                                                  nothing<Explanation>(),
                                                  nothing<Figure>(),
                                                  nothing<std::vector<SpecialCase>>(),
+                                                 nothing<Crossings>(),
                                                  nullptr});
 }
 

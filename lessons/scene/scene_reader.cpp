@@ -3,6 +3,7 @@
 #include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/mesh_shape.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
@@ -43,6 +44,26 @@ void addVertices(const DocumentNode &node, Object &object) {
     object.addVertex();
 }
 
+/// Reads what a mesh is made of.
+void readShapeOf(Object &object, FieldReader &fields) {
+  const DocumentNode *corners = fields.required(cornersField);
+  const DocumentNode *faces = fields.required(facesField);
+  if (!corners || !faces)
+    return;
+  auto shape = readShape(corners->text, faces->text);
+  if (shape)
+    return object.setShape(std::move(*shape));
+  const Problem &problem = shape.problem();
+  fields.complain(problem.field == facesField ? *faces : *corners, fields.pathOf(problem.field),
+                  problem.sentence);
+}
+
+/// Whether a field of an object is not one of its coordinates.
+bool isBesideCoordinates(const Object &object, std::string_view field) {
+  return (object.kind().binding && field == hostRole) ||
+         (object.shape() && (field == cornersField || field == facesField));
+}
+
 /// Reads an object's coordinates: of a point its three numbers, else a map by the coordinates' names, and of
 /// a bound one what it lies on.
 void readObject(const DocumentNode &node, const std::string &path, FieldReader &entry, Object &object,
@@ -52,15 +73,16 @@ void readObject(const DocumentNode &node, const std::string &path, FieldReader &
   if (specs.front().name.empty())
     return readCoordinate(node, path, entry, specs.front().role, coordinate(object, 0));
   FieldReader fields(node, entry.file(), path);
-  const bool isBound = object.kind().binding.has_value();
-  if (isBound)
+  if (object.kind().binding)
     on = fields.text(hostRole);
+  if (object.shape())
+    readShapeOf(object, fields);
   for (std::size_t index = 0; index < specs.size(); ++index)
     if (const DocumentNode *written = fields.required(specs[index].name))
       readCoordinate(*written, fields.pathOf(specs[index].name), fields, specs[index].role,
                      coordinate(object, index));
   for (const DocumentNode &child : node.children)
-    if (!(isBound && child.key == hostRole) &&
+    if (!isBesideCoordinates(object, child.key) &&
         std::none_of(specs.begin(), specs.end(),
                      [&](const CoordinateSpec &spec) { return spec.name == child.key; }))
       fields.complain(child, fields.pathOf(shortened(child.key)),

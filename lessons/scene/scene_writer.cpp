@@ -1,5 +1,7 @@
 #include "lessons/scene/scene_writer.h"
 
+#include "lessons/object/mesh_shape.h"
+
 #include <nlohmann/json.hpp>
 
 namespace halfspace {
@@ -20,6 +22,11 @@ Json coordinatesJson(const Object &object) {
   Json json;
   for (std::size_t index = 0; index < specs.size(); ++index)
     json[std::string(specs[index].name)] = jsonOf(coordinate(object, index), specs[index].role);
+  if (object.shape()) {
+    WrittenShape shape = written(*object.shape());
+    json[cornersField] = std::move(shape.corners);
+    json[facesField] = std::move(shape.faces);
+  }
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include "widgets/picture/free_rooms.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
+#include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/picture/stage.h"
 
 #include <glm/geometric.hpp>
@@ -56,6 +57,7 @@ std::vector<Place> placesOf(const Figure &figure) {
                           [&](const SphereMark &sphere) {
                             add({sphere.center - Place(sphere.radius), sphere.center + Place(sphere.radius)});
                           },
+                          [&](const MeshMark &mesh) { add(outlineOf(mesh, 1).path); },
                           [&](const ArcMark &arc) { add({arc.center}); },
                           [&](const RightAngleMark &corner) { add({corner.at}); }},
                mark);

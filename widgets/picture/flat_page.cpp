@@ -59,6 +59,12 @@ public:
     return mark;
   }
   Mark operator()(SphereMark mark) const { return turned(std::move(mark), &SphereMark::center); }
+  Mark operator()(MeshMark mark) const {
+    mark.place = of(mark.place);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      mark.axes[axis] = of(mark.axes[axis]);
+    return mark;
+  }
   Mark operator()(ArcMark mark) const {
     return turned(std::move(mark), &ArcMark::center, &ArcMark::from, &ArcMark::to);
   }

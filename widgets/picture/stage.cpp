@@ -1,5 +1,7 @@
 #include "widgets/picture/stage.h"
 
+#include "widgets/picture/shapes/mark_outline.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -180,6 +182,13 @@ public:
     sphere.radius /= m_unit;
     if (isWithinReach(sphere.center) && sphere.radius <= drawnReach)
       keep(std::move(sphere));
+  }
+  void operator()(MeshMark mesh) {
+    mesh.place = position(mesh.place);
+    mesh.axes /= m_unit;
+    const std::vector<Place> corners = outlineOf(mesh, 1).path;
+    if (std::all_of(corners.begin(), corners.end(), isWithinReach))
+      keep(std::move(mesh));
   }
   void operator()(ArcMark arc) {
     arc.center = position(arc.center);

@@ -1,11 +1,14 @@
 #include "widgets/picture/hand/mark_picker.h"
 
+#include "geometry/decide.h"
+#include "geometry/hit_search.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +56,20 @@ std::optional<double> distanceToFace(const SightLine &sight, const std::vector<P
   return distance;
 }
 
+/// How far along the sight a body is met, or nothing.
+std::optional<double> distanceToBody(const SightLine &sight, const MeshMark &body) {
+  const glm::dmat3 back = glm::inverse(body.axes);
+  const Ray<double> own{back * (sight.origin - body.place), back * sight.direction};
+  const SearchResult found = body.search->search(exactly(own));
+  return found.nearest ? std::optional(toDouble(found.nearest->t)) : std::nullopt;
+}
+
+std::optional<double> distanceToSurface(const SightLine &sight, const Mark &mark,
+                                        const std::vector<Place> &outline) {
+  const auto *body = std::get_if<MeshMark>(&mark);
+  return body ? distanceToBody(sight, *body) : distanceToFace(sight, outline);
+}
+
 } // namespace
 
 std::string markUnder(glm::dvec2 pixel, const Figure &figure, const Camera &camera, PixelSize size,
@@ -78,7 +95,7 @@ std::string markUnder(glm::dvec2 pixel, const Figure &figure, const Camera &came
       offer(point, base, distanceOnScreen(pixel, outline.path, camera, size));
     else if (outline.kind == MarkOutline::Kind::Line)
       offer(line, base, distanceOnScreen(pixel, outline.path, camera, size));
-    else if (const std::optional<double> distance = distanceToFace(sight, outline.path))
+    else if (const std::optional<double> distance = distanceToSurface(sight, mark, outline.path))
       offer(face, base, *distance * (std::holds_alternative<PolygonMark>(mark) ? 1 - polygonAdvantage : 1));
   }
   return !point.id.empty() ? point.id : !line.id.empty() ? line.id : face.id;

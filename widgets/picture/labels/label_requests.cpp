@@ -132,6 +132,9 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const V
                    anchors.addTip(sphere.center, sphere.center + Place(0, 0, sphere.radius));
                    anchors.addTip(sphere.center, sphere.center + Place(0, sphere.radius, 0));
                  },
+                 [&](const MeshMark &) {
+                   anchors.add(middleOf(path), {0, 0}, 0);
+                 },
                  [&](const ArcMark &arc) {
                    for (const double part : alongArcParts)
                      anchors.addTip(arc.center, path[static_cast<std::size_t>(part * double(path.size()))]);

@@ -108,6 +108,7 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
           },
           [&](const PolygonMark &) { addBorder(mesh, outline.path, radius, brush); },
           [&](const SphereMark &) { line(); },
+          [](const MeshMark &) {}, // a surface of its own, without lines
           [&](const ArcMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
           [&](const RightAngleMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
       },
@@ -123,7 +124,7 @@ double strokeRadius(const Mark &mark) {
                  [](const ArrowMark &) { return arrowRadius; },
                  [](const PlanePatchMark &) { return patchEdgeRadius; },
                  [](const PolygonMark &) { return polygonEdgeRadius; },
-                 [](const SphereMark &) { return sphereRadius; }, [](const ArcMark &) { return angleRadius; },
+                 [](const SphereMark &) { return sphereRadius; }, [](const MeshMark &) { return 0.0; }, [](const ArcMark &) { return angleRadius; },
                  [](const RightAngleMark &) { return angleRadius; }},
       mark);
 }

@@ -57,6 +57,16 @@ std::vector<Place> greatCircles(const SphereMark &sphere) {
   return path;
 }
 
+std::vector<Place> boxCornersOf(const MeshMark &mesh) {
+  const auto &[low, high] = mesh.box;
+  std::vector<Place> corners;
+  for (const double x : {low.x, high.x})
+    for (const double y : {low.y, high.y})
+      for (const double z : {low.z, high.z})
+        corners.push_back(mesh.place + mesh.axes * Place(x, y, z));
+  return corners;
+}
+
 std::vector<Place> cornerPath(const RightAngleMark &corner, double size) {
   if (corner.first == Place(0) || corner.second == Place(0))
     return {};
@@ -94,6 +104,9 @@ MarkOutline outlineOf(const Mark &mark, double size) {
                      },
                      [](const SphereMark &sphere) {
                        return MarkOutline{Kind::Line, greatCircles(sphere)};
+                     },
+                     [](const MeshMark &mesh) {
+                       return MarkOutline{Kind::Body, boxCornersOf(mesh)};
                      },
                      [&](const ArcMark &arc) {
                        return MarkOutline{Kind::Line, arcPath(arc, size * arcPerCorner)};

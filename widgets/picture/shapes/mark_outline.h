@@ -8,10 +8,11 @@ namespace halfspace {
 
 /// The bare geometry of a mark.
 struct MarkOutline {
-  enum class Kind { Point, Line, Face };
+  enum class Kind { Point, Line, Face, Body };
   Kind kind = Kind::Line;
   std::vector<Place>
-      path; ///< one point; an open path; or the corners around a face. Empty where nothing can be drawn.
+      path; ///< one point; an open path; the corners around a face; or of the box around a body. Empty where
+            ///< nothing can be drawn.
 };
 
 /// The outline of a mark; `size` is what arcs and right-angle marks of the scene measure, in scene units.

@@ -1,0 +1,29 @@
+// Flying saucers, as in the demonstration of note PG 7.
+#pragma once
+
+#include "lessons/object/given.h"
+
+namespace halfspace {
+
+/// Something that flies evenly and fires: where it is at frame 0, how far it flies in a hundred frames, and
+/// where its barrel points, at whatever length.
+struct UfoObject {
+  static constexpr std::string_view kind = "ufo";
+  static auto coordinatesOf(auto &self) { return std::tie(self.start, self.velocity, self.barrel); }
+
+  ExactVec3 start{};
+  ExactVec3 velocity{};
+  ExactVec3 barrel{};
+  bool operator==(const UfoObject &) const = default;
+};
+
+/// Its letters, with their values.
+struct UfoTerms {
+  Term S;
+  Term v;
+  Term b;
+};
+
+[[nodiscard]] UfoTerms termsOf(const Given<UfoObject> &ufo);
+
+} // namespace halfspace
