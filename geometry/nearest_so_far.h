@@ -20,7 +20,8 @@ public:
   /// `tame` tells whether all triangles are.
   NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles, bool tame)
       : m_ray(ray), m_tame(tame && isTame(ray)), m_triangles(triangles) {}
-  /// Of a ray that is in no doubles; `rounded` is the nearest that is. Each triangle is decided over fractions.
+  /// Of a ray that is in no doubles; `rounded` is the nearest that is. Each triangle is decided over
+  /// fractions.
   NearestSoFar(const Ray<double> &rounded, const Ray<Rational> &exact,
                std::span<const Triangle<double>> triangles)
       : m_ray(rounded), m_exactRay(&exact), m_tame(false), m_triangles(triangles) {}

@@ -128,12 +128,11 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
     const auto later = [&computed = *computed](auto function) {
       return [&computed, function] { return function(computed.in, computed.out); };
     };
-    return std::make_shared<const Outcome>(
-        Outcome{functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
-                Lazy<std::vector<NamedValue>>(later(functions.valuesOf)),
-                Lazy<Explanation>(later(functions.explain)), Lazy<Figure>(later(functions.draw)),
-                Lazy<std::vector<SpecialCase>>(later(functions.nearby)),
-                Lazy<Crossings>(later(functions.cross)), computed});
+    return std::make_shared<const Outcome>(Outcome{
+        functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
+        Lazy<std::vector<NamedValue>>(later(functions.valuesOf)), Lazy<Explanation>(later(functions.explain)),
+        Lazy<Figure>(later(functions.draw)), Lazy<std::vector<SpecialCase>>(later(functions.nearby)),
+        Lazy<Crossings>(later(functions.cross)), computed});
   };
   return construction;
 }

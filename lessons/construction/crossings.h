@@ -31,7 +31,8 @@ struct Crossings {
   std::optional<std::size_t> nearest; ///< the number of the one that is hit first
   std::size_t chosen = 0;             ///< the number of the one that is looked at; 0 for none
   std::string choice;                 ///< the scene's number that chooses it
-  /// Of several that are asked one after the other up to the chosen one: the number of the nearest hit so far.
+  /// Of several that are asked one after the other up to the chosen one: the number of the nearest hit so
+  /// far.
   std::optional<std::size_t> nearestSoFar;
 };
 

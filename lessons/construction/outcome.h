@@ -58,8 +58,8 @@ struct Outcome {
   Lazy<Explanation> explanation;         ///< empty for an object
   Lazy<Figure> figure;                   ///< the entry's own marks
   Lazy<std::vector<SpecialCase>> nearby; ///< the special cases near the present input
-  Lazy<Crossings> crossings;             ///< of a ray with many triangles; none where it is about something else
-  std::shared_ptr<const void> computed;  ///< what the others are made from
+  Lazy<Crossings> crossings; ///< of a ray with many triangles; none where it is about something else
+  std::shared_ptr<const void> computed; ///< what the others are made from
 };
 
 } // namespace halfspace

@@ -59,10 +59,10 @@ void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::v
           SegmentMark{{base.id + "/side" + std::to_string(i), base.role, base.subject}, places[i], next});
 }
 
-void addFaces(const Given<Object> &given, const std::vector<ExactVec3> &corners,
+void addFaces(const Given<Object> &given, Subject subject, const std::vector<ExactVec3> &corners,
               const std::vector<std::vector<std::size_t>> &faces, std::vector<Mark> &marks) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    MarkBase base = wholeOf(given, Subject::Triangle);
+    MarkBase base = wholeOf(given, subject);
     if (i > 0) {
       base.id += "/face" + std::to_string(i);
       base.label.clear();

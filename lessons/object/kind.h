@@ -18,8 +18,9 @@ struct Kind {
   /// With all vertices that there may be, which stand last. A direction starts from the first coordinate, a
   /// position.
   std::vector<CoordinateSpec> coordinates;
-  std::size_t leavableVertices;   ///< so many of the last vertices may be missing
-  std::shared_ptr<const MeshShape> shape; ///< that its objects begin with; null where they have coordinates alone
+  std::size_t leavableVertices; ///< so many of the last vertices may be missing
+  std::shared_ptr<const MeshShape>
+      shape;                      ///< that its objects begin with; null where they have coordinates alone
   std::optional<Binding> binding; ///< of what lies on another object; nothing for free ones
   /// Brings the coordinates within what the kind allows: a number within its bounds, a length not below 0.
   void (*settle)(Object &);
@@ -68,9 +69,9 @@ void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surrou
 void addPoints(const Given<Object> &given, Subject subject, std::vector<Mark> &marks);
 /// Adds a face: filled where it is flat and convex; else its sides alone, as marks that accompany it.
 void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks);
-/// Adds the faces of a solid, given by the indices of their corners. The first is the mark of the whole
+/// Adds faces, given by the indices of their corners. The first is the mark of the whole
 /// object, the others accompany it.
-void addFaces(const Given<Object> &given, const std::vector<ExactVec3> &corners,
+void addFaces(const Given<Object> &given, Subject subject, const std::vector<ExactVec3> &corners,
               const std::vector<std::vector<std::size_t>> &faces, std::vector<Mark> &marks);
 
 /// Adds the object's position as a point, “start Q”.

@@ -67,13 +67,16 @@ std::vector<Mark> draw(const Given<Object> &given) {
     std::vector<std::vector<std::size_t>> faces;
     for (const MeshFace &face : mesh.shape->faces())
       faces.emplace_back(face.begin(), face.end());
-    addFaces(given, cornersOf(mesh), faces, marks);
+    addFaces(given, Subject::Neutral, cornersOf(mesh), faces, marks);
   } else {
-    marks.push_back(MeshMark{wholeOf(given, Subject::Triangle), mesh.shape->mesh(), mesh.shape->search(),
+    marks.push_back(MeshMark{wholeOf(given, Subject::Neutral),
+                             mesh.shape->mesh(),
+                             mesh.shape->search(),
                              {mesh.shape->box().low, mesh.shape->box().high},
-                             place(mesh.place), MeshPlacement(mesh).axes()});
+                             place(mesh.place),
+                             MeshPlacement(mesh).axes()});
   }
-  PointMark where = pointMark(given, 0, Subject::Triangle);
+  PointMark where = pointMark(given, 0, Subject::Neutral);
   where.label.clear(); // the mesh has a name of its own
   marks.push_back(std::move(where));
   return marks;
@@ -99,17 +102,23 @@ void offer(const Given<Object> &given, Surroundings &found) {
     }
 }
 
-void settle(Object &object) {
-  object[2].x = std::max(object[2].x, smallestScale);
-}
+void settle(Object &object) { object[2].x = std::max(object[2].x, smallestScale); }
 
 /// A house to begin with: four walls and a gabled roof over a square of 4 × 4.
 std::shared_ptr<const MeshShape> house() {
   static const auto shape = std::make_shared<const MeshShape>(
-      std::vector<Vec3<double>>{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 3}, {4, 0, 3}, {4, 4, 3},
-                                {0, 4, 3}, {2, 0, 5}, {2, 4, 5}},
-      std::vector<MeshFace>{{0, 1, 5, 8, 4}, {2, 3, 7, 9, 6}, {1, 2, 6, 5}, {3, 0, 4, 7}, {5, 6, 9, 8},
-                            {7, 4, 8, 9}});
+      std::vector<Vec3<double>>{{0, 0, 0},
+                                {4, 0, 0},
+                                {4, 4, 0},
+                                {0, 4, 0},
+                                {0, 0, 3},
+                                {4, 0, 3},
+                                {4, 4, 3},
+                                {0, 4, 3},
+                                {2, 0, 5},
+                                {2, 4, 5}},
+      std::vector<MeshFace>{
+          {0, 1, 5, 8, 4}, {2, 3, 7, 9, 6}, {1, 2, 6, 5}, {3, 0, 4, 7}, {5, 6, 9, 8}, {7, 4, 8, 9}});
   return shape;
 }
 
@@ -135,7 +144,9 @@ Ray<Rational> MeshPlacement::toMesh(const Ray<Rational> &ray) const {
 }
 
 glm::dmat3 MeshPlacement::axes() const {
-  const auto axis = [&](const ExactVec3 &along) { return toDouble(ExactVec3(turned(along, m_sine) * m_scale)); };
+  const auto axis = [&](const ExactVec3 &along) {
+    return toDouble(ExactVec3(turned(along, m_sine) * m_scale));
+  };
   return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
 }
 
@@ -149,8 +160,9 @@ namespace object_kinds {
 
 Kind mesh() {
   return {.word = MeshObject::kind,
-          .meaning = "a mesh of flat, convex faces by their corners, where it stands, which way it is turned and "
-                     "how it is scaled",
+          .meaning =
+              "a mesh of flat, convex faces by their corners, where it stands, which way it is turned and "
+              "how it is scaled",
           .coordinates = {{"P", CoordinateRole::Position},
                           {"h", CoordinateRole::Direction},
                           {"k", CoordinateRole::Number}},

@@ -58,15 +58,16 @@ Result<double> readCornerCoordinate(std::string_view text) {
   const auto exact = parseRational(text);
   if (!exact)
     return problemOf(cornersField, words("“{text}” is not a number: write it as 3, -1.5 or 0.25.",
-                                      {{"text", shortened(text)}}));
+                                         {{"text", shortened(text)}}));
   if (auto refused = refuseCoordinate(*exact))
     return problemOf(cornersField, std::move(*refused));
   const double value = toDouble(*exact);
   if (exactly(value) != *exact)
-    return problemOf(cornersField,
-                     words("{text} cannot be a coordinate of a corner: take a whole number or one with halves, "
-                           "quarters, eighths …, and let k scale the mesh.",
-                           {{"text", shortened(text)}}));
+    return problemOf(
+        cornersField,
+        words("{text} cannot be a coordinate of a corner: take a whole number or one with halves, "
+              "quarters, eighths …, and let k scale the mesh.",
+              {{"text", shortened(text)}}));
   return value;
 }
 
@@ -76,7 +77,7 @@ Result<std::vector<Vec3<double>>> readCorners(std::string_view text) {
     const auto numbers = wordsIn(part);
     if (numbers.size() != 3)
       return problemOf(cornersField, words("“{text}” is no corner: three numbers are, as 1 2 3.",
-                                        {{"text", shortened(part)}}));
+                                           {{"text", shortened(part)}}));
     Vec3<double> corner{};
     for (int axis = 0; axis < 3; ++axis) {
       const auto value = readCornerCoordinate(numbers[static_cast<std::size_t>(axis)]);
@@ -103,15 +104,17 @@ Result<MeshFace> readFace(std::string_view text, const std::vector<Vec3<double>>
   for (const std::string_view word : wordsIn(text)) {
     const auto index = readIndex(word, corners.size());
     if (!index)
-      return problemOf(facesField, words("“{text}” is not the number of a corner: they are counted from 0 to {last}.",
-                                      {{"text", shortened(word)}, {"last", std::to_string(corners.size() - 1)}}));
+      return problemOf(facesField,
+                       words("“{text}” is not the number of a corner: they are counted from 0 to {last}.",
+                             {{"text", shortened(word)}, {"last", std::to_string(corners.size() - 1)}}));
     face.push_back(*index);
     places.push_back(exactly(corners[*index]));
   }
   if (face.size() < 3 || (face.size() > 3 && !isFlatAndConvex(places)))
-    return problemOf(facesField, words("“{text}” is no flat, convex face of three corners or more. Cut it into "
-                                    "triangles.",
-                                    {{"text", shortened(text)}}));
+    return problemOf(facesField,
+                     words("“{text}” is no flat, convex face of three corners or more. Cut it into "
+                           "triangles.",
+                           {{"text", shortened(text)}}));
   return face;
 }
 
@@ -119,7 +122,7 @@ Result<std::vector<MeshFace>> readFaces(std::string_view text, const std::vector
   const auto parts = partsOf(text, ",");
   if (parts.size() > mostWrittenFaces)
     return problemOf(facesField, words("These are too many faces: at most {limit} are read.",
-                                    {{"limit", std::to_string(mostWrittenFaces)}}));
+                                       {{"limit", std::to_string(mostWrittenFaces)}}));
   std::vector<MeshFace> faces;
   for (const std::string_view part : parts) {
     auto face = readFace(part, corners);
@@ -166,8 +169,8 @@ WrittenShape written(const MeshShape &shape) {
     list += (list.empty() ? "" : ", ") + next;
   };
   for (const Vec3<double> &corner : shape.mesh()->corners)
-    goOn(text.corners, toText(exactly(corner.x)) + " " + toText(exactly(corner.y)) + " " +
-                           toText(exactly(corner.z)));
+    goOn(text.corners,
+         toText(exactly(corner.x)) + " " + toText(exactly(corner.y)) + " " + toText(exactly(corner.z)));
   for (const MeshFace &face : shape.faces())
     goOn(text.faces, textOf(face));
   if (shape.faces().empty())

@@ -53,8 +53,8 @@ inline constexpr const char *facesField = "faces";
 /// A shape has at most so many faces in a file of ours.
 inline constexpr std::size_t mostWrittenFaces = 200000;
 
-/// Reads a shape as files have it: corners `0 0 0, 4 0 0, 0 3 0.5`, counted from 0, and faces by the numbers of
-/// their corners, `0 1 2, 0 2 3 4`. A coordinate must be a double exactly: 0.5 and 0.375 are, 0.1 is not.
+/// Reads a shape as files have it: corners `0 0 0, 4 0 0, 0 3 0.5`, counted from 0, and faces by the numbers
+/// of their corners, `0 1 2, 0 2 3 4`. A coordinate must be a double exactly: 0.5 and 0.375 are, 0.1 is not.
 [[nodiscard]] Result<std::shared_ptr<const MeshShape>> readShape(std::string_view corners,
                                                                  std::string_view faces);
 /// The same, written. Of triangles without faces each is a face.

@@ -102,7 +102,7 @@ void drawSolid(const Given<Object> &given, std::vector<Mark> &marks) {
   faces.reserve(mesh.faces.size());
   for (const auto &face : mesh.faces)
     faces.emplace_back(face.begin(), face.end());
-  addFaces(given, mesh.vertices, faces, marks);
+  addFaces(given, Subject::Triangle, mesh.vertices, faces, marks);
 }
 
 void offerSolid(const Given<Object> &given, Surroundings &found) {

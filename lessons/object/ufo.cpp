@@ -33,8 +33,9 @@ namespace object_kinds {
 
 Kind ufo() {
   return {.word = UfoObject::kind,
-          .meaning = "a flying saucer by where it starts, how far it flies in a hundred frames, and where its "
-                     "barrel points",
+          .meaning =
+              "a flying saucer by where it starts, how far it flies in a hundred frames, and where its "
+              "barrel points",
           .coordinates = {{"S", CoordinateRole::Position},
                           {"v", CoordinateRole::Direction},
                           {"b", CoordinateRole::Direction}},

@@ -138,6 +138,7 @@ void FigureScene::Impl::prepareFigure() {
   m_solidScale = scale();
   m_places = placesOf(content.figure, scale());
   write(meshOf(content.figure, content.highlighted, theme, scale(), content.arrival), actors.solids());
+  actors.bodies().show(content.figure, content.highlighted, theme, content.arrival);
   m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme, content.arrival));
 }
 

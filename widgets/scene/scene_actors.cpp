@@ -69,13 +69,10 @@ void useSolidMaterial(vtkActor *actor) {
   material->SetSpecularPower(24);
 }
 
-/// Projects along the light onto the ground.
-vtkNew<vtkMatrix4x4> flattenedOntoGround() {
-  vtkNew<vtkMatrix4x4> matrix;
+void flattenOntoGround(vtkMatrix4x4 *matrix) {
   matrix->SetElement(0, 2, -shadowLight.x / shadowLight.z);
   matrix->SetElement(1, 2, -shadowLight.y / shadowLight.z);
   matrix->SetElement(2, 2, 0);
-  return matrix;
 }
 
 } // namespace
@@ -85,16 +82,19 @@ template <class Mapper> SceneActors::LayerOf<Mapper>::LayerOf() {
   actor->SetMapper(mapper);
 }
 
-SceneActors::Shadow::Shadow(const Layer &layer) {
+SceneActors::Shadow::Shadow(const Layer &layer, vtkMatrix4x4 *ontoGround) {
   mapper->SetInputData(layer.data);
   mapper->ScalarVisibilityOff();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
-  actor->SetUserMatrix(flattenedOntoGround());
+  actor->SetUserMatrix(ontoGround);
   actor->ForceOpaqueOn();
 }
 
-SceneActors::SceneActors() : m_solidShadow(m_solids), m_faceShadow(m_faces) {
+SceneActors::SceneActors()
+    : m_solidShadow(m_solids, m_ontoGround), m_faceShadow(m_faces, m_ontoGround),
+      m_bodies(std::make_unique<BodyActors>(*m_renderer, *m_ontoGround)) {
+  flattenOntoGround(m_ontoGround);
   for (const Layer *solid : {&m_solids, &m_axes, &m_tools})
     useSolidMaterial(solid->actor);
   m_faces.actor->GetProperty()->LightingOff();
@@ -145,6 +145,7 @@ void SceneActors::setGridLineWidth(double pixels) {
 void SceneActors::setShadowsVisible(bool visible) {
   m_solidShadow.actor->SetVisibility(visible);
   m_faceShadow.actor->SetVisibility(visible);
+  m_bodies->setShadowsVisible(visible);
 }
 
 } // namespace halfspace

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "widgets/picture/theme.h"
+#include "widgets/scene/body_actors.h"
 
 #include <vtkNew.h>
 
+#include <memory>
+
 class vtkActor;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
@@ -24,6 +28,7 @@ public:
 
   [[nodiscard]] vtkRenderer *renderer() const { return m_renderer; }
 
+  [[nodiscard]] BodyActors &bodies() { return *m_bodies; }
   [[nodiscard]] vtkPolyData *solids() const { return m_solids.data; }
   [[nodiscard]] vtkPolyData *faces() const { return m_faces.data; }
   [[nodiscard]] vtkPolyData *axes() const { return m_axes.data; }
@@ -52,10 +57,11 @@ private:
   struct Shadow {
     vtkNew<DepthlessMapper> mapper;
     vtkNew<vtkActor> actor;
-    explicit Shadow(const Layer &layer);
+    Shadow(const Layer &layer, vtkMatrix4x4 *ontoGround);
   };
 
   vtkNew<vtkRenderer> m_renderer;
+  vtkNew<vtkMatrix4x4> m_ontoGround; ///< projects along the light onto the ground
   Layer m_solids;
   Layer m_faces;
   Layer m_axes;
@@ -63,6 +69,7 @@ private:
   Layer m_tools;
   Shadow m_solidShadow;
   Shadow m_faceShadow;
+  std::unique_ptr<BodyActors> m_bodies; ///< in the renderer between what lies on the ground and the rest
 };
 
 } // namespace halfspace

@@ -35,8 +35,9 @@ vtkNew<vtkUnsignedCharArray> colorArray(const std::vector<Color> &colors) {
   return array;
 }
 
-vtkNew<vtkCellArray> triangleArray(const std::vector<glm::ivec3> &triangles) {
-  static_assert(sizeof(glm::ivec3) == 3 * sizeof(vtkTypeInt32));
+/// Of triangles that are three numbers of corners each.
+template <class Triangles> vtkNew<vtkCellArray> triangleArray(const Triangles &triangles) {
+  static_assert(sizeof(triangles.front()) == 3 * sizeof(vtkTypeInt32));
   const std::size_t count = triangles.size();
   vtkNew<vtkTypeInt32Array> offsets;
   offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
@@ -45,7 +46,7 @@ vtkNew<vtkCellArray> triangleArray(const std::vector<glm::ivec3> &triangles) {
   vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * count));
   if (!triangles.empty())
-    std::copy_n(&triangles.front().x, 3 * count, connectivity->GetPointer(0));
+    std::copy_n(&triangles.front()[0], 3 * count, connectivity->GetPointer(0));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;
@@ -76,6 +77,14 @@ void write(const Mesh &mesh, vtkPolyData *data) {
   data->SetPolys(triangleArray(mesh.triangles));
   data->GetPointData()->SetNormals(floatArray(mesh.normals));
   data->GetPointData()->SetScalars(colorArray(mesh.colors));
+}
+
+void write(const TriangleMesh &mesh, vtkPolyData *data) {
+  const std::vector<glm::vec3> corners(mesh.corners.begin(), mesh.corners.end());
+  vtkNew<vtkPoints> points;
+  points->SetData(floatArray(corners));
+  data->SetPoints(points);
+  data->SetPolys(triangleArray(mesh.triangles));
 }
 
 void write(const std::vector<const Face *> &faces, vtkPolyData *data) {

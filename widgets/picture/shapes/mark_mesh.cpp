@@ -124,7 +124,8 @@ double strokeRadius(const Mark &mark) {
                  [](const ArrowMark &) { return arrowRadius; },
                  [](const PlanePatchMark &) { return patchEdgeRadius; },
                  [](const PolygonMark &) { return polygonEdgeRadius; },
-                 [](const SphereMark &) { return sphereRadius; }, [](const MeshMark &) { return 0.0; }, [](const ArcMark &) { return angleRadius; },
+                 [](const SphereMark &) { return sphereRadius; }, [](const MeshMark &) { return 0.0; },
+                 [](const ArcMark &) { return angleRadius; },
                  [](const RightAngleMark &) { return angleRadius; }},
       mark);
 }

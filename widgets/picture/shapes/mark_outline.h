@@ -10,9 +10,8 @@ namespace halfspace {
 struct MarkOutline {
   enum class Kind { Point, Line, Face, Body };
   Kind kind = Kind::Line;
-  std::vector<Place>
-      path; ///< one point; an open path; the corners around a face; or of the box around a body. Empty where
-            ///< nothing can be drawn.
+  std::vector<Place> path; ///< one point; an open path; the corners around a face; or of the box around a
+                           ///< body. Empty where nothing can be drawn.
 };
 
 /// The outline of a mark; `size` is what arcs and right-angle marks of the scene measure, in scene units.

@@ -1,0 +1,304 @@
+// Which of many triangles a ray hits first: the one with the smallest parameter that is not negative (note
+// PG 7). The ray's parameter is λ here, because s and t belong to the triangles.
+#include "geometry/case_names.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/fragments.h"
+#include "lessons/construction/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
+#include "lessons/object/number.h"
+#include "lessons/object/point.h"
+#include "lessons/object/triangle.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+/// With more triangles than this the nearest alone is told, as nobody reads a longer list.
+constexpr std::size_t mostListedFragments = 128;
+/// So many parameters at most are written down in their order.
+constexpr std::size_t mostOrdered = 6;
+
+struct In : Naming {
+  Given<RayObject> L;
+  Given<NumberObject> k; ///< the number of the fragment that is looked at, or none
+  GivenMeshes meshes;
+};
+
+/// A triangle, and how the ray meets it.
+struct Meeting {
+  Fragment fragment;
+  std::size_t number = 0;
+  Triangle<Rational> triangle;
+  RayTriangle<Rational> meet;
+};
+
+struct Out : Naming, RayTerms {
+  std::size_t fragments = 0;
+  std::vector<Meeting> listed; ///< by number: all, where they are few
+  FirstHits first;
+  std::optional<Meeting> nearest;
+  std::optional<Meeting> chosen;
+  Term lambda, H;
+};
+
+bool isHit(const Meeting &meeting) { return meeting.meet.which == RayTriangleCase::Hit; }
+
+/// Earlier hits come first, and of those with the same λ the one with the lower number.
+bool isNearer(const Meeting &a, const Meeting &b) {
+  return a.meet.plane.t != b.meet.plane.t ? a.meet.plane.t < b.meet.plane.t : a.number < b.number;
+}
+
+Meeting meetingWith(const In &in, std::size_t number) {
+  const Fragment fragment = fragmentOf(in.meshes, number);
+  const Triangle<Rational> triangle = triangleOf(in.meshes, fragment);
+  return {fragment, number, triangle,
+          intersectRayTriangle(Ray<Rational>{in.L.object.origin, in.L.object.direction}, triangle)};
+}
+
+/// The number that stands for a fragment; nothing where it stands for none.
+std::optional<std::size_t> chosenNumber(const Rational &k, std::size_t count) {
+  if (k < 1 || k > Rational(static_cast<std::int64_t>(count)) || k.denominator() != 1)
+    return {};
+  return static_cast<std::size_t>(toDouble(k));
+}
+
+Out compute(const In &in) {
+  Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, Term(0), Term(0)};
+  if (const auto number = chosenNumber(in.k.object.value, out.fragments))
+    out.chosen = meetingWith(in, *number);
+  if (!isZero(in.L.object.direction)) {
+    out.first = firstHits(in.L.object, in.meshes);
+    if (!out.first.fragments.empty())
+      out.nearest = meetingWith(in, numberOf(in.meshes, out.first.fragments.front()));
+    if (out.fragments <= mostListedFragments)
+      for (std::size_t number = 1; number <= out.fragments; ++number)
+        out.listed.push_back(meetingWith(in, number));
+  }
+  const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
+  out.lambda = name(in.own(letter("λ", "H")), out.first.t);
+  if (out.nearest) {
+    const auto &[p0, p1, p2] = out.nearest->triangle;
+    const ExactVec3 normal = out.nearest->meet.perps.normal;
+    const Term n = list({normal.x, normal.y, normal.z});
+    out.lambda = out.lambda.standingFor(dot(list({p0.x, p0.y, p0.z}) - out.Q, n) / dot(out.r, n));
+  }
+  out.H = madeName(in, "H", point);
+  return out;
+}
+
+bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
+
+CaseWords tell(const In &in, const Out &at) {
+  if (isDegenerate(in))
+    return zeroDirectionWords(at);
+  if (!at.nearest)
+    return {"miss", words("None of the {count} triangles has a hit with λ ≥ 0: the ray meets nothing.",
+                          {{"count", std::to_string(at.fragments)}})};
+  const WordValues found{{"fragment", nameOf(in.meshes, at.nearest->fragment)},
+                         {"lambda", equation(at.lambda)}};
+  return {"hit", words("The ray hits {fragment} first, at {lambda}.", found)};
+}
+
+std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place); }
+
+std::string wordForFirst(const Out &at) {
+  if (!at.nearest)
+    return "none";
+  return at.first.fragments.size() > 1 ? "several" : meshValue(at.nearest->fragment.mesh);
+}
+
+int countOf(const Out &at, RayTriangleCase which) {
+  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [which](const Meeting &meeting) {
+    return meeting.meet.which == which;
+  }));
+}
+
+/// The nearest hit among those asked up to the chosen one; null where there is none.
+const Meeting *nearestSoFar(const Out &at) {
+  const Meeting *nearest = nullptr;
+  for (const Meeting &meeting : at.listed)
+    if (at.chosen && meeting.number <= at.chosen->number && isHit(meeting) &&
+        (!nearest || isNearer(meeting, *nearest)))
+      nearest = &meeting;
+  return nearest;
+}
+
+std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
+  std::vector<NamedValue> values{{"fragments", words("triangles"), static_cast<int>(at.fragments)}};
+  if (isDegenerate(in))
+    return values;
+  values.push_back({"first", words("first"), wordForFirst(at)});
+  if (at.nearest) {
+    values.push_back({"nearest", words("number of the nearest"), static_cast<int>(at.nearest->number)});
+    values.push_back(listed("lambda", at.lambda));
+    values.push_back(listed("point", at.H));
+  }
+  if (!at.listed.empty()) {
+    values.push_back({"hits", words("hits"), countOf(at, RayTriangleCase::Hit)});
+    values.push_back({"behind", words("hits behind the start"), countOf(at, RayTriangleCase::Behind)});
+    if (const Meeting *soFar = nearestSoFar(at))
+      values.push_back({"so_far", words("nearest so far"), static_cast<int>(soFar->number)});
+  }
+  if (at.chosen)
+    values.push_back(
+        {"chosen",
+         {},
+         std::vector<NamedValue>{{"case", words("case"), std::string(nameOf(at.chosen->meet.which))}}});
+  return values;
+}
+
+bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
+
+std::vector<MadeObject> make(const In &, const Out &at) {
+  std::vector<MadeObject> made;
+  if (at.nearest)
+    made.push_back({"H", PointObject{at.nearest->meet.plane.point}});
+  if (at.chosen && isTriangle(*at.chosen)) {
+    const auto &[p0, p1, p2] = at.chosen->triangle;
+    made.push_back({"T", TriangleObject{p0, p1, p2}});
+  }
+  return made;
+}
+
+/// The hits and those behind the start, in their order.
+std::vector<const Meeting *> crossed(const Out &at) {
+  std::vector<const Meeting *> all;
+  for (const Meeting &meeting : at.listed)
+    if (meeting.meet.which == RayTriangleCase::Hit || meeting.meet.which == RayTriangleCase::Behind)
+      all.push_back(&meeting);
+  std::sort(all.begin(), all.end(), [](const Meeting *a, const Meeting *b) { return isNearer(*a, *b); });
+  return all;
+}
+
+Term parameterOf(const Meeting &meeting, const Out &at) {
+  const auto &[p0, p1, p2] = meeting.triangle;
+  const ExactVec3 &normal = meeting.meet.perps.normal;
+  const Term n = list({normal.x, normal.y, normal.z});
+  return name(at.own(letter("λ", std::to_string(meeting.number))), meeting.meet.plane.t)
+      .standingFor(dot(list({p0.x, p0.y, p0.z}) - at.Q, n) / dot(at.r, n));
+}
+
+WorkingLine orderLine(const Out &at) {
+  std::vector<Chain> order;
+  for (const Meeting *meeting : crossed(at))
+    order.push_back(withResult(parameterOf(*meeting, at)));
+  return line(
+      std::move(order),
+      at.nearest
+          ? words("In their order, each with the number of its triangle. The ray stops at the first one "
+                  "that is 0 or more.")
+          : words("In their order, each with the number of its triangle. None is 0 or more, so the ray "
+                  "meets nothing."));
+}
+
+Explanation explain(const In &in, const Out &at) {
+  Explanation lines;
+  if (isDegenerate(in))
+    return lines;
+  if (const auto hits = crossed(at); !hits.empty() && hits.size() <= mostOrdered)
+    lines.add("order", [&at] { return orderLine(at); });
+  if (at.nearest)
+    lines.add("hit", [&at] {
+      return asked(withNumbers(at.H == at.Q + at.lambda * at.r),
+                   words("The smallest λ that is not negative, put into the ray."));
+    });
+  return lines;
+}
+
+PolygonMark faceOf(std::string id, Role role, Subject subject, const Triangle<Rational> &triangle) {
+  return {{std::move(id), role, subject}, {place(triangle.p0), place(triangle.p1), place(triangle.p2)}};
+}
+
+/// Its corners have the letters of the triangle that later entries look at.
+void drawChosen(Figure &figure, const In &in, const Meeting &chosen) {
+  figure.add(faceOf(in.mark("T"), Role::Derived, Subject::EdgeU, chosen.triangle));
+  const std::array corners{std::pair("P0", chosen.triangle.p0), std::pair("P1", chosen.triangle.p1),
+                           std::pair("P2", chosen.triangle.p2)};
+  for (const auto &[coordinate, at] : corners)
+    figure.add(pointOf(madeName(in, "T", coordinate, at), Role::Derived, Subject::Triangle));
+}
+
+/// The hits that come later, and those behind the start.
+void drawOthers(Figure &figure, const In &in, const Out &at) {
+  for (const Meeting &meeting : at.listed) {
+    if (at.nearest && meeting.number == at.nearest->number)
+      continue;
+    const std::string number = "/" + std::to_string(meeting.number);
+    const Place point = place(meeting.meet.plane.point);
+    if (isHit(meeting))
+      figure.add(PointMark{{in.mark("hits") + number, Role::Derived, Subject::Ray}, point});
+    else if (meeting.meet.which == RayTriangleCase::Behind)
+      figure.add(PointMark{{in.mark("behind") + number, Role::Ghost, Subject::Ray}, point});
+  }
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  if (at.chosen && isTriangle(*at.chosen))
+    drawChosen(figure, in, *at.chosen);
+  drawOthers(figure, in, at);
+  if (!at.nearest)
+    return figure;
+  figure.add(faceOf(in.mark("nearest"), Role::Result, Subject::Measure, at.nearest->triangle));
+  figure.add(pointOf(at.H, Role::Result, Subject::Ray));
+  figure.reaches.push_back({in.L.id, place(at.H)});
+  return figure;
+}
+
+std::vector<SpecialCase> nearby(const In &, const Out &) { return {}; }
+
+Crossing crossingOf(const In &in, const Meeting &meeting) {
+  Crossing crossing{meeting.number, nameOf(in.meshes, meeting.fragment), meeting.meet.which, {}};
+  if (meeting.meet.crosses())
+    crossing.at = {meeting.meet.plane.t, meeting.meet.s, meeting.meet.tTriangle};
+  return crossing;
+}
+
+Crossings cross(const In &in, const Out &at) {
+  Crossings crossings;
+  crossings.fragments = at.fragments;
+  for (const Meeting &meeting : at.listed)
+    crossings.all.push_back(crossingOf(in, meeting));
+  if (at.listed.empty() && at.nearest)
+    crossings.all.push_back(crossingOf(in, *at.nearest));
+  std::stable_sort(crossings.all.begin(), crossings.all.end(), [](const Crossing &a, const Crossing &b) {
+    return a.at && b.at ? a.at->t < b.at->t : a.at.has_value() && !b.at;
+  });
+  if (at.nearest)
+    crossings.nearest = at.nearest->number;
+  if (at.chosen)
+    crossings.chosen = at.chosen->number;
+  crossings.choice = in.k.id;
+  if (const Meeting *soFar = nearestSoFar(at))
+    crossings.nearestSoFar = soFar->number;
+  return crossings;
+}
+
+/// The names of all that it can come to with so many meshes as there may be.
+ConstructionNames names() {
+  std::vector<std::string> firstWords{"none", "several"};
+  for (std::size_t i = 0; i < maxListedObjects; ++i)
+    firstWords.push_back(meshValue(i));
+  return {.cases = {"hit", "miss", "zero-direction"},
+          .values = {named::index("fragments"), named::word("first", std::move(firstWords)),
+                     named::index("nearest"), named::number("lambda"), named::vector("point"),
+                     named::index("hits"), named::index("behind"), named::index("so_far"),
+                     named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
+                                                                  "in-plane", "zero-direction"})})},
+          .lines = {"order", "hit"},
+          .marks = {"H", "nearest", "T", "T.P0", "T.P1", "T.P2", "hits", "behind"}};
+}
+
+} // namespace
+
+Construction nearest_hit() {
+  return makeConstruction<In, Out, RayObject, NumberObject, Several<MeshObject>>(
+      "nearest-hit", {"L", "k", "meshes"}, {{"H", "point"}, {"T", "triangle"}}, {"λH"}, names(),
+      {compute, tell, valuesOf, make, explain, draw, nearby, cross});
+}
+
+} // namespace halfspace

@@ -1,0 +1,147 @@
+// A torpedo on its way: where it is in a frame, and whether it has reached what it hits first (note PG 7).
+#include "lessons/construction/construction.h"
+#include "lessons/construction/fragments.h"
+#include "lessons/construction/shots.h"
+#include "lessons/construction/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halfspace {
+namespace {
+
+struct In : Naming {
+  Given<RayObject> L;
+  Given<NumberObject> frame;
+  Given<NumberObject> seed;
+  GivenMeshes meshes;
+};
+
+struct Out : Naming, RayTerms {
+  Rational elapsed; ///< λ by the frame
+  FirstHits first;
+  Term lambda, M;
+};
+
+bool hits(const Out &at) { return !at.first.fragments.empty(); }
+bool hasExploded(const Out &at) { return hits(at) && at.elapsed >= at.first.t; }
+bool isFired(const Out &at) { return at.elapsed >= 0; }
+bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
+
+Out compute(const In &in) {
+  const Rational &frame = in.frame.object.value;
+  const Rational elapsed = parameterAt(frame, shotAt(frame, in.seed.object.value, ExactVec3(0)));
+  const FirstHits first = isDegenerate(in) ? FirstHits() : firstHits(in.L.object, in.meshes);
+  const bool ends = !first.fragments.empty() && elapsed >= first.t;
+  const Rational lambda = ends ? first.t : elapsed;
+  return {in,
+          termsOf(in.L),
+          elapsed,
+          first,
+          name(in.own(letter("λ", "M")), lambda),
+          name(in.own(letter("M")), ExactVec3(in.L.object.origin + in.L.object.direction * lambda))
+              .marked(in.mark("M"))};
+}
+
+CaseWords tell(const In &in, const Out &at) {
+  if (isDegenerate(in))
+    return zeroDirectionWords(at);
+  const WordValues now{{"lambda", equation(at.lambda)}};
+  if (!isFired(at))
+    return {"waiting", words("{lambda} is negative: the torpedo is not fired yet.", now)};
+  if (hasExploded(at))
+    return {"exploded", words("The torpedo has hit {fragment}, at {lambda}.",
+                              {{"fragment", nameOf(in.meshes, at.first.fragments.front())},
+                               {"lambda", equation(at.lambda)}})};
+  return {"flying",
+          hits(at)
+              ? words("The torpedo flies, at {lambda}. What it will hit, and when, is known already.", now)
+              : words("The torpedo flies, at {lambda}, and will hit nothing.", now)};
+}
+
+std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
+  if (isDegenerate(in))
+    return {};
+  return {listed("lambda", at.lambda), listed("place", at.M)};
+}
+
+std::vector<MadeObject> make(const In &, const Out &) { return {}; }
+
+Explanation explain(const In &in, const Out &at) {
+  Explanation lines;
+  if (isDegenerate(in))
+    return lines;
+  lines.add("place", [&at] {
+    return line(withNumbers(at.M == at.Q + at.lambda * at.r),
+                hasExploded(at)
+                    ? words("The torpedo came as far as its hit.")
+                    : words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
+                            {{"frames", std::to_string(framesPerLambda)}}));
+  });
+  return lines;
+}
+
+// The explosion, in scene units: a ball that grows while λ does, and rays out of it.
+constexpr double blastRadius = 1.6;
+constexpr double blastReach = 1.5; ///< of its rays, in radii
+constexpr int blastRays = 14;
+/// It is as large as it gets after so much of λ.
+constexpr double blastDuration = 0.5;
+
+void drawBlast(Figure &figure, const In &in, const Out &at) {
+  const double age = toDouble(Rational(at.elapsed - at.first.t));
+  const double grown = std::min(1.0, age / blastDuration);
+  const double radius = blastRadius * std::sqrt(grown);
+  if (!(radius > 0))
+    return;
+  const Place middle = place(at.M);
+  figure.add(SphereMark{{in.mark("blast"), Role::Warning, Subject::Measure}, middle, radius});
+  // Evenly over all directions: equal steps in height, the golden angle around.
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < blastRays; ++i) {
+    const double height = 1 - (2.0 * i + 1) / blastRays;
+    const double across = std::sqrt(1 - height * height);
+    const Place out(across * std::cos(golden * i), across * std::sin(golden * i), height);
+    figure.add(SegmentMark{{in.mark("blast") + "/" + std::to_string(i), Role::Warning, Subject::Measure},
+                           middle + out * radius,
+                           middle + out * (radius * blastReach)});
+  }
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  if (isDegenerate(in))
+    return figure;
+  if (hasExploded(at))
+    drawBlast(figure, in, at);
+  else if (isFired(at))
+    figure.add(SegmentMark{{in.mark("M") + "/trail", Role::Result, Subject::Ray}, place(at.Q), place(at.M)});
+  PointMark torpedo = pointOf(at.M, isFired(at) ? Role::Result : Role::Ghost, Subject::Ray);
+  if (at.elapsed == 0)
+    torpedo.label.clear(); // the start has a letter of its own
+  figure.add(std::move(torpedo));
+  return figure;
+}
+
+std::vector<SpecialCase> nearby(const In &, const Out &) { return {}; }
+
+} // namespace
+
+Construction torpedo_flight() {
+  return makeConstruction<In, Out, RayObject, NumberObject, NumberObject, Several<MeshObject>>(
+      "torpedo-flight", {"L", "frame", "seed", "meshes"}, {}, {"λM", "M"},
+      {.cases = {"waiting", "flying", "exploded", "zero-direction"},
+       .values = {named::number("lambda"), named::vector("place")},
+       .lines = {"place"},
+       .marks = {"M", "blast"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
+}
+
+} // namespace halfspace

@@ -1,0 +1,102 @@
+#include "widgets/scene/body_actors.h"
+
+#include "geometry/triangle_mesh.h"
+#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/scene/depthless_mapper.h"
+#include "widgets/scene/vtk_mesh.h"
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+void write(const MeshMark &mark, vtkMatrix4x4 *matrix) {
+  for (glm::length_t column = 0; column < 3; ++column)
+    for (glm::length_t row = 0; row < 3; ++row)
+      matrix->SetElement(row, column, mark.axes[column][row]);
+  for (glm::length_t row = 0; row < 3; ++row)
+    matrix->SetElement(row, 3, mark.place[row]);
+}
+
+void setColor(vtkActor *actor, Color color) {
+  actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+}
+
+} // namespace
+
+struct BodyActors::Body {
+  Body() {
+    mapper->SetInputData(data);
+    shadowMapper->SetInputData(data);
+    actor->SetMapper(mapper);
+    shadow->SetMapper(shadowMapper);
+    actor->SetUserMatrix(placement);
+    shadow->SetUserMatrix(shadowPlacement);
+    // Flat faces: a hit is in one of them.
+    actor->GetProperty()->SetInterpolationToFlat();
+    actor->GetProperty()->SetAmbient(0.42);
+    actor->GetProperty()->SetDiffuse(0.70);
+    shadow->GetProperty()->LightingOff();
+    shadow->ForceOpaqueOn();
+  }
+
+  std::shared_ptr<const TriangleMesh> mesh;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkMatrix4x4> placement;
+  vtkNew<DepthlessMapper> shadowMapper;
+  vtkNew<vtkActor> shadow;
+  vtkNew<vtkMatrix4x4> shadowPlacement;
+};
+
+BodyActors::BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround)
+    : m_renderer(renderer), m_ontoGround(ontoGround) {}
+BodyActors::~BodyActors() = default;
+
+void BodyActors::show(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
+                      const Arrival &arrival) {
+  std::map<std::string, std::unique_ptr<Body>> shown;
+  for (const Mark &mark : figure.marks) {
+    const auto *body = std::get_if<MeshMark>(&mark);
+    if (!body || arrival.presenceOf(*body) <= 0)
+      continue;
+    std::unique_ptr<Body> &actors = shown[body->id];
+    actors = std::exchange(m_bodies[body->id], nullptr);
+    if (!actors) {
+      actors = std::make_unique<Body>();
+      m_renderer.AddActor(actors->shadow);
+      m_renderer.AddActor(actors->actor);
+    }
+    if (std::exchange(actors->mesh, body->mesh) != body->mesh)
+      halfspace::write(*body->mesh, actors->data);
+    write(*body, actors->placement);
+    vtkMatrix4x4::Multiply4x4(&m_ontoGround, actors->placement, actors->shadowPlacement);
+    setColor(actors->actor,
+             mix(theme.backgroundBottom, solidColor(*body, theme, highlighted.contains(body->id)),
+                 arrival.presenceOf(*body)));
+    setColor(actors->shadow, theme.shadow);
+    actors->shadow->SetVisibility(m_shadowsVisible);
+  }
+  for (const auto &[id, gone] : m_bodies)
+    if (gone) {
+      m_renderer.RemoveActor(gone->actor);
+      m_renderer.RemoveActor(gone->shadow);
+    }
+  m_bodies = std::move(shown);
+}
+
+void BodyActors::setShadowsVisible(bool visible) {
+  m_shadowsVisible = visible;
+  for (const auto &[id, body] : m_bodies)
+    body->shadow->SetVisibility(visible);
+}
+
+} // namespace halfspace
