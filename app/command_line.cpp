@@ -15,6 +15,11 @@
 namespace halfspace {
 namespace {
 
+/// Frames are counted up to here, which is more than anybody draws.
+constexpr int highestFrame = 999'999;
+/// Of a number in a file's name.
+constexpr int mostDigits = 9;
+
 PrintCommand complaint(const std::string &sentence) { return {sentence, true}; }
 
 /// 1600x1000
@@ -34,6 +39,39 @@ std::optional<PixelSize> parseSize(const std::string &text) {
   if (!width || !height)
     return {};
   return PixelSize{*width, *height};
+}
+
+/// A whole number ≥ 0, and no more than highestFrame.
+std::optional<int> parseFrame(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 0 || value > highestFrame)
+    return {};
+  return value;
+}
+
+/// A:B, or A alone.
+std::optional<std::pair<int, int>> parseFrames(std::string_view text) {
+  const auto colon = text.find(':');
+  const auto first = parseFrame(text.substr(0, colon));
+  const auto last = colon == std::string_view::npos ? first : parseFrame(text.substr(colon + 1));
+  if (!first || !last || *last < *first)
+    return {};
+  return std::pair(*first, *last);
+}
+
+/// frames/%04d.png, or with %d; nothing where it has no such place or several.
+std::optional<NumberedFile> parseNumberedFile(const std::string &file) {
+  const auto percent = file.find('%');
+  const auto end = file.find_first_not_of("0123456789", percent + 1);
+  if (percent == std::string::npos || end == std::string::npos || file[end] != 'd' ||
+      file.find('%', end) != std::string::npos)
+    return {};
+  const auto digits = parseFrame(std::string_view(file).substr(percent + 1, end - percent - 1));
+  if (end > percent + 1 && (!digits || *digits > mostDigits))
+    return {};
+  return NumberedFile{file.substr(0, percent), static_cast<std::size_t>(digits.value_or(1)),
+                      file.substr(end + 1)};
 }
 
 /// Whether a file's name promises a PNG picture, or nothing.
@@ -63,6 +101,8 @@ struct Arguments {
   OwnLessons ownLessons;
   std::string size = "1600x1000";
   int step = 0;
+  std::string frame;
+  std::string frames;
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
@@ -99,6 +139,13 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
   render->add_option("--theme", command.theme, themeNames())->capture_default_str();
   render->add_option("--step", arguments.step, "The lesson's step to show, counted from 1");
+  auto *frame =
+      render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0");
+  render
+      ->add_option("--frames", arguments.frames,
+                   "Its frames from A to B, each in a file of its own: -o frames/%04d.png")
+      ->type_name("A:B")
+      ->excludes(frame);
   return render;
 }
 
@@ -115,6 +162,18 @@ Command finishRender(const Arguments &arguments, bool stepGiven) {
     return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames() + ".");
   if (stepGiven && arguments.step < 1)
     return complaint("--step counts from 1.");
+  if (const std::string &frames = arguments.frames.empty() ? arguments.frame : arguments.frames;
+      !frames.empty()) {
+    command.frames = parseFrames(frames);
+    if (!command.frames || (arguments.frames.empty() && command.frames->first != command.frames->second))
+      return complaint(
+          "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “" + frames +
+          "”.");
+    command.numbered = parseNumberedFile(command.output);
+    if (!command.numbered && command.frames->first != command.frames->second)
+      return complaint(
+          "Several frames need a place for their number in the file's name: -o frames/%04d.png.");
+  }
   command.size = *size;
   if (stepGiven)
     command.step = arguments.step;

@@ -43,6 +43,13 @@ struct ExplainCommand {
   OwnLessons ownLessons{};
 };
 
+/// A file's name with a number in it: frames/%04d.png.
+struct NumberedFile {
+  std::string before;
+  std::size_t digits = 0; ///< at least so many
+  std::string behind;
+};
+
 struct RenderCommand {
   std::string subject;
   std::vector<std::string> assignments;
@@ -53,6 +60,8 @@ struct RenderCommand {
   bool flat = false; ///< the lesson's flat picture in the place of the one in space
   std::string theme = "light";
   std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure
+  std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
+  std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
 };
 
 struct EvalCommand {

@@ -9,14 +9,6 @@
 #include "lessons/scene/explain_formats.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
-#include "widgets/picture/camera_views.h"
-#include "widgets/picture/design_scale.h"
-#include "widgets/picture/flat_page.h"
-#include "widgets/scene/offscreen.h"
-#include "widgets/scene/png.h"
-#include "widgets/typeset/flat_painter.h"
-#include "widgets/typeset/label_painter.h"
-#include "widgets/typeset/typesetter.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,30 +18,14 @@ namespace {
 /// What was asked for was done, and found something.
 constexpr int exitProblems = 1;
 
-/// A library with problems still serves the lessons that could be read; the others are told about.
+} // namespace
+
 LessonLibrary openLibrary(const OwnLessons &own) {
   LessonLibrary library = allLessons(own);
   for (const Problem &problem : library.problems)
     printError(problem.text());
   return library;
 }
-
-/// The flat picture of a figure that is on its stage; why there is none.
-Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
-                                const Figure &whole, SceneContent content, const Typesetter &typesetter) {
-  const auto frame = opened.lesson && opened.lesson->flat
-                         ? flatFrame(*opened.lesson->flat, opened.session.scene)
-                         : std::nullopt;
-  if (!frame)
-    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
-                   "--flat"};
-  View view{{}, command.size, command.size.height / designHeight};
-  view.camera = flatCamera(laidFlat(whole, *frame), view);
-  content.figure = clippedTo(view, laidFlat(content.figure, *frame));
-  return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
-}
-
-} // namespace
 
 int runLessons(const LessonsCommand &command) {
   const LessonLibrary library = openLibrary(command.ownLessons);
@@ -112,44 +88,6 @@ int runExplain(const ExplainCommand &command) {
     return printOut(explanationJson(opened->session.lesson, scene, evaluation));
   return printOut(command.format == "latex" ? explanationLatex(title, evaluation)
                                             : explanationText(title, evaluation));
-}
-
-int runRender(const RenderCommand &command) {
-  LessonLibrary library = openLibrary(command.ownLessons);
-  const auto opened = openSession(library, command.subject, command.assignments);
-  if (!opened)
-    return fail(opened.problem());
-  const Evaluation evaluation = evaluate(opened->session.scene);
-  const Figure whole = figureOf(evaluation);
-  const Stage stage = stageOf(opened->session.scene, boundObjectsOf(opened->session.scene, evaluation));
-  const CameraView view = opened->lesson ? opened->lesson->camera : CameraView{};
-  const Camera camera = homeView(view, toStage(whole, stage), stage.hasAxes(), command.size,
-                                 command.size.height / designHeight);
-  Figure figure = whole;
-  if (command.step) {
-    const auto steps = opened->lesson ? opened->lesson->steps.size() : 0;
-    if (static_cast<std::size_t>(*command.step) > steps)
-      return fail(
-          {words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"});
-    figure = shownIn(opened->lesson->steps[static_cast<std::size_t>(*command.step - 1)], evaluation).figure;
-  }
-
-  const Typesetter typesetter;
-  PictureRequest request;
-  request.content.stage = stage;
-  request.content.figure = toStage(figure, stage);
-  request.camera = camera;
-  request.theme = *findTheme(command.theme);
-  request.size = command.size;
-  request.transparent = command.transparent;
-  const auto picture = command.flat
-                           ? drawFlatly(command, *opened, toStage(whole, stage), request.content, typesetter)
-                           : drawOffscreen(request, labelPainter(typesetter));
-  if (!picture)
-    return fail(picture.problem());
-  if (const auto problem = writePng(*picture, command.output))
-    return fail(*problem);
-  return 0;
 }
 
 } // namespace halfspace

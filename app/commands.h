@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "lessons/lesson/lesson.h"
 
 namespace halfspace {
 
@@ -19,5 +20,9 @@ namespace halfspace {
 /// Writes a line on standard output for each problem; the exit status is then exitProblems, where there is
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);
+
+/// The program's lessons and a teacher's own. What is wrong with some is told on standard error; the others
+/// serve.
+[[nodiscard]] LessonLibrary openLibrary(const OwnLessons &own);
 
 } // namespace halfspace

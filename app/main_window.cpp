@@ -62,8 +62,8 @@ QString wayText(const Surd &squareOfWay) {
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_editor(m_model), m_typesetter(std::make_unique<Typesetter>()),
-      m_theme(themes().front()) {
+    : m_model(std::move(library)), m_editor(m_model), m_player(m_model),
+      m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
   setObjectName("main");
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
   createPanels();
@@ -212,6 +212,7 @@ void MainWindow::showOutcome() {
   m_inspector->showSession();
   m_downRay->setEnabled(firstRay(m_model.session().scene).has_value());
   showStepWords();
+  showFlight();
   showCase();
 }
 
@@ -297,6 +298,7 @@ void MainWindow::reopenQuestion() {
 
 void MainWindow::hoverMark(const QString &markId) {
   m_hoveredMark = markId;
+  showHoveredFragment();
   showHighlights();
 }
 
@@ -304,6 +306,7 @@ void MainWindow::showHighlights() {
   std::set<std::string> marks = m_working->traced().marks;
   if (!m_hoveredMark.isEmpty())
     marks.insert(m_hoveredMark.toStdString());
+  marks.insert(m_hoveredFragment.begin(), m_hoveredFragment.end());
   m_working->setHighlighted(marks);
   m_flat->setHighlighted(marks);
   m_scene->setHighlighted(std::move(marks));

@@ -7,6 +7,7 @@
 #include "app/size_scale.h"
 #include "lessons/lesson/lesson_progress.h"
 #include "lessons/scene/nearest_special_case.h"
+#include "widgets/flight/flight_player.h"
 #include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
@@ -118,6 +119,11 @@ private:
   void showLesson();
   void showOutcome();
   void showStepWords();
+  void connectFlight();
+  void showFlight();
+  /// Lights up the fragment whose mark the pointer is on.
+  void showHoveredFragment();
+  void chooseFragment(const std::string &entry, std::size_t number);
   /// Tells which tasks are done, and what became of the answer.
   void judgeStep();
   void hoverMark(const QString &markId);
@@ -185,6 +191,7 @@ private:
 
   SessionModel m_model;
   CoordinateEditor m_editor; ///< for the numbers in the working
+  FlightPlayer m_player;
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
   SceneFrame *m_frame = nullptr; ///< around m_scene
@@ -206,6 +213,7 @@ private:
   QToolButton *m_contentsButton = nullptr;
   QLabel *m_lessonTitle = nullptr;
   QString m_hoveredMark;
+  std::set<std::string> m_hoveredFragment; ///< its marks
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;

@@ -121,7 +121,10 @@ void MainWindow::createViewMenu() {
   m_motion->setObjectName("motion");
   m_motion->setCheckable(true);
   m_motion->setChecked(true);
-  connect(m_motion, &QAction::toggled, this, [this](bool on) { m_scene->setMotion(on); });
+  connect(m_motion, &QAction::toggled, this, [this](bool on) {
+    m_scene->setMotion(on);
+    m_player.setReducedMotion(!on);
+  });
   menu.addSeparator();
   createLayoutItems(menu);
 }

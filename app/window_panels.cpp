@@ -40,6 +40,7 @@ void MainWindow::createPanels() {
   createContents();
   connectWorking();
   connectPage();
+  connectFlight();
 }
 
 QWidget *MainWindow::createScene() {

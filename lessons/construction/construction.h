@@ -45,6 +45,7 @@ struct Construction {
   std::vector<ConstructionRole> makes; ///< what later entries can look at, where the case has it
   std::vector<std::string> ownLetters; ///< of what else stands in its lines: w, f, t
   ConstructionNames names;             ///< of all that it can come to
+  bool hasCrossings;                   ///< it looks at a ray and many triangles
   /// Evaluates objects in the order of the roles, those of a list one after the other; their kinds are those
   /// of the roles. Of the naming all but
   /// the letters for sentences is needed.
@@ -98,8 +99,8 @@ template <class In, class Out> struct ConstructionFunctions {
   Figure (*draw)(const In &, const Out &);
   /// The nearest special cases, one change of one object each; none that holds already.
   std::vector<SpecialCase> (*nearby)(const In &, const Out &);
-  /// Of a construction that looks at a ray and many triangles.
-  Crossings (*cross)(const In &, const Out &) = [](const In &, const Out &) { return Crossings(); };
+  /// Of a construction that looks at a ray and many triangles; null for all others.
+  Crossings (*cross)(const In &, const Out &) = nullptr;
 };
 
 /// Puts a construction together: its id, the roles' names, what it makes, its own letters, the names of all
@@ -110,7 +111,8 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
                  std::vector<ConstructionRole> makes, std::vector<std::string> ownLetters,
                  ConstructionNames names, ConstructionFunctions<In, Out> functions) {
   static_assert((0 + ... + (detail::RoleOf<Kinds>::isList ? 1 : 0)) <= 1, "at most one role is a list");
-  Construction construction{id, {}, std::move(makes), std::move(ownLetters), std::move(names), {}};
+  Construction construction{
+      id, {}, std::move(makes), std::move(ownLetters), std::move(names), functions.cross != nullptr, {}};
   std::size_t next = 0;
   (construction.roles.push_back(
        {roles.at(next++), detail::RoleOf<Kinds>::kind, detail::RoleOf<Kinds>::isList}),
@@ -132,7 +134,9 @@ makeConstruction(std::string_view id, std::array<const char *, sizeof...(Kinds)>
         functions.make(computed->in, computed->out), Lazy<CaseWords>(later(functions.tell)),
         Lazy<std::vector<NamedValue>>(later(functions.valuesOf)), Lazy<Explanation>(later(functions.explain)),
         Lazy<Figure>(later(functions.draw)), Lazy<std::vector<SpecialCase>>(later(functions.nearby)),
-        Lazy<Crossings>(later(functions.cross)), computed});
+        functions.cross ? Lazy<Crossings>(later(functions.cross))
+                        : Lazy<Crossings>([] { return Crossings(); }),
+        computed});
   };
   return construction;
 }

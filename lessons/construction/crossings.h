@@ -21,7 +21,8 @@ struct Crossing {
   std::size_t number = 0; ///< among all, counted from 1
   std::string name;       ///< in plain words: barn 3
   RayTriangleCase which = RayTriangleCase::Miss;
-  std::optional<Place> at; ///< in the cases Hit, Miss and Behind
+  std::optional<Place> at;          ///< in the cases Hit, Miss and Behind
+  std::vector<std::string> marks{}; ///< of the figure: what it lies in, and where it is hit
 };
 
 /// Sorted by t, then by number; those that have no t come last.

@@ -24,7 +24,7 @@ constexpr std::size_t mostOrdered = 6;
 
 struct In : Naming {
   Given<RayObject> L;
-  Given<NumberObject> k; ///< the number of the fragment that is looked at, or none
+  Given<NumberObject> i; ///< the number of the fragment that is looked at, or none
   GivenMeshes meshes;
 };
 
@@ -68,7 +68,7 @@ std::optional<std::size_t> chosenNumber(const Rational &k, std::size_t count) {
 
 Out compute(const In &in) {
   Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, Term(0), Term(0)};
-  if (const auto number = chosenNumber(in.k.object.value, out.fragments))
+  if (const auto number = chosenNumber(in.i.object.value, out.fragments))
     out.chosen = meetingWith(in, *number);
   if (!isZero(in.L.object.direction)) {
     out.first = firstHits(in.L.object, in.meshes);
@@ -136,12 +136,16 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
     values.push_back({"nearest", words("number of the nearest"), static_cast<int>(at.nearest->number)});
     values.push_back(listed("lambda", at.lambda));
     values.push_back(listed("point", at.H));
+    values.push_back({"location", words("place"), std::string(nameOf(at.nearest->meet.location.part))});
   }
   if (!at.listed.empty()) {
     values.push_back({"hits", words("hits"), countOf(at, RayTriangleCase::Hit)});
     values.push_back({"behind", words("hits behind the start"), countOf(at, RayTriangleCase::Behind)});
-    if (const Meeting *soFar = nearestSoFar(at))
+    if (const Meeting *soFar = nearestSoFar(at)) {
       values.push_back({"so_far", words("nearest so far"), static_cast<int>(soFar->number)});
+      values.push_back(
+          {"so_far_is_nearest", {}, std::string(soFar->number == at.nearest->number ? "yes" : "no")});
+    }
   }
   if (at.chosen)
     values.push_back(
@@ -222,17 +226,21 @@ void drawChosen(Figure &figure, const In &in, const Meeting &chosen) {
     figure.add(pointOf(madeName(in, "T", coordinate, at), Role::Derived, Subject::Triangle));
 }
 
+std::string hitMark(const In &in, const Meeting &meeting) {
+  return in.mark("hits") + "/" + std::to_string(meeting.number);
+}
+
 /// The hits that come later, and those behind the start.
 void drawOthers(Figure &figure, const In &in, const Out &at) {
   for (const Meeting &meeting : at.listed) {
     if (at.nearest && meeting.number == at.nearest->number)
       continue;
-    const std::string number = "/" + std::to_string(meeting.number);
     const Place point = place(meeting.meet.plane.point);
     if (isHit(meeting))
-      figure.add(PointMark{{in.mark("hits") + number, Role::Derived, Subject::Ray}, point});
+      figure.add(PointMark{{hitMark(in, meeting), Role::Derived, Subject::Ray}, point});
     else if (meeting.meet.which == RayTriangleCase::Behind)
-      figure.add(PointMark{{in.mark("behind") + number, Role::Ghost, Subject::Ray}, point});
+      figure.add(PointMark{
+          {in.mark("behind") + "/" + std::to_string(meeting.number), Role::Ghost, Subject::Ray}, point});
   }
 }
 
@@ -251,10 +259,14 @@ Figure draw(const In &in, const Out &at) {
 
 std::vector<SpecialCase> nearby(const In &, const Out &) { return {}; }
 
-Crossing crossingOf(const In &in, const Meeting &meeting) {
+Crossing crossingOf(const In &in, const Out &at, const Meeting &meeting) {
   Crossing crossing{meeting.number, nameOf(in.meshes, meeting.fragment), meeting.meet.which, {}};
+  const bool isNearest = at.nearest && at.nearest->number == meeting.number;
   if (meeting.meet.crosses())
     crossing.at = {meeting.meet.plane.t, meeting.meet.s, meeting.meet.tTriangle};
+  crossing.marks = {markOf(in.meshes[meeting.fragment.mesh], meeting.fragment.index)};
+  if (isHit(meeting))
+    crossing.marks.push_back(isNearest ? in.mark("H") : hitMark(in, meeting));
   return crossing;
 }
 
@@ -262,9 +274,9 @@ Crossings cross(const In &in, const Out &at) {
   Crossings crossings;
   crossings.fragments = at.fragments;
   for (const Meeting &meeting : at.listed)
-    crossings.all.push_back(crossingOf(in, meeting));
+    crossings.all.push_back(crossingOf(in, at, meeting));
   if (at.listed.empty() && at.nearest)
-    crossings.all.push_back(crossingOf(in, *at.nearest));
+    crossings.all.push_back(crossingOf(in, at, *at.nearest));
   std::stable_sort(crossings.all.begin(), crossings.all.end(), [](const Crossing &a, const Crossing &b) {
     return a.at && b.at ? a.at->t < b.at->t : a.at.has_value() && !b.at;
   });
@@ -272,7 +284,7 @@ Crossings cross(const In &in, const Out &at) {
     crossings.nearest = at.nearest->number;
   if (at.chosen)
     crossings.chosen = at.chosen->number;
-  crossings.choice = in.k.id;
+  crossings.choice = in.i.id;
   if (const Meeting *soFar = nearestSoFar(at))
     crossings.nearestSoFar = soFar->number;
   return crossings;
@@ -287,6 +299,8 @@ ConstructionNames names() {
           .values = {named::index("fragments"), named::word("first", std::move(firstWords)),
                      named::index("nearest"), named::number("lambda"), named::vector("point"),
                      named::index("hits"), named::index("behind"), named::index("so_far"),
+                     named::word("so_far_is_nearest", {"yes", "no"}),
+                     named::word("location", {"interior", "edge", "vertex"}),
                      named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
                                                                   "in-plane", "zero-direction"})})},
           .lines = {"order", "hit"},
@@ -297,7 +311,7 @@ ConstructionNames names() {
 
 Construction nearest_hit() {
   return makeConstruction<In, Out, RayObject, NumberObject, Several<MeshObject>>(
-      "nearest-hit", {"L", "k", "meshes"}, {{"H", "point"}, {"T", "triangle"}}, {"λH"}, names(),
+      "nearest-hit", {"L", "i", "meshes"}, {{"H", "point"}, {"T", "triangle"}}, {"λH"}, names(),
       {compute, tell, valuesOf, make, explain, draw, nearby, cross});
 }
 

@@ -148,7 +148,7 @@ void drawSaucer(Figure &figure, const In &in, const Out &at) {
   const auto add = [&](std::vector<Place> corners) {
     std::string id = in.mark("saucer") + (number > 0 ? "/" + std::to_string(number) : "");
     ++number;
-    figure.add(PolygonMark{{std::move(id), Role::Derived, Subject::Neutral}, std::move(corners)});
+    figure.add(PolygonMark{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)});
   };
   std::vector<Place> roof;
   for (std::size_t i = 0; i < sides; ++i) {

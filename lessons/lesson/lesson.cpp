@@ -122,6 +122,10 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
                      fence.content.firstLine - 1, "predict"};
     return addBlock(readPrediction(fence.content, file), step);
   }
+  if (fence.word == "flight")
+    return addBlock(readFlight(fence.content, file), step);
+  if (fence.word == "fragments")
+    return addBlock(readFragments(fence.content, file), step);
   if (fence.word == "blank")
     return readBlank(fence.content, file, step);
   if (fence.word == "draw")
@@ -201,7 +205,8 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
 } // namespace
 
 const std::vector<std::string> &instructionBlocks() {
-  static const std::vector<std::string> names{"lines", "note", "task", "predict", "blank", "draw"};
+  static const std::vector<std::string> names{"lines",  "note",      "task",  "predict",
+                                              "flight", "fragments", "blank", "draw"};
   return names;
 }
 
@@ -279,6 +284,8 @@ std::vector<LessonWords> wordsOf(const Lesson &lesson) {
   const Overloaded add{
       [&](const StepWords &block) { words.emplace_back(block.markdown, block.lines, ""); },
       [](const StepLines &) {},
+      [](const StepFlight &) {},
+      [](const StepFragments &) {},
       [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
       [&](const Task &task) { words.emplace_back(task.instruction, std::vector{task.line}, "do"); },
       [&](const Prediction &prediction) {
@@ -293,12 +300,21 @@ std::vector<LessonWords> wordsOf(const Lesson &lesson) {
   return words;
 }
 
-const Prediction *predictionOf(const LessonStep &step) {
+namespace {
+
+/// The first block of a sort; null where there is none.
+template <class Block> const Block *firstBlock(const LessonStep &step) {
   for (const StepBlock &block : step.blocks)
-    if (const auto *prediction = std::get_if<Prediction>(&block))
-      return prediction;
+    if (const auto *found = std::get_if<Block>(&block))
+      return found;
   return nullptr;
 }
+
+} // namespace
+
+const StepFlight *flightOf(const LessonStep &step) { return firstBlock<StepFlight>(step); }
+
+const Prediction *predictionOf(const LessonStep &step) { return firstBlock<Prediction>(step); }
 
 std::vector<Task> tasksOf(const LessonStep &step) {
   std::vector<Task> tasks;

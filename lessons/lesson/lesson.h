@@ -36,6 +36,12 @@
 //   ```draw
 //   F
 //   ```
+//   ```flight
+//   {frame: frame, seed: seed, hits: nearest}
+//   ```
+//   ```fragments
+//   {hits: nearest}
+//   ```
 //   ```note
 //   A slip in the lecture notes
 //   Words that are folded away.
@@ -106,8 +112,23 @@ struct StepNote {
   StepWords words;
 };
 
+/// The controls of a torpedo's flight, with the axis of its parameter. All are names of the scene's entries.
+struct StepFlight {
+  std::string frame; ///< the number that the clock moves
+  std::string seed;  ///< the number that is 0 as long as the saucer is fired by hand
+  std::string hits;  ///< the construction whose crossings the axis shows
+  int line = 0;      ///< in the file
+};
+
+/// A table of what a ray meets of many triangles.
+struct StepFragments {
+  std::string hits;      ///< the construction whose crossings it shows
+  bool byNumber = false; ///< as they are asked one after the other, not sorted by their parameters
+  int line = 0;          ///< in the file
+};
+
 /// What stands on the page of a step.
-using StepBlock = std::variant<StepWords, StepLines, StepNote, Task, Prediction>;
+using StepBlock = std::variant<StepWords, StepLines, StepNote, Task, Prediction, StepFlight, StepFragments>;
 
 struct LessonStep {
   std::string title;
@@ -121,6 +142,8 @@ struct LessonStep {
 
 // The blocks of one sort, from top to bottom.
 
+/// Null in a step without a flight.
+[[nodiscard]] const StepFlight *flightOf(const LessonStep &step);
 /// Null in a step that asks nothing.
 [[nodiscard]] const Prediction *predictionOf(const LessonStep &step);
 /// Their places among the tasks of the step number what a learner has done.

@@ -235,6 +235,33 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
   return prediction;
 }
 
+Result<StepFlight> readFlight(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "flight");
+  fields.allowOnly({"frame", "seed", "hits"});
+  StepFlight flight{fields.text("frame"), fields.text("seed"), fields.text("hits"), block.firstLine};
+  if (fields.problem())
+    return *fields.problem();
+  return flight;
+}
+
+Result<StepFragments> readFragments(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "fragments");
+  fields.allowOnly({"hits", "by"});
+  const std::string order = fields.text("by", "parameter");
+  if (order != "parameter" && order != "number")
+    fields.complain(*root->find("by"), "fragments.by", words("Here “parameter” or “number” is expected."));
+  StepFragments fragments{fields.text("hits"), order == "number", block.firstLine};
+  if (fields.problem())
+    return *fields.problem();
+  return fragments;
+}
+
 Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
   constexpr std::string_view allOfOne = ".*";
   StepLines lines = namesIn(block);

@@ -23,6 +23,12 @@ struct TextBlock {
 /// Reads a ```predict block.
 [[nodiscard]] Result<Prediction> readPrediction(const TextBlock &block, const std::string &file);
 
+/// Reads a ```flight block.
+[[nodiscard]] Result<StepFlight> readFlight(const TextBlock &block, const std::string &file);
+
+/// Reads a ```fragments block.
+[[nodiscard]] Result<StepFragments> readFragments(const TextBlock &block, const std::string &file);
+
 /// Reads a ```lines block: ids between commas or spaces.
 [[nodiscard]] Result<StepLines> readLines(const TextBlock &block, const std::string &file);
 

@@ -3,6 +3,7 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/number.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -142,6 +143,14 @@ private:
 
   void check(const StepWords &) {}
   void check(const StepNote &) {}
+  void check(const StepFlight &flight) {
+    complain(whyNoNumber(flight.frame), flight.line, "frame");
+    complain(whyNoNumber(flight.seed), flight.line, "seed");
+    complain(whyNoCrossings(flight.hits), flight.line, "hits");
+  }
+  void check(const StepFragments &fragments) {
+    complain(whyNoCrossings(fragments.hits), fragments.line, "hits");
+  }
   void check(const StepLines &lines) {
     for (std::size_t i = 0; i < lines.ids.size(); ++i)
       complain(whyNoLine(lines.ids[i]), lines.lines[i], "lines");
@@ -173,6 +182,21 @@ private:
                         {{"value", prediction.value}, {"word", *word}})
                 : words("At the start “{value}” is none of these choices. Add one for what it is there.",
                         {{"value", prediction.value}});
+  }
+
+  [[nodiscard]] std::string whyNoNumber(const std::string &name) const {
+    const Object *object = findObject(m_lesson.scene, name);
+    return object && kindOf(*object) == NumberObject::kind
+               ? std::string()
+               : words("“{name}” is no number of the scene.", {{"name", name}});
+  }
+
+  [[nodiscard]] std::string whyNoCrossings(const std::string &name) const {
+    for (const Entry &entry : m_lesson.scene.entries)
+      if (const auto *use = std::get_if<ConstructionUse>(&entry.content);
+          use && entry.name == name && findConstruction(use->id)->hasCrossings)
+        return {};
+    return words("“{name}” is no construction of the scene that looks at many triangles.", {{"name", name}});
   }
 
   /// The entry that a name begins with, or null; `rest` is then what follows.

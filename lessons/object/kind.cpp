@@ -59,14 +59,17 @@ void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::v
           SegmentMark{{base.id + "/side" + std::to_string(i), base.role, base.subject}, places[i], next});
 }
 
+std::string faceId(const std::string &object, std::size_t face) {
+  return face == 0 ? object : object + "/face" + std::to_string(face);
+}
+
 void addFaces(const Given<Object> &given, Subject subject, const std::vector<ExactVec3> &corners,
               const std::vector<std::vector<std::size_t>> &faces, std::vector<Mark> &marks) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     MarkBase base = wholeOf(given, subject);
-    if (i > 0) {
-      base.id += "/face" + std::to_string(i);
+    base.id = faceId(given.id, i);
+    if (i > 0)
       base.label.clear();
-    }
     std::vector<ExactVec3> around;
     for (const std::size_t corner : faces[i])
       around.push_back(corners[corner]);

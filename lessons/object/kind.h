@@ -69,6 +69,8 @@ void aimAtNothing(const Given<Object> &given, const Handle &handle, const Surrou
 void addPoints(const Given<Object> &given, Subject subject, std::vector<Mark> &marks);
 /// Adds a face: filled where it is flat and convex; else its sides alone, as marks that accompany it.
 void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::vector<Mark> &marks);
+/// The id of the mark of a face: that of the object for the first, one that accompanies it for the others.
+[[nodiscard]] std::string faceId(const std::string &object, std::size_t face);
 /// Adds faces, given by the indices of their corners. The first is the mark of the whole
 /// object, the others accompany it.
 void addFaces(const Given<Object> &given, Subject subject, const std::vector<ExactVec3> &corners,

@@ -150,6 +150,16 @@ glm::dmat3 MeshPlacement::axes() const {
   return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
 }
 
+std::string markOf(const Given<MeshObject> &mesh, std::size_t triangle) {
+  const MeshShape &shape = *mesh.object.shape;
+  if (!hasDrawnFaces(shape))
+    return mesh.id;
+  std::size_t face = 0;
+  for (std::size_t first = 0; triangle >= first + shape.faces()[face].size() - 2; ++face)
+    first += shape.faces()[face].size() - 2;
+  return faceId(mesh.id, face);
+}
+
 Triangle<Rational> triangleOf(const MeshObject &mesh, std::size_t index) {
   const MeshPlacement placement(mesh);
   const Triangle<Rational> own = exactly(mesh.shape->mesh()->triangle(index));

@@ -45,6 +45,9 @@ private:
 /// No mesh is scaled down to less than this: it would be a point.
 inline const Rational smallestScale(1, 1000);
 
+/// The mark that a triangle of the mesh is drawn in: that of its face, or of the whole mesh.
+[[nodiscard]] std::string markOf(const Given<MeshObject> &mesh, std::size_t triangle);
+
 /// The corners of a triangle of the mesh, in the scene.
 [[nodiscard]] Triangle<Rational> triangleOf(const MeshObject &mesh, std::size_t index);
 

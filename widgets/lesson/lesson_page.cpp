@@ -43,6 +43,11 @@ void setInk(QWidget &widget, Color color) {
   widget.setPalette(palette);
 }
 
+void sortByNumber(Crossings &crossings) {
+  std::sort(crossings.all.begin(), crossings.all.end(),
+            [](const Crossing &a, const Crossing &b) { return a.number < b.number; });
+}
+
 QLabel *plainLabel() {
   auto *label = new QLabel;
   label->setTextFormat(Qt::PlainText); // lesson files come from strangers
@@ -169,6 +174,8 @@ void LessonPage::makeBlocks() {
   m_words.clear();
   m_notes.clear();
   m_tasks.clear();
+  m_flights.clear();
+  m_fragments.clear();
   m_prediction = nullptr;
   auto *blocks = new QWidget;
   auto *column = new QVBoxLayout(blocks);
@@ -222,6 +229,27 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
   return m_prediction;
 }
 
+template <class Widget> void LessonPage::followFragments(Widget &widget, const std::string &entry) {
+  const QString name = QString::fromStdString(entry);
+  connect(&widget, &Widget::chosen, this, [this, name](std::size_t number) { emit fragmentChosen(name, number); });
+  connect(&widget, &Widget::hovered, this, [this, name](std::size_t number) { emit fragmentHovered(name, number); });
+}
+
+QWidget *LessonPage::blockOf(const StepFlight &flight) {
+  auto *bar = new FlightBar(m_typesetter);
+  m_flights.emplace_back(flight.hits, bar);
+  followFragments(*bar, flight.hits);
+  emit flightBarMade(bar);
+  return bar;
+}
+
+QWidget *LessonPage::blockOf(const StepFragments &fragments) {
+  auto *table = new FragmentTable(m_typesetter);
+  m_fragments.push_back({fragments, table});
+  followFragments(*table, fragments.hits);
+  return table;
+}
+
 void LessonPage::scrollTo(const QWidget &part) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
   const QRect place(part.mapTo(m_scroll->widget(), QPoint()), part.size());
@@ -239,8 +267,38 @@ void LessonPage::showWords(const std::function<std::string(const std::string &)>
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
 
+void LessonPage::showFlight(const FlightState &state) {
+  for (const auto &[entry, bar] : m_flights)
+    bar->setState(state);
+}
+
+void LessonPage::showCrossings(const std::function<Crossings(const std::string &entry)> &of,
+                               LiveValues values) {
+  for (const auto &[entry, bar] : m_flights)
+    bar->setCrossings(of(entry));
+  for (const auto &[block, table] : m_fragments) {
+    Crossings crossings = of(block.hits);
+    if (block.byNumber)
+      sortByNumber(crossings);
+    else
+      crossings.nearestSoFar.reset();
+    table->setCrossings(crossings, values);
+  }
+}
+
+void LessonPage::setFragmentHovered(std::size_t number) {
+  for (const auto &[entry, bar] : m_flights)
+    bar->setHovered(number);
+  for (const auto &[block, table] : m_fragments)
+    table->setHovered(number);
+}
+
 void LessonPage::setHeld(bool held) {
   m_held = held;
+  for (const auto &[entry, bar] : m_flights)
+    bar->setHeld(held);
+  for (const auto &[block, table] : m_fragments)
+    table->setHeld(held);
   for (const SetWords &words : m_words)
     words.label->setMinimumHeight(held ? words.label->height() : 0);
   m_practice.working().setHeld(held);
@@ -275,6 +333,10 @@ void LessonPage::setTheme(const Theme &theme) {
     note->setTheme(theme);
   for (TaskRow *task : m_tasks)
     task->setTheme(theme);
+  for (const auto &[entry, bar] : m_flights)
+    bar->setTheme(theme);
+  for (const auto &[block, table] : m_fragments)
+    table->setTheme(theme);
   if (m_prediction)
     m_prediction->setTheme(theme);
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
+#include "widgets/flight/flight_bar.h"
+#include "widgets/flight/fragment_table.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/lesson/step_dots.h"
 #include "widgets/lesson/task_row.h"
@@ -39,6 +41,11 @@ public:
   /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place
   /// that was scrolled to.
   void showWords(const std::function<std::string(const std::string &)> &filled);
+  /// What the step's flight and its tables show; hidden while its question is open.
+  void showFlight(const FlightState &state);
+  void showCrossings(const std::function<Crossings(const std::string &entry)> &of, LiveValues values);
+  /// The pointer is on this fragment of an entry somewhere else; 0 for none.
+  void setFragmentHovered(std::size_t number);
   /// Of the step's tasks in their order; of those behind them nothing is known.
   void setTaskStates(const std::vector<TaskState> &states);
   /// To the step's question, if it has one; nothing: it is open.
@@ -53,7 +60,10 @@ signals:
   void stepRequested(int step);
   void nextLessonRequested();
   void predictionChosen(const QString &word);
-  void predictionReopened(); ///< the learner wants to try the question again
+  void predictionReopened();          ///< the learner wants to try the question again
+  void flightBarMade(FlightBar *bar); ///< for a step that has a flight; it lives as long as the step is shown
+  void fragmentChosen(const QString &entry, std::size_t number);
+  void fragmentHovered(const QString &entry, std::size_t number); ///< 0: none any more
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
@@ -68,6 +78,10 @@ private:
   [[nodiscard]] QWidget *blockOf(const StepNote &note);
   [[nodiscard]] QWidget *blockOf(const Task &task);
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
+  [[nodiscard]] QWidget *blockOf(const StepFlight &flight);
+  [[nodiscard]] QWidget *blockOf(const StepFragments &fragments);
+  /// Hands on what a widget says of the fragments of an entry.
+  template <class Widget> void followFragments(Widget &widget, const std::string &entry);
   void showStep();
   [[nodiscard]] int scaled(int pixels) const;
   void setGaps();
@@ -104,6 +118,12 @@ private:
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   std::vector<TaskRow *> m_tasks;
+  std::vector<std::pair<std::string, FlightBar *>> m_flights; ///< with the entry whose crossings they show
+  struct Fragments {
+    StepFragments block;
+    FragmentTable *table;
+  };
+  std::vector<Fragments> m_fragments;
   PredictionBox *m_prediction = nullptr; ///< null in steps without one
   StepDots *m_dots = nullptr;
   QPushButton *m_back = nullptr;

@@ -1,0 +1,137 @@
+// Pictures of a figure in files, one or as many as a flight has frames.
+#include "app/commands.h"
+#include "app/open_session.h"
+#include "app/standard_streams.h"
+#include "lessons/object/kind.h"
+#include "lessons/words.h"
+#include "widgets/picture/camera_views.h"
+#include "widgets/picture/design_scale.h"
+#include "widgets/picture/flat_page.h"
+#include "widgets/scene/offscreen.h"
+#include "widgets/scene/png.h"
+#include "widgets/typeset/flat_painter.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace halfspace {
+namespace {
+
+/// The flat picture of a figure that is on its stage; why there is none.
+Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
+                                const Figure &whole, SceneContent content, const Typesetter &typesetter) {
+  const auto frame = opened.lesson && opened.lesson->flat
+                         ? flatFrame(*opened.lesson->flat, opened.session.scene)
+                         : std::nullopt;
+  if (!frame)
+    return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
+                   "--flat"};
+  View view{{}, command.size, command.size.height / designHeight};
+  view.camera = flatCamera(laidFlat(whole, *frame), view);
+  content.figure = clippedTo(view, laidFlat(content.figure, *frame));
+  return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
+}
+
+/// How a scene is put into all of its pictures: those of a flight are seen from one place.
+struct Setting {
+  Stage stage;
+  Camera camera;
+};
+
+Setting settingOf(const RenderCommand &command, const OpenedSession &opened) {
+  const Scene &scene = opened.session.scene;
+  const Evaluation evaluation = evaluate(scene);
+  const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
+  const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
+  return {stage, homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
+                          command.size.height / designHeight)};
+}
+
+Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSession &opened,
+                                 const Setting &setting, const Typesetter &typesetter) {
+  const Evaluation evaluation = evaluate(opened.session.scene);
+  const Figure whole = figureOf(evaluation);
+  const Figure figure =
+      command.step
+          ? shownIn(opened.lesson->steps[static_cast<std::size_t>(*command.step - 1)], evaluation).figure
+          : whole;
+  PictureRequest request;
+  request.content.stage = setting.stage;
+  request.content.figure = toStage(figure, setting.stage);
+  request.camera = setting.camera;
+  request.theme = *findTheme(command.theme);
+  request.size = command.size;
+  request.transparent = command.transparent;
+  return command.flat
+             ? drawFlatly(command, opened, toStage(whole, setting.stage), request.content, typesetter)
+             : drawOffscreen(request, labelPainter(typesetter));
+}
+
+/// The scene's number that counts the frames of the lesson's flight; null where there is none.
+Object *frameNumberOf(OpenedSession &opened) {
+  if (opened.lesson)
+    for (const LessonStep &step : opened.lesson->steps)
+      if (const StepFlight *flight = flightOf(step))
+        return findObject(opened.session.scene, flight->frame);
+  return nullptr;
+}
+
+std::optional<Problem> refuseStep(const RenderCommand &command, const OpenedSession &opened) {
+  const auto steps = opened.lesson ? opened.lesson->steps.size() : 0;
+  if (!command.step || static_cast<std::size_t>(*command.step) <= steps)
+    return {};
+  return Problem{words("The lesson has {count} steps.", {{"count", std::to_string(steps)}}), "", 0, "--step"};
+}
+
+/// frames/0007.png for the frame 7 of frames/%04d.png.
+std::string fileOf(const NumberedFile &file, int frame) {
+  std::string digits = std::to_string(frame);
+  digits.insert(0, file.digits - std::min(file.digits, digits.size()), '0');
+  return file.before + digits + file.behind;
+}
+
+/// Draws and writes one frame after the other.
+std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened,
+                                   const Setting &setting, const Typesetter &typesetter) {
+  Object *number = frameNumberOf(opened);
+  if (!number)
+    return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
+  const auto [first, last] = *command.frames;
+  for (int frame = first; frame <= last; ++frame) {
+    (*number)[0].x = frame;
+    number->kind().settle(*number);
+    const auto picture = drawPicture(command, opened, setting, typesetter);
+    if (!picture)
+      return picture.problem();
+    const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
+    if (auto problem = writePng(*picture, file))
+      return problem;
+  }
+  return {};
+}
+
+} // namespace
+
+int runRender(const RenderCommand &command) {
+  LessonLibrary library = openLibrary(command.ownLessons);
+  auto opened = openSession(library, command.subject, command.assignments);
+  if (!opened)
+    return fail(opened.problem());
+  if (const auto refused = refuseStep(command, *opened))
+    return fail(*refused);
+  const Typesetter typesetter;
+  const Setting setting = settingOf(command, *opened);
+  if (command.frames) {
+    const auto problem = writeFrames(command, *opened, setting, typesetter);
+    return problem ? fail(*problem) : 0;
+  }
+  const auto picture = drawPicture(command, *opened, setting, typesetter);
+  if (!picture)
+    return fail(picture.problem());
+  const auto problem = writePng(*picture, command.output);
+  return problem ? fail(*problem) : 0;
+}
+
+} // namespace halfspace

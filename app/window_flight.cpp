@@ -1,0 +1,84 @@
+// The torpedo's flight on the page, and the triangles that it may hit.
+#include "app/main_window.h"
+#include "lessons/object/number.h"
+#include "widgets/lesson/lesson_page.h"
+
+#include <algorithm>
+
+namespace halfspace {
+namespace {
+
+const Crossings &crossingsOf(const Evaluation &evaluation, const std::string &entry) {
+  static const Crossings none;
+  const EvaluatedEntry *found = evaluation.find(entry);
+  return found ? *found->outcome->crossings : none;
+}
+
+/// The marks of the fragment with this number; none for 0.
+std::set<std::string> marksOf(const Crossings &crossings, std::size_t number) {
+  for (const Crossing &crossing : crossings.all)
+    if (crossing.number == number)
+      return {crossing.marks.begin(), crossing.marks.end()};
+  return {};
+}
+
+/// The number of the fragment that alone has a mark; 0 where none or several have it.
+std::size_t fragmentWith(const Crossings &crossings, const std::string &mark) {
+  std::size_t number = 0;
+  for (const Crossing &crossing : crossings.all)
+    if (std::find(crossing.marks.begin(), crossing.marks.end(), mark) != crossing.marks.end()) {
+      if (number != 0)
+        return 0;
+      number = crossing.number;
+    }
+  return number;
+}
+
+} // namespace
+
+void MainWindow::connectFlight() {
+  connect(m_page, &LessonPage::flightBarMade, this, [this](FlightBar *bar) {
+    m_player.serve(*bar);
+    bar->setShortcut(FlightControl::Fire, QKeySequence("T"));
+    bar->setShortcut(FlightControl::Play, QKeySequence("P"));
+    bar->setShortcut(FlightControl::StepBack, QKeySequence(","));
+    bar->setShortcut(FlightControl::StepForward, QKeySequence("."));
+  });
+  connect(&m_player, &FlightPlayer::stateChanged, this, &MainWindow::showFlight);
+  connect(m_page, &LessonPage::fragmentChosen, this,
+          [this](const QString &entry, std::size_t number) { chooseFragment(entry.toStdString(), number); });
+  connect(m_page, &LessonPage::fragmentHovered, this, [this](const QString &entry, std::size_t number) {
+    m_hoveredFragment = marksOf(crossingsOf(m_model.evaluation(), entry.toStdString()), number);
+    m_page->setFragmentHovered(number);
+    showHighlights();
+  });
+}
+
+void MainWindow::showFlight() {
+  FlightState state = m_player.state();
+  state.hidden = hidesNumbers();
+  m_page->showFlight(state);
+  m_page->showCrossings([this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
+                        state.hidden ? LiveValues::Hidden : LiveValues::Shown);
+}
+
+void MainWindow::showHoveredFragment() {
+  std::size_t number = 0;
+  for (const EvaluatedEntry &entry : m_model.evaluation().entries)
+    number = std::max(number, fragmentWith(*entry.outcome->crossings, m_hoveredMark.toStdString()));
+  m_page->setFragmentHovered(number);
+}
+
+void MainWindow::chooseFragment(const std::string &entry, std::size_t number) {
+  const std::string &choice = crossingsOf(m_model.evaluation(), entry).choice;
+  const Object *object = findObject(m_model.session().scene, choice);
+  auto chosen = object ? objectAs<NumberObject>(*object) : std::nullopt;
+  if (!chosen)
+    return;
+  chosen->value = Rational(static_cast<std::int64_t>(number));
+  if (const QString refused = m_model.edit(ChangeObject{choice, *chosen}, tr("Look at a triangle"));
+      !refused.isEmpty())
+    say(refused);
+}
+
+} // namespace halfspace

@@ -1,0 +1,199 @@
+#include "widgets/flight/flight_player.h"
+
+#include "lessons/construction/shots.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// In milliseconds: as often as a display shows a new picture.
+constexpr int tickInterval = 16;
+/// Without motion each of the few steps is looked at for so long.
+constexpr int stillInterval = 700;
+/// Without motion so many frames are one step.
+constexpr int framesPerStill = 10;
+/// Frames of the clock are rounded to this, so that the numbers stay short.
+const Rational frameStep(1, 100);
+/// A flight goes on for so many frames behind the hit, and for so many where nothing is hit.
+constexpr int framesBehindHit = 50;
+constexpr int framesWithoutHit = 100;
+/// What chance begins with.
+const Rational firstSeed = 7;
+
+} // namespace
+
+FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent) : QObject(parent), m_model(model) {
+  m_timer.setTimerType(Qt::PreciseTimer);
+  connect(&m_timer, &QTimer::timeout, this, &FlightPlayer::tick);
+  connect(&model, &SessionModel::gestureChanged, this, [this] {
+    if (!m_model.inGesture())
+      stop();
+  });
+  connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::stop);
+}
+
+void FlightPlayer::serve(FlightBar &bar) {
+  connect(&bar, &FlightBar::fire, this, &FlightPlayer::fire);
+  connect(&bar, &FlightBar::playToggled, this, &FlightPlayer::play);
+  connect(&bar, &FlightBar::stepped, this, &FlightPlayer::step);
+  connect(&bar, &FlightBar::automaticToggled, this, &FlightPlayer::setAutomatic);
+  connect(&bar, &FlightBar::speedChanged, this, &FlightPlayer::setSpeed);
+  connect(&bar, &FlightBar::scrubBegun, this, &FlightPlayer::beginScrub);
+  connect(&bar, &FlightBar::scrubbed, this, &FlightPlayer::scrub);
+  connect(&bar, &FlightBar::scrubEnded, this, [this] { m_model.endGesture(); });
+}
+
+void FlightPlayer::setReducedMotion(bool reduced) {
+  play(false);
+  m_reducedMotion = reduced;
+  emit stateChanged();
+}
+
+std::optional<FlightPlayer::Flight> FlightPlayer::flight() const {
+  const StepFlight *names = flightOf(m_model.step());
+  if (!names)
+    return {};
+  const Scene &scene = m_model.session().scene;
+  const Object *frame = findObject(scene, names->frame);
+  const Object *seed = findObject(scene, names->seed);
+  const auto frameNumber = frame ? objectAs<NumberObject>(*frame) : std::nullopt;
+  const auto seedNumber = seed ? objectAs<NumberObject>(*seed) : std::nullopt;
+  if (!frameNumber || !seedNumber)
+    return {};
+  return Flight{*names, *frameNumber, *seedNumber};
+}
+
+FlightState FlightPlayer::state() const {
+  FlightState state;
+  const auto now = flight();
+  state.canFire = now.has_value();
+  state.isPlaying = m_isPlaying;
+  state.speed = m_speed;
+  state.reducedMotion = m_reducedMotion;
+  if (now) {
+    const Rational &frame = now->frame.value;
+    state.isAutomatic = now->seed.value != 0;
+    state.t = toDouble(parameterAt(frame, shotAt(frame, now->seed.value, ExactVec3(0))));
+  }
+  return state;
+}
+
+/// Fired by itself it goes on; by hand until the explosion is over.
+Rational FlightPlayer::lastFrame(const Flight &flight) const {
+  if (flight.seed.value != 0)
+    return flight.frame.to;
+  const EvaluatedEntry *hits = m_model.evaluation().find(flight.names.hits);
+  Rational last = framesWithoutHit;
+  if (hits)
+    for (const Crossing &crossing : hits->outcome->crossings->all)
+      if (crossing.number == hits->outcome->crossings->nearest && crossing.at)
+        last = crossing.at->t * framesPerLambda + framesBehindHit;
+  return std::min(last, flight.frame.to);
+}
+
+ChangeObject FlightPlayer::toFrame(const Flight &flight, const Rational &frame) {
+  NumberObject changed = flight.frame;
+  changed.value = std::clamp(frame, changed.from, changed.to);
+  return {flight.names.frame, changed};
+}
+
+void FlightPlayer::fire() {
+  play(false);
+  const auto now = flight();
+  if (!now)
+    return;
+  // By itself it goes on with the next shot, by hand the same one is fired once more.
+  const Rational next = shotAt(now->frame.value, now->seed.value, ExactVec3(0)).frame + framesPerShot;
+  m_model.edit(toFrame(*now, now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next), tr("Fire"));
+  play(true);
+}
+
+void FlightPlayer::play(bool on) {
+  if (on == m_isPlaying)
+    return;
+  if (!on)
+    return m_model.endGesture(); // which stops it
+  auto now = flight();
+  if (!now)
+    return;
+  if (now->frame.value >= lastFrame(*now))
+    m_model.edit(toFrame(*now, 0), tr("Fire"));
+  m_from = flight()->frame.value;
+  m_model.beginGesture(tr("Fly"));
+  m_isPlaying = true;
+  m_clock.start();
+  m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
+  emit stateChanged();
+}
+
+void FlightPlayer::stop() {
+  m_timer.stop();
+  if (std::exchange(m_isPlaying, false))
+    emit stateChanged();
+}
+
+void FlightPlayer::tick() {
+  const auto now = flight();
+  if (!now)
+    return play(false);
+  const double seconds = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+  const Rational flown = m_reducedMotion ? now->frame.value - m_from + framesPerStill
+                                         : roundToMultiple(seconds * m_speed * framesPerSecond, frameStep);
+  const Rational frame = m_from + flown;
+  const Rational last = lastFrame(*now);
+  m_model.moveGesture(toFrame(*now, std::min(frame, last)));
+  if (frame >= last)
+    play(false);
+}
+
+void FlightPlayer::step(int direction) {
+  play(false);
+  if (const auto now = flight())
+    m_model.edit(toFrame(*now, now->frame.value + direction * (m_reducedMotion ? framesPerStill : 1)),
+                 tr("Step"));
+}
+
+void FlightPlayer::setAutomatic(bool on) {
+  play(false);
+  const auto now = flight();
+  if (!now)
+    return;
+  NumberObject seed = now->seed;
+  seed.value = on ? firstSeed : Rational(0);
+  m_model.beginGesture(on ? tr("Fire by itself") : tr("Fire by hand"));
+  m_model.moveGesture(ChangeObject{now->names.seed, seed});
+  m_model.moveGesture(toFrame(*now, 0));
+  m_model.endGesture();
+  if (on)
+    play(true);
+}
+
+void FlightPlayer::setSpeed(double speed) {
+  if (const auto now = flight(); now && m_isPlaying) { // goes on from where it is
+    m_from = now->frame.value;
+    m_clock.restart();
+  }
+  m_speed = speed;
+  emit stateChanged();
+}
+
+void FlightPlayer::beginScrub() {
+  play(false);
+  if (flight())
+    m_model.beginGesture(tr("Fly"));
+}
+
+void FlightPlayer::scrub(double t) {
+  const auto now = flight();
+  if (!now)
+    return;
+  const Shot shot = shotAt(now->frame.value, now->seed.value, ExactVec3(0));
+  Rational frame = shot.frame + roundToMultiple(t * framesPerLambda, frameStep);
+  if (now->seed.value != 0) // it stays with its shot
+    frame = std::clamp(frame, shot.frame, Rational(shot.frame + framesPerShot - frameStep));
+  m_model.moveGesture(toFrame(*now, frame));
+}
+
+} // namespace halfspace

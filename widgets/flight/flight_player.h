@@ -1,0 +1,64 @@
+// The clock of a torpedo's flight.
+#pragma once
+
+#include "lessons/object/number.h"
+#include "widgets/flight/flight_bar.h"
+#include "widgets/session_model.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace halfspace {
+
+/// Moves the number of the frame in the scene as the clock goes, or as the hand wants it: where the torpedo
+/// is follows from the scene alone. A flight that is played is one undo step, as a drag is; whatever else
+/// changes the scene ends it.
+class FlightPlayer : public QObject {
+  Q_OBJECT
+public:
+  explicit FlightPlayer(SessionModel &model, QObject *parent = nullptr);
+
+  /// Goes by what a bar wants; the bar is told by whoever hears stateChanged.
+  void serve(FlightBar &bar);
+  /// Without motion a flight is a few steps, each of which stands still for a moment.
+  void setReducedMotion(bool reduced);
+
+  /// Of the step that is shown.
+  [[nodiscard]] FlightState state() const;
+
+  void fire();
+  void play(bool on);
+  /// On by a frame, or back; without motion by more.
+  void step(int direction);
+  void setAutomatic(bool on);
+  void setSpeed(double speed);
+
+signals:
+  void stateChanged();
+
+private:
+  /// What the scene says of the flight; nothing in a step without one.
+  struct Flight {
+    StepFlight names;
+    NumberObject frame;
+    NumberObject seed;
+  };
+  [[nodiscard]] std::optional<Flight> flight() const;
+  [[nodiscard]] Rational lastFrame(const Flight &flight) const;
+  [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
+  void beginScrub();
+  void scrub(double t);
+  void tick();
+  void stop();
+
+  SessionModel &m_model;
+  QTimer m_timer;
+  QElapsedTimer m_clock; ///< since the flight went on
+  Rational m_from;       ///< the frame from which it went on
+  double m_speed = 1;
+  bool m_reducedMotion = false;
+  bool m_isPlaying = false;
+};
+
+} // namespace halfspace
