@@ -39,8 +39,6 @@ Standing standingOf(RayTriangleCase which) {
   return Standing::NoTriangle;
 }
 
-bool isNearest(Standing standing) { return standing == Standing::First || standing == Standing::FirstSoFar; }
-
 } // namespace
 
 bool areBeingAsked(const Crossings &crossings) {

@@ -33,6 +33,11 @@ enum class Standing : std::uint8_t {
 
 [[nodiscard]] Standing standingOf(const Crossing &crossing, const Crossings &crossings);
 
+/// Of all, or of those that have been asked.
+[[nodiscard]] inline bool isNearest(Standing standing) {
+  return standing == Standing::First || standing == Standing::FirstSoFar;
+}
+
 /// Whether it crosses before the ray's start.
 [[nodiscard]] bool isBehindStart(const Crossing &crossing);
 

@@ -33,7 +33,7 @@ WrittenNumber shown(double t) {
   if (std::abs(t) >= largestReadout)
     return {rounded(t), false};
   const Rational near = roundToMultiple(t, readoutStep);
-  return {decimalOf(Surd(near)).term, near == exactly(t)};
+  return {decimalOf(Surd(near)).term, toDouble(near) == t};
 }
 
 math::Row formulaOfTime(const math::Row &value, char32_t relation) {

@@ -6,19 +6,20 @@ namespace halfspace {
 namespace {
 
 // In heights of a line.
-constexpr double edge = 0.35; ///< left and right of a row's words
-constexpr double markRoom = 1.15;
-constexpr double smallestGap = 0.6;
+constexpr double edge = 0.3; ///< left and right of a row's words
+constexpr double markRoom = 1.05;
+constexpr double smallestGap = 0.45;
 constexpr double largestGap = 2;
+constexpr double verdictGap = 0.45; ///< on top of that, before the verdict
 constexpr double rowHeight = 1.6;
 constexpr double stackedRowHeight = 2.9;
 
 /// A number's column is at least this part of what the widest number needs.
-constexpr double narrowestNumber = 0.74;
+constexpr double narrowestNumber = 0.62;
 
 /// Where each column is as narrow as it may be, but for the gaps.
 double narrowestWidth(const FragmentNeeds &needs) {
-  return (2 * edge + markRoom) * needs.line + needs.name + 3 * narrowestNumber * needs.number +
+  return (2 * edge + markRoom + verdictGap) * needs.line + needs.name + 3 * narrowestNumber * needs.number +
          needs.verdict;
 }
 
@@ -35,8 +36,8 @@ FragmentColumns inOneLine(double width, const FragmentNeeds &needs) {
     column = {left, number};
     left += number + gap;
   }
-  columns.verdict = {left, needs.verdict};
-  columns.width = left + needs.verdict + edge * needs.line;
+  columns.verdict = {left + verdictGap * needs.line, needs.verdict};
+  columns.width = columns.verdict.left + needs.verdict + edge * needs.line;
   columns.rowHeight = rowHeight * needs.line;
   return columns;
 }
@@ -48,9 +49,8 @@ FragmentColumns inTwoLines(double width, const FragmentNeeds &needs) {
   const double left = (edge + markRoom) * needs.line;
   const double right = width - edge * needs.line;
   const double gap = smallestGap * needs.line;
-  const double verdict = std::clamp(right - left - needs.name - gap, 0.0, needs.verdict);
-  columns.name = {left, std::max(0.0, right - left - verdict - gap)};
-  columns.verdict = {right - verdict, verdict};
+  columns.name = {left, std::max(0.0, right - left)};
+  columns.verdict = columns.name; // from its right end
   const double third = std::max(0.0, right - left - 2 * gap) / 3;
   for (std::size_t i = 0; i < columns.numbers.size(); ++i)
     columns.numbers[i] = {left + static_cast<double>(i) * (third + gap), third};

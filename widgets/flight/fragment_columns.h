@@ -13,6 +13,7 @@ struct FragmentNeeds {
   double name = 0;    ///< of the widest name
   double number = 0;  ///< of a number as wide as they get; narrower columns make them smaller
   double verdict = 0; ///< of the longest verdict
+  bool operator==(const FragmentNeeds &) const = default;
 };
 
 struct FragmentColumns {
@@ -24,7 +25,9 @@ struct FragmentColumns {
   Column name;
   std::array<Column, 3> numbers; ///< t, s and t of the triangle
   Column verdict;
-  bool isStacked = false; ///< the numbers stand in a second line, below name and verdict
+  /// The numbers stand in a second line, below the name and, at the right end, the verdict: these two share
+  /// the first.
+  bool isStacked = false;
   double width = 0;       ///< of the whole table
   double rowHeight = 0;
 

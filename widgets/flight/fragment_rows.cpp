@@ -9,8 +9,7 @@ namespace {
 enum class Rank : std::uint8_t { Needed, Hit, Ahead, BehindStart, NoCrossing, NotAsked };
 
 Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
-  if (row.crossing.number == crossings.chosen || row.standing == Standing::First ||
-      row.standing == Standing::FirstSoFar)
+  if (row.crossing.number == crossings.chosen || isNearest(row.standing))
     return Rank::Needed;
   if (row.standing == Standing::Hit)
     return Rank::Hit;

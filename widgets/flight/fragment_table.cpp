@@ -70,12 +70,13 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
               typesetter.picture(math::row(math::letter('s'))), typesetter.picture(triangleT())},
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
+      m_none(typesetter.picture(math::row(math::symbol(U'–')))),
       m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))),
       m_theme(themes().front()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Fragments"));
-  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
   measure();
@@ -85,6 +86,9 @@ void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) 
   m_values = values;
   m_chosen = crossings.chosen;
   m_shown = rowsOf(crossings, values, mostRows);
+  m_names.clear();
+  for (const Crossing &crossing : crossings.all)
+    m_names << QString::fromStdString(crossing.name);
   m_numbers.clear();
   for (const FragmentRow &row : m_shown.rows)
     m_numbers.push_back(numbersOf(row));
@@ -109,20 +113,24 @@ void FragmentTable::setTheme(const Theme &theme) {
 }
 
 void FragmentTable::measure() {
-  const QFontMetricsF metrics(bold(font()));
+  const QFontMetricsF usual(font());
+  const QFontMetricsF emphasised(bold(font()));
   FragmentNeeds needs;
-  needs.line = QFontMetricsF(font()).height();
-  needs.name = QFontMetricsF(font()).horizontalAdvance(tr("fragment"));
-  for (const FragmentRow &row : m_shown.rows)
-    needs.name =
-        std::max(needs.name, metrics.horizontalAdvance(QString::fromStdString(row.crossing.name)));
+  needs.line = usual.height();
+  needs.name = usual.horizontalAdvance(tr("fragment"));
+  for (const QString &name : m_names)
+    needs.name = std::max(needs.name, emphasised.horizontalAdvance(name));
   for (const Standing standing : allStandings)
-    needs.verdict = std::max(needs.verdict, metrics.horizontalAdvance(wordsOf(standing)));
+    needs.verdict =
+        std::max(needs.verdict, (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
   needs.number = m_widest->width() * emPixels();
   // Room for what the painter rounds up.
   needs.name = std::ceil(needs.name) + 1;
   needs.verdict = std::ceil(needs.verdict) + 1;
-  m_needs = needs;
+  if (m_held)
+    needs.name = std::max(needs.name, m_needs.name);
+  if (std::exchange(m_needs, needs) != needs)
+    updateGeometry();
 }
 
 void FragmentTable::settleHeight() {
@@ -141,8 +149,10 @@ bool FragmentTable::isHidden(const FragmentRow &row) const {
 FragmentTable::Numbers FragmentTable::numbersOf(const FragmentRow &row) const {
   if (m_values == LiveValues::Hidden)
     return {m_unknown, m_unknown, m_unknown};
-  if (!row.crossing.at || row.standing == Standing::NotAsked)
+  if (row.standing == Standing::NotAsked)
     return {};
+  if (!row.crossing.at)
+    return {m_none, m_none, m_none};
   const Crossing::Place &at = *row.crossing.at;
   const auto picture = [this](const Rational &number) {
     return m_typesetter.picture(formulaOfNumber(number));
@@ -198,7 +208,7 @@ QSize FragmentTable::sizeHint() const {
 
 QSize FragmentTable::minimumSizeHint() const {
   const int least = static_cast<int>(smallestWidthInLines * m_needs.line);
-  return {least, heightForWidth(std::max(least, width()))};
+  return {least, 0};
 }
 
 std::size_t FragmentTable::numberAt(QPoint place) const {
@@ -271,10 +281,8 @@ void FragmentTable::focusOutEvent(QFocusEvent *event) {
 }
 
 void FragmentTable::changeEvent(QEvent *event) {
-  if (event->type() == QEvent::FontChange) {
+  if (event->type() == QEvent::FontChange)
     measure();
-    updateGeometry();
-  }
   QWidget::changeEvent(event);
 }
 
@@ -328,17 +336,19 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
   const double middle = place.top() + columns.wordsMiddle();
   if (m_values == LiveValues::Shown)
     paintMark(painter, {columns.mark, middle}, markRadius * m_needs.line, shown.standing, ink);
-  const bool isNearest = shown.standing == Standing::First || shown.standing == Standing::FirstSoFar;
-  painter.setFont(isNearest && !isHidden(shown) ? bold(font()) : font());
+  painter.setFont(isNearest(shown.standing) && !isHidden(shown) ? bold(font()) : font());
   painter.setPen(ink);
   const double top = middle - m_needs.line / 2;
-  const QString name = QFontMetricsF(painter.font())
-                           .elidedText(QString::fromStdString(shown.crossing.name), Qt::ElideRight,
-                                       columns.name.width);
-  painter.drawText(QRectF(columns.name.left, top, columns.name.width, m_needs.line), Qt::AlignVCenter, name);
-  painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, m_needs.line),
-                   verdictFlags(columns),
-                   verdictOf(shown));
+  const QFontMetricsF metrics(painter.font());
+  const auto paintWords = [&](const FragmentColumns::Column &column, double room, const QString &words, int flags) {
+    painter.drawText(QRectF(column.left, top, column.width, m_needs.line), flags,
+                     metrics.elidedText(words, Qt::ElideRight, room));
+  };
+  const QString verdict = verdictOf(shown);
+  paintWords(columns.verdict, columns.verdict.width, verdict, verdictFlags(columns));
+  const double taken = columns.isStacked ? metrics.horizontalAdvance(verdict + ' ') : 0;
+  paintWords(columns.name, columns.name.width - taken, QString::fromStdString(shown.crossing.name),
+             Qt::AlignVCenter);
   for (std::size_t i = 0; i < m_numbers[row].size(); ++i)
     if (m_numbers[row][i])
       paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(), ink);

@@ -84,10 +84,12 @@ private:
 
   const Typesetter &m_typesetter;
   FragmentRows m_shown;
+  QStringList m_names; ///< of all, so that the columns do not depend on which have a row
   std::vector<Numbers> m_numbers; ///< of each row
   std::array<Typesetter::Picture, 3> m_heads;
   Typesetter::Picture m_start;
   Typesetter::Picture m_unknown;
+  Typesetter::Picture m_none; ///< where the plane is not crossed in a point
   Typesetter::Picture m_widest; ///< a number as wide as they get
   FragmentNeeds m_needs;
   std::size_t m_chosen = 0;
