@@ -1,17 +1,11 @@
 #include "widgets/view/tool_icons.h"
 
-#include <QPainter>
-#include <QPainterPath>
+#include "widgets/drawn_icon.h"
 
 #include <initializer_list>
 
 namespace halfspace {
 namespace {
-
-/// Icons are drawn on a square of this side, and scaled.
-constexpr double side = 16;
-constexpr double penWidth = 1.4;
-constexpr int sizes[] = {16, 24, 32, 48, 64, 96};
 
 QPainterPath lines(std::initializer_list<QLineF> pieces) {
   QPainterPath path;
@@ -55,19 +49,6 @@ QPainterPath pathOf(ToolIcon tool) {
 
 } // namespace
 
-QIcon iconOf(ToolIcon tool, const QColor &ink) {
-  QIcon icon;
-  for (const int size : sizes) {
-    QPixmap pixmap(size, size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(size / side, size / side);
-    painter.setPen(QPen(ink, penWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(pathOf(tool));
-    icon.addPixmap(pixmap);
-  }
-  return icon;
-}
+QIcon iconOf(ToolIcon tool, const QColor &ink) { return drawnIcon(pathOf(tool), ink); }
 
 } // namespace halfspace

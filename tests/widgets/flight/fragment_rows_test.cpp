@@ -1,0 +1,83 @@
+// Which fragments have a row, and in which order.
+#include "some_crossings.h"
+#include "widgets/flight/fragment_rows.h"
+
+#include <QtTest>
+
+using namespace halfspace;
+using namespace halfspace::test;
+
+namespace {
+
+std::vector<std::size_t> numbersOf(const FragmentRows &shown) {
+  std::vector<std::size_t> numbers;
+  for (const FragmentRow &row : shown.rows)
+    numbers.push_back(row.crossing.number);
+  return numbers;
+}
+
+using Numbers = std::vector<std::size_t>;
+
+} // namespace
+
+class FragmentRowsTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void rows_ofCrossings_standInTheirOrder_partedAtTheStart() {
+    const FragmentRows shown = rowsOf(someCrossings(), LiveValues::Shown, 24);
+    QCOMPARE(numbersOf(shown), (Numbers{4, 3, 1, 5, 6, 2}));
+    for (const FragmentRow &row : shown.rows)
+      QCOMPARE(row.beginsRay, row.crossing.number == 3);
+    QCOMPARE(shown.leftOut, std::size_t(0));
+  }
+
+  void rows_whileHidden_standByNumber_andTellNothing() {
+    const FragmentRows shown = rowsOf(someCrossings(), LiveValues::Hidden, 24);
+    QCOMPARE(numbersOf(shown), (Numbers{1, 2, 3, 4, 5, 6}));
+    for (const FragmentRow &row : shown.rows)
+      QVERIFY(!row.beginsRay);
+  }
+
+  void rows_ofThoseNotAskedYet_standBehindByNumber() {
+    Crossings crossings = someCrossings();
+    crossings.chosen = 2;
+    crossings.nearestSoFar = 1;
+    QCOMPARE(numbersOf(rowsOf(crossings, LiveValues::Shown, 24)), (Numbers{1, 2, 3, 4, 5, 6}));
+    crossings.chosen = 4;
+    crossings.nearestSoFar = 3;
+    QCOMPARE(numbersOf(rowsOf(crossings, LiveValues::Shown, 24)), (Numbers{4, 3, 1, 2, 5, 6}));
+  }
+
+  void rows_whereThereIsRoomForFew_areHitsFirst() {
+    QCOMPARE(numbersOf(rowsOf(someCrossings(), LiveValues::Shown, 3)), (Numbers{3, 1, 5}));
+    Crossings crossings = someCrossings();
+    crossings.chosen = 2;
+    QCOMPARE(numbersOf(rowsOf(crossings, LiveValues::Shown, 3)), (Numbers{3, 1, 2}));
+    QCOMPARE(rowsOf(crossings, LiveValues::Shown, 3).leftOut, std::size_t(3));
+    QVERIFY(!rowsOf(crossings, LiveValues::Shown, 3).leftOutAreOutside);
+  }
+
+  void rows_ofManyOutside_sayWhatIsLeftOut() {
+    Crossings crossings = someCrossings();
+    crossings.all.erase(crossings.all.end() - 1);
+    for (std::size_t i = 7; i < 19; ++i)
+      crossings.all.push_back(crossingAt(i, RayTriangleCase::Miss, Rational(2)));
+    crossings.fragments = crossings.all.size();
+    const FragmentRows shown = rowsOf(crossings, LiveValues::Shown, 6);
+    QCOMPARE(numbersOf(shown), (Numbers{3, 1, 5, 6, 7, 8}));
+    QCOMPARE(shown.leftOut, std::size_t(11));
+    QVERIFY(!shown.leftOutAreOutside); // one is behind
+  }
+
+  void rows_ofVeryMany_countThoseThatAreNotTold() {
+    Crossings crossings = someCrossings();
+    crossings.all = {crossings.all[1]};
+    crossings.fragments = 1'000'000;
+    QCOMPARE(rowsOf(crossings, LiveValues::Shown, 24).leftOut, std::size_t(999'999));
+    QVERIFY(!rowsOf(crossings, LiveValues::Shown, 24).leftOutAreOutside);
+  }
+};
+
+QTEST_APPLESS_MAIN(FragmentRowsTest)
+#include "fragment_rows_test.moc"

@@ -1,0 +1,215 @@
+#include "widgets/flight/flight_bar.h"
+
+#include "lessons/term/plain_text.h"
+#include "widgets/colors.h"
+#include "widgets/flow_layout.h"
+#include "widgets/picture/term_formula.h"
+
+#include <QActionGroup>
+#include <QEvent>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <array>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+constexpr std::array<double, 3> speeds{0.5, 1, 2};
+/// The readout is rounded to such steps.
+const Rational readoutStep(1, 100);
+/// Beyond it the readout has as many digits as other numbers have.
+constexpr double largestReadout = 1000;
+constexpr int usualGap = 4;
+
+QString nameOfSpeed(double speed) {
+  return speed == 0.5 ? QStringLiteral("½×") : QString::number(speed) + QStringLiteral("×");
+}
+
+/// The present t to two places; = only where it has no more.
+WrittenNumber shown(double t) {
+  if (std::abs(t) >= largestReadout)
+    return {rounded(t), false};
+  const Rational near = roundToMultiple(t, readoutStep);
+  return {decimalOf(Surd(near)).term, toDouble(near) == t};
+}
+
+math::Row formulaOfTime(const math::Row &value, char32_t relation) {
+  return math::row(math::letter('t'), math::symbol(relation, math::AtomClass::Rel), value);
+}
+
+} // namespace
+
+FlightBar::FlightBar(const Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_typesetter(typesetter), m_readout(new MathLabel(typesetter)),
+      m_axis(new FlightAxis(typesetter)), m_theme(themes().front()) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(usualGap);
+  auto *controls = new FlowLayout;
+  layout->addLayout(controls);
+  makeButtons();
+  for (QToolButton *button : m_buttons)
+    controls->addWidget(button);
+  controls->addWidget(m_readout);
+  layout->addWidget(m_axis);
+  connectAxis();
+  setSizes();
+  setTheme(m_theme);
+}
+
+void FlightBar::makeButtons() {
+  for (const char *name : {"fire", "stepBack", "play", "stepForward", "automatic", "speed"}) {
+    auto *made = new QToolButton;
+    made->setObjectName(name);
+    made->setFocusPolicy(Qt::StrongFocus);
+    made->setAutoRaise(m_buttons.size() > 0); // the first is the one to begin with
+    m_buttons << made;
+  }
+  button(FlightControl::Fire).setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button(FlightControl::Fire).setText(tr("Fire"));
+  button(FlightControl::Automatic).setCheckable(true);
+  makeSpeeds();
+  const auto when = [this](FlightControl control, auto slot) {
+    connect(&button(control), &QToolButton::clicked, this, slot);
+  };
+  when(FlightControl::Fire, [this] { emit fire(); });
+  when(FlightControl::StepBack, [this] { emit stepped(-1); });
+  when(FlightControl::StepForward, [this] { emit stepped(1); });
+  when(FlightControl::Play, [this] { emit playToggled(!m_state.isPlaying); });
+  when(FlightControl::Automatic, [this](bool on) {
+    button(FlightControl::Automatic).setChecked(m_state.isAutomatic); // until it is told
+    emit automaticToggled(on);
+  });
+}
+
+void FlightBar::makeSpeeds() {
+  QToolButton &speed = button(FlightControl::Speed);
+  auto *menu = new QMenu(&speed);
+  auto *group = new QActionGroup(menu);
+  for (const double each : speeds) {
+    QAction *action = menu->addAction(nameOfSpeed(each));
+    action->setCheckable(true);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, each] {
+      showControls(); // until it is told
+      emit speedChanged(each);
+    });
+    m_speeds << action;
+  }
+  speed.setMenu(menu);
+  speed.setPopupMode(QToolButton::InstantPopup);
+  speed.setToolButtonStyle(Qt::ToolButtonTextOnly);
+  speed.setStyleSheet("QToolButton { padding-right: 1em; }"); // for the menu's arrow
+}
+
+void FlightBar::connectAxis() {
+  connect(m_axis, &FlightAxis::scrubBegun, this, &FlightBar::scrubBegun);
+  connect(m_axis, &FlightAxis::scrubbed, this, &FlightBar::scrubbed);
+  connect(m_axis, &FlightAxis::scrubEnded, this, &FlightBar::scrubEnded);
+  connect(m_axis, &FlightAxis::chosen, this, &FlightBar::chosen);
+  connect(m_axis, &FlightAxis::hovered, this, &FlightBar::hovered);
+}
+
+QToolButton &FlightBar::button(FlightControl control) const {
+  return *m_buttons.at(static_cast<int>(control));
+}
+
+void FlightBar::setState(const FlightState &state) {
+  FlightState before = std::exchange(m_state, state);
+  before.t = state.t;
+  if (before != state) // in flight nothing but t is new
+    showControls();
+  showTime();
+}
+
+void FlightBar::setCrossings(const Crossings &crossings) { m_axis->setCrossings(crossings); }
+
+void FlightBar::setHovered(std::size_t number) { m_axis->setHovered(number); }
+
+void FlightBar::setHeld(bool held) { m_axis->setHeld(held); }
+
+void FlightBar::setShortcut(FlightControl control, const QKeySequence &keys) {
+  button(control).setShortcut(keys);
+  showControls();
+}
+
+void FlightBar::setTheme(const Theme &theme) {
+  m_theme = theme;
+  m_axis->setTheme(theme);
+  m_readout->setInkOf([ink = toQColor(theme.ink)](const QString &) { return ink; });
+  button(FlightControl::Fire).setIcon(iconOf(FlightIcon::Fire, toQColor(theme.inkOf(Subject::Point))));
+  for (const auto &[control, icon] : {std::pair{FlightControl::StepBack, FlightIcon::StepBack},
+                                      {FlightControl::StepForward, FlightIcon::StepForward},
+                                      {FlightControl::Automatic, FlightIcon::Automatic}})
+    button(control).setIcon(iconOf(icon, toQColor(theme.ink)));
+  m_play = iconOf(FlightIcon::Play, toQColor(theme.ink));
+  m_pause = iconOf(FlightIcon::Pause, toQColor(theme.ink));
+  showControls();
+  showTime();
+}
+
+void FlightBar::describe(FlightControl control, const QString &words) {
+  QToolButton &described = button(control);
+  described.setAccessibleName(words);
+  const QString keys = described.shortcut().toString(QKeySequence::NativeText);
+  described.setToolTip(keys.isEmpty() ? words : tr("%1 (%2)", "a control and its key").arg(words, keys));
+}
+
+void FlightBar::showControls() {
+  button(FlightControl::Fire).setEnabled(m_state.canFire);
+  const bool canMove = !m_state.hidden;
+  button(FlightControl::StepBack).setEnabled(canMove);
+  button(FlightControl::StepForward).setEnabled(canMove);
+  button(FlightControl::Play).setEnabled(canMove && !m_state.reducedMotion);
+  button(FlightControl::Automatic).setChecked(m_state.isAutomatic);
+  button(FlightControl::Speed).setEnabled(!m_state.reducedMotion);
+  button(FlightControl::Speed).setText(nameOfSpeed(m_state.speed));
+  for (int i = 0; i < m_speeds.size(); ++i)
+    m_speeds[i]->setChecked(speeds.at(static_cast<std::size_t>(i)) == m_state.speed);
+  describe(FlightControl::Fire, tr("Fire the torpedo"));
+  describe(FlightControl::StepBack, tr("One step back"));
+  describe(FlightControl::StepForward, tr("One step on"));
+  describe(FlightControl::Play, m_state.reducedMotion ? tr("Motion is switched off")
+                                : m_state.isPlaying   ? tr("Pause")
+                                                      : tr("Play"));
+  describe(FlightControl::Automatic, tr("Fire by itself, again and again"));
+  describe(FlightControl::Speed, tr("Speed: %1").arg(nameOfSpeed(m_state.speed)));
+  button(FlightControl::Play).setIcon(m_state.isPlaying ? m_pause : m_play);
+  m_axis->setHidden(m_state.hidden);
+}
+
+QString FlightBar::readout() const {
+  if (m_state.hidden || !std::isfinite(m_state.t))
+    return "t = ?";
+  return "t" + QString::fromStdString(relatedText(shown(m_state.t)));
+}
+
+void FlightBar::showTime() {
+  m_axis->setTime(m_state.t);
+  if (m_state.hidden || !std::isfinite(m_state.t))
+    return m_readout->setFormula(formulaOfTime(math::row(math::symbol('?')), '='), readout());
+  const WrittenNumber value = shown(m_state.t);
+  m_readout->setFormula(formulaOfTime(formulaOf(value.term), value.exact ? U'=' : U'≈'), readout());
+}
+
+void FlightBar::setSizes() {
+  const int side = fontMetrics().height();
+  for (QToolButton *each : m_buttons)
+    each->setIconSize({side, side});
+  // As wide as it may become: what stands behind it does not move.
+  MathLabel widest(m_typesetter);
+  widest.setFont(font());
+  widest.setFormula(formulaOfTime(math::row(math::symbol(U'−'), math::number("888.88")), U'≈'), {});
+  m_readout->setFixedSize(widest.sizeHint().width(), button(FlightControl::StepBack).sizeHint().height());
+}
+
+void FlightBar::changeEvent(QEvent *event) {
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    setSizes();
+  QWidget::changeEvent(event);
+}
+
+} // namespace halfspace

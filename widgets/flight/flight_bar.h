@@ -1,0 +1,88 @@
+// The controls of a flight along a ray, and the axis of its parameter.
+#pragma once
+
+#include "widgets/flight/flight_axis.h"
+#include "widgets/flight/flight_icons.h"
+#include "widgets/text/math_label.h"
+
+#include <QKeySequence>
+
+#include <cstdint>
+
+class QAction;
+class QToolButton;
+
+namespace halfspace {
+
+/// What the bar shows.
+struct FlightState {
+  double t = 0; ///< where the torpedo is
+  bool isPlaying = false;
+  double speed = 1;
+  bool canFire = true;
+  bool isAutomatic = false;
+  bool reducedMotion = false; ///< nothing flies: there is nothing to play, and no speed
+  bool hidden = false;        ///< a question is open
+  bool operator==(const FlightState &) const = default;
+};
+
+enum class FlightControl : std::uint8_t { Fire, StepBack, Play, StepForward, Automatic, Speed };
+
+/// Holds nothing: a button only says what is wanted, and shows it once it is told.
+class FlightBar : public QWidget {
+  Q_OBJECT
+public:
+  /// The typesetter must outlive the bar.
+  explicit FlightBar(const Typesetter &typesetter, QWidget *parent = nullptr);
+
+  void setState(const FlightState &state);
+  void setCrossings(const Crossings &crossings);
+  /// The pointer is on this fragment somewhere else; 0 for none.
+  void setHovered(std::size_t number);
+  void setHeld(bool held);
+  void setTheme(const Theme &theme);
+  /// The key of a control, wherever in the window the focus is; its tool tip tells it.
+  void setShortcut(FlightControl control, const QKeySequence &keys);
+
+  [[nodiscard]] const FlightState &state() const { return m_state; }
+  [[nodiscard]] FlightAxis &axis() const { return *m_axis; }
+  [[nodiscard]] QToolButton &button(FlightControl control) const;
+  /// The present t, as it is read: t ≈ 0.33.
+  [[nodiscard]] QString readout() const;
+
+signals:
+  void fire();
+  void playToggled(bool play);
+  void stepped(int direction); ///< −1 or 1
+  void automaticToggled(bool on);
+  void speedChanged(double speed);
+  void scrubBegun();
+  void scrubbed(double t);
+  void scrubEnded();
+  void chosen(std::size_t number);
+  void hovered(std::size_t number); ///< 0: none any more
+
+protected:
+  void changeEvent(QEvent *event) override;
+
+private:
+  void makeButtons();
+  void makeSpeeds();
+  void connectAxis();
+  void showControls();
+  void showTime();
+  void describe(FlightControl control, const QString &words);
+  void setSizes();
+
+  const Typesetter &m_typesetter;
+  QList<QToolButton *> m_buttons; ///< by FlightControl
+  QList<QAction *> m_speeds;
+  QIcon m_play;
+  QIcon m_pause;
+  MathLabel *m_readout;
+  FlightAxis *m_axis;
+  FlightState m_state;
+  Theme m_theme;
+};
+
+} // namespace halfspace

@@ -1,0 +1,103 @@
+// The fragments that a ray is held against, with its crossings of their planes.
+#pragma once
+
+#include "widgets/flight/fragment_columns.h"
+#include "widgets/flight/fragment_rows.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QWidget>
+
+#include <array>
+
+namespace halfspace {
+
+/// A row for each fragment: its name, where the ray's line crosses its plane, and a verdict in words. A rule
+/// parts what lies behind the ray's start. It is told what to show and which row is chosen; a click, or a key,
+/// only says which one is wanted.
+class FragmentTable : public QWidget {
+  Q_OBJECT
+public:
+  /// Further fragments are counted in a last line.
+  static constexpr std::size_t mostRows = 24;
+
+  /// The typesetter must outlive the table.
+  explicit FragmentTable(const Typesetter &typesetter, QWidget *parent = nullptr);
+
+  /// Hidden, while a question is open: neither numbers nor verdicts, nor an order that tells of them.
+  void setCrossings(const Crossings &crossings, LiveValues values = LiveValues::Shown);
+  /// The pointer is on this fragment somewhere else; 0 for none.
+  void setHovered(std::size_t number);
+  /// While it is held it becomes no lower.
+  void setHeld(bool held);
+  void setTheme(const Theme &theme);
+
+  [[nodiscard]] const std::vector<FragmentRow> &rows() const { return m_shown.rows; }
+  /// Where a row is, counted from 0 as they are shown.
+  [[nodiscard]] QRect rowRect(std::size_t row) const;
+  /// A row as it is read aloud.
+  [[nodiscard]] QString spoken(std::size_t row) const;
+  /// What the last line says of fragments without a row; empty where all have one.
+  [[nodiscard]] QString leftOutWords() const;
+
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+  void chosen(std::size_t number);
+  void hovered(std::size_t number); ///< 0: none any more
+
+protected:
+  void paintEvent(QPaintEvent *event) override;
+  void mouseMoveEvent(QMouseEvent *event) override;
+  void mousePressEvent(QMouseEvent *event) override;
+  void leaveEvent(QEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
+  void focusInEvent(QFocusEvent *event) override;
+  void focusOutEvent(QFocusEvent *event) override;
+  void changeEvent(QEvent *event) override;
+
+private:
+  using Numbers = std::array<Typesetter::Picture, 3>; ///< null where there is none
+
+  void measure();
+  void settleHeight();
+  void pointAt(std::size_t number);
+  void chooseRow(std::size_t row);
+  [[nodiscard]] double emPixels() const;
+  [[nodiscard]] Numbers numbersOf(const FragmentRow &row) const;
+  /// The number of the fragment at a place; 0 for none.
+  [[nodiscard]] std::size_t numberAt(QPoint place) const;
+  [[nodiscard]] std::optional<std::size_t> chosenRow() const;
+  [[nodiscard]] QColor inkOf(const FragmentRow &row) const;
+  [[nodiscard]] QString verdictOf(const FragmentRow &row) const;
+  [[nodiscard]] bool isHidden(const FragmentRow &row) const;
+  [[nodiscard]] FragmentColumns columns() const;
+
+  void paintHead(QPainter &painter, const FragmentColumns &columns) const;
+  void paintRow(QPainter &painter, const FragmentColumns &columns, std::size_t row) const;
+  void paintBackground(QPainter &painter, const FragmentRow &row, const QRectF &place) const;
+  void paintStart(QPainter &painter, double y, const FragmentColumns &columns) const;
+  void paintNumber(QPainter &painter, const MathPicture &picture, const FragmentColumns::Column &column,
+                   double middle, const QColor &ink) const;
+
+  const Typesetter &m_typesetter;
+  FragmentRows m_shown;
+  QStringList m_names; ///< of all, so that the columns do not depend on which have a row
+  std::vector<Numbers> m_numbers; ///< of each row
+  std::array<Typesetter::Picture, 3> m_heads;
+  Typesetter::Picture m_start;
+  Typesetter::Picture m_unknown;
+  Typesetter::Picture m_none; ///< where the plane is not crossed in a point
+  Typesetter::Picture m_widest; ///< a number as wide as they get
+  FragmentNeeds m_needs;
+  std::size_t m_chosen = 0;
+  std::size_t m_hovered = 0;
+  LiveValues m_values = LiveValues::Shown;
+  bool m_held = false;
+  double m_lineCount = 0; ///< rows, and the last line where there is one; while held the most there were
+  Theme m_theme;
+};
+
+} // namespace halfspace
