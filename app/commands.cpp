@@ -9,6 +9,7 @@
 #include "lessons/scene/explain_formats.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
+#include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_page.h"
@@ -19,6 +20,8 @@
 #include "widgets/typeset/typesetter.h"
 
 #include <nlohmann/json.hpp>
+
+#include <unistd.h>
 
 namespace halfspace {
 namespace {
@@ -84,6 +87,11 @@ int runNewLesson(const NewLessonCommand &command) {
 }
 
 int runConstructions() { return printOut(referenceOfConstructions()); }
+
+int runReadMesh(const ReadMeshCommand &command) {
+  boundThisProcess();
+  return serveMesh(command.file, STDOUT_FILENO);
+}
 
 int runCheck(const CheckCommand &command) {
   std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
