@@ -3,6 +3,7 @@
 #include "geometry/decide.h"
 #include "widgets/mesh_files/numbering.h"
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +69,7 @@ TEST(MakeShape, MergesEqualCornersAndMovesTheBoxOntoTheGround) {
 
 TEST(MakeShape, LeavesOutBrokenTrianglesAndTheirPlaces) {
   RawMesh raw = unshared({{o, x, y}, {o, Vec3<float>(NAN, 900, 0), z}, {o, Vec3<float>(0, INFINITY, 0), z}});
-  raw.triangles.push_back({0, 1, 9});
+  raw.triangles.push_back({0, 1, 99});
   raw.triangles.push_back({noCorner, 1, 2});
   raw.corners.emplace_back(5000, 5000, 5000); // of no triangle
   raw.triangles.push_back({0, 1, 10});

@@ -26,7 +26,7 @@ template <class Value> std::string turnedBytesOf(const Value &value) {
 using StlTriangle = std::array<Vec3<float>, 3>;
 
 inline std::string binaryStlHead(std::uint32_t count, std::string header = "made by a test") {
-  header.resize(80, ' ');
+  header.resize(80, '\0');
   return header + bytesOf(count);
 }
 inline void addTo(std::string &stl, const StlTriangle &triangle) {

@@ -3,8 +3,6 @@
 #include "tests/mesh_files/mesh_texts.h"
 #include "tests/program_test.h"
 
-#include <vtkObject.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +10,6 @@ namespace halfspace {
 namespace {
 
 struct ReadMesh : ProgramTest {
-  void SetUp() override {
-    ProgramTest::SetUp();
-    vtkObject::GlobalWarningDisplayOff();
-  }
-
   /// The mesh in a file of this name and content.
   [[nodiscard]] Result<RawMesh> read(const std::string &name, const std::string &content) const {
     write(name, content);
@@ -63,7 +56,7 @@ std::string plyHead(const std::string &format, const std::string &corners, const
 
 template <class Bytes> std::string binaryTetrahedronPly(const std::string &format, Bytes bytes) {
   std::string ply = plyHead(format, "4", "4");
-  for (const float number : {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4})
+  for (const float number : {0.0F, 0.0F, 0.0F, 4.0F, 0.0F, 0.0F, 0.0F, 4.0F, 0.0F, 0.0F, 0.0F, 4.0F})
     ply += bytes(number);
   for (const std::array<int, 3> &face : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
     ply += '\3';
@@ -112,7 +105,7 @@ TEST_F(ReadMesh, AFaceWithACornerThatPointsInwardsStaysWhatItIs) {
   ASSERT_EQ(arrow.size(), 2U);
   for (const StlTriangle &triangle : arrow)
     EXPECT_GT(twiceAreaOf({triangle}) * twiceAreaOf(arrow), 0);
-  EXPECT_EQ(std::abs(twiceAreaOf(arrow)), 48);
+  EXPECT_EQ(std::abs(twiceAreaOf(arrow)), 16);
 }
 
 TEST_F(ReadMesh, ObjCountsNegativeNumbersFromTheLastCorner) {
@@ -162,13 +155,13 @@ TEST_F(ReadMesh, ThatIsCutOffIsRefused) {
 }
 
 TEST_F(ReadMesh, TellsHowFarItIs) {
-  write("a.stl", binaryStl(std::vector<StlTriangle>(50'000, tetrahedronTriangles().front())));
+  write("a.stl", binaryStl(std::vector<StlTriangle>(800'000, tetrahedronTriangles().front())));
   std::vector<double> parts;
   ASSERT_TRUE(readMeshWithVtk(inFolder("a.stl"), [&](std::optional<double> part) {
     if (part)
       parts.push_back(*part);
   }));
-  EXPECT_GE(parts.size(), 5U);
+  ASSERT_GE(parts.size(), 5U);
   EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
   EXPECT_GT(parts.back(), 0.8);
   EXPECT_LE(parts.back(), 1);

@@ -203,6 +203,7 @@ Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDon
   const auto format = checkMeshFile(file);
   if (!format)
     return format.problem();
+  vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by sentences
   try {
     const auto data = readData(file, *format, partDone);
     if (!data)

@@ -4,8 +4,6 @@
 #include "widgets/mesh_files/mesh_wire.h"
 #include "widgets/mesh_files/read_mesh.h"
 
-#include <vtkObject.h>
-
 #include <algorithm>
 #include <sys/resource.h>
 
@@ -42,7 +40,6 @@ void boundThisProcess(std::size_t memory, unsigned seconds) {
 
 int serveMesh(const std::filesystem::path &file, int descriptor) {
   const ByteSink sink = [descriptor](std::string_view bytes) { return writeAll(descriptor, bytes) == 0; };
-  vtkObject::GlobalWarningDisplayOff();
   if (!sendBeginning(sink))
     return exitNotServed;
   double told = -1;
