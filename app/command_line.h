@@ -70,9 +70,9 @@ struct PrintCommand {
   bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
-using Command = std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand,
-                             CheckCommand, ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand,
-                             PrintCommand>;
+using Command =
+    std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand, CheckCommand,
+                 ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

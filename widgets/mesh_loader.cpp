@@ -24,8 +24,8 @@ constexpr qint64 millisecondsBetweenNews = 40;
 constexpr qint64 pieceSize = 1 << 20;
 
 /// Which part of the whole the file's reading, its way here, and making it ready are; by measurement.
-constexpr double untilRead = 0.4;
-constexpr double untilArrived = 0.5;
+constexpr double untilRead = 0.25;
+constexpr double untilArrived = 0.3;
 
 QString inQt(const std::string &text) { return QString::fromStdString(text); }
 
@@ -111,8 +111,8 @@ void MeshLoader::start(const QString &file) {
   auto job = std::make_unique<Job>();
   m_current = job.get();
   m_jobs.push_back(std::move(job));
-  m_current->thread.reset(
-      QThread::create([this, &started = *m_current, program = m_program, file] { run(started, program, file); }));
+  m_current->thread.reset(QThread::create(
+      [this, &started = *m_current, program = m_program, file] { run(started, program, file); }));
   m_current->thread->start();
 }
 

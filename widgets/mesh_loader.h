@@ -26,15 +26,15 @@ public:
 
   /// What is being loaded is cancelled first. Exactly one of loaded, failed and cancelled follows.
   void start(const QString &file);
-  /// Nothing more is told of what is being loaded than that it is cancelled, at once; its process is killed and
-  /// its thread ended, but not waited for. Without anything to cancel nothing happens.
+  /// Nothing more is told of what is being loaded than that it is cancelled, at once; its process is killed
+  /// and its thread ended, but not waited for. Without anything to cancel nothing happens.
   void cancel();
   [[nodiscard]] bool isLoading() const { return m_current != nullptr; }
 
 signals:
   /// How much is done, from 0 to 1, or below 0 where that is not known, and what is being done, in words.
   void progressed(double part, const QString &what);
-  void loaded(const LoadedMesh &mesh);
+  void loaded(const halfspace::LoadedMesh &mesh);
   void failed(const QString &sentence);
   void cancelled();
 

@@ -38,7 +38,8 @@ TEST(CheckMeshFile, TellsTheFormatByTheContentWhateverTheName) {
 }
 
 TEST(CheckMeshFile, BinaryStlThatBeginsAsTextIsToldByItsLength) {
-  expectFormat(check(binaryStl(tetrahedronTriangles(), "solid made by a test"), ".stl"), MeshFormat::BinaryStl);
+  expectFormat(check(binaryStl(tetrahedronTriangles(), "solid made by a test"), ".stl"),
+               MeshFormat::BinaryStl);
 }
 
 TEST(CheckMeshFile, BinaryStlWithTooSmallACountIsReadToItsEnd) {
@@ -66,8 +67,9 @@ TEST(CheckMeshFile, WithTooManyTrianglesIsRefused) {
 }
 
 TEST(CheckMeshFile, PlyThatAnnouncesMoreThanIsThereIsRefused) {
-  const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
-                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string head =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   expectRefused(check(head + std::string(100, '\0'), ".ply"), "cut off");
 }
 

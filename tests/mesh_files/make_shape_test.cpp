@@ -111,7 +111,8 @@ TEST(MakeShape, AMillionTrianglesInOnePointAreAProblemThatSaysSo) {
     raw.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   const auto mesh = make(std::move(raw));
   ASSERT_FALSE(mesh);
-  EXPECT_NE(mesh.problem().sentence.find("1000000 have no area"), std::string::npos) << mesh.problem().sentence;
+  EXPECT_NE(mesh.problem().sentence.find("1000000 have no area"), std::string::npos)
+      << mesh.problem().sentence;
 }
 
 TEST(MakeShape, OfNothingThatIsWholeIsAProblem) {
@@ -204,9 +205,11 @@ TEST(MakeShape, TellsHowFarItIs) {
 TEST(Numbering, CountsKeysInTheOrderInWhichTheyFirstCome) {
   Numbering<2> numbering;
   for (std::uint64_t i = 0; i < 100'000; ++i)
-    ASSERT_EQ(numbering.numberOf({i % 7 == 0 ? i : i << 40U, i}), std::pair(static_cast<std::uint32_t>(i), true));
+    ASSERT_EQ(numbering.numberOf({i % 7 == 0 ? i : i << 40U, i}),
+              std::pair(static_cast<std::uint32_t>(i), true));
   for (std::uint64_t i = 0; i < 100'000; ++i)
-    ASSERT_EQ(numbering.numberOf({i % 7 == 0 ? i : i << 40U, i}), std::pair(static_cast<std::uint32_t>(i), false));
+    ASSERT_EQ(numbering.numberOf({i % 7 == 0 ? i : i << 40U, i}),
+              std::pair(static_cast<std::uint32_t>(i), false));
   EXPECT_EQ(numbering.keys().size(), 100'000U);
 }
 

@@ -81,9 +81,11 @@ TEST(MeshWire, OtherBytesAreAProblemAtOnce) {
 }
 
 TEST(MeshWire, CountsBeyondTheLimitsAreAProblemBeforeAnythingFollows) {
-  for (const auto &[corners, triangles] :
-       {std::pair<std::uint64_t, std::uint64_t>{mostMeshCorners + 1, 1}, {1, mostMeshTriangles + 1},
-        {~0ULL, ~0ULL}, {0, 1}, {1, 0}}) {
+  for (const auto &[corners, triangles] : {std::pair<std::uint64_t, std::uint64_t>{mostMeshCorners + 1, 1},
+                                           {1, mostMeshTriangles + 1},
+                                           {~0ULL, ~0ULL},
+                                           {0, 1},
+                                           {1, 0}}) {
     MeshDecoder decoder;
     decoder.feed(counts(corners, triangles));
     expectProblem(decoder);
@@ -100,8 +102,8 @@ TEST(MeshWire, TheLargestCountsTakeNoMemoryUntilTheyArrive) {
 }
 
 TEST(MeshWire, PartsThatAreNoPartsAreUnknown) {
-  for (const float part : {-1.0F, 1.5F, std::numeric_limits<float>::quiet_NaN(),
-                           std::numeric_limits<float>::infinity()}) {
+  for (const float part :
+       {-1.0F, 1.5F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     MeshDecoder decoder;
     decoder.feed(beginning() + "P" + bytesOf(0.25F));
     EXPECT_EQ(decoder.part(), 0.25);

@@ -24,8 +24,9 @@ TEST(PlyHeader, OfABinaryFileTellsItsCountsAndItsLeastContent) {
 }
 
 TEST(PlyHeader, OfATextFileCountsADigitAndItsEndForEachNumber) {
-  const auto header = readPlyHeader("ply\r\nformat ascii 1.0\r\nelement vertex 5\r\nproperty float x\r\n"
-                                    "element face 2\r\nproperty list uchar int vertex_index\r\nend_header\r\n");
+  const auto header =
+      readPlyHeader("ply\r\nformat ascii 1.0\r\nelement vertex 5\r\nproperty float x\r\n"
+                    "element face 2\r\nproperty list uchar int vertex_index\r\nend_header\r\n");
   ASSERT_TRUE(header) << header.problem().text();
   EXPECT_EQ(header->leastContent, 5U * 2 + 2U * 8);
 }
@@ -42,8 +43,9 @@ TEST(PlyHeader, WithCountsBeyondAllNumbersStaysABound) {
 TEST(PlyHeader, ThatIsDamagedSaysWhere) {
   EXPECT_NE(sentenceOf("ply\nformat ascii 1.0\nelement vertex 5\n").find("end_header"), std::string::npos);
   EXPECT_NE(sentenceOf("ply\nelement vertex 5\nend_header\n").find("format"), std::string::npos);
-  for (const char *line : {"element vertex -1", "element vertex", "element vertex 1x", "property", "property real x",
-                           "property list uchar int", "format", "format utf8 1.0", "vertex 3"}) {
+  for (const char *line :
+       {"element vertex -1", "element vertex", "element vertex 1x", "property", "property real x",
+        "property list uchar int", "format", "format utf8 1.0", "vertex 3"}) {
     const auto header = readPlyHeader("ply\nformat ascii 1.0\n" + std::string(line) + "\nend_header\n");
     ASSERT_FALSE(header) << line;
     EXPECT_EQ(header.problem().line, 3) << line;

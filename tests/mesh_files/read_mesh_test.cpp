@@ -17,7 +17,8 @@ struct ReadMesh : ProgramTest {
   }
 
   /// Likewise, its triangles by their places.
-  [[nodiscard]] std::vector<StlTriangle> triangles(const std::string &name, const std::string &content) const {
+  [[nodiscard]] std::vector<StlTriangle> triangles(const std::string &name,
+                                                   const std::string &content) const {
     const auto mesh = read(name, content);
     EXPECT_TRUE(mesh) << mesh.problem().text();
     std::vector<StlTriangle> found;
@@ -114,7 +115,8 @@ TEST_F(ReadMesh, ObjCountsNegativeNumbersFromTheLastCorner) {
 }
 
 TEST_F(ReadMesh, ObjWithTexturesAndNormalsIsRead) {
-  EXPECT_EQ(triangles("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n").size(), 1U);
+  EXPECT_EQ(triangles("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n").size(),
+            1U);
   EXPECT_EQ(triangles("b.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nvn 0 0 1\nf 1//1 2//1 3//1\n").size(), 1U);
 }
 
@@ -124,8 +126,7 @@ TEST_F(ReadMesh, NumbersOfCornersThatAreNotThereLeadNowhere) {
   EXPECT_EQ(std::count_if(obj->triangles.begin(), obj->triangles.end(),
                           [](const auto &t) { return std::count(t.begin(), t.end(), noCorner) > 0; }),
             2);
-  const auto ply =
-      read("b.ply", plyHead("ascii", "4", "2") + cornersPly + "3 0 1 2\n3 0 1 -7\n");
+  const auto ply = read("b.ply", plyHead("ascii", "4", "2") + cornersPly + "3 0 1 2\n3 0 1 -7\n");
   ASSERT_TRUE(ply) << ply.problem().text();
   EXPECT_EQ(ply->triangles, (decltype(ply->triangles){{0, 1, 2}, {0, 1, noCorner}}));
 }
@@ -150,7 +151,8 @@ TEST_F(ReadMesh, ThatIsCutOffIsRefused) {
   expectRefused("a.stl", text.substr(0, text.size() / 2), "cut off");
   const std::string binary = binaryStl(tetrahedronTriangles());
   expectRefused("b.stl", binary.substr(0, binary.size() / 2), "cut off");
-  const std::string ply = binaryTetrahedronPly("binary_little_endian", [](auto value) { return bytesOf(value); });
+  const std::string ply =
+      binaryTetrahedronPly("binary_little_endian", [](auto value) { return bytesOf(value); });
   expectRefused("c.ply", ply.substr(0, ply.size() - 1 - 13), "cut off");
 }
 

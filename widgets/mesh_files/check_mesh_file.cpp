@@ -78,8 +78,9 @@ Result<MeshFormat> checkBinaryStl(std::optional<std::uint64_t> count, std::uint6
                ? cutOff()
                : problemOf(sentenceForTooManyTriangles());
   if (*count > there)
-    return problemOf(words("The file is cut off: it says that it has {count} triangles, and {there} are there.",
-                           {{"count", std::to_string(*count)}, {"there", std::to_string(there)}}));
+    return problemOf(
+        words("The file is cut off: it says that it has {count} triangles, and {there} are there.",
+              {{"count", std::to_string(*count)}, {"there", std::to_string(there)}}));
   if (there == 0)
     return problemOf(sentenceForNoTriangles());
   return MeshFormat::BinaryStl;
@@ -145,7 +146,8 @@ Result<MeshFormat> checkMeshFile(const std::filesystem::path &file) {
       break;
   }
   head.resize(filled);
-  auto format = checkMeshHead(head, std::max<std::uint64_t>(opened->bytes, filled), file.extension().string());
+  auto format =
+      checkMeshHead(head, std::max<std::uint64_t>(opened->bytes, filled), file.extension().string());
   if (!format)
     return Problem{format.problem().sentence, file.string(), format.problem().line, ""};
   return format;

@@ -20,9 +20,9 @@ using TriangleCorners = std::array<std::uint32_t, 3>;
 constexpr std::size_t itemsBetween = 1U << 16U;
 
 /// Which part of the time each step takes; by measurement. The rest makes the search.
-constexpr double untilChecked = 0.05;
-constexpr double untilMerged = 0.3;
-constexpr double untilSorted = 0.5;
+constexpr double untilChecked = 0.03;
+constexpr double untilMerged = 0.2;
+constexpr double untilSorted = 0.33;
 
 Problem problemOf(std::string sentence) { return {std::move(sentence), "", 0, ""}; }
 
@@ -122,11 +122,13 @@ private:
   [[nodiscard]] std::optional<Result<LoadedMesh>> refusedSize() const {
     const double side = m_box.longestSide();
     if (side > longestMeshSide)
-      return problemOf(words("The mesh is too large: its longest side may be {limit} at most. Scale it down in the "
-                             "program that it comes from.",
-                             {{"limit", std::to_string(std::llround(longestMeshSide))}}));
+      return problemOf(
+          words("The mesh is too large: its longest side may be {limit} at most. Scale it down in the "
+                "program that it comes from.",
+                {{"limit", std::to_string(std::llround(longestMeshSide))}}));
     if (side > 0 && side < shortestMeshSide)
-      return problemOf(words("The mesh is too small to be drawn. Scale it up in the program that it comes from."));
+      return problemOf(
+          words("The mesh is too small to be drawn. Scale it up in the program that it comes from."));
     return {};
   }
 

@@ -20,16 +20,16 @@ inline constexpr int meshGridBits = 20;
 
 struct LoadedMesh {
   std::shared_ptr<const MeshShape> shape;
-  std::string name;          ///< the file's, without its ending
-  std::size_t triangles = 0; ///< of the shape
+  std::string name;           ///< the file's, without its ending
+  std::size_t triangles = 0;  ///< of the shape
   std::size_t degenerate = 0; ///< left out: without an area, as they are in the file or once rounded
   std::size_t repeated = 0;   ///< left out: with the same three corners as an earlier one
   std::size_t broken = 0;     ///< left out: with a corner that is not there, or is no number
   Vec3<double> size{};        ///< of the box around what is not broken, in the file's units
 };
 
-/// Moves the corners so that the middle of their box is at 0 in x and y and its lowest z is 0, rounds them to a
-/// grid as fine as a millionth of the longest side, so that fractions stay short, makes one corner of equal
+/// Moves the corners so that the middle of their box is at 0 in x and y and its lowest z is 0, rounds them to
+/// a grid as fine as a millionth of the longest side, so that fractions stay short, makes one corner of equal
 /// ones, leaves triangles out as `LoadedMesh` says, and makes the search for hits. A problem where nothing is
 /// left, or where the box is too long or too short.
 /// (1) Every corner of the shape is one that `readShape` takes.

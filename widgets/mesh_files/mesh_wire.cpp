@@ -108,8 +108,9 @@ void MeshDecoder::feed(std::string_view bytes) {
 
 void MeshDecoder::finish() {
   if (m_state != State::Done && m_state != State::Failed)
-    fail(words("Reading the file ended too early. It may be damaged, or need more memory or time than reading "
-               "a mesh is allowed."));
+    fail(
+        words("Reading the file ended too early. It may be damaged, or need more memory or time than reading "
+              "a mesh is allowed."));
 }
 
 double MeshDecoder::arrived() const {
@@ -169,13 +170,13 @@ void MeshDecoder::takeTag() {
 }
 
 void MeshDecoder::takePart() {
-  const float part = valueOf<float>(m_pending);
+  const auto part = valueOf<float>(m_pending);
   m_part = part >= 0 && part <= 1 ? std::optional<double>(part) : std::nullopt; // what is no number is not
   m_state = State::Tag;
 }
 
 void MeshDecoder::takeSentenceLength() {
-  const Count length = valueOf<Count>(m_pending);
+  const auto length = valueOf<Count>(m_pending);
   if (length == 0 || length > longestSentSentence) {
     failAsRubbish();
     return;

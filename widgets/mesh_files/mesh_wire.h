@@ -15,8 +15,8 @@ namespace halfspace {
 /// Takes the next bytes of what is sent; false where they cannot go on their way.
 using ByteSink = std::function<bool(std::string_view bytes)>;
 
-/// What is sent is this beginning, then any number of parts, then a mesh or a problem, in this machine's order
-/// of bytes.
+/// What is sent is this beginning, then any number of parts, then a mesh or a problem, in this machine's
+/// order of bytes.
 [[nodiscard]] bool sendBeginning(const ByteSink &sink);
 [[nodiscard]] bool sendPart(std::optional<double> part, const ByteSink &sink);
 [[nodiscard]] bool sendMesh(const RawMesh &mesh, const ByteSink &sink);

@@ -11,8 +11,8 @@
 
 namespace halfspace {
 
-/// Gives equal keys the same number. A key is a row of 64-bit words. Keys cannot be chosen so that they collide:
-/// where they are kept is decided anew by chance in each program.
+/// Gives equal keys the same number. A key is a row of 64-bit words. Keys cannot be chosen so that they
+/// collide: where they are kept is decided anew by chance in each program.
 template <std::size_t Words> class Numbering {
 public:
   using Key = std::array<std::uint64_t, Words>;

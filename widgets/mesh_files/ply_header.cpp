@@ -14,30 +14,29 @@
 namespace halfspace {
 namespace {
 
-/// No count that fits a file is larger. An element of a header of 64 KiB takes less than 2^20 bytes, so that the
-/// product stays far within 64 bits.
+/// No count that fits a file is larger. An element of a header of 64 KiB takes less than 2^20 bytes, so that
+/// the product stays far within 64 bits.
 constexpr std::uint64_t largestCount = 1ULL << 40U;
 constexpr std::uint64_t cornersOfFace = 3;
 /// A digit and what parts it from the next.
 constexpr std::uint64_t leastOfNumberInText = 2;
 
-constexpr std::array<std::pair<std::string_view, std::uint64_t>, 16> numberSizes{
-    {{"char", 1},
-     {"uchar", 1},
-     {"int8", 1},
-     {"uint8", 1},
-     {"short", 2},
-     {"ushort", 2},
-     {"int16", 2},
-     {"uint16", 2},
-     {"int", 4},
-     {"uint", 4},
-     {"int32", 4},
-     {"uint32", 4},
-     {"float", 4},
-     {"float32", 4},
-     {"double", 8},
-     {"float64", 8}}};
+constexpr std::array<std::pair<std::string_view, std::uint64_t>, 16> numberSizes{{{"char", 1},
+                                                                                  {"uchar", 1},
+                                                                                  {"int8", 1},
+                                                                                  {"uint8", 1},
+                                                                                  {"short", 2},
+                                                                                  {"ushort", 2},
+                                                                                  {"int16", 2},
+                                                                                  {"uint16", 2},
+                                                                                  {"int", 4},
+                                                                                  {"uint", 4},
+                                                                                  {"int32", 4},
+                                                                                  {"uint32", 4},
+                                                                                  {"float", 4},
+                                                                                  {"float32", 4},
+                                                                                  {"double", 8},
+                                                                                  {"float64", 8}}};
 
 std::optional<std::uint64_t> sizeOfNumber(std::string_view type) {
   const auto *const found = std::find_if(numberSizes.begin(), numberSizes.end(),
@@ -117,8 +116,7 @@ private:
       return false;
     const bool isCorners = isList && m_isFace && line[4].starts_with("vertex_ind");
     const std::uint64_t items = isCorners ? cornersOfFace : 0;
-    m_leastOfOne +=
-        m_text ? leastOfNumberInText * (1 + items) : *first + items * *item;
+    m_leastOfOne += m_text ? leastOfNumberInText * (1 + items) : *first + items * *item;
     return true;
   }
 
@@ -163,9 +161,10 @@ Result<PlyHeader> readPlyHeader(std::string_view head) {
   }
   auto header = reader.header();
   if (!header)
-    return Problem{words("The beginning of this PLY file does not say whether numbers or text follow: the line "
-                         "“format” is missing."),
-                   "", 0, ""};
+    return Problem{
+        words("The beginning of this PLY file does not say whether numbers or text follow: the line "
+              "“format” is missing."),
+        "", 0, ""};
   header->bytes = begin;
   return *header;
 }

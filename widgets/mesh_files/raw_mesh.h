@@ -20,7 +20,8 @@ inline constexpr std::size_t mostMeshCorners = 3 * mostMeshTriangles;
 /// A number that no corner has: of a triangle whose file names one that is not there.
 inline constexpr std::uint32_t noCorner = 0xFFFFFFFF;
 
-/// Triangles by the numbers of their corners. The numbers may lead nowhere, and the coordinates be no numbers.
+/// Triangles by the numbers of their corners. The numbers may lead nowhere, and the coordinates be no
+/// numbers.
 struct RawMesh {
   std::vector<Vec3<float>> corners;
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -39,8 +39,7 @@ using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 /// VTK's reader guesses whether a file is text; this one is told.
 class StlReader final : public vtkSTLReader {
 public:
-  vtkTypeMacro(StlReader, vtkSTLReader)
-  static StlReader *New() { VTK_STANDARD_NEW_BODY(StlReader); }
+  vtkTypeMacro(StlReader, vtkSTLReader) static StlReader *New() { VTK_STANDARD_NEW_BODY(StlReader); }
 
   /// What was read, its corners not merged; nothing where the file is not as it should be.
   vtkSmartPointer<vtkPolyData> read(const std::filesystem::path &path, MeshFormat format,
@@ -145,7 +144,8 @@ private:
       add(corners[0], corners[i], corners[i + 1]);
   }
   bool areThere(vtkIdType count, const vtkIdType *corners) const {
-    return std::all_of(corners, corners + count, [&](vtkIdType corner) { return numberOf(corner) != noCorner; });
+    return std::all_of(corners, corners + count,
+                       [&](vtkIdType corner) { return numberOf(corner) != noCorner; });
   }
   /// So that faces with corners that point inwards stay what they are.
   bool addCutWell(vtkIdType count, const vtkIdType *corners) {
@@ -211,8 +211,8 @@ Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDon
                      file.string(), 0, ""};
     return rawMeshOf(*data, file);
   } catch (const std::bad_alloc &) {
-    return Problem{words("The mesh is too large for the memory that may be used to read it."), file.string(), 0,
-                   ""};
+    return Problem{words("The mesh is too large for the memory that may be used to read it."), file.string(),
+                   0, ""};
   }
 }
 

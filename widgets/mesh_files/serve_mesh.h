@@ -1,4 +1,5 @@
-// The process that reads a stranger's mesh file, so that what the file does to the reader is done to nobody else.
+// The process that reads a stranger's mesh file, so that what the file does to the reader is done to nobody
+// else.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,8 @@ inline constexpr unsigned mostReadingSeconds = 120;
 /// keeps it from leaving its memory behind when it ends.
 void boundThisProcess(std::size_t memory = mostReadingMemory, unsigned seconds = mostReadingSeconds);
 
-/// Reads the file and writes to the descriptor what a `MeshDecoder` takes. The exit status: 0 where a mesh was
-/// written whole.
+/// Reads the file and writes to the descriptor what a `MeshDecoder` takes. The exit status: 0 where a mesh
+/// was written whole.
 [[nodiscard]] int serveMesh(const std::filesystem::path &file, int descriptor);
 
 } // namespace halfspace
