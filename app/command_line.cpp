@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "lessons/guess.h"
+#include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/picture/theme.h"
 #include "widgets/scene/offscreen.h"
 
@@ -98,6 +99,7 @@ struct Arguments {
   RenderCommand render;
   EvalCommand eval;
   NewLessonCommand newLesson;
+  ReadMeshCommand readMesh;
   OwnLessons ownLessons;
   std::string size = "1600x1000";
   int step = 0;
@@ -127,6 +129,13 @@ CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
       ->check(CLI::IsMember({"text", "latex", "json"}))
       ->capture_default_str();
   return explain;
+}
+
+/// Listed in no help: it is for the window alone.
+CLI::App *addReadMesh(CLI::App &app, ReadMeshCommand &command) {
+  auto *readMesh = app.add_subcommand(readMeshCommand, "")->group("");
+  readMesh->add_option("file", command.file, "")->required();
+  return readMesh;
 }
 
 CLI::App *addRender(CLI::App &app, Arguments &arguments) {
@@ -184,7 +193,8 @@ Command finishRender(const Arguments &arguments, bool stepGiven) {
 std::string commandMeant(const CLI::App &app, const std::optional<std::string> &subject) {
   std::vector<std::string> names;
   for (const CLI::App *command : app.get_subcommands({}))
-    names.push_back(command->get_name());
+    if (!command->get_group().empty())
+      names.push_back(command->get_name());
   const std::string meant = subject ? nearestOf(*subject, names) : std::string();
   return meant.empty() ? std::string() : " Perhaps the command “" + meant + "” is meant.";
 }
@@ -216,6 +226,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
   auto *render = addRender(app, arguments);
   auto *eval = app.add_subcommand("eval", "Answer geometry questions, one JSON object a line");
   eval->add_option("file", arguments.eval.file, "The file with the questions; standard input without one");
+  auto *readMesh = addReadMesh(app, arguments.readMesh);
   app.require_subcommand(0, 1);
 
   try {
@@ -246,6 +257,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
     return arguments.explain;
   if (eval->parsed())
     return arguments.eval;
+  if (readMesh->parsed())
+    return arguments.readMesh;
   if (render->parsed())
     return finishRender(arguments, render->count("--step") > 0);
   return arguments.window;

@@ -68,14 +68,20 @@ struct EvalCommand {
   std::optional<std::string> file; ///< nothing or -: standard input
 };
 
+/// Read a mesh file for the window, which starts this as a process of its own.
+struct ReadMeshCommand {
+  std::string file;
+};
+
 /// Nothing is left to do but to print a text (--help, --version) or a complaint.
 struct PrintCommand {
   std::string text;
   bool refused = false; ///< the arguments are: the text is the sentence that says why
 };
 
-using Command = std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand,
-                             CheckCommand, ExplainCommand, RenderCommand, EvalCommand, PrintCommand>;
+using Command =
+    std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand, CheckCommand,
+                 ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

@@ -9,8 +9,11 @@
 #include "lessons/scene/explain_formats.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
+#include "widgets/mesh_files/serve_mesh.h"
 
 #include <nlohmann/json.hpp>
+
+#include <unistd.h>
 
 namespace halfspace {
 namespace {
@@ -60,6 +63,11 @@ int runNewLesson(const NewLessonCommand &command) {
 }
 
 int runConstructions() { return printOut(referenceOfConstructions()); }
+
+int runReadMesh(const ReadMeshCommand &command) {
+  boundThisProcess();
+  return serveMesh(command.file, STDOUT_FILENO);
+}
 
 int runCheck(const CheckCommand &command) {
   std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());

@@ -17,6 +17,10 @@ namespace halfspace {
 /// Prints what authors of lessons need to know of all constructions.
 [[nodiscard]] int runConstructions();
 
+/// Reads a stranger's mesh file with bounds on this process, and writes it to standard output as a
+/// `MeshDecoder` takes it.
+[[nodiscard]] int runReadMesh(const ReadMeshCommand &command);
+
 /// Writes a line on standard output for each problem; the exit status is then exitProblems, where there is
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);

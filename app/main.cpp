@@ -17,6 +17,7 @@ int run(const Command &command, int argc, char **argv) {
                                [](const CheckCommand &check) { return runCheck(check); },
                                [](const ExplainCommand &explain) { return runExplain(explain); },
                                [](const RenderCommand &render) { return runRender(render); },
+                               [](const ReadMeshCommand &mesh) { return runReadMesh(mesh); },
                                [](const EvalCommand &eval) { return runEval(eval); },
                                [](const PrintCommand &print) {
                                  return print.refused ? fail({print.text, "", 0, ""}) : printOut(print.text);

@@ -1,6 +1,5 @@
 #include "lessons/files/read_file.h"
 
-#include "lessons/files/descriptor.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ std::string inWords(std::size_t bytes) {
 
 } // namespace
 
-Result<std::string> readFile(const std::filesystem::path &file, std::size_t mostBytes) {
+Result<OpenedFile> openFile(const std::filesystem::path &file) {
   const auto problem = [&](std::string sentence) {
     return Problem{std::move(sentence), file.string(), 0, ""};
   };
@@ -33,15 +32,26 @@ Result<std::string> readFile(const std::filesystem::path &file, std::size_t most
     return problem(whyNotOpened(errno));
   if (!S_ISREG(found.st_mode))
     return problem(whyNoFile(found.st_mode));
-  const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
-  if (!in.isOpen())
+  OpenedFile opened{Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK)),
+                    static_cast<std::uint64_t>(found.st_size)};
+  if (!opened.descriptor.isOpen())
     return problem(whyNotOpened(errno));
+  return opened;
+}
+
+Result<std::string> readFile(const std::filesystem::path &file, std::size_t mostBytes) {
+  const auto problem = [&](std::string sentence) {
+    return Problem{std::move(sentence), file.string(), 0, ""};
+  };
+  const auto opened = openFile(file);
+  if (!opened)
+    return opened.problem();
 
   std::string text;
   for (;;) {
     const std::size_t begun = text.size();
     text.resize(begun + partSize);
-    const ReadPart part = readSome(in.get(), text.data() + begun, partSize);
+    const ReadPart part = readSome(opened->descriptor.get(), text.data() + begun, partSize);
     text.resize(begun + part.count);
     if (part.error != 0)
       return problem(words("The file cannot be read: {reason}.", {{"reason", reasonOf(part.error)}}));

@@ -468,6 +468,18 @@ TEST_F(Program, RenderWhereNothingCanBeWritten_IsRefused) {
   expectRefused("render signed-distance -o . --size 64x64", "cannot be written");
 }
 
+TEST_F(Program, ReadMesh_IsInNoHelpAndWritesTheMeshForTheWindow) {
+  EXPECT_EQ(run("--help").out.find("read-mesh"), std::string::npos);
+  write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Ran ran = run("read-mesh one.obj");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_TRUE(ran.out.starts_with("halfspace mesh 1\n")) << ran.out;
+  const Ran refused = run("read-mesh none.obj");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_TRUE(refused.out.starts_with("halfspace mesh 1\nE")) << refused.out;
+}
+
 TEST_F(Program, HelpAndVersion_ArePrinted) {
   const Ran help = run("--help");
   EXPECT_EQ(help.status, 0);

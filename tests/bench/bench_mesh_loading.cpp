@@ -1,0 +1,122 @@
+// Meshes of 10^5 to 5·10^6 triangles loaded: how long reading and making ready take, for how long the event
+// loop stands still meanwhile, and how much memory the two processes take at most.
+#include "tests/bench/durations.h"
+#include "tests/mesh_files/mesh_texts.h"
+#include "widgets/mesh_loader.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sys/resource.h>
+
+namespace halfspace::bench {
+namespace {
+
+constexpr double longestPauseGoal = 16; // a frame
+
+/// A bumpy ball of about so many triangles, none of which share corners.
+std::string ball(std::size_t triangles) {
+  const auto rows = static_cast<unsigned>(std::sqrt(static_cast<double>(triangles) / 4));
+  const unsigned columns = 2 * rows;
+  const auto corner = [&](unsigned row, unsigned column) {
+    const double latitude = std::numbers::pi * (row + 0.5) / (rows + 1);
+    const double longitude = 2 * std::numbers::pi * (column % columns) / columns;
+    const double radius = 10 + std::sin(9 * latitude) * std::cos(7 * longitude);
+    return Vec3<float>(Vec3<double>(std::sin(latitude) * std::cos(longitude),
+                                    std::sin(latitude) * std::sin(longitude), std::cos(latitude)) *
+                       radius);
+  };
+  std::string stl = binaryStlHead(2 * rows * columns);
+  for (unsigned row = 0; row < rows; ++row)
+    for (unsigned column = 0; column < columns; ++column) {
+      const Vec3<float> b = corner(row, column + 1);
+      const Vec3<float> c = corner(row + 1, column);
+      addTo(stl, {corner(row, column), b, c});
+      addTo(stl, {b, corner(row + 1, column + 1), c});
+    }
+  return stl;
+}
+
+/// The longest time between two turns of the event loop.
+class Heartbeat {
+public:
+  Heartbeat() {
+    QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.start(1);
+  }
+  [[nodiscard]] double longestPause() const { return m_longest; }
+
+private:
+  void beat() {
+    m_longest = std::max(m_longest, millisecondsSince(m_last));
+    m_last = Clock::now();
+  }
+
+  QTimer m_timer;
+  Clock::time_point m_last = Clock::now();
+  double m_longest = 0;
+};
+
+double peakMegabytes(__rusage_who who) {
+  rusage usage{};
+  ::getrusage(who, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void measure(std::size_t triangles, const QTemporaryDir &folder) {
+  const QString path = folder.filePath("ball.stl");
+  {
+    const std::string stl = ball(triangles);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(stl.data(), static_cast<qint64>(stl.size())) < 0)
+      return;
+  }
+  MeshLoader loader;
+  loader.setProgram(QCoreApplication::applicationDirPath() + "/halfspace");
+  QEventLoop loop;
+  Clock::time_point ready;
+  QString before;
+  QObject::connect(&loader, &MeshLoader::progressed, [&](double, const QString &what) {
+    if (what != std::exchange(before, what))
+      ready = Clock::now(); // so far that of the last step's begin
+  });
+  QObject::connect(&loader, &MeshLoader::failed, [&](const QString &why) {
+    std::printf("%s\n", qPrintable(why));
+    loop.quit();
+  });
+  LoadedMesh loaded;
+  QObject::connect(&loader, &MeshLoader::loaded, [&](const LoadedMesh &mesh) {
+    loaded = mesh;
+    loop.quit();
+  });
+  const Heartbeat heartbeat;
+  const auto start = Clock::now();
+  loader.start(path);
+  loop.exec();
+  const double all = millisecondsSince(start);
+  const double read = milliseconds(ready - start);
+  std::printf("\n%zu triangles, %zu corners: read in %.0f ms, made ready in %.0f ms\n", loaded.triangles,
+              loaded.shape ? loaded.shape->mesh()->corners.size() : 0, read, all - read);
+  std::printf("  memory at most, in MiB: here %.0f, the process that reads %.0f\n",
+              peakMegabytes(RUSAGE_SELF), peakMegabytes(RUSAGE_CHILDREN));
+  std::printf("event loop's longest pause: %.1f ms (goal %.0f) %s\n", heartbeat.longestPause(),
+              longestPauseGoal, heartbeat.longestPause() <= longestPauseGoal ? "met" : "missed");
+  std::fflush(stdout);
+}
+
+} // namespace
+} // namespace halfspace::bench
+
+int main(int argc, char **argv) {
+  const QCoreApplication application(argc, argv);
+  const QTemporaryDir folder;
+  for (const std::size_t triangles : {100'000U, 1'000'000U, 5'000'000U})
+    halfspace::bench::measure(triangles, folder);
+}

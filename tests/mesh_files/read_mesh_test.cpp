@@ -1,0 +1,180 @@
+#include "widgets/mesh_files/read_mesh.h"
+
+#include "tests/mesh_files/mesh_texts.h"
+#include "tests/program_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+struct ReadMesh : ProgramTest {
+  /// The mesh in a file of this name and content.
+  [[nodiscard]] Result<RawMesh> read(const std::string &name, const std::string &content) const {
+    write(name, content);
+    return readMeshWithVtk(inFolder(name), [](std::optional<double>) {});
+  }
+
+  /// Likewise, its triangles by their places.
+  [[nodiscard]] std::vector<StlTriangle> triangles(const std::string &name,
+                                                   const std::string &content) const {
+    const auto mesh = read(name, content);
+    EXPECT_TRUE(mesh) << mesh.problem().text();
+    std::vector<StlTriangle> found;
+    if (mesh)
+      for (const auto &[a, b, c] : mesh->triangles)
+        found.push_back({mesh->corners.at(a), mesh->corners.at(b), mesh->corners.at(c)});
+    return found;
+  }
+
+  void expectRefused(const std::string &name, const std::string &content, const std::string &part) const {
+    const auto mesh = read(name, content);
+    ASSERT_FALSE(mesh);
+    EXPECT_NE(mesh.problem().sentence.find(part), std::string::npos) << mesh.problem().sentence;
+    EXPECT_EQ(mesh.problem().file, inFolder(name).string());
+  }
+};
+
+/// Twice the area of triangles in the plane of x and y, each counted positive where it turns left.
+double twiceAreaOf(const std::vector<StlTriangle> &triangles) {
+  double area = 0;
+  for (const auto &[a, b, c] : triangles)
+    area += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return area;
+}
+
+const std::string tetrahedronObj = "# a tetrahedron\no thing\nv 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n"
+                                   "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const std::string cornersPly = "0 0 0\n4 0 0\n0 4 0\n0 0 4\n";
+const std::string facesPly = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+std::string plyHead(const std::string &format, const std::string &corners, const std::string &faces) {
+  return "ply\nformat " + format + " 1.0\nelement vertex " + corners +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+template <class Bytes> std::string binaryTetrahedronPly(const std::string &format, Bytes bytes) {
+  std::string ply = plyHead(format, "4", "4");
+  for (const float number : {0.0F, 0.0F, 0.0F, 4.0F, 0.0F, 0.0F, 0.0F, 4.0F, 0.0F, 0.0F, 0.0F, 4.0F})
+    ply += bytes(number);
+  for (const std::array<int, 3> &face : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    ply += '\3';
+    for (const int corner : face)
+      ply += bytes(corner);
+  }
+  return ply;
+}
+
+TEST_F(ReadMesh, OfEachFormatGivesTheTrianglesOfTheFile) {
+  const auto expected = tetrahedronTriangles();
+  EXPECT_EQ(triangles("a.stl", binaryStl(expected)), expected);
+  EXPECT_EQ(triangles("b.stl", textStl(expected)), expected);
+  EXPECT_EQ(triangles("c.obj", tetrahedronObj), expected);
+  EXPECT_EQ(triangles("d.ply", plyHead("ascii", "4", "4") + cornersPly + facesPly), expected);
+  const auto inOrder = [](const auto &value) { return bytesOf(value); };
+  const auto turned = [](const auto &value) { return turnedBytesOf(value); };
+  EXPECT_EQ(triangles("e.ply", binaryTetrahedronPly("binary_little_endian", inOrder)), expected);
+  EXPECT_EQ(triangles("f.ply", binaryTetrahedronPly("binary_big_endian", turned)), expected);
+}
+
+TEST_F(ReadMesh, WithAnotherEndingIsReadAllTheSame) {
+  EXPECT_EQ(triangles("a.obj", binaryStl(tetrahedronTriangles())), tetrahedronTriangles());
+  EXPECT_EQ(triangles("b.stl", tetrahedronObj), tetrahedronTriangles());
+  EXPECT_EQ(triangles("c.txt", textStl(tetrahedronTriangles())), tetrahedronTriangles());
+}
+
+TEST_F(ReadMesh, BinaryStlThatBeginsAsTextIsRead) {
+  EXPECT_EQ(triangles("a.stl", binaryStl(tetrahedronTriangles(), "solid of a program that writes so")),
+            tetrahedronTriangles());
+}
+
+TEST_F(ReadMesh, FacesOfMoreCornersAreCutIntoTriangles) {
+  const std::string corners = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\n";
+  const auto quad = triangles("a.obj", corners + "f 1 2 3 4\n");
+  EXPECT_EQ(quad.size(), 2U);
+  EXPECT_EQ(twiceAreaOf(quad), 32);
+  const auto ply = triangles("b.ply", plyHead("ascii", "4", "1") + "0 0 0\n4 0 0\n4 4 0\n0 4 0\n4 0 1 2 3\n");
+  EXPECT_EQ(ply.size(), 2U);
+  EXPECT_EQ(twiceAreaOf(ply), 32);
+}
+
+TEST_F(ReadMesh, AFaceWithACornerThatPointsInwardsStaysWhatItIs) {
+  // An arrow head: cut from its first corner, a triangle would lie outside.
+  const auto arrow = triangles("a.obj", "v 4 0 0\nv 8 8 0\nv 4 2 0\nv 0 8 0\nf 2 3 4 1\n");
+  ASSERT_EQ(arrow.size(), 2U);
+  for (const StlTriangle &triangle : arrow)
+    EXPECT_GT(twiceAreaOf({triangle}) * twiceAreaOf(arrow), 0);
+  EXPECT_EQ(std::abs(twiceAreaOf(arrow)), 16);
+}
+
+TEST_F(ReadMesh, ObjCountsNegativeNumbersFromTheLastCorner) {
+  EXPECT_EQ(triangles("a.obj", "v 9 9 9\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf -3 -2 -1\n"),
+            (std::vector<StlTriangle>{{Vec3<float>(0, 0, 0), Vec3<float>(4, 0, 0), Vec3<float>(0, 4, 0)}}));
+}
+
+TEST_F(ReadMesh, ObjWithTexturesAndNormalsIsRead) {
+  EXPECT_EQ(triangles("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n").size(),
+            1U);
+  EXPECT_EQ(triangles("b.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nvn 0 0 1\nf 1//1 2//1 3//1\n").size(), 1U);
+}
+
+TEST_F(ReadMesh, NumbersOfCornersThatAreNotThereLeadNowhere) {
+  const auto obj = read("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\nf 1 2 4\nf 1 2 3 900000000\n");
+  ASSERT_TRUE(obj) << obj.problem().text();
+  EXPECT_EQ(std::count_if(obj->triangles.begin(), obj->triangles.end(),
+                          [](const auto &t) { return std::count(t.begin(), t.end(), noCorner) > 0; }),
+            2);
+  const auto ply = read("b.ply", plyHead("ascii", "4", "2") + cornersPly + "3 0 1 2\n3 0 1 -7\n");
+  ASSERT_TRUE(ply) << ply.problem().text();
+  EXPECT_EQ(ply->triangles, (decltype(ply->triangles){{0, 1, 2}, {0, 1, noCorner}}));
+}
+
+TEST_F(ReadMesh, NoNumbersStayNoNumbers) {
+  const auto mesh = read("a.stl", binaryStl({{Vec3<float>(NAN, 0, 0), {1, 0, 0}, {0, INFINITY, 0}}}));
+  ASSERT_TRUE(mesh) << mesh.problem().text();
+  EXPECT_TRUE(std::isnan(mesh->corners.at(0).x));
+  EXPECT_TRUE(std::isinf(mesh->corners.at(2).y));
+}
+
+TEST_F(ReadMesh, WithoutTrianglesIsRefused) {
+  expectRefused("a.obj", "v 0 0 0\nv 1 1 1\n", "no triangles");
+  expectRefused("b.obj", "f 1 2 3\n", "no triangles");
+  expectRefused("c.stl", "solid nothing\nendsolid nothing\n", "no triangles");
+  expectRefused("d.ply", plyHead("ascii", "4", "0") + cornersPly, "no triangles");
+  expectRefused("e.obj", "nothing\n", "no triangles");
+}
+
+TEST_F(ReadMesh, ThatIsCutOffIsRefused) {
+  const std::string text = textStl(tetrahedronTriangles());
+  expectRefused("a.stl", text.substr(0, text.size() / 2), "cut off");
+  const std::string binary = binaryStl(tetrahedronTriangles());
+  expectRefused("b.stl", binary.substr(0, binary.size() / 2), "cut off");
+  const std::string ply =
+      binaryTetrahedronPly("binary_little_endian", [](auto value) { return bytesOf(value); });
+  expectRefused("c.ply", ply.substr(0, ply.size() - 1 - 13), "cut off");
+}
+
+TEST_F(ReadMesh, TellsHowFarItIs) {
+  write("a.stl", binaryStl(std::vector<StlTriangle>(800'000, tetrahedronTriangles().front())));
+  std::vector<double> parts;
+  ASSERT_TRUE(readMeshWithVtk(inFolder("a.stl"), [&](std::optional<double> part) {
+    if (part)
+      parts.push_back(*part);
+  }));
+  ASSERT_GE(parts.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_GT(parts.back(), 0.8);
+  EXPECT_LE(parts.back(), 1);
+}
+
+TEST_F(ReadMesh, WithTooManyTrianglesIsRefusedAlsoWhereOnlyTheWholeTellsSo) {
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (std::size_t i = 0; i <= mostMeshTriangles; ++i)
+    obj += "f 1 2 3\n";
+  expectRefused("a.obj", obj, "at most 5000000 triangles");
+}
+
+} // namespace
+} // namespace halfspace

@@ -1,0 +1,219 @@
+#include "widgets/mesh_files/read_mesh.h"
+
+#include "lessons/words.h"
+#include "widgets/mesh_files/check_mesh_file.h"
+
+#include <vtkAbstractPolyDataReader.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkObjectFactory.h>
+#include <vtkPLYReader.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolygon.h>
+#include <vtkSTLReader.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <optional>
+
+namespace halfspace {
+namespace {
+
+/// Faces with more corners are cut from their first corner: to cut them well takes a time that grows with the
+/// square.
+constexpr vtkIdType mostCornersOfFaceCutWell = 1000;
+
+struct CloseFile {
+  void operator()(std::FILE *file) const { std::fclose(file); }
+};
+using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+
+/// VTK's reader guesses whether a file is text; this one is told.
+class StlReader final : public vtkSTLReader {
+public:
+  vtkTypeMacro(StlReader, vtkSTLReader) static StlReader *New() { VTK_STANDARD_NEW_BODY(StlReader); }
+
+  /// What was read, its corners not merged; nothing where the file is not as it should be.
+  vtkSmartPointer<vtkPolyData> read(const std::filesystem::path &path, MeshFormat format,
+                                    const PartDone &partDone) {
+    const OpenFile file(std::fopen(path.c_str(), "rbe"));
+    if (!file)
+      return nullptr;
+    SetFileName(path.c_str());
+    const auto size = static_cast<double>(std::filesystem::file_size(path));
+    m_tellPart = [&partDone, size, &file] {
+      partDone(std::clamp(static_cast<double>(std::ftell(file.get())) / size, 0.0, 1.0));
+    };
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> triangles;
+    const bool isRead = format == MeshFormat::BinaryStl ? ReadBinarySTL(file.get(), points, triangles)
+                                                        : ReadASCIISTL(file.get(), points, triangles);
+    m_tellPart = {};
+    if (!isRead)
+      return nullptr;
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(triangles);
+    return data;
+  }
+
+  void tellPart() const {
+    if (m_tellPart)
+      m_tellPart();
+  }
+
+private:
+  std::function<void()> m_tellPart;
+};
+
+/// Calls `told` whenever the reader says that it went on.
+template <class Told> class Listening {
+public:
+  Listening(vtkObject &reader, Told told) : m_reader(reader), m_told(std::move(told)) {
+    m_command->SetClientData(&m_told);
+    m_command->SetCallback(
+        [](vtkObject *, unsigned long, void *data, void *) { (*static_cast<Told *>(data))(); });
+    m_reader.AddObserver(vtkCommand::ProgressEvent, m_command);
+  }
+  Listening(const Listening &) = delete;
+  Listening &operator=(const Listening &) = delete;
+  ~Listening() { m_reader.RemoveObserver(m_command); }
+
+private:
+  vtkObject &m_reader;
+  Told m_told;
+  vtkNew<vtkCallbackCommand> m_command;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkPolyData> readBy(const std::filesystem::path &file, const PartDone &partDone) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  const Listening listening(*reader, [&] { partDone(reader->GetProgress()); });
+  reader->Update();
+  return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+}
+
+vtkSmartPointer<vtkPolyData> readData(const std::filesystem::path &file, MeshFormat format,
+                                      const PartDone &partDone) {
+  switch (format) {
+  case MeshFormat::Obj:
+    return readBy<vtkOBJReader>(file, partDone);
+  case MeshFormat::Ply:
+    return readBy<vtkPLYReader>(file, partDone);
+  case MeshFormat::BinaryStl:
+  case MeshFormat::TextStl:
+    break;
+  }
+  vtkNew<StlReader> reader;
+  const Listening listening(*reader, [&] { reader->tellPart(); });
+  return reader->read(file, format, partDone);
+}
+
+/// Turns the faces of VTK's data into triangles.
+class Triangles {
+public:
+  Triangles(vtkPoints &points, std::vector<std::array<std::uint32_t, 3>> &triangles)
+      : m_points(points), m_cornerCount(points.GetNumberOfPoints()), m_triangles(triangles) {}
+
+  void add(vtkIdType count, const vtkIdType *corners) {
+    if (count == 3)
+      add(corners[0], corners[1], corners[2]);
+    else if (count < 3 || count > mostCornersOfFaceCutWell || !areThere(count, corners) ||
+             !addCutWell(count, corners))
+      addFromFirst(count, corners);
+  }
+
+private:
+  [[nodiscard]] std::uint32_t numberOf(vtkIdType corner) const {
+    return corner >= 0 && corner < m_cornerCount ? static_cast<std::uint32_t>(corner) : noCorner;
+  }
+  void add(vtkIdType a, vtkIdType b, vtkIdType c) {
+    m_triangles.push_back({numberOf(a), numberOf(b), numberOf(c)});
+  }
+  void addFromFirst(vtkIdType count, const vtkIdType *corners) {
+    for (vtkIdType i = 1; i + 1 < count; ++i)
+      add(corners[0], corners[i], corners[i + 1]);
+  }
+  bool areThere(vtkIdType count, const vtkIdType *corners) const {
+    return std::all_of(corners, corners + count,
+                       [&](vtkIdType corner) { return numberOf(corner) != noCorner; });
+  }
+  /// So that faces with corners that point inwards stay what they are.
+  bool addCutWell(vtkIdType count, const vtkIdType *corners) {
+    m_face->Initialize(static_cast<int>(count), corners, &m_points);
+    if (m_face->Triangulate(m_cut) == 0)
+      return false;
+    for (vtkIdType i = 0; i + 2 < m_cut->GetNumberOfIds(); i += 3)
+      add(corners[m_cut->GetId(i)], corners[m_cut->GetId(i + 1)], corners[m_cut->GetId(i + 2)]);
+    return true;
+  }
+
+  vtkPoints &m_points;
+  vtkIdType m_cornerCount;
+  std::vector<std::array<std::uint32_t, 3>> &m_triangles;
+  vtkNew<vtkPolygon> m_face;
+  vtkNew<vtkIdList> m_cut;
+};
+
+Result<RawMesh> rawMeshOf(vtkPolyData &data, const std::filesystem::path &file) {
+  const auto problem = [&](std::string sentence) {
+    return Problem{std::move(sentence), file.string(), 0, ""};
+  };
+  vtkPoints *points = data.GetPoints();
+  if (points == nullptr || points->GetNumberOfPoints() == 0 || data.GetNumberOfPolys() == 0)
+    return problem(sentenceForNoTriangles());
+  const auto cornerCount = static_cast<std::size_t>(points->GetNumberOfPoints());
+  if (cornerCount > mostMeshCorners || static_cast<std::size_t>(data.GetNumberOfPolys()) > mostMeshTriangles)
+    return problem(sentenceForTooManyTriangles());
+  RawMesh mesh;
+  mesh.triangles.reserve(static_cast<std::size_t>(data.GetNumberOfPolys()));
+  Triangles triangles(*points, mesh.triangles);
+  const auto faces = vtkSmartPointer<vtkCellArrayIterator>::Take(data.GetPolys()->NewIterator());
+  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType *corners = nullptr;
+    faces->GetCurrentCell(count, corners);
+    triangles.add(count, corners);
+    if (mesh.triangles.size() > mostMeshTriangles)
+      return problem(sentenceForTooManyTriangles());
+  }
+  if (mesh.triangles.empty())
+    return problem(sentenceForNoTriangles());
+  mesh.corners.reserve(cornerCount);
+  for (std::size_t i = 0; i < cornerCount; ++i) {
+    Vec3<double> corner;
+    points->GetPoint(static_cast<vtkIdType>(i), &corner.x);
+    mesh.corners.emplace_back(corner);
+  }
+  return mesh;
+}
+
+} // namespace
+
+Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDone &partDone) {
+  const auto format = checkMeshFile(file);
+  if (!format)
+    return format.problem();
+  vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by sentences
+  try {
+    const auto data = readData(file, *format, partDone);
+    if (!data)
+      return Problem{words("The file is damaged or cut off: it does not go on as its beginning says."),
+                     file.string(), 0, ""};
+    return rawMeshOf(*data, file);
+  } catch (const std::bad_alloc &) {
+    return Problem{words("The mesh is too large for the memory that may be used to read it."), file.string(),
+                   0, ""};
+  }
+}
+
+} // namespace halfspace

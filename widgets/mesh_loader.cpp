@@ -1,0 +1,164 @@
+#include "widgets/mesh_loader.h"
+
+#include "lessons/words.h"
+#include "widgets/mesh_files/mesh_wire.h"
+#include "widgets/mesh_files/serve_mesh.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QProcess>
+#include <QThread>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// It is looked at least so often whether loading was cancelled.
+constexpr int millisecondsBetweenLooks = 20;
+/// It is told at most so often how far loading is.
+constexpr qint64 millisecondsBetweenNews = 40;
+constexpr qint64 pieceSize = 1 << 20;
+
+/// Which part of the whole the file's reading, its way here, and making it ready are; by measurement.
+constexpr double untilRead = 0.25;
+constexpr double untilArrived = 0.3;
+
+QString inQt(const std::string &text) { return QString::fromStdString(text); }
+
+/// Passes on a part of all news, so that they do not pile up before whoever hears them.
+class News {
+public:
+  using Tell = std::function<void(double part, const QString &what)>;
+
+  explicit News(Tell tell) : m_tell(std::move(tell)) {}
+
+  void operator()(double part, const QString &what) {
+    if (what == m_what && m_sinceTold.isValid() && m_sinceTold.elapsed() < millisecondsBetweenNews)
+      return;
+    m_what = what;
+    m_sinceTold.start();
+    m_tell(part, what);
+  }
+
+private:
+  Tell m_tell;
+  QString m_what;
+  QElapsedTimer m_sinceTold;
+};
+
+void tellReading(const MeshDecoder &decoder, News &news) {
+  const QString what = inQt(words("Reading the file"));
+  if (decoder.arrived() > 0)
+    news(untilRead + (untilArrived - untilRead) * decoder.arrived(), what);
+  else
+    news(decoder.part() ? untilRead * *decoder.part() : -1, what);
+}
+
+/// What the process of its own reads, or why it could not.
+Result<RawMesh> readInProcess(const QString &program, const QString &file, const std::atomic<bool> &cancelled,
+                              News &news) {
+  QProcess process;
+  process.setStandardInputFile(QProcess::nullDevice());
+  process.setStandardErrorFile(QProcess::nullDevice());
+  process.start(program, {readMeshCommand, QFileInfo(file).absoluteFilePath()}, QIODevice::ReadOnly);
+  if (!process.waitForStarted())
+    return Problem{words("The program that reads meshes cannot be started."), "", 0, ""};
+  MeshDecoder decoder;
+  tellReading(decoder, news);
+  while (!cancelled && !decoder.problem() && !decoder.isDone()) {
+    const bool hasBytes = process.bytesAvailable() > 0 || process.waitForReadyRead(millisecondsBetweenLooks);
+    if (hasBytes || process.bytesAvailable() > 0) {
+      const QByteArray piece = process.read(pieceSize);
+      decoder.feed({piece.constData(), static_cast<std::size_t>(piece.size())});
+      tellReading(decoder, news);
+    } else if (process.state() == QProcess::NotRunning) {
+      decoder.finish();
+    }
+  }
+  process.kill();
+  process.waitForFinished();
+  if (decoder.isDone())
+    return decoder.take();
+  return decoder.problem().value_or(Problem{});
+}
+
+} // namespace
+
+/// One file on its way.
+struct MeshLoader::Job {
+  std::atomic<bool> cancelled{false};
+  std::unique_ptr<QThread> thread;
+};
+
+MeshLoader::MeshLoader(QObject *parent)
+    : QObject(parent), m_program(QCoreApplication::applicationFilePath()) {
+  qRegisterMetaType<LoadedMesh>();
+}
+
+MeshLoader::~MeshLoader() {
+  for (const auto &job : m_jobs)
+    job->cancelled = true;
+  for (const auto &job : m_jobs)
+    job->thread->wait();
+}
+
+void MeshLoader::start(const QString &file) {
+  cancel();
+  auto job = std::make_unique<Job>();
+  m_current = job.get();
+  m_jobs.push_back(std::move(job));
+  m_current->thread.reset(QThread::create(
+      [this, &started = *m_current, program = m_program, file] { run(started, program, file); }));
+  m_current->thread->start();
+}
+
+void MeshLoader::cancel() {
+  if (m_current == nullptr)
+    return;
+  std::exchange(m_current, nullptr)->cancelled = true;
+  emit cancelled();
+}
+
+/// In the job's thread.
+void MeshLoader::run(Job &job, const QString &program, const QString &file) {
+  // What is told arrives in the thread of the loader, and no more once that is gone.
+  News news([&](double part, const QString &what) {
+    QMetaObject::invokeMethod(
+        this, [this, &job, part, what] { tell(job, part, what); }, Qt::QueuedConnection);
+  });
+  auto raw = readInProcess(program, file, job.cancelled, news);
+  const QString what = inQt(words("Making the mesh ready"));
+  const auto result =
+      raw && !job.cancelled
+          ? makeShape(std::move(*raw), QFileInfo(file).completeBaseName().toStdString(), job.cancelled,
+                      [&](std::optional<double> part) {
+                        news(untilArrived + (1 - untilArrived) * part.value_or(0), what);
+                      })
+          : Result<LoadedMesh>(raw ? Problem{} : raw.problem());
+  QMetaObject::invokeMethod(
+      this, [this, &job, result] { end(job, result); }, Qt::QueuedConnection);
+}
+
+void MeshLoader::tell(const Job &job, double part, const QString &what) {
+  if (&job == m_current)
+    emit progressed(part, what);
+}
+
+void MeshLoader::end(const Job &job, const Result<LoadedMesh> &result) {
+  const bool isCurrent = &job == m_current;
+  job.thread->wait();
+  std::erase_if(m_jobs, [&](const auto &one) { return one.get() == &job; });
+  if (!isCurrent)
+    return;
+  m_current = nullptr;
+  if (result)
+    emit loaded(*result);
+  else
+    emit failed(inQt(result.problem().sentence));
+}
+
+} // namespace halfspace
