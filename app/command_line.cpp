@@ -210,6 +210,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
   app.add_option("subject", arguments.window.subject,
                  "A lesson's id, its .md file or a .halfspace file to open in the window")
       ->type_name("LESSON|FILE");
+  app.add_option("--mesh", arguments.window.mesh, "A mesh to aim at: an STL, OBJ or PLY file")
+      ->type_name("FILE");
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
   addOwnLessons(app, arguments.ownLessons);

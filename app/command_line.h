@@ -17,6 +17,7 @@ struct WindowCommand {
   std::optional<std::string>
       subject;             ///< a lesson's id, its .md file or a .halfspace file; nothing: the first lesson
   OwnLessons ownLessons{}; ///< none: the folder of the settings
+  std::optional<std::string> mesh{}; ///< a file to open in it
 };
 
 struct LessonsCommand {

@@ -8,6 +8,7 @@
 #include "lessons/lesson/lesson_progress.h"
 #include "lessons/scene/nearest_special_case.h"
 #include "widgets/flight/flight_player.h"
+#include "widgets/mesh_loader.h"
 #include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
@@ -19,6 +20,7 @@ class QAction;
 class QActionGroup;
 class QDockWidget;
 class QLabel;
+class QProgressDialog;
 class QSplitter;
 class QToolButton;
 
@@ -54,6 +56,9 @@ public:
   void offerUnsaved();
   /// Opens a .halfspace file; on failure says why and leaves the session as it is.
   void openFile(const QString &file);
+  /// Reads a mesh beside the window and puts it into the scene; on failure says why and leaves the scene as
+  /// it is.
+  void openMesh(const QString &file);
   /// Writes the session to its file, or asks for one. Asks as well where the file is not any more as this
   /// window knows it. False where it is not saved.
   bool save();
@@ -77,6 +82,8 @@ public:
 protected:
   void closeEvent(QCloseEvent *event) override;
   void resizeEvent(QResizeEvent *event) override;
+  void dragEnterEvent(QDragEnterEvent *event) override;
+  void dropEvent(QDropEvent *event) override;
 
 private:
   void createPanels();
@@ -120,6 +127,12 @@ private:
   void showOutcome();
   void showStepWords();
   void connectFlight();
+  void connectMeshes();
+  void askForMesh();
+  void showMeshProgress(double part, const QString &what);
+  void endMeshProgress();
+  /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.
+  void takeMesh(const LoadedMesh &mesh);
   void showFlight();
   /// Lights up the fragment whose mark the pointer is on.
   void showHoveredFragment();
@@ -192,6 +205,8 @@ private:
   SessionModel m_model;
   CoordinateEditor m_editor; ///< for the numbers in the working
   FlightPlayer m_player;
+  MeshLoader m_meshLoader;
+  QProgressDialog *m_meshProgress = nullptr; ///< null while no mesh is read
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
   SceneFrame *m_frame = nullptr; ///< around m_scene

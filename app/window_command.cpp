@@ -78,6 +78,8 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   QTimer::singleShot(0, &window, [&] {
     if (problem)
       window.complain(QString::fromStdString(problem->text()));
+    if (command.mesh)
+      window.openMesh(QString::fromStdString(*command.mesh));
     if (!command.subject)
       window.restoreUnsaved();
     else

@@ -37,6 +37,7 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&File"));
   addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
+  addItem(menu, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), this, [this] { askForMesh(); });
   addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); })->setObjectName("save");
   addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
   QMenu &unsaved = *menu.addMenu(tr("&Unsaved Work"));

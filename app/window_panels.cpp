@@ -41,6 +41,7 @@ void MainWindow::createPanels() {
   connectWorking();
   connectPage();
   connectFlight();
+  connectMeshes();
 }
 
 QWidget *MainWindow::createScene() {

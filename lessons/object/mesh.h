@@ -43,7 +43,7 @@ private:
 };
 
 /// No mesh is scaled down to less than this: it would be a point.
-inline const Rational smallestScale(1, 1000);
+inline const Rational smallestScale(1, 1000000000);
 
 /// The mark that a triangle of the mesh is drawn in: that of its face, or of the whole mesh.
 [[nodiscard]] std::string markOf(const Given<MeshObject> &mesh, std::size_t triangle);

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "geometry/hit_search.h"
-#include "lessons/reading/problem.h"
 
+#include <cstdint>
 #include <memory>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace halfspace {
@@ -46,22 +44,5 @@ private:
   std::shared_ptr<const HitSearch> m_search;
   MeshBox m_box;
 };
-
-/// What corners and faces are called in files.
-inline constexpr const char *cornersField = "corners";
-inline constexpr const char *facesField = "faces";
-/// A shape has at most so many faces in a file of ours.
-inline constexpr std::size_t mostWrittenFaces = 200000;
-
-/// Reads a shape as files have it: corners `0 0 0, 4 0 0, 0 3 0.5`, counted from 0, and faces by the numbers
-/// of their corners, `0 1 2, 0 2 3 4`. A coordinate must be a double exactly: 0.5 and 0.375 are, 0.1 is not.
-[[nodiscard]] Result<std::shared_ptr<const MeshShape>> readShape(std::string_view corners,
-                                                                 std::string_view faces);
-/// The same, written. Of triangles without faces each is a face.
-struct WrittenShape {
-  std::string corners;
-  std::string faces;
-};
-[[nodiscard]] WrittenShape written(const MeshShape &shape);
 
 } // namespace halfspace

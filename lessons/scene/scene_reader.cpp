@@ -3,8 +3,8 @@
 #include "lessons/guess.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/mesh_shape.h"
 #include "lessons/scene/scene_checker.h"
+#include "lessons/scene/shape_text.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 

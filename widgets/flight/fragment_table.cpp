@@ -32,8 +32,9 @@ constexpr double cornerRadius = 4;
 constexpr std::array<Subject, 3> headSubjects{Subject::Ray, Subject::EdgeU, Subject::EdgeV};
 
 constexpr std::array<Standing, 10> allStandings{
-    Standing::First,    Standing::FirstSoFar, Standing::Hit,        Standing::Outside,     Standing::Behind,
-    Standing::Parallel, Standing::InPlane,    Standing::NoTriangle, Standing::NoDirection, Standing::NotAsked};
+    Standing::First,       Standing::FirstSoFar, Standing::Hit,     Standing::Outside,
+    Standing::Behind,      Standing::Parallel,   Standing::InPlane, Standing::NoTriangle,
+    Standing::NoDirection, Standing::NotAsked};
 
 int verdictFlags(const FragmentColumns &columns) {
   return int(Qt::AlignVCenter) | int(columns.isStacked ? Qt::AlignRight : Qt::AlignLeft);
@@ -54,8 +55,7 @@ math::Row formulaOfNumber(const Rational &number) {
 }
 
 math::Row triangleT() {
-  return math::row(
-      math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
+  return math::row(math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
 }
 
 QString spokenNumber(const char *name, const Rational &value) {
@@ -65,14 +65,13 @@ QString spokenNumber(const char *name, const Rational &value) {
 } // namespace
 
 FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter),
-      m_heads{typesetter.picture(math::row(math::letter('t'))),
-              typesetter.picture(math::row(math::letter('s'))), typesetter.picture(triangleT())},
+    : QWidget(parent), m_typesetter(typesetter), m_heads{typesetter.picture(math::row(math::letter('t'))),
+                                                         typesetter.picture(math::row(math::letter('s'))),
+                                                         typesetter.picture(triangleT())},
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))),
-      m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))), m_theme(themes().front()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Fragments"));
@@ -121,8 +120,8 @@ void FragmentTable::measure() {
   for (const QString &name : m_names)
     needs.name = std::max(needs.name, emphasised.horizontalAdvance(name));
   for (const Standing standing : allStandings)
-    needs.verdict =
-        std::max(needs.verdict, (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
+    needs.verdict = std::max(needs.verdict,
+                             (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
   needs.number = m_widest->width() * emPixels();
   // Room for what the painter rounds up.
   needs.name = std::ceil(needs.name) + 1;
@@ -307,8 +306,8 @@ void FragmentTable::paintHead(QPainter &painter, const FragmentColumns &columns)
   const double top = columns.wordsMiddle() - line / 2;
   painter.drawText(QRectF(columns.name.left, top, columns.name.width, line), Qt::AlignVCenter,
                    tr("fragment"));
-  painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, line),
-                   verdictFlags(columns), tr("verdict"));
+  painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, line), verdictFlags(columns),
+                   tr("verdict"));
   for (std::size_t i = 0; i < m_heads.size(); ++i)
     paintNumber(painter, *m_heads[i], columns.numbers[i], columns.numbersMiddle(),
                 toQColor(m_theme.inkOf(headSubjects[i])));
@@ -340,7 +339,8 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
   painter.setPen(ink);
   const double top = middle - m_needs.line / 2;
   const QFontMetricsF metrics(painter.font());
-  const auto paintWords = [&](const FragmentColumns::Column &column, double room, const QString &words, int flags) {
+  const auto paintWords = [&](const FragmentColumns::Column &column, double room, const QString &words,
+                              int flags) {
     painter.drawText(QRectF(column.left, top, column.width, m_needs.line), flags,
                      metrics.elidedText(words, Qt::ElideRight, room));
   };
@@ -351,7 +351,8 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
              Qt::AlignVCenter);
   for (std::size_t i = 0; i < m_numbers[row].size(); ++i)
     if (m_numbers[row][i])
-      paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(), ink);
+      paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(),
+                  ink);
 }
 
 void FragmentTable::paintStart(QPainter &painter, double y, const FragmentColumns &columns) const {

@@ -231,8 +231,10 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
 
 template <class Widget> void LessonPage::followFragments(Widget &widget, const std::string &entry) {
   const QString name = QString::fromStdString(entry);
-  connect(&widget, &Widget::chosen, this, [this, name](std::size_t number) { emit fragmentChosen(name, number); });
-  connect(&widget, &Widget::hovered, this, [this, name](std::size_t number) { emit fragmentHovered(name, number); });
+  connect(&widget, &Widget::chosen, this,
+          [this, name](std::size_t number) { emit fragmentChosen(name, number); });
+  connect(&widget, &Widget::hovered, this,
+          [this, name](std::size_t number) { emit fragmentHovered(name, number); });
 }
 
 QWidget *LessonPage::blockOf(const StepFlight &flight) {

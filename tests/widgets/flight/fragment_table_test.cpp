@@ -15,7 +15,8 @@ namespace {
 
 struct ShownTable {
   explicit ShownTable(const Typesetter &typesetter) : table(typesetter) {
-    QObject::connect(&table, &FragmentTable::chosen, [this](std::size_t number) { chosen.push_back(number); });
+    QObject::connect(&table, &FragmentTable::chosen,
+                     [this](std::size_t number) { chosen.push_back(number); });
     QObject::connect(&table, &FragmentTable::hovered,
                      [this](std::size_t number) { hovered.push_back(number); });
     show(someCrossings());
@@ -166,8 +167,7 @@ private slots:
 
   void speech_ofARow_hasItsNumbers() {
     ShownTable shown(m_typesetter);
-    QCOMPARE(shown.table.spoken(1),
-             QString("barn 3: t = 1/2, hit first, s = 1/4, t = 3/8 of the triangle"));
+    QCOMPARE(shown.table.spoken(1), QString("barn 3: t = 1/2, hit first, s = 1/4, t = 3/8 of the triangle"));
   }
 };
 
