@@ -27,8 +27,8 @@ enum class Standing : std::uint8_t {
   NotAsked ///< those before it are being asked one after the other
 };
 
-/// The fragments are asked one after the other, up to the chosen one. The number 0 as the nearest so far: none
-/// of them was hit.
+/// The fragments are asked one after the other, up to the chosen one. The number 0 as the nearest so far:
+/// none of them was hit.
 [[nodiscard]] bool areBeingAsked(const Crossings &crossings);
 
 [[nodiscard]] Standing standingOf(const Crossing &crossing, const Crossings &crossings);
@@ -43,6 +43,8 @@ enum class Standing : std::uint8_t {
 
 /// In plain words: hit first, behind the start.
 [[nodiscard]] QString wordsOf(Standing standing);
+/// The same where there is little room.
+[[nodiscard]] QString shortWordsOf(Standing standing);
 /// In a sentence: barn 3: t = 1/2, hit first.
 [[nodiscard]] QString sentenceOf(const Crossing &crossing, Standing standing);
 
@@ -51,8 +53,8 @@ enum class Standing : std::uint8_t {
 /// How far a mark of the usual radius 1 reaches: the nearest has a ring.
 inline constexpr double ringRadius = 1.75;
 
-/// A disc for a hit, with a ring for the nearest; hollow behind the start; a small diamond beside the triangle.
-/// Nothing where the plane is not crossed, or not asked yet.
+/// A disc for a hit, with a ring for the nearest; hollow behind the start; a small diamond beside the
+/// triangle. Nothing where the plane is not crossed, or not asked yet.
 void paintMark(QPainter &painter, QPointF center, double radius, Standing standing, const QColor &ink);
 
 } // namespace halfspace

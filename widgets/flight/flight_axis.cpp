@@ -236,7 +236,8 @@ void FlightAxis::paintLine(QPainter &painter) const {
   arrow.lineTo(tip - arrowLength * unit(), y + arrowLength * unit() * 0.42);
   painter.fillPath(arrow, ink);
   if (handle().x() > start) {
-    painter.setPen(QPen(toQColor(m_theme.colorOf(Subject::Ray)), flownWidth * unit(), Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(
+        QPen(toQColor(m_theme.colorOf(Subject::Ray)), flownWidth * unit(), Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(start, y), QPointF(handle().x(), y));
   }
 }
@@ -259,8 +260,8 @@ void FlightAxis::paintTicks(QPainter &painter) const {
   for (const Rational &tick : readableTicks(at, metrics, tickGap * unit()).at) {
     const double x = at.xOf(toDouble(tick));
     const bool isBehind = tick.sign() < 0;
-    painter.setPen(QPen(toQColor(isBehind ? mix(m_theme.panel, m_theme.axis, behindStrength) : m_theme.axis),
-                        unit()));
+    painter.setPen(
+        QPen(toQColor(isBehind ? mix(m_theme.panel, m_theme.axis, behindStrength) : m_theme.axis), unit()));
     painter.drawLine(QPointF(x, y), QPointF(x, y + tickLength * unit()));
     if (tick == 0)
       continue;

@@ -68,7 +68,7 @@ void FlightAxis::pointAt(QPoint place) {
   const std::vector<const Pin *> pins = pinsAt(place);
   const std::size_t number = pins.empty() ? 0 : pins.front()->crossing.number;
   const bool isOnTrack = std::abs(place.y() - lineY()) <= trackReach * unit();
-  setCursor(number != 0             ? Qt::PointingHandCursor
+  setCursor(number != 0              ? Qt::PointingHandCursor
             : m_hidden || !isOnTrack ? Qt::ArrowCursor
             : isOnHandle(place)      ? Qt::OpenHandCursor
                                      : Qt::SizeHorCursor);
@@ -251,8 +251,8 @@ void FlightAxis::showTip(const QHelpEvent &help) {
   if (pins.empty() && isOnTrack && scale().tAt(help.pos().x()) < 0)
     lines << tr("t < 0: behind the start");
   const QString text = lines.join('\n').toHtmlEscaped(); // lessons, and their names, come from strangers
-  QToolTip::showText(help.globalPos(),
-                     text.isEmpty() ? text : "<p style='white-space:pre'>" + text + "</p>", this);
+  QToolTip::showText(help.globalPos(), text.isEmpty() ? text : "<p style='white-space:pre'>" + text + "</p>",
+                     this);
 }
 
 } // namespace halfspace

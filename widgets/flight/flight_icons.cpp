@@ -48,7 +48,8 @@ QPainterPath strokesOf(FlightIcon icon) {
     path.arcTo(circle, 20, 300);
   }
   if (icon == FlightIcon::Fire) // what it leaves behind
-    for (const QLineF &trace : {QLineF(0.9, 8, 2.6, 8), QLineF(1.9, 5.2, 3.4, 5.2), QLineF(1.9, 10.8, 3.4, 10.8)}) {
+    for (const QLineF &trace :
+         {QLineF(0.9, 8, 2.6, 8), QLineF(1.9, 5.2, 3.4, 5.2), QLineF(1.9, 10.8, 3.4, 10.8)}) {
       path.moveTo(trace.p1());
       path.lineTo(trace.p2());
     }

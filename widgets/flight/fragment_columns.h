@@ -28,7 +28,7 @@ struct FragmentColumns {
   /// The numbers stand in a second line, below the name and, at the right end, the verdict: these two share
   /// the first.
   bool isStacked = false;
-  double width = 0;       ///< of the whole table
+  double width = 0; ///< of the whole table
   double rowHeight = 0;
 
   /// Lines of a row that begins at y = 0: their middles.

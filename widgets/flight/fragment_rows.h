@@ -16,8 +16,8 @@ struct FragmentRow {
 
 struct FragmentRows {
   std::vector<FragmentRow> rows;
-  std::size_t leftOut = 0;         ///< how many fragments have no row
-  bool leftOutAreOutside = false;  ///< all of them
+  std::size_t leftOut = 0;        ///< how many fragments have no row
+  bool leftOutAreOutside = false; ///< all of them
 };
 
 /// At most so many rows: first the chosen and the nearest, then hits, then what else the ray crosses, the

@@ -4,6 +4,7 @@
 #include "widgets/colors.h"
 #include "widgets/picture/term_formula.h"
 
+#include <QAccessibleWidget>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
@@ -32,8 +33,9 @@ constexpr double cornerRadius = 4;
 constexpr std::array<Subject, 3> headSubjects{Subject::Ray, Subject::EdgeU, Subject::EdgeV};
 
 constexpr std::array<Standing, 10> allStandings{
-    Standing::First,    Standing::FirstSoFar, Standing::Hit,        Standing::Outside,     Standing::Behind,
-    Standing::Parallel, Standing::InPlane,    Standing::NoTriangle, Standing::NoDirection, Standing::NotAsked};
+    Standing::First,       Standing::FirstSoFar, Standing::Hit,     Standing::Outside,
+    Standing::Behind,      Standing::Parallel,   Standing::InPlane, Standing::NoTriangle,
+    Standing::NoDirection, Standing::NotAsked};
 
 int verdictFlags(const FragmentColumns &columns) {
   return int(Qt::AlignVCenter) | int(columns.isStacked ? Qt::AlignRight : Qt::AlignLeft);
@@ -54,8 +56,32 @@ math::Row formulaOfNumber(const Rational &number) {
 }
 
 math::Row triangleT() {
-  return math::row(
-      math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
+  return math::row(math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
+}
+
+/// What a screen reader is told, made when it asks.
+class SpokenTable : public QAccessibleWidget {
+public:
+  explicit SpokenTable(FragmentTable &table) : QAccessibleWidget(&table, QAccessible::List), m_table(table) {}
+
+  [[nodiscard]] QString text(QAccessible::Text text) const override {
+    if (text != QAccessible::Description)
+      return QAccessibleWidget::text(text);
+    QStringList rows;
+    for (std::size_t row = 0; row < m_table.rows().size(); ++row)
+      rows << m_table.spoken(row);
+    if (const QString more = m_table.leftOutWords(); !more.isEmpty())
+      rows << more;
+    return rows.join("; ");
+  }
+
+private:
+  const FragmentTable &m_table;
+};
+
+QAccessibleInterface *spokenTable(const QString &, QObject *object) {
+  auto *table = qobject_cast<FragmentTable *>(object);
+  return table ? new SpokenTable(*table) : nullptr;
 }
 
 QString spokenNumber(const char *name, const Rational &value) {
@@ -65,14 +91,15 @@ QString spokenNumber(const char *name, const Rational &value) {
 } // namespace
 
 FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter),
-      m_heads{typesetter.picture(math::row(math::letter('t'))),
-              typesetter.picture(math::row(math::letter('s'))), typesetter.picture(triangleT())},
+    : QWidget(parent), m_typesetter(typesetter), m_heads{typesetter.picture(math::row(math::letter('t'))),
+                                                         typesetter.picture(math::row(math::letter('s'))),
+                                                         typesetter.picture(triangleT())},
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))),
-      m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))), m_theme(themes().front()) {
+  static const bool isTold = (QAccessible::installFactory(spokenTable), true);
+  (void)isTold;
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Fragments"));
@@ -84,8 +111,9 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
 
 void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) {
   m_values = values;
-  m_chosen = crossings.chosen;
   m_shown = rowsOf(crossings, values, mostRows);
+  if (std::exchange(m_chosen, crossings.chosen) != m_chosen && hasFocus())
+    sayChosen();
   m_names.clear();
   for (const Crossing &crossing : crossings.all)
     m_names << QString::fromStdString(crossing.name);
@@ -95,6 +123,11 @@ void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) 
   measure();
   settleHeight();
   update();
+}
+
+void FragmentTable::sayChosen() {
+  const std::optional<std::size_t> row = chosenRow();
+  setAccessibleName(row ? tr("Fragments: %1", "a row").arg(spoken(*row)) : tr("Fragments"));
 }
 
 void FragmentTable::setHovered(std::size_t number) {
@@ -121,8 +154,8 @@ void FragmentTable::measure() {
   for (const QString &name : m_names)
     needs.name = std::max(needs.name, emphasised.horizontalAdvance(name));
   for (const Standing standing : allStandings)
-    needs.verdict =
-        std::max(needs.verdict, (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
+    needs.verdict = std::max(needs.verdict,
+                             (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
   needs.number = m_widest->width() * emPixels();
   // Room for what the painter rounds up.
   needs.name = std::ceil(needs.name) + 1;
@@ -271,6 +304,7 @@ void FragmentTable::keyPressEvent(QKeyEvent *event) {
 }
 
 void FragmentTable::focusInEvent(QFocusEvent *event) {
+  sayChosen();
   update();
   QWidget::focusInEvent(event);
 }
@@ -307,8 +341,8 @@ void FragmentTable::paintHead(QPainter &painter, const FragmentColumns &columns)
   const double top = columns.wordsMiddle() - line / 2;
   painter.drawText(QRectF(columns.name.left, top, columns.name.width, line), Qt::AlignVCenter,
                    tr("fragment"));
-  painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, line),
-                   verdictFlags(columns), tr("verdict"));
+  painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, line), verdictFlags(columns),
+                   tr("verdict"));
   for (std::size_t i = 0; i < m_heads.size(); ++i)
     paintNumber(painter, *m_heads[i], columns.numbers[i], columns.numbersMiddle(),
                 toQColor(m_theme.inkOf(headSubjects[i])));
@@ -340,18 +374,22 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
   painter.setPen(ink);
   const double top = middle - m_needs.line / 2;
   const QFontMetricsF metrics(painter.font());
-  const auto paintWords = [&](const FragmentColumns::Column &column, double room, const QString &words, int flags) {
+  const auto paintWords = [&](const FragmentColumns::Column &column, double room, const QString &words,
+                              int flags) {
     painter.drawText(QRectF(column.left, top, column.width, m_needs.line), flags,
                      metrics.elidedText(words, Qt::ElideRight, room));
   };
-  const QString verdict = verdictOf(shown);
+  const QString name = QString::fromStdString(shown.crossing.name);
+  QString verdict = verdictOf(shown);
+  if (columns.isStacked && metrics.horizontalAdvance(name + "  " + verdict) > columns.name.width)
+    verdict = shortWordsOf(shown.standing);
   paintWords(columns.verdict, columns.verdict.width, verdict, verdictFlags(columns));
   const double taken = columns.isStacked ? metrics.horizontalAdvance(verdict + ' ') : 0;
-  paintWords(columns.name, columns.name.width - taken, QString::fromStdString(shown.crossing.name),
-             Qt::AlignVCenter);
+  paintWords(columns.name, columns.name.width - taken, name, Qt::AlignVCenter);
   for (std::size_t i = 0; i < m_numbers[row].size(); ++i)
     if (m_numbers[row][i])
-      paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(), ink);
+      paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(),
+                  ink);
 }
 
 void FragmentTable::paintStart(QPainter &painter, double y, const FragmentColumns &columns) const {

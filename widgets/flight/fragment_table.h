@@ -12,8 +12,8 @@
 namespace halfspace {
 
 /// A row for each fragment: its name, where the ray's line crosses its plane, and a verdict in words. A rule
-/// parts what lies behind the ray's start. It is told what to show and which row is chosen; a click, or a key,
-/// only says which one is wanted.
+/// parts what lies behind the ray's start. It is told what to show and which row is chosen; a click, or a
+/// key, only says which one is wanted.
 class FragmentTable : public QWidget {
   Q_OBJECT
 public:
@@ -63,6 +63,7 @@ private:
 
   void measure();
   void settleHeight();
+  void sayChosen(); ///< by the table's accessible name
   void pointAt(std::size_t number);
   void chooseRow(std::size_t row);
   [[nodiscard]] double emPixels() const;
@@ -84,12 +85,12 @@ private:
 
   const Typesetter &m_typesetter;
   FragmentRows m_shown;
-  QStringList m_names; ///< of all, so that the columns do not depend on which have a row
+  QStringList m_names;            ///< of all, so that the columns do not depend on which have a row
   std::vector<Numbers> m_numbers; ///< of each row
   std::array<Typesetter::Picture, 3> m_heads;
   Typesetter::Picture m_start;
   Typesetter::Picture m_unknown;
-  Typesetter::Picture m_none; ///< where the plane is not crossed in a point
+  Typesetter::Picture m_none;   ///< where the plane is not crossed in a point
   Typesetter::Picture m_widest; ///< a number as wide as they get
   FragmentNeeds m_needs;
   std::size_t m_chosen = 0;
