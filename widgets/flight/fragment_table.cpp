@@ -23,7 +23,7 @@ constexpr double smallestScale = 0.5;
 constexpr double startSize = 0.72;
 // In heights of a line.
 constexpr double markRadius = 0.26;
-constexpr double smallestWidthInLines = 7;
+constexpr double smallestWidthInLines = 10;
 constexpr double usualWidthInLines = 24;
 
 constexpr double chosenTint = 0.13;
