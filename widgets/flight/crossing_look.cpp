@@ -81,6 +81,13 @@ QString wordsOf(Standing standing) {
   return QStringLiteral("…");
 }
 
+QString shortWordsOf(Standing standing) {
+  if (standing == Standing::FirstSoFar)
+    return translated(QT_TRANSLATE_NOOP("CrossingLook", "nearest"));
+  return standing == Standing::Behind ? translated(QT_TRANSLATE_NOOP("CrossingLook", "behind"))
+                                      : wordsOf(standing);
+}
+
 QString sentenceOf(const Crossing &crossing, Standing standing) {
   const QString name = QString::fromStdString(crossing.name);
   if (standing == Standing::NotAsked)

@@ -43,6 +43,8 @@ enum class Standing : std::uint8_t {
 
 /// In plain words: hit first, behind the start.
 [[nodiscard]] QString wordsOf(Standing standing);
+/// The same where there is little room.
+[[nodiscard]] QString shortWordsOf(Standing standing);
 /// In a sentence: barn 3: t = 1/2, hit first.
 [[nodiscard]] QString sentenceOf(const Crossing &crossing, Standing standing);
 

@@ -33,7 +33,7 @@ constexpr double tickGap = 28; ///< between the numbers of two ticks
 constexpr double lineWidth = 1.4;
 constexpr double flownWidth = 3.2;
 constexpr double usualWidth = 320;
-constexpr double smallestWidth = 160;
+constexpr double smallestWidth = 110;
 /// Formulas' type in the height of a line.
 constexpr double typeSize = 0.82;
 /// How much of the axis' ink is left before the start.

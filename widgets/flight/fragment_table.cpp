@@ -4,6 +4,7 @@
 #include "widgets/colors.h"
 #include "widgets/picture/term_formula.h"
 
+#include <QAccessibleWidget>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
@@ -58,6 +59,31 @@ math::Row triangleT() {
   return math::row(math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
 }
 
+/// What a screen reader is told, made when it asks.
+class SpokenTable : public QAccessibleWidget {
+public:
+  explicit SpokenTable(FragmentTable &table) : QAccessibleWidget(&table, QAccessible::List), m_table(table) {}
+
+  [[nodiscard]] QString text(QAccessible::Text text) const override {
+    if (text != QAccessible::Description)
+      return QAccessibleWidget::text(text);
+    QStringList rows;
+    for (std::size_t row = 0; row < m_table.rows().size(); ++row)
+      rows << m_table.spoken(row);
+    if (const QString more = m_table.leftOutWords(); !more.isEmpty())
+      rows << more;
+    return rows.join("; ");
+  }
+
+private:
+  const FragmentTable &m_table;
+};
+
+QAccessibleInterface *spokenTable(const QString &, QObject *object) {
+  auto *table = qobject_cast<FragmentTable *>(object);
+  return table ? new SpokenTable(*table) : nullptr;
+}
+
 QString spokenNumber(const char *name, const Rational &value) {
   return QString::fromUtf8(name) + QString::fromStdString(relatedText(written(value)));
 }
@@ -72,6 +98,8 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
       m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))), m_theme(themes().front()) {
+  static const bool isTold = (QAccessible::installFactory(spokenTable), true);
+  (void)isTold;
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Fragments"));
@@ -83,8 +111,9 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
 
 void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) {
   m_values = values;
-  m_chosen = crossings.chosen;
   m_shown = rowsOf(crossings, values, mostRows);
+  if (std::exchange(m_chosen, crossings.chosen) != m_chosen && hasFocus())
+    sayChosen();
   m_names.clear();
   for (const Crossing &crossing : crossings.all)
     m_names << QString::fromStdString(crossing.name);
@@ -94,6 +123,11 @@ void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) 
   measure();
   settleHeight();
   update();
+}
+
+void FragmentTable::sayChosen() {
+  const std::optional<std::size_t> row = chosenRow();
+  setAccessibleName(row ? tr("Fragments: %1", "a row").arg(spoken(*row)) : tr("Fragments"));
 }
 
 void FragmentTable::setHovered(std::size_t number) {
@@ -270,6 +304,7 @@ void FragmentTable::keyPressEvent(QKeyEvent *event) {
 }
 
 void FragmentTable::focusInEvent(QFocusEvent *event) {
+  sayChosen();
   update();
   QWidget::focusInEvent(event);
 }
@@ -344,11 +379,13 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
     painter.drawText(QRectF(column.left, top, column.width, m_needs.line), flags,
                      metrics.elidedText(words, Qt::ElideRight, room));
   };
-  const QString verdict = verdictOf(shown);
+  const QString name = QString::fromStdString(shown.crossing.name);
+  QString verdict = verdictOf(shown);
+  if (columns.isStacked && metrics.horizontalAdvance(name + "  " + verdict) > columns.name.width)
+    verdict = shortWordsOf(shown.standing);
   paintWords(columns.verdict, columns.verdict.width, verdict, verdictFlags(columns));
   const double taken = columns.isStacked ? metrics.horizontalAdvance(verdict + ' ') : 0;
-  paintWords(columns.name, columns.name.width - taken, QString::fromStdString(shown.crossing.name),
-             Qt::AlignVCenter);
+  paintWords(columns.name, columns.name.width - taken, name, Qt::AlignVCenter);
   for (std::size_t i = 0; i < m_numbers[row].size(); ++i)
     if (m_numbers[row][i])
       paintNumber(painter, *m_numbers[row][i], columns.numbers[i], place.top() + columns.numbersMiddle(),

@@ -63,6 +63,7 @@ private:
 
   void measure();
   void settleHeight();
+  void sayChosen(); ///< by the table's accessible name
   void pointAt(std::size_t number);
   void chooseRow(std::size_t row);
   [[nodiscard]] double emPixels() const;

@@ -5,6 +5,7 @@
 #include "tests/widgets/pointer.h"
 #include "widgets/colors.h"
 
+#include <QAccessible>
 #include <QPixmap>
 #include <QtTest>
 
@@ -146,6 +147,7 @@ private slots:
 
   void narrowTable_hasHigherRows_noWiderThanItself() {
     ShownTable shown(m_typesetter);
+    shown.table.resize(700, shown.table.heightForWidth(700));
     const int wide = shown.table.rowRect(0).height();
     shown.table.resize(220, shown.table.heightForWidth(220));
     QVERIFY(shown.table.rowRect(0).height() > wide * 3 / 2);
@@ -168,6 +170,14 @@ private slots:
   void speech_ofARow_hasItsNumbers() {
     ShownTable shown(m_typesetter);
     QCOMPARE(shown.table.spoken(1), QString("barn 3: t = 1/2, hit first, s = 1/4, t = 3/8 of the triangle"));
+  }
+
+  void speech_ofTheTable_isAListOfAllRows() {
+    ShownTable shown(m_typesetter);
+    const QAccessibleInterface *spoken = QAccessible::queryAccessibleInterface(&shown.table);
+    QCOMPARE(spoken->role(), QAccessible::List);
+    QVERIFY(spoken->text(QAccessible::Description).startsWith("barn 4: t = −1/4, behind the start, s = 1/4"));
+    QVERIFY(spoken->text(QAccessible::Description).endsWith("barn 2: parallel"));
   }
 };
 
