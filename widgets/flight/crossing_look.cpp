@@ -94,7 +94,7 @@ QString sentenceOf(const Crossing &crossing, Standing standing) {
     return translated(QT_TRANSLATE_NOOP("CrossingLook", "%1: not asked yet")).arg(name);
   if (!crossing.at)
     return translated(QT_TRANSLATE_NOOP("CrossingLook", "%1: %2")).arg(name, wordsOf(standing));
-  return translated(QT_TRANSLATE_NOOP("CrossingLook", "%1: t%2, %3"))
+  return translated(QT_TRANSLATE_NOOP("CrossingLook", "%1: λ%2, %3"))
       .arg(name, QString::fromStdString(relatedText(written(crossing.at->t))), wordsOf(standing));
 }
 

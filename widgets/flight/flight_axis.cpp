@@ -80,7 +80,7 @@ FlightAxis::FlightAxis(const Typesetter &typesetter, QWidget *parent)
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("The ray's parameter t"));
+  setAccessibleName(tr("The ray's parameter λ"));
 }
 
 void FlightAxis::setCrossings(const Crossings &crossings) {

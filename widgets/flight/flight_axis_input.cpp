@@ -249,7 +249,7 @@ void FlightAxis::showTip(const QHelpEvent &help) {
     lines << tr("and %1 more").arg(pins.size() - mostInTip);
   const bool isOnTrack = std::abs(help.pos().y() - lineY()) <= trackReach * unit();
   if (pins.empty() && isOnTrack && scale().tAt(help.pos().x()) < 0)
-    lines << tr("t < 0: behind the start");
+    lines << tr("λ < 0: behind the start");
   const QString text = lines.join('\n').toHtmlEscaped(); // lessons, and their names, come from strangers
   QToolTip::showText(help.globalPos(), text.isEmpty() ? text : "<p style='white-space:pre'>" + text + "</p>",
                      this);

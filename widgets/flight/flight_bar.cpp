@@ -183,8 +183,8 @@ void FlightBar::showControls() {
 
 QString FlightBar::readout() const {
   if (m_state.hidden || !std::isfinite(m_state.t))
-    return "t = ?";
-  return "t" + QString::fromStdString(relatedText(shown(m_state.t)));
+    return "λ = ?";
+  return "λ" + QString::fromStdString(relatedText(shown(m_state.t)));
 }
 
 void FlightBar::showTime() {

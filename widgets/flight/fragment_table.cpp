@@ -55,10 +55,6 @@ math::Row formulaOfNumber(const Rational &number) {
   return math::row(std::move(row), formulaOf(shown.term));
 }
 
-math::Row triangleT() {
-  return math::row(math::scripts(math::letter('t'), {}, math::row(math::symbol(U'△', math::AtomClass::Ord))));
-}
-
 /// What a screen reader is told, made when it asks.
 class SpokenTable : public QAccessibleWidget {
 public:
@@ -91,9 +87,9 @@ QString spokenNumber(const char *name, const Rational &value) {
 } // namespace
 
 FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_typesetter(typesetter), m_heads{typesetter.picture(math::row(math::letter('t'))),
+    : QWidget(parent), m_typesetter(typesetter), m_heads{typesetter.picture(math::row(math::letter(U'λ'))),
                                                          typesetter.picture(math::row(math::letter('s'))),
-                                                         typesetter.picture(triangleT())},
+                                                         typesetter.picture(math::row(math::letter('t')))},
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
@@ -217,7 +213,7 @@ QString FragmentTable::spoken(std::size_t row) const {
   QString sentence = sentenceOf(shown.crossing, shown.standing);
   if (!isHidden(shown) && shown.crossing.at)
     sentence += ", " + spokenNumber("s", shown.crossing.at->s) + ", " +
-                tr("%1 of the triangle").arg(spokenNumber("t", shown.crossing.at->tTriangle));
+                spokenNumber("t", shown.crossing.at->tTriangle);
   return sentence;
 }
 

@@ -43,7 +43,9 @@ void setInk(QWidget &widget, Color color) {
   widget.setPalette(palette);
 }
 
-void sortByNumber(Crossings &crossings) {
+/// As a loop asks them: by their numbers, and 0 for no hit so far.
+void askOneByOne(Crossings &crossings) {
+  crossings.nearestSoFar = crossings.nearestSoFar.value_or(0);
   std::sort(crossings.all.begin(), crossings.all.end(),
             [](const Crossing &a, const Crossing &b) { return a.number < b.number; });
 }
@@ -276,12 +278,15 @@ void LessonPage::showFlight(const FlightState &state) {
 
 void LessonPage::showCrossings(const std::function<Crossings(const std::string &entry)> &of,
                                LiveValues values) {
-  for (const auto &[entry, bar] : m_flights)
-    bar->setCrossings(of(entry));
+  for (const auto &[entry, bar] : m_flights) {
+    Crossings crossings = of(entry);
+    crossings.nearestSoFar.reset();
+    bar->setCrossings(crossings);
+  }
   for (const auto &[block, table] : m_fragments) {
     Crossings crossings = of(block.hits);
     if (block.byNumber)
-      sortByNumber(crossings);
+      askOneByOne(crossings);
     else
       crossings.nearestSoFar.reset();
     table->setCrossings(crossings, values);

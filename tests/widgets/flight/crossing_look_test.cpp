@@ -56,9 +56,9 @@ private slots:
 
   void sentence_ofARoundedNumber_hasNoEquals() {
     const Crossing exact = crossingAt(3, RayTriangleCase::Hit, Rational(1, 2));
-    QCOMPARE(sentenceOf(exact, Standing::First), QString("barn 3: t = 1/2, hit first"));
+    QCOMPARE(sentenceOf(exact, Standing::First), QString("barn 3: λ = 1/2, hit first"));
     const Crossing rounded = crossingAt(3, RayTriangleCase::Hit, Rational(12345677, 10000019));
-    QCOMPARE(sentenceOf(rounded, Standing::Hit), QString("barn 3: t ≈ 1.23457, hit"));
+    QCOMPARE(sentenceOf(rounded, Standing::Hit), QString("barn 3: λ ≈ 1.23457, hit"));
     QCOMPARE(sentenceOf({2, "barn 2", RayTriangleCase::Parallel, {}}, Standing::Parallel),
              QString("barn 2: parallel"));
     QVERIFY(!sentenceOf(exact, Standing::NotAsked).contains("1/2"));

@@ -55,11 +55,11 @@ private slots:
 
   void readout_ofARoundedTime_hasNoEquals() {
     FlightBar bar(m_typesetter);
-    for (const auto &[t, text] : {std::pair{0.5, "t = 0.5"},
-                                  {1.0 / 3, "t ≈ 0.33"},
-                                  {-0.25, "t = −0.25"},
-                                  {2.0, "t = 2"},
-                                  {12345.678, "t ≈ 12345.7"}}) {
+    for (const auto &[t, text] : {std::pair{0.5, "λ = 0.5"},
+                                  {1.0 / 3, "λ ≈ 0.33"},
+                                  {-0.25, "λ = −0.25"},
+                                  {2.0, "λ = 2"},
+                                  {12345.678, "λ ≈ 12345.7"}}) {
       bar.setState({.t = t});
       QCOMPARE(bar.readout(), QString(text));
     }
@@ -69,7 +69,7 @@ private slots:
     FlightBar bar(m_typesetter);
     bar.setCrossings(someCrossings());
     bar.setState({.t = 0.5, .canFire = false, .hidden = true});
-    QCOMPARE(bar.readout(), QString("t = ?"));
+    QCOMPARE(bar.readout(), QString("λ = ?"));
     QVERIFY(!bar.axis().placeOf(3));
     for (const FlightControl control :
          {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})

@@ -169,7 +169,7 @@ private slots:
 
   void speech_ofARow_hasItsNumbers() {
     ShownTable shown(m_typesetter);
-    QCOMPARE(shown.table.spoken(1), QString("barn 3: t = 1/2, hit first, s = 1/4, t = 3/8 of the triangle"));
+    QCOMPARE(shown.table.spoken(1), QString("barn 3: λ = 1/2, hit first, s = 1/4, t = 3/8"));
   }
 
   void speech_ofTheTable_isAListOfAllRows() {
