@@ -292,8 +292,10 @@ void drawSpan(Figure &figure, const Out &at) {
   figure.add(perpArrow(at.vPerp, p0, perps.vPerp, reachAlong(perps.vPerp, place(at.u)), Subject::EdgeV));
 }
 
-void drawEdges(Figure &figure, const Out &at) {
-  const Role role = at.meet.perps.denominator != 0 ? Role::Given : Role::Warning;
+void drawEdges(Figure &figure, const In &in, const Out &at) {
+  const Role sound =
+      in.T.isFree ? Role::Given : Role::Derived; // a triangle that was made is not there from the start
+  const Role role = at.meet.perps.denominator != 0 ? sound : Role::Warning;
   figure.add(arrowOf(at.u, place(at.P0), role, Subject::EdgeU));
   figure.add(arrowOf(at.v, place(at.P0), role, Subject::EdgeV));
 }
@@ -325,7 +327,7 @@ Figure draw(const In &in, const Out &at) {
   const Place point = place(at.I);
   if (at.meet.perps.denominator != 0)
     drawSpan(figure, at);
-  drawEdges(figure, at);
+  drawEdges(figure, in, at);
   if (!crosses)
     return figure;
   if (ahead)

@@ -28,7 +28,7 @@ struct Out : Naming, UfoTerms {
   Shot shot;
   bool isByHand = true;
   ExactVec3 saucer; ///< where it is in the frame
-  Term aim;         ///< along the barrel: b, or what chance makes of it
+  Term aim;         ///< along the barrel: g, or what chance makes of it
   Term Q, r;
 };
 
@@ -60,7 +60,7 @@ Out compute(const In &in) {
           shot,
           seed == 0,
           start + velocity * (frame / framesPerVelocity),
-          seed == 0 ? letters.b : name(in.own(vectorLetter("d")), shot.barrel).marked(in.mark("d")),
+          seed == 0 ? letters.g : name(in.own(vectorLetter("d")), shot.barrel).marked(in.mark("d")),
           madeName(in, "L", "Q", start + velocity * (shot.frame / framesPerVelocity)),
           madeName(in, "L", "r", directionOf(shot.barrel))};
 }
@@ -70,8 +70,8 @@ bool hasBarrel(const Out &at) { return !isZero(at.shot.barrel); }
 CaseWords tell(const In &, const Out &at) {
   if (!hasBarrel(at))
     return {"zero-direction",
-            words("The barrel {b} is the zero vector: it points nowhere, so nothing is fired.",
-                  {{"b", plainText(at.aim)}}),
+            words("The barrel {g} is the zero vector: it points nowhere, so nothing is fired.",
+                  {{"g", plainText(at.aim)}}),
             true};
   if (at.isByHand)
     return {"by-hand", words("The saucer fires from {Q} along its barrel.", {{"Q", plainText(at.Q)}})};
@@ -95,9 +95,9 @@ WorkingLine startLine(const Out &at) {
   if (at.shot.frame == 0)
     return line(withResult(at.Q == at.S), words("The saucer fires from where it starts."));
   const Rational part = at.shot.frame / framesPerVelocity;
-  return asked(withNumbers(at.Q == at.S + Term(part) * at.v),
-               words("Where the saucer is when it fires: it flies {v} in {frames} frames.",
-                     {{"v", plainText(at.v)}, {"frames", std::to_string(framesPerVelocity)}}));
+  return asked(withNumbers(at.Q == at.S + Term(part) * at.c),
+               words("Where the saucer is when it fires: it flies {c} in {frames} frames.",
+                     {{"c", plainText(at.c)}, {"frames", std::to_string(framesPerVelocity)}}));
 }
 
 WorkingLine lengthLine(const Out &at) {

@@ -37,8 +37,8 @@ Kind ufo() {
               "a flying saucer by where it starts, how far it flies in a hundred frames, and where its "
               "barrel points",
           .coordinates = {{"S", CoordinateRole::Position},
-                          {"v", CoordinateRole::Direction},
-                          {"b", CoordinateRole::Direction}},
+                          {"c", CoordinateRole::Direction},
+                          {"g", CoordinateRole::Direction}},
           .leavableVertices = 0,
           .shape = {},
           .binding = {},

@@ -20,8 +20,8 @@ struct UfoObject {
 /// Its letters, with their values.
 struct UfoTerms {
   Term S;
-  Term v;
-  Term b;
+  Term c;
+  Term g;
 };
 
 [[nodiscard]] UfoTerms termsOf(const Given<UfoObject> &ufo);

@@ -512,10 +512,11 @@ std::vector<Object *> objectsOf(Scene &scene) {
   return objects;
 }
 
-/// A construction has none of its own, and a plain number keeps its one: it may be a bound or a step.
+/// A construction has none of its own, a plain number keeps its one, as it may be a bound or a step, and a
+/// mesh stays where others stand around it.
 bool keepsItsNumbers(const Entry &entry) {
   const auto *object = std::get_if<Object>(&entry.content);
-  return !object || kindOf(*object) == NumberObject::kind;
+  return !object || kindOf(*object) == NumberObject::kind || object->shape();
 }
 
 bool differEverywhere(const Scene &a, const Scene &b) {

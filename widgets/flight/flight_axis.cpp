@@ -75,7 +75,7 @@ bool FlightAxis::Pin::isHit() const {
 }
 
 FlightAxis::FlightAxis(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_letterT(typesetter.picture(math::row(math::letter('t')))),
+    : QWidget(parent), m_letter(typesetter.picture(math::row(math::letter(U'λ')))),
       m_letterQ(typesetter.picture(math::row(math::letter('Q')))), m_theme(themes().front()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -271,7 +271,7 @@ void FlightAxis::paintTicks(QPainter &painter) const {
   }
   if (m_range.contains(0))
     paintLetter(painter, *m_letterQ, {at.xOf(0), below}, m_theme.inkOf(Subject::Point));
-  paintLetter(painter, *m_letterT, {at.right + rightRoom * unit() * 0.6, below}, m_theme.ink);
+  paintLetter(painter, *m_letter, {at.right + rightRoom * unit() * 0.6, below}, m_theme.ink);
 }
 
 void FlightAxis::paintPin(QPainter &painter, const Pin &pin) const {

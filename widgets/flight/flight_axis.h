@@ -110,7 +110,7 @@ private:
   void paintHandle(QPainter &painter) const;
   void paintLetter(QPainter &painter, const MathPicture &picture, QPointF topMiddle, Color ink) const;
 
-  Typesetter::Picture m_letterT;
+  Typesetter::Picture m_letter;
   Typesetter::Picture m_letterQ;
   std::vector<Pin> m_pins; ///< by t
   int m_levels = 1;

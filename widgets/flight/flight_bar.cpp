@@ -37,7 +37,7 @@ WrittenNumber shown(double t) {
 }
 
 math::Row formulaOfTime(const math::Row &value, char32_t relation) {
-  return math::row(math::letter('t'), math::symbol(relation, math::AtomClass::Rel), value);
+  return math::row(math::letter(U'λ'), math::symbol(relation, math::AtomClass::Rel), value);
 }
 
 } // namespace

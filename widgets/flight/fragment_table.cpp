@@ -93,7 +93,7 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888881, 10000003)))), m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(Rational(-888, 100)))), m_theme(themes().front()) {
   static const bool isTold = (QAccessible::installFactory(spokenTable), true);
   (void)isTold;
   setFocusPolicy(Qt::StrongFocus);

@@ -18,7 +18,7 @@ class FragmentTable : public QWidget {
   Q_OBJECT
 public:
   /// Further fragments are counted in a last line.
-  static constexpr std::size_t mostRows = 24;
+  static constexpr std::size_t mostRows = 14;
 
   /// The typesetter must outlive the table.
   explicit FragmentTable(const Typesetter &typesetter, QWidget *parent = nullptr);
