@@ -288,7 +288,7 @@ ConstructionNames names() {
                      named::index("nearest"), named::number("lambda"), named::vector("point"),
                      named::index("hits"), named::index("behind"), named::index("so_far"),
                      named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
-                                                                  "in-plane", "zero-direction"})})},
+                                                                  "in-plane", "coincident", "collinear"})})},
           .lines = {"order", "hit"},
           .marks = {"H", "nearest", "T", "T.P0", "T.P1", "T.P2", "hits", "behind"}};
 }
