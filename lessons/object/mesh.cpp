@@ -19,7 +19,7 @@ constexpr std::size_t mostDrawnFaces = 200;
 
 /// A heading whose length is no fraction turns by the angle whose half has the nearest tangent that is a
 /// multiple of this: at most a third of a degree off, in numbers that stay short.
-const Rational tangentStep(1, 100);
+const Rational tangentStep(1, 200);
 
 struct Turn {
   Rational cosine;

@@ -1,10 +1,13 @@
-// A thousand torpedoes, fired at a mesh of very many triangles by each way to search it.
+// Torpedoes, fired at a mesh of very many triangles by each way to search it.
 #pragma once
 
 #include "tests/geometry/every_search.h"
 
+#include <utility>
+
 namespace halfspace {
 
-class TorpedoesAtAMesh : public EverySearch {};
+/// Its parameter makes a search ready, and says how many seeds there are time for.
+class TorpedoesAtAMesh : public testing::TestWithParam<std::pair<MakeSearch, int>> {};
 
 } // namespace halfspace

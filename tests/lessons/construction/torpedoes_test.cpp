@@ -18,11 +18,13 @@ namespace {
 
 using namespace test;
 
-INSTANTIATE_TEST_SUITE_P(Plain, TorpedoesAtAMesh, testing::Values([](const TriangleMesh &mesh) {
-                           return std::unique_ptr<HitSearch>(std::make_unique<PlainHitSearch>(mesh));
-                         }));
+INSTANTIATE_TEST_SUITE_P(Plain, TorpedoesAtAMesh,
+                         testing::Values(std::pair<MakeSearch, int>(
+                             [](const TriangleMesh &mesh) -> std::unique_ptr<HitSearch> {
+                               return std::make_unique<PlainHitSearch>(mesh);
+                             },
+                             12)));
 
-constexpr int seeds = 125;
 constexpr int shotsOfASeed = 8;
 
 // --- the shots
@@ -35,7 +37,7 @@ std::vector<ExactVec3> firstBarrels(int seed, int count) {
 }
 
 TEST(Shots, OfASeed_AreAlwaysTheSame) {
-  EXPECT_EQ(firstBarrels(7, 3), (std::vector<ExactVec3>{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}));
+  EXPECT_EQ(firstBarrels(7, 3), (std::vector<ExactVec3>{{-6, -3, -8}, {0, 5, -8}, {-3, 2, -8}}));
 }
 
 TEST(Shots, OfOtherSeeds_AreOthersAndAllPointDownwards) {
@@ -153,7 +155,7 @@ TEST(Torpedoes, AThousandAtTheBarn_HitWhatTheLoopOverAllTrianglesSays) {
   const auto triangles = trianglesIn(barn, {"field", "barn", "roof"});
   std::set<std::size_t> hit;
   int atTheField = 0;
-  for (int seed = 1; seed <= seeds; ++seed)
+  for (int seed = 1; seed <= 125; ++seed)
     for (int shot = 0; shot < shotsOfASeed; ++shot) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", shot " + std::to_string(shot));
       const Evaluation evaluation = evaluate(atShot(barn, seed, shot));
@@ -206,14 +208,15 @@ TriangleMesh hills() {
   return mesh;
 }
 
-TEST_P(TorpedoesAtAMesh, AThousand_HitWhatTheLoopOverAllTrianglesSays) {
+TEST_P(TorpedoesAtAMesh, ManyTorpedoes_HitWhatTheLoopOverAllTrianglesSays) {
+  const auto &[makeSearch, seeds] = GetParam();
   Scene scene = barnScene();
   Object field = *findObject(scene, "field");
-  field.setShape(std::make_shared<const MeshShape>(hills(), GetParam()(hills())));
+  field.setShape(std::make_shared<const MeshShape>(hills(), makeSearch(hills())));
   field[0] = {q(1, 3), q(-1, 2), -1};
   field[1] = {4, q(1, 4), 0};
   field[2].x = q(10, 9);
-  scene = edited(scene, {ChangeObject{"field", field}});
+  scene = edited(scene, {ChangeObject{"field", field}, RemoveEntry{"flight"}});
   const auto triangles = trianglesIn(scene, {"field", "barn", "roof"});
   int atTheField = 0;
   for (int seed = 1; seed <= seeds; ++seed)
@@ -231,7 +234,7 @@ TEST_P(TorpedoesAtAMesh, AThousand_HitWhatTheLoopOverAllTrianglesSays) {
       EXPECT_EQ(crossings.all.size(), 1U) << "of very many the nearest one alone";
       atTheField += aimsAtTheField(torpedo) ? 1 : 0;
     }
-  EXPECT_GT(atTheField, 700);
+  EXPECT_GT(atTheField, seeds * 5);
 }
 
 } // namespace

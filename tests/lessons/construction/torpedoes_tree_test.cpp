@@ -5,9 +5,12 @@
 namespace halfspace {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Tree, TorpedoesAtAMesh, testing::Values([](const TriangleMesh &mesh) {
-                           return std::unique_ptr<HitSearch>(std::make_unique<HitFinder>(trianglesOf(mesh)));
-                         }));
+INSTANTIATE_TEST_SUITE_P(Tree, TorpedoesAtAMesh,
+                         testing::Values(std::pair<MakeSearch, int>(
+                             [](const TriangleMesh &mesh) -> std::unique_ptr<HitSearch> {
+                               return std::make_unique<HitFinder>(trianglesOf(mesh));
+                             },
+                             125)));
 
 } // namespace
 } // namespace halfspace

@@ -3,6 +3,7 @@
 
 #include "geometry/decide.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "lessons/lesson/lesson.h"
 #include "lessons/object/kind.h"
 #include "lessons/scene/session_file.h"
 #include "tests/lessons/scenes.h"
@@ -108,6 +109,35 @@ TEST(MeshShape, Written_IsReadAsTheSame) {
   EXPECT_EQ(written(triangles).faces, faces);
 }
 
+TEST(MeshShape, DamagedInThousandsOfWays_IsReadOrToldWhatIsWrong) {
+  const std::string corners = "0 0 0, 4 0 -0.375, 4 4 1/4, 0 4 0, 2 1 1e1";
+  const std::string faces = "0 1 4, 1 2 4, 0 1 1, 3 4 2";
+  const std::string scraps = "0123456789 ,.-/e\n\t\xFFx";
+  std::mt19937 engine(5);
+  const auto damaged = [&](std::string text) {
+    for (auto times = engine() % 4; times > 0; --times)
+      if (const std::size_t at = engine() % text.size(); engine() % 2 == 0)
+        text[at] = scraps[engine() % scraps.size()];
+      else
+        text.insert(at, 1, scraps[engine() % scraps.size()]);
+    return text;
+  };
+  int wasRead = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const auto shape = readShape(damaged(corners), damaged(faces));
+    if (!shape) {
+      EXPECT_FALSE(shape.problem().sentence.empty());
+      EXPECT_TRUE(shape.problem().field == cornersField || shape.problem().field == facesField);
+      continue;
+    }
+    ++wasRead;
+    const auto [writtenCorners, writtenFaces] = written(**shape);
+    EXPECT_EQ(**readShape(writtenCorners, writtenFaces), **shape);
+  }
+  EXPECT_GT(wasRead, 500);
+  EXPECT_LT(wasRead, 4500);
+}
+
 /// A session file with a mesh.
 std::string sessionWith(const std::string &mesh) {
   return R"({"format":"halfspace","version":2,"lesson":"x","step":0,
@@ -126,7 +156,22 @@ TEST(Mesh, BadShapeInAFile_IsToldWithItsField) {
             "scene[0].mesh.corners");
   EXPECT_EQ(problemOf(R"(,"corners":"0 0 0, 4 0 0, 0 4 0")").field, "scene[0].mesh.faces");
   EXPECT_EQ(problemOf(R"(,"faces":"0 1 2")").field, "scene[0].mesh.corners");
-  EXPECT_EQ(problemOf(R"(,"corners":["0 0 0"],"faces":"0 1 2")").field, "scene[0].mesh.corners");
+  const Problem list = problemOf(R"(,"corners":["0 0 0"],"faces":"0 1 2")");
+  EXPECT_EQ(list.field, "scene[0].mesh.corners");
+  EXPECT_NE(list.sentence.find("a text is expected"), std::string::npos) << list.sentence;
+}
+
+TEST(Mesh, BadShapeInALesson_IsToldWithItsLine) {
+  const auto problemOf = [](const std::string &corners, const std::string &faces) {
+    return parseLesson(
+               "---\nid: x\ntitle: X\nsources: [PG 1]\nscene:\n  - name: A1\n    mesh:\n      P: [0, 0, 0]\n"
+               "      h: [1, 0, 0]\n      k: 1\n      corners: " +
+                   corners + "\n      faces: " + faces + "\n---\n## A step\n\nWords.\n",
+               "x.md")
+        .problem();
+  };
+  EXPECT_EQ(problemOf("0 0 0.1, 4 0 0, 0 4 0", "0 1 2").line, 11);
+  EXPECT_EQ(problemOf("0 0 0, 4 0 0, 0 4 0", "0 1 3").line, 12);
 }
 
 // --- what is shared

@@ -86,6 +86,12 @@ void addChosen(const Given &given, const AllMet &all, Recomputed &expected) {
     }
 }
 
+/// As LaTeX: an index of several digits stands in braces.
+std::string indexed(const std::string &letter, int index) {
+  const std::string text = std::to_string(index);
+  return letter + "_" + (text.size() > 1 ? "{" + text + "}" : text);
+}
+
 void addNearest(const Given &given, const AllMet &all, Recomputed &expected) {
   const auto &[lambda, number] = *all.ahead.begin();
   const ExactVec3 point = given.ray.origin + given.ray.direction * lambda;
@@ -112,7 +118,7 @@ Recomputed recompute(Objects objects) {
   expected.values["behind"] = static_cast<int>(all.behind.size());
   for (const Hits &hits : {all.ahead, all.behind})
     for (const auto &[lambda, number] : hits)
-      expected.names["\\lambda_{" + std::to_string(number) + "}"] = quantity(lambda);
+      expected.names[indexed("\\lambda", number)] = quantity(lambda);
   if (!all.ahead.empty())
     addNearest(given, all, expected);
   return expected;

@@ -39,17 +39,15 @@ template <class Holds> int largest(int most, Holds holds) {
 inline std::optional<Rational> rootOf(const Rational &square) {
   const Rational whole = square.numerator() * square.denominator();
   Rational root = whole + 1;
-  for (Rational next = root; next * next > whole; next = wholeBelow((next + wholeBelow(whole / next)) / 2))
-    root = next;
   while (root * root > whole)
-    root -= 1;
+    root = wholeBelow((root + wholeBelow(whole / root)) / 2);
   if (root * root != whole)
     return {};
   return root / square.denominator();
 }
 
 /// Of the angle from the x-axis to (x, y). Where the length is no fraction, the tangent of its half is the
-/// hundredth nearest to the one that solves y·t² + 2x·t = y.
+/// two-hundredth nearest to the one that solves y·t² + 2x·t = y.
 inline CosineAndSine turnOf(const Rational &x, const Rational &y) {
   if (x == 0 && y == 0)
     return {1, 0};
@@ -57,11 +55,11 @@ inline CosineAndSine turnOf(const Rational &x, const Rational &y) {
     return {x / *length, y / *length};
   const Rational ahead = abs(x);
   const Rational aside = abs(y);
-  const auto isBelow = [&](const Rational &hundredths) {
-    const Rational t = (2 * hundredths - 1) / 200;
-    return hundredths == 0 || aside * t * t + 2 * ahead * t < aside;
+  const auto isBelow = [&](const Rational &steps) {
+    const Rational t = (2 * steps - 1) / 400;
+    return steps == 0 || aside * t * t + 2 * ahead * t < aside;
   };
-  const Rational t = Rational(largest(100, isBelow), 100);
+  const Rational t = Rational(largest(200, isBelow), 200);
   const Rational cosine = 2 / (1 + t * t) - 1;
   const Rational sine = t + t * cosine;
   return {x < 0 ? Rational(-cosine) : cosine, y < 0 ? Rational(-sine) : sine};
