@@ -20,9 +20,7 @@ HitFinder::HitFinder(std::span<const Triangle<double>> triangles)
     : m_scene(std::make_unique<const Scene>(triangles)) {}
 HitFinder::~HitFinder() = default;
 
-SearchCost HitFinder::offerCandidates(const Ray<double> &ray, NearestSoFar &nearest) const {
-  if (const auto cost = m_scene->tree.search(ray, nearest))
-    return *cost;
+SearchCost HitFinder::offerAll(NearestSoFar &nearest) const {
   const std::size_t count = m_scene->triangles.size();
   for (std::size_t i = 0; i < count; ++i)
     nearest.offer(i);
@@ -32,19 +30,23 @@ SearchCost HitFinder::offerCandidates(const Ray<double> &ray, NearestSoFar &near
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
   assert(!isZero(ray.direction));
   NearestSoFar nearest(ray, m_scene->triangles, m_scene->tree.isTame());
-  offerCandidates(ray, nearest);
+  if (!m_scene->tree.search(ray, nearest))
+    offerAll(nearest);
   return nearest.result();
 }
 
 SearchResult HitFinder::search(const Ray<Rational> &ray) const {
   assert(!isZero(ray.direction));
   const auto exact = inDoubles(ray);
-  // What rounding moves a ray by is far below what the tree's boxes are larger than they must be.
   const Ray<double> rounded = exact.value_or(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)});
   NearestSoFar nearest = exact ? NearestSoFar(rounded, m_scene->triangles, m_scene->tree.isTame())
                                : NearestSoFar(rounded, ray, m_scene->triangles);
-  const SearchCost cost = offerCandidates(rounded, nearest);
-  return {nearest.exactResult(), cost};
+  std::optional<SearchCost> cost;
+  if (exact || m_scene->tree.mayBeRounded(rounded))
+    cost = m_scene->tree.search(rounded, nearest);
+  if (!cost)
+    cost = offerAll(nearest);
+  return {nearest.exactResult(), *cost};
 }
 
 } // namespace halfspace

@@ -30,12 +30,12 @@ public:
 
   /// Requires a direction ≠ 0 and finite numbers. May be called from several threads at once.
   [[nodiscard]] std::optional<NearestHit> find(const Ray<double> &ray) const;
-  /// A ray that is in no doubles costs a calculation with fractions for each candidate, or, seen from very
-  /// far away (2^26 times the half width of all triangles), for each triangle.
+  /// A ray that is in no doubles costs a calculation with fractions for each candidate, or, 2^26 times the
+  /// half width of all triangles away from them or from zero, for each triangle.
   [[nodiscard]] SearchResult search(const Ray<Rational> &ray) const override;
 
 private:
-  SearchCost offerCandidates(const Ray<double> &ray, NearestSoFar &nearest) const;
+  SearchCost offerAll(NearestSoFar &nearest) const;
 
   struct Scene;
   std::unique_ptr<const Scene> m_scene;

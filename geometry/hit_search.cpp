@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -18,6 +19,9 @@ bool areTame(const std::vector<Triangle<double>> &triangles) {
 
 std::optional<Ray<double>> inDoubles(const Ray<Rational> &ray) {
   const Ray<double> rounded{toDouble(ray.origin), toDouble(ray.direction)};
+  if (!std::isfinite(largestCoordinate(rounded.origin)) ||
+      !std::isfinite(largestCoordinate(rounded.direction)))
+    return {};
   const Ray<Rational> again = exactly(rounded);
   if (again.origin != ray.origin || again.direction != ray.direction)
     return {};

@@ -22,8 +22,8 @@ namespace {
 /// By how much each box is made larger on each side, in the tree's units. A ray is followed for less than
 /// eight of them: four to where it is nearest to the middle, and no more than 2√3 from there on. Where it
 /// crosses the plane of a box's side is told after four roundings of 2^-24, one of its origin and one of the
-/// side: less than 2^-19 + 2^-21 + 2^-24 off. Rounded to doubles from farthestOrigin, it is another 2^-26
-/// off.
+/// side: less than 2^-19 + 2^-21 + 2^-24 off. Rounded to doubles no further than farthestOrigin
+/// from zero, it is another 2^-26 off.
 constexpr double boxMargin = 0x1p-18;
 /// A bound on the error of a triangle's products, as a share of the sum of their terms' magnitudes: at most
 /// 20 roundings of 2^-24. How far a corner lies from the ray's origin is off by another 2^-20 at most,
@@ -239,6 +239,10 @@ void TriangleTree::build(std::span<const Triangle<double>> triangles) {
   arguments.userPtr = &builder;
   m_root = Link(rtcBuildBVH(&arguments));
   m_isBuilt = !m_root.isNull();
+}
+
+bool TriangleTree::mayBeRounded(const Ray<double> &ray) const {
+  return largestCoordinate(ray.origin) * m_scale <= farthestOrigin;
 }
 
 /// Nothing where the ray is so far off, or so short, that each triangle must be asked.

@@ -26,8 +26,12 @@ public:
   /// Offers every triangle that may be the nearest hit, about from near to far, and says what was looked at.
   /// Nothing, and nothing is offered, where it cannot tell: each triangle is to be asked then. Requires a
   /// direction ≠ 0 and finite numbers.
-  /// (1) No triangle is left out that a ray hits whose numbers this one's are the nearest doubles to.
+  /// (1) Nor is a triangle left out that a ray hits whose numbers were rounded to these, where
+  /// `mayBeRounded`.
   std::optional<SearchCost> search(const Ray<double> &ray, NearestSoFar &nearest) const;
+
+  /// Whether rounding to these numbers moves a ray by so little that the boxes' margin is enough.
+  [[nodiscard]] bool mayBeRounded(const Ray<double> &ray) const;
 
   /// Whether all coordinates are so small that bounds on errors hold.
   [[nodiscard]] bool isTame() const { return m_isTame; }

@@ -302,7 +302,7 @@ ConstructionNames names() {
                      named::word("so_far_is_nearest", {"yes", "no"}),
                      named::word("location", {"interior", "edge", "vertex"}),
                      named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
-                                                                  "in-plane", "zero-direction"})})},
+                                                                  "in-plane", "coincident", "collinear"})})},
           .lines = {"order", "hit"},
           .marks = {"H", "nearest", "T", "T.P0", "T.P1", "T.P2", "hits", "behind"}};
 }

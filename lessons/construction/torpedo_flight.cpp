@@ -79,11 +79,11 @@ Explanation explain(const In &in, const Out &at) {
   if (isDegenerate(in))
     return lines;
   lines.add("place", [&at] {
-    return line(withNumbers(at.M == at.Q + at.lambda * at.r),
-                hasExploded(at)
-                    ? words("The torpedo came as far as its hit.")
-                    : words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
-                            {{"frames", std::to_string(framesPerLambda)}}));
+    return asked(withNumbers(at.M == at.Q + at.lambda * at.r),
+                 hasExploded(at)
+                     ? words("The torpedo came as far as its hit.")
+                     : words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
+                             {{"frames", std::to_string(framesPerLambda)}}));
   });
   return lines;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::size_t mostDrawnFaces = 200;
 
 /// A heading whose length is no fraction turns by the angle whose half has the nearest tangent that is a
 /// multiple of this: at most a third of a degree off, in numbers that stay short.
-const Rational tangentStep(1, 100);
+const Rational tangentStep(1, 200);
 
 struct Turn {
   Rational cosine;
@@ -91,14 +92,12 @@ void offer(const Given<Object> &given, Surroundings &found) {
   const std::vector<ExactVec3> corners = cornersOf(mesh);
   for (const ExactVec3 &corner : corners)
     found.points.push_back({corner, words("corner of {mesh}", name)});
-  const auto offerEdge = [&](std::uint32_t from, std::uint32_t to) {
-    if (from < to && corners[from] != corners[to])
-      found.edges.push_back({corners[from], corners[to], words("edge of {mesh}", name)});
-  };
-  for (const auto &[a, b, c] : mesh.shape->mesh()->triangles)
-    for (const auto &[from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      offerEdge(from, to);
-      offerEdge(to, from);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> offered; // two faces have most of them
+  for (const MeshFace &face : mesh.shape->faces())
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const auto [from, to] = std::minmax(face[i], face[(i + 1) % face.size()]);
+      if (corners[from] != corners[to] && offered.emplace(from, to).second)
+        found.edges.push_back({corners[from], corners[to], words("edge of {mesh}", name)});
     }
 }
 

@@ -50,6 +50,10 @@ void readShapeOf(Object &object, FieldReader &fields) {
   const DocumentNode *faces = fields.required(facesField);
   if (!corners || !faces)
     return;
+  for (const DocumentNode *node : {corners, faces})
+    if (node->kind != DocumentNode::Kind::Text)
+      return fields.complain(*node, fields.pathOf(node->key),
+                             words("Here a text is expected, in quotes where the file is JSON."));
   auto shape = readShape(corners->text, faces->text);
   if (shape)
     return object.setShape(std::move(*shape));

@@ -93,16 +93,18 @@ Result<MeshFace> readFace(std::string_view text, const std::vector<Vec3<double>>
     face.push_back(*index);
     places.push_back(exactly(corners[*index]));
   }
-  if (face.size() < 3 || (face.size() > 3 && !isFlatAndConvex(places)))
+  if (face.size() < 3 || face.size() > mostFaceCorners || (face.size() > 3 && !isFlatAndConvex(places)))
     return problemOf(facesField,
-                     words("“{text}” is no flat, convex face of three corners or more. Cut it into "
+                     words("“{text}” is no flat, convex face of three to {most} corners. Cut it into "
                            "triangles.",
-                           {{"text", shortened(text)}}));
+                           {{"text", shortened(text)}, {"most", std::to_string(mostFaceCorners)}}));
   return face;
 }
 
 Result<std::vector<MeshFace>> readFaces(std::string_view text, const std::vector<Vec3<double>> &corners) {
   const auto parts = partsOf(text, ",");
+  if (parts.empty())
+    return problemOf(facesField, words("The mesh has no faces."));
   if (parts.size() > mostWrittenFaces)
     return problemOf(facesField, words("These are too many faces: at most {limit} are read.",
                                        {{"limit", std::to_string(mostWrittenFaces)}}));

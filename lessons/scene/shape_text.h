@@ -14,6 +14,8 @@ inline constexpr const char *cornersField = "corners";
 inline constexpr const char *facesField = "faces";
 /// A shape has at most so many faces in a file of ours.
 inline constexpr std::size_t mostWrittenFaces = 50000;
+/// A face has at most so many corners there.
+inline constexpr std::size_t mostFaceCorners = 100;
 
 /// Reads a shape as files have it: corners `0 0 0, 4 0 0, 0 3 0.5`, counted from 0, and faces by the numbers
 /// of their corners, `0 1 2, 0 2 3 4`. A coordinate must be a double exactly: 0.5 and 0.375 are, 0.1 is not.

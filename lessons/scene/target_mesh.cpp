@@ -15,11 +15,12 @@ constexpr double wantedSide = 8;
 /// Where it stands at first: on the field of a scene of usual size, beside the middle.
 const ExactVec3 firstPlace(9, 16, 0);
 
-/// 1, 2 or 5 times a power of ten, the nearest below.
+/// 1, 2 or 5 times a power of ten, not much above the factor.
 Rational roundFactor(double factor) {
   const int exponent = static_cast<int>(std::floor(std::log10(factor)));
   const double leading = factor / std::pow(10.0, exponent);
-  const int digit = leading >= 5 ? 5 : leading >= 2 ? 2 : 1;
+  constexpr double slack = 1.3;
+  const int digit = leading * slack >= 10 ? 10 : leading * slack >= 5 ? 5 : leading * slack >= 2 ? 2 : 1;
   return Rational(digit) * powerOfTen(exponent);
 }
 

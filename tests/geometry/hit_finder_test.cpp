@@ -2,6 +2,7 @@
 
 #include "geometry/decide.h"
 #include "geometry/hit_all.h"
+#include "tests/geometry/every_search.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,10 @@ namespace halfspace {
 namespace {
 
 using Triangles = std::vector<Triangle<double>>;
+
+INSTANTIATE_TEST_SUITE_P(Tree, EverySearch, testing::Values([](const TriangleMesh &mesh) {
+                           return std::unique_ptr<HitSearch>(std::make_unique<HitFinder>(trianglesOf(mesh)));
+                         }));
 
 class Scenes {
 public:
@@ -303,6 +308,17 @@ TEST(HitFinder, OriginHoweverFar_FindsTheTriangle) {
     ASSERT_TRUE(found) << exponent;
     EXPECT_EQ(found->t, height);
     EXPECT_FALSE(finder.find({{0.25, 0.25, height}, {0, 0, 1}})) << exponent;
+  }
+}
+
+TEST(HitFinder, OfTenThousandTriangles_AsksFewOfThem) {
+  Scenes scenes(8);
+  const HitFinder finder(terrain(scenes, 71, {0, 0, 0}));
+  for (const Rational &x : {Rational(71, 2), Rational(71, 3)}) { // in doubles, and not
+    const SearchCost cost = finder.search({{x, 30, 40}, {1, 1, -10}}).cost;
+    EXPECT_GT(cost.triangles, 0U);
+    EXPECT_GT(cost.boxes, 0U);
+    EXPECT_LT(cost.boxes + cost.triangles, 1000U);
   }
 }
 

@@ -97,6 +97,7 @@ inline Evaluation withValues(std::vector<NamedValue> values, std::string caseNam
               Lazy<Explanation>(nothing),
               Lazy<Figure>([] { return Figure(); }),
               Lazy<std::vector<SpecialCase>>([] { return std::vector<SpecialCase>(); }),
+              Lazy<Crossings>([] { return Crossings(); }),
               nullptr});
   return {{{"it", "any", {}, {}, {}, outcome}}};
 }

@@ -17,6 +17,9 @@
 namespace halfspace {
 namespace {
 
+/// Whole surfaces in the colour of lines would be too dark: they take so much of it.
+constexpr double bodyInk = 0.55;
+
 void write(const MeshMark &mark, vtkMatrix4x4 *matrix) {
   for (glm::length_t column = 0; column < 3; ++column)
     for (glm::length_t row = 0; row < 3; ++row)
@@ -81,7 +84,7 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
     vtkMatrix4x4::Multiply4x4(&m_ontoGround, actors->placement, actors->shadowPlacement);
     setColor(actors->actor,
              mix(theme.backgroundBottom, solidColor(*body, theme, highlighted.contains(body->id)),
-                 arrival.presenceOf(*body)));
+                 bodyInk * arrival.presenceOf(*body)));
     setColor(actors->shadow, theme.shadow);
     actors->shadow->SetVisibility(m_shadowsVisible);
   }

@@ -370,6 +370,9 @@ private:
                    [](const SphereMark &m) {
                      return std::vector{m.center, Place(m.radius)};
                    },
+                   [](const MeshMark &m) {
+                     return std::vector{m.box.first, m.box.second, m.place, m.axes[0], m.axes[1], m.axes[2]};
+                   },
                    [](const ArcMark &m) {
                      return std::vector{m.center, m.from, m.to};
                    },

@@ -5,6 +5,8 @@
 #include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/line.h"
+#include "lessons/object/mesh.h"
+#include "lessons/object/number.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/point.h"
 #include "lessons/object/polygon.h"
@@ -12,6 +14,7 @@
 #include "lessons/object/solid.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/ufo.h"
 #include "lessons/object/vector.h"
 
 #include <algorithm>
@@ -42,10 +45,15 @@ public:
           giveConvexBase(objects.back());
         if (role.kind == PolygonObject::kind)
           objects.back() = convexPolygon();
+        if (role.kind == NumberObject::kind)
+          objects.back() = numberFor(role.name);
+        if (role.kind == MeshObject::kind)
+          giveShape(objects.back());
         objects.back().kind().settle(objects.back());
       }
     if (integer(0, 1) == 0)
       makeSpecial(objects);
+    makeMeshesSpecial(construction, objects);
     if (std::any_of(construction.roles.begin(), construction.roles.end(),
                     [](const ConstructionRole &role) { return role.isList; }))
       makePlanesSpecial(objects);
@@ -144,6 +152,8 @@ private:
       makeSpecial(polygon.typed->corners, *ray.typed);
     if (ray.typed && findSolidKind(kindOf(objects[0])))
       makeSpecialSolid(objects[0], *ray.typed);
+    if (Found<UfoObject> ufo(objects); ufo.typed)
+      makeSpecial(*ufo.typed);
     if (Found<LineObject> line(objects); line.typed && point.typed)
       makeSpecial(*line.typed, point.typed->at);
     else if (line.typed)
@@ -438,6 +448,121 @@ private:
       break;
     default:
       ray.direction = ExactVec3(placeIn(face) - ray.origin) * Rational(integer(0, 2) == 0 ? -1 : 2);
+    }
+  }
+
+  /// A frame of a minute, some between two and some before the first; a seed, 0 half of the time; the number
+  /// of a fragment, or of none.
+  NumberObject numberFor(const std::string &role) {
+    constexpr int most = 1'000'000;
+    NumberObject number{0, -most, most, 0};
+    if (role == "frame")
+      number.value = integer(0, 3) == 0 ? Rational(integer(-600, 600), 4) : Rational(25 * integer(0, 60));
+    else if (role == "seed")
+      number.value = integer(0, 1) * integer(1, 999);
+    else
+      number.value = Rational(integer(0, 30), integer(0, 9) == 0 ? 2 : 1);
+    return number;
+  }
+
+  /// Few triangles: one, a square, a tetrahedron, three above each other, two of three that are none.
+  void giveShape(Object &mesh) {
+    using Corners = std::vector<Vec3<double>>;
+    using Faces = std::vector<MeshFace>;
+    static const std::array shapes{
+        std::pair(Corners{{0, 0, 0}, {4, 0, 0}, {0, 3, 0.5}}, Faces{{0, 1, 2}}),
+        std::pair(Corners{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, Faces{{0, 1, 2, 3}}),
+        std::pair(Corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}},
+                  Faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}),
+        std::pair(Corners{{-3, -3, 0},
+                          {3, -3, 0},
+                          {0, 3, 0},
+                          {-3, -3, 2},
+                          {3, -3, 2},
+                          {0, 3, 2},
+                          {-3, -3, 2.5},
+                          {3, -3, 2.5},
+                          {0, 3, 2.5}},
+                  Faces{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}),
+        std::pair(Corners{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 3, 0}},
+                  Faces{{0, 1, 2}, {0, 1, 3}, {1, 1, 3}})};
+    const auto &[corners, faces] = shapes.at(static_cast<std::size_t>(integer(0, shapes.size() - 1)));
+    mesh.setShape(std::make_shared<const MeshShape>(corners, faces));
+    static const std::vector<ExactVec3> headings{{3, 4, 0}, {-5, 12, 7}, {0, -2, 0}, {0, 0, 5}};
+    if (const auto choice = static_cast<std::size_t>(integer(0, 7)); choice < headings.size())
+      mesh[1] = headings[choice];
+    mesh[2].x = length();
+  }
+
+  /// Some meshes stand twice where they are, and a ray is mostly aimed at one; k is often the number of what
+  /// it is aimed at. Any of the meshes may be it, the last one most often.
+  void makeMeshesSpecial(const Construction &construction, std::vector<Object> &objects) {
+    const std::size_t first = construction.roles.size() - 1;
+    if (construction.roles.back().kind != MeshObject::kind)
+      return;
+    const auto anyMesh = [&] {
+      return static_cast<std::size_t>(integer(static_cast<int>(first), static_cast<int>(objects.size()) - 1));
+    };
+    if (integer(0, 7) == 0)
+      objects[anyMesh()] = objects[anyMesh()];
+    const std::size_t mesh = integer(0, 1) == 0 ? objects.size() - 1 : anyMesh();
+    const MeshObject aimedAt = *objectAs<MeshObject>(objects[mesh]);
+    const int fragment = integer(0, static_cast<int>(aimedAt.shape->triangleCount()) - 1);
+    RayObject ray = *objectAs<RayObject>(objects.front());
+    aim(ray, triangleOf(aimedAt, static_cast<std::size_t>(fragment)));
+    objects.front() = ray;
+    if (construction.roles[1].name != "k" || integer(0, 1) == 0)
+      return;
+    objects[1][0].x = fragment + 1;
+    for (std::size_t before = first; before < mesh; ++before)
+      objects[1][0].x += objectAs<MeshObject>(objects[before])->shape->triangleCount();
+  }
+
+  /// At the middle of a triangle, a corner, an edge or beside it; from there, away from it, along it, in it.
+  void aim(RayObject &ray, const Triangle<Rational> &triangle) {
+    const auto &[p0, p1, p2] = triangle;
+    const auto third = [&] { return Rational(integer(-1, 4), 3); };
+    const ExactVec3 u = p1 - p0;
+    const ExactVec3 v = p2 - p0;
+    const std::array<ExactVec3, 4> places{p0 + (u + v) / Rational(3), p1, p0 + u / Rational(3),
+                                          p0 + u * third() + v * third()};
+    const ExactVec3 target = places.at(static_cast<std::size_t>(integer(0, 3)));
+    switch (integer(0, 11)) {
+    case 0:
+      ray.direction = {0, 0, 0};
+      break;
+    case 1:
+      ray.direction = u * number() + v * number();
+      break;
+    case 2:
+      ray = {target, u * number() + v * number()};
+      break;
+    case 3:
+      ray.origin = target;
+      break;
+    case 4:
+    case 5:
+      ray.direction = ray.origin - target;
+      break;
+    default:
+      ray.direction = (target - ray.origin) * Rational(2, integer(1, 3));
+    }
+  }
+
+  /// A barrel that points nowhere, or whose length is a fraction; a saucer that stands still.
+  void makeSpecial(UfoObject &ufo) {
+    switch (integer(0, 4)) {
+    case 0:
+      ufo.barrel = {0, 0, 0};
+      break;
+    case 1:
+      ufo.barrel = ExactVec3(2, 1, -2) * length();
+      break;
+    case 2:
+      ufo.velocity = {0, 0, 0};
+      break;
+    default:
+      ufo.barrel = ExactVec3(0, 3, -4) / length();
     }
   }
 

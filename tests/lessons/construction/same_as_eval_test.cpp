@@ -54,8 +54,10 @@ const std::map<std::string, Question> &questions() {
 }
 /// Those that ask otherwise: each has a test of its own below.
 const std::set<std::string> withOtherQuestions{
-    "barycentric", "dot-product-projection", "half-spaces",        "plane-parametric",
-    "point-line",  "ray-plane-substitution", "triangle-degenerate"};
+    "barycentric", "dot-product-projection", "half-spaces",         "plane-parametric",
+    "point-line",  "ray-plane-substitution", "triangle-degenerate", "nearest-hit"};
+/// Questions know no saucers and no frames.
+const std::set<std::string> withoutQuestions{"torpedo-shot", "torpedo-flight"};
 
 Json numbersOf(const ExactVec3 &at) { return {toText(at.x), toText(at.y), toText(at.z)}; }
 
@@ -171,6 +173,35 @@ TEST(SameAsEval, RayPlaneSubstitution_ForEachPlaneAsItsOwnQuestion) {
         compared += compare(explained.at("values").at(plane), answered.at("result"), plane + ".");
     }
     return compared;
+  });
+}
+
+/// Lessons have meshes and count from 1, questions have triangles and count from 0.
+TEST(SameAsEval, NearestHit_AmongTheTrianglesOfAllMeshes) {
+  compareScenes("nearest-hit", [](const std::vector<Object> &objects, const Json &explained) {
+    Json triangles = Json::array();
+    for (std::size_t i = 2; i < objects.size(); ++i) {
+      const MeshObject mesh = objectAs<MeshObject>(objects[i]).value();
+      for (std::size_t triangle = 0; triangle < mesh.shape->triangleCount(); ++triangle) {
+        const auto &[p0, p1, p2] = triangleOf(mesh, triangle);
+        triangles.push_back({numbersOf(p0), numbersOf(p1), numbersOf(p2)});
+      }
+    }
+    const Json answered =
+        answerTo(Json{{"query", "nearest-hit"}, {"ray", operandOf(objects[0])}, {"triangles", triangles}});
+    EXPECT_EQ(answered.at("ok"), !explained.at("degenerate")) << answered;
+    if (!answered.at("ok"))
+      return 0;
+    const Json &values = explained.at("values");
+    const Json &result = answered.at("result");
+    EXPECT_EQ(explained.at("case"), result.at("case"));
+    EXPECT_EQ(values.at("hits"), result.at("order").size());
+    if (!result.contains("index"))
+      return 0;
+    EXPECT_EQ(values.at("nearest"), result.at("index").get<int>() + 1);
+    EXPECT_EQ(values.at("lambda"), result.at("t"));
+    EXPECT_EQ(values.at("point"), result.at("point"));
+    return 1;
   });
 }
 
@@ -292,7 +323,8 @@ TEST(SameAsEval, TriangleDegenerate_WhereThereIsNoPlane) {
 INSTANTIATE_TEST_SUITE_P(SameAsEval, EveryConstructionWithAQuestion, testing::ValuesIn([] {
                            std::vector<std::string> ids;
                            for (const Construction &construction : constructions())
-                             if (std::string id(construction.id); !withOtherQuestions.contains(id))
+                             if (std::string id(construction.id);
+                                 !withOtherQuestions.contains(id) && !withoutQuestions.contains(id))
                                ids.push_back(std::move(id));
                            return ids;
                          }()),

@@ -170,6 +170,8 @@ std::string spelled(const Kind &kind) {
   for (const CoordinateSpec &spec : coordinatesOf(Object(kind)))
     coordinates += (coordinates.empty() ? "" : ", ") + std::string(spec.name) +
                    (spec.name.empty() ? "" : ": ") + (numbersIn(spec.role) == 3 ? "[x, y, z]" : "x");
+  if (kind.shape)
+    coordinates += ", corners: x y z …, faces: 0 1 2 …";
   const bool isNameless = kind.coordinates.front().name.empty();
   return std::string(kind.word) + ": " + (isNameless ? coordinates : "{" + coordinates + "}");
 }

@@ -35,6 +35,7 @@ Evaluation sample() {
               Lazy<Explanation>([lines] { return lines; }),
               Lazy<Figure>([] { return Figure(); }),
               Lazy<std::vector<SpecialCase>>([] { return std::vector<SpecialCase>(); }),
+              Lazy<Crossings>([] { return Crossings(); }),
               nullptr});
   return {{{"it", "any", {}, {}, {}, outcome}}};
 }

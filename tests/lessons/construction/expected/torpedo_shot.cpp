@@ -1,0 +1,89 @@
+#include "lessons/object/number.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/ufo.h"
+#include "tests/lessons/construction/expected/torpedo_tools.h"
+#include "tests/lessons/construction/expected/wrong_answer_tools.h"
+
+namespace halfspace::test {
+namespace {
+
+struct Given {
+  UfoObject ufo;
+  Rational frame;
+  Rational seed;
+};
+
+Given read(Objects objects) {
+  return {objectAs<UfoObject>(*objects[0]).value(), objectAs<NumberObject>(*objects[1])->value,
+          objectAs<NumberObject>(*objects[2])->value};
+}
+
+/// The thousandth nearest to 20·x/√square, which is none itself.
+Rational thousandthOf(const Rational &x, const Rational &square) {
+  const int thousandths = largest(20'000, [&](const Rational &count) {
+    const Rational low = (count - Rational(1, 2)) / 1000;
+    return count == 0 || low * low * square < 400 * x * x;
+  });
+  return Rational(x < 0 ? -thousandths : thousandths, 1000);
+}
+
+ExactVec3 directionOf(const ExactVec3 &barrel) {
+  const Rational square = product(barrel, barrel);
+  const auto length = rootOf(square);
+  ExactVec3 direction;
+  for (int i = 0; i < 3; ++i)
+    direction[i] = length ? Rational(barrel[i] / *length * 20) : thousandthOf(barrel[i], square);
+  return direction;
+}
+
+ExactVec3 startOf(const Given &given, const LastShot &shot) {
+  return given.ufo.start + given.ufo.velocity * shot.frame / Rational(100);
+}
+
+Recomputed recompute(Objects objects) {
+  const Given given = read(objects);
+  const auto &[start, velocity, barrel] = given.ufo;
+  const LastShot shot = lastShot(given.frame, given.seed, barrel);
+  Recomputed expected;
+  expected.names = {{"S", quantity(start)}, {"\\vec v", quantity(velocity)}, {"\\vec b", quantity(barrel)}};
+  if (vanishes(velocity))
+    expected.vanished.insert("U.v");
+  if (vanishes(barrel))
+    expected.vanished.insert("U.b");
+  expected.degenerate = vanishes(shot.barrel);
+  expected.caseName = expected.degenerate ? "zero-direction" : given.seed == 0 ? "by-hand" : "seeded";
+  if (expected.degenerate)
+    return expected;
+  const ExactVec3 Q = startOf(given, shot);
+  const ExactVec3 r = directionOf(shot.barrel);
+  expected.names["Q"] = quantity(Q);
+  expected.names["\\vec r"] = quantity(r);
+  expected.names["\\vec d"] = quantity(shot.barrel);
+  expected.values = {{"start", numbers(Q)},
+                     {"direction", numbers(r)},
+                     {"length", SignedSquares{product(shot.barrel, shot.barrel)}}};
+  return expected;
+}
+
+std::vector<WrongAnswer> wrongAnswers(Objects objects) {
+  const Given given = read(objects);
+  const LastShot shot = lastShot(given.frame, given.seed, given.ufo.barrel);
+  std::vector<WrongAnswer> all;
+  if (vanishes(shot.barrel))
+    return all;
+  addLength(all, "length", shot.barrel);
+  if (shot.frame != 0)
+    addPointOnRay(all, "start", given.ufo.start, shot.frame / 100, given.ufo.velocity);
+  return all;
+}
+
+} // namespace
+
+namespace expected {
+
+Expected torpedo_shot() {
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.3};
+}
+
+} // namespace expected
+} // namespace halfspace::test

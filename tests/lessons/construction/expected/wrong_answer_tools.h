@@ -146,6 +146,35 @@ inline void addLength(std::vector<WrongAnswer> &all, const char *id, const Exact
   }
 }
 
+/// A point of a ray: start + parameter·direction.
+inline void addPointOnRay(std::vector<WrongAnswer> &all, const char *id, const ExactVec3 &start,
+                          const Rational &parameter, const ExactVec3 &direction) {
+  const ExactVec3 way = direction * parameter;
+  const ExactVec3 right = start + way;
+  const auto add = [&](const char *how, const ExactVec3 &wrong) {
+    if (wrong != right)
+      all.push_back({id, how, "(" + toText(wrong.x) + ", " + toText(wrong.y) + ", " + toText(wrong.z) + ")"});
+  };
+  add("subtracted", start - way);
+  add("the parameter forgotten", start + direction);
+  add("the parameter added", ExactVec3(start + direction) + ExactVec3(parameter));
+  add("the start forgotten", way);
+  add("the start multiplied too", ExactVec3(start + direction) * parameter);
+  add("start and direction swapped", direction + start * parameter);
+  for (int i = 0; i < 3; ++i) {
+    const auto addOne = [&](const char *how, const Rational &wrong) {
+      ExactVec3 other = right;
+      other[i] = wrong;
+      add(how, other);
+    };
+    addOne("one product dropped", start[i]);
+    addOne("the sign of one product lost", Rational(start[i] - way[i]));
+    addOne("one coordinate of the start dropped", way[i]);
+    addOne("the sign of one coordinate of the start lost", Rational(way[i] - start[i]));
+    addOne("one coordinate not multiplied", Rational(start[i] + direction[i]));
+  }
+}
+
 /// A fraction of two numbers, each of which may have gone wrong.
 inline void addFraction(Line &line, const Rational &top, const Rational &bottom) {
   line.addRatio("upside down", bottom, top);

@@ -1,0 +1,211 @@
+// The photon torpedo in the real window: flown by its controls, aimed by the mouse, with meshes of one's own.
+#include "tests/app/window_fixture.h"
+
+#include "geometry/decide.h"
+#include "geometry/hit_all.h"
+#include "lessons/object/mesh.h"
+#include "lessons/scene/target_mesh.h"
+#include "widgets/flight/flight_bar.h"
+#include "widgets/flight/fragment_table.h"
+#include "widgets/mesh_loader.h"
+
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+
+namespace halfspace {
+namespace {
+
+constexpr int stepWithTable = 2;
+constexpr int patience = 10000; // milliseconds
+
+/// The rows of the table by their fragments' numbers.
+std::vector<std::size_t> rowsOf(const FragmentTable &table) {
+  std::vector<std::size_t> numbers;
+  for (const FragmentRow &row : table.rows())
+    numbers.push_back(row.crossing.number);
+  return numbers;
+}
+
+/// The triangles of all meshes of the scene, in the order in which they are numbered.
+std::vector<Triangle<Rational>> trianglesIn(const Scene &scene) {
+  std::vector<Triangle<Rational>> triangles;
+  for (const Entry &entry : scene.entries)
+    if (const auto *object = std::get_if<Object>(&entry.content))
+      if (const auto mesh = objectAs<MeshObject>(*object))
+        for (std::size_t i = 0; i < mesh->shape->triangleCount(); ++i)
+          triangles.push_back(triangleOf(*mesh, i));
+  return triangles;
+}
+
+} // namespace
+
+class TorpedoTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void init() {
+    forgetStarts();
+    m_fixture = std::make_unique<WindowFixture>("photon-torpedo");
+    QVERIFY(m_fixture->ready);
+  }
+  void cleanup() { m_fixture.reset(); }
+
+  void table_barrelDraggedByMouse_isSortedAnewAsTheExactLoopSaysItIs() {
+    m_fixture->model().setStep(stepWithTable);
+    QCoreApplication::processEvents();
+    const auto &table = *m_fixture->window.findChild<FragmentTable *>();
+    const std::vector<std::size_t> before = rowsOf(table);
+    const ExactVec3 start = m_fixture->value("U.S");
+    const ExactVec3 tip = start + m_fixture->value("U.g");
+    m_fixture->drag(m_fixture->pixelOf(toDouble(tip)),
+                    m_fixture->pixelOf(toDouble(ExactVec3(tip + ExactVec3(1, -2, 0)))));
+    QVERIFY(m_fixture->value("U.g") != ExactVec3(2, 1, -2));
+    QVERIFY(rowsOf(table) != before);
+
+    const RayObject ray = objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object).value();
+    const auto triangles = trianglesIn(m_fixture->model().session().scene);
+    const auto hits = hitAll(Ray<Rational>{ray.origin, ray.direction}, std::span<const Triangle<Rational>>(triangles)).hits;
+    std::vector<std::size_t> expected;
+    for (const auto &hit : hits)
+      expected.push_back(hit.index + 1);
+    std::vector<std::size_t> shown;
+    std::optional<Rational> last;
+    for (const FragmentRow &row : table.rows()) {
+      if (row.crossing.which == RayTriangleCase::Hit)
+        shown.push_back(row.crossing.number);
+      if (row.crossing.at) {
+        QVERIFY(!last || *last <= row.crossing.at->t);
+        last = row.crossing.at->t;
+      }
+    }
+    QCOMPARE(shown, expected);
+  }
+
+  void row_clicked_choosesTheFragmentThatIsWorkedOut() {
+    m_fixture->model().setStep(stepWithTable);
+    QCoreApplication::processEvents();
+    auto &table = *m_fixture->window.findChild<FragmentTable *>();
+    const std::size_t row = table.rows().size() - 2;
+    const std::size_t number = table.rows()[row].crossing.number;
+    QVERIFY(Rational(static_cast<int>(number)) != m_fixture->value("i").x);
+    QTest::mouseClick(&table, Qt::LeftButton, {}, table.rowRect(row).center());
+    QCOMPARE(m_fixture->value("i").x, Rational(static_cast<int>(number)));
+    const auto triangles = trianglesIn(m_fixture->model().session().scene);
+    const auto made = objectAs<TriangleObject>(
+        m_fixture->model().evaluation().find("nearest")->outcome->objects.back().object);
+    QCOMPARE(made->p0, triangles[number - 1].p0);
+    QCOMPARE(made->p2, triangles[number - 1].p2);
+  }
+
+  void flight_playedToItsEnd_followsTheClockExplodesAndIsOneUndoStep() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const int undoSteps = m_fixture->model().history().index();
+    emit bar.speedChanged(2);
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mouseClick(&bar.button(FlightControl::Play), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_fixture->value("frame").x > 20, patience);
+    // The frame is that of the clock, however few pictures were drawn.
+    const double seconds = static_cast<double>(clock.elapsed()) * 1e-3;
+    QVERIFY(toDouble(m_fixture->value("frame").x) <= seconds * 2 * 25 + 1);
+    QTRY_COMPARE_WITH_TIMEOUT(
+        m_fixture->model().evaluation().find("flight")->outcome->told->name, std::string("exploded"), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar.state().isPlaying, patience);
+    QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
+    m_fixture->model().undo();
+    QCOMPARE(m_fixture->value("frame").x, Rational(0));
+  }
+
+  void flight_pausedByTheMouseThatDragsTheBarrel_stopsAndTheDragCounts() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    QTest::mouseClick(&bar.button(FlightControl::Play), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_fixture->value("frame").x > 2, patience);
+    const ExactVec3 tip = m_fixture->value("U.S") + m_fixture->value("U.g");
+    m_fixture->drag(m_fixture->pixelOf(toDouble(tip)),
+                    m_fixture->pixelOf(toDouble(ExactVec3(tip + ExactVec3(1, -2, 0)))));
+    QVERIFY(!bar.state().isPlaying);
+    QVERIFY(m_fixture->value("U.g") != ExactVec3(2, 1, -2));
+  }
+
+  void axis_scrubbed_movesTheTorpedoAndIsOneUndoStep() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const int undoSteps = m_fixture->model().history().index();
+    emit bar.scrubBegun();
+    for (const double t : {0.125, 0.25, 0.5})
+      emit bar.scrubbed(t);
+    emit bar.scrubEnded();
+    QCOMPARE(m_fixture->value("frame").x, Rational(25));
+    QCOMPARE(bar.state().t, 0.5);
+    QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
+  }
+
+  void automaticFire_withTheSameSeed_firesTheSameShots() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const auto directions = [&] {
+      emit bar.automaticToggled(true);
+      emit bar.playToggled(false);
+      std::vector<ExactVec3> all;
+      for (const int frame : {0, 150, 300, 450}) {
+        NumberObject number = objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "frame")).value();
+        number.value = frame;
+        m_fixture->model().edit(ChangeObject{"frame", number}, "test");
+        all.push_back(objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)->direction);
+      }
+      emit bar.automaticToggled(false);
+      return all;
+    };
+    const auto first = directions();
+    QCOMPARE(directions(), first);
+    QVERIFY(first[0] != first[1] || first[1] != first[2]);
+    for (const ExactVec3 &direction : first)
+      QVERIFY(direction.z < 0);
+  }
+
+  void meshFile_opened_isATargetThatTheNearestHitLooksAt() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("pyramid.obj");
+    QFile text(file);
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 3\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 2\n");
+    text.close();
+    m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
+    m_fixture->window.openMesh(file);
+    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
+    const auto mesh = objectAs<MeshObject>(*findObject(m_fixture->model().session().scene, targetName));
+    QCOMPARE(mesh->shape->triangleCount(), std::size_t(4)); // the one without an area is left out
+    const auto &crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
+    QCOMPARE(crossings.fragments, trianglesIn(m_fixture->model().session().scene).size());
+    m_fixture->model().undo();
+    QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
+  }
+
+  void meshFile_broken_isToldAndTheSceneStays() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("broken.stl");
+    QFile text(file);
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write(QByteArray(80, ' ') + QByteArray("\x10\x00\x00\x00short", 9));
+    text.close();
+    auto &loader = *m_fixture->window.findChild<MeshLoader *>();
+    loader.setProgram(HALFSPACE_PROGRAM);
+    const Scene before = m_fixture->model().session().scene;
+    QSignalSpy failed(&loader, &MeshLoader::failed);
+    m_fixture->window.openMesh(file);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
+    QVERIFY(m_fixture->model().session().scene == before);
+  }
+
+private:
+  std::unique_ptr<WindowFixture> m_fixture;
+};
+
+} // namespace halfspace
+
+QTEST_MAIN(halfspace::TorpedoTest)
+#include "torpedo_test.moc"
