@@ -32,21 +32,17 @@ struct Out : Naming, UfoTerms {
   Term Q, r;
 };
 
-/// The direction is rounded to this where its exact length would be no fraction.
-const Rational directionStep(1, 1000);
+/// So many digits of the factor that makes an arrow as long as the barrel are kept where it is no fraction.
+constexpr int factorDigits = 4;
 
-/// So long as the barrel; zero for a zero barrel.
-ExactVec3 directionOf(const ExactVec3 &barrel) {
-  if (isZero(barrel))
-    return barrel;
-  const Surd length = Surd::root(dot(barrel, barrel));
+/// Times this an arrow ≠ 0 is as long as the barrel, exactly or nearly: the direction is the arrow's in any case.
+Rational factorOf(const ExactVec3 &arrow) {
+  const Surd length = Surd::root(dot(arrow, arrow));
   if (length.isRational())
-    return barrel * (Rational(barrelLength) / length.rationalPart());
+    return Rational(barrelLength) / length.rationalPart();
   const double factor = barrelLength / toDouble(length);
-  ExactVec3 direction;
-  for (int axis = 0; axis < 3; ++axis)
-    direction[axis] = roundToMultiple(toDouble(barrel[axis]) * factor, directionStep);
-  return direction;
+  const int exponent = static_cast<int>(std::floor(std::log10(factor)));
+  return roundToMultiple(factor, powerOfTen(exponent + 1 - factorDigits));
 }
 
 Out compute(const In &in) {
@@ -54,15 +50,17 @@ Out compute(const In &in) {
   const Rational &frame = in.frame.object.value;
   const Rational &seed = in.seed.object.value;
   const Shot shot = shotAt(frame, seed, barrel);
+  const Rational factor = isZero(shot.barrel) ? Rational(0) : factorOf(shot.barrel);
   const UfoTerms letters = termsOf(in.U);
   return {in,
           letters,
           shot,
           seed == 0,
           start + velocity * (frame / framesPerVelocity),
+          factor,
           seed == 0 ? letters.g : name(in.own(vectorLetter("d")), shot.barrel).marked(in.mark("d")),
           madeName(in, "L", "Q", start + velocity * (shot.frame / framesPerVelocity)),
-          madeName(in, "L", "r", directionOf(shot.barrel))};
+          madeName(in, "L", "r", ExactVec3(shot.barrel * factor))};
 }
 
 bool hasBarrel(const Out &at) { return !isZero(at.shot.barrel); }
@@ -104,18 +102,19 @@ WorkingLine lengthLine(const Out &at) {
   return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
-WorkingLine aimedLine(const Out &at) {
-  return line(withNumbers(Term(barrelLength) / norm(at.aim) * at.aim),
-              words("Divided by its length it is one unit long; times {barrel} it is as long as the barrel.",
+WorkingLine factorLine(const Out &at) {
+  return line(withNumbers(Term(barrelLength) / norm(at.aim)),
+              words("Divided by its length an arrow is one unit long; times {barrel} it is as long as the barrel.",
                     {{"barrel", std::to_string(barrelLength)}}));
 }
 
 WorkingLine directionLine(const Out &at) {
   const bool isExact = Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational();
-  return line(withResult(at.r), isExact
-                                    ? words("So the torpedo's direction is this.")
-                                    : words("Rounded to thousandths. From here on the torpedo's direction is "
-                                            "exactly this."));
+  return asked(withNumbers(at.r == Term(at.factor) * at.aim),
+               isExact ? words("The direction of the torpedo.")
+                       : words("The direction of the torpedo. The factor is rounded to {digits} digits, so it is exactly "
+                               "the barrel's direction, and nearly its length.",
+                               {{"digits", std::to_string(factorDigits)}}));
 }
 
 Explanation explain(const In &, const Out &at) {
@@ -124,7 +123,7 @@ Explanation explain(const In &, const Out &at) {
     return lines;
   lines.add("start", [&at] { return startLine(at); });
   lines.add("length", [&at] { return lengthLine(at); });
-  lines.add("aimed", [&at] { return aimedLine(at); });
+  lines.add("factor", [&at] { return factorLine(at); });
   lines.add("direction", [&at] { return directionLine(at); });
   return lines;
 }
@@ -189,7 +188,7 @@ Construction torpedo_shot() {
       "torpedo-shot", {"U", "frame", "seed"}, {{"L", "ray"}}, {"d"},
       {.cases = {"by-hand", "seeded", "zero-direction"},
        .values = {named::number("length"), named::vector("start"), named::vector("direction")},
-       .lines = {"start", "length", "aimed", "direction"},
+       .lines = {"start", "length", "factor", "direction"},
        .marks = {"saucer", "d", "L", "L.Q", "L.r"}},
       {compute, tell, valuesOf, make, explain, draw, nearby});
 }

@@ -511,7 +511,7 @@ private:
     RayObject ray = *objectAs<RayObject>(objects.front());
     aim(ray, triangleOf(aimedAt, static_cast<std::size_t>(fragment)));
     objects.front() = ray;
-    if (construction.roles[1].name != "k" || integer(0, 1) == 0)
+    if (construction.roles[1].name != "i" || integer(0, 1) == 0)
       return;
     objects[1][0].x = fragment + 1;
     for (std::size_t before = first; before < mesh; ++before)

@@ -255,6 +255,14 @@ const std::vector<Solution> &solutions() {
       {"misprints", "Turn $\\vec r$ until the", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
       {"misprints", "Drag $P_1$", {"T", TriangleObject{{2, 0, 1}, {6, 4, 5}, {2, 8, 3}}}},
       {"misprints", "Turn $\\vec r$ until only", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
+      {"photon-torpedo", "Turn the barrel", {"U", aimed({7, 4, -11})}},
+      {"photon-torpedo", "Let the barrel point up", {"U", aimed({-2, -1, 2})}},
+      {"photon-torpedo", "Find a fragment", {"i", NumberObject{3, 0, 1000000, 1}}},
+      {"photon-torpedo", "Go on until", {"i", NumberObject{19, 0, 1000000, 1}}},
+      {"photon-torpedo", "Aim at an edge", {"U", aimed({12, {3, 2}, -8})}},
+      {"photon-torpedo", "Choose a piece", {"U", aimed({2, 1, 0})}},
+      {"photon-torpedo", "Put the wall", {"wall", movedTo({15, 10, 0}, "wall")}},
+      {"photon-torpedo", "Now let the torpedo", {"U", aimed({1, 0, -2})}},
   };
   return all;
 }

@@ -82,6 +82,7 @@ void addChosen(const Given &given, const AllMet &all, Recomputed &expected) {
   for (const auto &[lambda, number] : all.ahead)
     if (Rational(number) <= given.k) {
       expected.values["so_far"] = number;
+      expected.values["so_far_is_nearest"] = number == all.ahead.begin()->second ? "yes" : "no";
       break;
     }
 }
@@ -92,12 +93,23 @@ std::string indexed(const std::string &letter, int index) {
   return letter + "_" + (text.size() > 1 ? "{" + text + "}" : text);
 }
 
+/// By how many sides a point of a triangle lies on.
+std::string placeOf(const ExactVec3 &point, const Triangle<Rational> &triangle) {
+  const auto isOn = [&](const ExactVec3 &from, const ExactVec3 &to) {
+    return vanishes(perpendicular(ExactVec3(from - point), ExactVec3(to - point)));
+  };
+  const int sides = int(isOn(triangle.p0, triangle.p1)) + int(isOn(triangle.p1, triangle.p2)) +
+                    int(isOn(triangle.p2, triangle.p0));
+  return sides == 0 ? "interior" : sides == 1 ? "edge" : "vertex";
+}
+
 void addNearest(const Given &given, const AllMet &all, Recomputed &expected) {
   const auto &[lambda, number] = *all.ahead.begin();
   const ExactVec3 point = given.ray.origin + given.ray.direction * lambda;
   expected.values["nearest"] = number;
   expected.values["lambda"] = test::number(lambda);
   expected.values["point"] = numbers(point);
+  expected.values["location"] = placeOf(point, given.fragments[static_cast<std::size_t>(number) - 1].triangle);
   expected.names["H"] = quantity(point);
   expected.names["\\lambda_H"] = quantity(lambda);
 }

@@ -18,21 +18,27 @@ Given read(Objects objects) {
           objectAs<NumberObject>(*objects[2])->value};
 }
 
-/// The thousandth nearest to 20·x/√square, which is none itself.
-Rational thousandthOf(const Rational &x, const Rational &square) {
-  const int thousandths = largest(20'000, [&](const Rational &count) {
-    const Rational low = (count - Rational(1, 2)) / 1000;
-    return count == 0 || low * low * square < 400 * x * x;
+/// The number of four digits nearest to 20/√square, which is none itself.
+Rational factorBy(const Rational &square) {
+  Rational unit = 1; // of its last digit
+  const auto isAtMost = [&](const Rational &number) { return number * number * square <= 400; };
+  while (isAtMost(unit * 10'000))
+    unit *= 10;
+  while (!isAtMost(unit * 1000))
+    unit /= 10;
+  const int digits = largest(10'000, [&](const Rational &count) {
+    return isAtMost((count - Rational(1, 2)) * unit);
   });
-  return Rational(x < 0 ? -thousandths : thousandths, 1000);
+  return unit * digits;
 }
 
 ExactVec3 directionOf(const ExactVec3 &barrel) {
   const Rational square = product(barrel, barrel);
   const auto length = rootOf(square);
+  const Rational factor = length ? Rational(20 / *length) : factorBy(square);
   ExactVec3 direction;
   for (int i = 0; i < 3; ++i)
-    direction[i] = length ? Rational(barrel[i] / *length * 20) : thousandthOf(barrel[i], square);
+    direction[i] = factor * barrel[i];
   return direction;
 }
 
@@ -45,11 +51,11 @@ Recomputed recompute(Objects objects) {
   const auto &[start, velocity, barrel] = given.ufo;
   const LastShot shot = lastShot(given.frame, given.seed, barrel);
   Recomputed expected;
-  expected.names = {{"S", quantity(start)}, {"\\vec v", quantity(velocity)}, {"\\vec b", quantity(barrel)}};
+  expected.names = {{"S", quantity(start)}, {"\\vec c", quantity(velocity)}, {"\\vec g", quantity(barrel)}};
   if (vanishes(velocity))
-    expected.vanished.insert("U.v");
+    expected.vanished.insert("U.c");
   if (vanishes(barrel))
-    expected.vanished.insert("U.b");
+    expected.vanished.insert("U.g");
   expected.degenerate = vanishes(shot.barrel);
   expected.caseName = expected.degenerate ? "zero-direction" : given.seed == 0 ? "by-hand" : "seeded";
   if (expected.degenerate)
