@@ -104,18 +104,22 @@ WorkingLine lengthLine(const Out &at) {
   return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
-WorkingLine aimedLine(const Out &at) {
-  return line(withNumbers(Term(barrelLength) / norm(at.aim) * at.aim),
-              words("Divided by its length it is one unit long; times {barrel} it is as long as the barrel.",
-                    {{"barrel", std::to_string(barrelLength)}}));
+Term scaledAim(const Out &at) { return Term(barrelLength) / norm(at.aim) * at.aim; }
+
+std::string sentenceForScaling() {
+  return words("Divided by its length it is one unit long; times {barrel} it is as long as the barrel.",
+               {{"barrel", std::to_string(barrelLength)}});
 }
 
+WorkingLine aimedLine(const Out &at) { return line(withNumbers(scaledAim(at)), sentenceForScaling()); }
+
+bool isExact(const Out &at) { return Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational(); }
+
 WorkingLine directionLine(const Out &at) {
-  const bool isExact = Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational();
-  return line(withResult(at.r), isExact
-                                    ? words("So the torpedo's direction is this.")
-                                    : words("Rounded to thousandths. From here on the torpedo's direction is "
-                                            "exactly this."));
+  if (!isExact(at))
+    return line(withResult(at.r), words("Rounded to thousandths. From here on the torpedo's direction is "
+                                        "exactly this."));
+  return line(withNumbers(at.r == scaledAim(at)), sentenceForScaling());
 }
 
 Explanation explain(const In &, const Out &at) {
@@ -124,7 +128,8 @@ Explanation explain(const In &, const Out &at) {
     return lines;
   lines.add("start", [&at] { return startLine(at); });
   lines.add("length", [&at] { return lengthLine(at); });
-  lines.add("aimed", [&at] { return aimedLine(at); });
+  if (!isExact(at))
+    lines.add("aimed", [&at] { return aimedLine(at); });
   lines.add("direction", [&at] { return directionLine(at); });
   return lines;
 }

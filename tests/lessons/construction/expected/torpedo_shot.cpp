@@ -82,7 +82,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected torpedo_shot() {
-  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.3};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.1};
 }
 
 } // namespace expected
