@@ -38,6 +38,12 @@ std::string nameOf(const GivenMeshes &meshes, const Fragment &fragment) {
   return plainText(meshes[fragment.mesh].symbol) + " " + std::to_string(fragment.index + 1);
 }
 
+Term crossingTerm(const RayTerms &ray, const Triangle<Rational> &triangle) {
+  const auto listOf = [](const ExactVec3 &vector) { return list({vector.x, vector.y, vector.z}); };
+  const Term n = listOf(perpsOf(triangle).normal);
+  return dot(listOf(triangle.p0) - ray.Q, n) / dot(ray.r, n);
+}
+
 FirstHits firstHits(const RayObject &ray, const GivenMeshes &meshes) {
   FirstHits first;
   for (std::size_t i = 0; i < meshes.size(); ++i) {

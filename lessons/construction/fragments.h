@@ -29,6 +29,9 @@ struct Fragment {
 /// In plain words, counted within its mesh: barn 3.
 [[nodiscard]] std::string nameOf(const GivenMeshes &meshes, const Fragment &fragment);
 
+/// The parameter at which a ray crosses a triangle's plane, by the triangle's numbers: it has no letters.
+[[nodiscard]] Term crossingTerm(const RayTerms &ray, const Triangle<Rational> &triangle);
+
 /// What a ray hits first.
 struct FirstHits {
   std::vector<Fragment> fragments; ///< of each mesh that is hit at that t the first; none without a hit

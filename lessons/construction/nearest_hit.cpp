@@ -80,12 +80,8 @@ Out compute(const In &in) {
   }
   const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
   out.lambda = name(in.own(letter("λ", "H")), out.first.t);
-  if (out.nearest) {
-    const auto &[p0, p1, p2] = out.nearest->triangle;
-    const ExactVec3 normal = out.nearest->meet.perps.normal;
-    const Term n = list({normal.x, normal.y, normal.z});
-    out.lambda = out.lambda.standingFor(dot(list({p0.x, p0.y, p0.z}) - out.Q, n) / dot(out.r, n));
-  }
+  if (out.nearest)
+    out.lambda = out.lambda.standingFor(crossingTerm(out, out.nearest->triangle));
   out.H = madeName(in, "H", point);
   return out;
 }
@@ -179,11 +175,8 @@ std::vector<const Meeting *> crossed(const Out &at) {
 }
 
 Term parameterOf(const Meeting &meeting, const Out &at) {
-  const auto &[p0, p1, p2] = meeting.triangle;
-  const ExactVec3 &normal = meeting.meet.perps.normal;
-  const Term n = list({normal.x, normal.y, normal.z});
   return name(at.own(letter("λ", std::to_string(meeting.number))), meeting.meet.plane.t)
-      .standingFor(dot(list({p0.x, p0.y, p0.z}) - at.Q, n) / dot(at.r, n));
+      .standingFor(crossingTerm(at, meeting.triangle));
 }
 
 WorkingLine orderLine(const Out &at) {

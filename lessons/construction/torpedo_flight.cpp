@@ -37,15 +37,19 @@ bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
 
 Out compute(const In &in) {
   const Rational &frame = in.frame.object.value;
-  const Rational elapsed = parameterAt(frame, shotAt(frame, in.seed.object.value, ExactVec3(0)));
+  const Shot shot = shotAt(frame, in.seed.object.value, ExactVec3(0));
+  const Rational elapsed = parameterAt(frame, shot);
   const FirstHits first = isDegenerate(in) ? FirstHits() : firstHits(in.L.object, in.meshes);
   const bool ends = !first.fragments.empty() && elapsed >= first.t;
   const Rational lambda = ends ? first.t : elapsed;
+  const RayTerms ray = termsOf(in.L);
+  const Term origin = ends ? crossingTerm(ray, triangleOf(in.meshes, first.fragments.front()))
+                           : (coordinateTerm(in.frame, 0) - Term(shot.frame)) / Term(framesPerLambda);
   return {in,
-          termsOf(in.L),
+          ray,
           elapsed,
           first,
-          name(in.own(letter("λ", "M")), lambda),
+          name(in.own(letter("λ", "M")), lambda).standingFor(origin),
           name(in.own(letter("M")), ExactVec3(in.L.object.origin + in.L.object.direction * lambda))
               .marked(in.mark("M"))};
 }

@@ -28,6 +28,7 @@ struct Out : Naming, UfoTerms {
   Shot shot;
   bool isByHand = true;
   ExactVec3 saucer; ///< where it is in the frame
+  Rational factor;  ///< r is so many times the arrow along the barrel
   Term aim;         ///< along the barrel: g, or what chance makes of it
   Term Q, r;
 };
@@ -35,7 +36,8 @@ struct Out : Naming, UfoTerms {
 /// So many digits of the factor that makes an arrow as long as the barrel are kept where it is no fraction.
 constexpr int factorDigits = 4;
 
-/// Times this an arrow ≠ 0 is as long as the barrel, exactly or nearly: the direction is the arrow's in any case.
+/// Times this an arrow ≠ 0 is as long as the barrel, exactly or nearly: the direction is the arrow's in any
+/// case.
 Rational factorOf(const ExactVec3 &arrow) {
   const Surd length = Surd::root(dot(arrow, arrow));
   if (length.isRational())
@@ -102,19 +104,25 @@ WorkingLine lengthLine(const Out &at) {
   return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
+bool isExact(const Out &at) { return Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational(); }
+
+Term factorTerm(const Out &at) { return Term(barrelLength) / norm(at.aim); }
+
 WorkingLine factorLine(const Out &at) {
-  return line(withNumbers(Term(barrelLength) / norm(at.aim)),
-              words("Divided by its length an arrow is one unit long; times {barrel} it is as long as the barrel.",
-                    {{"barrel", std::to_string(barrelLength)}}));
+  return line(
+      withNumbers(factorTerm(at)),
+      words("Divided by its length an arrow is one unit long; times {barrel} it is as long as the barrel.",
+            {{"barrel", std::to_string(barrelLength)}}));
 }
 
 WorkingLine directionLine(const Out &at) {
-  const bool isExact = Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational();
-  return asked(withNumbers(at.r == Term(at.factor) * at.aim),
-               isExact ? words("The direction of the torpedo.")
-                       : words("The direction of the torpedo. The factor is rounded to {digits} digits, so it is exactly "
-                               "the barrel's direction, and nearly its length.",
-                               {{"digits", std::to_string(factorDigits)}}));
+  if (isExact(at))
+    return asked(withNumbers(at.r == factorTerm(at) * at.aim), words("The direction of the torpedo."));
+  return asked(
+      withNumbers(at.r == Term(at.factor) * at.aim),
+      words("The direction of the torpedo. The factor is rounded to {digits} digits: so this is exactly the "
+            "barrel's direction, and nearly its length.",
+            {{"digits", std::to_string(factorDigits)}}));
 }
 
 Explanation explain(const In &, const Out &at) {

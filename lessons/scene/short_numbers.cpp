@@ -11,6 +11,7 @@
 #include "lessons/object/solid.h"
 #include "lessons/object/sphere.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/ufo.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/evaluation.h"
 
@@ -203,7 +204,8 @@ private:
   void draw(Object &object) {
     if (!(drawAs<PlaneObject>(object) || drawAs<TriangleObject>(object) || drawAs<PointObject>(object) ||
           drawAs<RayObject>(object) || drawAs<LineObject>(object) || drawAs<VectorObject>(object) ||
-          drawAs<SphereObject>(object) || drawAs<PolygonObject>(object) || drawSolid(object)))
+          drawAs<SphereObject>(object) || drawAs<UfoObject>(object) || drawAs<PolygonObject>(object) ||
+          drawSolid(object)))
       drawAny(object);
   }
 
@@ -265,6 +267,13 @@ private:
     plane.normal = other.normal * Rational(m_dice.sign());
     if (m_dice.once(2))
       plane.point = pointOf(other);
+  }
+
+  /// Its barrel's length is divided by.
+  void draw(UfoObject &ufo) {
+    ufo.start = m_dice.position();
+    ufo.velocity = m_dice.direction(longestStep);
+    ufo.barrel = m_dice.normal();
   }
 
   /// Such that many whole points lie on it.

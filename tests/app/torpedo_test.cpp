@@ -13,7 +13,6 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-
 namespace halfspace {
 namespace {
 
@@ -64,9 +63,12 @@ private slots:
     QVERIFY(m_fixture->value("U.g") != ExactVec3(2, 1, -2));
     QVERIFY(rowsOf(table) != before);
 
-    const RayObject ray = objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object).value();
+    const RayObject ray =
+        objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)
+            .value();
     const auto triangles = trianglesIn(m_fixture->model().session().scene);
-    const auto hits = hitAll(Ray<Rational>{ray.origin, ray.direction}, std::span<const Triangle<Rational>>(triangles)).hits;
+    const auto hits =
+        hitAll(Ray<Rational>{ray.origin, ray.direction}, std::span<const Triangle<Rational>>(triangles)).hits;
     std::vector<std::size_t> expected;
     for (const auto &hit : hits)
       expected.push_back(hit.index + 1);
@@ -111,8 +113,8 @@ private slots:
     // The frame is that of the clock, however few pictures were drawn.
     const double seconds = static_cast<double>(clock.elapsed()) * 1e-3;
     QVERIFY(toDouble(m_fixture->value("frame").x) <= seconds * 2 * 25 + 1);
-    QTRY_COMPARE_WITH_TIMEOUT(
-        m_fixture->model().evaluation().find("flight")->outcome->told->name, std::string("exploded"), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_fixture->model().evaluation().find("flight")->outcome->told->name,
+                              std::string("exploded"), patience);
     QTRY_VERIFY_WITH_TIMEOUT(!bar.state().isPlaying, patience);
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
     m_fixture->model().undo();
@@ -152,10 +154,13 @@ private slots:
       emit bar.playToggled(false);
       std::vector<ExactVec3> all;
       for (const int frame : {0, 150, 300, 450}) {
-        NumberObject number = objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "frame")).value();
+        NumberObject number =
+            objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "frame")).value();
         number.value = frame;
         m_fixture->model().edit(ChangeObject{"frame", number}, "test");
-        all.push_back(objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)->direction);
+        all.push_back(
+            objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)
+                ->direction);
       }
       emit bar.automaticToggled(false);
       return all;

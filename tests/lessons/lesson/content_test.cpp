@@ -1,6 +1,9 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
+#include "lessons/object/mesh.h"
+#include "lessons/object/number.h"
 #include "lessons/object/polygon.h"
+#include "lessons/object/ufo.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
 
@@ -40,6 +43,16 @@ Object box(const ExactVec3 &lowest, const ExactVec3 &lengths) {
 
 Object house(const ExactVec3 &ridge, const ExactVec3 &depth) {
   return test::objectOf("prism", {{8, 2, 0}, depth, {8, 2, 4}, ridge, {2, 2, 4}, {2, 2, 0}});
+}
+
+/// The saucer of the photon torpedo, with its barrel turned.
+Object aimed(const ExactVec3 &barrel) { return UfoObject{{6, 7, 14}, {16, 6, 0}, barrel}; }
+
+/// A mesh of that lesson elsewhere.
+Object movedTo(const ExactVec3 &place, const char *name) {
+  MeshObject mesh = objectAs<MeshObject>(*findObject(library().find("photon-torpedo")->scene, name)).value();
+  mesh.place = place;
+  return mesh;
 }
 
 const std::vector<Solution> &solutions() {
@@ -399,7 +412,10 @@ TEST(Content, EveryTask_IsStillToDoWhenItsTurnComes) {
 std::size_t wordsOn(const LessonStep &step) {
   std::string text;
   const Overloaded add{[&](const StepWords &words) { text += words.markdown + " "; },
-                       [](const StepLines &) {}, [](const StepNote &) {},
+                       [](const StepLines &) {},
+                       [](const StepNote &) {},
+                       [](const StepFlight &) {},
+                       [](const StepFragments &) {},
                        [&](const Task &task) { text += task.instruction + " "; },
                        [&](const Prediction &prediction) {
                          text += prediction.question + " ";

@@ -154,7 +154,8 @@ std::string sortsIn(const LessonStep &step) {
   for (const StepBlock &block : step.blocks)
     sorts += std::visit(
         Overloaded{[](const StepWords &) { return "words "; }, [](const StepLines &) { return "lines "; },
-                   [](const StepNote &) { return "note "; }, [](const Task &) { return "task "; },
+                   [](const StepNote &) { return "note "; }, [](const StepFlight &) { return "flight "; },
+                   [](const StepFragments &) { return "fragments "; }, [](const Task &) { return "task "; },
                    [](const Prediction &) { return "question "; }},
         block);
   return sorts;

@@ -109,7 +109,8 @@ void addNearest(const Given &given, const AllMet &all, Recomputed &expected) {
   expected.values["nearest"] = number;
   expected.values["lambda"] = test::number(lambda);
   expected.values["point"] = numbers(point);
-  expected.values["location"] = placeOf(point, given.fragments[static_cast<std::size_t>(number) - 1].triangle);
+  expected.values["location"] =
+      placeOf(point, given.fragments[static_cast<std::size_t>(number) - 1].triangle);
   expected.names["H"] = quantity(point);
   expected.names["\\lambda_H"] = quantity(lambda);
 }

@@ -26,9 +26,8 @@ Rational factorBy(const Rational &square) {
     unit *= 10;
   while (!isAtMost(unit * 1000))
     unit /= 10;
-  const int digits = largest(10'000, [&](const Rational &count) {
-    return isAtMost((count - Rational(1, 2)) * unit);
-  });
+  const int digits =
+      largest(10'000, [&](const Rational &count) { return isAtMost((count - Rational(1, 2)) * unit); });
   return unit * digits;
 }
 
@@ -88,7 +87,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
 namespace expected {
 
 Expected torpedo_shot() {
-  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.3};
+  return {.recompute = recompute, .wrongAnswers = wrongAnswers, .leastShareNamed = 0.1};
 }
 
 } // namespace expected
