@@ -1,5 +1,6 @@
 // Meshes: what files say of them, where they stand, and what they share.
 #include "lessons/object/mesh.h"
+#include "lessons/scene/shape_text.h"
 
 #include "geometry/decide.h"
 #include "geometry/intersect_ray_triangle.h"
