@@ -1,6 +1,7 @@
 // The torpedo's flight on the page, and the triangles that it may hit.
 #include "app/main_window.h"
 #include "lessons/object/number.h"
+#include "lessons/object/ray.h"
 #include "widgets/lesson/lesson_page.h"
 
 #include <algorithm>
@@ -12,6 +13,19 @@ const Crossings &crossingsOf(const Evaluation &evaluation, const std::string &en
   static const Crossings none;
   const EvaluatedEntry *found = evaluation.find(entry);
   return found ? *found->outcome->crossings : none;
+}
+
+/// The ray with this id, where it is there and leads somewhere.
+std::optional<Ray<Rational>> rayOf(const Evaluation &evaluation, const std::string &id) {
+  const std::string owner = ownerOf(id);
+  const EvaluatedEntry *entry = evaluation.find(owner);
+  if (!entry)
+    return {};
+  for (const MadeObject &made : entry->outcome->objects)
+    if ((made.name.empty() ? owner : owner + "." + made.name) == id)
+      if (const auto ray = objectAs<RayObject>(made.object); ray && !isZero(ray->direction))
+        return Ray<Rational>{ray->origin, ray->direction};
+  return {};
 }
 
 /// The marks of the fragment with this number; none for 0.
@@ -60,6 +74,7 @@ void MainWindow::showFlight() {
   m_page->showFlight(state);
   m_page->showCrossings([this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
                         state.hidden ? LiveValues::Hidden : LiveValues::Shown);
+  m_page->showRays([this](const std::string &id) { return rayOf(m_model.evaluation(), id); });
 }
 
 void MainWindow::showHoveredFragment() {

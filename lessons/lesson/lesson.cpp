@@ -126,6 +126,8 @@ std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std:
     return addBlock(readFlight(fence.content, file), step);
   if (fence.word == "fragments")
     return addBlock(readFragments(fence.content, file), step);
+  if (fence.word == "cost")
+    return addBlock(readCost(fence.content, file), step);
   if (fence.word == "blank")
     return readBlank(fence.content, file, step);
   if (fence.word == "draw")
@@ -205,8 +207,8 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
 } // namespace
 
 const std::vector<std::string> &instructionBlocks() {
-  static const std::vector<std::string> names{"lines",  "note",      "task",  "predict",
-                                              "flight", "fragments", "blank", "draw"};
+  static const std::vector<std::string> names{"lines",     "note", "task",  "predict", "flight",
+                                              "fragments", "cost", "blank", "draw"};
   return names;
 }
 
@@ -286,6 +288,7 @@ std::vector<LessonWords> wordsOf(const Lesson &lesson) {
       [](const StepLines &) {},
       [](const StepFlight &) {},
       [](const StepFragments &) {},
+      [](const StepCost &) {},
       [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
       [&](const Task &task) { words.emplace_back(task.instruction, std::vector{task.line}, "do"); },
       [&](const Prediction &prediction) {

@@ -42,6 +42,9 @@
 //   ```fragments
 //   {hits: nearest}
 //   ```
+//   ```cost
+//   {ray: shot.L}
+//   ```
 //   ```note
 //   A slip in the lecture notes
 //   Words that are folded away.
@@ -127,8 +130,15 @@ struct StepFragments {
   int line = 0;          ///< in the file
 };
 
+/// A plot, measured on the spot, of what it costs to find the nearest hit of a ray among ever more triangles.
+struct StepCost {
+  std::string ray; ///< the id of the ray: `L`, or `shot.L` for one that a construction makes
+  int line = 0;    ///< in the file
+};
+
 /// What stands on the page of a step.
-using StepBlock = std::variant<StepWords, StepLines, StepNote, Task, Prediction, StepFlight, StepFragments>;
+using StepBlock =
+    std::variant<StepWords, StepLines, StepNote, Task, Prediction, StepFlight, StepFragments, StepCost>;
 
 struct LessonStep {
   std::string title;

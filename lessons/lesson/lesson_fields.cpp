@@ -262,6 +262,18 @@ Result<StepFragments> readFragments(const TextBlock &block, const std::string &f
   return fragments;
 }
 
+Result<StepCost> readCost(const TextBlock &block, const std::string &file) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, "cost");
+  fields.allowOnly({"ray"});
+  StepCost cost{fields.text("ray"), block.firstLine};
+  if (fields.problem())
+    return *fields.problem();
+  return cost;
+}
+
 Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
   constexpr std::string_view allOfOne = ".*";
   StepLines lines = namesIn(block);

@@ -178,6 +178,7 @@ void LessonPage::makeBlocks() {
   m_tasks.clear();
   m_flights.clear();
   m_fragments.clear();
+  m_costs.clear();
   m_prediction = nullptr;
   auto *blocks = new QWidget;
   auto *column = new QVBoxLayout(blocks);
@@ -254,6 +255,11 @@ QWidget *LessonPage::blockOf(const StepFragments &fragments) {
   return table;
 }
 
+QWidget *LessonPage::blockOf(const StepCost &cost) {
+  m_costs.emplace_back(cost.ray, new CostPlot);
+  return m_costs.back().second;
+}
+
 void LessonPage::scrollTo(const QWidget &part) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
   const QRect place(part.mapTo(m_scroll->widget(), QPoint()), part.size());
@@ -291,6 +297,11 @@ void LessonPage::showCrossings(const std::function<Crossings(const std::string &
       crossings.nearestSoFar.reset();
     table->setCrossings(crossings, values);
   }
+}
+
+void LessonPage::showRays(const std::function<std::optional<Ray<Rational>>(const std::string &id)> &of) {
+  for (const auto &[id, plot] : m_costs)
+    plot->setRay(of(id));
 }
 
 void LessonPage::setFragmentHovered(std::size_t number) {
@@ -344,6 +355,8 @@ void LessonPage::setTheme(const Theme &theme) {
     bar->setTheme(theme);
   for (const auto &[block, table] : m_fragments)
     table->setTheme(theme);
+  for (const auto &[id, plot] : m_costs)
+    plot->setTheme(theme);
   if (m_prediction)
     m_prediction->setTheme(theme);
 }

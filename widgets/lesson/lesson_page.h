@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
+#include "widgets/flight/cost_plot.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/flight/fragment_table.h"
 #include "widgets/lesson/prediction_box.h"
@@ -44,6 +45,8 @@ public:
   /// What the step's flight and its tables show; hidden while its question is open.
   void showFlight(const FlightState &state);
   void showCrossings(const std::function<Crossings(const std::string &entry)> &of, LiveValues values);
+  /// The rays whose cost is measured, by their ids; nothing where one is not there.
+  void showRays(const std::function<std::optional<Ray<Rational>>(const std::string &id)> &of);
   /// The pointer is on this fragment of an entry somewhere else; 0 for none.
   void setFragmentHovered(std::size_t number);
   /// Of the step's tasks in their order; of those behind them nothing is known.
@@ -80,6 +83,7 @@ private:
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
   [[nodiscard]] QWidget *blockOf(const StepFlight &flight);
   [[nodiscard]] QWidget *blockOf(const StepFragments &fragments);
+  [[nodiscard]] QWidget *blockOf(const StepCost &cost);
   /// Hands on what a widget says of the fragments of an entry.
   template <class Widget> void followFragments(Widget &widget, const std::string &entry);
   void showStep();
@@ -124,7 +128,8 @@ private:
     FragmentTable *table;
   };
   std::vector<Fragments> m_fragments;
-  PredictionBox *m_prediction = nullptr; ///< null in steps without one
+  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the id of the ray
+  PredictionBox *m_prediction = nullptr;                   ///< null in steps without one
   StepDots *m_dots = nullptr;
   QPushButton *m_back = nullptr;
   QPushButton *m_next = nullptr;

@@ -416,6 +416,7 @@ std::size_t wordsOn(const LessonStep &step) {
                        [](const StepNote &) {},
                        [](const StepFlight &) {},
                        [](const StepFragments &) {},
+                       [](const StepCost &) {},
                        [&](const Task &task) { text += task.instruction + " "; },
                        [&](const Prediction &prediction) {
                          text += prediction.question + " ";

@@ -153,10 +153,11 @@ std::string sortsIn(const LessonStep &step) {
   std::string sorts;
   for (const StepBlock &block : step.blocks)
     sorts += std::visit(
-        Overloaded{[](const StepWords &) { return "words "; }, [](const StepLines &) { return "lines "; },
-                   [](const StepNote &) { return "note "; }, [](const StepFlight &) { return "flight "; },
-                   [](const StepFragments &) { return "fragments "; }, [](const Task &) { return "task "; },
-                   [](const Prediction &) { return "question "; }},
+        Overloaded{
+            [](const StepWords &) { return "words "; }, [](const StepLines &) { return "lines "; },
+            [](const StepNote &) { return "note "; }, [](const Task &) { return "task "; },
+            [](const Prediction &) { return "question "; }, [](const StepFlight &) { return "flight "; },
+            [](const StepFragments &) { return "fragments "; }, [](const StepCost &) { return "cost "; }},
         block);
   return sorts;
 }
@@ -186,6 +187,17 @@ TEST(Lesson, ANote_HasATitleAndWordsThatAreFoldedAway) {
   const Problem problem = problemOf(frontMatter + "## One\n```note\nA title alone\n```\n");
   EXPECT_EQ(problem.line, 13);
   EXPECT_NE(problem.sentence.find("words below it"), std::string::npos);
+}
+
+TEST(Lesson, ACostBlock_NamesARay) {
+  const auto lesson = parseLesson(frontMatter + "## One\nA.\n```cost\n{ray: shot.L}\n```\n", "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(sortsIn(lesson->steps[0]), "words lines cost ");
+  const auto &cost = std::get<StepCost>(lesson->steps[0].blocks.back());
+  EXPECT_EQ(cost.ray, "shot.L");
+  EXPECT_EQ(cost.line, 15);
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{ray: L, most: 3}\n```\n").field, "cost.most");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{}\n```\n").field, "cost.ray");
 }
 
 TEST(Lesson, ADrawBlock_NamesMarks) {

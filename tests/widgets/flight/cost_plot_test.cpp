@@ -1,0 +1,105 @@
+// The plot of what a search costs: measured when it is asked for, and stopped.
+#include "widgets/flight/cost_plot.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace halfspace;
+
+namespace {
+
+constexpr int longest = 30000;
+
+const Ray<Rational> shot{{6, 7, 14}, {2, 1, -2}};
+
+struct ShownPlot {
+  ShownPlot() {
+    plot->setMost(1000);
+    plot->setRay(shot);
+    plot->resize(400, 400);
+    plot->show();
+  }
+  [[nodiscard]] QPushButton *button() const { return plot->findChild<QPushButton *>("measure"); }
+  void click() const { QTest::mouseClick(button(), Qt::LeftButton); }
+
+  std::unique_ptr<CostPlot> plot = std::make_unique<CostPlot>();
+  QSignalSpy measured{plot.get(), &CostPlot::measured};
+  QSignalSpy ended{plot.get(), &CostPlot::ended};
+};
+
+} // namespace
+
+class CostPlotTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void click_onMeasure_showsEachPointAsItIsMeasured() {
+    const ShownPlot shown;
+    QCOMPARE(shown.plot->sentence(),
+             QString("Press Measure: the same shot is fired at bumpy fields of 22 to 1,000 triangles."));
+    const QImage before = shown.plot->grab().toImage();
+    shown.click();
+    QCOMPARE(shown.button()->text(), QString("Stop"));
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
+    QCOMPARE(shown.measured.count(), 3);
+    QCOMPARE(shown.plot->points().back().triangles, std::size_t(1000));
+    QCOMPARE(shown.button()->text(), QString("Measure"));
+    QVERIFY(shown.plot->sentence().startsWith("With 1,000 triangles: the loop asked 1,000 triangles in "));
+    QVERIFY(shown.plot->grab().toImage() != before);
+  }
+
+  void click_onStop_endsIt_andTheNextMeasuringBeginsAnew() {
+    const ShownPlot shown;
+    shown.plot->setMost(mostMeasured);
+    shown.click();
+    QVERIFY(QTest::qWaitFor([&] { return shown.measured.count() > 0; }, longest));
+    shown.click();
+    QVERIFY(!shown.plot->isMeasuring());
+    QCOMPARE(shown.ended.count(), 1);
+    const std::size_t there = shown.plot->points().size();
+    QTest::qWait(100);
+    QCOMPARE(shown.plot->points().size(), there);
+    shown.plot->setMost(100);
+    shown.click();
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 1; }, longest));
+    QCOMPARE(shown.plot->points().size(), std::size_t(2));
+  }
+
+  void plot_destroyedWhileItMeasures_tellsNoMore() {
+    ShownPlot shown;
+    shown.plot->setMost(mostMeasured);
+    shown.click();
+    QVERIFY(QTest::qWaitFor([&] { return shown.measured.count() > 1; }, longest));
+    const int told = shown.measured.count();
+    shown.plot.reset();
+    QTest::qWait(100);
+    QCOMPARE(shown.measured.count(), told);
+  }
+
+  void withoutARay_thereIsNothingToMeasure_butMeasuringGoesOn() {
+    const ShownPlot shown;
+    shown.plot->setRay({});
+    QVERIFY(!shown.button()->isEnabled());
+    shown.plot->setRay(shot);
+    shown.click();
+    shown.plot->setRay({});
+    QVERIFY(shown.button()->isEnabled());
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
+    QVERIFY(!shown.button()->isEnabled());
+  }
+
+  void click_onTime_showsTheTimes() {
+    const ShownPlot shown;
+    shown.click();
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
+    const auto curves = shown.plot->findChild<CostCurves *>();
+    const QImage before = curves->grab().toImage();
+    QTest::mouseClick(shown.plot->findChild<QToolButton *>("time"), Qt::LeftButton);
+    QVERIFY(curves->grab().toImage() != before);
+  }
+};
+
+QTEST_MAIN(CostPlotTest)
+#include "cost_plot_test.moc"

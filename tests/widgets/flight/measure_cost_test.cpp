@@ -1,0 +1,99 @@
+// What it costs to find the nearest hit among ever more triangles.
+#include "widgets/flight/measure_cost.h"
+
+#include "geometry/hit_finder.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace halfspace;
+
+namespace {
+
+using ExactRay = Ray<Rational>;
+
+const ExactRay steep{{6, 7, 14}, {Rational(40, 3), Rational(20, 3), Rational(-40, 3)}};
+
+std::vector<CostPoint> costsOf(const ExactRay &ray, std::size_t most) {
+  const std::atomic<bool> cancelled{false};
+  std::vector<CostPoint> points;
+  measureCost(
+      ray, cancelled, [&](const CostPoint &point) { points.push_back(point); }, most);
+  return points;
+}
+
+} // namespace
+
+class MeasureCostTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void field_ofAnyNumber_hasSoManyTriangles_andIsAlwaysTheSame() {
+    for (const std::size_t triangles :
+         {std::size_t(1), std::size_t(2), std::size_t(3), fewestMeasured, std::size_t(1001)}) {
+      const TriangleMesh field = bumpyField(triangles);
+      QCOMPARE(field.triangles.size(), triangles);
+      QVERIFY(field == bumpyField(triangles));
+    }
+  }
+
+  void shotFromAbove_meetsTheField_whicheverWayItIsLookedFor() {
+    for (const std::size_t triangles : {fewestMeasured, std::size_t(1000), std::size_t(10000)}) {
+      const TriangleMesh field = bumpyField(triangles);
+      const SearchResult plain = PlainHitSearch(field).search(shotAtField(steep));
+      QVERIFY(plain.nearest.has_value());
+      QVERIFY(plain.nearest == HitFinder(trianglesOf(field)).search(shotAtField(steep)).nearest);
+    }
+  }
+
+  void shot_isThatOfTheRay_movedAboveTheOrigin() {
+    const ExactRay shot = shotAtField(steep);
+    QVERIFY(shot.origin.z == 14);
+    QVERIFY(shot.direction == Vec3<Rational>(1, Rational(1, 2), -1));
+    const ExactRay upwards = shotAtField({{5, 6, 7}, {0, 0, 2}});
+    QVERIFY(upwards.origin == Vec3<Rational>(0, 0, 7));
+  }
+
+  void shot_ofNumbersBeyondDoubles_isFinite() {
+    Rational huge = 10;
+    for (int i = 0; i < 9; ++i)
+      huge = huge * huge; // 10^512
+    for (const ExactRay &ray : {ExactRay{{huge, 0, huge}, {1, 0, -1}}, ExactRay{{0, 0, 1}, {huge, 0, -1}},
+                                ExactRay{{0, 0, 1}, {0, 0, Rational(-1) / huge}}}) {
+      const ExactRay shot = shotAtField(ray);
+      QVERIFY(inDoubles(shot).has_value());
+      QVERIFY(!isZero(shot.direction));
+      QCOMPARE(costsOf(ray, 22).size(), std::size_t(1));
+    }
+  }
+
+  void costs_ofEachSize_areMeasured_andTheTreeLooksAtFew() {
+    const std::vector<CostPoint> points = costsOf(steep, 10000);
+    QCOMPARE(points.size(), std::size_t(4));
+    for (const CostPoint &point : points) {
+      QCOMPARE(point.plain.triangles, point.triangles);
+      QCOMPARE(point.plain.boxes, std::size_t(0));
+      QVERIFY(std::isfinite(point.plainMicroseconds) && point.plainMicroseconds > 0);
+      QVERIFY(std::isfinite(point.treeMicroseconds) && point.treeMicroseconds > 0);
+    }
+    QCOMPARE(points.back().triangles, std::size_t(10000));
+    QVERIFY(points.back().tree.boxes + points.back().tree.triangles < 1000);
+  }
+
+  void cancelled_tellsNoMore() {
+    std::atomic<bool> cancelled{false};
+    int told = 0;
+    measureCost(
+        steep, cancelled,
+        [&](const CostPoint &) {
+          ++told;
+          cancelled = true;
+        },
+        10000);
+    QCOMPARE(told, 1);
+  }
+};
+
+QTEST_APPLESS_MAIN(MeasureCostTest)
+#include "measure_cost_test.moc"

@@ -1,0 +1,182 @@
+#include "widgets/flight/cost_plot.h"
+
+#include "widgets/colors.h"
+#include "widgets/flow_layout.h"
+
+#include <QButtonGroup>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QThread>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+constexpr int usualGap = 6;
+constexpr int significantDigits = 2;
+
+QString counted(std::size_t count) {
+  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));
+}
+
+/// To two digits, without powers of ten.
+QString milliseconds(double microseconds) {
+  const double time = microseconds / 1000;
+  const int digitsBefore = time > 0 ? static_cast<int>(std::floor(std::log10(time))) + 1 : 1;
+  const int digitsBehind = std::clamp(significantDigits - digitsBefore, 0, 6);
+  return QLocale(QLocale::English).toString(time, 'f', digitsBehind);
+}
+
+} // namespace
+
+/// One measuring on its way.
+struct CostPlot::Job {
+  std::atomic<bool> cancelled{false};
+  std::unique_ptr<QThread> thread;
+};
+
+CostPlot::CostPlot(QWidget *parent)
+    : QWidget(parent), m_measure(new QPushButton), m_curves(new CostCurves), m_sentence(new QLabel) {
+  auto *layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(usualGap);
+  auto *controls = new FlowLayout;
+  layout->addLayout(controls);
+  m_measure->setObjectName("measure");
+  controls->addWidget(m_measure);
+  auto *quantities = new QButtonGroup(this);
+  for (QToolButton *button :
+       {quantityButton(CostQuantity::LookedAt, tr("Looked at"),
+                       tr("How many boxes and triangles were looked at")),
+        quantityButton(CostQuantity::Time, tr("Time"), tr("How long one search took"))}) {
+    controls->addWidget(button);
+    quantities->addButton(button);
+  }
+  quantities->buttons().front()->setChecked(true);
+  quantities->buttons().back()->setObjectName("time");
+  layout->addWidget(m_curves);
+  m_sentence->setTextFormat(Qt::PlainText);
+  m_sentence->setWordWrap(true);
+  layout->addWidget(m_sentence);
+  m_curves->setAccessibleName(tr("Cost of a search"));
+  connect(m_measure, &QPushButton::clicked, this, [this] { isMeasuring() ? stop() : start(); });
+  setTheme(themes().front());
+  showState();
+}
+
+CostPlot::~CostPlot() {
+  for (const auto &job : m_jobs)
+    job->cancelled = true;
+  for (const auto &job : m_jobs)
+    job->thread->wait();
+}
+
+QToolButton *CostPlot::quantityButton(CostQuantity quantity, const QString &words,
+                                      const QString &explanation) {
+  auto *button = new QToolButton;
+  button->setText(words);
+  button->setToolTip(explanation);
+  button->setCheckable(true);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  connect(button, &QToolButton::toggled, this, [this, quantity](bool on) {
+    if (on)
+      m_curves->setQuantity(quantity);
+  });
+  return button;
+}
+
+void CostPlot::setRay(const std::optional<Ray<Rational>> &ray) {
+  m_ray = ray;
+  m_measure->setEnabled(isMeasuring() || m_ray);
+}
+
+void CostPlot::setMost(std::size_t triangles) {
+  m_most = triangles;
+  showState();
+}
+
+void CostPlot::setTheme(const Theme &theme) {
+  m_curves->setTheme(theme);
+  QPalette palette = m_sentence->palette();
+  palette.setColor(QPalette::WindowText, toQColor(theme.ink));
+  m_sentence->setPalette(palette);
+}
+
+void CostPlot::start() {
+  if (!m_ray)
+    return;
+  m_points.clear();
+  m_jobs.push_back(std::make_unique<Job>());
+  m_current = m_jobs.back().get();
+  m_current->thread.reset(QThread::create(
+      [this, &started = *m_current, ray = *m_ray, most = m_most] { run(started, ray, most); }));
+  m_current->thread->start();
+  showState();
+}
+
+void CostPlot::stop() {
+  std::exchange(m_current, nullptr)->cancelled = true;
+  showState();
+  emit ended();
+}
+
+/// In the job's thread.
+void CostPlot::run(Job &job, const Ray<Rational> &ray, std::size_t most) {
+  // What is told arrives in the thread of the plot, and no more once that is gone.
+  const auto tell = [&](const CostPoint &point) {
+    QMetaObject::invokeMethod(
+        this, [this, &job, point] { add(job, point); }, Qt::QueuedConnection);
+  };
+  measureCost(ray, job.cancelled, tell, most);
+  QMetaObject::invokeMethod(
+      this, [this, &job] { end(job); }, Qt::QueuedConnection);
+}
+
+void CostPlot::add(const Job &job, const CostPoint &point) {
+  if (&job != m_current)
+    return;
+  m_points.push_back(point);
+  showState();
+  emit measured();
+}
+
+void CostPlot::end(const Job &job) {
+  const bool isCurrent = &job == m_current;
+  job.thread->wait();
+  std::erase_if(m_jobs, [&](const auto &one) { return one.get() == &job; });
+  if (!isCurrent)
+    return;
+  m_current = nullptr;
+  showState();
+  emit ended();
+}
+
+QString CostPlot::sentence() const {
+  if (m_points.empty())
+    return isMeasuring() ? tr("Measuring …")
+                         : tr("Press Measure: the same shot is fired at bumpy fields of %1 to %2 triangles.")
+                               .arg(counted(fewestMeasured), counted(m_most));
+  const CostPoint &last = m_points.back();
+  return tr("With %1 triangles: the loop asked %2 triangles in %3 ms; the tree looked at %4 boxes and %5 "
+            "triangles in %6 ms.")
+      .arg(counted(last.triangles), counted(last.plain.triangles), milliseconds(last.plainMicroseconds),
+           counted(last.tree.boxes), counted(last.tree.triangles), milliseconds(last.treeMicroseconds));
+}
+
+void CostPlot::showState() {
+  m_measure->setText(isMeasuring() ? tr("Stop") : tr("Measure"));
+  m_measure->setEnabled(isMeasuring() || m_ray);
+  m_curves->setPoints(m_points);
+  m_curves->setAccessibleDescription(sentence());
+  m_sentence->setText(sentence());
+}
+
+} // namespace halfspace

@@ -1,0 +1,62 @@
+// What it costs to find the nearest hit, measured on the spot.
+#pragma once
+
+#include "widgets/flight/cost_curves.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace halfspace {
+
+/// Fires one shot at ever larger fields when it is told to, in a thread of its own, and plots each cost as
+/// it is measured.
+class CostPlot : public QWidget {
+  Q_OBJECT
+public:
+  explicit CostPlot(QWidget *parent = nullptr);
+  /// Ends what is being measured, and waits for it: until a tree that is being made is ready.
+  ~CostPlot() override;
+
+  /// What is fired when it is measured the next time; nothing: there is nothing to measure.
+  void setRay(const std::optional<Ray<Rational>> &ray);
+  /// Larger fields are left out.
+  void setMost(std::size_t triangles);
+  void setTheme(const Theme &theme);
+
+  [[nodiscard]] bool isMeasuring() const { return m_current != nullptr; }
+  [[nodiscard]] const std::vector<CostPoint> &points() const { return m_points; }
+  [[nodiscard]] QString sentence() const;
+
+signals:
+  void measured(); ///< another point is there
+  void ended();    ///< all are, or it was stopped
+
+private:
+  struct Job;
+
+  void start();
+  void stop();
+  void run(Job &job, const Ray<Rational> &ray, std::size_t most);
+  void add(const Job &job, const CostPoint &point);
+  void end(const Job &job);
+  [[nodiscard]] QToolButton *quantityButton(CostQuantity quantity, const QString &words,
+                                            const QString &explanation);
+  void showState();
+
+  std::optional<Ray<Rational>> m_ray;
+  std::size_t m_most = mostMeasured;
+  std::vector<CostPoint> m_points;
+  std::vector<std::unique_ptr<Job>> m_jobs; ///< the current one, and stopped ones that are ending
+  Job *m_current = nullptr;
+  QPushButton *m_measure = nullptr;
+  CostCurves *m_curves = nullptr;
+  QLabel *m_sentence = nullptr;
+};
+
+} // namespace halfspace

@@ -1,0 +1,36 @@
+// What it costs to find the nearest hit among ever more triangles.
+#pragma once
+
+#include "geometry/hit_search.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace halfspace {
+
+/// What the same shot costs among so many triangles: asked one after the other, and by a tree of boxes.
+struct CostPoint {
+  std::size_t triangles = 0;
+  SearchCost plain;
+  SearchCost tree;
+  double plainMicroseconds = 0;
+  double treeMicroseconds = 0;
+};
+
+inline constexpr std::size_t fewestMeasured = 22; ///< about a barn
+inline constexpr std::size_t mostMeasured = 1'000'000;
+
+/// A square field around the origin: bumps to both sides of z = 0, low ones, and always the same.
+[[nodiscard]] TriangleMesh bumpyField(std::size_t triangles);
+
+/// The shot as it is fired at the field: moved so that it comes down to z = 0 at the origin, or, where it
+/// never does, starts above or below it; its numbers are rounded to doubles. Requires a direction ≠ 0.
+[[nodiscard]] Ray<Rational> shotAtField(const Ray<Rational> &ray);
+
+/// Fires a shot at ever larger fields, and tells each cost as it is measured, until `cancelled`. The times
+/// are the best of several searches. Requires a direction ≠ 0.
+void measureCost(const Ray<Rational> &ray, const std::atomic<bool> &cancelled,
+                 const std::function<void(const CostPoint &)> &measured, std::size_t most = mostMeasured);
+
+} // namespace halfspace
