@@ -127,12 +127,12 @@ std::string_view ownId(std::string_view mark) { return mark.substr(mark.find('.'
 
 /// The marks that a step draws by name: `distance.F`, or F where only one entry has it.
 std::set<std::string> marksDrawn(const Names &drawn, const Figure &figure) {
-  std::map<std::string_view, std::vector<std::string>> byOwnId;
   std::set<std::string> marks;
-  for (const Mark &mark : figure.marks) {
-    marks.insert(baseOf(mark).id);
-    byOwnId[ownId(baseOf(mark).id)].push_back(baseOf(mark).id);
-  }
+  for (const Mark &mark : figure.marks)
+    marks.insert(leadingId(baseOf(mark)));
+  std::map<std::string_view, std::vector<std::string>> byOwnId;
+  for (const std::string &mark : marks)
+    byOwnId[ownId(mark)].push_back(mark);
   std::set<std::string> found;
   for (const std::string &name : drawn)
     if (marks.contains(name))
