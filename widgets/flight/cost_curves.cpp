@@ -13,7 +13,7 @@ namespace {
 // In heights of a line.
 constexpr double smallestWidth = 10;
 constexpr double usualWidth = 24;
-constexpr double lowestHeight = 9;
+constexpr double lowestHeight = 10;
 constexpr double highestHeight = 15;
 constexpr double dotRadius = 0.2;
 constexpr double curveWidth = 0.1;
@@ -23,7 +23,7 @@ constexpr double headroom = 1.2;
 /// Numbers below the axis are so far apart at least, in their own width.
 constexpr double tickDistance = 1.5;
 
-constexpr double heightOfWidth = 0.68;
+constexpr double heightOfWidth = 0.72;
 
 /// 10⁶
 QString countWords(int decade) {
@@ -132,7 +132,7 @@ std::vector<CostCurves::Curve> CostCurves::curves() const {
 }
 
 CostCurves::Decades CostCurves::heights() const {
-  Decades decades = m_quantity == CostQuantity::Time ? Decades{-1, 4} : Decades{0, 6};
+  Decades decades = m_quantity == CostQuantity::Time ? Decades{0, 5} : Decades{0, 6};
   for (const Curve &curve : curves())
     for (const Dot &dot : curve.dots) {
       decades.low = std::min(decades.low, floorDecade(dot.cost));
@@ -146,7 +146,7 @@ QString CostCurves::heightWords(int decade) const {
 }
 
 QString CostCurves::title() const {
-  return m_quantity == CostQuantity::Time ? tr("time of one search") : tr("boxes and triangles looked at");
+  return m_quantity == CostQuantity::Time ? tr("time of one search") : tr("boxes and triangles");
 }
 
 CostCurves::Axes CostCurves::axes() const {
@@ -183,8 +183,8 @@ void CostCurves::paintAxes(QPainter &painter, const Axes &axes) const {
   const QColor muted = toQColor(m_theme.mutedInk);
   painter.setPen(muted);
   painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter, title());
-  painter.drawText(QRectF(plot.left(), height() - line, plot.width(), line),
-                   Qt::AlignRight | Qt::AlignVCenter, tr("number of triangles"));
+  painter.drawText(QRectF(0, height() - line, width(), line), Qt::AlignRight | Qt::AlignVCenter,
+                   tr("number of triangles"));
   double labelled = height(); // the top of the lowest number that is not yet written
   for (int decade = axes.heights().low; decade <= axes.heights().high; ++decade) {
     const double y = std::floor(axes.yOf(decade));
