@@ -14,6 +14,8 @@ namespace {
 
 /// The lesson in which a mesh is shown that is opened in one that has no use for it.
 constexpr const char *meshLesson = "photon-torpedo";
+/// What takes longer, in milliseconds, shows a bar.
+constexpr int longestSilence = 400;
 /// The bar's steps.
 constexpr int wholeProgress = 1000;
 
@@ -64,6 +66,7 @@ void MainWindow::showMeshProgress(double part, const QString &what) {
     m_meshProgress = new QProgressDialog(this);
     m_meshProgress->setObjectName("meshProgress");
     m_meshProgress->setWindowTitle(tr("Open mesh"));
+    m_meshProgress->setMinimumDuration(longestSilence);
     m_meshProgress->setAutoReset(false);
     m_meshProgress->setAutoClose(false);
     connect(m_meshProgress, &QProgressDialog::canceled, &m_meshLoader, &MeshLoader::cancel);
