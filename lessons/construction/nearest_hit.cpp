@@ -13,6 +13,8 @@
 #include "lessons/words.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -192,8 +194,28 @@ WorkingLine orderLine(const Out &at) {
                   "meets nothing."));
 }
 
+/// A corner as the mesh has it, from where the mesh stands.
+WorkingLine cornerLine(const In &in, const Meeting &chosen, const std::string &coordinate,
+                       const ExactVec3 &corner) {
+  const auto &mesh = in.meshes[chosen.fragment.mesh];
+  const ExactVec3 way = corner - mesh.object.place;
+  const Term P = coordinateTerm(mesh, 0);
+  return asked(withNumbers(madeName(in, "T", coordinate, corner) == P + list({way.x, way.y, way.z})),
+               words("A corner of the triangle, as seen from {P}.", {{"P", plainText(P)}}));
+}
+
+std::array<std::pair<const char *, ExactVec3>, 3> cornersOf(const Meeting &meeting) {
+  const auto &[p0, p1, p2] = meeting.triangle;
+  return {{{"P0", p0}, {"P1", p1}, {"P2", p2}}};
+}
+
 Explanation explain(const In &in, const Out &at) {
   Explanation lines;
+  if (at.chosen && isTriangle(*at.chosen))
+    for (const auto &[coordinate, corner] : cornersOf(*at.chosen))
+      lines.add(coordinate, [&in, &at, coordinate = coordinate, corner = corner] {
+        return cornerLine(in, *at.chosen, coordinate, corner);
+      });
   if (isDegenerate(in))
     return lines;
   if (const auto hits = crossed(at); !hits.empty() && hits.size() <= mostOrdered)
@@ -213,9 +235,7 @@ PolygonMark faceOf(std::string id, Role role, Subject subject, const Triangle<Ra
 /// Its corners have the letters of the triangle that later entries look at.
 void drawChosen(Figure &figure, const In &in, const Meeting &chosen) {
   figure.add(faceOf(in.mark("T"), Role::Derived, Subject::EdgeU, chosen.triangle));
-  const std::array corners{std::pair("P0", chosen.triangle.p0), std::pair("P1", chosen.triangle.p1),
-                           std::pair("P2", chosen.triangle.p2)};
-  for (const auto &[coordinate, at] : corners)
+  for (const auto &[coordinate, at] : cornersOf(chosen))
     figure.add(pointOf(madeName(in, "T", coordinate, at), Role::Derived, Subject::Triangle));
 }
 
@@ -233,7 +253,7 @@ void drawOthers(Figure &figure, const In &in, const Out &at) {
       figure.add(PointMark{{hitMark(in, meeting), Role::Derived, Subject::Ray}, point});
     else if (meeting.meet.which == RayTriangleCase::Behind)
       figure.add(PointMark{
-          {in.mark("behind") + "/" + std::to_string(meeting.number), Role::Ghost, Subject::Ray}, point});
+          {in.mark("H") + "/behind" + std::to_string(meeting.number), Role::Ghost, Subject::Ray}, point});
   }
 }
 
@@ -296,8 +316,8 @@ ConstructionNames names() {
                      named::word("location", {"interior", "edge", "vertex"}),
                      named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
                                                                   "in-plane", "coincident", "collinear"})})},
-          .lines = {"order", "hit"},
-          .marks = {"H", "nearest", "T", "T.P0", "T.P1", "T.P2", "hits", "behind"}};
+          .lines = {"P0", "P1", "P2", "order", "hit"},
+          .marks = {"H", "nearest", "T", "T.P0", "T.P1", "T.P2", "hits"}};
 }
 
 } // namespace

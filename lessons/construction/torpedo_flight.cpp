@@ -106,14 +106,14 @@ void drawBlast(Figure &figure, const In &in, const Out &at) {
   if (!(radius > 0))
     return;
   const Place middle = place(at.M);
-  figure.add(SphereMark{{in.mark("blast"), Role::Warning, Subject::Measure}, middle, radius});
+  figure.add(SphereMark{{in.mark("M") + "/blast", Role::Warning, Subject::Measure}, middle, radius});
   // Evenly over all directions: equal steps in height, the golden angle around.
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int i = 0; i < blastRays; ++i) {
     const double height = 1 - (2.0 * i + 1) / blastRays;
     const double across = std::sqrt(1 - height * height);
     const Place out(across * std::cos(golden * i), across * std::sin(golden * i), height);
-    figure.add(SegmentMark{{in.mark("blast") + "/" + std::to_string(i), Role::Warning, Subject::Measure},
+    figure.add(SegmentMark{{in.mark("M") + "/blast" + std::to_string(i), Role::Warning, Subject::Measure},
                            middle + out * radius,
                            middle + out * (radius * blastReach)});
   }
@@ -144,7 +144,7 @@ Construction torpedo_flight() {
       {.cases = {"waiting", "flying", "exploded", "zero-direction"},
        .values = {named::number("lambda"), named::vector("place")},
        .lines = {"place"},
-       .marks = {"M", "blast"}},
+       .marks = {"M"}},
       {compute, tell, valuesOf, make, explain, draw, nearby});
 }
 

@@ -77,6 +77,11 @@ std::vector<Mark> draw(const Given<Object> &given) {
                              place(mesh.place),
                              MeshPlacement(mesh).axes()});
   }
+  if (!isZero(mesh.heading)) {
+    ArrowMark heading = arrowMark(given, 1, Subject::Neutral);
+    heading.label.clear();
+    marks.push_back(std::move(heading));
+  }
   PointMark where = pointMark(given, 0, Subject::Neutral);
   where.label.clear(); // the mesh has a name of its own
   marks.push_back(std::move(where));

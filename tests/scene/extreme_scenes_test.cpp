@@ -159,13 +159,17 @@ void expectFiniteAndBounded(const Mesh &mesh) {
     ASSERT_TRUE(isFinite(Place(normal)));
 }
 
-/// A ball is drawn as many flat faces, all else as a few.
+/// A ball is drawn as many flat faces, a polygon as a few where others cut it, all else as fewer.
 std::size_t mostFacesOf(const Figure &figure) {
   constexpr std::size_t ofABall = 200;
   constexpr std::size_t ofTheRest = 100;
-  const auto balls = std::count_if(figure.marks.begin(), figure.marks.end(),
-                                   [](const Mark &mark) { return std::holds_alternative<SphereMark>(mark); });
-  return ofTheRest + ofABall * static_cast<std::size_t>(balls);
+  constexpr std::size_t ofAPolygon = 8;
+  std::size_t most = ofTheRest;
+  for (const Mark &mark : figure.marks)
+    most += std::holds_alternative<SphereMark>(mark)    ? ofABall
+            : std::holds_alternative<PolygonMark>(mark) ? ofAPolygon
+                                                        : 0;
+  return most;
 }
 
 void expectAllIsBounded(const Prepared &made) {

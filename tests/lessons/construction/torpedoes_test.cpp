@@ -152,7 +152,7 @@ bool aimsAtTheField(const Ray<Rational> &ray) {
 
 TEST(Torpedoes, AThousandAtTheBarn_HitWhatTheLoopOverAllTrianglesSays) {
   const Scene barn = barnScene();
-  const auto triangles = trianglesIn(barn, {"field", "barn", "roof"});
+  const auto triangles = trianglesIn(barn, {"field", "barn", "roof", "wall"});
   std::set<std::size_t> hit;
   int atTheField = 0;
   for (int seed = 1; seed <= 125; ++seed)
@@ -176,7 +176,7 @@ TEST(Torpedoes, AThousandAtTheBarn_HitWhatTheLoopOverAllTrianglesSays) {
 
 TEST(Torpedoes, OnTheirWay_ExplodeWhereTheyHitAndNotBefore) {
   const Scene barn = barnScene();
-  const auto triangles = trianglesIn(barn, {"field", "barn", "roof"});
+  const auto triangles = trianglesIn(barn, {"field", "barn", "roof", "wall"});
   for (int seed = 1; seed <= 40; ++seed) {
     const auto all = hitsOf(torpedoOf(evaluate(atShot(barn, seed, 3))), triangles);
     ASSERT_FALSE(all.hits.empty()) << seed;
@@ -217,7 +217,7 @@ TEST_P(TorpedoesAtAMesh, ManyTorpedoes_HitWhatTheLoopOverAllTrianglesSays) {
   field[1] = {4, q(1, 4), 0};
   field[2].x = q(10, 9);
   scene = edited(scene, {ChangeObject{"field", field}, RemoveEntry{"flight"}});
-  const auto triangles = trianglesIn(scene, {"field", "barn", "roof"});
+  const auto triangles = trianglesIn(scene, {"field", "barn", "roof", "wall"});
   int atTheField = 0;
   for (int seed = 1; seed <= seeds; ++seed)
     for (int shot = 0; shot < shotsOfASeed; ++shot) {

@@ -164,7 +164,7 @@ private slots:
     many.fragments = many.all.size();
     shown.show(many);
     QCOMPARE(shown.table.rows().size(), FragmentTable::mostRows);
-    QCOMPARE(shown.table.leftOutWords(), QString("and 12 more outside"));
+    QCOMPARE(shown.table.leftOutWords(), QString("and 22 more outside"));
   }
 
   void speech_ofARow_hasItsNumbers() {
@@ -176,7 +176,7 @@ private slots:
     ShownTable shown(m_typesetter);
     const QAccessibleInterface *spoken = QAccessible::queryAccessibleInterface(&shown.table);
     QCOMPARE(spoken->role(), QAccessible::List);
-    QVERIFY(spoken->text(QAccessible::Description).startsWith("barn 4: t = −1/4, behind the start, s = 1/4"));
+    QVERIFY(spoken->text(QAccessible::Description).startsWith("barn 4: λ = −1/4, behind the start, s = 1/4"));
     QVERIFY(spoken->text(QAccessible::Description).endsWith("barn 2: parallel"));
   }
 };

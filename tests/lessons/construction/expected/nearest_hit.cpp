@@ -120,6 +120,9 @@ Recomputed recompute(Objects objects) {
   const AllMet all = meetAll(given);
   Recomputed expected;
   expected.names = {{"Q", quantity(given.ray.origin)}, {"\\vec r", quantity(given.ray.direction)}};
+  for (std::size_t i = 2; i < objects.size(); ++i)
+    expected.names[objects.size() == 3 ? "P" : "P_{\\operatorname{meshes}_" + std::to_string(i - 2) + "}"] =
+        quantity((*objects[i])[0]);
   expected.values["fragments"] = static_cast<int>(given.fragments.size());
   expected.degenerate = vanishes(given.ray.direction);
   expected.caseName = expected.degenerate ? "zero-direction" : all.ahead.empty() ? "miss" : "hit";
