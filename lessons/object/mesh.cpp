@@ -88,7 +88,8 @@ std::vector<Mark> draw(const Given<Object> &given) {
   return marks;
 }
 
-/// What others catch at of a mesh with few faces: its corners and the edges of its faces.
+/// What others catch at of a mesh with few faces: its corners, the edges of its faces, and the plane of a
+/// single one.
 void offer(const Given<Object> &given, Surroundings &found) {
   const MeshObject mesh = as<MeshObject>(given).object;
   if (!hasDrawnFaces(*mesh.shape))
@@ -104,6 +105,12 @@ void offer(const Given<Object> &given, Surroundings &found) {
       if (corners[from] != corners[to] && offered.emplace(from, to).second)
         found.edges.push_back({corners[from], corners[to], words("edge of {mesh}", name)});
     }
+  if (mesh.shape->faces().size() == 1) {
+    const MeshFace &face = mesh.shape->faces().front();
+    const ExactVec3 &first = corners[face[0]];
+    if (const ExactVec3 normal = cross(corners[face[1]] - first, corners[face[2]] - first); !isZero(normal))
+      found.planes.push_back({first, normal, plainText(given.symbol)});
+  }
 }
 
 void settle(Object &object) { object[2].x = std::max(object[2].x, smallestScale); }

@@ -238,14 +238,20 @@ bool areParallel(const Stroke &a, const Stroke &b) {
   return glm::length(glm::cross(glm::normalize(a.along), glm::normalize(b.along))) < rounding;
 }
 
+/// Whether both are sides of one body, which may lie behind one another as the body is turned.
+bool areOfOneBody(const Stroke &a, const Stroke &b) {
+  const auto bodyOf = [](const Stroke &stroke) { return stroke.name.substr(0, stroke.name.find('/')); };
+  return bodyOf(a) == bodyOf(b) && bodyOf(a) != a.name;
+}
+
 /// What meets and is seen as one line although it is none.
 std::vector<std::string> falseLines(const Page &page) {
   std::vector<std::string> wrong;
   const auto compare = [&](const std::vector<Stroke> &strokes, double least) {
     for (std::size_t i = 0; i < strokes.size(); ++i)
       for (std::size_t j = i + 1; j < strokes.size(); ++j)
-        if (strokes[i].from == strokes[j].from && !areParallel(strokes[i], strokes[j]) &&
-            angleBetween(strokes[i], strokes[j]) < least)
+        if (strokes[i].from == strokes[j].from && !areOfOneBody(strokes[i], strokes[j]) &&
+            !areParallel(strokes[i], strokes[j]) && angleBetween(strokes[i], strokes[j]) < least)
           wrong.push_back(strokes[i].name + " and " + strokes[j].name + " look like one line");
   };
   compare(axesOf(page), leastAxesAngle);

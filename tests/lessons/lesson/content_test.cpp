@@ -46,7 +46,7 @@ Object house(const ExactVec3 &ridge, const ExactVec3 &depth) {
 }
 
 /// The saucer of the photon torpedo, with its barrel turned.
-Object aimed(const ExactVec3 &barrel) { return UfoObject{{6, 7, 14}, {16, 6, 0}, barrel}; }
+Object aimed(const ExactVec3 &barrel) { return UfoObject{{5, 1, 14}, {4, 2, 0}, barrel}; }
 
 /// A mesh of that lesson elsewhere.
 Object movedTo(const ExactVec3 &place, const char *name) {
@@ -268,13 +268,13 @@ const std::vector<Solution> &solutions() {
       {"misprints", "Turn $\\vec r$ until the", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
       {"misprints", "Drag $P_1$", {"T", TriangleObject{{2, 0, 1}, {6, 4, 5}, {2, 8, 3}}}},
       {"misprints", "Turn $\\vec r$ until only", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
-      {"photon-torpedo", "Turn the barrel", {"U", aimed({7, 4, -11})}},
+      {"photon-torpedo", "Turn the barrel", {"U", aimed({8, 6, -11})}},
       {"photon-torpedo", "Let the barrel point up", {"U", aimed({-2, -1, 2})}},
       {"photon-torpedo", "Find a fragment", {"i", NumberObject{3, 0, 1000000, 1}}},
-      {"photon-torpedo", "Go on until", {"i", NumberObject{19, 0, 1000000, 1}}},
-      {"photon-torpedo", "Aim at an edge", {"U", aimed({12, {3, 2}, -8})}},
+      {"photon-torpedo", "Go on until", {"i", NumberObject{22, 0, 1000000, 1}}},
+      {"photon-torpedo", "Aim at an edge", {"U", aimed({13, {7, 2}, -8})}},
       {"photon-torpedo", "Choose a piece", {"U", aimed({2, 1, 0})}},
-      {"photon-torpedo", "Put the wall", {"wall", movedTo({15, 10, 0}, "wall")}},
+      {"photon-torpedo", "Put the wall", {"wall", movedTo({14, 6, 0}, "wall")}},
       {"photon-torpedo", "Now let the torpedo", {"U", aimed({1, 0, -2})}},
   };
   return all;
