@@ -62,7 +62,7 @@ QString wayText(const Surd &squareOfWay) {
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_editor(m_model), m_player(m_model),
+    : m_model(std::move(library)), m_editor(m_model), m_player(m_model), m_meshLoader(this),
       m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
   setObjectName("main");
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));

@@ -42,7 +42,7 @@ void FlightPlayer::serve(FlightBar &bar) {
   connect(&bar, &FlightBar::speedChanged, this, &FlightPlayer::setSpeed);
   connect(&bar, &FlightBar::scrubBegun, this, &FlightPlayer::beginScrub);
   connect(&bar, &FlightBar::scrubbed, this, &FlightPlayer::scrub);
-  connect(&bar, &FlightBar::scrubEnded, this, [this] { m_model.endGesture(); });
+  connect(&bar, &FlightBar::scrubEnded, this, &FlightPlayer::endScrub);
 }
 
 void FlightPlayer::setReducedMotion(bool reduced) {
@@ -129,6 +129,7 @@ void FlightPlayer::play(bool on) {
 }
 
 void FlightPlayer::stop() {
+  m_isScrubbing = false;
   m_timer.stop();
   if (std::exchange(m_isPlaying, false))
     emit stateChanged();
@@ -181,13 +182,20 @@ void FlightPlayer::setSpeed(double speed) {
 
 void FlightPlayer::beginScrub() {
   play(false);
-  if (flight())
-    m_model.beginGesture(tr("Fly"));
+  if (!flight())
+    return;
+  m_model.beginGesture(tr("Fly"));
+  m_isScrubbing = true;
+}
+
+void FlightPlayer::endScrub() {
+  if (std::exchange(m_isScrubbing, false))
+    m_model.endGesture();
 }
 
 void FlightPlayer::scrub(double t) {
   const auto now = flight();
-  if (!now)
+  if (!now || !m_isScrubbing)
     return;
   const Shot shot = shotAt(now->frame.value, now->seed.value, ExactVec3(0));
   Rational frame = shot.frame + roundToMultiple(t * framesPerLambda, frameStep);

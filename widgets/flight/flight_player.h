@@ -49,6 +49,7 @@ private:
   [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
   void beginScrub();
   void scrub(double t);
+  void endScrub();
   void tick();
   void stop();
 
@@ -59,6 +60,7 @@ private:
   double m_speed = 1;
   bool m_reducedMotion = false;
   bool m_isPlaying = false;
+  bool m_isScrubbing = false; ///< its gesture is that of the hand on the axis
 };
 
 } // namespace halfspace
