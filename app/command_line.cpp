@@ -122,6 +122,14 @@ void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &a
       ->take_all();
 }
 
+/// What stands without a command.
+void addWindow(CLI::App &app, WindowCommand &command) {
+  app.add_option("subject", command.subject,
+                 "A lesson's id, its .md file or a .halfspace file to open in the window")
+      ->type_name("LESSON|FILE");
+  app.add_option("--mesh", command.mesh, "A mesh to aim at: an STL, OBJ or PLY file")->type_name("FILE");
+}
+
 CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
   auto *explain = app.add_subcommand("explain", "Print values, worked lines and the case in plain words");
   addSubject(*explain, command.subject, command.assignments);
@@ -207,11 +215,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
                "halfspace");
   app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
   app.footer("Without a command, `halfspace [LESSON|FILE]` opens the window.");
-  app.add_option("subject", arguments.window.subject,
-                 "A lesson's id, its .md file or a .halfspace file to open in the window")
-      ->type_name("LESSON|FILE");
-  app.add_option("--mesh", arguments.window.mesh, "A mesh to aim at: an STL, OBJ or PLY file")
-      ->type_name("FILE");
+  addWindow(app, arguments.window);
   auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
   lessons->add_flag("--json", arguments.lessons.json, "As JSON");
   addOwnLessons(app, arguments.ownLessons);

@@ -65,7 +65,7 @@ void FlightBar::makeButtons() {
     auto *made = new QToolButton;
     made->setObjectName(name);
     made->setFocusPolicy(Qt::StrongFocus);
-    made->setAutoRaise(m_buttons.size() > 0); // the first is the one to begin with
+    made->setAutoRaise(!m_buttons.isEmpty()); // the first is the one to begin with
     m_buttons << made;
   }
   button(FlightControl::Fire).setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
