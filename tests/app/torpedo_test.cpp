@@ -90,6 +90,22 @@ private slots:
     QCOMPARE(shown, expected);
   }
 
+  void barrelDragged_whileTheTorpedoFlies_endsTheFlightAndIsDragged() {
+    m_fixture->answer(2);
+    const auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const QPoint tip = m_fixture->pixelOf(toDouble(m_fixture->value("U.S") + m_fixture->value("U.g")));
+    QTest::mouseClick(&bar.button(FlightControl::Play), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_fixture->value("frame").x > 2, patience);
+    m_fixture->press(tip);
+    QVERIFY(!bar.state().isPlaying);
+    m_fixture->moveTo(tip + QPoint(60, 30));
+    m_fixture->release();
+    QVERIFY(m_fixture->value("U.g") != ExactVec3(4, 2, -4));
+    m_fixture->model().undo();
+    QCOMPARE(m_fixture->value("U.g"), ExactVec3(4, 2, -4));
+    QVERIFY(m_fixture->value("frame").x > 2);
+  }
+
   void row_clicked_choosesTheFragmentThatIsWorkedOut() {
     m_fixture->model().setStep(stepWithTable);
     QCoreApplication::processEvents();

@@ -148,6 +148,8 @@ private:
   void hover(glm::dvec2 pixel);
   /// What the tasks of the step ask of a handle.
   [[nodiscard]] std::vector<SnapTarget> askedFor(const Handle &handle) const;
+  /// Presses the handle or the tool's part at this pixel, if there is one.
+  bool pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers);
   void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
   void requestFrame();
   void frame();

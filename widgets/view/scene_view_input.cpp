@@ -93,25 +93,30 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   if (m_gesture != Gesture::None)
     return;
   m_glide.stop();
-  m_button = event->button();
   m_pressed = m_lastPointer = event->localPos();
   m_moved = false;
-  const glm::dvec2 pixel = devicePixel(m_pressed);
-  if (event->button() == Qt::LeftButton) {
-    if (const Handle *handle = handleAt(pixel)) {
-      const bool same = handle->id == m_selected;
-      const bool vertical = (same && m_vertical) != bool(event->modifiers() & Qt::ShiftModifier);
-      if (const auto mode = grabMode(*handle, vertical, m_camera))
-        return pressHandle(*handle, *mode, pixel);
-    }
-    const auto part = gizmoPartUnder(pixel);
-    const Handle *selected = findHandle(m_selected);
-    if (part && selected)
-      return pressHandle(*selected, modeOf(*part), pixel);
-    m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
-  } else {
+  if (event->button() != Qt::LeftButton)
     m_gesture = Gesture::Pan;
+  else if (!pressTool(devicePixel(m_pressed), event->modifiers()))
+    m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
+  m_button = event->button(); // last: a gesture from elsewhere that ends here lets go of all
+}
+
+bool SceneView::pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers) {
+  if (const Handle *handle = handleAt(pixel)) {
+    const bool same = handle->id == m_selected;
+    const bool vertical = (same && m_vertical) != bool(modifiers & Qt::ShiftModifier);
+    if (const auto mode = grabMode(*handle, vertical, m_camera)) {
+      pressHandle(*handle, *mode, pixel);
+      return true;
+    }
   }
+  const auto part = gizmoPartUnder(pixel);
+  const Handle *selected = findHandle(m_selected);
+  if (!part || !selected)
+    return false;
+  pressHandle(*selected, modeOf(*part), pixel);
+  return true;
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
