@@ -94,6 +94,18 @@ void setPolygon(vtkPolyData *data, const Path &corners) {
   data->SetPolys(polygons);
 }
 
+void setTriangles(vtkPolyData *data, const std::vector<glm::dvec3> &corners,
+                  const std::vector<glm::uvec3> &triangles) {
+  vtkNew<vtkPoints> points;
+  for (const glm::dvec3 &p : corners)
+    points->InsertNextPoint(p.x, p.y, p.z);
+  vtkNew<vtkCellArray> cells;
+  for (const glm::uvec3 &triangle : triangles)
+    cells->InsertNextCell({triangle.x, triangle.y, triangle.z});
+  data->SetPoints(points);
+  data->SetPolys(cells);
+}
+
 vtkNew<vtkImageData> imageData(const BareImage &image) {
   vtkNew<vtkImageData> data;
   data->SetDimensions(image.width, image.height, 1);
@@ -212,6 +224,25 @@ private:
     m_mapper->SetInputData(m_data);
     m_shadowMapper->SetInputData(m_data);
     castShadow();
+  }
+
+  void set(const BareMesh &mesh, bool isNew) {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (glm::length_t column = 0; column < 4; ++column)
+      for (glm::length_t row = 0; row < 4; ++row)
+        matrix->SetElement(row, column, mesh.placement[column][row]);
+    vtkNew<vtkMatrix4x4> flattened;
+    vtkMatrix4x4::Multiply4x4(shadowMatrix(), matrix, flattened);
+    if (isNew) {
+      setTriangles(m_data, *mesh.corners, *mesh.triangles);
+      m_actor->GetProperty()->SetInterpolationToFlat();
+      m_mapper->SetInputData(m_data);
+      m_shadowMapper->SetInputData(m_data);
+      castShadow();
+    }
+    m_actor->SetUserMatrix(matrix);
+    m_shadow->SetUserMatrix(flattened);
+    paint(mesh.color);
   }
 
   vtkRenderer *m_renderer;

@@ -2,6 +2,7 @@
 // nothing of the rest of this program.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -55,7 +56,16 @@ struct BareGrid {
   bool operator==(const BareGrid &) const = default;
 };
 
-using BareThing = std::variant<BareGrid, BareTubes, BareArrow, BareBall, BareFace>;
+/// A surface of very many triangles; its corners are put into the scene by a matrix.
+struct BareMesh {
+  std::shared_ptr<const std::vector<glm::dvec3>> corners;
+  std::shared_ptr<const std::vector<glm::uvec3>> triangles;
+  glm::dmat4 placement{1};
+  glm::dvec3 color{};
+  bool operator==(const BareMesh &) const = default;
+};
+
+using BareThing = std::variant<BareGrid, BareTubes, BareArrow, BareBall, BareFace, BareMesh>;
 
 /// Rows from top to bottom, four bytes a pixel.
 struct BareImage {

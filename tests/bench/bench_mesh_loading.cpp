@@ -1,7 +1,7 @@
 // Meshes of 10^5 to 5·10^6 triangles loaded: how long reading and making ready take, for how long the event
 // loop stands still meanwhile, and how much memory the two processes take at most.
+#include "tests/bench/bumpy_ball.h"
 #include "tests/bench/durations.h"
-#include "tests/mesh_files/mesh_texts.h"
 #include "widgets/mesh_loader.h"
 
 #include <QCoreApplication>
@@ -10,38 +10,13 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <sys/resource.h>
 
 namespace halfspace::bench {
 namespace {
 
 constexpr double longestPauseGoal = 16; // a frame
-
-/// A bumpy ball of about so many triangles, none of which share corners.
-std::string ball(std::size_t triangles) {
-  const auto rows = static_cast<unsigned>(std::sqrt(static_cast<double>(triangles) / 4));
-  const unsigned columns = 2 * rows;
-  const auto corner = [&](unsigned row, unsigned column) {
-    const double latitude = std::numbers::pi * (row + 0.5) / (rows + 1);
-    const double longitude = 2 * std::numbers::pi * (column % columns) / columns;
-    const double radius = 10 + std::sin(9 * latitude) * std::cos(7 * longitude);
-    return Vec3<float>(Vec3<double>(std::sin(latitude) * std::cos(longitude),
-                                    std::sin(latitude) * std::sin(longitude), std::cos(latitude)) *
-                       radius);
-  };
-  std::string stl = binaryStlHead(2 * rows * columns);
-  for (unsigned row = 0; row < rows; ++row)
-    for (unsigned column = 0; column < columns; ++column) {
-      const Vec3<float> b = corner(row, column + 1);
-      const Vec3<float> c = corner(row + 1, column);
-      addTo(stl, {corner(row, column), b, c});
-      addTo(stl, {b, corner(row + 1, column + 1), c});
-    }
-  return stl;
-}
 
 /// The longest time between two turns of the event loop.
 class Heartbeat {
@@ -73,7 +48,7 @@ double peakMegabytes(__rusage_who who) {
 void measure(std::size_t triangles, const QTemporaryDir &folder) {
   const QString path = folder.filePath("ball.stl");
   {
-    const std::string stl = ball(triangles);
+    const std::string stl = bumpyBall(triangles);
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(stl.data(), static_cast<qint64>(stl.size())) < 0)
       return;

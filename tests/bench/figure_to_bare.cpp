@@ -1,5 +1,6 @@
 #include "tests/bench/figure_to_bare.h"
 
+#include "geometry/triangle_mesh.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/label_requests.h"
 #include "widgets/picture/shapes/mark_mesh.h"
@@ -9,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace halfspace::bench {
 namespace {
@@ -55,6 +57,26 @@ BareThing solidOf(const Mark &mark, Path path, const Theme &theme, double scale)
   const double radius = (isThin ? thinRadius : lineRadius) * scale;
   return BareTubes{isDashed(base.role) ? dashes(path, scale) : std::vector<Path>{std::move(path)}, radius,
                    color};
+}
+
+/// The same triangles are handed over once.
+BareMesh meshOf(const MeshMark &mark, const Theme &theme) {
+  using Copies = std::map<std::shared_ptr<const TriangleMesh>, BareMesh>;
+  static Copies copies;
+  BareMesh &copy = copies[mark.mesh];
+  if (!copy.corners) {
+    copy.corners =
+        std::make_shared<std::vector<glm::dvec3>>(mark.mesh->corners.begin(), mark.mesh->corners.end());
+    auto triangles = std::make_shared<std::vector<glm::uvec3>>();
+    for (const auto &[a, b, c] : mark.mesh->triangles)
+      triangles->emplace_back(a, b, c);
+    copy.triangles = std::move(triangles);
+  }
+  BareMesh mesh = copy;
+  mesh.placement = glm::dmat4(mark.axes);
+  mesh.placement[3] = glm::dvec4(mark.place, 1);
+  mesh.color = rgb(solidColor(mark, theme, false));
+  return mesh;
 }
 
 void addGround(BarePicture &picture, const SceneContent &content, const Theme &theme, const View &view,
@@ -113,6 +135,8 @@ BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &
   BarePicture picture;
   addGround(picture, content, theme, view, scale);
   for (const Mark &mark : content.figure.marks) {
+    if (const auto *mesh = std::get_if<MeshMark>(&mark))
+      picture.things[mesh->id] = meshOf(*mesh, theme);
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
     if (!outline.path.empty())
       picture.things[baseOf(mark).id] = solidOf(mark, outline.path, theme, scale);

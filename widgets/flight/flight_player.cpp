@@ -24,7 +24,8 @@ const Rational firstSeed = 7;
 
 } // namespace
 
-FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent) : QObject(parent), m_model(model) {
+FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
+    : QObject(parent), m_model(model), m_timer(this) {
   m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &FlightPlayer::tick);
   connect(&model, &SessionModel::gestureChanged, this, [this] {

@@ -251,8 +251,10 @@ void SceneView::holdExtents() {
 
 void SceneView::takeOutcome() {
   takeStage();
-  if (m_model.inGesture())
+  if (m_model.inGesture()) {
     holdExtents();
+    m_restTimer.start(); // what a flight, or a number that is scrubbed, moves comes to rest later as well
+  }
   m_figure = staged(m_model.shown().figure);
   const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
   followTyped(before);

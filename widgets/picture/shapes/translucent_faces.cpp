@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -128,47 +129,52 @@ struct FaceOrder::Node {
 
   [[nodiscard]] double side(Place place) const { return glm::dot(normal, place) + offset; }
 
-  /// Splits by the plane of the first face.
-  static std::unique_ptr<Node> of(const std::vector<Face> &faces, int &cutsLeft) {
+  /// Splits by the plane of the first face. The faces are moved from node to node: a ball's pass through
+  /// many.
+  static std::unique_ptr<Node> of(std::vector<Face> faces, int &cutsLeft) {
     if (faces.empty())
       return nullptr;
     auto node = std::make_unique<Node>();
     node->normal = glm::normalize(areaVector(faces.front().corners));
     node->offset = -glm::dot(node->normal, faces.front().corners.front());
-    node->inPlane.push_back(faces.front());
+    node->inPlane.push_back(std::move(faces.front()));
     std::vector<Face> inFront;
     std::vector<Face> behind;
-    for (std::size_t i = 1; i < faces.size(); ++i)
-      node->sort(faces[i], inFront, behind, cutsLeft);
-    node->front = of(inFront, cutsLeft);
-    node->back = of(behind, cutsLeft);
+    std::vector<double> sides;
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+      sides.clear();
+      for (const Place &corner : faces[i].corners)
+        sides.push_back(node->side(corner));
+      node->sort(std::move(faces[i]), sides, inFront, behind, cutsLeft);
+    }
+    node->front = of(std::move(inFront), cutsLeft);
+    node->back = of(std::move(behind), cutsLeft);
     return node;
   }
 
-  void sort(const Face &face, std::vector<Face> &inFront, std::vector<Face> &behind, int &cutsLeft) {
-    std::vector<double> sides;
-    for (const Place &corner : face.corners)
-      sides.push_back(side(corner));
+  /// `sides` are the corners' distances from the node's plane.
+  void sort(Face face, const std::vector<double> &sides, std::vector<Face> &inFront,
+            std::vector<Face> &behind, int &cutsLeft) {
     const auto [lowest, highest] = std::minmax_element(sides.begin(), sides.end());
     const bool reachesFront = *highest > onPlaneTolerance;
     const bool reachesBack = *lowest < -onPlaneTolerance;
     if (!reachesFront || !reachesBack) {
-      (reachesFront ? inFront : reachesBack ? behind : inPlane).push_back(face);
+      (reachesFront ? inFront : reachesBack ? behind : inPlane).push_back(std::move(face));
     } else if (cutsLeft > 0) {
       --cutsLeft;
-      const Halves halves = cut(face, sides);
-      keep(halves.front, inFront);
-      keep(halves.back, behind);
+      Halves halves = cut(face, sides);
+      keep(std::move(halves.front), inFront);
+      keep(std::move(halves.back), behind);
     } else {
-      (std::accumulate(sides.begin(), sides.end(), 0.0) > 0 ? inFront : behind).push_back(face);
+      (std::accumulate(sides.begin(), sides.end(), 0.0) > 0 ? inFront : behind).push_back(std::move(face));
     }
   }
 
   /// A face without area has no plane of its own and is not seen.
-  static void keep(const Face &face, std::vector<Face> &faces) {
+  static void keep(Face face, std::vector<Face> &faces) {
     if (face.corners.size() > 2 &&
         glm::length(areaVector(face.corners)) > onPlaneTolerance * onPlaneTolerance)
-      faces.push_back(face);
+      faces.push_back(std::move(face));
   }
 
   static void walk(const Node *node, glm::dvec4 eye, std::vector<const Face *> &order) {
@@ -187,12 +193,12 @@ FaceOrder::~FaceOrder() = default;
 FaceOrder::FaceOrder(FaceOrder &&) noexcept = default;
 FaceOrder &FaceOrder::operator=(FaceOrder &&) noexcept = default;
 
-FaceOrder::FaceOrder(const std::vector<Face> &faces) {
+FaceOrder::FaceOrder(std::vector<Face> faces) {
   std::vector<Face> visible;
-  for (const Face &face : faces)
-    Node::keep(face, visible);
+  for (Face &face : faces)
+    Node::keep(std::move(face), visible);
   int cutsLeft = mostCuts;
-  m_root = Node::of(visible, cutsLeft);
+  m_root = Node::of(std::move(visible), cutsLeft);
 }
 
 std::vector<const Face *> FaceOrder::backToFront(glm::dvec4 eye) const {

@@ -29,7 +29,7 @@ struct Face {
 class FaceOrder {
 public:
   FaceOrder();
-  explicit FaceOrder(const std::vector<Face> &faces);
+  explicit FaceOrder(std::vector<Face> faces);
   ~FaceOrder();
   FaceOrder(FaceOrder &&) noexcept;
   FaceOrder &operator=(FaceOrder &&) noexcept;

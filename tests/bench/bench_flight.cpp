@@ -1,0 +1,230 @@
+// The torpedo's flight in the real window, over a field with a mesh of 10^5 triangles: each frame of it is
+// also drawn by bare VTK, one after the other, so that what else the machine does slows both alike. Then the
+// flight alone: how often it is drawn, and whether it keeps to the clock.
+#include "lessons/construction/shots.h"
+#include "lessons/scene/target_mesh.h"
+#include "tests/app/window_fixture.h"
+#include "tests/bench/bare_window.h"
+#include "tests/bench/bumpy_ball.h"
+#include "tests/bench/figure_to_bare.h"
+#include "widgets/flight/flight_bar.h"
+#include "widgets/flight/flight_player.h"
+#include "widgets/mesh_loader.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
+
+#include <QApplication>
+#include <QScreen>
+#include <QTemporaryDir>
+
+#include <vtkCallbackCommand.h>
+#include <vtkRendererCollection.h>
+
+#include <cstdio>
+#include <thread>
+
+using namespace halfspace;
+using namespace halfspace::bench;
+
+namespace {
+
+constexpr std::size_t meshTriangles = 100'000;
+constexpr int stepToMove = 6; ///< of the lesson: the whole field is shown, and there is no question
+constexpr int usualFrames = 200;
+constexpr int warmUp = 20;      ///< frames that are not counted
+constexpr int patience = 30000; // milliseconds
+constexpr double slow = 0.25;   ///< of the flight's usual speed, so that it lasts
+constexpr double frameGoal = 1.15;
+constexpr double refreshGoal = 1.05; ///< times the display's own rate
+
+/// Tells how long a tick of the flight's clock takes: the scene is evaluated, and the panels are told.
+class TimedApplication : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  bool notify(QObject *receiver, QEvent *event) override {
+    if (event->type() != QEvent::Timer || !qobject_cast<FlightPlayer *>(receiver->parent()))
+      return QApplication::notify(receiver, event);
+    const auto start = Clock::now();
+    const bool accepted = QApplication::notify(receiver, event);
+    tick = millisecondsSince(start);
+    ++ticks;
+    return accepted;
+  }
+
+  double tick = 0; ///< the last one's duration
+  int ticks = 0;
+};
+
+void printGoal(const std::string &what, double figure, double goal) {
+  std::printf("  %-60s %8.2f  %s\n", what.c_str(), figure, figure <= goal ? "met" : "missed");
+}
+
+/// The times of many frames, in milliseconds.
+class Frames {
+public:
+  void add(double tick, double update, double render, double bare) {
+    m_tick.add(tick);
+    m_update.add(update);
+    m_render.add(render);
+    m_whole.add(tick + update + render);
+    m_bare.add(bare);
+  }
+
+  void print(const std::string &when) const {
+    const auto line = [](const char *what, const Durations &durations) {
+      std::printf("  %-52s %8.2f %8.2f\n", what, durations.median(), durations.quantile(0.95));
+    };
+    std::printf("  %-52s %8s %8s\n", (when + ", milliseconds").c_str(), "median", "95 %");
+    line("tick: the scene evaluated, the panels told", m_tick);
+    line("update of the scene", m_update);
+    line("render", m_render);
+    line("whole frame", m_whole);
+    line("bare VTK, whole frame", m_bare);
+    printGoal(when + ": whole frame at most 1.15 x bare VTK (medians)", m_whole.median() / m_bare.median(),
+              frameGoal);
+  }
+
+private:
+  Durations m_tick, m_update, m_render, m_whole, m_bare;
+};
+
+class Flight {
+public:
+  explicit Flight(TimedApplication &application)
+      : m_application(application), m_fixture("photon-torpedo"), m_painter(labelPainter(m_typesetter)) {
+    m_fixture.model().setStep(stepToMove);
+    openMesh();
+    m_bar = m_fixture.window.findChild<FlightBar *>();
+    QTest::qWait(500); // until all is still
+    m_bare = std::make_unique<BareWindow>(view());
+    QObject::connect(&view(), &SceneView::frameDrawn, &view(),
+                     [this](const FrameTimes &times) { take(times); });
+    vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(this);
+    count->SetCallback(
+        [](vtkObject *, unsigned long, void *flight, void *) { ++static_cast<Flight *>(flight)->m_renders; });
+    view().renderWindow()->GetRenderers()->GetFirstRenderer()->AddObserver(vtkCommand::EndEvent, count);
+  }
+
+  [[nodiscard]] bool isReady() const { return m_hasMesh && m_bar; }
+
+  /// Each frame beside bare VTK's of the same moment.
+  void fly(int frames) {
+    play();
+    for (int i = -warmUp; i < frames; ++i) {
+      if (!m_bar->state().isPlaying)
+        play();
+      const int before = m_frames;
+      const auto start = Clock::now();
+      while (m_frames == before && millisecondsSince(start) < patience)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+      quiet();
+      const BarePicture picture = bareOf(view().pictureContent(), themes().front(),
+                                         {view().camera(), view().pixelSize(), 1}, m_painter);
+      const double bare = m_bare->draw(picture);
+      quiet();
+      if (i < 0)
+        continue;
+      (hasExploded() ? m_explosion : m_flight).add(m_application.tick, m_lastUpdate, m_lastRender, bare);
+    }
+    emit m_bar->playToggled(false);
+    std::printf("\na flight over %zu triangles, view of %d x %d pixels\n", meshTriangles,
+                view().pixelSize().width, view().pixelSize().height);
+    m_flight.print("on its way");
+    m_explosion.print("explosion");
+  }
+
+  /// As fast as it goes, for a few seconds.
+  void flyAlone() {
+    constexpr int seconds = 3;
+    emit m_bar->fire(); // from its start: it must not end meanwhile
+    const double from = frameNumber();
+    m_frames = m_renders = m_application.ticks = 0;
+    const auto start = Clock::now();
+    QTest::qWait(seconds * 1000);
+    const double passed = millisecondsSince(start) * 1e-3;
+    const double flown = frameNumber() - from;
+    const double refreshes = QApplication::primaryScreen()->refreshRate() * passed;
+    emit m_bar->playToggled(false);
+    std::printf(
+        "\nalone, %.1f s at %.2f of the usual speed: %d ticks, %d frames, %d renders, %.0f refreshes\n",
+        passed, slow, m_application.ticks, m_frames, m_renders, refreshes);
+    std::printf("  frames of the flight, by the clock %.1f, in the scene %.1f\n",
+                passed * slow * framesPerSecond, flown);
+    printGoal("renders a refresh of the display at most 1.05", m_renders / refreshes, refreshGoal);
+    printGoal("renders a frame: 1", double(m_renders) / m_frames, 1);
+  }
+
+private:
+  SceneView &view() { return m_fixture.scene(); }
+  bool hasExploded() {
+    return m_fixture.model().evaluation().find("flight")->outcome->told->name == "exploded";
+  }
+  double frameNumber() { return toDouble(m_fixture.value("frame").x); }
+
+  void openMesh() {
+    const QString path = m_folder.filePath("ball.stl");
+    QFile file(path);
+    const std::string stl = bumpyBall(meshTriangles);
+    if (!file.open(QIODevice::WriteOnly) || file.write(stl.data(), static_cast<qint64>(stl.size())) < 0)
+      return;
+    file.close();
+    m_fixture.window.findChild<MeshLoader *>()->setProgram(QCoreApplication::applicationDirPath() +
+                                                           "/halfspace");
+    m_fixture.window.openMesh(path);
+    m_hasMesh = QTest::qWaitFor(
+        [&] { return findObject(m_fixture.model().session().scene, targetName) != nullptr; }, patience);
+  }
+
+  /// Both windows begin when what is drawn before is on the screen: else one would pay for the other.
+  static void quiet() {
+    QCoreApplication::sendPostedEvents();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+
+  void play() {
+    emit m_bar->speedChanged(slow);
+    emit m_bar->playToggled(true);
+  }
+
+  void take(const FrameTimes &times) {
+    const auto drawn = Clock::now();
+    finishDrawing();
+    ++m_frames;
+    m_lastUpdate = milliseconds(times.update);
+    m_lastRender = milliseconds(times.render) + millisecondsSince(drawn);
+  }
+
+  TimedApplication &m_application;
+  WindowFixture m_fixture;
+  QTemporaryDir m_folder;
+  FlightBar *m_bar = nullptr;
+  bool m_hasMesh = false;
+  Typesetter m_typesetter;
+  LabelPainter m_painter;
+  std::unique_ptr<BareWindow> m_bare;
+  Frames m_flight, m_explosion;
+  int m_frames = 0;
+  int m_renders = 0;
+  double m_lastUpdate = 0;
+  double m_lastRender = 0;
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+  QStandardPaths::setTestModeEnabled(true);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  TimedApplication application(argc, argv);
+  forgetStarts();
+  Flight flight(application);
+  if (!flight.isReady()) {
+    std::printf("The mesh could not be opened.\n");
+    return 1;
+  }
+  flight.fly(argc > 1 ? std::max(10, std::atoi(argv[1])) : usualFrames);
+  flight.flyAlone();
+}
