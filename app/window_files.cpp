@@ -3,7 +3,9 @@
 #include "app/memory.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
+#include "lessons/scene/large_meshes.h"
 #include "lessons/scene/session_file.h"
+#include "lessons/scene/shape_text.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
 #include "widgets/typeset/label_painter.h"
@@ -14,6 +16,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
+#include <QLocale>
 #include <QMessageBox>
 
 #include <algorithm>
@@ -23,6 +26,19 @@ namespace {
 
 /// Pictures are made this much finer than the screen shows them.
 constexpr double pictureScale = 2;
+
+/// What is told of a scene that is saved.
+QString savedWords(const Scene &scene) {
+  QStringList left;
+  for (const std::string &name : largeMeshes(scene))
+    left << QString::fromStdString(name);
+  if (left.isEmpty())
+    return MainWindow::tr("Saved.");
+  return MainWindow::tr(
+             "Saved, but without %1: a mesh of more than %2 triangles is not kept in a session. Open "
+             "its own file again to go on with it.")
+      .arg(left.join(", "), QLocale().toString(static_cast<qulonglong>(mostWrittenFaces)));
+}
 
 /// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or
 /// written here, or holds that text already.
@@ -60,7 +76,7 @@ bool MainWindow::saveTo(const QString &file) {
   m_model.history().setClean();
   keepUnsavedSoon();
   updateTitle();
-  say(tr("Saved."));
+  say(savedWords(m_model.session().scene));
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/triangle_mesh.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -67,6 +68,10 @@ public:
 private:
   std::vector<Triangle<double>> m_triangles;
 };
+
+/// The quickest way to search a mesh: a tree where it has more than a few triangles and this library is built
+/// with Embree, or else one triangle after the other. Requires finite coordinates.
+[[nodiscard]] std::unique_ptr<const HitSearch> makeHitSearch(const TriangleMesh &mesh);
 
 /// The triangles of a mesh, each with its corners.
 [[nodiscard]] std::vector<Triangle<double>> trianglesOf(const TriangleMesh &mesh);

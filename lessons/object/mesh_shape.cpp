@@ -29,7 +29,7 @@ TriangleMesh cutIntoTriangles(std::vector<Vec3<double>> corners, const std::vect
 MeshShape::MeshShape(std::vector<Vec3<double>> corners, std::vector<MeshFace> faces)
     : m_faces(std::move(faces)),
       m_mesh(std::make_shared<const TriangleMesh>(cutIntoTriangles(std::move(corners), m_faces))),
-      m_search(std::make_shared<const PlainHitSearch>(*m_mesh)), m_box(boxAround(m_mesh->corners)) {}
+      m_search(makeHitSearch(*m_mesh)), m_box(boxAround(m_mesh->corners)) {}
 
 MeshShape::MeshShape(TriangleMesh mesh, std::shared_ptr<const HitSearch> search)
     : m_mesh(std::make_shared<const TriangleMesh>(std::move(mesh))), m_search(std::move(search)),

@@ -3,6 +3,7 @@
 #include "lessons/files/read_file.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/camera_reader.h"
+#include "lessons/scene/large_meshes.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/scene/scene_reader.h"
 #include "lessons/scene/scene_writer.h"
@@ -88,7 +89,7 @@ std::string writeSession(const Session &session) {
             {"version", sessionFileVersion},
             {"lesson", session.lesson},
             {"step", session.step},
-            {"scene", jsonOf(session.scene)}};
+            {"scene", jsonOf(withoutLargeMeshes(session.scene))}};
   if (session.view)
     json["view"] = jsonOf(*session.view);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

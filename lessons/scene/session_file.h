@@ -16,7 +16,7 @@ inline constexpr int maxSessionDepth = 32;
 
 /// The text of a .halfspace file: {"format":"halfspace","version":3,"lesson":…,"step":…,"scene":[…]};
 /// coordinates are exact texts ("-10/3"). With a view also {"view":{"from":[…],"at":[…],"height":…,
-/// "orthographic":…}}, in decimals.
+/// "orthographic":…}}, in decimals. Without the meshes that are too large for it (`withoutLargeMeshes`).
 [[nodiscard]] std::string writeSession(const Session &session);
 
 /// Reads what writeSession wrote, from a stranger's hands: bounded in size and depth, every field checked.

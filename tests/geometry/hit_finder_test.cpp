@@ -322,5 +322,23 @@ TEST(HitFinder, OfTenThousandTriangles_AsksFewOfThem) {
   }
 }
 
+TEST(MakeHitSearch, FewOrManyTriangles_AreSearchedOneByOneOrByBoxes) {
+  const auto stairs = [](std::uint32_t triangles) {
+    TriangleMesh mesh;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+      mesh.corners.insert(mesh.corners.end(), {{i, 0, i}, {i + 1, 0, i}, {i, 1, i}});
+      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return mesh;
+  };
+  const Ray<Rational> ray{{Rational(1, 4), Rational(1, 4), 9}, {0, 0, -1}};
+  const SearchResult few = makeHitSearch(stairs(20))->search(ray);
+  EXPECT_EQ(few.cost, (SearchCost{0, 20}));
+  const SearchResult many = makeHitSearch(stairs(2000))->search(ray);
+  EXPECT_GT(many.cost.boxes, 0U);
+  EXPECT_LT(many.cost.triangles, 100U);
+  EXPECT_EQ(many.nearest, few.nearest);
+}
+
 } // namespace
 } // namespace halfspace

@@ -1,7 +1,6 @@
 #include "widgets/mesh_files/make_shape.h"
 
 #include "geometry/decide.h"
-#include "geometry/hit_finder.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/numbering.h"
 
@@ -218,7 +217,7 @@ private:
 
   void makeSearchable() {
     m_partDone(untilSorted);
-    auto search = std::make_shared<const HitFinder>(trianglesOf(m_mesh));
+    std::shared_ptr<const HitSearch> search = makeHitSearch(m_mesh);
     m_loaded.shape = std::make_shared<const MeshShape>(std::move(m_mesh), std::move(search));
     m_partDone(1);
   }

@@ -6,6 +6,9 @@
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/number.h"
+#include "lessons/object/ray.h"
+#include "lessons/scene/large_meshes.h"
 #include "lessons/scene/session_file.h"
 #include "tests/lessons/scenes.h"
 
@@ -108,6 +111,52 @@ TEST(MeshShape, Written_IsReadAsTheSame) {
   // Of triangles without faces.
   const MeshShape triangles(*shape->mesh(), std::make_shared<const PlainHitSearch>(*shape->mesh()));
   EXPECT_EQ(written(triangles).faces, faces);
+}
+
+/// So many triangles in a row.
+std::shared_ptr<const MeshShape> strip(std::size_t triangles) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < triangles + 2; ++i)
+    mesh.corners.emplace_back(i / 2, i % 2, 0);
+  for (std::uint32_t i = 0; i < triangles; ++i)
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  auto search = makeHitSearch(mesh);
+  return std::make_shared<const MeshShape>(std::move(mesh), std::move(search));
+}
+
+/// A mesh aimed at, alone and beside another.
+Scene sceneWith(const std::shared_ptr<const MeshShape> &shape) {
+  const auto small = strip(2);
+  const auto hit = [](std::vector<std::string> meshes) {
+    return ConstructionUse{"nearest-hit", {{"L", "L"}, {"i", "i"}, {"meshes", std::move(meshes)}}};
+  };
+  return {{{"big", MeshObject{{}, {1, 0, 0}, 1, shape}},
+           {"small", MeshObject{{}, {1, 0, 0}, 1, small}},
+           {"L", RayObject{{1, 1, 9}, {0, 0, -1}}},
+           {"i", NumberObject{1, 0, 9, 1}},
+           {"both", hit({"big", "small"})},
+           {"alone", hit({"big"})},
+           {"again", ConstructionUse{"ray-triangle-perp", {{"T", "alone.T"}, {"L", "L"}}}}}};
+}
+
+TEST(LargeMesh, InAScene_IsLeftOutOfFilesWithWhatLooksAtItAlone) {
+  const Scene scene = sceneWith(strip(mostWrittenFaces + 1));
+  EXPECT_EQ(largeMeshes(scene), std::vector<std::string>{"big"});
+  const auto again = readSession(writeSession({.lesson = "photon-torpedo", .scene = scene}), "");
+  ASSERT_TRUE(again) << again.problem().sentence;
+  std::vector<std::string> names;
+  for (const Entry &entry : again->scene.entries)
+    names.push_back(entry.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"small", "L", "i", "both"}));
+  EXPECT_EQ(std::get<ConstructionUse>(again->scene.entries.back().content).roles.at("meshes").ids,
+            std::vector<std::string>{"small"});
+}
+
+TEST(LargeMesh, JustSmallEnough_IsWrittenAndReadAsTheSame) {
+  const Scene scene = sceneWith(strip(mostWrittenFaces));
+  const auto again = readSession(writeSession({.lesson = "photon-torpedo", .scene = scene}), "");
+  ASSERT_TRUE(again) << again.problem().sentence;
+  EXPECT_EQ(again->scene, scene);
 }
 
 TEST(MeshShape, DamagedInThousandsOfWays_IsReadOrToldWhatIsWrong) {
