@@ -92,30 +92,35 @@ Explanation explain(const In &in, const Out &at) {
   return lines;
 }
 
-// The explosion, in scene units: a ball that grows while λ does, and rays out of it.
-constexpr double blastRadius = 1.6;
-constexpr double blastReach = 1.5; ///< of its rays, in radii
-constexpr int blastRays = 14;
+// The explosion, in scene units: sparks to all sides that grow while λ does, every other one shorter.
+constexpr double longSpark = 2.4;
+constexpr double shortSpark = 1.5;
+constexpr double sparkBegin = 0.35; ///< as a share of its end
+constexpr int sparks = 32;
 /// It is as large as it gets after so much of λ.
 constexpr double blastDuration = 0.5;
 
+/// Evenly over all directions: equal steps in height, the golden angle around.
+Place sparkDirection(int spark) {
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  const double height = 1 - (2.0 * spark + 1) / sparks;
+  const double across = std::sqrt(1 - height * height);
+  return {across * std::cos(golden * spark), across * std::sin(golden * spark), height};
+}
+
 void drawBlast(Figure &figure, const In &in, const Out &at) {
   const double age = toDouble(Rational(at.elapsed - at.first.t));
-  const double grown = std::min(1.0, age / blastDuration);
-  const double radius = blastRadius * std::sqrt(grown);
-  if (!(radius > 0))
+  const double grown = std::sqrt(std::min(1.0, age / blastDuration));
+  if (!(grown > 0))
     return;
   const Place middle = place(at.M);
-  figure.add(SphereMark{{in.mark("M") + "/blast", Role::Warning, Subject::Measure}, middle, radius});
-  // Evenly over all directions: equal steps in height, the golden angle around.
-  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int i = 0; i < blastRays; ++i) {
-    const double height = 1 - (2.0 * i + 1) / blastRays;
-    const double across = std::sqrt(1 - height * height);
-    const Place out(across * std::cos(golden * i), across * std::sin(golden * i), height);
-    figure.add(SegmentMark{{in.mark("M") + "/blast" + std::to_string(i), Role::Warning, Subject::Measure},
-                           middle + out * radius,
-                           middle + out * (radius * blastReach)});
+  for (int i = 0; i < sparks; ++i) {
+    const bool isLong = i % 2 == 0;
+    const Place end = sparkDirection(i) * (grown * (isLong ? longSpark : shortSpark));
+    figure.add(SegmentMark{{in.mark("M") + "/spark" + std::to_string(i),
+                            isLong ? Role::Warning : Role::Result, Subject::Point},
+                           middle + end * sparkBegin,
+                           middle + end});
   }
 }
 
