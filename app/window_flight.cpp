@@ -1,5 +1,6 @@
 // The torpedo's flight on the page, and the triangles that it may hit.
 #include "app/main_window.h"
+#include "lessons/object/mesh.h"
 #include "lessons/object/number.h"
 #include "lessons/object/ray.h"
 #include "widgets/lesson/lesson_page.h"
@@ -15,17 +16,19 @@ const Crossings &crossingsOf(const Evaluation &evaluation, const std::string &en
   return found ? *found->outcome->crossings : none;
 }
 
-/// The ray with this id, where it is there and leads somewhere.
-std::optional<Ray<Rational>> rayOf(const Evaluation &evaluation, const std::string &id) {
-  const std::string owner = ownerOf(id);
-  const EvaluatedEntry *entry = evaluation.find(owner);
-  if (!entry)
+/// What an entry that looks at a ray and meshes aims at; nothing where the ray leads nowhere.
+std::optional<Aim> aimOf(const Evaluation &evaluation, const std::string &entry) {
+  const EvaluatedEntry *found = evaluation.find(entry);
+  if (!found)
     return {};
-  for (const MadeObject &made : entry->outcome->objects)
-    if ((made.name.empty() ? owner : owner + "." + made.name) == id)
-      if (const auto ray = objectAs<RayObject>(made.object); ray && !isZero(ray->direction))
-        return Ray<Rational>{ray->origin, ray->direction};
-  return {};
+  Aim aim;
+  for (const auto &given : found->looksAt) {
+    if (const auto ray = objectAs<RayObject>(given->object))
+      aim.ray = {ray->origin, ray->direction};
+    if (const auto mesh = objectAs<MeshObject>(given->object))
+      aim.meshes.push_back(*mesh);
+  }
+  return isZero(aim.ray.direction) ? std::nullopt : std::optional(aim);
 }
 
 /// The marks of the fragment with this number; none for 0.
@@ -74,7 +77,7 @@ void MainWindow::showFlight() {
   m_page->showFlight(state);
   m_page->showCrossings([this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
                         state.hidden ? LiveValues::Hidden : LiveValues::Shown);
-  m_page->showRays([this](const std::string &id) { return rayOf(m_model.evaluation(), id); });
+  m_page->showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
 }
 
 void MainWindow::showHoveredFragment() {

@@ -1,5 +1,6 @@
 // A learner's own meshes: opened, dropped on the window, and put into the scene.
 #include "app/main_window.h"
+#include "lessons/scene/large_meshes.h"
 #include "lessons/scene/target_mesh.h"
 
 #include <QDragEnterEvent>
@@ -96,7 +97,9 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
   say(tr("%1: %2 triangles, %3 × %4 × %5 of the file's units.")
           .arg(QString::fromStdString(mesh.name), QLocale().toString(static_cast<qulonglong>(mesh.triangles)),
                side(mesh.size.x), side(mesh.size.y), side(mesh.size.z)) +
-      leftOutWords(mesh));
+      leftOutWords(mesh) +
+      (largeMeshes(m_model.session().scene).empty() ? QString()
+                                                    : tr(" Too large to be saved with the session.")));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

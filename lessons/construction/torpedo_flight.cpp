@@ -117,10 +117,10 @@ void drawBlast(Figure &figure, const In &in, const Out &at) {
   for (int i = 0; i < sparks; ++i) {
     const bool isLong = i % 2 == 0;
     const Place end = sparkDirection(i) * (grown * (isLong ? longSpark : shortSpark));
-    figure.add(SegmentMark{{in.mark("M") + "/spark" + std::to_string(i),
-                            isLong ? Role::Warning : Role::Result, Subject::Point},
-                           middle + end * sparkBegin,
-                           middle + end});
+    figure.add(SegmentMark{
+        {in.mark("M") + "/spark" + std::to_string(i), isLong ? Role::Warning : Role::Result, Subject::Point},
+        middle + end * sparkBegin,
+        middle + end});
   }
 }
 

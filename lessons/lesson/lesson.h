@@ -130,10 +130,11 @@ struct StepFragments {
   int line = 0;          ///< in the file
 };
 
-/// A plot, measured on the spot, of what it costs to find the nearest hit of a ray among ever more triangles.
+/// A plot, measured on the spot, of what it costs to find the nearest hit of a ray in the scene, and among
+/// ever more triangles.
 struct StepCost {
-  std::string ray; ///< the id of the ray: `L`, or `shot.L` for one that a construction makes
-  int line = 0;    ///< in the file
+  std::string hits; ///< the entry whose ray it is, and whose triangles
+  int line = 0;     ///< in the file
 };
 
 /// What stands on the page of a step.

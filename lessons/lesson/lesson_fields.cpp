@@ -267,8 +267,8 @@ Result<StepCost> readCost(const TextBlock &block, const std::string &file) {
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "cost");
-  fields.allowOnly({"ray"});
-  StepCost cost{fields.text("ray"), block.firstLine};
+  fields.allowOnly({"hits"});
+  StepCost cost{fields.text("hits"), block.firstLine};
   if (fields.problem())
     return *fields.problem();
   return cost;

@@ -115,18 +115,6 @@ std::string whyIncomparable(const ValueName &value, const Condition &condition) 
       condition.against, value.words);
 }
 
-/// The ids of the rays that an entry is or makes.
-void addRays(const Entry &entry, Names &ids) {
-  if (const auto *object = std::get_if<Object>(&entry.content)) {
-    if (kindOf(*object) == RayObject::kind)
-      ids.push_back(entry.name);
-    return;
-  }
-  for (const ConstructionRole &made : findConstruction(std::get<ConstructionUse>(entry.content).id)->makes)
-    if (made.kind == RayObject::kind)
-      ids.push_back(entry.name + "." + made.name);
-}
-
 /// Goes through a lesson from top to bottom.
 class NameCheck {
 public:
@@ -164,7 +152,7 @@ private:
   void check(const StepFragments &fragments) {
     complain(whyNoCrossings(fragments.hits), fragments.line, "hits");
   }
-  void check(const StepCost &cost) { complain(whyNoRay(cost.ray), cost.line, "ray"); }
+  void check(const StepCost &cost) { complain(whyNoCrossings(cost.hits), cost.line, "hits"); }
   void check(const StepLines &lines) {
     for (std::size_t i = 0; i < lines.ids.size(); ++i)
       complain(whyNoLine(lines.ids[i]), lines.lines[i], "lines");
@@ -211,15 +199,6 @@ private:
           use && entry.name == name && findConstruction(use->id)->hasCrossings)
         return {};
     return words("“{name}” is no construction of the scene that looks at many triangles.", {{"name", name}});
-  }
-
-  [[nodiscard]] std::string whyNoRay(const std::string &id) const {
-    Names rays;
-    for (const Entry &entry : m_lesson.scene.entries)
-      addRays(entry, rays);
-    return std::find(rays.begin(), rays.end(), id) != rays.end()
-               ? std::string()
-               : withGuess(words("“{name}” is no ray of the scene.", {{"name", id}}), id, rays);
   }
 
   /// The entry that a name begins with, or null; `rest` is then what follows.

@@ -16,6 +16,7 @@ constexpr double usualWidth = 24;
 constexpr double lowestHeight = 10;
 constexpr double highestHeight = 15;
 constexpr double dotRadius = 0.2;
+constexpr double diamondReach = 0.3; ///< of what is measured in the scene
 constexpr double curveWidth = 0.1;
 constexpr double gap = 0.35;
 /// Room above the highest decade, for the name of the curve that ends there.
@@ -87,8 +88,9 @@ CostCurves::CostCurves(QWidget *parent) : QWidget(parent), m_theme(themes().fron
   setSizePolicy(policy);
 }
 
-void CostCurves::setPoints(const std::vector<CostPoint> &points) {
+void CostCurves::setPoints(const std::vector<CostPoint> &points, const std::optional<CostPoint> &inScene) {
   m_points = points;
+  m_inScene = inScene;
   update();
 }
 
@@ -118,13 +120,22 @@ QSize CostCurves::minimumSizeHint() const {
 }
 
 std::vector<CostCurves::Curve> CostCurves::curves() const {
-  Curve plain{{}, tr("plain loop"), Subject::Neutral, true};
-  Curve tree{{}, tr("tree of boxes"), Subject::Ray, false};
+  const bool isTime = m_quantity == CostQuantity::Time;
+  const auto ofPlain = [isTime](const CostPoint &point) {
+    return Dot{static_cast<double>(point.triangles), isTime ? point.plainMicroseconds : sum(point.plain)};
+  };
+  const auto ofTree = [isTime](const CostPoint &point) {
+    return Dot{static_cast<double>(point.triangles), isTime ? point.treeMicroseconds : sum(point.tree)};
+  };
+  Curve plain{{}, {}, tr("plain loop"), Subject::Neutral, true};
+  Curve tree{{}, {}, tr("tree of boxes"), Subject::Ray, false};
   for (const CostPoint &point : m_points) {
-    const auto triangles = static_cast<double>(point.triangles);
-    const bool isTime = m_quantity == CostQuantity::Time;
-    plain.dots.push_back({triangles, isTime ? point.plainMicroseconds : sum(point.plain)});
-    tree.dots.push_back({triangles, isTime ? point.treeMicroseconds : sum(point.tree)});
+    plain.dots.push_back(ofPlain(point));
+    tree.dots.push_back(ofTree(point));
+  }
+  if (m_inScene) {
+    plain.inScene = ofPlain(*m_inScene);
+    tree.inScene = ofTree(*m_inScene);
   }
   if (!m_points.empty() && plain.dots.back().cost < tree.dots.back().cost)
     std::swap(plain.isAbove, tree.isAbove);
@@ -133,11 +144,15 @@ std::vector<CostCurves::Curve> CostCurves::curves() const {
 
 CostCurves::Decades CostCurves::heights() const {
   Decades decades = m_quantity == CostQuantity::Time ? Decades{0, 5} : Decades{0, 6};
-  for (const Curve &curve : curves())
-    for (const Dot &dot : curve.dots) {
-      decades.low = std::min(decades.low, floorDecade(dot.cost));
-      decades.high = std::max(decades.high, ceilDecade(dot.cost));
-    }
+  const auto include = [&](const Dot &dot) {
+    decades.low = std::min(decades.low, floorDecade(dot.cost));
+    decades.high = std::max(decades.high, ceilDecade(dot.cost));
+  };
+  for (const Curve &curve : curves()) {
+    std::for_each(curve.dots.begin(), curve.dots.end(), include);
+    if (curve.inScene)
+      include(*curve.inScene);
+  }
   return decades;
 }
 
@@ -167,12 +182,13 @@ void CostCurves::paintEvent(QPaintEvent *) {
   const Axes placed = axes();
   paintAxes(painter, placed);
   const std::vector<Curve> all = curves();
-  if (m_points.empty())
-    return;
-  for (const Curve &curve : all)
+  for (const Curve &curve : all) {
     paintCurve(painter, placed, curve);
-  for (const Curve &curve : all)
-    paintName(painter, placed, curve);
+    paintInScene(painter, placed, curve);
+  }
+  if (!m_points.empty())
+    for (const Curve &curve : all)
+      paintName(painter, placed, curve);
 }
 
 void CostCurves::paintAxes(QPainter &painter, const Axes &axes) const {
@@ -224,6 +240,21 @@ void CostCurves::paintCurve(QPainter &painter, const Axes &axes, const Curve &cu
   const double radius = dotRadius * axes.line();
   for (const QPointF &place : line)
     painter.drawEllipse(place, radius, radius);
+}
+
+void CostCurves::paintInScene(QPainter &painter, const Axes &axes, const Curve &curve) const {
+  if (!curve.inScene)
+    return;
+  const QPointF middle = axes.placeOf(*curve.inScene);
+  const double reach = diamondReach * axes.line();
+  painter.drawPolygon(QPolygonF{{middle + QPointF(reach, 0), middle + QPointF(0, reach),
+                                 middle - QPointF(reach, 0), middle - QPointF(0, reach)}});
+  if (!curve.isAbove)
+    return;
+  const QString words = tr("scene");
+  painter.drawText(QPointF(middle.x() - QFontMetricsF(font()).horizontalAdvance(words) / 2,
+                           middle.y() - reach - gap * axes.line()),
+                   words);
 }
 
 void CostCurves::paintName(QPainter &painter, const Axes &axes, const Curve &curve) const {

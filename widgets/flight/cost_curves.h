@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace halfspace {
@@ -19,8 +20,8 @@ class CostCurves : public QWidget {
 public:
   explicit CostCurves(QWidget *parent = nullptr);
 
-  /// In ascending order of their triangles; none: empty axes.
-  void setPoints(const std::vector<CostPoint> &points);
+  /// In ascending order of their triangles; none: empty axes. That of the scene stands beside the curves.
+  void setPoints(const std::vector<CostPoint> &points, const std::optional<CostPoint> &inScene);
   void setQuantity(CostQuantity quantity);
   void setTheme(const Theme &theme);
 
@@ -45,6 +46,7 @@ private:
   };
   struct Curve {
     std::vector<Dot> dots;
+    std::optional<Dot> inScene;
     QString name;
     Subject subject;
     bool isAbove; ///< its name stands above its end
@@ -58,9 +60,12 @@ private:
   [[nodiscard]] Axes axes() const;
   void paintAxes(QPainter &painter, const Axes &axes) const;
   void paintCurve(QPainter &painter, const Axes &axes, const Curve &curve) const;
+  /// With the pen and brush of its curve.
+  void paintInScene(QPainter &painter, const Axes &axes, const Curve &curve) const;
   void paintName(QPainter &painter, const Axes &axes, const Curve &curve) const;
 
   std::vector<CostPoint> m_points;
+  std::optional<CostPoint> m_inScene;
   CostQuantity m_quantity = CostQuantity::LookedAt;
   Theme m_theme;
 };

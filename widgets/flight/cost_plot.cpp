@@ -34,6 +34,14 @@ QString milliseconds(double microseconds) {
   return QLocale(QLocale::English).toString(time, 'f', digitsBehind);
 }
 
+/// 25 triangles: what both did to find the hit.
+QString costWords(const CostPoint &point) {
+  return CostPlot::tr("%1 triangles: the loop asked all %2 in %3 ms; the tree looked at %4 boxes and %5 "
+                      "triangles in %6 ms.")
+      .arg(counted(point.triangles), counted(point.plain.triangles), milliseconds(point.plainMicroseconds),
+           counted(point.tree.boxes), counted(point.tree.triangles), milliseconds(point.treeMicroseconds));
+}
+
 } // namespace
 
 /// One measuring on its way.
@@ -93,9 +101,9 @@ QToolButton *CostPlot::quantityButton(CostQuantity quantity, const QString &word
   return button;
 }
 
-void CostPlot::setRay(const std::optional<Ray<Rational>> &ray) {
-  m_ray = ray;
-  m_measure->setEnabled(isMeasuring() || m_ray);
+void CostPlot::setAim(std::optional<Aim> aim) {
+  m_aim = std::move(aim);
+  m_measure->setEnabled(isMeasuring() || m_aim);
 }
 
 void CostPlot::setMost(std::size_t triangles) {
@@ -111,13 +119,14 @@ void CostPlot::setTheme(const Theme &theme) {
 }
 
 void CostPlot::start() {
-  if (!m_ray)
+  if (!m_aim)
     return;
   m_points.clear();
+  m_inScene.reset();
   m_jobs.push_back(std::make_unique<Job>());
   m_current = m_jobs.back().get();
   m_current->thread.reset(QThread::create(
-      [this, &started = *m_current, ray = *m_ray, most = m_most] { run(started, ray, most); }));
+      [this, &started = *m_current, aim = *m_aim, most = m_most] { run(started, aim, most); }));
   m_current->thread->start();
   showState();
 }
@@ -129,13 +138,13 @@ void CostPlot::stop() {
 }
 
 /// In the job's thread.
-void CostPlot::run(Job &job, const Ray<Rational> &ray, std::size_t most) {
+void CostPlot::run(Job &job, const Aim &aim, std::size_t most) {
   // What is told arrives in the thread of the plot, and no more once that is gone.
   const auto tell = [&](const CostPoint &point) {
     QMetaObject::invokeMethod(
         this, [this, &job, point] { add(job, point); }, Qt::QueuedConnection);
   };
-  measureCost(ray, job.cancelled, tell, most);
+  measureCost(aim, job.cancelled, tell, most);
   QMetaObject::invokeMethod(
       this, [this, &job] { end(job); }, Qt::QueuedConnection);
 }
@@ -143,7 +152,10 @@ void CostPlot::run(Job &job, const Ray<Rational> &ray, std::size_t most) {
 void CostPlot::add(const Job &job, const CostPoint &point) {
   if (&job != m_current)
     return;
-  m_points.push_back(point);
+  if (point.inScene)
+    m_inScene = point;
+  else
+    m_points.push_back(point);
   showState();
   emit measured();
 }
@@ -160,21 +172,23 @@ void CostPlot::end(const Job &job) {
 }
 
 QString CostPlot::sentence() const {
-  if (m_points.empty())
-    return isMeasuring() ? tr("Measuring …")
-                         : tr("Press Measure: the same shot is fired at bumpy fields of %1 to %2 triangles.")
-                               .arg(counted(fewestMeasured), counted(m_most));
-  const CostPoint &last = m_points.back();
-  return tr("With %1 triangles: the loop asked %2 triangles in %3 ms; the tree looked at %4 boxes and %5 "
-            "triangles in %6 ms.")
-      .arg(counted(last.triangles), counted(last.plain.triangles), milliseconds(last.plainMicroseconds),
-           counted(last.tree.boxes), counted(last.tree.triangles), milliseconds(last.treeMicroseconds));
+  QStringList sentences;
+  if (m_inScene)
+    sentences << tr("The scene, %1").arg(costWords(*m_inScene));
+  if (!m_points.empty())
+    sentences << tr("A field, %1").arg(costWords(m_points.back()));
+  if (!sentences.isEmpty())
+    return sentences.join("\n");
+  return isMeasuring()
+             ? tr("Measuring …")
+             : tr("Press Measure: the shot is fired at the scene, and at bumpy fields of %1 to %2 triangles.")
+                   .arg(counted(fewestMeasured), counted(m_most));
 }
 
 void CostPlot::showState() {
   m_measure->setText(isMeasuring() ? tr("Stop") : tr("Measure"));
-  m_measure->setEnabled(isMeasuring() || m_ray);
-  m_curves->setPoints(m_points);
+  m_measure->setEnabled(isMeasuring() || m_aim);
+  m_curves->setPoints(m_points, m_inScene);
   m_curves->setAccessibleDescription(sentence());
   m_sentence->setText(sentence());
 }

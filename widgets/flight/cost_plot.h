@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace halfspace {
 
-/// Fires one shot at ever larger fields when it is told to, in a thread of its own, and plots each cost as
-/// it is measured.
+/// Fires one shot at the scene and at ever larger fields when it is told to, in a thread of its own, and
+/// plots each cost as it is measured.
 class CostPlot : public QWidget {
   Q_OBJECT
 public:
@@ -24,13 +24,16 @@ public:
   ~CostPlot() override;
 
   /// What is fired when it is measured the next time; nothing: there is nothing to measure.
-  void setRay(const std::optional<Ray<Rational>> &ray);
+  void setAim(std::optional<Aim> aim);
   /// Larger fields are left out.
   void setMost(std::size_t triangles);
   void setTheme(const Theme &theme);
 
   [[nodiscard]] bool isMeasuring() const { return m_current != nullptr; }
+  /// In ascending order of their triangles.
   [[nodiscard]] const std::vector<CostPoint> &points() const { return m_points; }
+  /// What is measured in the scene itself.
+  [[nodiscard]] const std::optional<CostPoint> &inScene() const { return m_inScene; }
   [[nodiscard]] QString sentence() const;
 
 signals:
@@ -42,16 +45,17 @@ private:
 
   void start();
   void stop();
-  void run(Job &job, const Ray<Rational> &ray, std::size_t most);
+  void run(Job &job, const Aim &aim, std::size_t most);
   void add(const Job &job, const CostPoint &point);
   void end(const Job &job);
   [[nodiscard]] QToolButton *quantityButton(CostQuantity quantity, const QString &words,
                                             const QString &explanation);
   void showState();
 
-  std::optional<Ray<Rational>> m_ray;
+  std::optional<Aim> m_aim;
   std::size_t m_most = mostMeasured;
   std::vector<CostPoint> m_points;
+  std::optional<CostPoint> m_inScene;
   std::vector<std::unique_ptr<Job>> m_jobs; ///< the current one, and stopped ones that are ending
   Job *m_current = nullptr;
   QPushButton *m_measure = nullptr;

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace halfspace {
@@ -17,7 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
-constexpr std::array<std::size_t, 6> sizes{fewestMeasured, 100, 1000, 10'000, 100'000, mostMeasured};
+constexpr std::array<std::size_t, 5> sizes{fewestMeasured, 1000, 10'000, 100'000, mostMeasured};
 /// Searches are repeated for so long, and at least so often.
 constexpr Microseconds longEnough(5000);
 constexpr int fewestSearches = 3;
@@ -76,6 +77,26 @@ Vec3<Rational> targetOf(const Ray<Rational> &ray) {
   return ray.origin + way;
 }
 
+/// A ray in doubles that hits where this one does, up to their precision.
+Ray<Rational> roundedShot(const Vec3<Rational> &origin, const Vec3<Rational> &direction) {
+  Rational longest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    longest = std::max({longest, direction[axis], -direction[axis]});
+  assert(longest > 0);
+  Ray<double> rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    rounded.origin[axis] = inBounds(origin[axis]);
+    rounded.direction[axis] = toDouble(direction[axis] / longest);
+  }
+  return exactly(rounded);
+}
+
+std::size_t triangleCount(const std::vector<MeshObject> &meshes) {
+  return std::accumulate(
+      meshes.begin(), meshes.end(), std::size_t(0),
+      [](std::size_t count, const MeshObject &mesh) { return count + mesh.shape->triangleCount(); });
+}
+
 /// The best time of one search.
 Microseconds timeOf(const HitSearch &search, const Ray<Rational> &ray, const std::atomic<bool> &cancelled) {
   Microseconds best(std::numeric_limits<double>::infinity());
@@ -88,14 +109,14 @@ Microseconds timeOf(const HitSearch &search, const Ray<Rational> &ray, const std
   return best;
 }
 
-CostPoint measured(const Ray<Rational> &shot, std::size_t triangles, const std::atomic<bool> &cancelled) {
-  const TriangleMesh field = bumpyField(triangles);
-  const PlainHitSearch plain(field);
-  const HitFinder tree(trianglesOf(field));
+CostPoint measured(const Ray<Rational> &shot, const TriangleMesh &target,
+                   const std::atomic<bool> &cancelled) {
+  const PlainHitSearch plain(target);
+  const HitFinder tree(trianglesOf(target));
   const SearchResult ofPlain = plain.search(shot);
   const SearchResult ofTree = tree.search(shot);
   assert(ofPlain.nearest == ofTree.nearest);
-  return {triangles, ofPlain.cost, ofTree.cost, timeOf(plain, shot, cancelled).count(),
+  return {target.triangles.size(), ofPlain.cost, ofTree.cost, timeOf(plain, shot, cancelled).count(),
           timeOf(tree, shot, cancelled).count()};
 }
 
@@ -111,29 +132,36 @@ TriangleMesh bumpyField(std::size_t triangles) {
 }
 
 Ray<Rational> shotAtField(const Ray<Rational> &ray) {
-  const Vec3<Rational> start = ray.origin - targetOf(ray);
-  Rational longest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    longest = std::max({longest, ray.direction[axis], -ray.direction[axis]});
-  assert(longest > 0);
-  Ray<double> rounded;
-  for (int axis = 0; axis < 3; ++axis) {
-    rounded.origin[axis] = inBounds(start[axis]);
-    rounded.direction[axis] = toDouble(ray.direction[axis] / longest);
-  }
-  return exactly(rounded);
+  return roundedShot(ray.origin - targetOf(ray), ray.direction);
 }
 
-void measureCost(const Ray<Rational> &ray, const std::atomic<bool> &cancelled,
+TriangleMesh oneMeshOf(const std::vector<MeshObject> &meshes) {
+  TriangleMesh all;
+  for (const MeshObject &mesh : meshes) {
+    const auto first = static_cast<std::uint32_t>(all.corners.size());
+    const glm::dmat3 axes = MeshPlacement(mesh).axes();
+    const Vec3<double> place = toDouble(mesh.place);
+    for (const Vec3<double> &corner : mesh.shape->mesh()->corners)
+      all.corners.push_back(axes * corner + place);
+    for (const auto &[a, b, c] : mesh.shape->mesh()->triangles)
+      all.triangles.push_back({first + a, first + b, first + c});
+  }
+  return all;
+}
+
+void measureCost(const Aim &aim, const std::atomic<bool> &cancelled,
                  const std::function<void(const CostPoint &)> &tell, std::size_t most) {
-  const Ray<Rational> shot = shotAtField(ray);
-  for (const std::size_t triangles : sizes) {
-    if (cancelled || triangles > most)
-      return;
-    const CostPoint point = measured(shot, triangles, cancelled);
+  const auto measure = [&](const Ray<Rational> &shot, const TriangleMesh &target, bool inScene) {
+    CostPoint point = measured(shot, target, cancelled);
+    point.inScene = inScene;
     if (!cancelled)
       tell(point);
-  }
+  };
+  if (const std::size_t count = triangleCount(aim.meshes); count > 0 && count <= most)
+    measure(roundedShot(aim.ray.origin, aim.ray.direction), oneMeshOf(aim.meshes), true);
+  for (const std::size_t triangles : sizes)
+    if (!cancelled && triangles <= most)
+      measure(shotAtField(aim.ray), bumpyField(triangles), false);
 }
 
 } // namespace halfspace

@@ -2,12 +2,20 @@
 #pragma once
 
 #include "geometry/hit_search.h"
+#include "lessons/object/mesh.h"
 
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace halfspace {
+
+/// A ray, and the meshes that it is shot at.
+struct Aim {
+  Ray<Rational> ray;
+  std::vector<MeshObject> meshes;
+};
 
 /// What the same shot costs among so many triangles: asked one after the other, and by a tree of boxes.
 struct CostPoint {
@@ -16,9 +24,10 @@ struct CostPoint {
   SearchCost tree;
   double plainMicroseconds = 0;
   double treeMicroseconds = 0;
+  bool inScene = false; ///< at the meshes themselves
 };
 
-inline constexpr std::size_t fewestMeasured = 22; ///< about a barn
+inline constexpr std::size_t fewestMeasured = 100;
 inline constexpr std::size_t mostMeasured = 1'000'000;
 
 /// A square field around the origin: bumps to both sides of z = 0, low ones, and always the same.
@@ -28,9 +37,13 @@ inline constexpr std::size_t mostMeasured = 1'000'000;
 /// never does, starts above or below it; its numbers are rounded to doubles. Requires a direction ≠ 0.
 [[nodiscard]] Ray<Rational> shotAtField(const Ray<Rational> &ray);
 
-/// Fires a shot at ever larger fields, and tells each cost as it is measured, until `cancelled`. The times
-/// are the best of several searches. Requires a direction ≠ 0.
-void measureCost(const Ray<Rational> &ray, const std::atomic<bool> &cancelled,
+/// All triangles of meshes as they stand in the scene, in doubles.
+[[nodiscard]] TriangleMesh oneMeshOf(const std::vector<MeshObject> &meshes);
+
+/// Fires a shot at the meshes it aims at, if they have no more than `most` triangles, and then at ever larger
+/// fields; tells each cost as it is measured, until `cancelled`. The times are the best of several searches.
+/// Requires a direction ≠ 0.
+void measureCost(const Aim &aim, const std::atomic<bool> &cancelled,
                  const std::function<void(const CostPoint &)> &measured, std::size_t most = mostMeasured);
 
 } // namespace halfspace

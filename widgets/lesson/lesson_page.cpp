@@ -256,7 +256,7 @@ QWidget *LessonPage::blockOf(const StepFragments &fragments) {
 }
 
 QWidget *LessonPage::blockOf(const StepCost &cost) {
-  m_costs.emplace_back(cost.ray, new CostPlot);
+  m_costs.emplace_back(cost.hits, new CostPlot);
   return m_costs.back().second;
 }
 
@@ -299,9 +299,9 @@ void LessonPage::showCrossings(const std::function<Crossings(const std::string &
   }
 }
 
-void LessonPage::showRays(const std::function<std::optional<Ray<Rational>>(const std::string &id)> &of) {
-  for (const auto &[id, plot] : m_costs)
-    plot->setRay(of(id));
+void LessonPage::showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of) {
+  for (const auto &[entry, plot] : m_costs)
+    plot->setAim(of(entry));
 }
 
 void LessonPage::setFragmentHovered(std::size_t number) {

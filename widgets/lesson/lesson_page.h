@@ -46,7 +46,7 @@ public:
   void showFlight(const FlightState &state);
   void showCrossings(const std::function<Crossings(const std::string &entry)> &of, LiveValues values);
   /// The rays whose cost is measured, by their ids; nothing where one is not there.
-  void showRays(const std::function<std::optional<Ray<Rational>>(const std::string &id)> &of);
+  void showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of);
   /// The pointer is on this fragment of an entry somewhere else; 0 for none.
   void setFragmentHovered(std::size_t number);
   /// Of the step's tasks in their order; of those behind them nothing is known.
@@ -128,7 +128,7 @@ private:
     FragmentTable *table;
   };
   std::vector<Fragments> m_fragments;
-  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the id of the ray
+  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the entry whose ray it is
   PredictionBox *m_prediction = nullptr;                   ///< null in steps without one
   StepDots *m_dots = nullptr;
   QPushButton *m_back = nullptr;

@@ -189,15 +189,15 @@ TEST(Lesson, ANote_HasATitleAndWordsThatAreFoldedAway) {
   EXPECT_NE(problem.sentence.find("words below it"), std::string::npos);
 }
 
-TEST(Lesson, ACostBlock_NamesARay) {
-  const auto lesson = parseLesson(frontMatter + "## One\nA.\n```cost\n{ray: shot.L}\n```\n", "a.md");
+TEST(Lesson, ACostBlock_NamesTheHits) {
+  const auto lesson = parseLesson(frontMatter + "## One\nA.\n```cost\n{hits: nearest}\n```\n", "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();
   EXPECT_EQ(sortsIn(lesson->steps[0]), "words lines cost ");
   const auto &cost = std::get<StepCost>(lesson->steps[0].blocks.back());
-  EXPECT_EQ(cost.ray, "shot.L");
+  EXPECT_EQ(cost.hits, "nearest");
   EXPECT_EQ(cost.line, 15);
-  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{ray: L, most: 3}\n```\n").field, "cost.most");
-  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{}\n```\n").field, "cost.ray");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{hits: L, most: 3}\n```\n").field, "cost.most");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{}\n```\n").field, "cost.hits");
 }
 
 TEST(Lesson, ADrawBlock_NamesMarks) {

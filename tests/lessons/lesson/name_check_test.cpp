@@ -54,20 +54,10 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
             Texts{});
 }
 
-TEST(NameCheck, CostOfWhatIsNoRay_IsTold) {
-  const auto cost = [](const std::string &id) { return "## One\n```cost\n{ray: " + id + "}\n```\n"; };
-  EXPECT_EQ(problemsIn(cost("L")), Texts{});
-  EXPECT_EQ(problemsIn(cost("E")), Texts{"14: ray: “E” is no ray of the scene."});
-  EXPECT_EQ(problemsIn(cost("m.H")), Texts{"14: ray: “m.H” is no ray of the scene."});
-  const std::string scene =
-      "---\nid: a\ntitle: A\nscene:\n"
-      "  - {name: U, ufo: {S: [6, 7, 14], c: [16, 6, 0], g: [2, 1, -2]}}\n"
-      "  - {name: i, number: {value: 0, from: 0, to: 9, step: 1}}\n"
-      "  - {name: j, number: {value: 0, from: 0, to: 9, step: 1}}\n"
-      "  - {name: shot, construction: torpedo-shot, of: {U: U, frame: i, seed: j}}\n---\n";
-  const auto made = parseLesson(scene + cost("shot.L"), "a.md");
-  ASSERT_TRUE(made) << made.problem().text();
-  EXPECT_TRUE(problemsWithNames(*made).empty());
+TEST(NameCheck, CostOfWhatLooksAtNoTriangles_IsTold) {
+  const auto cost = [](const std::string &id) { return "## One\n```cost\n{hits: " + id + "}\n```\n"; };
+  EXPECT_EQ(problemsIn(cost("m")).size(), 1U);
+  EXPECT_EQ(problemsIn(cost("L")).size(), 1U);
 }
 
 TEST(NameCheck, LineThatNobodyHas_IsToldWithItsPlaceAndWhatIsMeant) {

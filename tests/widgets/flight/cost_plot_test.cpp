@@ -14,10 +14,16 @@ constexpr int longest = 30000;
 
 const Ray<Rational> shot{{6, 7, 14}, {2, 1, -2}};
 
+Aim aim() {
+  const std::vector<Vec3<double>> corners{{0, 0, 0}, {99, 0, 0}, {0, 99, 0}};
+  return {shot,
+          {{{}, {1, 0, 0}, 1, std::make_shared<const MeshShape>(corners, std::vector<MeshFace>{{0, 1, 2}})}}};
+}
+
 struct ShownPlot {
   ShownPlot() {
     plot->setMost(1000);
-    plot->setRay(shot);
+    plot->setAim(aim());
     plot->resize(400, 400);
     plot->show();
   }
@@ -37,8 +43,10 @@ class CostPlotTest : public QObject {
 private slots:
   void click_onMeasure_showsEachPointAsItIsMeasured() {
     const ShownPlot shown;
-    QCOMPARE(shown.plot->sentence(),
-             QString("Press Measure: the same shot is fired at bumpy fields of 22 to 1,000 triangles."));
+    QCOMPARE(
+        shown.plot->sentence(),
+        QString(
+            "Press Measure: the shot is fired at the scene, and at bumpy fields of 100 to 1,000 triangles."));
     const QImage before = shown.plot->grab().toImage();
     shown.click();
     QCOMPARE(shown.button()->text(), QString("Stop"));
@@ -46,7 +54,8 @@ private slots:
     QCOMPARE(shown.measured.count(), 3);
     QCOMPARE(shown.plot->points().back().triangles, std::size_t(1000));
     QCOMPARE(shown.button()->text(), QString("Measure"));
-    QVERIFY(shown.plot->sentence().startsWith("With 1,000 triangles: the loop asked 1,000 triangles in "));
+    QVERIFY(shown.plot->sentence().startsWith("The scene, 1 triangles: the loop asked all 1 in "));
+    QVERIFY(shown.plot->sentence().contains("\nA field, 1,000 triangles: the loop asked all 1,000 in "));
     QVERIFY(shown.plot->grab().toImage() != before);
   }
 
@@ -64,7 +73,8 @@ private slots:
     shown.plot->setMost(100);
     shown.click();
     QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 1; }, longest));
-    QCOMPARE(shown.plot->points().size(), std::size_t(2));
+    QCOMPARE(shown.plot->points().size(), std::size_t(1));
+    QVERIFY(shown.plot->inScene().has_value());
   }
 
   void plot_destroyedWhileItMeasures_tellsNoMore() {
@@ -80,11 +90,11 @@ private slots:
 
   void withoutARay_thereIsNothingToMeasure_butMeasuringGoesOn() {
     const ShownPlot shown;
-    shown.plot->setRay({});
+    shown.plot->setAim({});
     QVERIFY(!shown.button()->isEnabled());
-    shown.plot->setRay(shot);
+    shown.plot->setAim(aim());
     shown.click();
-    shown.plot->setRay({});
+    shown.plot->setAim({});
     QVERIFY(shown.button()->isEnabled());
     QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
     QVERIFY(!shown.button()->isEnabled());

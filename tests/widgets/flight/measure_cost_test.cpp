@@ -1,6 +1,7 @@
 // What it costs to find the nearest hit among ever more triangles.
 #include "widgets/flight/measure_cost.h"
 
+#include "geometry/decide.h"
 #include "geometry/hit_finder.h"
 
 #include <QtTest>
@@ -15,11 +16,21 @@ using ExactRay = Ray<Rational>;
 
 const ExactRay steep{{6, 7, 14}, {Rational(40, 3), Rational(20, 3), Rational(-40, 3)}};
 
-std::vector<CostPoint> costsOf(const ExactRay &ray, std::size_t most) {
+/// A square floor of two triangles, turned and moved so that its middle is (6, 7, 3).
+MeshObject floorMesh() {
+  const std::vector<Vec3<double>> corners{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}};
+  return {{6, 7, 3},
+          {0, 2, 0},
+          2,
+          std::make_shared<const MeshShape>(corners, std::vector<MeshFace>{{0, 1, 2, 3}})};
+}
+
+std::vector<CostPoint> costsOf(const ExactRay &ray, std::size_t most,
+                               const std::vector<MeshObject> &meshes = {}) {
   const std::atomic<bool> cancelled{false};
   std::vector<CostPoint> points;
   measureCost(
-      ray, cancelled, [&](const CostPoint &point) { points.push_back(point); }, most);
+      {ray, meshes}, cancelled, [&](const CostPoint &point) { points.push_back(point); }, most);
   return points;
 }
 
@@ -64,13 +75,13 @@ private slots:
       const ExactRay shot = shotAtField(ray);
       QVERIFY(inDoubles(shot).has_value());
       QVERIFY(!isZero(shot.direction));
-      QCOMPARE(costsOf(ray, 22).size(), std::size_t(1));
+      QCOMPARE(costsOf(ray, fewestMeasured).size(), std::size_t(1));
     }
   }
 
   void costs_ofEachSize_areMeasured_andTheTreeLooksAtFew() {
     const std::vector<CostPoint> points = costsOf(steep, 10000);
-    QCOMPARE(points.size(), std::size_t(4));
+    QCOMPARE(points.size(), std::size_t(3));
     for (const CostPoint &point : points) {
       QCOMPARE(point.plain.triangles, point.triangles);
       QCOMPARE(point.plain.boxes, std::size_t(0));
@@ -81,11 +92,28 @@ private slots:
     QVERIFY(points.back().tree.boxes + points.back().tree.triangles < 1000);
   }
 
+  void meshesOfTheScene_areOneMesh_asTheyStand() {
+    const MeshObject floor = floorMesh();
+    const TriangleMesh mesh = oneMeshOf({floor, floor});
+    QCOMPARE(mesh.triangles.size(), std::size_t(4));
+    for (std::size_t i = 0; i < 4; ++i)
+      QVERIFY(exactly(mesh.triangle(i)).p1 == triangleOf(floor, i % 2).p1);
+  }
+
+  void costInTheScene_isMeasuredFirst_atItsOwnTriangles() {
+    const std::vector<CostPoint> points = costsOf(steep, 1000, {floorMesh(), floorMesh()});
+    QCOMPARE(points.size(), std::size_t(3));
+    QVERIFY(points[0].inScene && !points[1].inScene);
+    QCOMPARE(points[0].triangles, std::size_t(4));
+    QCOMPARE(points[0].plain.triangles, std::size_t(4));
+    QVERIFY(points[0].tree.triangles > 0);
+  }
+
   void cancelled_tellsNoMore() {
     std::atomic<bool> cancelled{false};
     int told = 0;
     measureCost(
-        steep, cancelled,
+        {steep, {}}, cancelled,
         [&](const CostPoint &) {
           ++told;
           cancelled = true;
