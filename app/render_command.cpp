@@ -102,6 +102,10 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
   for (int frame = first; frame <= last; ++frame) {
     (*number)[0].x = frame;
     number->kind().settle(*number);
+    if ((*number)[0].x != frame)
+      return Problem{words("The flight has no frame {frame}: its last one is {last}.",
+                           {{"frame", std::to_string(frame)}, {"last", toText((*number)[0].x)}}),
+                     "", 0, "--frame"};
     const auto picture = drawPicture(command, opened, setting, typesetter);
     if (!picture)
       return picture.problem();

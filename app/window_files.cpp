@@ -37,7 +37,7 @@ QString savedWords(const Scene &scene) {
   return MainWindow::tr(
              "Saved, but without %1: a mesh of more than %2 triangles is not kept in a session. Open "
              "its own file again to go on with it.")
-      .arg(left.join(", "), QLocale().toString(static_cast<qulonglong>(mostWrittenFaces)));
+      .arg(left.join(", "), QLocale().toString(static_cast<qulonglong>(mostWrittenTriangles)));
 }
 
 /// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or

@@ -93,6 +93,9 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
   for (const Edit &edit : editsForTarget(m_model.session().scene, mesh.shape))
     m_model.moveGesture(edit);
   m_model.endGesture();
+  const Object *target = findObject(m_model.session().scene, targetName);
+  if (!target || target->shape() != mesh.shape)
+    return complain(tr("The scene has no room for a mesh named “%1”.").arg(targetName));
   const auto side = [](double length) { return QString::number(length, 'g', 4); };
   say(tr("%1: %2 triangles, %3 × %4 × %5 of the file's units.")
           .arg(QString::fromStdString(mesh.name), QLocale().toString(static_cast<qulonglong>(mesh.triangles)),

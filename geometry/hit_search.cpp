@@ -36,14 +36,15 @@ std::vector<Triangle<double>> trianglesOf(const TriangleMesh &mesh) {
   return triangles;
 }
 
-PlainHitSearch::PlainHitSearch(const TriangleMesh &mesh) : m_triangles(trianglesOf(mesh)) {}
+PlainHitSearch::PlainHitSearch(const TriangleMesh &mesh)
+    : m_triangles(trianglesOf(mesh)), m_areTame(areTame(m_triangles)) {}
 
 SearchResult PlainHitSearch::search(const Ray<Rational> &ray) const {
   assert(!isZero(ray.direction));
   const auto exact = inDoubles(ray);
   const Ray<double> rounded = exact.value_or(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)});
-  NearestSoFar nearest = exact ? NearestSoFar(rounded, m_triangles, areTame(m_triangles))
-                               : NearestSoFar(rounded, ray, m_triangles);
+  NearestSoFar nearest =
+      exact ? NearestSoFar(rounded, m_triangles, m_areTame) : NearestSoFar(rounded, ray, m_triangles);
   for (std::size_t i = 0; i < m_triangles.size(); ++i)
     nearest.offer(i);
   return {nearest.exactResult(), {0, m_triangles.size()}};

@@ -16,11 +16,6 @@ struct SearchCost {
   std::size_t boxes = 0;
   std::size_t triangles = 0;
 
-  SearchCost &operator+=(const SearchCost &other) {
-    boxes += other.boxes;
-    triangles += other.triangles;
-    return *this;
-  }
   bool operator==(const SearchCost &) const = default;
 };
 
@@ -67,6 +62,7 @@ public:
 
 private:
   std::vector<Triangle<double>> m_triangles;
+  bool m_areTame; ///< all of them
 };
 
 /// The quickest way to search a mesh: a tree where it has more than a few triangles and this library is built

@@ -388,14 +388,25 @@ Rational exactly(double value) {
   return exponent >= 0 ? rationalOf(whole) * power : rationalOf(whole) / power;
 }
 
-Rational roundToMultiple(const Rational &value, const Rational &step) {
-  const Rational count = value / step + Rational(1, 2);
-  const Integer p = numeratorOf(count);
-  const Integer q = denominatorOf(count);
+namespace {
+
+Rational floorOf(const Rational &value) {
+  const Integer p = numeratorOf(value);
+  const Integer q = denominatorOf(value);
   Integer floor = p / q;
   if (p < 0 && floor * q != p)
     --floor;
-  return rationalOf(floor) * step;
+  return rationalOf(floor);
+}
+
+} // namespace
+
+Rational roundToMultiple(const Rational &value, const Rational &step) {
+  return floorOf(value / step + Rational(1, 2)) * step;
+}
+
+Rational roundUpToMultiple(const Rational &value, const Rational &step) {
+  return -floorOf(-value / step) * step;
 }
 
 Rational roundToMultiple(double value, const Rational &step) { return roundToMultiple(exactly(value), step); }

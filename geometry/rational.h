@@ -172,6 +172,9 @@ enum class NotRead { NoNumber, TooLong, TooLarge };
 /// (3) round(x + k·step) = round(x) + k·step for whole k.
 [[nodiscard]] Rational roundToMultiple(const Rational &value, const Rational &step);
 
+/// The lowest multiple of `step` that is not below the value. Requires step > 0.
+[[nodiscard]] Rational roundUpToMultiple(const Rational &value, const Rational &step);
+
 /// The exact value of a double, rounded to the nearest multiple of `step`. Requires a finite one.
 [[nodiscard]] Rational roundToMultiple(double value, const Rational &step);
 

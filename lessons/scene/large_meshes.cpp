@@ -6,10 +6,6 @@
 namespace halfspace {
 namespace {
 
-std::size_t faceCount(const MeshShape &shape) {
-  return shape.faces().empty() ? shape.triangleCount() : shape.faces().size();
-}
-
 /// The edits after which no list has this name among others.
 std::vector<Edit> editsToUnlist(const Scene &scene, const std::string &name) {
   std::vector<Edit> edits;
@@ -24,7 +20,7 @@ std::vector<Edit> editsToUnlist(const Scene &scene, const std::string &name) {
 } // namespace
 
 bool isTooLargeToWrite(const Object &object) {
-  return object.shape() && faceCount(*object.shape()) > mostWrittenFaces;
+  return object.shape() && object.shape()->triangleCount() > mostWrittenTriangles;
 }
 
 std::vector<std::string> largeMeshes(const Scene &scene) {

@@ -1,4 +1,4 @@
-// Meshes with more faces than files of ours have.
+// Meshes with more triangles than files of ours have.
 #pragma once
 
 #include "lessons/scene/scene.h"
@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-/// Whether a mesh has more faces than are written (`mostWrittenFaces`).
+/// Whether a mesh has more triangles than are written (`mostWrittenTriangles`).
 [[nodiscard]] bool isTooLargeToWrite(const Object &object);
 
 /// The names of the meshes of a scene that are too large to be written.

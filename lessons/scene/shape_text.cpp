@@ -105,14 +105,16 @@ Result<std::vector<MeshFace>> readFaces(std::string_view text, const std::vector
   const auto parts = partsOf(text, ",");
   if (parts.empty())
     return problemOf(facesField, words("The mesh has no faces."));
-  if (parts.size() > mostWrittenFaces)
-    return problemOf(facesField, words("These are too many faces: at most {limit} are read.",
-                                       {{"limit", std::to_string(mostWrittenFaces)}}));
   std::vector<MeshFace> faces;
+  std::size_t triangles = 0;
   for (const std::string_view part : parts) {
     auto face = readFace(part, corners);
     if (!face)
       return face.problem();
+    triangles += face->size() - 2;
+    if (triangles > mostWrittenTriangles)
+      return problemOf(facesField, words("These are too many faces: at most {limit} triangles are read.",
+                                         {{"limit", std::to_string(mostWrittenTriangles)}}));
     faces.push_back(std::move(*face));
   }
   return faces;

@@ -12,10 +12,10 @@ namespace halfspace {
 /// What corners and faces are called in files.
 inline constexpr const char *cornersField = "corners";
 inline constexpr const char *facesField = "faces";
-/// A shape has at most so many faces in a file of ours.
-inline constexpr std::size_t mostWrittenFaces = 50000;
+/// A shape has at most so many triangles in a file of ours, once its faces are cut.
+inline constexpr std::size_t mostWrittenTriangles = 50000;
 /// A face has at most so many corners there.
-inline constexpr std::size_t mostFaceCorners = 100;
+inline constexpr std::size_t mostFaceCorners = 32;
 
 /// Reads a shape as files have it: corners `0 0 0, 4 0 0, 0 3 0.5`, counted from 0, and faces by the numbers
 /// of their corners, `0 1 2, 0 2 3 4`. A coordinate must be a double exactly: 0.5 and 0.375 are, 0.1 is not.

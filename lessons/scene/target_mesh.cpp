@@ -1,6 +1,7 @@
 #include "lessons/scene/target_mesh.h"
 
 #include "lessons/construction/construction.h"
+#include "lessons/object/coordinate_limits.h"
 #include "lessons/object/mesh.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ Rational roundFactor(double factor) {
 Rational scaleOf(const MeshShape &shape) {
   const Vec3<double> size = shape.box().high - shape.box().low;
   const double longest = std::max({size.x, size.y, size.z});
-  return longest > 0 ? std::max(smallestScale, roundFactor(wantedSide / longest)) : Rational(1);
+  return longest > 0 ? std::clamp(roundFactor(wantedSide / longest), smallestScale, coordinateLimit)
+                     : Rational(1);
 }
 
 /// The role in which a construction looks at a list of meshes; null where it has none.

@@ -7,6 +7,7 @@
 #include "lessons/object/number.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/ufo.h"
 #include "lessons/scene/target_mesh.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/flight/fragment_table.h"
@@ -149,10 +150,65 @@ private slots:
     emit bar.scrubBegun();
     for (const double t : {0.125, 0.25, 0.5})
       emit bar.scrubbed(t);
-    emit bar.scrubEnded();
+    emit bar.scrubEnded(true);
     QCOMPARE(m_fixture->value("frame").x, Rational(25));
     QCOMPARE(bar.state().t, 0.5);
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
+  }
+
+  void axis_scrubbedOntoTheHit_explodesThereWithAShortFrame() {
+    m_fixture->answer(2);
+    UfoObject saucer = objectAs<UfoObject>(*findObject(m_fixture->model().session().scene, "U")).value();
+    saucer.barrel = {4, 2, -5}; // its λ is in no hundredth of a frame
+    m_fixture->model().edit(ChangeObject{"U", saucer}, "test");
+    const Crossings crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
+    const auto hit = std::find_if(crossings.all.begin(), crossings.all.end(), [&](const Crossing &crossing) {
+      return crossing.number == crossings.nearest;
+    });
+    QVERIFY(hit != crossings.all.end());
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    emit bar.scrubBegun();
+    emit bar.scrubbed(toDouble(hit->at->t));
+    emit bar.scrubEnded(true);
+    QCOMPARE(m_fixture->model().evaluation().find("flight")->outcome->told->name, std::string("exploded"));
+    QCOMPARE(Rational(m_fixture->value("frame").x * 100).denominator(), 1);
+  }
+
+  void axis_scrubbedAndLeftByEscape_isAsBefore() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const int undoSteps = m_fixture->model().history().index();
+    emit bar.scrubBegun();
+    emit bar.scrubbed(0.5);
+    QCOMPARE(m_fixture->value("frame").x, Rational(25));
+    emit bar.scrubEnded(false);
+    QCOMPARE(m_fixture->value("frame").x, Rational(0));
+    QCOMPARE(m_fixture->model().history().index(), undoSteps);
+  }
+
+  void fire_inAFlight_beginsItAnewAndIsOneUndoStep() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    emit bar.scrubBegun();
+    emit bar.scrubbed(0.5);
+    emit bar.scrubEnded(true);
+    const int undoSteps = m_fixture->model().history().index();
+    emit bar.fire();
+    QVERIFY(bar.state().isPlaying);
+    QVERIFY(m_fixture->value("frame").x < 25);
+    emit bar.playToggled(false);
+    QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
+    m_fixture->model().undo();
+    QCOMPARE(m_fixture->value("frame").x, Rational(25));
+  }
+
+  void key_toFireWhileTheQuestionIsOpen_doesNothing() {
+    const auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    QTest::keyClick(&m_fixture->scene(), Qt::Key_T);
+    QVERIFY(!bar.state().isPlaying);
+    m_fixture->answer(2);
+    QTest::keyClick(&m_fixture->scene(), Qt::Key_T);
+    QVERIFY(bar.state().isPlaying);
   }
 
   void automaticFire_withTheSameSeed_firesTheSameShots() {
@@ -195,6 +251,12 @@ private slots:
     QCOMPARE(mesh->shape->triangleCount(), std::size_t(4)); // the one without an area is left out
     const auto &crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
     QCOMPARE(crossings.fragments, trianglesIn(m_fixture->model().session().scene).size());
+    // Grabbed anywhere, it moves.
+    const QPoint side = m_fixture->pixelOf(toDouble(mesh->place) +
+                                           Place(mesh->shape->box().high * (0.4 * toDouble(mesh->scale))));
+    m_fixture->drag(side, side + QPoint(60, 0));
+    QVERIFY(m_fixture->value(std::string(targetName) + ".P") != mesh->place);
+    m_fixture->model().undo();
     m_fixture->model().undo();
     QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
   }

@@ -177,12 +177,6 @@ TEST(PlainHitSearch, AnyRay_AsksEveryTriangleAndNoBox) {
   EXPECT_EQ(search.search({{Rational(1, 3), 5, 9}, {0, 0, 1}}).cost, (SearchCost{0, 200}));
 }
 
-TEST(SearchCost, OfSeveralSearches_IsTheirSum) {
-  SearchCost cost{1, 20};
-  cost += {300, 4000};
-  EXPECT_EQ(cost, (SearchCost{301, 4020}));
-}
-
 TEST(TriangleMesh, ItsTriangles_HaveTheirCorners) {
   const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {{0, 1, 2}, {3, 1, 0}}};
   const auto triangles = trianglesOf(mesh);

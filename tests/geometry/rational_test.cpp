@@ -192,6 +192,9 @@ TEST(RoundToMultiple, Halves_GoUp) {
   EXPECT_EQ(roundToMultiple(Rational(-1, 2), 1), 0);
   EXPECT_EQ(roundToMultiple(Rational(-3, 2), 1), -1);
   EXPECT_EQ(roundToMultiple(Rational(3, 8), Rational(1, 4)), Rational(1, 2));
+  EXPECT_EQ(roundUpToMultiple(Rational(1, 3), Rational(1, 4)), Rational(1, 2));
+  EXPECT_EQ(roundUpToMultiple(Rational(-1, 3), Rational(1, 4)), Rational(-1, 4));
+  EXPECT_EQ(roundUpToMultiple(Rational(3, 4), Rational(1, 4)), Rational(3, 4));
   EXPECT_EQ(roundToMultiple(2.5, 1), 3);
   EXPECT_EQ(roundToMultiple(-2.5, 1), -2);
 }

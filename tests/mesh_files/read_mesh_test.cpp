@@ -131,6 +131,14 @@ TEST_F(ReadMesh, NumbersOfCornersThatAreNotThereLeadNowhere) {
   EXPECT_EQ(ply->triangles, (decltype(ply->triangles){{0, 1, 2}, {0, 1, noCorner}}));
 }
 
+TEST_F(ReadMesh, ObjCornerThatIsNoThreeNumbers_IsToldWithItsLine) {
+  for (const std::string corner : {"nan 1 1", "1 inf 1", "1 2", "1 two 3", ""}) {
+    const auto mesh = read("a.obj", "v 0 0 0\nv 4 0 0\nv " + corner + "\nv 0 4 0\nf 1 2 4\n");
+    ASSERT_FALSE(mesh) << corner;
+    EXPECT_EQ(mesh.problem().sentence, "Line 3 should be a corner, and is not three numbers.");
+  }
+}
+
 TEST_F(ReadMesh, NoNumbersStayNoNumbers) {
   const auto mesh = read("a.stl", binaryStl({{Vec3<float>(NAN, 0, 0), {1, 0, 0}, {0, INFINITY, 0}}}));
   ASSERT_TRUE(mesh) << mesh.problem().text();

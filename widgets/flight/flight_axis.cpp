@@ -108,7 +108,7 @@ void FlightAxis::setHidden(bool hidden) {
   if (std::exchange(m_hidden, hidden) == hidden)
     return;
   if (hidden)
-    cancelScrub();
+    endScrub(false);
   settleRange();
   update();
 }

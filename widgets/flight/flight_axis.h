@@ -46,7 +46,7 @@ public:
 signals:
   void scrubBegun();
   void scrubbed(double t);
-  void scrubEnded();
+  void scrubEnded(bool keep); ///< false: Escape
   void chosen(std::size_t number);
   void hovered(std::size_t number); ///< 0: none any more
 
@@ -75,7 +75,6 @@ private:
   struct Grab {
     QPoint pressedAt;
     double offset = 0; ///< from the pointer to the tip, in pixels
-    double before = 0; ///< t
     std::size_t pin = 0;
     bool isScrubbing = false;
   };
@@ -96,8 +95,7 @@ private:
   void pointAt(QPoint place);
   void beginScrub();
   void scrubTo(double x, Qt::KeyboardModifiers modifiers);
-  void endScrub();
-  void cancelScrub();
+  void endScrub(bool keep);
   void stepBy(double ticks);
   void moveByKey(double t);
   [[nodiscard]] double snapped(double t, double x) const;

@@ -86,7 +86,7 @@ void FlightAxis::mousePressEvent(QMouseEvent *event) {
   const bool isOnTrack = std::abs(place.y() - lineY()) <= trackReach * unit();
   if (pins.empty() && !isOnTrack)
     return;
-  m_grab = Grab{event->pos(), 0, m_t};
+  m_grab = Grab{event->pos()};
   if (!pins.empty()) {
     m_grab->pin = pins.front()->crossing.number;
   } else if (isOnHandle(place)) {
@@ -117,7 +117,7 @@ void FlightAxis::mouseReleaseEvent(QMouseEvent *event) {
   if (event->button() != Qt::LeftButton || !m_grab)
     return;
   const std::size_t pin = m_grab->isScrubbing ? 0 : m_grab->pin;
-  endScrub();
+  endScrub(true);
   if (pin != 0)
     emit chosen(pin);
   pointAt(event->pos());
@@ -143,19 +143,13 @@ void FlightAxis::scrubTo(double x, Qt::KeyboardModifiers modifiers) {
   emit scrubbed(modifiers & Qt::AltModifier ? t : snapped(t, x));
 }
 
-void FlightAxis::endScrub() {
+void FlightAxis::endScrub(bool keep) {
   const bool wasScrubbing = isScrubbing();
   m_grab.reset();
   settleRange();
   update();
   if (wasScrubbing)
-    emit scrubEnded();
-}
-
-void FlightAxis::cancelScrub() {
-  if (isScrubbing())
-    emit scrubbed(m_grab->before);
-  endScrub();
+    emit scrubEnded(keep);
 }
 
 double FlightAxis::snapped(double t, double x) const {
@@ -186,12 +180,12 @@ void FlightAxis::stepBy(double ticks) {
 void FlightAxis::moveByKey(double t) {
   emit scrubBegun();
   emit scrubbed(t);
-  emit scrubEnded();
+  emit scrubEnded(true);
 }
 
 void FlightAxis::keyPressEvent(QKeyEvent *event) {
   if (event->key() == Qt::Key_Escape && m_grab)
-    return cancelScrub();
+    return endScrub(false);
   if (m_hidden || m_grab)
     return QWidget::keyPressEvent(event);
   switch (event->key()) {

@@ -159,8 +159,9 @@ void FlightBar::describe(FlightControl control, const QString &words) {
 }
 
 void FlightBar::showControls() {
-  button(FlightControl::Fire).setEnabled(m_state.canFire);
   const bool canMove = !m_state.hidden;
+  button(FlightControl::Fire).setEnabled(canMove && m_state.canFire);
+  button(FlightControl::Automatic).setEnabled(canMove && m_state.canFire);
   button(FlightControl::StepBack).setEnabled(canMove);
   button(FlightControl::StepForward).setEnabled(canMove);
   button(FlightControl::Play).setEnabled(canMove && !m_state.reducedMotion);

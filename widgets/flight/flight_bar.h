@@ -58,7 +58,7 @@ signals:
   void speedChanged(double speed);
   void scrubBegun();
   void scrubbed(double t);
-  void scrubEnded();
+  void scrubEnded(bool keep); ///< false: Escape
   void chosen(std::size_t number);
   void hovered(std::size_t number); ///< 0: none any more
 

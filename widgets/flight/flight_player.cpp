@@ -1,7 +1,5 @@
 #include "widgets/flight/flight_player.h"
 
-#include "lessons/construction/shots.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -90,7 +88,7 @@ Rational FlightPlayer::lastFrame(const Flight &flight) const {
   if (hits)
     for (const Crossing &crossing : hits->outcome->crossings->all)
       if (crossing.number == hits->outcome->crossings->nearest && crossing.at)
-        last = crossing.at->t * framesPerLambda + framesBehindHit;
+        last = roundUpToMultiple(crossing.at->t * framesPerLambda, frameStep) + framesBehindHit;
   return std::min(last, flight.frame.to);
 }
 
@@ -107,8 +105,7 @@ void FlightPlayer::fire() {
     return;
   // By itself it goes on with the next shot, by hand the same one is fired once more.
   const Rational next = shotAt(now->frame.value, now->seed.value, ExactVec3(0)).frame + framesPerShot;
-  m_model.edit(toFrame(*now, now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next), tr("Fire"));
-  play(true);
+  playFrom(now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next);
 }
 
 void FlightPlayer::play(bool on) {
@@ -119,10 +116,18 @@ void FlightPlayer::play(bool on) {
   auto now = flight();
   if (!now)
     return;
-  if (now->frame.value >= lastFrame(*now))
-    m_model.edit(toFrame(*now, 0), tr("Fire"));
-  m_from = flight()->frame.value;
+  playFrom(now->frame.value >= lastFrame(*now) ? Rational(0) : now->frame.value);
+}
+
+void FlightPlayer::playFrom(const Rational &frame) {
   m_model.beginGesture(tr("Fly"));
+  goOnFrom(frame);
+}
+
+/// In a gesture that has begun.
+void FlightPlayer::goOnFrom(const Rational &frame) {
+  m_from = frame;
+  m_model.moveGesture(toFrame(*flight(), frame));
   m_isPlaying = true;
   m_clock.start();
   m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
@@ -146,8 +151,11 @@ void FlightPlayer::tick() {
   const Rational frame = m_from + flown;
   const Rational last = lastFrame(*now);
   m_model.moveGesture(toFrame(*now, std::min(frame, last)));
-  if (frame >= last)
-    play(false);
+  if (frame < last)
+    return;
+  if (now->seed.value == 0)
+    return play(false);
+  goOnFrom(0); // by itself it fires again and again
 }
 
 void FlightPlayer::step(int direction) {
@@ -166,10 +174,10 @@ void FlightPlayer::setAutomatic(bool on) {
   seed.value = on ? firstSeed : Rational(0);
   m_model.beginGesture(on ? tr("Fire by itself") : tr("Fire by hand"));
   m_model.moveGesture(ChangeObject{now->names.seed, seed});
+  if (on)
+    return goOnFrom(0);
   m_model.moveGesture(toFrame(*now, 0));
   m_model.endGesture();
-  if (on)
-    play(true);
 }
 
 void FlightPlayer::setSpeed(double speed) {
@@ -189,9 +197,22 @@ void FlightPlayer::beginScrub() {
   m_isScrubbing = true;
 }
 
-void FlightPlayer::endScrub() {
-  if (std::exchange(m_isScrubbing, false))
+void FlightPlayer::endScrub(bool keep) {
+  if (!std::exchange(m_isScrubbing, false))
+    return;
+  if (keep)
     m_model.endGesture();
+  else
+    m_model.cancelGesture();
+}
+
+/// The frame in which the torpedo of a shot has come to t; where that is a crossing's, all of the way.
+Rational FlightPlayer::frameAt(double t, const Shot &shot, const StepFlight &names) const {
+  if (const EvaluatedEntry *hits = m_model.evaluation().find(names.hits))
+    for (const Crossing &crossing : hits->outcome->crossings->all)
+      if (crossing.at && toDouble(crossing.at->t) == t)
+        return shot.frame + roundUpToMultiple(crossing.at->t * framesPerLambda, frameStep);
+  return shot.frame + roundToMultiple(t * framesPerLambda, frameStep);
 }
 
 void FlightPlayer::scrub(double t) {
@@ -199,7 +220,7 @@ void FlightPlayer::scrub(double t) {
   if (!now || !m_isScrubbing)
     return;
   const Shot shot = shotAt(now->frame.value, now->seed.value, ExactVec3(0));
-  Rational frame = shot.frame + roundToMultiple(t * framesPerLambda, frameStep);
+  Rational frame = frameAt(t, shot, now->names);
   if (now->seed.value != 0) // it stays with its shot
     frame = std::clamp(frame, shot.frame, Rational(shot.frame + framesPerShot - frameStep));
   m_model.moveGesture(toFrame(*now, frame));

@@ -1,6 +1,7 @@
 // The clock of a torpedo's flight.
 #pragma once
 
+#include "lessons/construction/shots.h"
 #include "lessons/object/number.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/session_model.h"
@@ -49,7 +50,10 @@ private:
   [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
   void beginScrub();
   void scrub(double t);
-  void endScrub();
+  void endScrub(bool keep);
+  [[nodiscard]] Rational frameAt(double t, const Shot &shot, const StepFlight &names) const;
+  void playFrom(const Rational &frame);
+  void goOnFrom(const Rational &frame);
   void tick();
   void stop();
 

@@ -9,7 +9,8 @@ namespace {
 enum class Rank : std::uint8_t { Needed, Hit, Ahead, BehindStart, NoCrossing, NotAsked };
 
 Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
-  if (row.crossing.number == crossings.chosen || isNearest(row.standing))
+  const bool isNext = row.standing == Standing::NotAsked && row.crossing.number == crossings.chosen + 1;
+  if (row.crossing.number == crossings.chosen || isNearest(row.standing) || isNext)
     return Rank::Needed;
   if (row.standing == Standing::Hit)
     return Rank::Hit;
@@ -66,12 +67,17 @@ void partAtStart(std::vector<FragmentRow> &rows) {
 
 FragmentRows rowsOf(const Crossings &crossings, LiveValues values, std::size_t most) {
   FragmentRows shown;
+  const bool isHidden = values == LiveValues::Hidden;
+  if (isHidden && crossings.all.size() < crossings.fragments) { // the nearest alone would be the answer
+    shown.leftOut = crossings.fragments;
+    shown.leftOutAreOutside = false;
+    return shown;
+  }
   for (const Crossing &crossing : crossings.all)
     shown.rows.push_back({crossing, standingOf(crossing, crossings)});
   const auto notAsked =
       std::stable_partition(shown.rows.begin(), shown.rows.end(),
                             [](const FragmentRow &row) { return row.standing != Standing::NotAsked; });
-  const bool isHidden = values == LiveValues::Hidden;
   std::sort(isHidden ? shown.rows.begin() : notAsked, shown.rows.end(), byNumber);
   keep(shown, crossings, values, most);
   if (!isHidden)

@@ -377,7 +377,8 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
   };
   const QString name = QString::fromStdString(shown.crossing.name);
   QString verdict = verdictOf(shown);
-  if (columns.isStacked && metrics.horizontalAdvance(name + "  " + verdict) > columns.name.width)
+  if (m_values == LiveValues::Shown && columns.isStacked &&
+      metrics.horizontalAdvance(name + "  " + verdict) > columns.name.width)
     verdict = shortWordsOf(shown.standing);
   paintWords(columns.verdict, columns.verdict.width, verdict, verdictFlags(columns));
   const double taken = columns.isStacked ? metrics.horizontalAdvance(verdict + ' ') : 0;

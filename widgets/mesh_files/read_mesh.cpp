@@ -19,7 +19,10 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <new>
 #include <optional>
@@ -100,6 +103,25 @@ vtkSmartPointer<vtkPolyData> readBy(const std::filesystem::path &file, const Par
   const Listening listening(*reader, [&] { partDone(reader->GetProgress()); });
   reader->Update();
   return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+}
+
+/// The first line of an OBJ file that should be a corner and is none: VTK's reader goes on as if it were one.
+std::optional<int> lineWithBrokenCorner(const std::filesystem::path &path) {
+  std::ifstream file(path);
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (!line.starts_with("v ") && !line.starts_with("v\t"))
+      continue;
+    const char *at = line.c_str() + 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      char *end = nullptr;
+      const double value = std::strtod(at, &end);
+      if (end == at || !std::isfinite(value))
+        return number;
+      at = end;
+    }
+  }
+  return {};
 }
 
 vtkSmartPointer<vtkPolyData> readData(const std::filesystem::path &file, MeshFormat format,
@@ -205,6 +227,10 @@ Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDon
     return format.problem();
   vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by sentences
   try {
+    if (const auto line = *format == MeshFormat::Obj ? lineWithBrokenCorner(file) : std::nullopt)
+      return Problem{words("Line {line} should be a corner, and is not three numbers.",
+                           {{"line", std::to_string(*line)}}),
+                     file.string(), *line, ""};
     const auto data = readData(file, *format, partDone);
     if (!data)
       return Problem{words("The file is damaged or cut off: it does not go on as its beginning says."),

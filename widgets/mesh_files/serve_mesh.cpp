@@ -5,6 +5,8 @@
 #include "widgets/mesh_files/read_mesh.h"
 
 #include <algorithm>
+#include <csignal>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 namespace halfspace {
@@ -36,6 +38,7 @@ void boundThisProcess(std::size_t memory, unsigned seconds) {
     bound(RLIMIT_AS, memory);
   bound(RLIMIT_CPU, seconds);
   bound(RLIMIT_CORE, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody waits for the mesh any more
 }
 
 int serveMesh(const std::filesystem::path &file, int descriptor) {

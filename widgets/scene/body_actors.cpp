@@ -82,6 +82,7 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
       halfspace::write(*body->mesh, actors->data);
     write(*body, actors->placement);
     vtkMatrix4x4::Multiply4x4(&m_ontoGround, actors->placement, actors->shadowPlacement);
+    actors->shadowPlacement->Modified(); // which Multiply4x4 does not tell
     setColor(actors->actor,
              mix(theme.backgroundBottom, solidColor(*body, theme, highlighted.contains(body->id)),
                  bodyInk * arrival.presenceOf(*body)));

@@ -67,6 +67,19 @@ QString hintFor(DragMode mode, const Handle &handle, const Camera &camera) {
   return SceneView::tr("Moves on its sphere only.");
 }
 
+/// The handle that moves the surface of very many triangles with this mark; null for other marks. Its own
+/// place may lie hidden inside.
+const Handle *handleOfBody(const std::string &mark, const Figure &figure,
+                           const std::vector<Handle> &handles) {
+  const bool isBody = std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark &each) {
+    return std::holds_alternative<MeshMark>(each) && baseOf(each).id == mark;
+  });
+  const auto found = std::find_if(handles.begin(), handles.end(), [&](const Handle &handle) {
+    return handle.object == mark && handle.motion == Handle::Motion::Coordinate && isZero(handle.base);
+  });
+  return isBody && found != handles.end() ? &*found : nullptr;
+}
+
 } // namespace
 
 bool SceneView::event(QEvent *event) {
@@ -113,9 +126,15 @@ bool SceneView::pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers) {
   }
   const auto part = gizmoPartUnder(pixel);
   const Handle *selected = findHandle(m_selected);
-  if (!part || !selected)
+  if (part && selected) {
+    pressHandle(*selected, modeOf(*part), pixel);
+    return true;
+  }
+  const Handle *body = handleOfBody(m_scene.markAt(pixel), m_figure, m_handles);
+  const auto mode = body ? grabMode(*body, bool(modifiers & Qt::ShiftModifier), m_camera) : std::nullopt;
+  if (!mode)
     return false;
-  pressHandle(*selected, modeOf(*part), pixel);
+  pressHandle(*body, *mode, pixel);
   return true;
 }
 
@@ -253,7 +272,7 @@ void SceneView::hover(glm::dvec2 pixel) {
     return;
   m_hotPart = part;
   m_hovered = handleId;
-  if (handle || part)
+  if (handle || part || handleOfBody(mark, m_figure, m_handles))
     setCursor(Qt::OpenHandCursor);
   else
     unsetCursor();

@@ -77,8 +77,8 @@ TEST(MeshShape, ManyFacesOrCorners_AreReadUpToTheLimits) {
       faces += ",0 1 2";
     return faces;
   };
-  EXPECT_TRUE(readShape(square, facesOf(mostWrittenFaces)));
-  expectRefused(square, facesOf(mostWrittenFaces + 1), "faces", "too many faces: at most 50000");
+  EXPECT_TRUE(readShape(square, facesOf(mostWrittenTriangles)));
+  expectRefused(square, facesOf(mostWrittenTriangles + 1), "faces", "too many faces: at most 50000");
   // Around a bowl: flat and convex, however many.
   const auto bowl = [](std::size_t count) {
     std::string corners;
@@ -140,7 +140,7 @@ Scene sceneWith(const std::shared_ptr<const MeshShape> &shape) {
 }
 
 TEST(LargeMesh, InAScene_IsLeftOutOfFilesWithWhatLooksAtItAlone) {
-  const Scene scene = sceneWith(strip(mostWrittenFaces + 1));
+  const Scene scene = sceneWith(strip(mostWrittenTriangles + 1));
   EXPECT_EQ(largeMeshes(scene), std::vector<std::string>{"big"});
   const auto again = readSession(writeSession({.lesson = "photon-torpedo", .scene = scene}), "");
   ASSERT_TRUE(again) << again.problem().sentence;
@@ -153,7 +153,7 @@ TEST(LargeMesh, InAScene_IsLeftOutOfFilesWithWhatLooksAtItAlone) {
 }
 
 TEST(LargeMesh, JustSmallEnough_IsWrittenAndReadAsTheSame) {
-  const Scene scene = sceneWith(strip(mostWrittenFaces));
+  const Scene scene = sceneWith(strip(mostWrittenTriangles));
   const auto again = readSession(writeSession({.lesson = "photon-torpedo", .scene = scene}), "");
   ASSERT_TRUE(again) << again.problem().sentence;
   EXPECT_EQ(again->scene, scene);

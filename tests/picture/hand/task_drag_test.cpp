@@ -103,14 +103,14 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-triangle-perp", "case = hit and location = interior", {"L.Q", "L.r"}},
       {"ray-triangle-perp", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
       {"ray-triangle-perp", "case = hit", {"T.P0"}},
-      {"photon-torpedo", "first = mesh1", {"U.g"}},
+      {"photon-torpedo", "nearest >= 3 and nearest <= 18", {"U.g"}},
       {"photon-torpedo", "nearest.case = miss and behind > 0", {"U.g"}},
       {"photon-torpedo", "chosen.case = miss and perp.t > 0", {}}, // by a click on a row
       {"photon-torpedo", "so_far_is_nearest = yes", {}},           // likewise
       {"photon-torpedo", "nearest.location != interior", {"U.g"}},
       {"photon-torpedo", "chosen.case = parallel", {"U.g"}},
-      {"photon-torpedo", "first = mesh3", {"wall.P"}},
-      {"photon-torpedo", "first = mesh0", {"U.g", "U.S"}},
+      {"photon-torpedo", "nearest >= 23 and nearest <= 24", {"wall.P"}},
+      {"photon-torpedo", "nearest <= 2", {"U.g", "U.S"}},
       {"triangle-degenerate", "test_u = yes", {"T.P1"}},
       {"triangle-degenerate", "same_corners = P1-P2", {"T.P1"}},
       {"triangle-degenerate", "same_corners = P1-P2 and denominator = 0", {"T.P2"}},

@@ -68,7 +68,7 @@ private slots:
   void hidden_tellsNoTime_andStopsTheControls() {
     FlightBar bar(m_typesetter);
     bar.setCrossings(someCrossings());
-    bar.setState({.t = 0.5, .canFire = false, .hidden = true});
+    bar.setState({.t = 0.5, .hidden = true});
     QCOMPARE(bar.readout(), QString("λ = ?"));
     QVERIFY(!bar.axis().placeOf(3));
     for (const FlightControl control :
