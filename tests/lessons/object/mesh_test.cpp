@@ -92,7 +92,7 @@ TEST(MeshShape, ManyFacesOrCorners_AreReadUpToTheLimits) {
   const auto [corners, face] = bowl(mostFaceCorners);
   EXPECT_EQ((*readShape(corners, face))->triangleCount(), mostFaceCorners - 2);
   const auto [moreCorners, largerFace] = bowl(mostFaceCorners + 1);
-  expectRefused(moreCorners, largerFace, "faces", "of three to 100 corners");
+  expectRefused(moreCorners, largerFace, "faces", "of three to 32 corners");
 }
 
 TEST(MeshShape, FlatFaces_AreCutIntoTrianglesFromTheirFirstCorner) {
