@@ -10,12 +10,6 @@
 namespace halfspace {
 namespace {
 
-const Crossings &crossingsOf(const Evaluation &evaluation, const std::string &entry) {
-  static const Crossings none;
-  const EvaluatedEntry *found = evaluation.find(entry);
-  return found ? *found->outcome->crossings : none;
-}
-
 /// What an entry that looks at a ray and meshes aims at; nothing where the ray leads nowhere.
 std::optional<Aim> aimOf(const Evaluation &evaluation, const std::string &entry) {
   const EvaluatedEntry *found = evaluation.find(entry);

@@ -101,8 +101,7 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
           .arg(QString::fromStdString(mesh.name), QLocale().toString(static_cast<qulonglong>(mesh.triangles)),
                side(mesh.size.x), side(mesh.size.y), side(mesh.size.z)) +
       leftOutWords(mesh) +
-      (largeMeshes(m_model.session().scene).empty() ? QString()
-                                                    : tr(" Too large to be saved with the session.")));
+      (isTooLargeToWrite(*target) ? tr(" Too large to be saved with the session.") : QString()));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

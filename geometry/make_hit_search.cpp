@@ -6,18 +6,14 @@
 
 namespace halfspace {
 
-#ifdef HALFSPACE_EMBREE
 std::unique_ptr<const HitSearch> makeHitSearch(const TriangleMesh &mesh) {
-  /// Making Embree ready takes as long as the loop needs for very many rays at so few.
+#ifdef HALFSPACE_EMBREE
+  // Making Embree ready takes as long as the loop needs for very many rays at so few.
   constexpr std::size_t mostWithoutTree = 64;
   if (mesh.triangles.size() > mostWithoutTree)
     return std::make_unique<const HitFinder>(trianglesOf(mesh));
-  return std::make_unique<const PlainHitSearch>(mesh);
-}
-#else
-std::unique_ptr<const HitSearch> makeHitSearch(const TriangleMesh &mesh) {
-  return std::make_unique<const PlainHitSearch>(mesh);
-}
 #endif
+  return std::make_unique<const PlainHitSearch>(mesh);
+}
 
 } // namespace halfspace

@@ -388,8 +388,6 @@ Rational exactly(double value) {
   return exponent >= 0 ? rationalOf(whole) * power : rationalOf(whole) / power;
 }
 
-namespace {
-
 Rational floorOf(const Rational &value) {
   const Integer p = numeratorOf(value);
   const Integer q = denominatorOf(value);
@@ -398,8 +396,6 @@ Rational floorOf(const Rational &value) {
     --floor;
   return rationalOf(floor);
 }
-
-} // namespace
 
 Rational roundToMultiple(const Rational &value, const Rational &step) {
   return floorOf(value / step + Rational(1, 2)) * step;

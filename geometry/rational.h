@@ -166,6 +166,9 @@ enum class NotRead { NoNumber, TooLong, TooLarge };
 /// The exact value of a double. Requires a finite one.
 [[nodiscard]] Rational exactly(double value);
 
+/// The largest whole number that is not above the value.
+[[nodiscard]] Rational floorOf(const Rational &value);
+
 /// The multiple of `step` nearest to the value; halves go up. Requires step > 0.
 /// (1) It is a whole number of steps and at most step/2 away.
 /// (2) A multiple of the step stays as it is.

@@ -12,11 +12,6 @@ namespace {
 constexpr int farthestAside = 6;
 constexpr int farDown = 8;
 
-Rational floorOf(const Rational &value) {
-  const Rational nearest = roundToMultiple(value, 1);
-  return nearest > value ? nearest - 1 : nearest;
-}
-
 /// The same for the same seed and shot on every machine: the engine's numbers are fixed by the standard.
 ExactVec3 randomDirection(const Rational &seed, const Rational &shot) {
   const auto wordOf = [](const Rational &number) {

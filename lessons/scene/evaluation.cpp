@@ -220,6 +220,12 @@ const EvaluatedEntry *Evaluation::lastConstruction() const {
   return found == entries.rend() ? nullptr : &*found;
 }
 
+const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entry) {
+  static const Crossings none;
+  const EvaluatedEntry *found = evaluation.find(entry);
+  return found ? *found->outcome->crossings : none;
+}
+
 Figure figureOf(const Evaluation &evaluation) {
   Figure all;
   for (const EvaluatedEntry &entry : evaluation.entries) {

@@ -41,6 +41,9 @@ struct Evaluation {
 /// One that looks at something that is not there in the present case says so (`missing-object`).
 [[nodiscard]] Evaluation evaluate(const Scene &scene, const Evaluation &before = {});
 
+/// What the entry's ray meets of many triangles; nothing where there is no such entry.
+[[nodiscard]] const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entry);
+
 /// The marks of all entries.
 [[nodiscard]] Figure figureOf(const Evaluation &evaluation);
 

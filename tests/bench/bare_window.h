@@ -10,14 +10,24 @@
 #include <QTest>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 
 namespace halfspace::bench {
 
 /// Waits until the drawing is done: VTK only orders it.
 inline void finishDrawing() { QOpenGLContext::currentContext()->functions()->glFinish(); }
+
+/// Counts what a view draws from now on.
+inline void countRenders(const SceneView &view, int &count) {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&count);
+  command->SetCallback([](vtkObject *, unsigned long, void *data, void *) { ++*static_cast<int *>(data); });
+  view.renderWindow()->GetRenderers()->GetFirstRenderer()->AddObserver(vtkCommand::EndEvent, command);
+}
 
 /// A window of bare VTK, as large as the view that it is compared with.
 class BareWindow {

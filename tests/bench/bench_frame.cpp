@@ -10,11 +10,6 @@
 
 #include <QApplication>
 
-#include <vtkCallbackCommand.h>
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
-
 #include <cmath>
 #include <cstdio>
 
@@ -81,7 +76,7 @@ public:
     m_handle = firstHandle();
     QObject::connect(&view(), &SceneView::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
-    countRenders();
+    countRenders(view(), m_measured.renders);
     m_lines = &m_fixture.lines();
     m_application.window = &m_fixture.window;
     m_application.lines = m_lines;
@@ -143,15 +138,6 @@ private:
   static QPointF pathAt(QPointF from, QPointF to, double part) {
     const double angle = 2 * std::acos(-1.0) * part;
     return from + (to - from) * part + QPointF(offPath * std::sin(3 * angle), offPath * std::sin(2 * angle));
-  }
-
-  void countRenders() {
-    vtkNew<vtkCallbackCommand> count;
-    count->SetClientData(this);
-    count->SetCallback([](vtkObject *, unsigned long, void *drag, void *) {
-      ++static_cast<Drag *>(drag)->m_measured.renders;
-    });
-    view().renderWindow()->GetRenderers()->GetFirstRenderer()->AddObserver(vtkCommand::EndEvent, count);
   }
 
   static void waitForQuiet() { QTest::qWait(300); }
@@ -292,9 +278,7 @@ void printGoals(const Measured &measured) {
 
 int main(int argc, char **argv) {
   QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
+  QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
   TimedApplication application(argc, argv);
   const int moves = argc > 1 ? std::max(10, std::atoi(argv[1])) : usualMoves;
   for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons) {

@@ -20,6 +20,9 @@ constexpr int framesWithoutHit = 100;
 /// What chance begins with.
 const Rational firstSeed = 7;
 
+/// After so many frames a torpedo has come to t, or a little farther.
+Rational framesUntil(const Rational &t) { return roundUpToMultiple(t * framesPerLambda, frameStep); }
+
 } // namespace
 
 FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
@@ -83,12 +86,11 @@ FlightState FlightPlayer::state() const {
 Rational FlightPlayer::lastFrame(const Flight &flight) const {
   if (flight.seed.value != 0)
     return flight.frame.to;
-  const EvaluatedEntry *hits = m_model.evaluation().find(flight.names.hits);
+  const Crossings &hits = crossingsOf(m_model.evaluation(), flight.names.hits);
   Rational last = framesWithoutHit;
-  if (hits)
-    for (const Crossing &crossing : hits->outcome->crossings->all)
-      if (crossing.number == hits->outcome->crossings->nearest && crossing.at)
-        last = roundUpToMultiple(crossing.at->t * framesPerLambda, frameStep) + framesBehindHit;
+  for (const Crossing &crossing : hits.all)
+    if (crossing.number == hits.nearest && crossing.at)
+      last = framesUntil(crossing.at->t) + framesBehindHit;
   return std::min(last, flight.frame.to);
 }
 
@@ -105,7 +107,7 @@ void FlightPlayer::fire() {
     return;
   // By itself it goes on with the next shot, by hand the same one is fired once more.
   const Rational next = shotAt(now->frame.value, now->seed.value, ExactVec3(0)).frame + framesPerShot;
-  playFrom(now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next);
+  playFrom(*now, now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next);
 }
 
 void FlightPlayer::play(bool on) {
@@ -116,18 +118,18 @@ void FlightPlayer::play(bool on) {
   auto now = flight();
   if (!now)
     return;
-  playFrom(now->frame.value >= lastFrame(*now) ? Rational(0) : now->frame.value);
+  playFrom(*now, now->frame.value >= lastFrame(*now) ? Rational(0) : now->frame.value);
 }
 
-void FlightPlayer::playFrom(const Rational &frame) {
+void FlightPlayer::playFrom(const Flight &flight, const Rational &frame) {
   m_model.beginGesture(tr("Fly"));
-  goOnFrom(frame);
+  goOnFrom(flight, frame);
 }
 
 /// In a gesture that has begun.
-void FlightPlayer::goOnFrom(const Rational &frame) {
+void FlightPlayer::goOnFrom(const Flight &flight, const Rational &frame) {
   m_from = frame;
-  m_model.moveGesture(toFrame(*flight(), frame));
+  m_model.moveGesture(toFrame(flight, frame));
   m_isPlaying = true;
   m_clock.start();
   m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
@@ -155,7 +157,7 @@ void FlightPlayer::tick() {
     return;
   if (now->seed.value == 0)
     return play(false);
-  goOnFrom(0); // by itself it fires again and again
+  goOnFrom(*now, 0); // by itself it fires again and again
 }
 
 void FlightPlayer::step(int direction) {
@@ -175,7 +177,7 @@ void FlightPlayer::setAutomatic(bool on) {
   m_model.beginGesture(on ? tr("Fire by itself") : tr("Fire by hand"));
   m_model.moveGesture(ChangeObject{now->names.seed, seed});
   if (on)
-    return goOnFrom(0);
+    return goOnFrom(*now, 0);
   m_model.moveGesture(toFrame(*now, 0));
   m_model.endGesture();
 }
@@ -208,10 +210,9 @@ void FlightPlayer::endScrub(bool keep) {
 
 /// The frame in which the torpedo of a shot has come to t; where that is a crossing's, all of the way.
 Rational FlightPlayer::frameAt(double t, const Shot &shot, const StepFlight &names) const {
-  if (const EvaluatedEntry *hits = m_model.evaluation().find(names.hits))
-    for (const Crossing &crossing : hits->outcome->crossings->all)
-      if (crossing.at && toDouble(crossing.at->t) == t)
-        return shot.frame + roundUpToMultiple(crossing.at->t * framesPerLambda, frameStep);
+  for (const Crossing &crossing : crossingsOf(m_model.evaluation(), names.hits).all)
+    if (crossing.at && toDouble(crossing.at->t) == t)
+      return shot.frame + framesUntil(crossing.at->t);
   return shot.frame + roundToMultiple(t * framesPerLambda, frameStep);
 }
 

@@ -52,8 +52,8 @@ private:
   void scrub(double t);
   void endScrub(bool keep);
   [[nodiscard]] Rational frameAt(double t, const Shot &shot, const StepFlight &names) const;
-  void playFrom(const Rational &frame);
-  void goOnFrom(const Rational &frame);
+  void playFrom(const Flight &flight, const Rational &frame);
+  void goOnFrom(const Flight &flight, const Rational &frame);
   void tick();
   void stop();
 

@@ -70,7 +70,6 @@ FragmentRows rowsOf(const Crossings &crossings, LiveValues values, std::size_t m
   const bool isHidden = values == LiveValues::Hidden;
   if (isHidden && crossings.all.size() < crossings.fragments) { // the nearest alone would be the answer
     shown.leftOut = crossings.fragments;
-    shown.leftOutAreOutside = false;
     return shown;
   }
   for (const Crossing &crossing : crossings.all)
