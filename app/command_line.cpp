@@ -155,7 +155,9 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   render->add_flag("--transparent", command.transparent, "No background");
   render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
   render->add_option("--theme", command.theme, themeNames())->capture_default_str();
-  render->add_option("--step", arguments.step, "The lesson's step to show, counted from 1");
+  render->add_option("--step", arguments.step,
+                     "The lesson's step to show, counted from 1; without it the whole figure, "
+                     "or, for frames, the last step with the flight");
   auto *frame =
       render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0");
   render

@@ -19,6 +19,10 @@
 namespace halfspace {
 namespace {
 
+const LessonStep &stepAt(const OpenedSession &opened, int counted) {
+  return opened.lesson->steps[static_cast<std::size_t>(counted - 1)];
+}
+
 /// The flat picture of a figure that is on its stage; why there is none.
 Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSession &opened,
                                 const Figure &whole, SceneContent content, const Typesetter &typesetter) {
@@ -53,10 +57,7 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
                                  const Setting &setting, const Typesetter &typesetter) {
   const Evaluation evaluation = evaluate(opened.session.scene);
   const Figure whole = figureOf(evaluation);
-  const Figure figure =
-      command.step
-          ? shownIn(opened.lesson->steps[static_cast<std::size_t>(*command.step - 1)], evaluation).figure
-          : whole;
+  const Figure figure = command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : whole;
   PictureRequest request;
   request.content.stage = setting.stage;
   request.content.figure = toStage(figure, setting.stage);
@@ -69,13 +70,20 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
              : drawOffscreen(request, labelPainter(typesetter));
 }
 
+/// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.
+std::optional<int> stepOfFlight(const OpenedSession &opened) {
+  std::optional<int> last;
+  if (opened.lesson)
+    for (std::size_t i = 0; i < opened.lesson->steps.size(); ++i)
+      if (flightOf(opened.lesson->steps[i]))
+        last = static_cast<int>(i) + 1;
+  return last;
+}
+
 /// The scene's number that counts the frames of the lesson's flight; null where there is none.
 Object *frameNumberOf(OpenedSession &opened) {
-  if (opened.lesson)
-    for (const LessonStep &step : opened.lesson->steps)
-      if (const StepFlight *flight = flightOf(step))
-        return findObject(opened.session.scene, flight->frame);
-  return nullptr;
+  const auto step = stepOfFlight(opened);
+  return step ? findObject(opened.session.scene, flightOf(stepAt(opened, *step))->frame) : nullptr;
 }
 
 std::optional<Problem> refuseStep(const RenderCommand &command, const OpenedSession &opened) {
@@ -118,13 +126,15 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
 
 } // namespace
 
-int runRender(const RenderCommand &command) {
+int runRender(RenderCommand command) {
   LessonLibrary library = openLibrary(command.ownLessons);
   auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
   if (const auto refused = refuseStep(command, *opened))
     return fail(*refused);
+  if (command.frames && !command.step)
+    command.step = stepOfFlight(*opened);
   const Typesetter typesetter;
   const Setting setting = settingOf(command, *opened);
   if (command.frames) {

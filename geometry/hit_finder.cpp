@@ -4,20 +4,19 @@
 #include "geometry/triangle_tree.h"
 
 #include <cassert>
-#include <vector>
+#include <utility>
 
 namespace halfspace {
 
 struct HitFinder::Scene {
-  explicit Scene(std::span<const Triangle<double>> given)
-      : triangles(given.begin(), given.end()), tree(triangles) {}
+  explicit Scene(std::vector<Triangle<double>> given) : triangles(std::move(given)), tree(triangles) {}
 
   std::vector<Triangle<double>> triangles;
   TriangleTree tree;
 };
 
-HitFinder::HitFinder(std::span<const Triangle<double>> triangles)
-    : m_scene(std::make_unique<const Scene>(triangles)) {}
+HitFinder::HitFinder(std::vector<Triangle<double>> triangles)
+    : m_scene(std::make_unique<const Scene>(std::move(triangles))) {}
 HitFinder::~HitFinder() = default;
 
 SearchCost HitFinder::offerAll(NearestSoFar &nearest) const {

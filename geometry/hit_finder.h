@@ -5,7 +5,7 @@
 
 #include <memory>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace halfspace {
 
@@ -24,8 +24,8 @@ class NearestSoFar;
 /// error, or else over fractions.
 class HitFinder final : public HitSearch {
 public:
-  /// Copies the triangles. Requires finite coordinates.
-  explicit HitFinder(std::span<const Triangle<double>> triangles);
+  /// Requires finite coordinates.
+  explicit HitFinder(std::vector<Triangle<double>> triangles);
   ~HitFinder() override;
 
   /// Requires a direction ≠ 0 and finite numbers. May be called from several threads at once.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 #include <utility>
 
 namespace halfspace {
@@ -86,6 +87,29 @@ Result<RawMesh> readInProcess(const QString &program, const QString &file, const
   return decoder.problem().value_or(Problem{});
 }
 
+/// What comes of a file, or why nothing does; once cancelled, a problem that is for nobody.
+Result<LoadedMesh> loadMesh(const QString &program, const QString &file, const std::atomic<bool> &cancelled,
+                            News &news) {
+  const QFileInfo names(file);
+  const auto refuse = [&names](Problem problem) {
+    problem.file = names.fileName().toStdString();
+    return problem;
+  };
+  try {
+    auto raw = readInProcess(program, file, cancelled, news);
+    if (!raw || cancelled)
+      return refuse(raw ? Problem{} : raw.problem());
+    const QString what = inQt(words("Making the mesh ready"));
+    auto loaded = makeShape(std::move(*raw), names.completeBaseName().toStdString(), cancelled,
+                            [&](std::optional<double> part) {
+                              news(untilArrived + (1 - untilArrived) * part.value_or(0), what);
+                            });
+    return loaded ? loaded : refuse(loaded.problem());
+  } catch (const std::bad_alloc &) {
+    return refuse({words("There is not enough memory for this mesh."), "", 0, ""});
+  }
+}
+
 } // namespace
 
 /// One file on its way.
@@ -130,15 +154,7 @@ void MeshLoader::run(Job &job, const QString &program, const QString &file) {
     QMetaObject::invokeMethod(
         this, [this, &job, part, what] { tell(job, part, what); }, Qt::QueuedConnection);
   });
-  auto raw = readInProcess(program, file, job.cancelled, news);
-  const QString what = inQt(words("Making the mesh ready"));
-  const auto result =
-      raw && !job.cancelled
-          ? makeShape(std::move(*raw), QFileInfo(file).completeBaseName().toStdString(), job.cancelled,
-                      [&](std::optional<double> part) {
-                        news(untilArrived + (1 - untilArrived) * part.value_or(0), what);
-                      })
-          : Result<LoadedMesh>(raw ? Problem{} : raw.problem());
+  const auto result = loadMesh(program, file, job.cancelled, news);
   QMetaObject::invokeMethod(
       this, [this, &job, result] { end(job, result); }, Qt::QueuedConnection);
 }
@@ -158,7 +174,7 @@ void MeshLoader::end(const Job &job, const Result<LoadedMesh> &result) {
   if (result)
     emit loaded(*result);
   else
-    emit failed(inQt(result.problem().sentence));
+    emit failed(inQt(result.problem().text()));
 }
 
 } // namespace halfspace

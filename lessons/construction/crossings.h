@@ -37,4 +37,7 @@ struct Crossings {
   std::optional<std::size_t> nearestSoFar;
 };
 
+/// The one that is hit first; null where none is.
+[[nodiscard]] const Crossing *nearestOf(const Crossings &crossings);
+
 } // namespace halfspace

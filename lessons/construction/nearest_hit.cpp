@@ -243,6 +243,18 @@ std::string hitMark(const In &in, const Meeting &meeting) {
   return in.mark("hits") + "/" + std::to_string(meeting.number);
 }
 
+/// The way back from the start to the farthest of those that lie behind it.
+void drawWayBack(Figure &figure, const In &in, const Out &at) {
+  const Meeting *farthest = nullptr;
+  for (const Meeting &meeting : at.listed)
+    if (meeting.meet.which == RayTriangleCase::Behind && (!farthest || isNearer(meeting, *farthest)))
+      farthest = &meeting;
+  if (farthest)
+    figure.add(SegmentMark{{in.mark("H") + "/back", Role::Ghost, Subject::Ray},
+                           place(farthest->meet.plane.point),
+                           place(in.L.object.origin)});
+}
+
 /// The hits that come later, and those behind the start.
 void drawOthers(Figure &figure, const In &in, const Out &at) {
   for (const Meeting &meeting : at.listed) {
@@ -262,6 +274,7 @@ Figure draw(const In &in, const Out &at) {
   if (at.chosen && isTriangle(*at.chosen))
     drawChosen(figure, in, *at.chosen);
   drawOthers(figure, in, at);
+  drawWayBack(figure, in, at);
   if (!at.nearest)
     return figure;
   figure.add(faceOf(in.mark("nearest"), Role::Result, Subject::Measure, at.nearest->triangle));

@@ -131,8 +131,9 @@ Figure draw(const In &in, const Out &at) {
   if (hasExploded(at))
     drawBlast(figure, in, at);
   else if (isFired(at))
-    figure.add(SegmentMark{{in.mark("M") + "/trail", Role::Result, Subject::Ray}, place(at.Q), place(at.M)});
-  PointMark torpedo = pointOf(at.M, isFired(at) ? Role::Result : Role::Ghost, Subject::Ray);
+    figure.add(
+        SegmentMark{{in.mark("M") + "/trail", Role::Result, Subject::Point}, place(at.Q), place(at.M)});
+  PointMark torpedo = pointOf(at.M, isFired(at) ? Role::Result : Role::Ghost, Subject::Point);
   if (at.elapsed == 0)
     torpedo.label.clear(); // the start has a letter of its own
   figure.add(std::move(torpedo));

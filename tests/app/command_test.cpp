@@ -349,6 +349,37 @@ TEST_F(Program, RenderStep_DrawsLessThanTheWholeFigure) {
   EXPECT_NE(contentOf(inFolder("whole.png")), contentOf(inFolder("step.png")));
 }
 
+TEST_F(Program, RenderFrames_AreTheSameForTheSameSeed_AndThoseDrawnOneByOne) {
+  const std::string flight = "render photon-torpedo --size 160x100 --set seed=7";
+  for (const char *folder : {"first", "again"}) {
+    std::filesystem::create_directory(inFolder(folder));
+    EXPECT_EQ(run(flight + " --frames 160:162 -o " + folder + "/%03d.png").status, 0);
+  }
+  for (const char *name : {"160.png", "161.png", "162.png"})
+    EXPECT_EQ(contentOf(inFolder("first") / name), contentOf(inFolder("again") / name)) << name;
+  EXPECT_NE(contentOf(inFolder("first/160.png")), contentOf(inFolder("first/161.png")));
+  EXPECT_EQ(run(flight + " --frame 162 -o one.png").status, 0);
+  EXPECT_EQ(contentOf(inFolder("one.png")), contentOf(inFolder("first/162.png")));
+  EXPECT_EQ(run(flight + "8 --frame 162 -o other.png").status, 0);
+  EXPECT_NE(contentOf(inFolder("other.png")), contentOf(inFolder("one.png")));
+}
+
+TEST_F(Program, RenderFrame_WithoutAStep_DrawsTheStepOfTheFlight) {
+  const std::string flight = "render photon-torpedo --size 160x100 --frame 40 ";
+  EXPECT_EQ(run(flight + "-o flight.png").status, 0);
+  EXPECT_EQ(run(flight + "--step 7 -o seventh.png").status, 0);
+  EXPECT_EQ(run(flight + "--step 2 -o second.png").status, 0);
+  EXPECT_EQ(contentOf(inFolder("flight.png")), contentOf(inFolder("seventh.png")));
+  EXPECT_NE(contentOf(inFolder("flight.png")), contentOf(inFolder("second.png")));
+}
+
+TEST_F(Program, RenderFrame_ThatIsNotThere_IsRefused) {
+  expectRefused("render photon-torpedo --frame 601 -o a.png", "its last one is 600");
+  expectRefused("render signed-distance --frame 1 -o a.png", "no flight");
+  expectRefused("render photon-torpedo --frames 0:3 -o a.png", "%04d");
+  expectRefused("render photon-torpedo --frames 3:0 -o %d.png", "--frames");
+}
+
 TEST_F(Program, RenderSet_DrawsTheChangedScene) {
   EXPECT_EQ(run("render signed-distance -o start.png --size 160x100").status, 0);
   EXPECT_EQ(run("render signed-distance -o again.png --size 160x100").status, 0);

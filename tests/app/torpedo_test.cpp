@@ -16,13 +16,17 @@
 #include <QApplication>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTimer>
+
+#include <set>
 
 namespace halfspace {
 namespace {
 
 constexpr int stepWithTable = 2;
+constexpr int stepWithLoop = 4;
 constexpr int patience = 10000; // milliseconds
 
 /// The rows of the table by their fragments' numbers.
@@ -156,16 +160,28 @@ private slots:
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
   }
 
+  void axis_scrubbedBehindTheHit_leavesTheTorpedoAtIt_whileTheExplosionGrows() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
+    QVERIFY(hit);
+    const double t = toDouble(hit->at->t);
+    emit bar.scrubBegun();
+    emit bar.scrubbed(t - 0.125);
+    QVERIFY(bar.state().t < t);
+    emit bar.scrubbed(t + 0.25);
+    QCOMPARE(bar.state().t, t);
+    QVERIFY(toDouble(m_fixture->value("frame").x) > 50 * t);
+    emit bar.scrubEnded(true);
+  }
+
   void axis_scrubbedOntoTheHit_explodesThereWithAShortFrame() {
     m_fixture->answer(2);
     UfoObject saucer = objectAs<UfoObject>(*findObject(m_fixture->model().session().scene, "U")).value();
     saucer.barrel = {4, 2, -5}; // its λ is in no hundredth of a frame
     m_fixture->model().edit(ChangeObject{"U", saucer}, "test");
-    const Crossings crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
-    const auto hit = std::find_if(crossings.all.begin(), crossings.all.end(), [&](const Crossing &crossing) {
-      return crossing.number == crossings.nearest;
-    });
-    QVERIFY(hit != crossings.all.end());
+    const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
+    QVERIFY(hit);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
     emit bar.scrubBegun();
     emit bar.scrubbed(toDouble(hit->at->t));
@@ -214,6 +230,7 @@ private slots:
   void automaticFire_withTheSameSeed_firesTheSameShots() {
     m_fixture->answer(2);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    std::set<std::string> hit; // the objects
     const auto directions = [&] {
       emit bar.automaticToggled(true);
       emit bar.playToggled(false);
@@ -226,6 +243,9 @@ private slots:
         all.push_back(
             objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)
                 ->direction);
+        const Crossing *nearest =
+            nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
+        hit.insert(nearest ? nearest->name.substr(0, nearest->name.find(' ')) : "nothing");
       }
       emit bar.automaticToggled(false);
       return all;
@@ -235,6 +255,86 @@ private slots:
     QVERIFY(first[0] != first[1] || first[1] != first[2]);
     for (const ExactVec3 &direction : first)
       QVERIFY(direction.z < 0);
+    QCOMPARE(hit, (std::set<std::string>{"barn", "field", "roof"})); // as the first seed is meant to
+  }
+
+  void automaticFire_withAnotherSeed_beginsAnewWithIt_andRemembersIt() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    emit bar.automaticToggled(true);
+    QVERIFY(bar.seed().isVisible());
+    QCOMPARE(m_fixture->value("seed").x, Rational(bar.seed().value()));
+    QTRY_VERIFY_WITH_TIMEOUT(m_fixture->value("frame").x > 5, patience);
+    bar.seed().setValue(42);
+    QCOMPARE(m_fixture->value("seed").x, Rational(42));
+    QVERIFY(m_fixture->value("frame").x <= 5);
+    QVERIFY(bar.state().isPlaying);
+    emit bar.automaticToggled(false);
+    QCOMPARE(m_fixture->value("seed").x, Rational(0));
+    QVERIFY(!bar.seed().isVisible());
+    emit bar.automaticToggled(true);
+    QCOMPARE(m_fixture->value("seed").x, Rational(42));
+  }
+
+  void flight_withoutMotion_isAFewStepsThatTellTheSame() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    m_fixture->window.findChild<QAction *>("motion")->setChecked(false);
+    QVERIFY(!bar.button(FlightControl::Play).isEnabled());
+    emit bar.stepped(1);
+    QCOMPARE(m_fixture->value("frame").x, Rational(10));
+    std::set<std::string> frames;
+    const auto connection = QObject::connect(&m_fixture->model(), &SessionModel::outcomeChanged,
+                                             [&] { frames.insert(toText(m_fixture->value("frame").x)); });
+    emit bar.fire();
+    QTRY_COMPARE_WITH_TIMEOUT(m_fixture->model().evaluation().find("flight")->outcome->told->name,
+                              std::string("exploded"), patience);
+    emit bar.playToggled(false);
+    QObject::disconnect(connection);
+    QVERIFY(frames.size() <= 8);
+    for (const std::string &frame : frames)
+      QCOMPARE(Rational(std::stoi(frame) % 10), Rational(0));
+  }
+
+  void table_keyDown_asksOneFragmentAfterTheOther_upToTheLast() {
+    m_fixture->model().setStep(stepWithLoop);
+    QCoreApplication::processEvents();
+    auto &table = *m_fixture->window.findChild<FragmentTable *>();
+    table.setFocus();
+    QTest::mouseClick(&table, Qt::LeftButton, {}, table.rowRect(0).center());
+    const std::size_t count = m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments;
+    QVERIFY(count > FragmentTable::mostRows);
+    for (std::size_t number = 1; number < count; ++number) {
+      QCOMPARE(m_fixture->value("i").x, Rational(static_cast<int>(number)));
+      QTest::keyClick(&table, Qt::Key_Down);
+    }
+    QCOMPARE(m_fixture->value("i").x, Rational(static_cast<int>(count)));
+  }
+
+  void meshFile_dropped_isOpened_severalFilesAreNot() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("corner.obj");
+    QFile text(file);
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write("v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n");
+    text.close();
+    m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
+    const auto drop = [&](const QList<QUrl> &urls) {
+      QMimeData data;
+      data.setUrls(urls);
+      QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+      enter.ignore();
+      QCoreApplication::sendEvent(&m_fixture->window, &enter);
+      QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+      event.ignore();
+      QCoreApplication::sendEvent(&m_fixture->window, &event);
+      return enter.isAccepted() && event.isAccepted();
+    };
+    const QUrl url = QUrl::fromLocalFile(file);
+    QVERIFY(!drop({url, url}));
+    QVERIFY(!drop({QUrl("https://example.org/corner.obj")}));
+    QVERIFY(drop({url}));
+    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
   }
 
   void meshFile_opened_isATargetThatTheNearestHitLooksAt() {
@@ -280,6 +380,7 @@ private slots:
     closer.start(20);
     m_fixture->window.openMesh(file);
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
+    QVERIFY(failed.at(0).at(0).toString().startsWith("broken.stl: "));
     QVERIFY(m_fixture->model().session().scene == before);
   }
 

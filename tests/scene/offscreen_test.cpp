@@ -1,3 +1,4 @@
+#include "geometry/triangle_mesh.h"
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
 
@@ -46,6 +47,39 @@ TEST(OffscreenPicture, IsTheSameWhenDrawnAgain) {
   const auto second = drawOffscreen(request, noLabels);
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->rgba, second->rgba);
+}
+
+/// A rectangle, 4 long and 1 wide, in the plane z = 0 of its own space.
+MeshMark rectangleAt(const Place &place, const glm::dmat3 &axes) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->corners = {{0, -0.5, 0}, {4, -0.5, 0}, {4, 0.5, 0}, {0, 0.5, 0}};
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  MeshMark mark;
+  mark.id = "target";
+  mark.box = {{0, -0.5, 0}, {4, 0.5, 0}};
+  mark.mesh = std::move(mesh);
+  mark.place = place;
+  mark.axes = axes;
+  return mark;
+}
+
+TEST(OffscreenPicture, AMeshIsDrawnWhereItIsPlaced_AndTurned) {
+  const PictureRequest empty = requestFor({});
+  const auto background = drawOffscreen(empty, noLabels);
+  ASSERT_TRUE(background);
+  const glm::dmat3 quarterTurn{Place(0, 1, 0), Place(-1, 0, 0), Place(0, 0, 1)};
+  const auto covers = [&](const MeshMark &mesh, const Place &place) {
+    const auto picture = drawOffscreen(requestFor({{mesh}}), noLabels);
+    EXPECT_TRUE(picture);
+    const glm::dvec3 pixel = *empty.camera.project(place, empty.size);
+    return pixelAt(*picture, pixel).red < pixelAt(*background, pixel).red - 8;
+  };
+  const MeshMark along = rectangleAt({6, 8, 4}, glm::dmat3(1));
+  EXPECT_TRUE(covers(along, {9, 8, 4}));
+  EXPECT_FALSE(covers(along, {6, 11, 4}));
+  const MeshMark turned = rectangleAt({6, 8, 4}, quarterTurn);
+  EXPECT_FALSE(covers(turned, {9, 8, 4}));
+  EXPECT_TRUE(covers(turned, {6, 11, 4}));
 }
 
 TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {

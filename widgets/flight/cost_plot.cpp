@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace halfspace {
@@ -102,8 +103,8 @@ QToolButton *CostPlot::quantityButton(CostQuantity quantity, const QString &word
 }
 
 void CostPlot::setAim(std::optional<Aim> aim) {
-  m_aim = std::move(aim);
-  m_measure->setEnabled(isMeasuring() || m_aim);
+  if (std::exchange(m_aim, std::move(aim)) != m_aim)
+    showState();
 }
 
 void CostPlot::setMost(std::size_t triangles) {
@@ -123,6 +124,8 @@ void CostPlot::start() {
     return;
   m_points.clear();
   m_inScene.reset();
+  m_measuredAim = m_aim;
+  m_lacksMemory = false;
   m_jobs.push_back(std::make_unique<Job>());
   m_current = m_jobs.back().get();
   m_current->thread.reset(QThread::create(
@@ -144,9 +147,14 @@ void CostPlot::run(Job &job, const Aim &aim, std::size_t most) {
     QMetaObject::invokeMethod(
         this, [this, &job, point] { add(job, point); }, Qt::QueuedConnection);
   };
-  measureCost(aim, job.cancelled, tell, most);
+  bool lacksMemory = false;
+  try {
+    measureCost(aim, job.cancelled, tell, most);
+  } catch (const std::bad_alloc &) {
+    lacksMemory = true;
+  }
   QMetaObject::invokeMethod(
-      this, [this, &job] { end(job); }, Qt::QueuedConnection);
+      this, [this, &job, lacksMemory] { end(job, lacksMemory); }, Qt::QueuedConnection);
 }
 
 void CostPlot::add(const Job &job, const CostPoint &point) {
@@ -160,13 +168,14 @@ void CostPlot::add(const Job &job, const CostPoint &point) {
   emit measured();
 }
 
-void CostPlot::end(const Job &job) {
+void CostPlot::end(const Job &job, bool lacksMemory) {
   const bool isCurrent = &job == m_current;
   job.thread->wait();
   std::erase_if(m_jobs, [&](const auto &one) { return one.get() == &job; });
   if (!isCurrent)
     return;
   m_current = nullptr;
+  m_lacksMemory = lacksMemory;
   showState();
   emit ended();
 }
@@ -177,6 +186,10 @@ QString CostPlot::sentence() const {
     sentences << tr("The scene, %1").arg(costWords(*m_inScene));
   if (!m_points.empty())
     sentences << tr("A field, %1").arg(costWords(m_points.back()));
+  if (m_lacksMemory)
+    sentences << tr("There is not enough memory for more triangles.");
+  if (!sentences.isEmpty() && m_aim != m_measuredAim)
+    sentences << tr("This was measured with an earlier shot.");
   if (!sentences.isEmpty())
     return sentences.join("\n");
   return isMeasuring()

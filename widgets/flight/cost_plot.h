@@ -47,12 +47,14 @@ private:
   void stop();
   void run(Job &job, const Aim &aim, std::size_t most);
   void add(const Job &job, const CostPoint &point);
-  void end(const Job &job);
+  void end(const Job &job, bool lacksMemory);
   [[nodiscard]] QToolButton *quantityButton(CostQuantity quantity, const QString &words,
                                             const QString &explanation);
   void showState();
 
   std::optional<Aim> m_aim;
+  std::optional<Aim> m_measuredAim; ///< of the points
+  bool m_lacksMemory = false;       ///< for the points that are missing
   std::size_t m_most = mostMeasured;
   std::vector<CostPoint> m_points;
   std::optional<CostPoint> m_inScene;

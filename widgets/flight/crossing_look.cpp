@@ -39,6 +39,14 @@ Standing standingOf(RayTriangleCase which) {
   return Standing::NoTriangle;
 }
 
+Standing standingAmongAll(const Crossing &crossing, const Crossings &crossings) {
+  if (crossing.number == crossings.nearest)
+    return Standing::First;
+  const Crossing *nearest = nearestOf(crossings);
+  const bool isTied = nearest && crossing.which == RayTriangleCase::Hit && crossing.at->t == nearest->at->t;
+  return isTied ? Standing::FirstToo : standingOf(crossing.which);
+}
+
 } // namespace
 
 bool areBeingAsked(const Crossings &crossings) {
@@ -47,7 +55,7 @@ bool areBeingAsked(const Crossings &crossings) {
 
 Standing standingOf(const Crossing &crossing, const Crossings &crossings) {
   if (!areBeingAsked(crossings))
-    return crossing.number == crossings.nearest ? Standing::First : standingOf(crossing.which);
+    return standingAmongAll(crossing, crossings);
   if (crossing.number > crossings.chosen)
     return Standing::NotAsked;
   return crossing.number == crossings.nearestSoFar ? Standing::FirstSoFar : standingOf(crossing.which);
@@ -59,6 +67,8 @@ QString wordsOf(Standing standing) {
   switch (standing) {
   case Standing::First:
     return translated(QT_TRANSLATE_NOOP("CrossingLook", "hit first"));
+  case Standing::FirstToo:
+    return translated(QT_TRANSLATE_NOOP("CrossingLook", "hit first, too"));
   case Standing::FirstSoFar:
     return translated(QT_TRANSLATE_NOOP("CrossingLook", "nearest so far"));
   case Standing::Hit:
@@ -101,7 +111,7 @@ QString sentenceOf(const Crossing &crossing, Standing standing) {
 Color inkOf(Standing standing, bool isBehindStart, const Theme &theme) {
   if (isNearest(standing))
     return theme.inkOf(Subject::Ray);
-  if (standing == Standing::Hit)
+  if (isHit(standing))
     return theme.ink;
   return isBehindStart ? mix(theme.panel, theme.mutedInk, ghostStrength) : theme.mutedInk;
 }
@@ -117,7 +127,7 @@ void paintMark(QPainter &painter, QPointF center, double radius, Standing standi
     const double reach = diamondRadius * radius;
     painter.drawPolygon(QPolygonF({center - QPointF(0, reach), center + QPointF(reach, 0),
                                    center + QPointF(0, reach), center - QPointF(reach, 0)}));
-  } else if (isNearest(standing) || standing == Standing::Hit) {
+  } else if (isHit(standing)) {
     const double reach = ringRadius * radius - strokeWidth * radius / 2;
     if (isNearest(standing))
       painter.drawEllipse(center, reach, reach);

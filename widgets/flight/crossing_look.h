@@ -16,6 +16,7 @@ namespace halfspace {
 
 enum class Standing : std::uint8_t {
   First,
+  FirstToo,   ///< at the same λ as the first
   FirstSoFar, ///< of those that have been asked
   Hit,
   Outside,
@@ -36,6 +37,11 @@ enum class Standing : std::uint8_t {
 /// Of all, or of those that have been asked.
 [[nodiscard]] inline bool isNearest(Standing standing) {
   return standing == Standing::First || standing == Standing::FirstSoFar;
+}
+
+/// In the triangle and ahead, the nearest or not.
+[[nodiscard]] inline bool isHit(Standing standing) {
+  return isNearest(standing) || standing == Standing::FirstToo || standing == Standing::Hit;
 }
 
 /// Whether it crosses before the ray's start.

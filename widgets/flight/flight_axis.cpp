@@ -70,7 +70,7 @@ AxisTicks readableTicks(const AxisScale &scale, const QFontMetricsF &metrics, do
 
 } // namespace
 
-bool FlightAxis::Pin::isHit() const {
+bool FlightAxis::Pin::isInTriangle() const {
   return standing != Standing::Outside && standing != Standing::NotAsked;
 }
 
@@ -92,7 +92,7 @@ void FlightAxis::setCrossings(const Crossings &crossings) {
       m_pins.push_back({crossing, standing, toDouble(crossing.at->t)});
   // Of those at the same place a hit stands lowest.
   std::stable_sort(m_pins.begin(), m_pins.end(), [](const Pin &a, const Pin &b) {
-    return a.t != b.t ? a.t < b.t : a.isHit() && !b.isHit();
+    return a.t != b.t ? a.t < b.t : a.isInTriangle() && !b.isInTriangle();
   });
   settleRange();
   update();
@@ -133,7 +133,7 @@ void FlightAxis::settleRange() {
   if (!m_held && !m_grab) {
     std::vector<double> hits;
     for (const Pin &pin : m_pins)
-      if (!m_hidden && pin.isHit() && std::isfinite(pin.t))
+      if (!m_hidden && pin.isInTriangle() && std::isfinite(pin.t))
         hits.push_back(pin.t);
     m_range = rangeFor(hits, m_hidden ? 0 : m_t);
   }
@@ -210,7 +210,7 @@ void FlightAxis::paintEvent(QPaintEvent *) {
     // What matters most comes last: it is never covered.
     for (const bool hits : {false, true})
       for (auto pin = m_pins.rbegin(); pin != m_pins.rend(); ++pin)
-        if (m_range.contains(pin->t) && pin->isHit() == hits)
+        if (m_range.contains(pin->t) && pin->isInTriangle() == hits)
           paintPin(painter, *pin);
     for (const End end : {End::Low, End::High})
       paintEnd(painter, end);
@@ -277,7 +277,7 @@ void FlightAxis::paintTicks(QPainter &painter) const {
 void FlightAxis::paintPin(QPainter &painter, const Pin &pin) const {
   const QPointF place = placeOf(pin);
   const Color ink = inkOf(pin.standing, pin.t < 0, m_theme);
-  painter.setPen(QPen(toQColor(mix(m_theme.panel, ink, pin.isHit() ? 1 : stemStrength)), unit()));
+  painter.setPen(QPen(toQColor(mix(m_theme.panel, ink, pin.isInTriangle() ? 1 : stemStrength)), unit()));
   painter.drawLine(place + QPointF(0, markRadius * unit()), QPointF(place.x(), lineY()));
   const bool isChosen = pin.crossing.number == m_chosen;
   if (isChosen || pin.crossing.number == m_hovered) {
@@ -306,7 +306,8 @@ void FlightAxis::paintEnd(QPainter &painter, End end) const {
   const std::vector<const Pin *> clipped = clippedAt(end);
   if (clipped.empty())
     return;
-  const auto hit = std::find_if(clipped.begin(), clipped.end(), [](const Pin *pin) { return pin->isHit(); });
+  const auto hit =
+      std::find_if(clipped.begin(), clipped.end(), [](const Pin *pin) { return pin->isInTriangle(); });
   const Pin &shown = hit == clipped.end() ? *clipped.front() : **hit;
   const double reach = markRadius * unit();
   const double forward = end == End::Low ? -reach : reach;

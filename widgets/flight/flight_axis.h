@@ -70,7 +70,7 @@ private:
     Standing standing = Standing::Outside;
     double t = 0;
     int level = 0; ///< pins that would cover each other stand on top of each other
-    [[nodiscard]] bool isHit() const;
+    [[nodiscard]] bool isInTriangle() const;
   };
   struct Grab {
     QPoint pressedAt;

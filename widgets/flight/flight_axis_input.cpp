@@ -53,7 +53,8 @@ std::vector<const FlightAxis::Pin *> FlightAxis::pinsAt(QPointF place) const {
     return std::hypot(way.x(), way.y());
   };
   std::stable_sort(found.begin(), found.end(), [&](const Pin *a, const Pin *b) {
-    return a->isHit() != b->isHit() && placeOf(*a) == placeOf(*b) ? a->isHit() : distance(a) < distance(b);
+    return a->isInTriangle() != b->isInTriangle() && placeOf(*a) == placeOf(*b) ? a->isInTriangle()
+                                                                                : distance(a) < distance(b);
   });
   return found;
 }
@@ -165,7 +166,7 @@ double FlightAxis::snapped(double t, double x) const {
   };
   consider(0);
   for (const Pin &pin : m_pins)
-    if (pin.isHit())
+    if (pin.isInTriangle())
       consider(pin.t);
   return nearest;
 }

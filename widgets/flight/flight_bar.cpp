@@ -8,8 +8,11 @@
 #include <QActionGroup>
 #include <QEvent>
 #include <QMenu>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include <array>
 #include <cmath>
@@ -17,16 +20,29 @@
 namespace halfspace {
 namespace {
 
-constexpr std::array<double, 3> speeds{0.5, 1, 2};
+constexpr std::array<double, 4> speeds{0.25, 0.5, 1, 2};
 /// The readout is rounded to such steps.
 const Rational readoutStep(1, 100);
 /// Beyond it the readout has as many digits as other numbers have.
 constexpr double largestReadout = 1000;
 constexpr int usualGap = 4;
+constexpr int largestSeed = 999;
 
 QString nameOfSpeed(double speed) {
-  return speed == 0.5 ? QStringLiteral("½×") : QString::number(speed) + QStringLiteral("×");
+  const QString number = speed == 0.25  ? QStringLiteral("¼")
+                         : speed == 0.5 ? QStringLiteral("½")
+                                        : QString::number(speed);
+  return number + QStringLiteral("×");
 }
+
+/// The wheel above it turns the page.
+class SeedField : public QSpinBox {
+public:
+  using QSpinBox::QSpinBox;
+
+protected:
+  void wheelEvent(QWheelEvent *event) override { event->ignore(); }
+};
 
 /// The present t to two places; = only where it has no more.
 WrittenNumber shown(double t) {
@@ -51,8 +67,10 @@ FlightBar::FlightBar(const Typesetter &typesetter, QWidget *parent)
   auto *controls = new FlowLayout;
   layout->addLayout(controls);
   makeButtons();
+  makeSeed();
   for (QToolButton *button : m_buttons)
     controls->addWidget(button);
+  controls->addWidget(m_seed);
   controls->addWidget(m_readout);
   layout->addWidget(m_axis);
   connectAxis();
@@ -103,6 +121,20 @@ void FlightBar::makeSpeeds() {
   speed.setPopupMode(QToolButton::InstantPopup);
   speed.setToolButtonStyle(Qt::ToolButtonTextOnly);
   speed.setStyleSheet("QToolButton { padding-right: 1em; }"); // for the menu's arrow
+}
+
+void FlightBar::makeSeed() {
+  m_seed = new SeedField;
+  m_seed->setObjectName("seed");
+  m_seed->setRange(1, largestSeed);
+  m_seed->setPrefix(tr("seed "));
+  m_seed->setKeyboardTracking(false);
+  m_seed->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  m_seed->setAccessibleName(tr("Seed"));
+  m_seed->setToolTip(tr("The same seed fires the same shots"));
+  m_seed->setFocusPolicy(Qt::StrongFocus);
+  connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &FlightBar::seedChanged);
+  connect(m_seed, &QSpinBox::editingFinished, m_seed, &QWidget::clearFocus); // keys fire again
 }
 
 void FlightBar::connectAxis() {
@@ -166,6 +198,12 @@ void FlightBar::showControls() {
   button(FlightControl::StepForward).setEnabled(canMove);
   button(FlightControl::Play).setEnabled(canMove && !m_state.reducedMotion);
   button(FlightControl::Automatic).setChecked(m_state.isAutomatic);
+  {
+    const QSignalBlocker told(m_seed); // it asks for nothing
+    m_seed->setValue(m_state.seed);
+  }
+  m_seed->setVisible(m_state.isAutomatic);
+  m_seed->setEnabled(canMove);
   button(FlightControl::Speed).setEnabled(!m_state.reducedMotion);
   button(FlightControl::Speed).setText(nameOfSpeed(m_state.speed));
   for (int i = 0; i < m_speeds.size(); ++i)

@@ -10,9 +10,13 @@
 #include <cstdint>
 
 class QAction;
+class QSpinBox;
 class QToolButton;
 
 namespace halfspace {
+
+/// The shots of this seed hit a wall of the lesson's barn, its roof and the field.
+inline constexpr int firstSeed = 166;
 
 /// What the bar shows.
 struct FlightState {
@@ -21,6 +25,7 @@ struct FlightState {
   double speed = 1;
   bool canFire = true;
   bool isAutomatic = false;
+  int seed = firstSeed;       ///< of chance, when it fires by itself
   bool reducedMotion = false; ///< nothing flies: there is nothing to play, and no speed
   bool hidden = false;        ///< a question is open
   bool operator==(const FlightState &) const = default;
@@ -47,6 +52,8 @@ public:
   [[nodiscard]] const FlightState &state() const { return m_state; }
   [[nodiscard]] FlightAxis &axis() const { return *m_axis; }
   [[nodiscard]] QToolButton &button(FlightControl control) const;
+  /// Where the seed is typed; it is there while it fires by itself.
+  [[nodiscard]] QSpinBox &seed() const { return *m_seed; }
   /// The present t, as it is read: t ≈ 0.33.
   [[nodiscard]] QString readout() const;
 
@@ -55,6 +62,7 @@ signals:
   void playToggled(bool play);
   void stepped(int direction); ///< −1 or 1
   void automaticToggled(bool on);
+  void seedChanged(int seed);
   void speedChanged(double speed);
   void scrubBegun();
   void scrubbed(double t);
@@ -68,6 +76,7 @@ protected:
 private:
   void makeButtons();
   void makeSpeeds();
+  void makeSeed();
   void connectAxis();
   void showControls();
   void showTime();
@@ -77,6 +86,7 @@ private:
   const Typesetter &m_typesetter;
   QList<QToolButton *> m_buttons; ///< by FlightControl
   QList<QAction *> m_speeds;
+  QSpinBox *m_seed = nullptr;
   QIcon m_play;
   QIcon m_pause;
   MathLabel *m_readout;

@@ -17,8 +17,6 @@ const Rational frameStep(1, 100);
 /// A flight goes on for so many frames behind the hit, and for so many where nothing is hit.
 constexpr int framesBehindHit = 50;
 constexpr int framesWithoutHit = 100;
-/// What chance begins with.
-const Rational firstSeed = 7;
 
 /// After so many frames a torpedo has come to t, or a little farther.
 Rational framesUntil(const Rational &t) { return roundUpToMultiple(t * framesPerLambda, frameStep); }
@@ -41,6 +39,7 @@ void FlightPlayer::serve(FlightBar &bar) {
   connect(&bar, &FlightBar::playToggled, this, &FlightPlayer::play);
   connect(&bar, &FlightBar::stepped, this, &FlightPlayer::step);
   connect(&bar, &FlightBar::automaticToggled, this, &FlightPlayer::setAutomatic);
+  connect(&bar, &FlightBar::seedChanged, this, &FlightPlayer::setSeed);
   connect(&bar, &FlightBar::speedChanged, this, &FlightPlayer::setSpeed);
   connect(&bar, &FlightBar::scrubBegun, this, &FlightPlayer::beginScrub);
   connect(&bar, &FlightBar::scrubbed, this, &FlightPlayer::scrub);
@@ -75,22 +74,29 @@ FlightState FlightPlayer::state() const {
   state.speed = m_speed;
   state.reducedMotion = m_reducedMotion;
   if (now) {
-    const Rational &frame = now->frame.value;
-    state.isAutomatic = now->seed.value != 0;
-    state.t = toDouble(parameterAt(frame, shotAt(frame, now->seed.value, ExactVec3(0))));
+    const Rational &seed = now->seed.value;
+    state.isAutomatic = seed != 0;
+    state.seed = seed != 0 ? static_cast<int>(toDouble(seed)) : m_seed;
+    state.t = toDouble(flownTo(*now));
   }
   return state;
+}
+
+/// The parameter to which the torpedo has come: behind what it hits it flies no more.
+Rational FlightPlayer::flownTo(const Flight &flight) const {
+  const Rational &frame = flight.frame.value;
+  const Rational elapsed = parameterAt(frame, shotAt(frame, flight.seed.value, ExactVec3(0)));
+  const Crossing *hit = nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
+  return hit ? std::min(elapsed, hit->at->t) : elapsed;
 }
 
 /// Fired by itself it goes on; by hand until the explosion is over.
 Rational FlightPlayer::lastFrame(const Flight &flight) const {
   if (flight.seed.value != 0)
     return flight.frame.to;
-  const Crossings &hits = crossingsOf(m_model.evaluation(), flight.names.hits);
-  Rational last = framesWithoutHit;
-  for (const Crossing &crossing : hits.all)
-    if (crossing.number == hits.nearest && crossing.at)
-      last = framesUntil(crossing.at->t) + framesBehindHit;
+  const Crossing *hit = nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
+  const Rational last =
+      hit ? Rational(framesUntil(hit->at->t) + framesBehindHit) : Rational(framesWithoutHit);
   return std::min(last, flight.frame.to);
 }
 
@@ -173,13 +179,19 @@ void FlightPlayer::setAutomatic(bool on) {
   if (!now)
     return;
   NumberObject seed = now->seed;
-  seed.value = on ? firstSeed : Rational(0);
+  seed.value = on ? m_seed : 0;
   m_model.beginGesture(on ? tr("Fire by itself") : tr("Fire by hand"));
   m_model.moveGesture(ChangeObject{now->names.seed, seed});
   if (on)
     return goOnFrom(*now, 0);
   m_model.moveGesture(toFrame(*now, 0));
   m_model.endGesture();
+}
+
+void FlightPlayer::setSeed(int seed) {
+  m_seed = seed;
+  if (state().isAutomatic)
+    setAutomatic(true); // from its first shot on
 }
 
 void FlightPlayer::setSpeed(double speed) {

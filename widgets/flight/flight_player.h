@@ -33,6 +33,8 @@ public:
   /// On by a frame, or back; without motion by more.
   void step(int direction);
   void setAutomatic(bool on);
+  /// What chance begins with when it fires by itself; if it does, it begins anew.
+  void setSeed(int seed);
   void setSpeed(double speed);
 
 signals:
@@ -46,6 +48,7 @@ private:
     NumberObject seed;
   };
   [[nodiscard]] std::optional<Flight> flight() const;
+  [[nodiscard]] Rational flownTo(const Flight &flight) const;
   [[nodiscard]] Rational lastFrame(const Flight &flight) const;
   [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
   void beginScrub();
@@ -62,6 +65,7 @@ private:
   QElapsedTimer m_clock; ///< since the flight went on
   Rational m_from;       ///< the frame from which it went on
   double m_speed = 1;
+  int m_seed = firstSeed; ///< while it fires by hand: of the next time that it fires by itself
   bool m_reducedMotion = false;
   bool m_isPlaying = false;
   bool m_isScrubbing = false; ///< its gesture is that of the hand on the axis

@@ -12,7 +12,7 @@ Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
   const bool isNext = row.standing == Standing::NotAsked && row.crossing.number == crossings.chosen + 1;
   if (row.crossing.number == crossings.chosen || isNearest(row.standing) || isNext)
     return Rank::Needed;
-  if (row.standing == Standing::Hit)
+  if (isHit(row.standing))
     return Rank::Hit;
   if (row.standing == Standing::NotAsked)
     return Rank::NotAsked;

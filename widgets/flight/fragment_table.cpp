@@ -32,10 +32,10 @@ constexpr double cornerRadius = 4;
 
 constexpr std::array<Subject, 3> headSubjects{Subject::Ray, Subject::EdgeU, Subject::EdgeV};
 
-constexpr std::array<Standing, 10> allStandings{
-    Standing::First,       Standing::FirstSoFar, Standing::Hit,     Standing::Outside,
-    Standing::Behind,      Standing::Parallel,   Standing::InPlane, Standing::NoTriangle,
-    Standing::NoDirection, Standing::NotAsked};
+constexpr std::array<Standing, 11> allStandings{
+    Standing::First,      Standing::FirstToo,    Standing::FirstSoFar, Standing::Hit,
+    Standing::Outside,    Standing::Behind,      Standing::Parallel,   Standing::InPlane,
+    Standing::NoTriangle, Standing::NoDirection, Standing::NotAsked};
 
 int verdictFlags(const FragmentColumns &columns) {
   return int(Qt::AlignVCenter) | int(columns.isStacked ? Qt::AlignRight : Qt::AlignLeft);

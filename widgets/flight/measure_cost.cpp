@@ -122,6 +122,10 @@ CostPoint measured(const Ray<Rational> &shot, const TriangleMesh &target,
 
 } // namespace
 
+bool Aim::operator==(const Aim &other) const {
+  return ray.origin == other.ray.origin && ray.direction == other.ray.direction && meshes == other.meshes;
+}
+
 TriangleMesh bumpyField(std::size_t triangles) {
   const Grid grid(triangles);
   TriangleMesh mesh;

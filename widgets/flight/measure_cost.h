@@ -15,6 +15,7 @@ namespace halfspace {
 struct Aim {
   Ray<Rational> ray;
   std::vector<MeshObject> meshes;
+  [[nodiscard]] bool operator==(const Aim &other) const;
 };
 
 /// What the same shot costs among so many triangles: asked one after the other, and by a tree of boxes.

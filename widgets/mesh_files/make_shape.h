@@ -11,9 +11,10 @@
 
 namespace halfspace {
 
-/// The longest side of a mesh's box, in the file's units.
+/// The longest side of a mesh's box, in the file's units: no scale that a scene may have would make others as
+/// large as a barn.
 inline constexpr double longestMeshSide = 5e8;
-inline constexpr double shortestMeshSide = 1e-27;
+inline constexpr double shortestMeshSide = 1e-8;
 /// Coordinates are rounded to multiples of the power of two that the longest side does not exceed, divided by
 /// 2 to this power.
 inline constexpr int meshGridBits = 20;
@@ -29,11 +30,10 @@ struct LoadedMesh {
 };
 
 /// Moves the corners so that the middle of their box is at 0 in x and y and its lowest z is 0, rounds them to
-/// a grid as fine as a millionth of the longest side, so that fractions stay short, makes one corner of equal
-/// ones, leaves triangles out as `LoadedMesh` says, and makes the search for hits. A problem where nothing is
-/// left, or where the box is too long or too short.
-/// (1) Every corner of the shape is one that `readShape` takes.
-/// (2) No two triangles of the shape have the same corners, and each has an area.
+/// a grid of about a millionth of the longest side (`meshGridBits`), so that fractions stay short, makes one
+/// corner of equal ones, leaves triangles out as `LoadedMesh` says, and makes the search for hits. A problem
+/// where nothing is left, or where the box is too long or too short. (1) Every corner of the shape is one
+/// that `readShape` takes. (2) No two triangles of the shape have the same corners, and each has an area.
 /// Takes time and memory about as the number of triangles, wherever they lie. For a thread of its own: once
 /// `cancelled`, it ends soon with a problem that is for nobody, but not before a search that is being made.
 [[nodiscard]] Result<LoadedMesh> makeShape(RawMesh raw, std::string name, const std::atomic<bool> &cancelled,

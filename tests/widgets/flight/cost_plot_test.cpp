@@ -59,6 +59,24 @@ private slots:
     QVERIFY(shown.plot->grab().toImage() != before);
   }
 
+  void aim_turnedAfterItWasMeasured_isTold_untilItIsMeasuredAgain() {
+    const ShownPlot shown;
+    shown.plot->setMost(100);
+    shown.click();
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
+    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+    Aim turned = aim();
+    turned.ray.direction.x = 3;
+    shown.plot->setAim(turned);
+    QVERIFY(shown.plot->sentence().endsWith("\nThis was measured with an earlier shot."));
+    shown.plot->setAim(aim()); // whose mesh is another one
+    QVERIFY(shown.plot->sentence().endsWith("\nThis was measured with an earlier shot."));
+    shown.click();
+    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 1; }, longest));
+    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+  }
+
   void click_onStop_endsIt_andTheNextMeasuringBeginsAnew() {
     const ShownPlot shown;
     shown.plot->setMost(mostMeasured);

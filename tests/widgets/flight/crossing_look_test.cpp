@@ -36,6 +36,17 @@ private slots:
     QCOMPARE(standingOf(crossings.all[5], crossings), Standing::Parallel);
   }
 
+  void standing_ofAHitAsNearAsTheFirst_saysSo_whileALaterOneIsAHit() {
+    Crossings crossings = someCrossings();
+    crossings.all[2].at->t = crossings.all[1].at->t;
+    QCOMPARE(standingOf(crossings.all[1], crossings), Standing::First);
+    QCOMPARE(standingOf(crossings.all[2], crossings), Standing::FirstToo);
+    QCOMPARE(standingOf(crossings.all[3], crossings), Standing::Hit);
+    QCOMPARE(wordsOf(Standing::FirstToo), QString("hit first, too"));
+    crossings.all[2].which = RayTriangleCase::Miss; // in the plane of the first, and beside it
+    QCOMPARE(standingOf(crossings.all[2], crossings), Standing::Outside);
+  }
+
   void standing_whileOneAfterTheOtherIsAsked_ofLaterOnesIsOpen() {
     Crossings crossings = someCrossings();
     crossings.chosen = 2;

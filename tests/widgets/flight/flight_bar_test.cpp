@@ -5,6 +5,7 @@
 
 #include <QMenu>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QtTest>
 
@@ -48,9 +49,26 @@ private slots:
     speed.menu()->actions().last()->trigger();
     QCOMPARE(changed.at(0).at(0).toDouble(), 2.0);
     QCOMPARE(speed.text(), QString("1×"));
-    bar.setState({.speed = 0.5});
-    QCOMPARE(speed.text(), QString("½×"));
+    bar.setState({.speed = 0.25});
+    QCOMPARE(speed.text(), QString("¼×"));
     QVERIFY(speed.menu()->actions().first()->isChecked());
+  }
+
+  void seed_isThereWhileItFiresByItself_andIsAskedForOnceTyped() {
+    FlightBar bar(m_typesetter);
+    bar.show();
+    QVERIFY(!bar.seed().isVisible());
+    QSignalSpy changed(&bar, &FlightBar::seedChanged);
+    bar.setState({.isAutomatic = true, .seed = 12});
+    QVERIFY(bar.seed().isVisible());
+    QCOMPARE(bar.seed().value(), 12);
+    QCOMPARE(changed.size(), 0); // it was told
+    bar.seed().selectAll();
+    QTest::keyClicks(&bar.seed(), "345");
+    QCOMPARE(changed.size(), 0); // not digit by digit
+    QTest::keyClick(&bar.seed(), Qt::Key_Return);
+    QCOMPARE(changed.size(), 1);
+    QCOMPARE(changed.at(0).at(0).toInt(), 345);
   }
 
   void readout_ofARoundedTime_hasNoEquals() {

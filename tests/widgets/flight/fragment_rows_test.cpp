@@ -70,6 +70,34 @@ private slots:
     QVERIFY(!shown.leftOutAreOutside); // one is behind
   }
 
+  void rows_whileAsked_beyondTheRoom_keepTheOneThatIsAskedNext() {
+    Crossings crossings = someCrossings();
+    crossings.all.clear();
+    for (std::size_t i = 1; i <= 40; ++i)
+      crossings.all.push_back(crossingAt(i, RayTriangleCase::Miss, Rational(2)));
+    crossings.all[4].which = RayTriangleCase::Hit;
+    crossings.fragments = 40;
+    crossings.nearest = 5;
+    crossings.nearestSoFar = 5;
+    for (const std::size_t asked : {5U, 20U, 39U}) {
+      crossings.chosen = asked;
+      const Numbers kept = numbersOf(rowsOf(crossings, LiveValues::Shown, 6));
+      QCOMPARE(kept.size(), std::size_t(6));
+      for (const std::size_t needed : {std::size_t(5), asked, asked + 1})
+        QVERIFY(std::find(kept.begin(), kept.end(), needed) != kept.end());
+    }
+  }
+
+  void rows_ofVeryMany_whileHidden_doNotTellTheNearest() {
+    Crossings crossings = someCrossings();
+    crossings.all = {crossings.all[1]};
+    crossings.fragments = 1000;
+    const FragmentRows shown = rowsOf(crossings, LiveValues::Hidden, 24);
+    QVERIFY(shown.rows.empty());
+    QCOMPARE(shown.leftOut, std::size_t(1000));
+    QVERIFY(!shown.leftOutAreOutside);
+  }
+
   void rows_ofVeryMany_countThoseThatAreNotTold() {
     Crossings crossings = someCrossings();
     crossings.all = {crossings.all[1]};

@@ -1,0 +1,115 @@
+// A learner's own mesh, put into a scene that has constructions which look at meshes.
+#include "lessons/scene/target_mesh.h"
+
+#include "lessons/object/mesh.h"
+#include "lessons/object/number.h"
+#include "lessons/scene/scene_checker.h"
+#include "tests/lessons/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace halfspace {
+namespace {
+
+using namespace test;
+using Ids = std::vector<std::string>;
+
+/// One triangle, a right angle with two legs of this length.
+std::shared_ptr<const MeshShape> cornerOf(double length) {
+  const std::vector<Vec3<double>> corners{{0, 0, 0}, {length, 0, 0}, {0, length, 0}};
+  return std::make_shared<const MeshShape>(corners, std::vector<MeshFace>{{0, 1, 2}});
+}
+
+Entry nearest(const std::string &name, const Ids &meshes) {
+  return {name, ConstructionUse{"nearest-hit", {{"L", "L"}, {"i", "i"}, {"meshes", meshes}}}};
+}
+
+/// A ray, so many meshes, and the nearest hit among them.
+Scene sceneWith(std::size_t meshes) {
+  Scene scene{{{"L", RayObject{{0, 0, 9}, {0, 0, -1}}}, {"i", NumberObject{0, 0, 999, 1}}}};
+  Ids names;
+  for (std::size_t i = 0; i < meshes; ++i) {
+    names.push_back("m" + std::to_string(i));
+    scene.entries.push_back({names.back(), MeshObject{{}, {1, 0, 0}, 1, cornerOf(4)}});
+  }
+  scene.entries.push_back(nearest("hit", names));
+  return scene;
+}
+
+Scene withTarget(Scene scene, std::shared_ptr<const MeshShape> shape) {
+  for (const Edit &edit : editsForTarget(scene, std::move(shape))) {
+    auto after = apply(scene, edit);
+    if (!after) {
+      ADD_FAILURE() << after.problem().text();
+      return scene;
+    }
+    scene = *after;
+  }
+  return scene;
+}
+
+MeshObject targetIn(const Scene &scene) {
+  return objectAs<MeshObject>(*findObject(scene, targetName)).value();
+}
+
+Ids meshesOf(const Scene &scene, const std::string &use) {
+  for (const Entry &entry : scene.entries)
+    if (entry.name == use)
+      return std::get<ConstructionUse>(entry.content).roles.at("meshes").ids;
+  return {};
+}
+
+TEST(TargetMesh, StandsBeforeTheConstructions_AndAllThatLookAtMeshesSeeIt) {
+  Scene scene = sceneWith(2);
+  scene.entries.push_back(nearest("again", {"m1"}));
+  const auto shape = cornerOf(4);
+  const Scene after = withTarget(scene, shape);
+  EXPECT_FALSE(checkScene(after));
+  EXPECT_EQ(targetIn(after).shape, shape) << "shared, not copied";
+  EXPECT_EQ(meshesOf(after, "hit"), (Ids{"m0", "m1", targetName}));
+  EXPECT_EQ(meshesOf(after, "again"), (Ids{"m1", targetName}));
+}
+
+TEST(TargetMesh, OfAnySize_IsScaledByARoundNumberToThatOfABarn) {
+  for (const double length : {1e-8, 0.003, 0.7, 1.0, 8.0, 56.0, 40'000.0, 3e8}) {
+    const Rational scale = targetIn(withTarget(sceneWith(1), cornerOf(length))).scale;
+    EXPECT_GE(toDouble(scale) * length, 4) << length;
+    EXPECT_LE(toDouble(scale) * length, 16) << length;
+    Rational leading = scale;
+    while (leading >= 10)
+      leading = leading / 10;
+    while (leading < 1)
+      leading = leading * 10;
+    EXPECT_TRUE(leading == 1 || leading == 2 || leading == 5) << toText(scale);
+  }
+}
+
+TEST(TargetMesh, Another_StandsWhereTheFirstStood_WithAScaleOfItsOwn) {
+  Scene scene = withTarget(sceneWith(1), cornerOf(4));
+  MeshObject moved = targetIn(scene);
+  moved.place = {3, 1, 2};
+  moved.heading = {0, 2, 0};
+  scene = edited(scene, {ChangeObject{targetName, moved}});
+  const Scene after = withTarget(scene, cornerOf(400));
+  EXPECT_EQ(targetIn(after).place, moved.place);
+  EXPECT_EQ(targetIn(after).heading, moved.heading);
+  EXPECT_EQ(targetIn(after).scale * 100, moved.scale);
+  EXPECT_EQ(meshesOf(after, "hit"), (Ids{"m0", targetName})) << "once";
+}
+
+TEST(TargetMesh, WhereAListIsFull_IsThereAndNotLookedAt) {
+  const Scene after = withTarget(sceneWith(maxListedObjects), cornerOf(4));
+  EXPECT_FALSE(checkScene(after));
+  EXPECT_TRUE(findObject(after, targetName));
+  EXPECT_EQ(meshesOf(after, "hit").size(), maxListedObjects);
+}
+
+TEST(TargetMesh, IsTakenOnlyWhereAConstructionLooksAtMeshes) {
+  Scene scene = sceneWith(1);
+  EXPECT_TRUE(takesMeshes(scene));
+  scene.entries.pop_back();
+  EXPECT_FALSE(takesMeshes(scene));
+}
+
+} // namespace
+} // namespace halfspace
