@@ -276,6 +276,15 @@ private slots:
     QCOMPARE(m_fixture->value("seed").x, Rational(42));
   }
 
+  void automaticFire_whereTheStepIsLeft_endsForAStepWithoutControls() {
+    m_fixture->answer(2);
+    emit m_fixture->window.findChild<FlightBar *>()->automaticToggled(true);
+    QVERIFY(m_fixture->value("seed").x != 0);
+    m_fixture->model().setStep(stepWithTable);
+    QTRY_COMPARE_WITH_TIMEOUT(m_fixture->value("seed").x, Rational(0), patience);
+    QCOMPARE(m_fixture->model().evaluation().find("shot")->outcome->told->name, std::string("by-hand"));
+  }
+
   void flight_withoutMotion_isAFewStepsThatTellTheSame() {
     m_fixture->answer(2);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();

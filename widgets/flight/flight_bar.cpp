@@ -65,6 +65,7 @@ FlightBar::FlightBar(const Typesetter &typesetter, QWidget *parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(usualGap);
   auto *controls = new FlowLayout;
+  controls->setSpacing(usualGap);
   layout->addLayout(controls);
   makeButtons();
   makeSeed();
@@ -232,17 +233,20 @@ void FlightBar::showTime() {
     return m_readout->setFormula(formulaOfTime(math::row(math::symbol('?')), '='), readout());
   const WrittenNumber value = shown(m_state.t);
   m_readout->setFormula(formulaOfTime(formulaOf(value.term), value.exact ? U'=' : U'≈'), readout());
+  if (const int needed = m_readout->sizeHint().width(); needed > m_readout->width())
+    m_readout->setFixedWidth(needed);
 }
 
 void FlightBar::setSizes() {
   const int side = fontMetrics().height();
   for (QToolButton *each : m_buttons)
     each->setIconSize({side, side});
-  // As wide as it may become: what stands behind it does not move.
-  MathLabel widest(m_typesetter);
-  widest.setFont(font());
-  widest.setFormula(formulaOfTime(math::row(math::symbol(U'−'), math::number("888.88")), U'≈'), {});
-  m_readout->setFixedSize(widest.sizeHint().width(), button(FlightControl::StepBack).sizeHint().height());
+  m_seed->setMaximumWidth(fontMetrics().horizontalAdvance(m_seed->prefix() + "888") + side / 2);
+  // As wide as it usually becomes: it does not move while the torpedo flies.
+  MathLabel usual(m_typesetter);
+  usual.setFont(font());
+  usual.setFormula(formulaOfTime(math::row(math::number("8.88")), U'≈'), {});
+  m_readout->setFixedSize(usual.sizeHint().width(), button(FlightControl::StepBack).sizeHint().height());
 }
 
 void FlightBar::changeEvent(QEvent *event) {

@@ -32,6 +32,7 @@ FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
       stop();
   });
   connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::stop);
+  connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::leaveAutomatic, Qt::QueuedConnection);
 }
 
 void FlightPlayer::serve(FlightBar &bar) {
@@ -54,16 +55,18 @@ void FlightPlayer::setReducedMotion(bool reduced) {
 
 std::optional<FlightPlayer::Flight> FlightPlayer::flight() const {
   const StepFlight *names = flightOf(m_model.step());
-  if (!names)
-    return {};
+  return names ? flightBy(*names) : std::nullopt;
+}
+
+std::optional<FlightPlayer::Flight> FlightPlayer::flightBy(const StepFlight &names) const {
   const Scene &scene = m_model.session().scene;
-  const Object *frame = findObject(scene, names->frame);
-  const Object *seed = findObject(scene, names->seed);
+  const Object *frame = findObject(scene, names.frame);
+  const Object *seed = findObject(scene, names.seed);
   const auto frameNumber = frame ? objectAs<NumberObject>(*frame) : std::nullopt;
   const auto seedNumber = seed ? objectAs<NumberObject>(*seed) : std::nullopt;
   if (!frameNumber || !seedNumber)
     return {};
-  return Flight{*names, *frameNumber, *seedNumber};
+  return Flight{names, *frameNumber, *seedNumber};
 }
 
 FlightState FlightPlayer::state() const {
@@ -178,13 +181,30 @@ void FlightPlayer::setAutomatic(bool on) {
   const auto now = flight();
   if (!now)
     return;
-  NumberObject seed = now->seed;
-  seed.value = on ? m_seed : 0;
-  m_model.beginGesture(on ? tr("Fire by itself") : tr("Fire by hand"));
-  m_model.moveGesture(ChangeObject{now->names.seed, seed});
+  m_automatic = on ? std::optional(now->names) : std::nullopt;
+  beginWithSeed(*now, on ? m_seed : 0);
   if (on)
     return goOnFrom(*now, 0);
-  m_model.moveGesture(toFrame(*now, 0));
+  m_model.endGesture();
+}
+
+/// Begins a gesture, too.
+void FlightPlayer::beginWithSeed(const Flight &flight, int value) {
+  NumberObject seed = flight.seed;
+  seed.value = value;
+  m_model.beginGesture(value != 0 ? tr("Fire by itself") : tr("Fire by hand"));
+  m_model.moveGesture(ChangeObject{flight.names.seed, seed});
+  m_model.moveGesture(toFrame(flight, 0));
+}
+
+/// A step without the controls has none to end it, and its barrel would aim at nothing.
+void FlightPlayer::leaveAutomatic() {
+  if (!m_automatic || flight())
+    return;
+  const auto left = flightBy(*std::exchange(m_automatic, {}));
+  if (!left || left->seed.value == 0)
+    return;
+  beginWithSeed(*left, 0);
   m_model.endGesture();
 }
 
