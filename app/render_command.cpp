@@ -107,13 +107,18 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
   const auto [first, last] = *command.frames;
-  for (int frame = first; frame <= last; ++frame) {
+  const auto goTo = [number](int frame) {
     (*number)[0].x = frame;
     number->kind().settle(*number);
-    if ((*number)[0].x != frame)
-      return Problem{words("The flight has no frame {frame}: its last one is {last}.",
-                           {{"frame", std::to_string(frame)}, {"last", toText((*number)[0].x)}}),
+    return (*number)[0].x == frame;
+  };
+  for (const int frame : {first, last}) // before any picture is written
+    if (!goTo(frame))
+      return Problem{words("The flight has no frame {frame}: the nearest is {nearest}.",
+                           {{"frame", std::to_string(frame)}, {"nearest", toText((*number)[0].x)}}),
                      "", 0, "--frame"};
+  for (int frame = first; frame <= last; ++frame) {
+    goTo(frame);
     const auto picture = drawPicture(command, opened, setting, typesetter);
     if (!picture)
       return picture.problem();

@@ -82,6 +82,8 @@ void MainWindow::endMeshProgress() {
   if (!m_meshProgress)
     return;
   m_meshProgress->disconnect(&m_meshLoader); // closing it would cancel the next
+  m_meshProgress->reset();                   // or it would be shown after its silence
+  m_meshProgress->hide();
   m_meshProgress->deleteLater();
   m_meshProgress = nullptr;
 }

@@ -314,11 +314,12 @@ private:
   /// The nearest of the node's children that the ray meets is next, the others wait. False where it meets
   /// none.
   [[nodiscard]] bool goInto(const Node &node, Waiting &next) {
-    m_cost.boxes += mostChildren;
     std::array<Lanes, mostChildren / laneCount> entered;
     unsigned met = 0;
     for (unsigned four = 0; four < mostChildren / laneCount; ++four) {
       const auto &[x, y, z] = node.boxes[four];
+      m_cost.boxes +=
+          static_cast<unsigned>(std::popcount(lanesOfLessOrEqual(x[0], x[1]))); // those that are there
       const Way onX = wayBetween(x, m_axes[0]);
       const Way onY = wayBetween(y, m_axes[1]);
       const Way onZ = wayBetween(z, m_axes[2]);
@@ -355,10 +356,11 @@ private:
   }
 
   void ask(const Block &block) {
-    m_cost.triangles += laneCount;
     for (const std::uint32_t index : block.indices)
-      if (index != noTriangle)
+      if (index != noTriangle) {
+        ++m_cost.triangles;
         m_nearest.expect(index);
+      }
     const Lanes certainty = certaintyOfMiss(block);
     for (std::size_t lane = 0; lane < laneCount; ++lane)
       if (!(certainty[lane] > 0) && block.indices[lane] != noTriangle) {

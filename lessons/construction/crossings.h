@@ -27,7 +27,8 @@ struct Crossing {
 
 /// Sorted by t, then by number; those that have no t come last.
 struct Crossings {
-  std::vector<Crossing> all;          ///< where there are very many, the nearest one alone
+  /// Where there are very many, only some, among them the nearest and the chosen one.
+  std::vector<Crossing> all;
   std::size_t fragments = 0;          ///< how many triangles there are
   std::optional<std::size_t> nearest; ///< the number of the one that is hit first
   std::size_t chosen = 0;             ///< the number of the one that is looked at; 0 for none

@@ -14,12 +14,14 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
-/// With more triangles than this the nearest alone is told, as nobody reads a longer list.
+/// Nobody reads a longer list: of meshes with more triangles, what is hit first and what is looked at are
+/// told.
 constexpr std::size_t mostListedFragments = 128;
 /// So many parameters at most are written down in their order.
 constexpr std::size_t mostOrdered = 6;
@@ -40,7 +42,7 @@ struct Meeting {
 
 struct Out : Naming, RayTerms {
   std::size_t fragments = 0;
-  std::vector<Meeting> listed; ///< by number: all, where they are few
+  std::vector<Meeting> listed; ///< by number
   FirstHits first;
   std::optional<Meeting> nearest;
   std::optional<Meeting> chosen;
@@ -68,6 +70,24 @@ std::optional<std::size_t> chosenNumber(const Rational &k, std::size_t count) {
   return static_cast<std::size_t>(toDouble(k));
 }
 
+/// The numbers of those that are listed: all of meshes with few triangles, and what is hit first or looked
+/// at.
+std::set<std::size_t> listedNumbers(const In &in, const Out &at) {
+  std::set<std::size_t> numbers;
+  std::size_t before = 0;
+  for (const auto &mesh : in.meshes) {
+    const std::size_t count = mesh.object.shape->triangleCount();
+    if (numbers.size() + count <= mostListedFragments)
+      for (std::size_t number = before + 1; number <= before + count; ++number)
+        numbers.insert(number);
+    before += count;
+  }
+  for (const auto &needed : {at.nearest, at.chosen})
+    if (needed)
+      numbers.insert(needed->number);
+  return numbers;
+}
+
 Out compute(const In &in) {
   Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, Term(0), Term(0)};
   if (const auto number = chosenNumber(in.i.object.value, out.fragments))
@@ -76,9 +96,8 @@ Out compute(const In &in) {
     out.first = firstHits(in.L.object, in.meshes);
     if (!out.first.fragments.empty())
       out.nearest = meetingWith(in, numberOf(in.meshes, out.first.fragments.front()));
-    if (out.fragments <= mostListedFragments)
-      for (std::size_t number = 1; number <= out.fragments; ++number)
-        out.listed.push_back(meetingWith(in, number));
+    for (const std::size_t number : listedNumbers(in, out))
+      out.listed.push_back(meetingWith(in, number));
   }
   const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
   out.lambda = name(in.own(letter("λ", "H")), out.first.t);
@@ -89,6 +108,7 @@ Out compute(const In &in) {
 }
 
 bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
+bool areAllListed(const Out &at) { return at.listed.size() == at.fragments; }
 
 CaseWords tell(const In &in, const Out &at) {
   if (isDegenerate(in))
@@ -115,14 +135,23 @@ int countOf(const Out &at, RayTriangleCase which) {
   }));
 }
 
-/// The nearest hit among those asked up to the chosen one; null where there is none.
+/// The nearest hit among those asked up to the chosen one; null where there is none, or too many to ask.
 const Meeting *nearestSoFar(const Out &at) {
+  if (!areAllListed(at))
+    return nullptr;
   const Meeting *nearest = nullptr;
   for (const Meeting &meeting : at.listed)
     if (at.chosen && meeting.number <= at.chosen->number && isHit(meeting) &&
         (!nearest || isNearer(meeting, *nearest)))
       nearest = &meeting;
   return nearest;
+}
+
+/// How many are hit at the smallest λ.
+int tieCount(const Out &at) {
+  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [&at](const Meeting &meeting) {
+    return isHit(meeting) && meeting.meet.plane.t == at.first.t;
+  }));
 }
 
 std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
@@ -136,9 +165,11 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
     values.push_back(listed("point", at.H));
     values.push_back({"location", words("place"), std::string(nameOf(at.nearest->meet.location.part))});
   }
-  if (!at.listed.empty()) {
+  if (areAllListed(at)) {
     values.push_back({"hits", words("hits"), countOf(at, RayTriangleCase::Hit)});
     values.push_back({"behind", words("hits behind the start"), countOf(at, RayTriangleCase::Behind)});
+    if (at.nearest)
+      values.push_back({"ties", words("hit at the smallest λ"), tieCount(at)});
     if (const Meeting *soFar = nearestSoFar(at)) {
       values.push_back({"so_far", words("nearest so far"), static_cast<int>(soFar->number)});
       values.push_back(
@@ -218,7 +249,7 @@ Explanation explain(const In &in, const Out &at) {
       });
   if (isDegenerate(in))
     return lines;
-  if (const auto hits = crossed(at); !hits.empty() && hits.size() <= mostOrdered)
+  if (const auto hits = crossed(at); areAllListed(at) && !hits.empty() && hits.size() <= mostOrdered)
     lines.add("order", [&at] { return orderLine(at); });
   if (at.nearest)
     lines.add("hit", [&at] {
@@ -301,8 +332,6 @@ Crossings cross(const In &in, const Out &at) {
   crossings.fragments = at.fragments;
   for (const Meeting &meeting : at.listed)
     crossings.all.push_back(crossingOf(in, at, meeting));
-  if (at.listed.empty() && at.nearest)
-    crossings.all.push_back(crossingOf(in, at, *at.nearest));
   std::stable_sort(crossings.all.begin(), crossings.all.end(), [](const Crossing &a, const Crossing &b) {
     return a.at && b.at ? a.at->t < b.at->t : a.at.has_value() && !b.at;
   });
@@ -324,8 +353,8 @@ ConstructionNames names() {
   return {.cases = {"hit", "miss", "zero-direction"},
           .values = {named::index("fragments"), named::word("first", std::move(firstWords)),
                      named::index("nearest"), named::number("lambda"), named::vector("point"),
-                     named::index("hits"), named::index("behind"), named::index("so_far"),
-                     named::word("so_far_is_nearest", {"yes", "no"}),
+                     named::index("hits"), named::index("behind"), named::index("ties"),
+                     named::index("so_far"), named::word("so_far_is_nearest", {"yes", "no"}),
                      named::word("location", {"interior", "edge", "vertex"}),
                      named::group("chosen", {named::word("case", {"hit", "behind", "miss", "parallel",
                                                                   "in-plane", "coincident", "collinear"})})},

@@ -58,12 +58,17 @@ CaseWords tell(const In &in, const Out &at) {
   if (isDegenerate(in))
     return zeroDirectionWords(at);
   const WordValues now{{"lambda", equation(at.lambda)}};
-  if (!isFired(at))
-    return {"waiting", words("{lambda} is negative: the torpedo is not fired yet.", now)};
   if (hasExploded(at))
     return {"exploded", words("The torpedo has hit {fragment}, at {lambda}.",
                               {{"fragment", nameOf(in.meshes, at.first.fragments.front())},
                                {"lambda", equation(at.lambda)}})};
+  if (at.elapsed <= 0)
+    return {
+        "waiting",
+        hits(at)
+            ? words("{lambda}: the torpedo is not fired yet. What it will hit, and when, is known already.",
+                    now)
+            : words("{lambda}: the torpedo is not fired yet. It will hit nothing.", now)};
   return {"flying",
           hits(at)
               ? words("The torpedo flies, at {lambda}. What it will hit, and when, is known already.", now)

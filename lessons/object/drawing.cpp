@@ -26,11 +26,16 @@ ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subj
   return {drawn(letter, role, subject), from, place(letter)};
 }
 
+ExactVec3 areaOf(const std::vector<ExactVec3> &corners) {
+  ExactVec3 area(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    area += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  return area;
+}
+
 bool isFlatAndConvex(const std::vector<ExactVec3> &corners) {
   const std::size_t count = corners.size();
-  ExactVec3 area(0);
-  for (std::size_t i = 1; i + 1 < count; ++i)
-    area += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  const ExactVec3 area = areaOf(corners);
   if (isZero(area))
     return false;
   for (std::size_t i = 0; i < count; ++i) {

@@ -19,6 +19,9 @@ namespace halfspace {
 [[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
 [[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 
+/// Normal to the face that the corners go around, twice as long as its area; zero where there is none.
+[[nodiscard]] ExactVec3 areaOf(const std::vector<ExactVec3> &corners);
+
 /// Whether the corners lie in one plane and go around a convex face once. Straight corners are allowed.
 [[nodiscard]] bool isFlatAndConvex(const std::vector<ExactVec3> &corners);
 

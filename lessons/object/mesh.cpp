@@ -14,9 +14,6 @@
 namespace halfspace {
 namespace {
 
-/// Shapes with more faces than this are drawn as one, without their edges.
-constexpr std::size_t mostDrawnFaces = 200;
-
 /// A heading whose length is no fraction turns by the angle whose half has the nearest tangent that is a
 /// multiple of this: at most a third of a degree off, in numbers that stay short.
 const Rational tangentStep(1, 200);
@@ -106,10 +103,10 @@ void offer(const Given<Object> &given, Surroundings &found) {
         found.edges.push_back({corners[from], corners[to], words("edge of {mesh}", name)});
     }
   if (mesh.shape->faces().size() == 1) {
-    const MeshFace &face = mesh.shape->faces().front();
-    const ExactVec3 &first = corners[face[0]];
-    if (const ExactVec3 normal = cross(corners[face[1]] - first, corners[face[2]] - first); !isZero(normal))
-      found.planes.push_back({first, normal, plainText(given.symbol)});
+    std::vector<ExactVec3> around;
+    for (const std::uint32_t corner : mesh.shape->faces().front())
+      around.push_back(corners[corner]);
+    found.planes.push_back({around.front(), areaOf(around), plainText(given.symbol)});
   }
 }
 

@@ -12,6 +12,9 @@ namespace halfspace {
 /// The corners around a face, by their numbers.
 using MeshFace = std::vector<std::uint32_t>;
 
+/// Shapes with more faces than this are drawn as one, without their edges.
+inline constexpr std::size_t mostDrawnFaces = 200;
+
 /// The box around corners, along the axes.
 struct MeshBox {
   Vec3<double> low{};

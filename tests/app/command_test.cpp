@@ -374,7 +374,9 @@ TEST_F(Program, RenderFrame_WithoutAStep_DrawsTheStepOfTheFlight) {
 }
 
 TEST_F(Program, RenderFrame_ThatIsNotThere_IsRefused) {
-  expectRefused("render photon-torpedo --frame 601 -o a.png", "its last one is 600");
+  expectRefused("render photon-torpedo --frame 601 -o a.png", "the nearest is 600");
+  expectRefused("render photon-torpedo --frames 590:601 -o %d.png", "the nearest is 600");
+  EXPECT_FALSE(std::filesystem::exists(inFolder("590.png")));
   expectRefused("render signed-distance --frame 1 -o a.png", "no flight");
   expectRefused("render photon-torpedo --frames 0:3 -o a.png", "%04d");
   expectRefused("render photon-torpedo --frames 3:0 -o %d.png", "--frames");

@@ -276,12 +276,14 @@ private slots:
     QCOMPARE(m_fixture->value("seed").x, Rational(42));
   }
 
-  void automaticFire_whereTheStepIsLeft_endsForAStepWithoutControls() {
+  void step_withoutControls_isEnteredWithTheSaucerAtItsStart_andFiresByHand() {
     m_fixture->answer(2);
     emit m_fixture->window.findChild<FlightBar *>()->automaticToggled(true);
     QVERIFY(m_fixture->value("seed").x != 0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_fixture->value("frame").x > 5, patience);
     m_fixture->model().setStep(stepWithTable);
     QTRY_COMPARE_WITH_TIMEOUT(m_fixture->value("seed").x, Rational(0), patience);
+    QCOMPARE(m_fixture->value("frame").x, Rational(0));
     QCOMPARE(m_fixture->model().evaluation().find("shot")->outcome->told->name, std::string("by-hand"));
   }
 
@@ -347,27 +349,43 @@ private slots:
   }
 
   void meshFile_opened_isATargetThatTheNearestHitLooksAt() {
-    QTemporaryDir folder;
-    const QString file = folder.filePath("pyramid.obj");
-    QFile text(file);
-    QVERIFY(text.open(QIODevice::WriteOnly));
-    text.write("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 3\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 2\n");
-    text.close();
-    m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
-    m_fixture->window.openMesh(file);
-    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
+    open("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 3\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 2\n");
     const auto mesh = objectAs<MeshObject>(*findObject(m_fixture->model().session().scene, targetName));
+    QVERIFY(mesh);
     QCOMPARE(mesh->shape->triangleCount(), std::size_t(4)); // the one without an area is left out
     const auto &crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
     QCOMPARE(crossings.fragments, trianglesIn(m_fixture->model().session().scene).size());
-    // Grabbed anywhere, it moves.
-    const QPoint side = m_fixture->pixelOf(toDouble(mesh->place) +
-                                           Place(mesh->shape->box().high * (0.4 * toDouble(mesh->scale))));
-    m_fixture->drag(side, side + QPoint(60, 0));
-    QVERIFY(m_fixture->value(std::string(targetName) + ".P") != mesh->place);
-    m_fixture->model().undo();
+    QCOMPARE(crossings.all.size(), crossings.fragments);
     m_fixture->model().undo();
     QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
+  }
+
+  void meshFile_ofVeryManyTriangles_isGrabbedAnywhere_andFewMeshesStayInTheList() {
+    m_fixture->model().setStep(stepWithTable);
+    const std::size_t before = m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments;
+    open(pyramid(16));
+    const auto mesh = objectAs<MeshObject>(*findObject(m_fixture->model().session().scene, targetName));
+    QVERIFY(mesh);
+    QCOMPARE(mesh->shape->triangleCount(), std::size_t(512));
+    const auto &crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
+    QCOMPARE(crossings.fragments, before + 512);
+    QCOMPARE(crossings.all.size(), before); // those of the barn, and the one that is hit is among them
+    const QPoint tip = m_fixture->pixelOf(toDouble(mesh->place) + Place(0, 0, 2 * toDouble(mesh->scale)));
+    m_fixture->drag(tip + QPoint(0, 6), tip + QPoint(60, 6));
+    QVERIFY(m_fixture->value(std::string(targetName) + ".P") != mesh->place);
+  }
+
+  void loop_amongMoreTrianglesThanAreListed_saysWhatIsHitFirst_andAsksNone() {
+    open(pyramid(16));
+    m_fixture->model().setStep(stepWithLoop);
+    QCoreApplication::processEvents();
+    const auto &table = *m_fixture->window.findChild<FragmentTable *>();
+    const bool isAnyFirst = std::any_of(table.rows().begin(), table.rows().end(), [](const FragmentRow &row) {
+      return row.standing == Standing::First;
+    });
+    QVERIFY(isAnyFirst);
+    for (const FragmentRow &row : table.rows())
+      QVERIFY(row.standing != Standing::NotAsked);
   }
 
   void meshFile_broken_isToldAndTheSceneStays() {
@@ -394,6 +412,38 @@ private slots:
   }
 
 private:
+  /// Of n × n cells of two triangles each; 2 units high above its rim.
+  static std::string pyramid(int n) {
+    std::string text;
+    for (int row = 0; row <= n; ++row)
+      for (int column = 0; column <= n; ++column) {
+        const int fromTip = std::max(std::abs(2 * column - n), std::abs(2 * row - n));
+        text += "v " + std::to_string(column) + " " + std::to_string(row) + " " +
+                std::to_string(2.0 * (n - fromTip) / n) + "\n";
+      }
+    const auto corner = [n](int column, int row) { return " " + std::to_string(row * (n + 1) + column + 1); };
+    for (int row = 0; row < n; ++row)
+      for (int column = 0; column < n; ++column) {
+        const std::string first = corner(column, row);
+        const std::string opposite = corner(column + 1, row + 1);
+        text += "f" + first + corner(column + 1, row) + opposite + "\n";
+        text += "f" + first + opposite + corner(column, row + 1) + "\n";
+      }
+    return text;
+  }
+
+  /// An OBJ file with this text, as the target.
+  void open(const std::string &obj) {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("own.obj"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(obj));
+    file.close();
+    m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
+    m_fixture->window.openMesh(file.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
+  }
+
   std::unique_ptr<WindowFixture> m_fixture;
 };
 

@@ -322,6 +322,20 @@ TEST(HitFinder, OfTenThousandTriangles_AsksFewOfThem) {
   }
 }
 
+TEST(HitFinder, CostOfFewTriangles_CountsThoseThatAreThere) {
+  for (const std::size_t count : {1U, 2U, 3U, 5U, 17U}) {
+    std::vector<Triangle<double>> triangles;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto z = static_cast<double>(i);
+      triangles.push_back({{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    }
+    const SearchCost cost = HitFinder(triangles).search({{0, 0, -1}, {0, 0, 1}}).cost;
+    EXPECT_GE(cost.triangles, 1U);
+    EXPECT_LE(cost.triangles, count);
+    EXPECT_LE(cost.boxes, count) << "each box has a triangle of its own";
+  }
+}
+
 TEST(MakeHitSearch, FewOrManyTriangles_AreSearchedOneByOneOrByBoxes) {
   const auto stairs = [](std::uint32_t triangles) {
     TriangleMesh mesh;

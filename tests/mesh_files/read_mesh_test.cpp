@@ -139,6 +139,29 @@ TEST_F(ReadMesh, ObjCornerThatIsNoThreeNumbers_IsToldWithItsLine) {
   }
 }
 
+TEST_F(ReadMesh, ObjCornerHoweverItIsWritten_IsReadOrToldWithItsLine) {
+  for (const std::string corner : {"  v two 1 1", "\tv 7 nan 3", "v 0 0 5abc", "v 1 2 \\\nthree"}) {
+    const auto mesh = read("a.obj", "v 0 0 0\nv 4 0 0\n" + corner + "\nv 0 4 0\nf 1 2 4\n");
+    ASSERT_FALSE(mesh) << corner;
+    EXPECT_EQ(mesh.problem().sentence, "Line 3 should be a corner, and is not three numbers.");
+  }
+  for (const std::string corner :
+       {"  v 0 4 0", "v 0 4 0 1", "v 0 4 \\\n  0", "v 0.0 4. 0e0\r", "v\t0 4\t0"}) {
+    const auto mesh = read("b.obj", "v 0 0 0\nv 4 0 0\n" + corner + "\nf 1 2 3\n");
+    ASSERT_TRUE(mesh) << corner << ": " << mesh.problem().text();
+    EXPECT_EQ(mesh->corners.at(2), Vec3<float>(0, 4, 0)) << corner;
+  }
+}
+
+TEST_F(ReadMesh, ObjFaceThatIsCutOff_IsToldWithItsLine_ThoughOthersAreWhole) {
+  for (const std::string face : {"f 1 2", "f 3", "f"}) {
+    const auto mesh = read("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n" + face);
+    ASSERT_FALSE(mesh) << face;
+    EXPECT_EQ(mesh.problem().sentence,
+              "Line 5 should be a face, and has not three corners. Is the file cut off?");
+  }
+}
+
 TEST_F(ReadMesh, NoNumbersStayNoNumbers) {
   const auto mesh = read("a.stl", binaryStl({{Vec3<float>(NAN, 0, 0), {1, 0, 0}, {0, INFINITY, 0}}}));
   ASSERT_TRUE(mesh) << mesh.problem().text();

@@ -3,6 +3,7 @@
 
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/session.h"
+#include "tests/picture/marks.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
 
@@ -38,6 +39,21 @@ TEST(HomeView, OfEveryLesson_ShowsFigureAndAxesWithRoomForLabels) {
         EXPECT_LE(pixel->y, size.height - room);
       }
     }
+}
+
+TEST(HomeView, OfWhatWasWorkedOutFarAway_IsThatOfTheRest) {
+  PolygonMark given = polygonOf({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}});
+  given.role = Role::Given;
+  PointMark worked = pointAt({150, 0, 0});
+  worked.role = Role::Derived;
+  const auto homeOf = [](const Figure &figure) { return homeView({}, figure, false, {800, 600}, 1); };
+  const Camera alone = homeOf({{given}});
+  EXPECT_EQ(homeOf({{given, worked}}), alone);
+  worked.at = {5, 5, 18};
+  EXPECT_GT(homeOf({{given, worked}}).height, alone.height);
+  worked.at = {5, 5, 150};
+  worked.role = Role::Given;
+  EXPECT_GT(homeOf({{given, worked}}).height, 2 * alone.height) << "objects are always in view";
 }
 
 TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {

@@ -45,7 +45,8 @@ QString timeWords(int decade) {
   return QString::number(std::pow(10, above - 3 * unit)) + QChar(QChar::Nbsp) + units[unit];
 }
 
-double sum(const SearchCost &cost) { return static_cast<double>(cost.boxes + cost.triangles); }
+/// At least 1, for the logarithm: where no triangle has an area nothing is looked at.
+double sum(const SearchCost &cost) { return std::max(1.0, static_cast<double>(cost.boxes + cost.triangles)); }
 
 int floorDecade(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 int ceilDecade(double value) { return static_cast<int>(std::ceil(std::log10(value))); }
@@ -57,7 +58,7 @@ class CostCurves::Axes {
 public:
   Axes(const QRectF &plot, Decades heights, double line) : m_plot(plot), m_heights(heights), m_line(line) {}
 
-  static constexpr Decades widths{1, 6};
+  static constexpr Decades widths{0, 6};
 
   [[nodiscard]] const QRectF &plot() const { return m_plot; }
   [[nodiscard]] Decades heights() const { return m_heights; }
@@ -252,9 +253,10 @@ void CostCurves::paintInScene(QPainter &painter, const Axes &axes, const Curve &
   if (!curve.isAbove)
     return;
   const QString words = tr("scene");
-  painter.drawText(QPointF(middle.x() - QFontMetricsF(font()).horizontalAdvance(words) / 2,
-                           middle.y() - reach - gap * axes.line()),
-                   words);
+  const double left = middle.x() - QFontMetricsF(font()).horizontalAdvance(words) / 2;
+  painter.drawText(
+      QPointF(std::max(left, axes.plot().left() + gap * axes.line()), middle.y() - reach - gap * axes.line()),
+      words);
 }
 
 void CostCurves::paintName(QPainter &painter, const Axes &axes, const Curve &curve) const {

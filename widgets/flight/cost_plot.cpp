@@ -189,7 +189,7 @@ QString CostPlot::sentence() const {
   if (m_lacksMemory)
     sentences << tr("There is not enough memory for more triangles.");
   if (!sentences.isEmpty() && m_aim != m_measuredAim)
-    sentences << tr("This was measured with an earlier shot.");
+    sentences << tr("Something has moved since this was measured.");
   if (!sentences.isEmpty())
     return sentences.join("\n");
   return isMeasuring()

@@ -2,6 +2,7 @@
 
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
+#include "widgets/flight/short_decimal.h"
 #include "widgets/flow_layout.h"
 #include "widgets/picture/term_formula.h"
 
@@ -21,10 +22,7 @@ namespace halfspace {
 namespace {
 
 constexpr std::array<double, 4> speeds{0.25, 0.5, 1, 2};
-/// The readout is rounded to such steps.
-const Rational readoutStep(1, 100);
-/// Beyond it the readout has as many digits as other numbers have.
-constexpr double largestReadout = 1000;
+constexpr int readoutPlaces = 2;
 constexpr int usualGap = 4;
 constexpr int largestSeed = 999;
 
@@ -44,13 +42,8 @@ protected:
   void wheelEvent(QWheelEvent *event) override { event->ignore(); }
 };
 
-/// The present t to two places; = only where it has no more.
-WrittenNumber shown(double t) {
-  if (std::abs(t) >= largestReadout)
-    return {rounded(t), false};
-  const Rational near = roundToMultiple(t, readoutStep);
-  return {decimalOf(Surd(near)).term, toDouble(near) == t};
-}
+/// The present t.
+WrittenNumber shown(double t) { return shortDecimal(exactly(t), readoutPlaces); }
 
 math::Row formulaOfTime(const math::Row &value, char32_t relation) {
   return math::row(math::letter(U'λ'), math::symbol(relation, math::AtomClass::Rel), value);
@@ -210,12 +203,12 @@ void FlightBar::showControls() {
   for (int i = 0; i < m_speeds.size(); ++i)
     m_speeds[i]->setChecked(speeds.at(static_cast<std::size_t>(i)) == m_state.speed);
   describe(FlightControl::Fire, tr("Fire the torpedo"));
-  describe(FlightControl::StepBack, tr("One step back"));
-  describe(FlightControl::StepForward, tr("One step on"));
+  describe(FlightControl::StepBack, tr("One frame back"));
+  describe(FlightControl::StepForward, tr("One frame on"));
   describe(FlightControl::Play, m_state.reducedMotion ? tr("Motion is switched off")
                                 : m_state.isPlaying   ? tr("Pause")
                                                       : tr("Play"));
-  describe(FlightControl::Automatic, tr("Fire by itself, again and again"));
+  describe(FlightControl::Automatic, tr("Fire by itself, again and again, in random directions"));
   describe(FlightControl::Speed, tr("Speed: %1").arg(nameOfSpeed(m_state.speed)));
   button(FlightControl::Play).setIcon(m_state.isPlaying ? m_pause : m_play);
   m_axis->setHidden(m_state.hidden);

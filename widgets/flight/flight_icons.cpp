@@ -31,9 +31,9 @@ QPainterPath bodyOf(FlightIcon icon) {
   case FlightIcon::Pause:
     return bar(4.5) + bar(9.7);
   case FlightIcon::StepBack:
-    return polygon(QPolygonF({{12.5, 3.5}, {5.5, 8}, {12.5, 12.5}})) + bar(2.6);
+    return polygon(QPolygonF({{9.5, 3.5}, {2.5, 8}, {9.5, 12.5}})) + bar(11.4);
   case FlightIcon::StepForward:
-    return polygon(QPolygonF({{3.5, 3.5}, {10.5, 8}, {3.5, 12.5}})) + bar(11.6);
+    return polygon(QPolygonF({{6.5, 3.5}, {13.5, 8}, {6.5, 12.5}})) + bar(2.8);
   case FlightIcon::Automatic:
     break;
   }

@@ -32,10 +32,12 @@ FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
       stop();
   });
   connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::stop);
-  connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::leaveAutomatic, Qt::QueuedConnection);
+  connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::followStep, Qt::QueuedConnection);
 }
 
 void FlightPlayer::serve(FlightBar &bar) {
+  if (const StepFlight *names = flightOf(m_model.step()))
+    m_controlled = {m_model.session().lesson, *names};
   connect(&bar, &FlightBar::fire, this, &FlightPlayer::fire);
   connect(&bar, &FlightBar::playToggled, this, &FlightPlayer::play);
   connect(&bar, &FlightBar::stepped, this, &FlightPlayer::step);
@@ -181,30 +183,33 @@ void FlightPlayer::setAutomatic(bool on) {
   const auto now = flight();
   if (!now)
     return;
-  m_automatic = on ? std::optional(now->names) : std::nullopt;
-  beginWithSeed(*now, on ? m_seed : 0);
+  begin(*now, on ? m_seed : 0, on ? tr("Fire by itself") : tr("Fire by hand"));
   if (on)
     return goOnFrom(*now, 0);
   m_model.endGesture();
 }
 
-/// Begins a gesture, too.
-void FlightPlayer::beginWithSeed(const Flight &flight, int value) {
-  NumberObject seed = flight.seed;
-  seed.value = value;
-  m_model.beginGesture(value != 0 ? tr("Fire by itself") : tr("Fire by hand"));
-  m_model.moveGesture(ChangeObject{flight.names.seed, seed});
+/// A gesture that begins at the start, with this seed.
+void FlightPlayer::begin(const Flight &flight, int seed, const QString &description) {
+  NumberObject changed = flight.seed;
+  changed.value = std::clamp(Rational(seed), changed.from, changed.to);
+  m_model.beginGesture(description);
+  m_model.moveGesture(ChangeObject{flight.names.seed, changed});
   m_model.moveGesture(toFrame(flight, 0));
 }
 
-/// A step without the controls has none to end it, and its barrel would aim at nothing.
-void FlightPlayer::leaveAutomatic() {
-  if (!m_automatic || flight())
+/// A step without the controls has none to bring the saucer back to where it starts, or to end what fires by
+/// itself, while its barrel would aim at nothing.
+void FlightPlayer::followStep() {
+  if (flight())
     return;
-  const auto left = flightBy(*std::exchange(m_automatic, {}));
-  if (!left || left->seed.value == 0)
+  const auto controlled = std::exchange(m_controlled, {});
+  if (!controlled || controlled->lesson != m_model.session().lesson)
     return;
-  beginWithSeed(*left, 0);
+  const auto left = flightBy(controlled->names);
+  if (!left || (left->seed.value == 0 && left->frame.value == 0))
+    return;
+  begin(*left, 0, tr("Back to the start"));
   m_model.endGesture();
 }
 

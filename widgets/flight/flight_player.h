@@ -47,10 +47,15 @@ private:
     NumberObject frame;
     NumberObject seed;
   };
+  /// What the bar controls that was served last.
+  struct Controlled {
+    std::string lesson;
+    StepFlight names;
+  };
   [[nodiscard]] std::optional<Flight> flight() const;
   [[nodiscard]] std::optional<Flight> flightBy(const StepFlight &names) const;
-  void beginWithSeed(const Flight &flight, int value);
-  void leaveAutomatic();
+  void begin(const Flight &flight, int seed, const QString &description);
+  void followStep();
   [[nodiscard]] Rational flownTo(const Flight &flight) const;
   [[nodiscard]] Rational lastFrame(const Flight &flight) const;
   [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
@@ -68,8 +73,8 @@ private:
   QElapsedTimer m_clock; ///< since the flight went on
   Rational m_from;       ///< the frame from which it went on
   double m_speed = 1;
-  int m_seed = firstSeed;                ///< while it fires by hand: of the next time that it fires by itself
-  std::optional<StepFlight> m_automatic; ///< what was told to fire by itself
+  int m_seed = firstSeed; ///< while it fires by hand: of the next time that it fires by itself
+  std::optional<Controlled> m_controlled;
   bool m_reducedMotion = false;
   bool m_isPlaying = false;
   bool m_isScrubbing = false; ///< its gesture is that of the hand on the axis

@@ -6,7 +6,7 @@ namespace halfspace {
 namespace {
 
 /// The first is shown soonest.
-enum class Rank : std::uint8_t { Needed, Hit, Ahead, BehindStart, NoCrossing, NotAsked };
+enum class Rank : std::uint8_t { Needed, Hit, NoCrossing, Ahead, BehindStart, NotAsked };
 
 Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
   const bool isNext = row.standing == Standing::NotAsked && row.crossing.number == crossings.chosen + 1;

@@ -2,6 +2,7 @@
 
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
+#include "widgets/flight/short_decimal.h"
 #include "widgets/picture/term_formula.h"
 
 #include <QAccessibleWidget>
@@ -46,9 +47,18 @@ QFont bold(QFont font) {
   return font;
 }
 
+/// Exact where that is short, else to a few places behind the point: numbers of a list are compared.
+WrittenNumber listedNumber(const Rational &number) {
+  constexpr std::size_t longestExact = 6; // letters: 0.6875, 12/175
+  const int places = abs(number) < 10 ? 2 : 1;
+  const WrittenNumber exact = written(number);
+  const std::size_t letters = plainText(written(abs(number)).term).size();
+  return exact.exact && letters <= longestExact ? exact : shortDecimal(number, places);
+}
+
 /// As it stands among words: small fractions, ≈ before what is rounded.
 math::Row formulaOfNumber(const Rational &number) {
-  const WrittenNumber shown = written(number);
+  const WrittenNumber shown = listedNumber(number);
   math::Row row = math::row(math::styleSwitch(math::Style::Text));
   if (!shown.exact)
     row = math::row(std::move(row), math::symbol(U'≈', math::AtomClass::Rel));
@@ -93,7 +103,7 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-888, 100)))), m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888, 1001)))), m_theme(themes().front()) {
   static const bool isTold = (QAccessible::installFactory(spokenTable), true);
   (void)isTold;
   setFocusPolicy(Qt::StrongFocus);

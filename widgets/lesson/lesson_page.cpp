@@ -43,9 +43,11 @@ void setInk(QWidget &widget, Color color) {
   widget.setPalette(palette);
 }
 
-/// As a loop asks them: by their numbers, and 0 for no hit so far.
+/// As a loop asks them: by their numbers, and 0 for no hit so far. Where not all are there none can be asked
+/// after the other.
 void askOneByOne(Crossings &crossings) {
-  crossings.nearestSoFar = crossings.nearestSoFar.value_or(0);
+  if (crossings.all.size() == crossings.fragments)
+    crossings.nearestSoFar = crossings.nearestSoFar.value_or(0);
   std::sort(crossings.all.begin(), crossings.all.end(),
             [](const Crossing &a, const Crossing &b) { return a.number < b.number; });
 }

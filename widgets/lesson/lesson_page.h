@@ -45,7 +45,7 @@ public:
   /// What the step's flight and its tables show; hidden while its question is open.
   void showFlight(const FlightState &state);
   void showCrossings(const std::function<Crossings(const std::string &entry)> &of, LiveValues values);
-  /// The rays whose cost is measured, by their ids; nothing where one is not there.
+  /// The shots whose cost is measured, by the entries that aim them; nothing where one aims at nothing.
   void showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of);
   /// The pointer is on this fragment of an entry somewhere else; 0 for none.
   void setFragmentHovered(std::size_t number);
@@ -128,7 +128,7 @@ private:
     FragmentTable *table;
   };
   std::vector<Fragments> m_fragments;
-  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the entry whose ray it is
+  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the entry that aims the shot
   PredictionBox *m_prediction = nullptr;                   ///< null in steps without one
   StepDots *m_dots = nullptr;
   QPushButton *m_back = nullptr;

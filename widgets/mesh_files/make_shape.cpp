@@ -217,9 +217,22 @@ private:
 
   void makeSearchable() {
     m_partDone(untilSorted);
-    std::shared_ptr<const HitSearch> search = makeHitSearch(m_mesh);
-    m_loaded.shape = std::make_shared<const MeshShape>(std::move(m_mesh), std::move(search));
+    m_loaded.shape = m_mesh.triangles.size() <= mostDrawnFaces ? shapeOfFaces() : shapeOfTriangles();
     m_partDone(1);
+  }
+
+  /// As sessions have it, which write each triangle as a face.
+  std::shared_ptr<const MeshShape> shapeOfFaces() {
+    std::vector<MeshFace> faces;
+    faces.reserve(m_mesh.triangles.size());
+    for (const auto &[a, b, c] : m_mesh.triangles)
+      faces.push_back({a, b, c});
+    return std::make_shared<const MeshShape>(std::move(m_mesh.corners), std::move(faces));
+  }
+
+  std::shared_ptr<const MeshShape> shapeOfTriangles() {
+    std::shared_ptr<const HitSearch> search = makeHitSearch(m_mesh);
+    return std::make_shared<const MeshShape>(std::move(m_mesh), std::move(search));
   }
 
   RawMesh m_raw;

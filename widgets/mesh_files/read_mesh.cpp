@@ -1,5 +1,6 @@
 #include "widgets/mesh_files/read_mesh.h"
 
+#include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/check_mesh_file.h"
 
@@ -26,6 +27,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <sstream>
 
 namespace halfspace {
 namespace {
@@ -105,21 +107,73 @@ vtkSmartPointer<vtkPolyData> readBy(const std::filesystem::path &file, const Par
   return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
 }
 
-/// The first line of an OBJ file that should be a corner and is none: VTK's reader goes on as if it were one.
-std::optional<int> lineWithBrokenCorner(const std::filesystem::path &path) {
-  std::ifstream file(path);
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (!line.starts_with("v ") && !line.starts_with("v\t"))
-      continue;
-    const char *at = line.c_str() + 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      char *end = nullptr;
-      const double value = std::strtod(at, &end);
-      if (end == at || !std::isfinite(value))
-        return number;
-      at = end;
+/// A line of an OBJ file with those in which it goes on, behind backslashes.
+class ObjLines {
+public:
+  explicit ObjLines(const std::filesystem::path &path) : m_file(path) {}
+
+  bool next() {
+    m_number += m_goesOn;
+    m_line.clear();
+    m_goesOn = 0;
+    for (std::string more; std::getline(m_file, more);) {
+      ++m_goesOn;
+      const std::string_view part = trimmed(more);
+      if (!part.ends_with('\\')) {
+        m_line += part;
+        return true;
+      }
+      m_line += part.substr(0, part.size() - 1);
+      m_line += ' ';
     }
+    return m_goesOn > 0;
+  }
+  [[nodiscard]] const std::string &line() const { return m_line; }
+  /// Where it begins.
+  [[nodiscard]] int number() const { return m_number; }
+
+private:
+  std::ifstream m_file;
+  std::string m_line;
+  int m_number = 1;
+  int m_goesOn = 0; ///< over so many lines of the file
+};
+
+/// Whether a line's first word is this letter.
+bool isOf(const std::string &line, char kind) {
+  return line.starts_with(kind) && (line.size() == 1 || line[1] == ' ' || line[1] == '\t');
+}
+
+bool hasThreeNumbers(const char *at) {
+  for (int axis = 0; axis < 3; ++axis) {
+    char *end = nullptr;
+    const double value = std::strtod(at, &end);
+    const bool endsThere = *end == '\0' || *end == ' ' || *end == '\t';
+    if (end == at || !endsThere || !std::isfinite(value))
+      return false;
+    at = end;
+  }
+  return true;
+}
+
+bool hasThreeWords(const std::string &line) {
+  std::istringstream words(line);
+  std::string word;
+  return bool(words >> word >> word >> word >> word); // the first one tells the kind
+}
+
+/// What is wrong with the first broken line of an OBJ file. VTK's reader goes on behind a broken corner as if
+/// it were one, and reads nothing of a file with a broken face.
+std::optional<Problem> brokenLineOf(const std::filesystem::path &path) {
+  for (ObjLines lines(path); lines.next();) {
+    const WordValues where{{"line", std::to_string(lines.number())}};
+    if (isOf(lines.line(), 'v') && !hasThreeNumbers(lines.line().c_str() + 1))
+      return Problem{words("Line {line} should be a corner, and is not three numbers.", where), path.string(),
+                     lines.number(), ""};
+    if (isOf(lines.line(), 'f') && !hasThreeWords(lines.line()))
+      return Problem{
+          words("Line {line} should be a face, and has not three corners. Is the file cut off?", where),
+          path.string(), lines.number(), ""};
   }
   return {};
 }
@@ -227,10 +281,8 @@ Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDon
     return format.problem();
   vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by sentences
   try {
-    if (const auto line = *format == MeshFormat::Obj ? lineWithBrokenCorner(file) : std::nullopt)
-      return Problem{words("Line {line} should be a corner, and is not three numbers.",
-                           {{"line", std::to_string(*line)}}),
-                     file.string(), *line, ""};
+    if (const auto broken = *format == MeshFormat::Obj ? brokenLineOf(file) : std::nullopt)
+      return *broken;
     const auto data = readData(file, *format, partDone);
     if (!data)
       return Problem{words("The file is damaged or cut off: it does not go on as its beginning says."),

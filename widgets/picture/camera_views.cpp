@@ -6,6 +6,7 @@
 #include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/picture/stage.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -20,6 +21,9 @@ namespace {
 constexpr double labelMargin = 32;
 /// … but no more than this part of its shorter side.
 constexpr double largestMargin = 0.13;
+
+/// At home nothing is seen that lies farther from what is given than so many times its size.
+constexpr double homeReach = 2;
 
 /// The normal of a mark that is drawn as part of a plane.
 std::optional<Place> normalOf(const Mark &mark) {
@@ -64,6 +68,31 @@ std::vector<Place> placesOf(const Figure &figure) {
   return places;
 }
 
+Figure nearGiven(Figure figure) {
+  Figure given;
+  for (const Mark &mark : figure.marks)
+    if (baseOf(mark).role == Role::Given)
+      given.marks.push_back(mark);
+  const std::vector<Place> places = placesOf(given);
+  if (places.empty())
+    return figure;
+  Place low = places.front();
+  Place high = places.front();
+  for (const Place &place : places) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  const Place size = high - low;
+  const Place reach(homeReach * std::max({size.x, size.y, size.z}));
+  std::erase_if(figure.marks, [&](const Mark &mark) {
+    const std::vector<Place> of = placesOf({{mark}});
+    return std::any_of(of.begin(), of.end(), [&](const Place &place) {
+      return glm::any(glm::lessThan(place, low - reach)) || glm::any(glm::greaterThan(place, high + reach));
+    });
+  });
+  return figure;
+}
+
 std::vector<Place> axisTips(const Figure &figure) {
   std::vector<Place> tips;
   for (const AxisEnds &axis : axisEnds(axesAround(figure)))
@@ -97,9 +126,10 @@ Camera fitted(const View &view, const std::vector<Place> &places) {
 }
 
 Camera homeView(const CameraView &from, const Figure &figure, bool axes, PixelSize size, double pixelRatio) {
-  std::vector<Place> places = placesOf(figure);
+  const Figure near = nearGiven(figure);
+  std::vector<Place> places = placesOf(near);
   if (axes)
-    for (const Place &tip : axisTips(figure))
+    for (const Place &tip : axisTips(near))
       places.push_back(tip);
   return fitted({Camera(from), size, pixelRatio}, places);
 }

@@ -13,8 +13,12 @@ namespace halfspace {
 /// view, with room for labels around them; the same camera for no places.
 [[nodiscard]] Camera fitted(const View &view, const std::vector<Place> &places);
 
-/// How a lesson begins: from its direction, with all of the figure and the ends of the axes in view, if there
-/// are any, and room for their labels. A design pixel has `pixelRatio` pixels.
+/// The figure without what was worked out far from all that is given, as where a ray crosses a plane that it
+/// is nearly parallel to: beside that the rest would be a dot.
+[[nodiscard]] Figure nearGiven(Figure figure);
+
+/// How a lesson begins: from its direction, with the figure near what is given and the ends of the axes in
+/// view, if there are any, and room for their labels. A design pixel has `pixelRatio` pixels.
 [[nodiscard]] Camera homeView(const CameraView &from, const Figure &figure, bool axes, PixelSize size,
                               double pixelRatio);
 

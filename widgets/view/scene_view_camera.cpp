@@ -72,7 +72,7 @@ Camera SceneView::fittedTo(Camera from, const Figure &figure, bool axes) const {
 }
 
 Camera SceneView::home() const {
-  return fittedTo(Camera(m_model.lesson().camera), staged(m_model.figure()), m_stage.hasAxes());
+  return fittedTo(Camera(m_model.lesson().camera), nearGiven(staged(m_model.figure())), m_stage.hasAxes());
 }
 
 void SceneView::goHome() {
@@ -101,7 +101,7 @@ void SceneView::takeView() {
 
 void SceneView::showAll() {
   m_glide.stop();
-  m_camera = m_atHome ? home() : fittedTo(m_camera, staged(m_model.figure()), m_stage.hasAxes());
+  m_camera = m_atHome ? home() : fittedTo(m_camera, nearGiven(staged(m_model.figure())), m_stage.hasAxes());
   if (!m_atHome)
     keepView(m_camera);
 }

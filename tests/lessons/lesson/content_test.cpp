@@ -272,7 +272,7 @@ const std::vector<Solution> &solutions() {
       {"photon-torpedo", "Let the barrel point up", {"U", aimed({-2, -1, 2})}},
       {"photon-torpedo", "Find a fragment", {"i", NumberObject{3, 0, 40000000, 1}}},
       {"photon-torpedo", "Go on until", {"i", NumberObject{22, 0, 40000000, 1}}},
-      {"photon-torpedo", "Aim at an edge", {"U", aimed({13, {7, 2}, -8})}},
+      {"photon-torpedo", "Hit two fragments", {"U", aimed({13, {7, 2}, -8})}},
       {"photon-torpedo", "Choose a piece", {"U", aimed({2, 1, 0})}},
       {"photon-torpedo", "Put the wall", {"wall", movedTo({14, 6, 0}, "wall")}},
       {"photon-torpedo", "Now let the torpedo", {"U", aimed({1, 0, -2})}},

@@ -107,7 +107,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"photon-torpedo", "nearest.case = miss and behind > 0", {"U.g"}},
       {"photon-torpedo", "chosen.case = miss and perp.t > 0", {}}, // by a click on a row
       {"photon-torpedo", "so_far_is_nearest = yes", {}},           // likewise
-      {"photon-torpedo", "nearest.location != interior", {"U.g"}},
+      {"photon-torpedo", "ties >= 2", {"U.g"}},
       {"photon-torpedo", "chosen.case = parallel", {"U.g"}},
       {"photon-torpedo", "nearest >= 23 and nearest <= 24", {"wall.P"}},
       {"photon-torpedo", "nearest <= 2", {"U.g", "U.S"}},

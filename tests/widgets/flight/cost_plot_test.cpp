@@ -64,17 +64,17 @@ private slots:
     shown.plot->setMost(100);
     shown.click();
     QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
-    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+    QVERIFY(!shown.plot->sentence().contains("has moved"));
     Aim turned = aim();
     turned.ray.direction.x = 3;
     shown.plot->setAim(turned);
-    QVERIFY(shown.plot->sentence().endsWith("\nThis was measured with an earlier shot."));
+    QVERIFY(shown.plot->sentence().endsWith("\nSomething has moved since this was measured."));
     shown.plot->setAim(aim()); // whose mesh is another one
-    QVERIFY(shown.plot->sentence().endsWith("\nThis was measured with an earlier shot."));
+    QVERIFY(shown.plot->sentence().endsWith("\nSomething has moved since this was measured."));
     shown.click();
-    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+    QVERIFY(!shown.plot->sentence().contains("has moved"));
     QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 1; }, longest));
-    QVERIFY(!shown.plot->sentence().contains("earlier shot"));
+    QVERIFY(!shown.plot->sentence().contains("has moved"));
   }
 
   void click_onStop_endsIt_andTheNextMeasuringBeginsAnew() {
@@ -116,6 +116,35 @@ private slots:
     QVERIFY(shown.button()->isEnabled());
     QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
     QVERIFY(!shown.button()->isEnabled());
+  }
+
+  void curves_whereNothingIsLookedAt_areDrawnAllTheSame() {
+    CostCurves curves;
+    curves.resize(400, 300);
+    CostPoint nothing;
+    nothing.triangles = 1; // without an area
+    curves.setPoints({}, nothing);
+    QVERIFY(!curves.grab().isNull());
+  }
+
+  void curves_ofASceneOfOneTriangle_markItWithinThePlot() {
+    CostCurves curves;
+    curves.resize(400, 300);
+    const QImage empty = curves.grab().toImage();
+    CostPoint one;
+    one.triangles = 1;
+    one.plain = {0, 1};
+    one.tree = {0, 1};
+    curves.setPoints({}, one);
+    const QImage marked = curves.grab().toImage();
+    int leftmost = marked.width();
+    for (int y = 0; y < marked.height(); ++y)
+      for (int x = 0; x < marked.width(); ++x)
+        if (marked.pixel(x, y) != empty.pixel(x, y))
+          leftmost = std::min(leftmost, x);
+    const int numbers = QFontMetrics(curves.font()).horizontalAdvance("10"); // beside the plot
+    QVERIFY2(leftmost > numbers, qPrintable(QString::number(leftmost)));
+    QVERIFY(leftmost < marked.width() / 2);
   }
 
   void click_onTime_showsTheTimes() {

@@ -107,6 +107,8 @@ void addNearest(const Given &given, const AllMet &all, Recomputed &expected) {
   const auto &[lambda, number] = *all.ahead.begin();
   const ExactVec3 point = given.ray.origin + given.ray.direction * lambda;
   expected.values["nearest"] = number;
+  expected.values["ties"] = static_cast<int>(std::count_if(
+      all.ahead.begin(), all.ahead.end(), [&](const auto &hit) { return hit.first == lambda; }));
   expected.values["lambda"] = test::number(lambda);
   expected.values["point"] = numbers(point);
   expected.values["location"] =

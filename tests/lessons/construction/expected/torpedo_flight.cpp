@@ -48,9 +48,9 @@ Recomputed recompute(Objects objects) {
   }
   const Rational lambda = lambdaOf(given);
   const ExactVec3 M = Q + r * lambda;
-  expected.caseName = given.elapsed < 0                                    ? "waiting"
-                      : given.firstHit && given.elapsed >= *given.firstHit ? "exploded"
-                                                                           : "flying";
+  expected.caseName = given.firstHit && given.elapsed >= *given.firstHit ? "exploded"
+                      : given.elapsed <= 0                               ? "waiting"
+                                                                         : "flying";
   expected.values = {{"lambda", number(lambda)}, {"place", numbers(M)}};
   expected.names = {
       {"Q", quantity(Q)}, {"\\vec r", quantity(r)}, {"\\lambda_M", quantity(lambda)}, {"M", quantity(M)}};
