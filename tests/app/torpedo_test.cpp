@@ -14,6 +14,7 @@
 #include "widgets/mesh_loader.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -373,6 +374,16 @@ private slots:
     const QPoint tip = m_fixture->pixelOf(toDouble(mesh->place) + Place(0, 0, 2 * toDouble(mesh->scale)));
     m_fixture->drag(tip + QPoint(0, 6), tip + QPoint(60, 6));
     QVERIFY(m_fixture->value(std::string(targetName) + ".P") != mesh->place);
+  }
+
+  void meshFile_opened_tellsItsSize_andWhetherASessionKeepsIt() {
+    const auto &message = *m_fixture->window.findChild<QLabel *>("message");
+    open(pyramid(16));
+    QVERIFY2(message.text().startsWith("own: 512 triangles, 16 × 16 × 2 of"), qPrintable(message.text()));
+    QVERIFY(!message.text().contains("Too large"));
+    m_fixture->model().undo();
+    open(pyramid(160));
+    QVERIFY2(message.text().endsWith("Too large to be saved with the session."), qPrintable(message.text()));
   }
 
   void loop_amongMoreTrianglesThanAreListed_saysWhatIsHitFirst_andAsksNone() {
