@@ -47,23 +47,25 @@ QFont bold(QFont font) {
   return font;
 }
 
-/// Exact where that is short, else to a few places behind the point: numbers of a list are compared.
-WrittenNumber listedNumber(const Rational &number) {
+/// Too long to stand exactly in a list.
+bool isLong(const Rational &number) {
   constexpr std::size_t longestExact = 6; // letters: 0.6875, 12/175
-  const int places = abs(number) < 10 ? 2 : 1;
-  const WrittenNumber exact = written(number);
-  const std::size_t letters = plainText(written(abs(number)).term).size();
-  return exact.exact && letters <= longestExact ? exact : shortDecimal(number, places);
+  const WrittenNumber exact = written(abs(number));
+  return !exact.exact || plainText(exact.term).size() > longestExact;
 }
 
-/// As it stands among words: small fractions, ≈ before what is rounded.
-math::Row formulaOfNumber(const Rational &number) {
-  const WrittenNumber shown = listedNumber(number);
-  math::Row row = math::row(math::styleSwitch(math::Style::Text));
-  if (!shown.exact)
-    row = math::row(std::move(row), math::symbol(U'≈', math::AtomClass::Rel));
-  return math::row(std::move(row), formulaOf(shown.term));
+/// As it stands among words: a small fraction; or a decimal, of a column whose head says that it is rounded.
+math::Row formulaOfNumber(const Rational &number, bool rounded) {
+  const int places = abs(number) < 10 ? 2 : 1;
+  const WrittenNumber shown = rounded ? shortDecimal(number, places) : written(number);
+  return math::row(math::styleSwitch(math::Style::Text), formulaOf(shown.term));
 }
+
+math::Row roundedHead(char32_t letter) {
+  return math::row(math::letter(letter), math::symbol(U'≈', math::AtomClass::Rel));
+}
+
+std::array<Rational, 3> numbersAt(const Crossing::Place &at) { return {at.t, at.s, at.tTriangle}; }
 
 /// What a screen reader is told, made when it asks.
 class SpokenTable : public QAccessibleWidget {
@@ -100,10 +102,12 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_heads{typesetter.picture(math::row(math::letter(U'λ'))),
                                                          typesetter.picture(math::row(math::letter('s'))),
                                                          typesetter.picture(math::row(math::letter('t')))},
+      m_roundedHeads{typesetter.picture(roundedHead(U'λ')), typesetter.picture(roundedHead('s')),
+                     typesetter.picture(roundedHead('t'))},
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-8888, 1001)))), m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(Rational(-888, 100), true))), m_theme(themes().front()) {
   static const bool isTold = (QAccessible::installFactory(spokenTable), true);
   (void)isTold;
   setFocusPolicy(Qt::StrongFocus);
@@ -123,6 +127,11 @@ void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) 
   m_names.clear();
   for (const Crossing &crossing : crossings.all)
     m_names << QString::fromStdString(crossing.name);
+  m_areRounded = {};
+  for (const FragmentRow &row : m_shown.rows)
+    if (row.crossing.at && !isHidden(row))
+      for (std::size_t i = 0; i < m_areRounded.size(); ++i)
+        m_areRounded[i] = m_areRounded[i] || isLong(numbersAt(*row.crossing.at)[i]);
   m_numbers.clear();
   for (const FragmentRow &row : m_shown.rows)
     m_numbers.push_back(numbersOf(row));
@@ -160,8 +169,8 @@ void FragmentTable::measure() {
   for (const QString &name : m_names)
     needs.name = std::max(needs.name, emphasised.horizontalAdvance(name));
   for (const Standing standing : allStandings)
-    needs.verdict = std::max(needs.verdict,
-                             (isNearest(standing) ? emphasised : usual).horizontalAdvance(wordsOf(standing)));
+    needs.verdict = std::max(
+        needs.verdict, (isNearest(standing) ? emphasised : usual).horizontalAdvance(shortWordsOf(standing)));
   needs.number = m_widest->width() * emPixels();
   // Room for what the painter rounds up.
   needs.name = std::ceil(needs.name) + 1;
@@ -192,11 +201,10 @@ FragmentTable::Numbers FragmentTable::numbersOf(const FragmentRow &row) const {
     return {};
   if (!row.crossing.at)
     return {m_none, m_none, m_none};
-  const Crossing::Place &at = *row.crossing.at;
-  const auto picture = [this](const Rational &number) {
-    return m_typesetter.picture(formulaOfNumber(number));
-  };
-  return {picture(at.t), picture(at.s), picture(at.tTriangle)};
+  Numbers pictures;
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    pictures[i] = m_typesetter.picture(formulaOfNumber(numbersAt(*row.crossing.at)[i], m_areRounded[i]));
+  return pictures;
 }
 
 QString FragmentTable::verdictOf(const FragmentRow &row) const {
@@ -350,8 +358,8 @@ void FragmentTable::paintHead(QPainter &painter, const FragmentColumns &columns)
   painter.drawText(QRectF(columns.verdict.left, top, columns.verdict.width, line), verdictFlags(columns),
                    tr("verdict"));
   for (std::size_t i = 0; i < m_heads.size(); ++i)
-    paintNumber(painter, *m_heads[i], columns.numbers[i], columns.numbersMiddle(),
-                toQColor(m_theme.inkOf(headSubjects[i])));
+    paintNumber(painter, m_areRounded[i] ? *m_roundedHeads[i] : *m_heads[i], columns.numbers[i],
+                columns.numbersMiddle(), toQColor(m_theme.inkOf(headSubjects[i])));
   painter.fillRect(QRectF(0, std::floor(columns.rowHeight) - 1, columns.width, 1), muted);
 }
 
@@ -387,8 +395,8 @@ void FragmentTable::paintRow(QPainter &painter, const FragmentColumns &columns, 
   };
   const QString name = QString::fromStdString(shown.crossing.name);
   QString verdict = verdictOf(shown);
-  if (m_values == LiveValues::Shown && columns.isStacked &&
-      metrics.horizontalAdvance(name + "  " + verdict) > columns.name.width)
+  const double wide = metrics.horizontalAdvance(columns.isStacked ? name + "  " + verdict : verdict);
+  if (m_values == LiveValues::Shown && wide > columns.verdict.width)
     verdict = shortWordsOf(shown.standing);
   paintWords(columns.verdict, columns.verdict.width, verdict, verdictFlags(columns));
   const double taken = columns.isStacked ? metrics.horizontalAdvance(verdict + ' ') : 0;

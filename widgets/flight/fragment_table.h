@@ -85,9 +85,11 @@ private:
 
   const Typesetter &m_typesetter;
   FragmentRows m_shown;
-  QStringList m_names;            ///< of all, so that the columns do not depend on which have a row
-  std::vector<Numbers> m_numbers; ///< of each row
+  QStringList m_names;                ///< of all, so that the columns do not depend on which have a row
+  std::vector<Numbers> m_numbers;     ///< of each row
+  std::array<bool, 3> m_areRounded{}; ///< the columns of which a number is too long to be written exactly
   std::array<Typesetter::Picture, 3> m_heads;
+  std::array<Typesetter::Picture, 3> m_roundedHeads;
   Typesetter::Picture m_start;
   Typesetter::Picture m_unknown;
   Typesetter::Picture m_none;   ///< where the plane is not crossed in a point

@@ -145,6 +145,21 @@ private slots:
     QCOMPARE(shown.table.rowRect(3), before);
   }
 
+  void column_withALongNumber_isOfDecimalsAndItsHeadSaysSo_theOthersStay() {
+    ShownTable shown(m_typesetter);
+    const auto areaOf = [&](int from, int to) {
+      return shown.table.grab(QRect(from, 0, to - from, 400)).toImage();
+    };
+    const QImage first = shown.imageOf(4); // λ = 7/4
+    const QImage behind = areaOf(250, 430);
+    Crossings longer = someCrossings();
+    longer.all[0].at->t = Rational(-1234, 5679);
+    shown.show(longer);
+    QVERIFY(shown.imageOf(4) != first); // λ ≈ 1.75
+    QCOMPARE(areaOf(250, 430), behind);
+    QVERIFY(shown.table.spoken(0).contains("-1234/5679") || shown.table.spoken(0).contains("−1234/5679"));
+  }
+
   void narrowTable_hasHigherRows_noWiderThanItself() {
     ShownTable shown(m_typesetter);
     shown.table.resize(700, shown.table.heightForWidth(700));
