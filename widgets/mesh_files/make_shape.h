@@ -32,8 +32,9 @@ struct LoadedMesh {
 /// Moves the corners so that the middle of their box is at 0 in x and y and its lowest z is 0, rounds them to
 /// a grid of about a millionth of the longest side (`meshGridBits`), so that fractions stay short, makes one
 /// corner of equal ones, leaves triangles out as `LoadedMesh` says, and makes the search for hits. A problem
-/// where nothing is left, or where the box is too long or too short. (1) Every corner of the shape is one
-/// that `readShape` takes. (2) No two triangles of the shape have the same corners, and each has an area.
+/// where nothing is left, or where the box is too long or too short.
+/// (1) Every corner of the shape is one that `readShape` takes.
+/// (2) No two triangles of the shape have the same corners, and each has an area.
 /// Takes time and memory about as the number of triangles, wherever they lie. For a thread of its own: once
 /// `cancelled`, it ends soon with a problem that is for nobody, but not before a search that is being made.
 [[nodiscard]] Result<LoadedMesh> makeShape(RawMesh raw, std::string name, const std::atomic<bool> &cancelled,

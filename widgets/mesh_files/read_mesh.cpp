@@ -27,7 +27,7 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <sstream>
+#include <string_view>
 
 namespace halfspace {
 namespace {
@@ -156,24 +156,30 @@ bool hasThreeNumbers(const char *at) {
   return true;
 }
 
-bool hasThreeWords(const std::string &line) {
-  std::istringstream words(line);
-  std::string word;
-  return bool(words >> word >> word >> word >> word); // the first one tells the kind
+/// Behind the one that tells the kind.
+bool hasThreeWords(std::string_view line) {
+  constexpr std::string_view blanks = " \t";
+  for (int word = 0; word < 3; ++word) {
+    line.remove_prefix(std::min(line.find_first_of(blanks), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  }
+  return !line.empty();
 }
 
 /// What is wrong with the first broken line of an OBJ file. VTK's reader goes on behind a broken corner as if
 /// it were one, and reads nothing of a file with a broken face.
 std::optional<Problem> brokenLineOf(const std::filesystem::path &path) {
   for (ObjLines lines(path); lines.next();) {
+    const bool isBrokenCorner = isOf(lines.line(), 'v') && !hasThreeNumbers(lines.line().c_str() + 1);
+    const bool isBrokenFace = isOf(lines.line(), 'f') && !hasThreeWords(lines.line());
+    if (!isBrokenCorner && !isBrokenFace)
+      continue;
     const WordValues where{{"line", std::to_string(lines.number())}};
-    if (isOf(lines.line(), 'v') && !hasThreeNumbers(lines.line().c_str() + 1))
-      return Problem{words("Line {line} should be a corner, and is not three numbers.", where), path.string(),
-                     lines.number(), ""};
-    if (isOf(lines.line(), 'f') && !hasThreeWords(lines.line()))
-      return Problem{
-          words("Line {line} should be a face, and has not three corners. Is the file cut off?", where),
-          path.string(), lines.number(), ""};
+    return Problem{
+        isBrokenCorner
+            ? words("Line {line} should be a corner, and is not three numbers.", where)
+            : words("Line {line} should be a face, and has not three corners. Is the file cut off?", where),
+        path.string(), lines.number(), ""};
   }
   return {};
 }
