@@ -108,7 +108,7 @@ void addNearest(const Given &given, const AllMet &all, Recomputed &expected) {
   const ExactVec3 point = given.ray.origin + given.ray.direction * lambda;
   expected.values["nearest"] = number;
   expected.values["ties"] = static_cast<int>(std::count_if(
-      all.ahead.begin(), all.ahead.end(), [&](const auto &hit) { return hit.first == lambda; }));
+      all.ahead.begin(), all.ahead.end(), [&first = lambda](const auto &hit) { return hit.first == first; }));
   expected.values["lambda"] = test::number(lambda);
   expected.values["point"] = numbers(point);
   expected.values["location"] =
