@@ -135,8 +135,10 @@ BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &
   BarePicture picture;
   addGround(picture, content, theme, view, scale);
   for (const Mark &mark : content.figure.marks) {
-    if (const auto *mesh = std::get_if<MeshMark>(&mark))
+    if (const auto *mesh = std::get_if<MeshMark>(&mark)) {
       picture.things[mesh->id] = meshOf(*mesh, theme);
+      continue; // its outline is its box, which is not drawn
+    }
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
     if (!outline.path.empty())
       picture.things[baseOf(mark).id] = solidOf(mark, outline.path, theme, scale);
