@@ -19,32 +19,23 @@ HitFinder::HitFinder(std::vector<Triangle<double>> triangles)
     : m_scene(std::make_unique<const Scene>(std::move(triangles))) {}
 HitFinder::~HitFinder() = default;
 
-SearchCost HitFinder::offerAll(NearestSoFar &nearest) const {
-  const std::size_t count = m_scene->triangles.size();
-  for (std::size_t i = 0; i < count; ++i)
-    nearest.offer(i);
-  return {0, count};
-}
-
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
   assert(!isZero(ray.direction));
   NearestSoFar nearest(ray, m_scene->triangles, m_scene->tree.isTame());
   if (!m_scene->tree.search(ray, nearest))
-    offerAll(nearest);
+    nearest.offerAll();
   return nearest.result();
 }
 
 SearchResult HitFinder::search(const Ray<Rational> &ray) const {
   assert(!isZero(ray.direction));
-  const auto exact = inDoubles(ray);
-  const Ray<double> rounded = exact.value_or(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)});
-  NearestSoFar nearest = exact ? NearestSoFar(rounded, m_scene->triangles, m_scene->tree.isTame())
-                               : NearestSoFar(rounded, ray, m_scene->triangles);
+  const RoundedRay rounded(ray);
+  NearestSoFar nearest(rounded, m_scene->triangles, m_scene->tree.isTame());
   std::optional<SearchCost> cost;
-  if (exact || m_scene->tree.mayBeRounded(rounded))
-    cost = m_scene->tree.search(rounded, nearest);
+  if (rounded.isExact || m_scene->tree.mayBeRounded(rounded.rounded))
+    cost = m_scene->tree.search(rounded.rounded, nearest);
   if (!cost)
-    cost = offerAll(nearest);
+    cost = nearest.offerAll();
   return {nearest.exactResult(), *cost};
 }
 

@@ -9,8 +9,6 @@
 
 namespace halfspace {
 
-class NearestSoFar;
-
 /// Many triangles, made ready once and then asked often.
 ///
 /// The answer is that of `hitAll` over fractions, for the doubles taken as exactly the numbers that they are:
@@ -35,8 +33,6 @@ public:
   [[nodiscard]] SearchResult search(const Ray<Rational> &ray) const override;
 
 private:
-  SearchCost offerAll(NearestSoFar &nearest) const;
-
   struct Scene;
   std::unique_ptr<const Scene> m_scene;
 };

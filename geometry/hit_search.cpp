@@ -1,11 +1,9 @@
 #include "geometry/hit_search.h"
 
-#include "geometry/decide.h"
 #include "geometry/nearest_so_far.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -16,17 +14,6 @@ bool areTame(const std::vector<Triangle<double>> &triangles) {
 }
 
 } // namespace
-
-std::optional<Ray<double>> inDoubles(const Ray<Rational> &ray) {
-  const Ray<double> rounded{toDouble(ray.origin), toDouble(ray.direction)};
-  if (!std::isfinite(largestCoordinate(rounded.origin)) ||
-      !std::isfinite(largestCoordinate(rounded.direction)))
-    return {};
-  const Ray<Rational> again = exactly(rounded);
-  if (again.origin != ray.origin || again.direction != ray.direction)
-    return {};
-  return rounded;
-}
 
 std::vector<Triangle<double>> trianglesOf(const TriangleMesh &mesh) {
   std::vector<Triangle<double>> triangles;
@@ -41,13 +28,10 @@ PlainHitSearch::PlainHitSearch(const TriangleMesh &mesh)
 
 SearchResult PlainHitSearch::search(const Ray<Rational> &ray) const {
   assert(!isZero(ray.direction));
-  const auto exact = inDoubles(ray);
-  const Ray<double> rounded = exact.value_or(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)});
-  NearestSoFar nearest =
-      exact ? NearestSoFar(rounded, m_triangles, m_areTame) : NearestSoFar(rounded, ray, m_triangles);
-  for (std::size_t i = 0; i < m_triangles.size(); ++i)
-    nearest.offer(i);
-  return {nearest.exactResult(), {0, m_triangles.size()}};
+  const RoundedRay rounded(ray);
+  NearestSoFar nearest(rounded, m_triangles, m_areTame);
+  const SearchCost cost = nearest.offerAll();
+  return {nearest.exactResult(), cost};
 }
 
 } // namespace halfspace

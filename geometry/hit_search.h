@@ -72,7 +72,4 @@ private:
 /// The triangles of a mesh, each with its corners.
 [[nodiscard]] std::vector<Triangle<double>> trianglesOf(const TriangleMesh &mesh);
 
-/// The ray in doubles, where they are exactly its numbers.
-[[nodiscard]] std::optional<Ray<double>> inDoubles(const Ray<Rational> &ray);
-
 } // namespace halfspace

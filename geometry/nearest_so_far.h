@@ -4,6 +4,7 @@
 #include "geometry/decide.h"
 #include "geometry/filter.h"
 #include "geometry/hit_search.h"
+#include "geometry/rounded_ray.h"
 
 #include <cmath>
 #include <cstddef>
@@ -20,11 +21,10 @@ public:
   /// `tame` tells whether all triangles are.
   NearestSoFar(const Ray<double> &ray, std::span<const Triangle<double>> triangles, bool tame)
       : m_ray(ray), m_tame(tame && isTame(ray)), m_triangles(triangles) {}
-  /// Of a ray that is in no doubles; `rounded` is the nearest that is. Each triangle is decided over
-  /// fractions.
-  NearestSoFar(const Ray<double> &rounded, const Ray<Rational> &exact,
-               std::span<const Triangle<double>> triangles)
-      : m_ray(rounded), m_exactRay(&exact), m_tame(false), m_triangles(triangles) {}
+  /// The same; each triangle is decided over fractions where the ray is in no doubles.
+  NearestSoFar(const RoundedRay &ray, std::span<const Triangle<double>> triangles, bool tame)
+      : m_ray(ray.rounded), m_exactRay(ray.isExact ? nullptr : &ray.exact),
+        m_tame(ray.isExact && tame && isTame(ray.rounded)), m_triangles(triangles) {}
 
   /// Tells the machine that this triangle will perhaps be offered soon.
   void expect(std::size_t index) const {
@@ -47,6 +47,12 @@ public:
       const double t = toDouble(*exact);
       take(index, {t, t * filterError});
     }
+  }
+
+  SearchCost offerAll() {
+    for (std::size_t i = 0; i < m_triangles.size(); ++i)
+      offer(i);
+    return {0, m_triangles.size()};
   }
 
   /// No hit beyond this t can become the nearest.

@@ -8,9 +8,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QProcess>
-#include <QThread>
 
-#include <algorithm>
 #include <atomic>
 #include <new>
 #include <utility>
@@ -112,65 +110,28 @@ Result<LoadedMesh> loadMesh(const QString &program, const QString &file, const s
 
 } // namespace
 
-/// One file on its way.
-struct MeshLoader::Job {
-  std::atomic<bool> cancelled{false};
-  std::unique_ptr<QThread> thread;
-};
-
 MeshLoader::MeshLoader(QObject *parent)
     : QObject(parent), m_program(QCoreApplication::applicationFilePath()) {
   qRegisterMetaType<LoadedMesh>();
 }
 
-MeshLoader::~MeshLoader() {
-  for (const auto &job : m_jobs)
-    job->cancelled = true;
-  for (const auto &job : m_jobs)
-    job->thread->wait();
-}
-
 void MeshLoader::start(const QString &file) {
   cancel();
-  auto job = std::make_unique<Job>();
-  m_current = job.get();
-  m_jobs.push_back(std::move(job));
-  m_current->thread.reset(QThread::create(
-      [this, &started = *m_current, program = m_program, file] { run(started, program, file); }));
-  m_current->thread->start();
+  m_job.start([this, program = m_program, file](const std::atomic<bool> &cancelled,
+                                                const LatestJob::Post &post) -> LatestJob::Message {
+    News news([&](double part, const QString &what) {
+      post([this, part, what] { emit progressed(part, what); });
+    });
+    return [this, result = loadMesh(program, file, cancelled, news)] { end(result); };
+  });
 }
 
 void MeshLoader::cancel() {
-  if (m_current == nullptr)
-    return;
-  std::exchange(m_current, nullptr)->cancelled = true;
-  emit cancelled();
+  if (m_job.cancel())
+    emit cancelled();
 }
 
-/// In the job's thread.
-void MeshLoader::run(Job &job, const QString &program, const QString &file) {
-  // What is told arrives in the thread of the loader, and no more once that is gone.
-  News news([&](double part, const QString &what) {
-    QMetaObject::invokeMethod(
-        this, [this, &job, part, what] { tell(job, part, what); }, Qt::QueuedConnection);
-  });
-  const auto result = loadMesh(program, file, job.cancelled, news);
-  QMetaObject::invokeMethod(
-      this, [this, &job, result] { end(job, result); }, Qt::QueuedConnection);
-}
-
-void MeshLoader::tell(const Job &job, double part, const QString &what) {
-  if (&job == m_current)
-    emit progressed(part, what);
-}
-
-void MeshLoader::end(const Job &job, const Result<LoadedMesh> &result) {
-  const bool isCurrent = &job == m_current;
-  job.thread->wait();
-  std::erase_if(m_jobs, [&](const auto &one) { return one.get() == &job; });
-  if (!isCurrent)
-    return;
-  m_current = nullptr;
+void MeshLoader::end(const Result<LoadedMesh> &result) {
   if (result)
     emit loaded(*result);
   else

@@ -1,25 +1,21 @@
 // Loads a learner's own mesh while the window goes on.
 #pragma once
 
+#include "widgets/latest_job.h"
 #include "widgets/mesh_files/make_shape.h"
 
 #include <QObject>
 #include <QString>
 
-#include <memory>
-#include <vector>
-
 namespace halfspace {
 
 /// Reads one mesh file at a time: in a process of its own, which the file may crash, and then in a thread,
 /// which makes the mesh ready. Nothing of it is done on the thread of the caller, who hears of it by signals
-/// from the event loop.
+/// from the event loop. Its destructor waits until a search that is being made is ready.
 class MeshLoader : public QObject {
   Q_OBJECT
 public:
   explicit MeshLoader(QObject *parent = nullptr);
-  /// Ends what is being loaded, and waits until it has ended: until a search that is being made is ready.
-  ~MeshLoader() override;
 
   /// The program that is started as `program read-mesh FILE`; until told otherwise, this one.
   void setProgram(const QString &program) { m_program = program; }
@@ -29,7 +25,7 @@ public:
   /// Nothing more is told of what is being loaded than that it is cancelled, at once; its process is killed
   /// and its thread ended, but not waited for. Without anything to cancel nothing happens.
   void cancel();
-  [[nodiscard]] bool isLoading() const { return m_current != nullptr; }
+  [[nodiscard]] bool isLoading() const { return m_job.isRunning(); }
 
 signals:
   /// How much is done, from 0 to 1, or below 0 where that is not known, and what is being done, in words.
@@ -39,15 +35,10 @@ signals:
   void cancelled();
 
 private:
-  struct Job;
-
-  void run(Job &job, const QString &program, const QString &file);
-  void tell(const Job &job, double part, const QString &what);
-  void end(const Job &job, const Result<LoadedMesh> &result);
+  void end(const Result<LoadedMesh> &result);
 
   QString m_program;
-  std::vector<std::unique_ptr<Job>> m_jobs; ///< the current one, and cancelled ones that are ending
-  Job *m_current = nullptr;
+  LatestJob m_job; ///< ended before the rest of this
 };
 
 } // namespace halfspace

@@ -186,13 +186,5 @@ TEST(TriangleMesh, ItsTriangles_HaveTheirCorners) {
   EXPECT_EQ(triangles[1].p2, Vec3<double>(0, 0, 0));
 }
 
-TEST(InDoubles, OnlyRaysThatAreInDoubles_Are) {
-  EXPECT_TRUE(inDoubles({{1, Rational(3, 8), 0}, {0, 0, -1}}));
-  EXPECT_FALSE(inDoubles({{1, Rational(1, 3), 0}, {0, 0, -1}}));
-  EXPECT_FALSE(inDoubles({{1, 0, 0}, {0, Rational(1, 10), -1}}));
-  EXPECT_FALSE(inDoubles({{powerOfTen(400), 0, 0}, {0, 0, 1}}));
-  EXPECT_FALSE(inDoubles({{0, 0, 0}, {0, 0, 1 / powerOfTen(400)}}));
-}
-
 } // namespace
 } // namespace halfspace

@@ -7,12 +7,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QThread>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -43,13 +41,18 @@ QString costWords(const CostPoint &point) {
            counted(point.tree.boxes), counted(point.tree.triangles), milliseconds(point.treeMicroseconds));
 }
 
-} // namespace
+/// Whether there was memory for it.
+bool measureAll(const Aim &aim, const std::atomic<bool> &cancelled,
+              const std::function<void(const CostPoint &)> &tell, std::size_t most) {
+  try {
+    measureCost(aim, cancelled, tell, most);
+    return true;
+  } catch (const std::bad_alloc &) {
+    return false;
+  }
+}
 
-/// One measuring on its way.
-struct CostPlot::Job {
-  std::atomic<bool> cancelled{false};
-  std::unique_ptr<QThread> thread;
-};
+} // namespace
 
 CostPlot::CostPlot(QWidget *parent)
     : QWidget(parent), m_measure(new QPushButton), m_curves(new CostCurves), m_sentence(new QLabel) {
@@ -78,13 +81,6 @@ CostPlot::CostPlot(QWidget *parent)
   connect(m_measure, &QPushButton::clicked, this, [this] { isMeasuring() ? stop() : start(); });
   setTheme(themes().front());
   showState();
-}
-
-CostPlot::~CostPlot() {
-  for (const auto &job : m_jobs)
-    job->cancelled = true;
-  for (const auto &job : m_jobs)
-    job->thread->wait();
 }
 
 QToolButton *CostPlot::quantityButton(CostQuantity quantity, const QString &words,
@@ -126,40 +122,22 @@ void CostPlot::start() {
   m_inScene.reset();
   m_measuredAim = m_aim;
   m_lacksMemory = false;
-  m_jobs.push_back(std::make_unique<Job>());
-  m_current = m_jobs.back().get();
-  m_current->thread.reset(QThread::create(
-      [this, &started = *m_current, aim = *m_aim, most = m_most] { run(started, aim, most); }));
-  m_current->thread->start();
+  m_job.start([this, aim = *m_aim, most = m_most](const std::atomic<bool> &cancelled,
+                                                  const LatestJob::Post &post) -> LatestJob::Message {
+    const auto tell = [&](const CostPoint &point) { post([this, point] { add(point); }); };
+    const bool lacksMemory = !measureAll(aim, cancelled, tell, most);
+    return [this, lacksMemory] { end(lacksMemory); };
+  });
   showState();
 }
 
 void CostPlot::stop() {
-  std::exchange(m_current, nullptr)->cancelled = true;
+  m_job.cancel();
   showState();
   emit ended();
 }
 
-/// In the job's thread.
-void CostPlot::run(Job &job, const Aim &aim, std::size_t most) {
-  // What is told arrives in the thread of the plot, and no more once that is gone.
-  const auto tell = [&](const CostPoint &point) {
-    QMetaObject::invokeMethod(
-        this, [this, &job, point] { add(job, point); }, Qt::QueuedConnection);
-  };
-  bool lacksMemory = false;
-  try {
-    measureCost(aim, job.cancelled, tell, most);
-  } catch (const std::bad_alloc &) {
-    lacksMemory = true;
-  }
-  QMetaObject::invokeMethod(
-      this, [this, &job, lacksMemory] { end(job, lacksMemory); }, Qt::QueuedConnection);
-}
-
-void CostPlot::add(const Job &job, const CostPoint &point) {
-  if (&job != m_current)
-    return;
+void CostPlot::add(const CostPoint &point) {
   if (point.inScene)
     m_inScene = point;
   else
@@ -168,13 +146,7 @@ void CostPlot::add(const Job &job, const CostPoint &point) {
   emit measured();
 }
 
-void CostPlot::end(const Job &job, bool lacksMemory) {
-  const bool isCurrent = &job == m_current;
-  job.thread->wait();
-  std::erase_if(m_jobs, [&](const auto &one) { return one.get() == &job; });
-  if (!isCurrent)
-    return;
-  m_current = nullptr;
+void CostPlot::end(bool lacksMemory) {
   m_lacksMemory = lacksMemory;
   showState();
   emit ended();

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "widgets/flight/cost_curves.h"
+#include "widgets/latest_job.h"
 
 #include <QString>
 
-#include <memory>
 #include <optional>
 
 class QLabel;
@@ -15,13 +15,11 @@ class QToolButton;
 namespace halfspace {
 
 /// Fires one shot at the scene and at ever larger fields when it is told to, in a thread of its own, and
-/// plots each cost as it is measured.
+/// plots each cost as it is measured. Its destructor waits until a tree that is being made is ready.
 class CostPlot : public QWidget {
   Q_OBJECT
 public:
   explicit CostPlot(QWidget *parent = nullptr);
-  /// Ends what is being measured, and waits for it: until a tree that is being made is ready.
-  ~CostPlot() override;
 
   /// What is fired when it is measured the next time; nothing: there is nothing to measure.
   void setAim(std::optional<Aim> aim);
@@ -29,7 +27,7 @@ public:
   void setMost(std::size_t triangles);
   void setTheme(const Theme &theme);
 
-  [[nodiscard]] bool isMeasuring() const { return m_current != nullptr; }
+  [[nodiscard]] bool isMeasuring() const { return m_job.isRunning(); }
   /// In ascending order of their triangles.
   [[nodiscard]] const std::vector<CostPoint> &points() const { return m_points; }
   /// What is measured in the scene itself.
@@ -41,13 +39,10 @@ signals:
   void ended();    ///< all are, or it was stopped
 
 private:
-  struct Job;
-
   void start();
   void stop();
-  void run(Job &job, const Aim &aim, std::size_t most);
-  void add(const Job &job, const CostPoint &point);
-  void end(const Job &job, bool lacksMemory);
+  void add(const CostPoint &point);
+  void end(bool lacksMemory);
   [[nodiscard]] QToolButton *quantityButton(CostQuantity quantity, const QString &words,
                                             const QString &explanation);
   void showState();
@@ -58,11 +53,10 @@ private:
   std::size_t m_most = mostMeasured;
   std::vector<CostPoint> m_points;
   std::optional<CostPoint> m_inScene;
-  std::vector<std::unique_ptr<Job>> m_jobs; ///< the current one, and stopped ones that are ending
-  Job *m_current = nullptr;
   QPushButton *m_measure = nullptr;
   CostCurves *m_curves = nullptr;
   QLabel *m_sentence = nullptr;
+  LatestJob m_job; ///< ended before the rest of this
 };
 
 } // namespace halfspace
