@@ -119,9 +119,8 @@ void MeshLoader::start(const QString &file) {
   cancel();
   m_job.start([this, program = m_program, file](const std::atomic<bool> &cancelled,
                                                 const LatestJob::Post &post) -> LatestJob::Message {
-    News news([&](double part, const QString &what) {
-      post([this, part, what] { emit progressed(part, what); });
-    });
+    News news(
+        [&](double part, const QString &what) { post([this, part, what] { emit progressed(part, what); }); });
     return [this, result = loadMesh(program, file, cancelled, news)] { end(result); };
   });
 }

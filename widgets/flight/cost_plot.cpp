@@ -43,7 +43,7 @@ QString costWords(const CostPoint &point) {
 
 /// Whether there was memory for it.
 bool measureAll(const Aim &aim, const std::atomic<bool> &cancelled,
-              const std::function<void(const CostPoint &)> &tell, std::size_t most) {
+                const std::function<void(const CostPoint &)> &tell, std::size_t most) {
   try {
     measureCost(aim, cancelled, tell, most);
     return true;
