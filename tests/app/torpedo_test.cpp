@@ -9,6 +9,7 @@
 #include "lessons/object/triangle.h"
 #include "lessons/object/ufo.h"
 #include "lessons/scene/target_mesh.h"
+#include "widgets/flight/flight_axis.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/flight/fragment_table.h"
 #include "widgets/mesh_loader.h"
@@ -174,6 +175,24 @@ private slots:
     QCOMPARE(bar.state().t, t);
     QVERIFY(toDouble(m_fixture->value("frame").x) > 50 * t);
     emit bar.scrubEnded(true);
+  }
+
+  void keysOnTheAxis_goOnBehindTheHit_andBackToIt() {
+    m_fixture->answer(2);
+    auto &axis = *m_fixture->window.findChild<FlightAxis *>();
+    const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
+    const double t = toDouble(hit->at->t);
+    emit axis.scrubBegun();
+    emit axis.scrubbed(t);
+    emit axis.scrubEnded(true);
+    const Rational atHit = m_fixture->value("frame").x;
+    QTest::keyClick(&axis, Qt::Key_Right);
+    const Rational behind = m_fixture->value("frame").x;
+    QVERIFY(behind > atHit);
+    QTest::keyClick(&axis, Qt::Key_Right);
+    QVERIFY(m_fixture->value("frame").x > behind);
+    QTest::keyClick(&axis, Qt::Key_Left);
+    QCOMPARE(m_fixture->value("frame").x, behind);
   }
 
   void axis_scrubbedOntoTheHit_explodesThereWithAShortFrame() {

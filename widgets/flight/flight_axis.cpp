@@ -98,8 +98,9 @@ void FlightAxis::setCrossings(const Crossings &crossings) {
   update();
 }
 
-void FlightAxis::setTime(double t) {
+void FlightAxis::setTime(double t, double elapsed) {
   m_t = std::isfinite(t) ? t : 0;
+  m_elapsed = std::isfinite(elapsed) ? elapsed : 0;
   settleRange();
   update();
 }

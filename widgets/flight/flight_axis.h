@@ -24,7 +24,8 @@ public:
   explicit FlightAxis(const Typesetter &typesetter, QWidget *parent = nullptr);
 
   void setCrossings(const Crossings &crossings);
-  void setTime(double t);
+  /// The torpedo is at t; keys go on from what has elapsed, which is more while it explodes.
+  void setTime(double t, double elapsed);
   /// While a question is open: the torpedo waits at the start and nothing that the ray crosses is shown.
   void setHidden(bool hidden);
   /// The pointer is on this fragment somewhere else; 0 for none.
@@ -114,6 +115,7 @@ private:
   int m_levels = 1;
   AxisRange m_range;
   double m_t = 0;
+  double m_elapsed = 0;
   std::size_t m_chosen = 0;
   std::size_t m_hovered = 0;
   bool m_hidden = false;

@@ -173,7 +173,7 @@ double FlightAxis::snapped(double t, double x) const {
 
 void FlightAxis::stepBy(double ticks) {
   const double step = std::abs(ticks) * toDouble(ticksOf(scale(), keyTickGap * unit()).step);
-  const double steps = m_t / step;
+  const double steps = m_elapsed / step;
   const double slack = 1e-6; // a t that is a whole number of steps but for rounding counts as one
   moveByKey((ticks > 0 ? std::floor(steps + slack) + 1 : std::ceil(steps - slack) - 1) * step);
 }

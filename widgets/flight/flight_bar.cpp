@@ -146,7 +146,8 @@ QToolButton &FlightBar::button(FlightControl control) const {
 void FlightBar::setState(const FlightState &state) {
   FlightState before = std::exchange(m_state, state);
   before.t = state.t;
-  if (before != state) // in flight nothing but t is new
+  before.elapsed = state.elapsed;
+  if (before != state) // in flight nothing but these is new
     showControls();
   showTime();
 }
@@ -221,7 +222,7 @@ QString FlightBar::readout() const {
 }
 
 void FlightBar::showTime() {
-  m_axis->setTime(m_state.t);
+  m_axis->setTime(m_state.t, m_state.elapsed);
   if (m_state.hidden || !std::isfinite(m_state.t))
     return m_readout->setFormula(formulaOfTime(math::row(math::symbol('?')), '='), readout());
   const WrittenNumber value = shown(m_state.t);

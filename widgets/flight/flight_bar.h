@@ -20,7 +20,8 @@ inline constexpr int firstSeed = 166;
 
 /// What the bar shows.
 struct FlightState {
-  double t = 0; ///< where the torpedo is
+  double t = 0;       ///< where the torpedo is
+  double elapsed = 0; ///< where it would be had it hit nothing
   bool isPlaying = false;
   double speed = 1;
   bool canFire = true;

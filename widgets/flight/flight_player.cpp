@@ -82,24 +82,34 @@ FlightState FlightPlayer::state() const {
     const Rational &seed = now->seed.value;
     state.isAutomatic = seed != 0;
     state.seed = seed != 0 ? static_cast<int>(toDouble(seed)) : m_seed;
-    state.t = toDouble(flownTo(*now));
+    const Rational elapsed = elapsedOf(*now);
+    const Crossing *hit = hitOf(*now);
+    state.elapsed = toDouble(elapsed);
+    state.t = toDouble(hit ? std::min(elapsed, hit->at->t) : elapsed); // behind its hit it flies no more
   }
   return state;
 }
 
-/// The parameter to which the torpedo has come: behind what it hits it flies no more.
-Rational FlightPlayer::flownTo(const Flight &flight) const {
-  const Rational &frame = flight.frame.value;
-  const Rational elapsed = parameterAt(frame, shotAt(frame, flight.seed.value, ExactVec3(0)));
-  const Crossing *hit = nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
-  return hit ? std::min(elapsed, hit->at->t) : elapsed;
+/// The shot that is on its way, but for its direction.
+Shot FlightPlayer::shotOf(const Flight &flight) {
+  return shotAt(flight.frame.value, flight.seed.value, ExactVec3(0));
+}
+
+/// The parameter to which the torpedo has come if it has hit nothing.
+Rational FlightPlayer::elapsedOf(const Flight &flight) {
+  return parameterAt(flight.frame.value, shotOf(flight));
+}
+
+/// What the torpedo hits first; nothing: nullptr.
+const Crossing *FlightPlayer::hitOf(const Flight &flight) const {
+  return nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
 }
 
 /// Fired by itself it goes on; by hand until the explosion is over.
 Rational FlightPlayer::lastFrame(const Flight &flight) const {
   if (flight.seed.value != 0)
     return flight.frame.to;
-  const Crossing *hit = nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
+  const Crossing *hit = hitOf(flight);
   const Rational last =
       hit ? Rational(framesUntil(hit->at->t) + framesBehindHit) : Rational(framesWithoutHit);
   return std::min(last, flight.frame.to);
@@ -117,7 +127,7 @@ void FlightPlayer::fire() {
   if (!now)
     return;
   // By itself it goes on with the next shot, by hand the same one is fired once more.
-  const Rational next = shotAt(now->frame.value, now->seed.value, ExactVec3(0)).frame + framesPerShot;
+  const Rational next = shotOf(*now).frame + framesPerShot;
   playFrom(*now, now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next);
 }
 
@@ -257,7 +267,7 @@ void FlightPlayer::scrub(double t) {
   const auto now = flight();
   if (!now || !m_isScrubbing)
     return;
-  const Shot shot = shotAt(now->frame.value, now->seed.value, ExactVec3(0));
+  const Shot shot = shotOf(*now);
   Rational frame = frameAt(t, shot, now->names);
   if (now->seed.value != 0) // it stays with its shot
     frame = std::clamp(frame, shot.frame, Rational(shot.frame + framesPerShot - frameStep));

@@ -56,7 +56,9 @@ private:
   [[nodiscard]] std::optional<Flight> flightBy(const StepFlight &names) const;
   void begin(const Flight &flight, int seed, const QString &description);
   void followStep();
-  [[nodiscard]] Rational flownTo(const Flight &flight) const;
+  [[nodiscard]] static Shot shotOf(const Flight &flight);
+  [[nodiscard]] static Rational elapsedOf(const Flight &flight);
+  [[nodiscard]] const Crossing *hitOf(const Flight &flight) const;
   [[nodiscard]] Rational lastFrame(const Flight &flight) const;
   [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
   void beginScrub();

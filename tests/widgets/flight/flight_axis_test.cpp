@@ -19,7 +19,7 @@ struct ShownAxis {
   explicit ShownAxis(const Typesetter &typesetter, int width = 430) : axis(typesetter) {
     QObject::connect(&axis, &FlightAxis::scrubbed, [this](double t) {
       scrubbed.push_back(t);
-      axis.setTime(t);
+      axis.setTime(t, t);
     });
     QObject::connect(&axis, &FlightAxis::scrubBegun, [this] { ++begun; });
     QObject::connect(&axis, &FlightAxis::scrubEnded, [this](bool keep) {
@@ -88,7 +88,7 @@ private slots:
 
   void escape_inADrag_goesBackToWhereItBegan() {
     ShownAxis shown(m_typesetter);
-    shown.axis.setTime(0.25);
+    shown.axis.setTime(0.25, 0.25);
     const QPoint from = shown.onLine(0.25) - QPoint(4, 0);
     QTest::mousePress(&shown.axis, Qt::LeftButton, {}, from);
     movePointer(shown.axis, from + QPoint(80, 0), Qt::LeftButton);
@@ -105,12 +105,12 @@ private slots:
     far.all[3].at->t = 9;
     shown.axis.setHeld(true);
     shown.axis.setCrossings(far);
-    shown.axis.setTime(30);
+    shown.axis.setTime(30, 30);
     QVERIFY(shown.axis.scale().range == before);
     QVERIFY(shown.axis.handle().x() <= shown.axis.scale().right);
     shown.axis.setHeld(false);
     QVERIFY(shown.axis.scale().range.contains(9) && shown.axis.scale().range.contains(30));
-    shown.axis.setTime(0);
+    shown.axis.setTime(0, 0);
     const AxisRange settled = shown.axis.scale().range;
     QTest::mousePress(&shown.axis, Qt::LeftButton, {}, shown.onLine(1));
     shown.axis.setCrossings(someCrossings());
@@ -179,7 +179,7 @@ private slots:
     Crossings far = someCrossings();
     far.all[3].at->t = 9;
     shown.axis.setCrossings(far);
-    shown.axis.setTime(0.5);
+    shown.axis.setTime(0.5, 0.5);
     shown.axis.setHidden(true);
     QVERIFY(shown.axis.scale().range == AxisRange());
     QVERIFY(!shown.axis.placeOf(3));
