@@ -3,6 +3,7 @@
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/object/kind.h"
+#include "lessons/object/number.h"
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
@@ -38,10 +39,12 @@ Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSessio
   return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
 }
 
-/// How a scene is put into all of its pictures: those of a flight are seen from one place.
+/// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
+/// stand where they stand at its beginning.
 struct Setting {
   Stage stage;
   Camera camera;
+  std::optional<SceneContent> beginning;
 };
 
 Setting settingOf(const RenderCommand &command, const OpenedSession &opened) {
@@ -49,25 +52,35 @@ Setting settingOf(const RenderCommand &command, const OpenedSession &opened) {
   const Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
-  return {stage, homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
-                          command.size.height / designHeight)};
+  return {stage,
+          homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
+                   command.size.height / designHeight),
+          {}};
+}
+
+/// What is shown of a scene.
+SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened,
+                       const Evaluation &evaluation, const Stage &stage) {
+  SceneContent content;
+  content.stage = stage;
+  content.figure = toStage(
+      command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : figureOf(evaluation), stage);
+  return content;
 }
 
 Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSession &opened,
                                  const Setting &setting, const Typesetter &typesetter) {
   const Evaluation evaluation = evaluate(opened.session.scene);
-  const Figure whole = figureOf(evaluation);
-  const Figure figure = command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : whole;
   PictureRequest request;
-  request.content.stage = setting.stage;
-  request.content.figure = toStage(figure, setting.stage);
+  request.content = contentOf(command, opened, evaluation, setting.stage);
+  request.labelledLike = setting.beginning;
   request.camera = setting.camera;
   request.theme = *findTheme(command.theme);
   request.size = command.size;
   request.transparent = command.transparent;
-  return command.flat
-             ? drawFlatly(command, opened, toStage(whole, setting.stage), request.content, typesetter)
-             : drawOffscreen(request, labelPainter(typesetter));
+  return command.flat ? drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage),
+                                   request.content, typesetter)
+                      : drawOffscreen(request, labelPainter(typesetter));
 }
 
 /// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.
@@ -101,13 +114,13 @@ std::string fileOf(const NumberedFile &file, int frame) {
 }
 
 /// Draws and writes one frame after the other.
-std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened,
-                                   const Setting &setting, const Typesetter &typesetter) {
+std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Setting setting,
+                                   const Typesetter &typesetter) {
   Object *number = frameNumberOf(opened);
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
   const auto [first, last] = *command.frames;
-  const auto goTo = [number](int frame) {
+  const auto goTo = [number](const Rational &frame) {
     (*number)[0].x = frame;
     number->kind().settle(*number);
     return (*number)[0].x == frame;
@@ -117,6 +130,8 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
       return Problem{words("The flight has no frame {frame}: the nearest is {nearest}.",
                            {{"frame", std::to_string(frame)}, {"nearest", toText((*number)[0].x)}}),
                      "", 0, "--frame"};
+  goTo(objectAs<NumberObject>(*number)->from);
+  setting.beginning = contentOf(command, opened, evaluate(opened.session.scene), setting.stage);
   for (int frame = first; frame <= last; ++frame) {
     goTo(frame);
     const auto picture = drawPicture(command, opened, setting, typesetter);

@@ -142,6 +142,8 @@ Figure draw(const In &in, const Out &at) {
   if (at.elapsed == 0)
     torpedo.label.clear(); // the start has a letter of its own
   figure.add(std::move(torpedo));
+  for (Mark &mark : figure.marks)
+    baseOf(mark).passes = true;
   return figure;
 }
 

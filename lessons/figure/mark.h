@@ -39,6 +39,7 @@ struct MarkBase {
   Subject subject = Subject::Neutral;
   std::string label{};   ///< LaTeX written beside the mark; empty for none
   std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
+  bool passes = false;   ///< it flies by: labels of others make no room for it
   bool operator==(const MarkBase &) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <vtkActor.h>
@@ -61,6 +62,35 @@ TEST(FigureScene, DrawsALabelTexelForPixel) {
     for (int x = 0; x < picture->width; ++x)
       count += pixelAt(*picture, x, y) == magenta;
   EXPECT_EQ(count, labelWidth * labelHeight);
+}
+
+/// The middle of all that is magenta.
+glm::dvec2 middleOfLabel(const PictureRequest &request) {
+  const auto picture = drawOffscreen(request, magentaForQ);
+  EXPECT_TRUE(picture);
+  glm::dvec2 sum(0);
+  int count = 0;
+  for (int y = 0; y < picture->height; ++y)
+    for (int x = 0; x < picture->width; ++x)
+      if (pixelAt(*picture, x, y) == magenta) {
+        sum += glm::dvec2(x, y);
+        ++count;
+      }
+  EXPECT_GT(count, 0);
+  return sum / double(count);
+}
+
+TEST(FigureScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
+  PictureRequest request = requestFor(labelledPoint());
+  const glm::dvec2 alone = middleOfLabel(request);
+  PictureRequest crowded = request;
+  const SightLine sight = request.camera.sightThrough(alone, request.size);
+  const Place there = sight.origin + glm::normalize(sight.direction) * request.camera.distance();
+  crowded.content.figure.marks.push_back(withId(pointAt(there), "R", Subject::Neutral));
+  const glm::dvec2 aside = middleOfLabel(crowded);
+  EXPECT_GT(glm::distance(aside, alone), 3);
+  request.labelledLike = crowded.content;
+  EXPECT_EQ(middleOfLabel(request), aside);
 }
 
 TEST(FigureScene, ALabelIsPartOfItsMark) {

@@ -97,8 +97,12 @@ Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPai
   FigureScene scene(labels);
   scene.setTheme(request.theme);
   scene.setBackgroundVisible(!request.transparent);
-  scene.setContent(request.content);
   scene.setView({request.camera, request.size, request.pixelRatio.value_or(height / designHeight)});
+  if (request.labelledLike) {
+    scene.setContent(*request.labelledLike);
+    scene.prepare();
+  }
+  scene.setContent(request.content);
   scene.prepare();
 
   // A thread of its own: a context that a live window has current in this one would be in the way.

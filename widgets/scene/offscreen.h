@@ -10,6 +10,8 @@ namespace halfspace {
 
 struct PictureRequest {
   SceneContent content;
+  /// Another picture of the same: where labels stand in it they stay, as long as nothing comes upon them.
+  std::optional<SceneContent> labelledLike;
   Camera camera;
   Theme theme;
   PixelSize size{1600, 1000};

@@ -221,6 +221,18 @@ TEST(Obstacles, OfTheHandAndTheWindow_StandApart) {
   EXPECT_EQ(found.covered, view.covered);
 }
 
+TEST(Obstacles, WhatFliesBy_IsNone_AndItsLabelPasses) {
+  PointMark flying = labelled(pointAt({2, 2, 2}), "M", "M");
+  SceneContent content;
+  content.figure.marks = {flying};
+  EXPECT_EQ(obstaclesOf(content, {}, theme(), usualView()).discs.size(), 1U);
+  EXPECT_EQ(textsOf(content).at(0).stand, LabelStand::Beside);
+  flying.passes = true;
+  content.figure.marks = {flying};
+  EXPECT_TRUE(obstaclesOf(content, {}, theme(), usualView()).discs.empty());
+  EXPECT_EQ(textsOf(content).at(0).stand, LabelStand::Passing);
+}
+
 TEST(Obstacles, WithAHandleSelected_LeaveAllLabelsWhereTheyAre) {
   const auto placesIn = [](const SceneContent &content) {
     std::vector<LabelRequest> requests;

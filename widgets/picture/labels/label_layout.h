@@ -21,7 +21,7 @@ struct LabelAnchor {
 enum class LabelStand {
   Beside, ///< where it is clear of everything, as near to an anchor as can be
   Pinned, ///< centred on its first anchor, or nowhere: where something is already there, it is left out
-  Passing ///< beside an anchor, as long as the hand is there: those beside stay where they are; or nowhere
+  Passing ///< beside an anchor, but soon gone: those beside stay where they are; or nowhere
 };
 
 /// A label to be placed. Its anchors are tried in order of liking; those off the screen do not count.

@@ -196,8 +196,8 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
     const MarkBase &base = baseOf(*mark);
     const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
     texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
-                     anchorsOf(*mark, theme, view), LabelStand::Beside, true,
-                     content.arrival.presenceOf(base)});
+                     anchorsOf(*mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
+                     true, content.arrival.presenceOf(base)});
   }
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   if (content.dropLine && content.stage.hasAxes())
@@ -239,6 +239,8 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
     }
   };
   for (const Mark &mark : content.figure.marks) {
+    if (baseOf(mark).passes)
+      continue;
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
     const bool isArrow = std::holds_alternative<ArrowMark>(mark);
     if (const auto *point = std::get_if<PointMark>(&mark))

@@ -32,8 +32,8 @@ inline constexpr std::size_t mostMarkLabels = 150;
                                                 const std::vector<AxisLabel> &axes, const Theme &theme,
                                                 const View &view);
 
-/// The points and lines on the screen that labels keep clear of. The gizmo's stand apart: only what is there
-/// in passing keeps clear of them, and no label moves because a handle is selected.
+/// The points and lines on the screen that labels keep clear of; not what flies by. The gizmo's stand apart:
+/// only what is there in passing keeps clear of them, and no label moves because a handle is selected.
 [[nodiscard]] LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                                          const Theme &theme, const View &view);
 
