@@ -210,7 +210,7 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
-  m_downRay->setEnabled(firstRay(m_model.session().scene).has_value());
+  m_downRay->setEnabled(firstRay(m_model.shown().figure) != nullptr);
   showStepWords();
   showFlight();
   showCase();

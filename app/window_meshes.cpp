@@ -99,9 +99,12 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
   if (!target || target->shape() != mesh.shape)
     return complain(tr("The scene has no room for a mesh named “%1”.").arg(targetName));
   const auto side = [](double length) { return QString::number(length, 'g', 4); };
-  say(tr("%1: %2 triangles, %3 × %4 × %5 of the file's units.")
-          .arg(QString::fromStdString(mesh.name), QLocale().toString(static_cast<qulonglong>(mesh.triangles)),
-               side(mesh.size.x), side(mesh.size.y), side(mesh.size.z)) +
+  const QString triangles = mesh.triangles == 1
+                                ? tr("1 triangle")
+                                : tr("%1 triangles").arg(QLocale().toString(qulonglong(mesh.triangles)));
+  say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
+          .arg(QString::fromStdString(mesh.name), triangles, side(mesh.size.x), side(mesh.size.y),
+               side(mesh.size.z)) +
       leftOutWords(mesh) +
       (isTooLargeToWrite(*target) ? tr(" Too large to be saved with the session.") : QString()));
 }

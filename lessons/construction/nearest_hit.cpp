@@ -114,8 +114,7 @@ CaseWords tell(const In &in, const Out &at) {
   if (isDegenerate(in))
     return zeroDirectionWords(at);
   if (!at.nearest)
-    return {"miss", words("None of the {count} triangles has a hit with λ ≥ 0: the ray meets nothing.",
-                          {{"count", std::to_string(at.fragments)}})};
+    return {"miss", words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")};
   const WordValues found{{"fragment", nameOf(in.meshes, at.nearest->fragment)},
                          {"lambda", equation(at.lambda)}};
   return {"hit", words("The ray hits {fragment} first, at {lambda}.", found)};

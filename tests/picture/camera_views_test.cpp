@@ -7,6 +7,7 @@
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,12 +77,21 @@ TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {
   EXPECT_EQ(fitted(view, places), alone) << "what nothing lies under takes no room";
 }
 
-TEST(FirstRay, WithoutADirection_IsNotFound) {
+TEST(FirstRay, OfAFigure_IsTheFirstThatHasADirection) {
   Scene scene = library().find("ray-plane-dot")->scene;
-  EXPECT_TRUE(firstRay(scene));
+  const Figure figure = figureOf(evaluate(scene));
+  ASSERT_TRUE(firstRay(figure));
+  EXPECT_EQ(firstRay(figure)->id, "L");
   coordinate(*findObject(scene, "L"), 1) = ExactVec3(0);
-  EXPECT_FALSE(firstRay(scene));
-  EXPECT_FALSE(firstRay(library().find("signed-distance")->scene));
+  EXPECT_FALSE(firstRay(figureOf(evaluate(scene))));
+  EXPECT_FALSE(firstRay(figureOf(evaluate(library().find("signed-distance")->scene))));
+}
+
+TEST(FirstRay, ThatIsWorkedOut_IsFoundAsWell) {
+  const Figure figure = figureOf(evaluate(library().find("photon-torpedo")->scene));
+  ASSERT_TRUE(firstRay(figure));
+  const Camera down = seenDownRay(figure, Camera());
+  EXPECT_GT(glm::dot(down.viewDirection(), firstRay(figure)->direction), 0.999999);
 }
 
 } // namespace

@@ -33,12 +33,19 @@ QString milliseconds(double microseconds) {
   return QLocale(QLocale::English).toString(time, 'f', digitsBehind);
 }
 
+QString triangles(std::size_t count) {
+  return count == 1 ? CostPlot::tr("1 triangle") : CostPlot::tr("%1 triangles").arg(counted(count));
+}
+
+QString boxes(std::size_t count) {
+  return count == 1 ? CostPlot::tr("1 box") : CostPlot::tr("%1 boxes").arg(counted(count));
+}
+
 /// 25 triangles: what both did to find the hit.
 QString costWords(const CostPoint &point) {
-  return CostPlot::tr("%1 triangles: the loop asked all %2 in %3 ms; the tree looked at %4 boxes and %5 "
-                      "triangles in %6 ms.")
-      .arg(counted(point.triangles), counted(point.plain.triangles), milliseconds(point.plainMicroseconds),
-           counted(point.tree.boxes), counted(point.tree.triangles), milliseconds(point.treeMicroseconds));
+  return CostPlot::tr("%1: the loop asked all %2 in %3 ms; the tree looked at %4 and %5 in %6 ms.")
+      .arg(triangles(point.triangles), counted(point.plain.triangles), milliseconds(point.plainMicroseconds),
+           boxes(point.tree.boxes), triangles(point.tree.triangles), milliseconds(point.treeMicroseconds));
 }
 
 /// Whether there was memory for it.

@@ -150,21 +150,18 @@ Camera seenAlongPlane(const Figure &figure, Camera camera) {
   return camera;
 }
 
-std::optional<RayObject> firstRay(const Scene &scene) {
-  for (const Entry &entry : scene.entries) {
-    const auto *object = std::get_if<Object>(&entry.content);
-    auto ray = object ? objectAs<RayObject>(*object) : std::nullopt;
-    if (ray && !isZero(ray->direction))
+const RayMark *firstRay(const Figure &figure) {
+  for (const Mark &mark : figure.marks)
+    if (const auto *ray = std::get_if<RayMark>(&mark))
       return ray;
-  }
-  return {};
+  return nullptr;
 }
 
-Camera seenDownRay(const Scene &scene, Camera camera) {
-  const auto ray = firstRay(scene);
+Camera seenDownRay(const Figure &figure, Camera camera) {
+  const RayMark *ray = firstRay(figure);
   if (!ray)
     return camera;
-  Camera down(CameraView{-toDouble(ray->direction), toDouble(ray->origin), camera.height});
+  Camera down(CameraView{-ray->direction, ray->origin, camera.height});
   down.orthographic = camera.orthographic;
   return down;
 }

@@ -1,8 +1,7 @@
 // Where the camera goes on request.
 #pragma once
 
-#include "lessons/object/ray.h"
-#include "lessons/scene/scene.h"
+#include "lessons/figure/figure.h"
 #include "widgets/picture/view.h"
 
 namespace halfspace {
@@ -38,11 +37,11 @@ enum class AxisView { Front, Right, Top };
 /// one.
 [[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
 
-/// The first ray of a scene that has a direction, or null.
-[[nodiscard]] std::optional<RayObject> firstRay(const Scene &scene);
+/// The first ray of a figure, or null; one without a direction is not drawn.
+[[nodiscard]] const RayMark *firstRay(const Figure &figure);
 
-/// From the start of a scene's first ray in its direction; unchanged without one.
-[[nodiscard]] Camera seenDownRay(const Scene &scene, Camera camera);
+/// From the start of a figure's first ray in its direction; unchanged without one.
+[[nodiscard]] Camera seenDownRay(const Figure &figure, Camera camera);
 
 /// A camera between two: t = 0 is the first, t = 1 the second. It turns the short way round.
 [[nodiscard]] Camera between(const Camera &from, const Camera &to, double t);

@@ -56,11 +56,12 @@ public:
 
   /// As the lesson begins.
   void goHome();
+  /// The whole figure from another side.
   void setAxisView(AxisView view);
   void fit();
   /// Another figure: as the lesson begins, or fitted where the learner had looked around.
   void showAnother() { m_atHome ? goHome() : fit(); }
-  /// Looks along the first plane or triangle of the scene, so that it is seen as a line.
+  /// The whole figure along its first plane or triangle, so that it is seen as a line.
   void lookAlongPlane();
   /// Looks from the start of the first ray in its direction.
   void lookDownRay();
@@ -176,6 +177,8 @@ private:
   /// From where a camera stands, of all that belongs to a figure: itself, the handles, and the axes if they
   /// do.
   [[nodiscard]] Camera fittedTo(Camera from, const Figure &figure, bool axes) const;
+  /// With all that is near what is given in view, and the axes.
+  [[nodiscard]] Camera fittedToGiven(const Camera &from) const;
   [[nodiscard]] Camera home() const;
   /// At home the figure stays fitted to the room that there is; elsewhere what was between the left and the
   /// right side stays there.

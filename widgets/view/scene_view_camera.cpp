@@ -71,9 +71,11 @@ Camera SceneView::fittedTo(Camera from, const Figure &figure, bool axes) const {
   return fitted({from, pixelSize(), designRatio(), m_covered}, places);
 }
 
-Camera SceneView::home() const {
-  return fittedTo(Camera(m_model.lesson().camera), nearGiven(staged(m_model.figure())), m_stage.hasAxes());
+Camera SceneView::fittedToGiven(const Camera &from) const {
+  return fittedTo(from, nearGiven(staged(m_model.figure())), m_stage.hasAxes());
 }
+
+Camera SceneView::home() const { return fittedToGiven(Camera(m_model.lesson().camera)); }
 
 void SceneView::goHome() {
   glideTo(home());
@@ -101,7 +103,7 @@ void SceneView::takeView() {
 
 void SceneView::showAll() {
   m_glide.stop();
-  m_camera = m_atHome ? home() : fittedTo(m_camera, nearGiven(staged(m_model.figure())), m_stage.hasAxes());
+  m_camera = m_atHome ? home() : fittedToGiven(m_camera);
   if (!m_atHome)
     keepView(m_camera);
 }
@@ -137,11 +139,13 @@ void SceneView::resizeEvent(QResizeEvent *event) {
   requestFrame();
 }
 
-void SceneView::setAxisView(AxisView view) { glideTo(seenAlong(view, m_camera)); }
+void SceneView::setAxisView(AxisView view) { glideTo(fittedToGiven(seenAlong(view, m_camera))); }
 
-void SceneView::lookAlongPlane() { glideTo(seenAlongPlane(staged(m_model.figure()), m_camera)); }
+void SceneView::lookAlongPlane() {
+  glideTo(fittedToGiven(seenAlongPlane(staged(m_model.figure()), m_camera)));
+}
 
-void SceneView::lookDownRay() { glideTo(seenDownRay(stagedScene().scene, m_camera)); }
+void SceneView::lookDownRay() { glideTo(seenDownRay(staged(m_model.shown().figure), m_camera)); }
 
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();

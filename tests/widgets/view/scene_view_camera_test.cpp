@@ -153,6 +153,15 @@ private slots:
     QVERIFY(fixture.view.camera().viewDirection()[axis] < -0.999);
   }
 
+  void axisViews_afterComingNear_haveAllHandlesInView() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    turnWheel(fixture, {10, 10}, 12);
+    QVERIFY(!seesAllHandles(fixture));
+    fixture.view.setAxisView(AxisView::Top);
+    QVERIFY(seesAllHandles(fixture));
+  }
+
   void lookAlongPlane_andDownTheRay_seeThemAsALineAndAPoint() {
     ViewFixture fixture({{planeE(), rayL()}});
     QVERIFY(fixture.ready);
