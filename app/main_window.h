@@ -133,6 +133,13 @@ private:
   void endMeshProgress();
   /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.
   void takeMesh(const LoadedMesh &mesh);
+  void createMeshItems(QMenu &menu);
+  /// The name of the mesh whose handle is selected; empty for none.
+  [[nodiscard]] std::string selectedMesh() const;
+  /// Puts another mesh like the selected one beside it.
+  void copyMesh();
+  /// Takes the selected mesh away.
+  void removeMesh();
   void showFlight();
   /// Lights up the fragment whose mark the pointer is on.
   void showHoveredFragment();

@@ -71,6 +71,7 @@ void MainWindow::createEditMenu() {
     m_model.resetScene();
   });
   createCornerItems(menu);
+  createMeshItems(menu);
   createSnapMenu(*menu.addMenu(tr("S&nap To")));
 }
 

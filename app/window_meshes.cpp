@@ -1,11 +1,13 @@
 // A learner's own meshes: opened, dropped on the window, and put into the scene.
 #include "app/main_window.h"
+#include "lessons/object/mesh.h"
 #include "lessons/scene/large_meshes.h"
 #include "lessons/scene/target_mesh.h"
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLocale>
+#include <QMenu>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QUrl>
@@ -91,13 +93,10 @@ void MainWindow::endMeshProgress() {
 void MainWindow::takeMesh(const LoadedMesh &mesh) {
   if (!takesMeshes(m_model.session().scene))
     m_model.openLesson(meshLesson);
-  m_model.beginGesture(tr("Open %1").arg(QString::fromStdString(mesh.name)));
-  for (const Edit &edit : editsForTarget(m_model.session().scene, mesh.shape))
-    m_model.moveGesture(edit);
-  m_model.endGesture();
-  const Object *target = findObject(m_model.session().scene, targetName);
-  if (!target || target->shape() != mesh.shape)
-    return complain(tr("The scene has no room for a mesh named “%1”.").arg(targetName));
+  const QString refusal = m_model.editTogether(editsForTarget(m_model.session().scene, mesh.shape),
+                                               tr("Open %1").arg(QString::fromStdString(mesh.name)));
+  if (!refusal.isEmpty())
+    return complain(refusal);
   const auto side = [](double length) { return QString::number(length, 'g', 4); };
   const QString triangles = mesh.triangles == 1
                                 ? tr("1 triangle")
@@ -106,7 +105,45 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
           .arg(QString::fromStdString(mesh.name), triangles, side(mesh.size.x), side(mesh.size.y),
                side(mesh.size.z)) +
       leftOutWords(mesh) +
-      (isTooLargeToWrite(*target) ? tr(" Too large to be saved with the session.") : QString()));
+      (isTooLargeToWrite(*findObject(m_model.session().scene, targetName)) ? tr(" Too large to be saved with the session.") : QString()));
+}
+
+void MainWindow::createMeshItems(QMenu &menu) {
+  QAction *copy = addItem(menu, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), this, [this] { copyMesh(); });
+  QAction *remove =
+      addItem(menu, tr("Remo&ve the Mesh"), QKeySequence::Delete, this, [this] { removeMesh(); });
+  const auto enable = [this, copy, remove] {
+    const std::string mesh = selectedMesh();
+    copy->setEnabled(!mesh.empty() && takesMeshes(m_model.session().scene));
+    // The words of the lesson speak of those that it begins with.
+    remove->setEnabled(!mesh.empty() && !findObject(m_model.lesson().scene, mesh));
+  };
+  connect(m_scene, &SceneView::selectionChanged, this, enable);
+  enable();
+}
+
+std::string MainWindow::selectedMesh() const {
+  std::string name = ownerOf(m_scene->selectedHandle());
+  const Object *object = findObject(m_model.session().scene, name);
+  return object && kindOf(*object) == MeshObject::kind ? name : std::string();
+}
+
+void MainWindow::copyMesh() {
+  const auto copy = copyOfMesh(m_model.session().scene, selectedMesh());
+  if (!copy)
+    return complain(tr("There is no room for one more mesh: a ray is held against eight at the most."));
+  const QString refusal = m_model.editTogether(copy->edits, tr("Another mesh"));
+  if (!refusal.isEmpty())
+    return complain(refusal);
+  m_scene->selectHandle(copy->name + ".P");
+}
+
+void MainWindow::removeMesh() {
+  const std::string mesh = selectedMesh();
+  const QString refusal = m_model.editTogether(editsToRemoveMesh(m_model.session().scene, mesh),
+                                               tr("Remove the mesh"));
+  if (!refusal.isEmpty())
+    complain(refusal);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

@@ -150,13 +150,17 @@ void SessionModel::setStep(int step) {
     show(session);
 }
 
-QString SessionModel::edit(const Edit &edit, const QString &description) {
+QString SessionModel::editTogether(const std::vector<Edit> &edits, const QString &description) {
   settleGesture();
   const Session before = m_session;
-  const auto edited = apply(m_session, edit);
-  if (!edited)
-    return QString::fromStdString(edited.problem().sentence);
-  show(*edited);
+  Session after = m_session;
+  for (const Edit &edit : edits) {
+    auto edited = apply(std::move(after), edit);
+    if (!edited)
+      return QString::fromStdString(edited.problem().sentence);
+    after = std::move(*edited);
+  }
+  show(after);
   if (!(m_session == before))
     record(before, description);
   return {};

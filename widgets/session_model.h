@@ -75,7 +75,9 @@ public:
   void setQuestion(Question question);
 
   /// An edit that stands on its own: one undo step. Why it is refused; else empty.
-  QString edit(const Edit &edit, const QString &description);
+  QString edit(const Edit &edit, const QString &description) { return editTogether({edit}, description); }
+  /// Several, each of what those before it leave: one undo step, or none of them where one is refused.
+  QString editTogether(const std::vector<Edit> &edits, const QString &description);
 
   /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
   /// before. Whatever else changes the scene or leaves the lesson ends the gesture first, as it is.

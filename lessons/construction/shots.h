@@ -14,8 +14,6 @@ inline constexpr int framesPerVelocity = 100;
 inline constexpr int framesPerLambda = 50;
 /// Firing by itself, it fires once in so many frames.
 inline constexpr int framesPerShot = 150;
-/// How long the barrel is (note PG 7), and so the direction of every torpedo.
-inline constexpr int barrelLength = 20;
 
 /// What the saucer fires last before a frame.
 struct Shot {

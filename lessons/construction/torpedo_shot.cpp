@@ -1,5 +1,5 @@
-// The ray of a torpedo that a flying saucer fires: from where the saucer is, along its barrel, which is
-// always 20 units long (note PG 7).
+// The ray of a torpedo that a flying saucer fires: from where the saucer is, along its barrel, which
+// is just so long, wherever it points (note PG 7).
 #include "geometry/surd.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/shots.h"
@@ -36,23 +36,24 @@ struct Out : Naming, UfoTerms {
 /// So many digits of the factor that makes an arrow as long as the barrel are kept where it is no fraction.
 constexpr int factorDigits = 4;
 
-/// Times this an arrow ≠ 0 is as long as the barrel, exactly or nearly: the direction is the arrow's in any
-/// case.
-Rational factorOf(const ExactVec3 &arrow) {
+/// Times this an arrow ≠ 0 is as long as a barrel that has a length, exactly or nearly: the direction is the
+/// arrow's in any case.
+Rational factorOf(const ExactVec3 &arrow, const Rational &barrelLength) {
   const Surd length = Surd::root(dot(arrow, arrow));
   if (length.isRational())
-    return Rational(barrelLength) / length.rationalPart();
-  const double factor = barrelLength / toDouble(length);
+    return barrelLength / length.rationalPart();
+  const double factor = toDouble(barrelLength) / toDouble(length);
   const int exponent = static_cast<int>(std::floor(std::log10(factor)));
   return roundToMultiple(factor, powerOfTen(exponent + 1 - factorDigits));
 }
 
 Out compute(const In &in) {
-  const auto &[start, velocity, barrel] = in.U.object;
+  const auto &[start, velocity, barrel, barrelLength] = in.U.object;
   const Rational &frame = in.frame.object.value;
   const Rational &seed = in.seed.object.value;
   const Shot shot = shotAt(frame, seed, barrel);
-  const Rational factor = isZero(shot.barrel) ? Rational(0) : factorOf(shot.barrel);
+  const bool canFire = !isZero(shot.barrel) && barrelLength != 0;
+  const Rational factor = canFire ? factorOf(shot.barrel, barrelLength) : Rational(0);
   const UfoTerms letters = termsOf(in.U);
   return {in,
           letters,
@@ -65,13 +66,18 @@ Out compute(const In &in) {
           madeName(in, "L", "r", ExactVec3(shot.barrel * factor))};
 }
 
-bool hasBarrel(const Out &at) { return !isZero(at.shot.barrel); }
+bool canFire(const Out &at) { return at.factor != 0; }
 
 CaseWords tell(const In &, const Out &at) {
-  if (!hasBarrel(at))
+  if (isZero(at.shot.barrel))
     return {"zero-direction",
             words("The barrel {g} is the zero vector: it points nowhere, so nothing is fired.",
                   {{"g", plainText(at.aim)}}),
+            true};
+  if (!canFire(at))
+    return {"zero-direction",
+            words("{b}: a barrel without a length gives no direction, so nothing is fired.",
+                  {{"b", equation(at.b)}}),
             true};
   if (at.isByHand)
     return {"by-hand", words("The saucer fires from {Q} along its barrel.", {{"Q", plainText(at.Q)}})};
@@ -80,13 +86,13 @@ CaseWords tell(const In &, const Out &at) {
 }
 
 std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (!hasBarrel(at))
+  if (!canFire(at))
     return {};
   return {listed("length", norm(at.aim)), listed("start", at.Q), listed("direction", at.r)};
 }
 
 std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!hasBarrel(at))
+  if (!canFire(at))
     return {};
   return {{"L", RayObject{vectorOf(at.Q), vectorOf(at.r)}}};
 }
@@ -106,13 +112,13 @@ WorkingLine lengthLine(const Out &at) {
 
 bool isExact(const Out &at) { return Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational(); }
 
-Term factorTerm(const Out &at) { return Term(barrelLength) / norm(at.aim); }
+Term factorTerm(const Out &at) { return at.b / norm(at.aim); }
 
 WorkingLine factorLine(const Out &at) {
   return line(
       withNumbers(factorTerm(at)),
-      words("Divided by its length an arrow is one unit long; times {barrel} it is as long as the barrel.",
-            {{"barrel", std::to_string(barrelLength)}}));
+      words("Divided by its length an arrow is one unit long; times {b} it is as long as the barrel.",
+            {{"b", plainText(at.b)}}));
 }
 
 WorkingLine directionLine(const Out &at) {
@@ -127,7 +133,7 @@ WorkingLine directionLine(const Out &at) {
 
 Explanation explain(const In &, const Out &at) {
   Explanation lines;
-  if (!hasBarrel(at))
+  if (!canFire(at))
     return lines;
   lines.add("start", [&at] { return startLine(at); });
   lines.add("length", [&at] { return lengthLine(at); });
@@ -179,7 +185,7 @@ void drawRay(Figure &figure, const In &in, const Out &at) {
 Figure draw(const In &in, const Out &at) {
   Figure figure;
   drawSaucer(figure, in, at);
-  if (!hasBarrel(at))
+  if (!canFire(at))
     return figure;
   if (!at.isByHand)
     figure.add(arrowOf(at.aim, place(at.Q), Role::Derived, Subject::Ray));

@@ -217,7 +217,12 @@ std::string rightChoice(const Prediction &prediction, const Evaluation &evaluati
     return holds({prediction.value, Condition::Relation::Equal, choice.word}, evaluation);
   };
   const auto choice = std::find_if(prediction.choices.begin(), prediction.choices.end(), fits);
-  return choice == prediction.choices.end() ? std::string() : choice->word;
+  if (choice != prediction.choices.end())
+    return choice->word;
+  const bool isCovered = findValue(evaluation, prediction.value) &&
+                         std::any_of(prediction.choices.begin(), prediction.choices.end(),
+                                     [](const Prediction::Choice &each) { return each.word == otherwise; });
+  return isCovered ? otherwise : std::string();
 }
 
 bool isDone(const Task &task, const Evaluation &evaluation) {

@@ -79,10 +79,13 @@ struct Task {
   int conditionsLine = 0;
 };
 
+/// The word of a choice that is right when none of the others is.
+inline constexpr const char *otherwise = "otherwise";
+
 /// A question that hides the numbers until the learner has chosen an answer.
 struct Prediction {
   struct Choice {
-    std::string word; ///< what the value must be for this choice to be right
+    std::string word; ///< what the value must be for this choice to be right, or `otherwise`
     std::string text;
     int line = 0; ///< in the file
   };

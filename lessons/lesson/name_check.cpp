@@ -166,7 +166,9 @@ private:
       return complain(sentence, prediction.valueLine, "answer");
     const std::size_t before = m_problems.size();
     for (const Prediction::Choice &choice : prediction.choices)
-      complain(whyNever({prediction.value, Condition::Relation::Equal, choice.word}), choice.line, "choices");
+      if (choice.word != otherwise)
+        complain(whyNever({prediction.value, Condition::Relation::Equal, choice.word}), choice.line,
+                 "choices");
     if (m_problems.size() == before) // a choice with a slip was perhaps the right one
       complain(whyNoneIsRight(prediction), prediction.valueLine, "answer");
   }

@@ -26,7 +26,7 @@ void offer(const Given<Object> &given, Surroundings &found) {
 } // namespace
 
 UfoTerms termsOf(const Given<UfoObject> &ufo) {
-  return {coordinateTerm(ufo, 0), coordinateTerm(ufo, 1), coordinateTerm(ufo, 2)};
+  return {coordinateTerm(ufo, 0), coordinateTerm(ufo, 1), coordinateTerm(ufo, 2), coordinateTerm(ufo, 3)};
 }
 
 namespace object_kinds {
@@ -34,15 +34,16 @@ namespace object_kinds {
 Kind ufo() {
   return {.word = UfoObject::kind,
           .meaning =
-              "a flying saucer by where it starts, how far it flies in a hundred frames, and where its "
-              "barrel points",
+              "a flying saucer by where it starts, how far it flies in a hundred frames, where its barrel "
+              "points, and how long that is",
           .coordinates = {{"S", CoordinateRole::Position},
                           {"c", CoordinateRole::Direction},
-                          {"g", CoordinateRole::Direction}},
+                          {"g", CoordinateRole::Direction},
+                          {"b", CoordinateRole::Length}},
           .leavableVertices = 0,
           .shape = {},
           .binding = {},
-          .settle = settleNothing,
+          .settle = settleLengths,
           .draw = draw,
           .ownHandles = noHandles,
           .offer = offer,

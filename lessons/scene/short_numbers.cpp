@@ -274,6 +274,7 @@ private:
     ufo.start = m_dice.position();
     ufo.velocity = m_dice.direction(longestStep);
     ufo.barrel = m_dice.normal();
+    ufo.barrelLength = 10 * m_dice.between(1, 3);
   }
 
   /// Such that many whole points lie on it.

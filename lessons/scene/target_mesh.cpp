@@ -1,11 +1,12 @@
 #include "lessons/scene/target_mesh.h"
 
+#include "geometry/decide.h"
 #include "lessons/construction/construction.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/mesh.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 
 namespace halfspace {
@@ -15,6 +16,8 @@ namespace {
 constexpr double wantedSide = 8;
 /// Where it stands at first: on the field of a scene of usual size, beside the middle.
 const ExactVec3 firstPlace(9, 16, 0);
+/// A copy of a mesh stands so far beside it.
+const Rational gapBeside = 3;
 
 /// 1, 2 or 5 times a power of ten, not much above the factor.
 Rational roundFactor(double factor) {
@@ -32,23 +35,66 @@ Rational scaleOf(const MeshShape &shape) {
                      : Rational(1);
 }
 
-/// The role in which a construction looks at a list of meshes; null where it has none.
-const ConstructionRole *meshRole(const ConstructionUse &use) {
-  const Construction &construction = *findConstruction(use.id);
-  const auto found =
-      std::find_if(construction.roles.begin(), construction.roles.end(),
-                   [](const ConstructionRole &role) { return role.isList && role.kind == MeshObject::kind; });
-  return found == construction.roles.end() ? nullptr : &*found;
+/// The meshes that a construction looks at in a role of its own for many of them.
+struct MeshList {
+  std::string entry;
+  const ConstructionRole *role;
+  std::vector<std::string> ids;
+};
+
+/// The lists of all constructions of a scene that have one.
+std::vector<MeshList> meshListsIn(const Scene &scene) {
+  std::vector<MeshList> lists;
+  for (const Entry &entry : scene.entries)
+    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+      for (const ConstructionRole &role : findConstruction(use->id)->roles)
+        if (role.isList && role.kind == MeshObject::kind)
+          lists.push_back({entry.name, &role, use->roles.at(role.name).ids});
+  return lists;
+}
+
+/// Puts a mesh before all constructions, and into those lists that have room for it.
+std::vector<Edit> editsToAdd(const Scene &scene, const std::string &name, const MeshObject &mesh,
+                             const std::vector<MeshList> &lists) {
+  const auto firstUse = std::find_if(scene.entries.begin(), scene.entries.end(), [](const Entry &entry) {
+    return std::holds_alternative<ConstructionUse>(entry.content);
+  });
+  std::vector<Edit> edits{
+      AddEntry{static_cast<std::size_t>(firstUse - scene.entries.begin()), {name, Object(mesh)}}};
+  for (const MeshList &list : lists) {
+    std::vector<std::string> ids = list.ids;
+    ids.push_back(name);
+    if (isCountOf(*list.role, ids.size()))
+      edits.emplace_back(RebindRole{list.entry, list.role->name, std::move(ids)});
+  }
+  return edits;
+}
+
+/// wall2 for wall, and for wall2 as well; or wall3 where there is one already.
+std::string nextName(const Scene &scene, std::string name) {
+  while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())))
+    name.pop_back();
+  const auto isTaken = [&scene](const std::string &wanted) {
+    return std::any_of(scene.entries.begin(), scene.entries.end(),
+                       [&wanted](const Entry &entry) { return entry.name == wanted; });
+  };
+  int number = 2;
+  while (isTaken(name + std::to_string(number)))
+    ++number;
+  return name + std::to_string(number);
+}
+
+/// The way beside a mesh, across its heading but along an axis, by its width and a gap.
+ExactVec3 wayBeside(const MeshObject &mesh) {
+  const MeshBox &box = mesh.shape->box();
+  const Rational width = (exactly(box.high).y - exactly(box.low).y) * mesh.scale;
+  const Rational way = roundUpToMultiple(width + gapBeside, 1);
+  return abs(mesh.heading.x) >= abs(mesh.heading.y) ? ExactVec3(0, way, 0) : ExactVec3(-way, 0, 0);
 }
 
 } // namespace
 
-bool takesMeshes(const Scene &scene) {
-  return std::any_of(scene.entries.begin(), scene.entries.end(), [](const Entry &entry) {
-    const auto *use = std::get_if<ConstructionUse>(&entry.content);
-    return use && meshRole(*use);
-  });
-}
+bool takesMeshes(const Scene &scene) { return !meshListsIn(scene).empty(); }
 
 std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape) {
   MeshObject mesh{firstPlace, {1, 0, 0}, scaleOf(*shape), std::move(shape)};
@@ -58,21 +104,33 @@ std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshS
       mesh.heading = old->heading;
       return {ChangeObject{targetName, mesh}};
     }
-  const auto firstUse = std::find_if(scene.entries.begin(), scene.entries.end(), [](const Entry &entry) {
-    return std::holds_alternative<ConstructionUse>(entry.content);
+  return editsToAdd(scene, targetName, mesh, meshListsIn(scene));
+}
+
+std::optional<MeshCopy> copyOfMesh(const Scene &scene, const std::string &name) {
+  const Object *original = findObject(scene, name);
+  auto mesh = original ? objectAs<MeshObject>(*original) : std::nullopt;
+  if (!mesh)
+    return {};
+  std::vector<MeshList> lists = meshListsIn(scene);
+  std::erase_if(lists, [&name](const MeshList &list) {
+    return std::find(list.ids.begin(), list.ids.end(), name) == list.ids.end() ||
+           !isCountOf(*list.role, list.ids.size() + 1);
   });
-  std::vector<Edit> edits{
-      AddEntry{static_cast<std::size_t>(firstUse - scene.entries.begin()), {targetName, Object(mesh)}}};
-  for (const Entry &entry : scene.entries) {
-    const auto *use = std::get_if<ConstructionUse>(&entry.content);
-    const ConstructionRole *role = use ? meshRole(*use) : nullptr;
-    if (!role)
-      continue;
-    RoleObjects objects = use->roles.at(role->name);
-    objects.ids.emplace_back(targetName);
-    if (isCountOf(*role, objects.ids.size()))
-      edits.emplace_back(RebindRole{entry.name, role->name, std::move(objects)});
-  }
+  if (lists.empty())
+    return {};
+  mesh->place += wayBeside(*mesh);
+  MeshCopy copy{nextName(scene, name), {}};
+  copy.edits = editsToAdd(scene, copy.name, *mesh, lists);
+  return copy;
+}
+
+std::vector<Edit> editsToRemoveMesh(const Scene &scene, const std::string &name) {
+  std::vector<Edit> edits;
+  for (MeshList &list : meshListsIn(scene))
+    if (std::erase(list.ids, name) > 0 && !list.ids.empty())
+      edits.emplace_back(RebindRole{list.entry, list.role->name, std::move(list.ids)});
+  edits.emplace_back(RemoveEntry{name});
   return edits;
 }
 

@@ -1,14 +1,16 @@
-// A learner's own mesh as something to aim at.
+// Meshes that a learner adds to a scene as something to aim at.
 #pragma once
 
 #include "lessons/object/mesh_shape.h"
 #include "lessons/scene/edit.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace halfspace {
 
-/// What the mesh is called in the scene.
+/// What a learner's own mesh is called in the scene.
 inline constexpr const char *targetName = "target";
 
 /// Whether a scene has constructions that look at meshes.
@@ -18,5 +20,17 @@ inline constexpr const char *targetName = "target";
 /// constructions that look at meshes and have room for one more. One that was put there before gives way, and
 /// the new one stands where it stood.
 [[nodiscard]] std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape);
+
+/// The edits that put another mesh like one of the scene beside it, with the same shape, and the name that it
+/// gets: wall2. Nothing where no construction that looks at the mesh has room for one more.
+struct MeshCopy {
+  std::string name;
+  std::vector<Edit> edits;
+};
+[[nodiscard]] std::optional<MeshCopy> copyOfMesh(const Scene &scene, const std::string &name);
+
+/// The edits that take a mesh out of all lists, and then out of the scene. The last one is refused where
+/// something looks at it in another way, or at nothing else.
+[[nodiscard]] std::vector<Edit> editsToRemoveMesh(const Scene &scene, const std::string &name);
 
 } // namespace halfspace

@@ -380,6 +380,28 @@ private slots:
     QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
   }
 
+  void mesh_selected_getsAnotherBesideIt_whichIsDraggedAndTakenAwayAgain() {
+    m_fixture->model().setStep(stepWithTable);
+    const Scene before = m_fixture->model().session().scene;
+    SceneView &view = m_fixture->scene();
+    view.setFocus();
+    view.selectHandle("wall.P");
+    QTest::keyClick(&view, Qt::Key_D, Qt::ControlModifier);
+    const ExactVec3 place = m_fixture->value("wall2.P");
+    QCOMPARE(view.selectedHandle(), std::string("wall2.P"));
+    QCOMPARE(m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments,
+             trianglesIn(before).size() + 2);
+    const QPoint pixel = m_fixture->pixelOf(toDouble(place));
+    m_fixture->drag(pixel, pixel + QPoint(-40, -10));
+    QVERIFY(m_fixture->value("wall2.P") != place);
+    QVERIFY(m_fixture->model().session().scene != before);
+    QTest::keyClick(&view, Qt::Key_Delete);
+    QVERIFY(m_fixture->model().session().scene == before);
+    view.selectHandle("wall.P"); // the lesson speaks of it
+    QTest::keyClick(&view, Qt::Key_Delete);
+    QVERIFY(m_fixture->model().session().scene == before);
+  }
+
   void meshFile_ofVeryManyTriangles_isGrabbedAnywhere_andFewMeshesStayInTheList() {
     m_fixture->model().setStep(stepWithTable);
     const std::size_t before = m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments;

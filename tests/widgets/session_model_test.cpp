@@ -122,6 +122,20 @@ private slots:
     QVERIFY(model.session().scene == before.scene);
   }
 
+  void editsTogether_areOneStep_andNoneWhereOneIsRefused() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    const Scene before = model.session().scene;
+    QCOMPARE(model.editTogether({RenameEntry{"Q", "S"}, ChangeObject{"S", PointObject{{1, 2, 3}}}}, "both"),
+             QString());
+    QCOMPARE(model.history().count(), 1);
+    QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
+    model.undo();
+    QVERIFY(model.session().scene == before);
+    QVERIFY(!model.editTogether({RenameEntry{"Q", "S"}, RemoveEntry{"Q"}}, "refused").isEmpty());
+    QVERIFY(model.session().scene == before);
+  }
+
   void gesture_tellsWhichObjectsItHasMoved_andThatItBeginsAndEnds() {
     SessionModel model(library());
     model.openLesson("signed-distance");

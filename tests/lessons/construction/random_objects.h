@@ -549,11 +549,15 @@ private:
     }
   }
 
-  /// A barrel that points nowhere, or whose length is a fraction; a saucer that stands still.
+  /// A barrel that points nowhere, or has no length, or whose arrow's length is a fraction; a saucer that
+  /// stands still.
   void makeSpecial(UfoObject &ufo) {
-    switch (integer(0, 4)) {
+    switch (integer(0, 5)) {
     case 0:
       ufo.barrel = {0, 0, 0};
+      break;
+    case 3:
+      ufo.barrelLength = 0;
       break;
     case 1:
       ufo.barrel = ExactVec3(2, 1, -2) * length();

@@ -443,6 +443,17 @@ TEST(RightChoice, IsThatOfWhatTheSceneComesTo) {
   EXPECT_EQ(rightFor("on"), "") << "no choice fits";
 }
 
+TEST(RightChoice, Otherwise_IsRightWhereNoOtherFits_AndThereIsAValue) {
+  const Prediction whichSide{
+      "Which side?", "side", {{otherwise, "Neither"}, {"positive", "That of n"}}, "It is so."};
+  const auto rightFor = [&](const char *value, const char *side) {
+    return rightChoice(whichSide, test::withValues({{value, "", std::string(side)}}));
+  };
+  EXPECT_EQ(rightFor("side", "positive"), "positive");
+  EXPECT_EQ(rightFor("side", "on"), otherwise);
+  EXPECT_EQ(rightFor("location", "positive"), "");
+}
+
 TEST(StepOf, ALessonThatHasNone_ShowsAllLines) {
   Lesson one;
   one.steps = {{"First", {}}};

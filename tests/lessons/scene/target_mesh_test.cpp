@@ -36,8 +36,8 @@ Scene sceneWith(std::size_t meshes) {
   return scene;
 }
 
-Scene withTarget(Scene scene, std::shared_ptr<const MeshShape> shape) {
-  for (const Edit &edit : editsForTarget(scene, std::move(shape))) {
+Scene withAll(Scene scene, const std::vector<Edit> &edits) {
+  for (const Edit &edit : edits) {
     auto after = apply(scene, edit);
     if (!after) {
       ADD_FAILURE() << after.problem().text();
@@ -46,6 +46,10 @@ Scene withTarget(Scene scene, std::shared_ptr<const MeshShape> shape) {
     scene = *after;
   }
   return scene;
+}
+
+Scene withTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape) {
+  return withAll(scene, editsForTarget(scene, std::move(shape)));
 }
 
 MeshObject targetIn(const Scene &scene) {
@@ -102,6 +106,61 @@ TEST(TargetMesh, WhereAListIsFull_IsThereAndNotLookedAt) {
   EXPECT_FALSE(checkScene(after));
   EXPECT_TRUE(findObject(after, targetName));
   EXPECT_EQ(meshesOf(after, "hit").size(), maxListedObjects);
+}
+
+TEST(CopyOfMesh, StandsBesideIt_SharesItsShape_AndIsLookedAtWhereTheOtherIs) {
+  Scene scene = sceneWith(2);
+  scene.entries.push_back(nearest("again", {"m0"}));
+  const auto copy = copyOfMesh(scene, "m1");
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->name, "m2");
+  const Scene with = withAll(scene, copy->edits);
+  EXPECT_FALSE(checkScene(with));
+  const MeshObject original = *objectAs<MeshObject>(*findObject(with, "m1"));
+  const MeshObject made = *objectAs<MeshObject>(*findObject(with, "m2"));
+  EXPECT_EQ(made.shape, original.shape) << "shared, not copied";
+  EXPECT_EQ(made.place, ExactVec3(0, 7, 0)) << "its width of 4, and a gap";
+  EXPECT_EQ(meshesOf(with, "hit"), (Ids{"m0", "m1", "m2"}));
+  EXPECT_EQ(meshesOf(with, "again"), (Ids{"m0"})) << "which does not look at the other";
+}
+
+TEST(CopyOfMesh, OfATurnedAndScaledOne_StandsBesideItsWidth) {
+  Scene scene = sceneWith(1);
+  scene = edited(scene, {ChangeObject{"m0", MeshObject{{1, 2, 3}, {1, -5, 0}, q(3, 2), cornerOf(4)}}});
+  const Scene with = withAll(scene, copyOfMesh(scene, "m0")->edits);
+  EXPECT_EQ((*findObject(with, "m2"))[0], ExactVec3(1 - 9, 2, 3));
+}
+
+TEST(CopyOfMesh, OfACopy_HasTheNextNumber) {
+  Scene scene = sceneWith(1);
+  scene = withAll(scene, copyOfMesh(scene, "m0")->edits);
+  scene = withAll(scene, copyOfMesh(scene, "m0")->edits);
+  scene = withAll(scene, copyOfMesh(scene, "m3")->edits);
+  EXPECT_EQ(meshesOf(scene, "hit"), (Ids{"m0", "m2", "m3", "m4"}));
+}
+
+TEST(CopyOfMesh, WhereAListIsFull_OrNothingLooksAtIt_OrThereIsNone_IsNone) {
+  EXPECT_FALSE(copyOfMesh(sceneWith(maxListedObjects), "m0"));
+  EXPECT_FALSE(copyOfMesh(sceneWith(1), "L"));
+  EXPECT_FALSE(copyOfMesh(sceneWith(1), "m7"));
+  Scene scene = sceneWith(2);
+  scene.entries.back() = nearest("hit", {"m0"});
+  EXPECT_FALSE(copyOfMesh(scene, "m1"));
+}
+
+TEST(RemoveMesh, OfACopy_LeavesTheSceneAsItWas) {
+  Scene scene = sceneWith(2);
+  scene.entries.push_back(nearest("again", {"m0", "m1"}));
+  const auto copy = copyOfMesh(scene, "m1");
+  const Scene with = withAll(scene, copy->edits);
+  EXPECT_EQ(withAll(with, editsToRemoveMesh(with, copy->name)), scene);
+}
+
+TEST(RemoveMesh, TheOnlyOne_IsRefused) {
+  const Scene scene = sceneWith(1);
+  const std::vector<Edit> edits = editsToRemoveMesh(scene, "m0");
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_FALSE(apply(scene, edits.front()));
 }
 
 TEST(TargetMesh, IsTakenOnlyWhereAConstructionLooksAtMeshes) {

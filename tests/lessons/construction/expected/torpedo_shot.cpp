@@ -18,10 +18,10 @@ Given read(Objects objects) {
           objectAs<NumberObject>(*objects[2])->value};
 }
 
-/// The number of four digits nearest to 20/√square, which is none itself.
-Rational factorBy(const Rational &square) {
+/// The number of four digits nearest to length/√square, which is none itself.
+Rational factorBy(const Rational &square, const Rational &length) {
   Rational unit = 1; // of its last digit
-  const auto isAtMost = [&](const Rational &number) { return number * number * square <= 400; };
+  const auto isAtMost = [&](const Rational &number) { return number * number * square <= length * length; };
   while (isAtMost(unit * 10'000))
     unit *= 10;
   while (!isAtMost(unit * 1000))
@@ -31,10 +31,10 @@ Rational factorBy(const Rational &square) {
   return unit * digits;
 }
 
-ExactVec3 directionOf(const ExactVec3 &barrel) {
+ExactVec3 directionOf(const ExactVec3 &barrel, const Rational &barrelLength) {
   const Rational square = product(barrel, barrel);
   const auto length = rootOf(square);
-  const Rational factor = length ? Rational(20 / *length) : factorBy(square);
+  const Rational factor = length ? Rational(barrelLength / *length) : factorBy(square, barrelLength);
   ExactVec3 direction;
   for (int i = 0; i < 3; ++i)
     direction[i] = factor * barrel[i];
@@ -47,20 +47,20 @@ ExactVec3 startOf(const Given &given, const LastShot &shot) {
 
 Recomputed recompute(Objects objects) {
   const Given given = read(objects);
-  const auto &[start, velocity, barrel] = given.ufo;
+  const auto &[start, velocity, barrel, barrelLength] = given.ufo;
   const LastShot shot = lastShot(given.frame, given.seed, barrel);
   Recomputed expected;
-  expected.names = {{"S", quantity(start)}, {"\\vec c", quantity(velocity)}, {"\\vec g", quantity(barrel)}};
+  expected.names = {{"S", quantity(start)}, {"\\vec c", quantity(velocity)}, {"\\vec g", quantity(barrel)}, {"b", quantity(barrelLength)}};
   if (vanishes(velocity))
     expected.vanished.insert("U.c");
   if (vanishes(barrel))
     expected.vanished.insert("U.g");
-  expected.degenerate = vanishes(shot.barrel);
+  expected.degenerate = vanishes(shot.barrel) || barrelLength == 0;
   expected.caseName = expected.degenerate ? "zero-direction" : given.seed == 0 ? "by-hand" : "seeded";
   if (expected.degenerate)
     return expected;
   const ExactVec3 Q = startOf(given, shot);
-  const ExactVec3 r = directionOf(shot.barrel);
+  const ExactVec3 r = directionOf(shot.barrel, barrelLength);
   expected.names["Q"] = quantity(Q);
   expected.names["\\vec r"] = quantity(r);
   expected.names["\\vec d"] = quantity(shot.barrel);
@@ -74,7 +74,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   const Given given = read(objects);
   const LastShot shot = lastShot(given.frame, given.seed, given.ufo.barrel);
   std::vector<WrongAnswer> all;
-  if (vanishes(shot.barrel))
+  if (vanishes(shot.barrel) || given.ufo.barrelLength == 0)
     return all;
   addLength(all, "length", shot.barrel);
   if (shot.frame != 0)
