@@ -20,6 +20,7 @@ class QAction;
 class QActionGroup;
 class QDockWidget;
 class QLabel;
+class QMenu;
 class QProgressDialog;
 class QSplitter;
 class QToolButton;
@@ -112,11 +113,13 @@ private:
   void connectInstead(QAction &action, void (SessionModel::*step)());
   void createViewMenu();
   void createCornerItems(QMenu &menu);
+  void createMeshItems(QMenu &menu);
   void createSnapMenu(QMenu &menu);
   void createCameraItems(QMenu &menu);
   void createLayoutItems(QMenu &menu);
   void createSizeMenu(QMenu &menu);
   void createThemeMenu(QMenu &menu);
+  void createFlightMenu(QMenu &menu);
   void createLessonMenu();
   void createHelpMenu();
   void openNextLesson();
@@ -127,13 +130,18 @@ private:
   void showOutcome();
   void showStepWords();
   void connectFlight();
+  /// The key of a control; empty for one without a key.
+  [[nodiscard]] static QKeySequence keysOf(FlightControl control);
   void connectMeshes();
   void askForMesh();
   void showMeshProgress(double part, const QString &what);
   void endMeshProgress();
+  /// The first lesson that has use for a mesh.
+  void openLessonWithMeshes();
   /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.
   void takeMesh(const LoadedMesh &mesh);
-  void createMeshItems(QMenu &menu);
+  /// As soon as nothing is held, and no question is open that goes on with the scene as it is.
+  void takeWaitingMesh();
   /// The name of the mesh whose handle is selected; empty for none.
   [[nodiscard]] std::string selectedMesh() const;
   /// Puts another mesh like the selected one beside it.
@@ -213,6 +221,8 @@ private:
   CoordinateEditor m_editor; ///< for the numbers in the working
   FlightPlayer m_player;
   MeshLoader m_meshLoader;
+  std::optional<LoadedMesh> m_waitingMesh;
+  QTimer m_meshTimer;
   QProgressDialog *m_meshProgress = nullptr; ///< null while no mesh is read
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
@@ -240,6 +250,7 @@ private:
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
   QAction *m_downRay = nullptr;
+  QMenu *m_flightMenu = nullptr;
   QAction *m_home = nullptr;
   QAction *m_fit = nullptr;
   QAction *m_alongPlane = nullptr;

@@ -78,12 +78,12 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   QTimer::singleShot(0, &window, [&] {
     if (problem)
       window.complain(QString::fromStdString(problem->text()));
-    if (command.mesh)
-      window.openMesh(QString::fromStdString(*command.mesh));
     if (!command.subject)
       window.restoreUnsaved();
     else
       window.offerUnsaved();
+    if (command.mesh)
+      window.openMesh(QString::fromStdString(*command.mesh));
   });
   return QApplication::exec();
 }

@@ -50,10 +50,9 @@ std::size_t fragmentWith(const Crossings &crossings, const std::string &mark) {
 void MainWindow::connectFlight() {
   connect(m_page, &LessonPage::flightBarMade, this, [this](FlightBar *bar) {
     m_player.serve(*bar);
-    bar->setShortcut(FlightControl::Fire, QKeySequence("T"));
-    bar->setShortcut(FlightControl::Play, QKeySequence("P"));
-    bar->setShortcut(FlightControl::StepBack, QKeySequence(","));
-    bar->setShortcut(FlightControl::StepForward, QKeySequence("."));
+    for (const FlightControl control :
+         {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})
+      bar->setKeys(control, keysOf(control));
   });
   connect(&m_player, &FlightPlayer::stateChanged, this, &MainWindow::showFlight);
   connect(m_page, &LessonPage::fragmentChosen, this,
@@ -65,9 +64,29 @@ void MainWindow::connectFlight() {
   });
 }
 
+QKeySequence MainWindow::keysOf(FlightControl control) {
+  switch (control) {
+  case FlightControl::Fire:
+    return QKeySequence("T");
+  case FlightControl::Play:
+    return QKeySequence("P");
+  case FlightControl::StepBack:
+    return QKeySequence(",");
+  case FlightControl::StepForward:
+    return QKeySequence(".");
+  case FlightControl::Automatic:
+  case FlightControl::Speed:
+    break;
+  }
+  return {};
+}
+
 void MainWindow::showFlight() {
+  if (hidesNumbers())
+    m_player.play(false); // nobody could end it
   FlightState state = m_player.state();
   state.hidden = hidesNumbers();
+  m_flightMenu->menuAction()->setVisible(state.canFire && !state.hidden);
   m_page->showFlight(state);
   m_page->showCrossings([this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
                         state.hidden ? LiveValues::Hidden : LiveValues::Shown);

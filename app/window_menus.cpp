@@ -89,6 +89,21 @@ void MainWindow::createCornerItems(QMenu &menu) {
   enable();
 }
 
+void MainWindow::createMeshItems(QMenu &menu) {
+  QAction *copy =
+      addItem(menu, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), this, [this] { copyMesh(); });
+  QAction *remove =
+      addItem(menu, tr("Remo&ve the Mesh"), QKeySequence::Delete, this, [this] { removeMesh(); });
+  const auto enable = [this, copy, remove] {
+    const std::string mesh = selectedMesh();
+    copy->setEnabled(!mesh.empty() && takesMeshes(m_model.session().scene));
+    // The words of the lesson speak of those that it begins with.
+    remove->setEnabled(!mesh.empty() && !findObject(m_model.lesson().scene, mesh));
+  };
+  connect(m_scene, &SceneView::selectionChanged, this, enable);
+  enable();
+}
+
 void MainWindow::createSnapMenu(QMenu &menu) {
   auto *group = new QActionGroup(this);
   const std::pair<QString, Rational> steps[] = {{tr("Whole numbers"), 1},
@@ -213,8 +228,21 @@ void MainWindow::createLessonMenu() {
           [this] { m_model.setStep(m_model.session().step - 1); });
   addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this, [this] { openNextLesson(); });
   addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
+  createFlightMenu(menu);
   menu.addSeparator();
   addItem(menu, tr("Add Your &Own Lessons…"), {}, this, [this] { chooseOwnLessons(); });
+}
+
+/// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.
+void MainWindow::createFlightMenu(QMenu &menu) {
+  m_flightMenu = menu.addMenu(tr("&Torpedo"));
+  const auto add = [this](const QString &text, FlightControl control, auto slot) {
+    addItem(*m_flightMenu, text, keysOf(control), this, slot);
+  };
+  add(tr("&Fire"), FlightControl::Fire, [this] { m_player.fire(); });
+  add(tr("&Play or Pause"), FlightControl::Play, [this] { m_player.play(!m_player.state().isPlaying); });
+  add(tr("One Frame &Back"), FlightControl::StepBack, [this] { m_player.step(-1); });
+  add(tr("One Frame &On"), FlightControl::StepForward, [this] { m_player.step(1); });
 }
 
 void MainWindow::createHelpMenu() {

@@ -4,21 +4,24 @@
 #include "lessons/scene/large_meshes.h"
 #include "lessons/scene/target_mesh.h"
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLocale>
-#include <QMenu>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QUrl>
 
+#include <algorithm>
+#include <utility>
+
 namespace halfspace {
 namespace {
 
-/// The lesson in which a mesh is shown that is opened in one that has no use for it.
-constexpr const char *meshLesson = "photon-torpedo";
 /// What takes longer, in milliseconds, shows a bar.
 constexpr int longestSilence = 400;
+/// After so many milliseconds it is looked again whether a mesh that waits can be put into the scene.
+constexpr int nextLook = 100;
 /// The bar's steps.
 constexpr int wholeProgress = 1000;
 
@@ -46,8 +49,12 @@ void MainWindow::connectMeshes() {
   connect(&m_meshLoader, &MeshLoader::progressed, this, &MainWindow::showMeshProgress);
   connect(&m_meshLoader, &MeshLoader::loaded, this, [this](const LoadedMesh &mesh) {
     endMeshProgress();
-    takeMesh(mesh);
+    m_waitingMesh = mesh;
+    takeWaitingMesh();
   });
+  m_meshTimer.setSingleShot(true);
+  m_meshTimer.setInterval(nextLook);
+  connect(&m_meshTimer, &QTimer::timeout, this, &MainWindow::takeWaitingMesh);
   connect(&m_meshLoader, &MeshLoader::failed, this, [this](const QString &sentence) {
     endMeshProgress();
     complain(sentence);
@@ -70,6 +77,7 @@ void MainWindow::showMeshProgress(double part, const QString &what) {
     m_meshProgress->setObjectName("meshProgress");
     m_meshProgress->setWindowTitle(tr("Open mesh"));
     m_meshProgress->setMinimumDuration(longestSilence);
+    m_meshProgress->setValue(0); // from when on that counts
     m_meshProgress->setAutoReset(false);
     m_meshProgress->setAutoClose(false);
     connect(m_meshProgress, &QProgressDialog::canceled, &m_meshLoader, &MeshLoader::cancel);
@@ -90,9 +98,25 @@ void MainWindow::endMeshProgress() {
   m_meshProgress = nullptr;
 }
 
+void MainWindow::takeWaitingMesh() {
+  const bool isInHand = m_model.inGesture() && !m_player.state().isPlaying;
+  if (isInHand || QApplication::activeModalWidget())
+    return m_meshTimer.start();
+  if (const auto mesh = std::exchange(m_waitingMesh, {}))
+    takeMesh(*mesh);
+}
+
+void MainWindow::openLessonWithMeshes() {
+  const std::vector<Lesson> &lessons = m_model.library().lessons;
+  const auto found = std::find_if(lessons.begin(), lessons.end(),
+                                  [](const Lesson &lesson) { return takesMeshes(lesson.scene); });
+  if (found != lessons.end())
+    m_model.openLesson(found->id);
+}
+
 void MainWindow::takeMesh(const LoadedMesh &mesh) {
   if (!takesMeshes(m_model.session().scene))
-    m_model.openLesson(meshLesson);
+    openLessonWithMeshes();
   const QString refusal = m_model.editTogether(editsForTarget(m_model.session().scene, mesh.shape),
                                                tr("Open %1").arg(QString::fromStdString(mesh.name)));
   if (!refusal.isEmpty())
@@ -105,21 +129,9 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
           .arg(QString::fromStdString(mesh.name), triangles, side(mesh.size.x), side(mesh.size.y),
                side(mesh.size.z)) +
       leftOutWords(mesh) +
-      (isTooLargeToWrite(*findObject(m_model.session().scene, targetName)) ? tr(" Too large to be saved with the session.") : QString()));
-}
-
-void MainWindow::createMeshItems(QMenu &menu) {
-  QAction *copy = addItem(menu, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), this, [this] { copyMesh(); });
-  QAction *remove =
-      addItem(menu, tr("Remo&ve the Mesh"), QKeySequence::Delete, this, [this] { removeMesh(); });
-  const auto enable = [this, copy, remove] {
-    const std::string mesh = selectedMesh();
-    copy->setEnabled(!mesh.empty() && takesMeshes(m_model.session().scene));
-    // The words of the lesson speak of those that it begins with.
-    remove->setEnabled(!mesh.empty() && !findObject(m_model.lesson().scene, mesh));
-  };
-  connect(m_scene, &SceneView::selectionChanged, this, enable);
-  enable();
+      (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
+           ? tr(" Too large to be saved with the session.")
+           : QString()));
 }
 
 std::string MainWindow::selectedMesh() const {
@@ -140,8 +152,8 @@ void MainWindow::copyMesh() {
 
 void MainWindow::removeMesh() {
   const std::string mesh = selectedMesh();
-  const QString refusal = m_model.editTogether(editsToRemoveMesh(m_model.session().scene, mesh),
-                                               tr("Remove the mesh"));
+  const QString refusal =
+      m_model.editTogether(editsToRemoveMesh(m_model.session().scene, mesh), tr("Remove the mesh"));
   if (!refusal.isEmpty())
     complain(refusal);
 }
@@ -155,11 +167,14 @@ void MainWindow::dropEvent(QDropEvent *event) {
   const QString file = fileIn(*event->mimeData());
   if (file.isEmpty())
     return;
-  event->acceptProposedAction();
-  if (!file.endsWith(".halfspace"))
+  event->setDropAction(Qt::CopyAction); // whoever moves deletes the file
+  event->accept();
+  if (!file.endsWith(".halfspace", Qt::CaseInsensitive))
     return openMesh(file);
-  if (!hasChanges() || askToKeepChanges())
-    openFile(file);
+  QTimer::singleShot(0, this, [this, file] { // the other program does not wait for questions
+    if (!hasChanges() || askToKeepChanges())
+      openFile(file);
+  });
 }
 
 } // namespace halfspace

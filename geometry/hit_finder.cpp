@@ -29,14 +29,19 @@ std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {
 
 SearchResult HitFinder::search(const Ray<Rational> &ray) const {
   assert(!isZero(ray.direction));
-  const RoundedRay rounded(ray);
+  const std::optional<Rational> start = m_scene->tree.approach(ray);
+  if (!start)
+    return {};
+  const Ray<Rational> near{pointAt(ray, *start), ray.direction};
+  const RoundedRay rounded(near);
   NearestSoFar nearest(rounded, m_scene->triangles, m_scene->tree.isTame());
-  std::optional<SearchCost> cost;
-  if (rounded.isExact || m_scene->tree.mayBeRounded(rounded.rounded))
-    cost = m_scene->tree.search(rounded.rounded, nearest);
+  std::optional<SearchCost> cost = m_scene->tree.search(near, nearest);
   if (!cost)
     cost = nearest.offerAll();
-  return {nearest.exactResult(), *cost};
+  SearchResult result{nearest.exactResult(), *cost};
+  if (result.nearest)
+    result.nearest->t += *start;
+  return result;
 }
 
 } // namespace halfspace

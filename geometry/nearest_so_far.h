@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace halfspace {
 
@@ -45,7 +46,7 @@ public:
     }
     if (const auto exact = m_exactRay ? exactHit(*m_exactRay, triangle) : exactHit(m_ray, triangle)) {
       const double t = toDouble(*exact);
-      take(index, {t, t * filterError});
+      take(index, {t, t * filterError}, exact);
     }
   }
 
@@ -66,27 +67,29 @@ public:
   [[nodiscard]] std::optional<ExactNearestHit> exactResult() const {
     if (!m_index)
       return {};
-    return ExactNearestHit{*m_index, exactTOf(*m_index)};
+    return ExactNearestHit{*m_index, m_exactT ? *m_exactT : exactTOf(*m_index)};
   }
 
 private:
-  void take(std::size_t index, const Bounded &t) {
-    if (m_index && !isBefore(index, t))
+  /// With its exact t where that is known.
+  void take(std::size_t index, const Bounded &t, std::optional<Rational> exact = {}) {
+    if (m_index && !isBefore(index, t, exact))
       return;
     m_index = index;
     m_t = t;
-    m_exactT.reset();
+    m_exactT = std::move(exact);
   }
 
-  [[nodiscard]] bool isBefore(std::size_t index, const Bounded &t) {
+  [[nodiscard]] bool isBefore(std::size_t index, const Bounded &t, std::optional<Rational> &exact) {
     if (t.value + t.error < m_t.value - m_t.error)
       return true;
     if (t.value - t.error > m_t.value + m_t.error)
       return false;
-    const Rational exact = exactTOf(index);
+    if (!exact)
+      exact = exactTOf(index);
     if (!m_exactT)
       m_exactT = exactTOf(*m_index);
-    return exact < *m_exactT || (exact == *m_exactT && index < *m_index);
+    return *exact < *m_exactT || (*exact == *m_exactT && index < *m_index);
   }
 
   [[nodiscard]] Rational exactTOf(std::size_t index) const {
@@ -100,7 +103,7 @@ private:
   std::span<const Triangle<double>> m_triangles;
   std::optional<std::size_t> m_index;
   Bounded m_t{std::numeric_limits<double>::infinity(), 0};
-  std::optional<Rational> m_exactT; ///< of the nearest, once it was compared with
+  std::optional<Rational> m_exactT; ///< of the nearest, once it is known
 };
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "geometry/triangle_tree.h"
 
+#include "geometry/approach_ball.h"
 #include "geometry/decide.h"
 #include "geometry/filter.h"
 #include "geometry/lanes.h"
@@ -22,8 +23,8 @@ namespace {
 /// By how much each box is made larger on each side, in the tree's units. A ray is followed for less than
 /// eight of them: four to where it is nearest to the middle, and no more than 2√3 from there on. Where it
 /// crosses the plane of a box's side is told after four roundings of 2^-24, one of its origin and one of the
-/// side: less than 2^-19 + 2^-21 + 2^-24 off. Rounded to doubles no further than farthestOrigin
-/// from zero, it is another 2^-26 off.
+/// side: less than 2^-19 + 2^-21 + 2^-24 off. One over fractions is rounded to doubles before: that is
+/// another 2^-26 off.
 constexpr double boxMargin = 0x1p-18;
 /// A bound on the error of a triangle's products, as a share of the sum of their terms' magnitudes: at most
 /// 20 roundings of 2^-24. How far a corner lies from the ray's origin is off by another 2^-20 at most,
@@ -37,6 +38,10 @@ constexpr double farthestOrigin = 0x1p26;
 /// A direction's coordinates below this share of the largest one are taken as this: over eight units that
 /// moves the ray by far less than the margin, and its reciprocal stays finite.
 constexpr float smallestSlope = 0x1p-60F;
+
+/// In a ball of this radius around the middle is the whole scene: the corners of its box are at most √3 away,
+/// and twice that where the middle could only be rounded to a corner.
+constexpr double ballRadius = 4;
 
 constexpr std::size_t mostChildren = 2 * laneCount;
 constexpr std::size_t mostInLeaf = 4 * laneCount;
@@ -241,13 +246,14 @@ void TriangleTree::build(std::span<const Triangle<double>> triangles) {
   m_isBuilt = !m_root.isNull();
 }
 
-bool TriangleTree::mayBeRounded(const Ray<double> &ray) const {
-  return largestCoordinate(ray.origin) * m_scale <= farthestOrigin;
+std::optional<Rational> TriangleTree::approach(const Ray<Rational> &ray) const {
+  return m_isBuilt ? approachBall(ray, m_middle, ballRadius / m_scale) : Rational(0);
 }
 
-/// Nothing where the ray is so far off, or so short, that each triangle must be asked.
+/// Of a ray as seen from the middle. Nothing where it is so far off, or so short, that each triangle must be
+/// asked.
 std::optional<TriangleTree::MovedRay> TriangleTree::move(const Ray<double> &ray) const {
-  const Vec3<double> origin = (ray.origin - m_middle) * m_scale;
+  const Vec3<double> origin = ray.origin * m_scale;
   const double size = largestCoordinate(ray.direction);
   const double perT = size * m_scale;
   // What is below the smallest normal number has no reciprocal, or lost digits.
@@ -255,9 +261,7 @@ std::optional<TriangleTree::MovedRay> TriangleTree::move(const Ray<double> &ray)
       std::min(size, perT) < std::numeric_limits<double>::min())
     return {};
   const Vec3<double> direction = ray.direction * (1 / size);
-  // To where the ray comes into a ball around the scene, or a little before. The corners of the scene's box
-  // are at most √3 away from its middle, and twice that where the middle could only be rounded to a corner.
-  constexpr double ballRadius = 4;
+  // To where the ray comes into the ball, or a little before.
   double start = 0;
   if (largestCoordinate(origin) > ballRadius / 2)
     start = std::max(0.0, -dot(origin, direction) / dot(direction, direction) - ballRadius);
@@ -319,7 +323,7 @@ private:
     for (unsigned four = 0; four < mostChildren / laneCount; ++four) {
       const auto &[x, y, z] = node.boxes[four];
       m_cost.boxes +=
-          static_cast<unsigned>(std::popcount(lanesOfLessOrEqual(x[0], x[1]))); // those that are there
+          static_cast<unsigned>(std::countr_one(lanesOfLessOrEqual(x[0], x[1]))); // those that are there
       const Way onX = wayBetween(x, m_axes[0]);
       const Way onY = wayBetween(y, m_axes[1]);
       const Way onZ = wayBetween(z, m_axes[2]);
@@ -414,6 +418,16 @@ private:
 };
 
 std::optional<SearchCost> TriangleTree::search(const Ray<double> &ray, NearestSoFar &nearest) const {
+  return searchFromMiddle({ray.origin - m_middle, ray.direction}, nearest);
+}
+
+std::optional<SearchCost> TriangleTree::search(const Ray<Rational> &ray, NearestSoFar &nearest) const {
+  const Vec3<Rational> fromMiddle = ray.origin - exactly(m_middle);
+  return searchFromMiddle({toDouble(fromMiddle), toDouble(ray.direction)}, nearest);
+}
+
+std::optional<SearchCost> TriangleTree::searchFromMiddle(const Ray<double> &ray,
+                                                         NearestSoFar &nearest) const {
   const auto moved = m_isBuilt ? move(ray) : std::nullopt;
   if (!moved)
     return {};

@@ -26,12 +26,13 @@ public:
   /// Offers every triangle that may be the nearest hit, about from near to far, and says what was looked at.
   /// Nothing, and nothing is offered, where it cannot tell: each triangle is to be asked then. Requires a
   /// direction ≠ 0 and finite numbers.
-  /// (1) Nor is a triangle left out that a ray hits whose numbers were rounded to these, where
-  /// `mayBeRounded`.
-  std::optional<SearchCost> search(const Ray<double> &ray, NearestSoFar &nearest) const;
+  [[nodiscard]] std::optional<SearchCost> search(const Ray<double> &ray, NearestSoFar &nearest) const;
+  /// The same for a ray over fractions, in no doubles perhaps.
+  [[nodiscard]] std::optional<SearchCost> search(const Ray<Rational> &ray, NearestSoFar &nearest) const;
 
-  /// Whether rounding to these numbers moves a ray by so little that the boxes' margin is enough.
-  [[nodiscard]] bool mayBeRounded(const Ray<double> &ray) const;
+  /// Where along a ray it comes near the triangles, so that `search` can tell: see approachBall. Nothing
+  /// where it surely hits none.
+  [[nodiscard]] std::optional<Rational> approach(const Ray<Rational> &ray) const;
 
   /// Whether all coordinates are so small that bounds on errors hold.
   [[nodiscard]] bool isTame() const { return m_isTame; }
@@ -73,6 +74,8 @@ private:
   static constexpr std::size_t alignment = 32;
 
   void build(std::span<const Triangle<double>> triangles);
+  [[nodiscard]] std::optional<SearchCost> searchFromMiddle(const Ray<double> &ray,
+                                                           NearestSoFar &nearest) const;
   [[nodiscard]] std::optional<MovedRay> move(const Ray<double> &ray) const;
 
   // The tree counts from the middle of the scene, in units of once to twice its half width.

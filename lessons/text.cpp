@@ -32,6 +32,17 @@ bool turnsDirection(unsigned code) {
 
 } // namespace
 
+std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (auto end = text.find_first_of(separators); end != std::string_view::npos;
+       end = text.find_first_of(separators)) {
+    parts.push_back(trimmed(text.substr(0, end)));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(trimmed(text));
+  return parts;
+}
+
 std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halfspace {
 
@@ -19,6 +20,10 @@ namespace halfspace {
     return {};
   return text.substr(begin, text.find_last_not_of(space) - begin + 1);
 }
+
+/// The parts of a text between separators, one more than there are of these, without the white space around
+/// them.
+[[nodiscard]] std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators);
 
 /// The text with `to` in every place of `from`, which is not empty.
 [[nodiscard]] std::string replacedAll(std::string text, std::string_view from, std::string_view to);

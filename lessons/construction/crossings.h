@@ -13,7 +13,7 @@ namespace halfspace {
 /// One of the triangles.
 struct Crossing {
   /// Where the ray's line crosses the triangle's plane.
-  struct Place {
+  struct Parameters {
     Rational t; ///< of the ray
     Rational s; ///< of the triangle, with tTriangle
     Rational tTriangle;
@@ -21,7 +21,7 @@ struct Crossing {
   std::size_t number = 0; ///< among all, counted from 1
   std::string name;       ///< in plain words: barn 3
   RayTriangleCase which = RayTriangleCase::Miss;
-  std::optional<Place> at;          ///< in the cases Hit, Miss and Behind
+  std::optional<Parameters> at;     ///< in the cases Hit, Miss and Behind
   std::vector<std::string> marks{}; ///< of the figure: what it lies in, and where it is hit
 };
 

@@ -56,18 +56,30 @@ bool isNearer(const Meeting &a, const Meeting &b) {
   return a.meet.plane.t != b.meet.plane.t ? a.meet.plane.t < b.meet.plane.t : a.number < b.number;
 }
 
-Meeting meetingWith(const In &in, std::size_t number) {
+/// Where all meshes stand: that takes a root for each of them.
+using Placements = std::vector<MeshPlacement>;
+
+Placements placementsOf(const GivenMeshes &meshes) {
+  Placements placements;
+  for (const auto &mesh : meshes)
+    placements.emplace_back(mesh.object);
+  return placements;
+}
+
+Meeting meetingWith(const In &in, const Placements &placements, std::size_t number) {
   const Fragment fragment = fragmentOf(in.meshes, number);
-  const Triangle<Rational> triangle = triangleOf(in.meshes, fragment);
+  const MeshShape &shape = *in.meshes[fragment.mesh].object.shape;
+  const Triangle<Rational> triangle =
+      placements[fragment.mesh].toScene(shape.mesh()->triangle(fragment.index));
   return {fragment, number, triangle,
           intersectRayTriangle(Ray<Rational>{in.L.object.origin, in.L.object.direction}, triangle)};
 }
 
 /// The number that stands for a fragment; nothing where it stands for none.
-std::optional<std::size_t> chosenNumber(const Rational &k, std::size_t count) {
-  if (k < 1 || k > Rational(static_cast<std::int64_t>(count)) || k.denominator() != 1)
+std::optional<std::size_t> chosenNumber(const Rational &i, std::size_t count) {
+  if (i < 1 || i > Rational(static_cast<std::int64_t>(count)) || i.denominator() != 1)
     return {};
-  return static_cast<std::size_t>(toDouble(k));
+  return static_cast<std::size_t>(toDouble(i));
 }
 
 /// The numbers of those that are listed: all of meshes with few triangles, and what is hit first or looked
@@ -82,22 +94,23 @@ std::set<std::size_t> listedNumbers(const In &in, const Out &at) {
         numbers.insert(number);
     before += count;
   }
-  for (const auto &needed : {at.nearest, at.chosen})
-    if (needed)
-      numbers.insert(needed->number);
+  for (const auto *needed : {&at.nearest, &at.chosen})
+    if (*needed)
+      numbers.insert((*needed)->number);
   return numbers;
 }
 
 Out compute(const In &in) {
   Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, Term(0), Term(0)};
+  const Placements placements = placementsOf(in.meshes);
   if (const auto number = chosenNumber(in.i.object.value, out.fragments))
-    out.chosen = meetingWith(in, *number);
+    out.chosen = meetingWith(in, placements, *number);
   if (!isZero(in.L.object.direction)) {
     out.first = firstHits(in.L.object, in.meshes);
     if (!out.first.fragments.empty())
-      out.nearest = meetingWith(in, numberOf(in.meshes, out.first.fragments.front()));
+      out.nearest = meetingWith(in, placements, numberOf(in.meshes, out.first.fragments.front()));
     for (const std::size_t number : listedNumbers(in, out))
-      out.listed.push_back(meetingWith(in, number));
+      out.listed.push_back(meetingWith(in, placements, number));
   }
   const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
   out.lambda = name(in.own(letter("λ", "H")), out.first.t);

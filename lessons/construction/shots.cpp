@@ -12,12 +12,14 @@ namespace {
 constexpr int farthestAside = 6;
 constexpr int farDown = 8;
 
-/// The same for the same seed and shot on every machine: the engine's numbers are fixed by the standard.
-ExactVec3 randomDirection(const Rational &seed, const Rational &shot) {
+} // namespace
+
+// The same on every machine: the engine's numbers are fixed by the standard.
+ExactVec3 randomBarrel(const Rational &seed, const Shot &shot) {
   const auto wordOf = [](const Rational &number) {
     return static_cast<std::uint32_t>(toDouble(floorOf(abs(number))));
   };
-  std::seed_seq mixed{wordOf(seed), wordOf(shot)};
+  std::seed_seq mixed{wordOf(seed), wordOf(shot.number)};
   std::mt19937 engine(mixed);
   const auto aside = [&] {
     constexpr std::uint32_t choices = 2 * farthestAside + 1;
@@ -28,13 +30,9 @@ ExactVec3 randomDirection(const Rational &seed, const Rational &shot) {
   return {x, y, -farDown};
 }
 
-} // namespace
-
-Shot shotAt(const Rational &frame, const Rational &seed, const ExactVec3 &barrel) {
-  if (seed == 0)
-    return {0, 0, barrel};
-  const Rational number = floorOf(frame / framesPerShot);
-  return {number, number * framesPerShot, randomDirection(seed, number)};
+Shot shotAt(const Rational &frame, const Rational &seed) {
+  const Rational number = seed == 0 ? Rational(0) : floorOf(frame / framesPerShot);
+  return {number, number * framesPerShot};
 }
 
 } // namespace halfspace

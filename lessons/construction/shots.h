@@ -17,14 +17,16 @@ inline constexpr int framesPerShot = 150;
 
 /// What the saucer fires last before a frame.
 struct Shot {
-  Rational number;  ///< counted from 0
-  Rational frame;   ///< in which it is fired
-  ExactVec3 barrel; ///< where the barrel points then
+  Rational number; ///< counted from 0
+  Rational frame;  ///< in which it is fired
 };
 
-/// With the seed 0 there is one shot, in frame 0 and along the barrel. With another it fires by itself, in
-/// directions that look random, all downwards, and are the same whenever the seed is.
-[[nodiscard]] Shot shotAt(const Rational &frame, const Rational &seed, const ExactVec3 &barrel);
+/// With the seed 0 there is one shot, in frame 0 and by hand. With another it fires by itself.
+[[nodiscard]] Shot shotAt(const Rational &frame, const Rational &seed);
+
+/// Where the barrel points for a shot that is fired by itself: it looks random, always downwards, and is the
+/// same whenever seed and shot are.
+[[nodiscard]] ExactVec3 randomBarrel(const Rational &seed, const Shot &shot);
 
 /// The parameter at which the torpedo of a shot is in a frame.
 [[nodiscard]] inline Rational parameterAt(const Rational &frame, const Shot &shot) {

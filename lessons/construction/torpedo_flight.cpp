@@ -32,12 +32,12 @@ struct Out : Naming, RayTerms {
 
 bool hits(const Out &at) { return !at.first.fragments.empty(); }
 bool hasExploded(const Out &at) { return hits(at) && at.elapsed >= at.first.t; }
-bool isFired(const Out &at) { return at.elapsed >= 0; }
+bool isFired(const Out &at) { return at.elapsed > 0; }
 bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
 
 Out compute(const In &in) {
   const Rational &frame = in.frame.object.value;
-  const Shot shot = shotAt(frame, in.seed.object.value, ExactVec3(0));
+  const Shot shot = shotAt(frame, in.seed.object.value);
   const Rational elapsed = parameterAt(frame, shot);
   const FirstHits first = isDegenerate(in) ? FirstHits() : firstHits(in.L.object, in.meshes);
   const bool ends = !first.fragments.empty() && elapsed >= first.t;
@@ -62,7 +62,7 @@ CaseWords tell(const In &in, const Out &at) {
     return {"exploded", words("The torpedo has hit {fragment}, at {lambda}.",
                               {{"fragment", nameOf(in.meshes, at.first.fragments.front())},
                                {"lambda", equation(at.lambda)}})};
-  if (at.elapsed <= 0)
+  if (!isFired(at))
     return {
         "waiting",
         hits(at)

@@ -24,12 +24,18 @@ struct In : Naming {
   Given<NumberObject> seed;
 };
 
+/// The direction of a torpedo is so many times the arrow along the barrel.
+struct Factor {
+  Rational value; ///< 0 where nothing is fired
+  bool isExact = true;
+};
+
 struct Out : Naming, UfoTerms {
   Shot shot;
   bool isByHand = true;
   ExactVec3 saucer; ///< where it is in the frame
-  Rational factor;  ///< r is so many times the arrow along the barrel
-  Term aim;         ///< along the barrel: g, or what chance makes of it
+  Factor factor;
+  Term aim; ///< along the barrel: g, or what chance makes of it
   Term Q, r;
 };
 
@@ -38,22 +44,23 @@ constexpr int factorDigits = 4;
 
 /// Times this an arrow ≠ 0 is as long as a barrel that has a length, exactly or nearly: the direction is the
 /// arrow's in any case.
-Rational factorOf(const ExactVec3 &arrow, const Rational &barrelLength) {
+Factor factorOf(const ExactVec3 &arrow, const Rational &barrelLength) {
   const Surd length = Surd::root(dot(arrow, arrow));
   if (length.isRational())
-    return barrelLength / length.rationalPart();
+    return {barrelLength / length.rationalPart(), true};
   const double factor = toDouble(barrelLength) / toDouble(length);
   const int exponent = static_cast<int>(std::floor(std::log10(factor)));
-  return roundToMultiple(factor, powerOfTen(exponent + 1 - factorDigits));
+  return {roundToMultiple(factor, powerOfTen(exponent + 1 - factorDigits)), false};
 }
 
 Out compute(const In &in) {
   const auto &[start, velocity, barrel, barrelLength] = in.U.object;
   const Rational &frame = in.frame.object.value;
   const Rational &seed = in.seed.object.value;
-  const Shot shot = shotAt(frame, seed, barrel);
-  const bool canFire = !isZero(shot.barrel) && barrelLength != 0;
-  const Rational factor = canFire ? factorOf(shot.barrel, barrelLength) : Rational(0);
+  const Shot shot = shotAt(frame, seed);
+  const ExactVec3 aim = seed == 0 ? barrel : randomBarrel(seed, shot);
+  const bool canFire = !isZero(aim) && barrelLength != 0;
+  const Factor factor = canFire ? factorOf(aim, barrelLength) : Factor();
   const UfoTerms letters = termsOf(in.U);
   return {in,
           letters,
@@ -61,15 +68,15 @@ Out compute(const In &in) {
           seed == 0,
           start + velocity * (frame / framesPerVelocity),
           factor,
-          seed == 0 ? letters.g : name(in.own(vectorLetter("d")), shot.barrel).marked(in.mark("d")),
+          seed == 0 ? letters.g : name(in.own(vectorLetter("d")), aim).marked(in.mark("d")),
           madeName(in, "L", "Q", start + velocity * (shot.frame / framesPerVelocity)),
-          madeName(in, "L", "r", ExactVec3(shot.barrel * factor))};
+          madeName(in, "L", "r", ExactVec3(aim * factor.value))};
 }
 
-bool canFire(const Out &at) { return at.factor != 0; }
+bool canFire(const Out &at) { return at.factor.value != 0; }
 
 CaseWords tell(const In &, const Out &at) {
-  if (isZero(at.shot.barrel))
+  if (isZero(vectorOf(at.aim)))
     return {"zero-direction",
             words("The barrel {g} is the zero vector: it points nowhere, so nothing is fired.",
                   {{"g", plainText(at.aim)}}),
@@ -110,22 +117,19 @@ WorkingLine lengthLine(const Out &at) {
   return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
-bool isExact(const Out &at) { return Surd::root(dot(at.shot.barrel, at.shot.barrel)).isRational(); }
-
 Term factorTerm(const Out &at) { return at.b / norm(at.aim); }
 
 WorkingLine factorLine(const Out &at) {
-  return line(
-      withNumbers(factorTerm(at)),
-      words("Divided by its length an arrow is one unit long; times {b} it is as long as the barrel.",
-            {{"b", plainText(at.b)}}));
+  return line(withNumbers(factorTerm(at)),
+              words("Divided by its length an arrow is one unit long; times {b} it is as long as the barrel.",
+                    {{"b", plainText(at.b)}}));
 }
 
 WorkingLine directionLine(const Out &at) {
-  if (isExact(at))
+  if (at.factor.isExact)
     return asked(withNumbers(at.r == factorTerm(at) * at.aim), words("The direction of the torpedo."));
   return asked(
-      withNumbers(at.r == Term(at.factor) * at.aim),
+      withNumbers(at.r == Term(at.factor.value) * at.aim),
       words("The direction of the torpedo. The factor is rounded to {digits} digits: so this is exactly the "
             "barrel's direction, and nearly its length.",
             {{"digits", std::to_string(factorDigits)}}));

@@ -37,13 +37,13 @@
 //   F
 //   ```
 //   ```flight
-//   {frame: frame, seed: seed, hits: nearest}
+//   {frame: frame, seed: seed, hits: nearest, first-seed: 7}
 //   ```
 //   ```fragments
 //   {hits: nearest}
 //   ```
 //   ```cost
-//   {ray: shot.L}
+//   {hits: nearest}
 //   ```
 //   ```note
 //   A slip in the lecture notes
@@ -118,11 +118,15 @@ struct StepNote {
   StepWords words;
 };
 
+/// Seeds of chance go from 1 to this.
+inline constexpr int largestSeed = 999;
+
 /// The controls of a torpedo's flight, with the axis of its parameter. All are names of the scene's entries.
 struct StepFlight {
   std::string frame; ///< the number that the clock moves
   std::string seed;  ///< the number that is 0 as long as the saucer is fired by hand
   std::string hits;  ///< the construction whose crossings the axis shows
+  int firstSeed = 1; ///< with which it fires by itself at first
   int line = 0;      ///< in the file
 };
 

@@ -152,6 +152,21 @@ StepLines namesIn(const TextBlock &block) {
   return names;
 }
 
+/// A block that has fields, by what reads them.
+template <class Block, class Read>
+Result<Block> readFields(const TextBlock &block, const std::string &file, const char *name,
+                         std::initializer_list<std::string_view> keys, Read read) {
+  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
+  if (!root)
+    return root.problem();
+  FieldReader fields(*root, file, name);
+  fields.allowOnly(keys);
+  Block made = read(fields);
+  if (fields.problem())
+    return *fields.problem();
+  return made;
+}
+
 } // namespace
 
 Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) {
@@ -236,42 +251,27 @@ Result<Prediction> readPrediction(const TextBlock &block, const std::string &fil
 }
 
 Result<StepFlight> readFlight(const TextBlock &block, const std::string &file) {
-  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
-  if (!root)
-    return root.problem();
-  FieldReader fields(*root, file, "flight");
-  fields.allowOnly({"frame", "seed", "hits"});
-  StepFlight flight{fields.text("frame"), fields.text("seed"), fields.text("hits"), block.firstLine};
-  if (fields.problem())
-    return *fields.problem();
-  return flight;
+  return readFields<StepFlight>(
+      block, file, "flight", {"frame", "seed", "hits", "first-seed"}, [&block](FieldReader &fields) {
+        return StepFlight{fields.text("frame"), fields.text("seed"), fields.text("hits"),
+                          fields.integer("first-seed", 1, largestSeed, 1), block.firstLine};
+      });
 }
 
 Result<StepFragments> readFragments(const TextBlock &block, const std::string &file) {
-  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
-  if (!root)
-    return root.problem();
-  FieldReader fields(*root, file, "fragments");
-  fields.allowOnly({"hits", "by"});
-  const std::string order = fields.text("by", "parameter");
-  if (order != "parameter" && order != "number")
-    fields.complain(*root->find("by"), "fragments.by", words("Here “parameter” or “number” is expected."));
-  StepFragments fragments{fields.text("hits"), order == "number", block.firstLine};
-  if (fields.problem())
-    return *fields.problem();
-  return fragments;
+  return readFields<StepFragments>(block, file, "fragments", {"hits", "by"}, [&block](FieldReader &fields) {
+    const std::string order = fields.text("by", "parameter");
+    if (order != "parameter" && order != "number")
+      fields.complain(*fields.optional("by"), "fragments.by",
+                      words("Here “parameter” or “number” is expected."));
+    return StepFragments{fields.text("hits"), order == "number", block.firstLine};
+  });
 }
 
 Result<StepCost> readCost(const TextBlock &block, const std::string &file) {
-  const auto root = parseYaml(block.text, file, block.firstLine, maxFrontMatterDepth);
-  if (!root)
-    return root.problem();
-  FieldReader fields(*root, file, "cost");
-  fields.allowOnly({"hits"});
-  StepCost cost{fields.text("hits"), block.firstLine};
-  if (fields.problem())
-    return *fields.problem();
-  return cost;
+  return readFields<StepCost>(block, file, "cost", {"hits"}, [&block](FieldReader &fields) {
+    return StepCost{fields.text("hits"), block.firstLine};
+  });
 }
 
 Result<StepLines> readLines(const TextBlock &block, const std::string &file) {

@@ -4,7 +4,6 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/number.h"
-#include "lessons/object/ray.h"
 #include "lessons/words.h"
 
 #include <algorithm>

@@ -5,7 +5,10 @@
 namespace halfspace {
 namespace {
 
-bool hasTooManyDigits(const Rational &whole) { return toText(abs(whole)).size() > coordinateDigits; }
+bool hasTooManyDigits(const Rational &whole) {
+  static const Rational shortestTooLong = powerOfTen(coordinateDigits);
+  return abs(whole) >= shortestTooLong;
+}
 
 } // namespace
 

@@ -54,14 +54,10 @@ std::vector<ExactVec3> cornersOf(const MeshObject &mesh) {
   return corners;
 }
 
-bool hasDrawnFaces(const MeshShape &shape) {
-  return !shape.faces().empty() && shape.faces().size() <= mostDrawnFaces;
-}
-
 std::vector<Mark> draw(const Given<Object> &given) {
   const MeshObject mesh = as<MeshObject>(given).object;
   std::vector<Mark> marks;
-  if (hasDrawnFaces(*mesh.shape)) {
+  if (!mesh.shape->faces().empty()) {
     std::vector<std::vector<std::size_t>> faces;
     for (const MeshFace &face : mesh.shape->faces())
       faces.emplace_back(face.begin(), face.end());
@@ -89,7 +85,7 @@ std::vector<Mark> draw(const Given<Object> &given) {
 /// single one.
 void offer(const Given<Object> &given, Surroundings &found) {
   const MeshObject mesh = as<MeshObject>(given).object;
-  if (!hasDrawnFaces(*mesh.shape))
+  if (mesh.shape->faces().empty())
     return;
   const WordValues name{{"mesh", plainText(given.symbol)}};
   const std::vector<ExactVec3> corners = cornersOf(mesh);
@@ -160,7 +156,7 @@ glm::dmat3 MeshPlacement::axes() const {
 
 std::string markOf(const Given<MeshObject> &mesh, std::size_t triangle) {
   const MeshShape &shape = *mesh.object.shape;
-  if (!hasDrawnFaces(shape))
+  if (shape.faces().empty())
     return mesh.id;
   std::size_t face = 0;
   for (std::size_t first = 0; triangle >= first + shape.faces()[face].size() - 2; ++face)
@@ -168,10 +164,12 @@ std::string markOf(const Given<MeshObject> &mesh, std::size_t triangle) {
   return faceId(mesh.id, face);
 }
 
+Triangle<Rational> MeshPlacement::toScene(const Triangle<double> &own) const {
+  return {toScene(exactly(own.p0)), toScene(exactly(own.p1)), toScene(exactly(own.p2))};
+}
+
 Triangle<Rational> triangleOf(const MeshObject &mesh, std::size_t index) {
-  const MeshPlacement placement(mesh);
-  const Triangle<Rational> own = exactly(mesh.shape->mesh()->triangle(index));
-  return {placement.toScene(own.p0), placement.toScene(own.p1), placement.toScene(own.p2)};
+  return MeshPlacement(mesh).toScene(mesh.shape->mesh()->triangle(index));
 }
 
 namespace object_kinds {

@@ -29,6 +29,7 @@ public:
   explicit MeshPlacement(const MeshObject &mesh);
 
   [[nodiscard]] ExactVec3 toScene(const ExactVec3 &corner) const;
+  [[nodiscard]] Triangle<Rational> toScene(const Triangle<double> &own) const;
   [[nodiscard]] Ray<Rational> toMesh(const Ray<Rational> &ray) const;
   /// Columns: where the axes of the mesh's space lead.
   [[nodiscard]] glm::dmat3 axes() const;

@@ -29,7 +29,10 @@ TriangleMesh cutIntoTriangles(std::vector<Vec3<double>> corners, const std::vect
 MeshShape::MeshShape(std::vector<Vec3<double>> corners, std::vector<MeshFace> faces)
     : m_faces(std::move(faces)),
       m_mesh(std::make_shared<const TriangleMesh>(cutIntoTriangles(std::move(corners), m_faces))),
-      m_search(makeHitSearch(*m_mesh)), m_box(boxAround(m_mesh->corners)) {}
+      m_search(makeHitSearch(*m_mesh)), m_box(boxAround(m_mesh->corners)) {
+  if (m_faces.size() > mostDrawnFaces)
+    m_faces.clear();
+}
 
 MeshShape::MeshShape(TriangleMesh mesh, std::shared_ptr<const HitSearch> search)
     : m_mesh(std::make_shared<const TriangleMesh>(std::move(mesh))), m_search(std::move(search)),

@@ -32,14 +32,16 @@ public:
 
   [[nodiscard]] const std::shared_ptr<const TriangleMesh> &mesh() const { return m_mesh; }
   [[nodiscard]] const std::shared_ptr<const HitSearch> &search() const { return m_search; }
-  /// As they were given; none where there are too many.
+  /// As they were given, to be drawn each; none where there are too many for that.
   [[nodiscard]] const std::vector<MeshFace> &faces() const { return m_faces; }
   /// Around all corners.
   [[nodiscard]] const MeshBox &box() const { return m_box; }
   [[nodiscard]] std::size_t triangleCount() const { return m_mesh->triangles.size(); }
 
-  /// Whether they have the same corners and triangles.
-  bool operator==(const MeshShape &other) const { return *m_mesh == *other.m_mesh; }
+  /// Whether they have the same corners, triangles and faces.
+  bool operator==(const MeshShape &other) const {
+    return m_faces == other.m_faces && *m_mesh == *other.m_mesh;
+  }
 
 private:
   std::vector<MeshFace> m_faces;

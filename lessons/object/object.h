@@ -130,7 +130,8 @@ template <TypedObject T> Object::Object(const T &typed) : Object(detail::kindNam
       },
       T::coordinatesOf(typed));
   if constexpr (ShapedObject<T>)
-    m_shape = typed.shape;
+    if (typed.shape) // else that of the kind
+      m_shape = typed.shape;
 }
 
 template <TypedObject T> std::optional<T> objectAs(const Object &object) {

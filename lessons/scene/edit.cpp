@@ -118,6 +118,16 @@ private:
 
 Result<Scene> apply(Scene scene, const Edit &edit) { return std::visit(Applier{std::move(scene)}, edit); }
 
+std::vector<Edit> editsToUnlist(const Scene &scene, const std::string &name) {
+  std::vector<Edit> edits;
+  for (const Entry &entry : scene.entries)
+    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
+      for (const auto &[role, objects] : use->roles)
+        if (RoleObjects others = objects; std::erase(others.ids, name) > 0)
+          edits.emplace_back(RebindRole{entry.name, role, std::move(others)});
+  return edits;
+}
+
 std::vector<std::string> dependentsOf(const Scene &scene, const std::string &name) {
   std::set<std::string> known{name};
   std::vector<std::string> dependents;

@@ -50,6 +50,10 @@ using Edit = std::variant<ChangeObject, AddEntry, RemoveEntry, RenameEntry, Rebi
 /// The scene after an edit; or why it is refused. What comes out can be evaluated if what went in could.
 [[nodiscard]] Result<Scene> apply(Scene scene, const Edit &edit);
 
+/// The edits after which no list of a scene has this object among others. One is refused that would leave a
+/// list empty.
+[[nodiscard]] std::vector<Edit> editsToUnlist(const Scene &scene, const std::string &name);
+
 /// The names of the entries that look at an entry or at what it makes, and of those that look at them in
 /// turn, from top to bottom.
 [[nodiscard]] std::vector<std::string> dependentsOf(const Scene &scene, const std::string &name);

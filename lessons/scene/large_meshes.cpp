@@ -4,21 +4,6 @@
 #include "lessons/scene/shape_text.h"
 
 namespace halfspace {
-namespace {
-
-/// The edits after which no list has this name among others.
-std::vector<Edit> editsToUnlist(const Scene &scene, const std::string &name) {
-  std::vector<Edit> edits;
-  for (const Entry &entry : scene.entries)
-    if (const auto *use = std::get_if<ConstructionUse>(&entry.content))
-      for (const auto &[role, objects] : use->roles)
-        if (RoleObjects others = objects; std::erase(others.ids, name) > 0)
-          edits.emplace_back(RebindRole{entry.name, role, std::move(others)});
-  return edits;
-}
-
-} // namespace
-
 bool isTooLargeToWrite(const Object &object) {
   return object.shape() && object.shape()->triangleCount() > mostWrittenTriangles;
 }

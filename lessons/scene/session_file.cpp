@@ -62,17 +62,6 @@ ChosenView readView(const DocumentNode &node, FieldReader &session) {
   return chosen;
 }
 
-/// The parts of a text between commas.
-std::vector<std::string_view> splitAtCommas(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (auto comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
-    parts.push_back(trimmed(text.substr(0, comma)));
-    text.remove_prefix(comma + 1);
-  }
-  parts.push_back(trimmed(text));
-  return parts;
-}
-
 Problem unknownCoordinate(const Scene &scene, const std::string &name) {
   std::string known;
   for (const CoordinateId &id : coordinatesOf(scene))
@@ -142,7 +131,7 @@ Result<Session> withValue(Session session, std::string_view assignment) {
   const auto id = findCoordinate(session.scene, name);
   if (!id)
     return unknownCoordinate(session.scene, name);
-  const auto numbers = splitAtCommas(assignment.substr(equals + 1));
+  const auto numbers = partsOf(assignment.substr(equals + 1), ",");
   Object &object = *findObject(session.scene, id->object);
   const int expected = numbersIn(coordinatesOf(object)[id->index].role);
   if (static_cast<int>(numbers.size()) != expected)

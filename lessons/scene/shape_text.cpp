@@ -15,16 +15,8 @@
 namespace halfspace {
 namespace {
 
-/// The parts of a text between separators, without the white space around them.
-std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
-  std::vector<std::string_view> parts;
-  while (!text.empty()) {
-    const auto end = std::min(text.find_first_of(separators), text.size());
-    parts.push_back(trimmed(text.substr(0, end)));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return parts;
-}
+/// Faces of so many triangles at the most have no more corners.
+constexpr std::size_t mostCorners = 3 * mostWrittenTriangles;
 
 std::vector<std::string_view> wordsIn(std::string_view text) {
   std::vector<std::string_view> all = partsOf(text, " \t\r\n");
@@ -55,8 +47,12 @@ Result<double> readCornerCoordinate(std::string_view text) {
 }
 
 Result<std::vector<Vec3<double>>> readCorners(std::string_view text) {
+  const auto parts = partsOf(text, ",");
+  if (parts.size() > mostCorners)
+    return problemOf(cornersField, words("These are too many corners: at most {limit} are read.",
+                                         {{"limit", std::to_string(mostCorners)}}));
   std::vector<Vec3<double>> corners;
-  for (const std::string_view part : partsOf(text, ",")) {
+  for (const std::string_view part : parts) {
     const auto numbers = wordsIn(part);
     if (numbers.size() != 3)
       return problemOf(cornersField, words("“{text}” is no corner: three numbers are, as 1 2 3.",
@@ -102,12 +98,11 @@ Result<MeshFace> readFace(std::string_view text, const std::vector<Vec3<double>>
 }
 
 Result<std::vector<MeshFace>> readFaces(std::string_view text, const std::vector<Vec3<double>> &corners) {
-  const auto parts = partsOf(text, ",");
-  if (parts.empty())
+  if (trimmed(text).empty())
     return problemOf(facesField, words("The mesh has no faces."));
   std::vector<MeshFace> faces;
   std::size_t triangles = 0;
-  for (const std::string_view part : parts) {
+  for (const std::string_view part : partsOf(text, ",")) {
     auto face = readFace(part, corners);
     if (!face)
       return face.problem();
@@ -130,11 +125,11 @@ std::string textOf(const MeshFace &face) {
 } // namespace
 
 Result<std::shared_ptr<const MeshShape>> readShape(std::string_view corners, std::string_view faces) {
+  if (trimmed(corners).empty())
+    return problemOf(cornersField, words("The mesh has no corners."));
   auto places = readCorners(corners);
   if (!places)
     return places.problem();
-  if (places->empty())
-    return problemOf(cornersField, words("The mesh has no corners."));
   auto around = readFaces(faces, *places);
   if (!around)
     return around.problem();

@@ -126,10 +126,7 @@ std::optional<MeshCopy> copyOfMesh(const Scene &scene, const std::string &name) 
 }
 
 std::vector<Edit> editsToRemoveMesh(const Scene &scene, const std::string &name) {
-  std::vector<Edit> edits;
-  for (MeshList &list : meshListsIn(scene))
-    if (std::erase(list.ids, name) > 0 && !list.ids.empty())
-      edits.emplace_back(RebindRole{list.entry, list.role->name, std::move(list.ids)});
+  std::vector<Edit> edits = editsToUnlist(scene, name);
   edits.emplace_back(RemoveEntry{name});
   return edits;
 }

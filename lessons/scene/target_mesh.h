@@ -18,7 +18,8 @@ inline constexpr const char *targetName = "target";
 
 /// The edits, one after the other, that put a mesh into a scene: scaled to the size of a barn, seen by all
 /// constructions that look at meshes and have room for one more. One that was put there before gives way, and
-/// the new one stands where it stood.
+/// the new one stands where it stood. Requires a shape that is a point, or whose longest side is a tame
+/// double.
 [[nodiscard]] std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape);
 
 /// The edits that put another mesh like one of the scene beside it, with the same shape, and the name that it
@@ -29,8 +30,8 @@ struct MeshCopy {
 };
 [[nodiscard]] std::optional<MeshCopy> copyOfMesh(const Scene &scene, const std::string &name);
 
-/// The edits that take a mesh out of all lists, and then out of the scene. The last one is refused where
-/// something looks at it in another way, or at nothing else.
+/// The edits that take a mesh out of all lists, and then out of the scene. One is refused where something
+/// looks at nothing else, or looks at it in another way.
 [[nodiscard]] std::vector<Edit> editsToRemoveMesh(const Scene &scene, const std::string &name);
 
 } // namespace halfspace

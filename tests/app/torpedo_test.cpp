@@ -12,6 +12,7 @@
 #include "widgets/flight/flight_axis.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/flight/fragment_table.h"
+#include "widgets/lesson/lesson_page.h"
 #include "widgets/mesh_loader.h"
 
 #include <QApplication>
@@ -427,6 +428,72 @@ private slots:
     QVERIFY2(message.text().endsWith("Too large to be saved with the session."), qPrintable(message.text()));
   }
 
+  void meshFile_openedTwice_isTheSameTarget() {
+    open(pyramid(2));
+    const Scene once = m_fixture->model().session().scene;
+    QSignalSpy loaded(m_fixture->window.findChild<MeshLoader *>(), &MeshLoader::loaded);
+    open(pyramid(2));
+    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), 1, patience);
+    QVERIFY(m_fixture->model().session().scene == once);
+    QVERIFY(!QApplication::activeModalWidget());
+  }
+
+  void meshFile_thatComesDuringADrag_waitsUntilTheHandLetsGo() {
+    m_fixture->model().setStep(stepWithTable);
+    QCoreApplication::processEvents();
+    QSignalSpy loaded(m_fixture->window.findChild<MeshLoader *>(), &MeshLoader::loaded);
+    const QPoint tip = m_fixture->pixelOf(toDouble(m_fixture->value("U.S") + m_fixture->value("U.g")));
+    m_fixture->press(tip);
+    m_fixture->moveTo(tip + QPoint(30, 10));
+    startOpening(pyramid(2));
+    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), 1, patience);
+    m_fixture->moveTo(tip + QPoint(60, 30));
+    QVERIFY(m_fixture->model().inGesture());
+    QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
+    m_fixture->release();
+    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
+  }
+
+  void keys_whileThePageIsHidden_flyTheTorpedo() {
+    m_fixture->answer(2);
+    QTest::keyClick(&m_fixture->window, Qt::Key_F9);
+    QVERIFY(!m_fixture->window.findChild<FlightBar *>()->isVisible());
+    QTest::keyClick(&m_fixture->window, Qt::Key_Period);
+    QCOMPARE(m_fixture->value("frame").x, Rational(1));
+    QTest::keyClick(&m_fixture->window, Qt::Key_Comma);
+    QCOMPARE(m_fixture->value("frame").x, Rational(0));
+    QTest::keyClick(&m_fixture->window, Qt::Key_T);
+    QVERIFY(m_fixture->window.findChild<FlightBar *>()->state().isPlaying);
+    QTest::keyClick(&m_fixture->window, Qt::Key_P);
+    QVERIFY(!m_fixture->window.findChild<FlightBar *>()->state().isPlaying);
+    m_fixture->model().setStep(stepWithTable); // which has no flight
+    const Rational frame = m_fixture->value("frame").x;
+    QTest::keyClick(&m_fixture->window, Qt::Key_Period);
+    QCOMPARE(m_fixture->value("frame").x, frame);
+  }
+
+  void flight_whenTheQuestionIsOpenedAgain_ends() {
+    m_fixture->answer(2);
+    const auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    emit bar.automaticToggled(true);
+    QVERIFY(bar.state().isPlaying);
+    emit m_fixture->window.findChild<LessonPage *>()->predictionReopened();
+    QVERIFY(!bar.state().isPlaying);
+    QVERIFY(!m_fixture->model().inGesture());
+  }
+
+  void automaticFire_ofASession_isGoneOnWithByItsSeed() {
+    m_fixture->answer(2);
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    NumberObject seed =
+        objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "seed")).value();
+    seed.value = 42;
+    m_fixture->model().edit(ChangeObject{"seed", seed}, "test");
+    emit bar.automaticToggled(false);
+    emit bar.automaticToggled(true);
+    QCOMPARE(m_fixture->value("seed").x, Rational(42));
+  }
+
   void loop_amongMoreTrianglesThanAreListed_saysWhatIsHitFirst_andAsksNone() {
     open(pyramid(16));
     m_fixture->model().setStep(stepWithLoop);
@@ -486,16 +553,21 @@ private:
 
   /// An OBJ file with this text, as the target.
   void open(const std::string &obj) {
-    const QTemporaryDir folder;
-    QFile file(folder.filePath("own.obj"));
+    startOpening(obj);
+    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
+  }
+
+  /// The file is there as long as the test goes on.
+  void startOpening(const std::string &obj) {
+    QFile file(m_folder.filePath("own.obj"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(QByteArray::fromStdString(obj));
     file.close();
     m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
     m_fixture->window.openMesh(file.fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
   }
 
+  const QTemporaryDir m_folder;
   std::unique_ptr<WindowFixture> m_fixture;
 };
 

@@ -115,6 +115,19 @@ TEST(HitFinder, AimedAtCornersFromAnywhere_AgreesWithTheExactLoop) {
   }
 }
 
+TEST(HitFinder, RaysOverFractionsFromVeryFarAway_AskFewTriangles) {
+  Scenes scenes(7);
+  const Triangles triangles = terrain(scenes, 40, {0, 0, 0});
+  const HitFinder finder(triangles);
+  for (const int exponent : {3, 9, 18, 27}) {
+    const ExactVec3 way = ExactVec3(Rational(1, 3), Rational(2, 3), 1) * powerOfTen(exponent);
+    const ExactVec3 target(Rational(61, 3), Rational(50, 3), 0);
+    const SearchResult result = finder.search({target + way, -way});
+    EXPECT_TRUE(result.nearest) << exponent;
+    EXPECT_LT(result.cost.triangles, triangles.size() / 20) << exponent;
+  }
+}
+
 TEST(HitFinder, TrianglesAtTheSamePlace_GiveTheLowestIndex) { // law (3)
   const Triangle<double> low{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
   const Triangle<double> high{{0, 0, 2}, {4, 0, 2}, {0, 4, 2}};

@@ -1,5 +1,6 @@
 #include "widgets/flight/flight_bar.h"
 
+#include "lessons/lesson/lesson.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
 #include "widgets/flight/short_decimal.h"
@@ -24,7 +25,6 @@ namespace {
 constexpr std::array<double, 4> speeds{0.25, 0.5, 1, 2};
 constexpr int readoutPlaces = 2;
 constexpr int usualGap = 4;
-constexpr int largestSeed = 999;
 
 QString nameOfSpeed(double speed) {
   const QString number = speed == 0.25  ? QStringLiteral("¼")
@@ -158,8 +158,8 @@ void FlightBar::setHovered(std::size_t number) { m_axis->setHovered(number); }
 
 void FlightBar::setHeld(bool held) { m_axis->setHeld(held); }
 
-void FlightBar::setShortcut(FlightControl control, const QKeySequence &keys) {
-  button(control).setShortcut(keys);
+void FlightBar::setKeys(FlightControl control, const QKeySequence &keys) {
+  m_keys[control] = keys;
   showControls();
 }
 
@@ -181,7 +181,8 @@ void FlightBar::setTheme(const Theme &theme) {
 void FlightBar::describe(FlightControl control, const QString &words) {
   QToolButton &described = button(control);
   described.setAccessibleName(words);
-  const QString keys = described.shortcut().toString(QKeySequence::NativeText);
+  const auto known = m_keys.find(control);
+  const QString keys = known == m_keys.end() ? QString() : known->second.toString(QKeySequence::NativeText);
   described.setToolTip(keys.isEmpty() ? words : tr("%1 (%2)", "a control and its key").arg(words, keys));
 }
 

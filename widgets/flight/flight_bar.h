@@ -8,15 +8,13 @@
 #include <QKeySequence>
 
 #include <cstdint>
+#include <map>
 
 class QAction;
 class QSpinBox;
 class QToolButton;
 
 namespace halfspace {
-
-/// The shots of this seed hit a wall of the lesson's barn, its roof and the field.
-inline constexpr int firstSeed = 166;
 
 /// What the bar shows.
 struct FlightState {
@@ -26,7 +24,7 @@ struct FlightState {
   double speed = 1;
   bool canFire = true;
   bool isAutomatic = false;
-  int seed = firstSeed;       ///< of chance, when it fires by itself
+  int seed = 1;               ///< of chance, when it fires by itself
   bool reducedMotion = false; ///< nothing flies: there is nothing to play, and no speed
   bool hidden = false;        ///< a question is open
   bool operator==(const FlightState &) const = default;
@@ -47,8 +45,8 @@ public:
   void setHovered(std::size_t number);
   void setHeld(bool held);
   void setTheme(const Theme &theme);
-  /// The key of a control, wherever in the window the focus is; its tool tip tells it.
-  void setShortcut(FlightControl control, const QKeySequence &keys);
+  /// The key that does the same as a control, whoever hears it: its tool tip tells it.
+  void setKeys(FlightControl control, const QKeySequence &keys);
 
   [[nodiscard]] const FlightState &state() const { return m_state; }
   [[nodiscard]] FlightAxis &axis() const { return *m_axis; }
@@ -86,6 +84,7 @@ private:
 
   const Typesetter &m_typesetter;
   QList<QToolButton *> m_buttons; ///< by FlightControl
+  std::map<FlightControl, QKeySequence> m_keys;
   QList<QAction *> m_speeds;
   QSpinBox *m_seed = nullptr;
   QIcon m_play;

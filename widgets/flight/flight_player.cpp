@@ -31,6 +31,7 @@ FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
     if (!m_model.inGesture())
       stop();
   });
+  connect(&model, &SessionModel::lessonChanged, this, [this] { m_seed.reset(); });
   connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::stop);
   connect(&model, &SessionModel::stepChanged, this, &FlightPlayer::followStep, Qt::QueuedConnection);
 }
@@ -81,7 +82,7 @@ FlightState FlightPlayer::state() const {
   if (now) {
     const Rational &seed = now->seed.value;
     state.isAutomatic = seed != 0;
-    state.seed = seed != 0 ? static_cast<int>(toDouble(seed)) : m_seed;
+    state.seed = seed != 0 ? static_cast<int>(toDouble(seed)) : m_seed.value_or(now->names.firstSeed);
     const Rational elapsed = elapsedOf(*now);
     const Crossing *hit = hitOf(*now);
     state.elapsed = toDouble(elapsed);
@@ -90,10 +91,8 @@ FlightState FlightPlayer::state() const {
   return state;
 }
 
-/// The shot that is on its way, but for its direction.
-Shot FlightPlayer::shotOf(const Flight &flight) {
-  return shotAt(flight.frame.value, flight.seed.value, ExactVec3(0));
-}
+/// The shot that is on its way.
+Shot FlightPlayer::shotOf(const Flight &flight) { return shotAt(flight.frame.value, flight.seed.value); }
 
 /// The parameter to which the torpedo has come if it has hit nothing.
 Rational FlightPlayer::elapsedOf(const Flight &flight) {
@@ -189,12 +188,18 @@ void FlightPlayer::step(int direction) {
 }
 
 void FlightPlayer::setAutomatic(bool on) {
+  m_seed = state().seed;
+  fireBySeed(on ? *m_seed : 0);
+}
+
+/// From the first shot on; 0: by hand.
+void FlightPlayer::fireBySeed(int seed) {
   play(false);
   const auto now = flight();
   if (!now)
     return;
-  begin(*now, on ? m_seed : 0, on ? tr("Fire by itself") : tr("Fire by hand"));
-  if (on)
+  begin(*now, seed, seed != 0 ? tr("Fire by itself") : tr("Fire by hand"));
+  if (seed != 0)
     return goOnFrom(*now, 0);
   m_model.endGesture();
 }
@@ -226,7 +231,7 @@ void FlightPlayer::followStep() {
 void FlightPlayer::setSeed(int seed) {
   m_seed = seed;
   if (state().isAutomatic)
-    setAutomatic(true); // from its first shot on
+    fireBySeed(seed);
 }
 
 void FlightPlayer::setSpeed(double speed) {

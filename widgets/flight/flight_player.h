@@ -54,6 +54,7 @@ private:
   };
   [[nodiscard]] std::optional<Flight> flight() const;
   [[nodiscard]] std::optional<Flight> flightBy(const StepFlight &names) const;
+  void fireBySeed(int seed);
   void begin(const Flight &flight, int seed, const QString &description);
   void followStep();
   [[nodiscard]] static Shot shotOf(const Flight &flight);
@@ -75,7 +76,7 @@ private:
   QElapsedTimer m_clock; ///< since the flight went on
   Rational m_from;       ///< the frame from which it went on
   double m_speed = 1;
-  int m_seed = firstSeed; ///< while it fires by hand: of the next time that it fires by itself
+  std::optional<int> m_seed; ///< of the next time that it fires by itself; nothing: as the lesson says
   std::optional<Controlled> m_controlled;
   bool m_reducedMotion = false;
   bool m_isPlaying = false;

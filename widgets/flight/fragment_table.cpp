@@ -65,7 +65,7 @@ math::Row roundedHead(char32_t letter) {
   return math::row(math::letter(letter), math::symbol(U'≈', math::AtomClass::Rel));
 }
 
-std::array<Rational, 3> numbersAt(const Crossing::Place &at) { return {at.t, at.s, at.tTriangle}; }
+std::array<Rational, 3> numbersAt(const Crossing::Parameters &at) { return {at.t, at.s, at.tTriangle}; }
 
 /// What a screen reader is told, made when it asks.
 class SpokenTable : public QAccessibleWidget {

@@ -494,7 +494,7 @@ private:
     mesh[2].x = length();
   }
 
-  /// Some meshes stand twice where they are, and a ray is mostly aimed at one; k is often the number of what
+  /// Some meshes stand twice where they are, and a ray is mostly aimed at one; i is often the number of what
   /// it is aimed at. Any of the meshes may be it, the last one most often.
   void makeMeshesSpecial(const Construction &construction, std::vector<Object> &objects) {
     const std::size_t first = construction.roles.size() - 1;

@@ -200,6 +200,41 @@ TEST(Lesson, ACostBlock_NamesTheHits) {
   EXPECT_EQ(problemOf(frontMatter + "## One\n```cost\n{}\n```\n").field, "cost.hits");
 }
 
+TEST(Lesson, AFlightBlock_NamesItsNumbersAndTheHits) {
+  const auto flightIn = [](const std::string &fields) {
+    const auto lesson = parseLesson(frontMatter + "## One\nA.\n```flight\n{" + fields + "}\n```\n", "a.md");
+    return std::get<StepFlight>(lesson.value().steps[0].blocks.back());
+  };
+  const StepFlight flight = flightIn("frame: f, seed: s, hits: nearest, first-seed: 7");
+  EXPECT_EQ(flight.frame, "f");
+  EXPECT_EQ(flight.seed, "s");
+  EXPECT_EQ(flight.hits, "nearest");
+  EXPECT_EQ(flight.firstSeed, 7);
+  EXPECT_EQ(flightIn("frame: f, seed: s, hits: nearest").firstSeed, 1);
+  const auto fieldRefused = [](const std::string &fields) {
+    return problemOf(frontMatter + "## One\n```flight\n{" + fields + "}\n```\n").field;
+  };
+  EXPECT_EQ(fieldRefused("seed: s, hits: nearest"), "flight.frame");
+  EXPECT_EQ(fieldRefused("frame: f, hits: nearest"), "flight.seed");
+  EXPECT_EQ(fieldRefused("frame: f, seed: s"), "flight.hits");
+  EXPECT_EQ(fieldRefused("frame: f, seed: s, hits: h, speed: 2"), "flight.speed");
+  EXPECT_EQ(fieldRefused("frame: f, seed: s, hits: h, first-seed: 0"), "flight.first-seed");
+}
+
+TEST(Lesson, AFragmentsBlock_SaysTheOrder) {
+  const auto isByNumber = [](const std::string &fields) {
+    const auto lesson =
+        parseLesson(frontMatter + "## One\nA.\n```fragments\n{" + fields + "}\n```\n", "a.md");
+    return std::get<StepFragments>(lesson.value().steps[0].blocks.back()).byNumber;
+  };
+  EXPECT_FALSE(isByNumber("hits: nearest"));
+  EXPECT_FALSE(isByNumber("hits: nearest, by: parameter"));
+  EXPECT_TRUE(isByNumber("hits: nearest, by: number"));
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```fragments\n{hits: h, by: name}\n```\n").field,
+            "fragments.by");
+  EXPECT_EQ(problemOf(frontMatter + "## One\n```fragments\n{by: number}\n```\n").field, "fragments.hits");
+}
+
 TEST(Lesson, ADrawBlock_NamesMarks) {
   const auto lesson = parseLesson(frontMatter + "## One\n```draw\nF, d.w\n```\n## Two\n", "a.md");
   ASSERT_TRUE(lesson) << lesson.problem().text();

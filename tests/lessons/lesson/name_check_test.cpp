@@ -54,10 +54,19 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
             Texts{});
 }
 
-TEST(NameCheck, CostOfWhatLooksAtNoTriangles_IsTold) {
-  const auto cost = [](const std::string &id) { return "## One\n```cost\n{hits: " + id + "}\n```\n"; };
-  EXPECT_EQ(problemsIn(cost("m")).size(), 1U);
-  EXPECT_EQ(problemsIn(cost("L")).size(), 1U);
+TEST(NameCheck, BlocksOfWhatLooksAtNoTriangles_AreTold) {
+  for (const char *block : {"cost", "fragments"})
+    for (const char *name : {"m", "L"})
+      EXPECT_EQ(problemsIn("## One\n```" + std::string(block) + "\n{hits: " + name + "}\n```\n"),
+                Texts{"14: hits: “" + std::string(name) +
+                      "” is no construction of the scene that looks at many triangles."});
+}
+
+TEST(NameCheck, FlightWithoutItsNumbers_IsTold) {
+  EXPECT_EQ(
+      problemsIn("## One\n```flight\n{frame: L, seed: nobody, hits: m}\n```\n"),
+      (Texts{"14: frame: “L” is no number of the scene.", "14: seed: “nobody” is no number of the scene.",
+             "14: hits: “m” is no construction of the scene that looks at many triangles."}));
 }
 
 TEST(NameCheck, LineThatNobodyHas_IsToldWithItsPlaceAndWhatIsMeant) {

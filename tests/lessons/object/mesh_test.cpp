@@ -79,6 +79,10 @@ TEST(MeshShape, ManyFacesOrCorners_AreReadUpToTheLimits) {
   };
   EXPECT_TRUE(readShape(square, facesOf(mostWrittenTriangles)));
   expectRefused(square, facesOf(mostWrittenTriangles + 1), "faces", "too many faces: at most 50000");
+  std::string manyCorners = "0 0 0";
+  for (std::size_t i = 0; i < 3 * mostWrittenTriangles; ++i)
+    manyCorners += ",0 0 0";
+  expectRefused(manyCorners, "0 1 2", "corners", "too many corners: at most 150000");
   // Around a bowl: flat and convex, however many.
   const auto bowl = [](std::size_t count) {
     std::string corners;
@@ -105,23 +109,30 @@ TEST(MeshShape, FlatFaces_AreCutIntoTrianglesFromTheirFirstCorner) {
 }
 
 TEST(MeshShape, Written_IsReadAsTheSame) {
-  const auto shape = *readShape("0 0 0, 4 0 -0.375, 4 4 1, 1000000000 4 0", "0 1 2, 1 2 3");
+  const auto shape =
+      *readShape("0 0 0, 4 0 -0.375, 4 4 1, 1000000000 4 0, 0 0 1, 4 0 0.625", "0 1 2, 1 2 3, 0 1 5 4");
   const auto [corners, faces] = written(*shape);
   EXPECT_EQ(**readShape(corners, faces), *shape);
   // Of triangles without faces.
   const MeshShape triangles(*shape->mesh(), std::make_shared<const PlainHitSearch>(*shape->mesh()));
-  EXPECT_EQ(written(triangles).faces, faces);
+  EXPECT_EQ(written(triangles).faces, "0 1 2, 1 2 3, 0 1 5, 0 5 4");
+}
+
+TEST(MeshShape, WithOtherFaces_IsAnother) {
+  const auto one = *readShape(square, "0 1 2 3");
+  EXPECT_EQ(*one, **readShape(square, "0 1 2 3"));
+  EXPECT_FALSE(*one == **readShape(square, "0 1 2, 0 2 3")) << "it has an edge more";
 }
 
 /// So many triangles in a row.
 std::shared_ptr<const MeshShape> strip(std::size_t triangles) {
-  TriangleMesh mesh;
+  std::vector<Vec3<double>> corners;
   for (std::uint32_t i = 0; i < triangles + 2; ++i)
-    mesh.corners.emplace_back(i / 2, i % 2, 0);
+    corners.emplace_back(i / 2, i % 2, 0);
+  std::vector<MeshFace> faces;
   for (std::uint32_t i = 0; i < triangles; ++i)
-    mesh.triangles.push_back({i, i + 1, i + 2});
-  auto search = makeHitSearch(mesh);
-  return std::make_shared<const MeshShape>(std::move(mesh), std::move(search));
+    faces.push_back({i, i + 1, i + 2});
+  return std::make_shared<const MeshShape>(std::move(corners), std::move(faces));
 }
 
 /// A mesh aimed at, alone and beside another.

@@ -102,9 +102,9 @@ private slots:
     QVERIFY(bar.button(FlightControl::StepForward).isEnabled());
   }
 
-  void shortcut_isToldInTheToolTip() {
+  void key_isToldInTheToolTip() {
     FlightBar bar(m_typesetter);
-    bar.setShortcut(FlightControl::Fire, QKeySequence("T"));
+    bar.setKeys(FlightControl::Fire, QKeySequence("T"));
     QCOMPARE(bar.button(FlightControl::Fire).toolTip(), QString("Fire the torpedo (T)"));
     QCOMPARE(bar.button(FlightControl::Fire).accessibleName(), QString("Fire the torpedo"));
   }

@@ -9,7 +9,7 @@ namespace halfspace::test {
 
 inline Crossing crossingAt(std::size_t number, RayTriangleCase which, const Rational &t) {
   return {number, "barn " + std::to_string(number), which,
-          Crossing::Place{t, Rational(1, 4), Rational(3, 8)}};
+          Crossing::Parameters{t, Rational(1, 4), Rational(3, 8)}};
 }
 
 /// By t: 4 behind, 3 is hit first, 5 and 1 later at the same place, 6 beside, 2 parallel.

@@ -14,7 +14,7 @@ struct Fragment {
 
 struct Given {
   RayObject ray;
-  Rational k;
+  Rational i;
   std::vector<Fragment> fragments;
 };
 
@@ -49,10 +49,10 @@ AllMet meetAll(const Given &given) {
   return all;
 }
 
-/// The fragment that k chooses; null for none.
+/// The fragment that i chooses; null for none.
 const Fragment *chosenOf(const Given &given) {
   for (std::size_t i = 0; i < given.fragments.size(); ++i)
-    if (given.k == Rational(static_cast<int>(i) + 1))
+    if (given.i == Rational(static_cast<int>(i) + 1))
       return &given.fragments[i];
   return nullptr;
 }
@@ -80,7 +80,7 @@ void addChosen(const Given &given, const AllMet &all, Recomputed &expected) {
   expected.values["chosen.case"] =
       all.each[static_cast<std::size_t>(chosen - given.fragments.data())].caseName;
   for (const auto &[lambda, number] : all.ahead)
-    if (Rational(number) <= given.k) {
+    if (Rational(number) <= given.i) {
       expected.values["so_far"] = number;
       expected.values["so_far_is_nearest"] = number == all.ahead.begin()->second ? "yes" : "no";
       break;
