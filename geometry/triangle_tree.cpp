@@ -1,6 +1,7 @@
 #include "geometry/triangle_tree.h"
 
 #include "geometry/approach_ball.h"
+#include "geometry/bounding_box.h"
 #include "geometry/decide.h"
 #include "geometry/filter.h"
 #include "geometry/lanes.h"
@@ -52,21 +53,6 @@ constexpr unsigned maxDepth = 32;
 constexpr std::size_t mostWaiting = maxDepth * (mostChildren - 1);
 
 constexpr std::uint32_t noTriangle = std::numeric_limits<std::uint32_t>::max();
-
-struct Box {
-  Vec3<double> low{std::numeric_limits<double>::infinity()};
-  Vec3<double> high{-std::numeric_limits<double>::infinity()};
-
-  void include(const Vec3<double> &point) {
-    low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
-    high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
-  }
-  void include(const Triangle<double> &triangle) {
-    include(triangle.p0);
-    include(triangle.p1);
-    include(triangle.p2);
-  }
-};
 
 } // namespace
 
@@ -137,7 +123,7 @@ struct TriangleTree::Builder {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (decideShape(triangles[i]) != TriangleShape::Proper) // no ray hits it
         continue;
-      Box box;
+      BoundingBox box;
       box.include(triangles[i]);
       const auto low = Vec3<float>((box.low - tree.m_middle) * tree.m_scale - boxMargin);
       const auto high = Vec3<float>((box.high - tree.m_middle) * tree.m_scale + boxMargin);
@@ -201,12 +187,12 @@ struct TriangleTree::Builder {
 
 TriangleTree::TriangleTree(std::span<const Triangle<double>> triangles) {
   assert(triangles.size() < noTriangle);
-  Box box;
+  BoundingBox box;
   for (const Triangle<double> &triangle : triangles) {
     m_isTame = m_isTame && halfspace::isTame(triangle);
     box.include(triangle);
   }
-  const double halfWidth = largestCoordinate(box.high - box.low) * 0.5;
+  const double halfWidth = box.longestSide() * 0.5;
   constexpr double smallest = 0x1p-200;
   if (triangles.empty() || !m_isTame || halfWidth < smallest)
     return;

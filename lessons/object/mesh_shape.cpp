@@ -1,18 +1,14 @@
 #include "lessons/object/mesh_shape.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
-MeshBox boxAround(const std::vector<Vec3<double>> &corners) {
-  MeshBox box{corners.front(), corners.front()};
+BoundingBox boxAround(const std::vector<Vec3<double>> &corners) {
+  BoundingBox box;
   for (const Vec3<double> &corner : corners)
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], corner[axis]);
-      box.high[axis] = std::max(box.high[axis], corner[axis]);
-    }
+    box.include(corner);
   return box;
 }
 

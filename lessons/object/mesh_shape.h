@@ -1,6 +1,7 @@
 // What meshes are made of: many triangles, never changed, and shared by all objects that have them.
 #pragma once
 
+#include "geometry/bounding_box.h"
 #include "geometry/hit_search.h"
 
 #include <cstdint>
@@ -14,12 +15,6 @@ using MeshFace = std::vector<std::uint32_t>;
 
 /// Shapes with more faces than this are drawn as one, without their edges.
 inline constexpr std::size_t mostDrawnFaces = 200;
-
-/// The box around corners, along the axes.
-struct MeshBox {
-  Vec3<double> low{};
-  Vec3<double> high{};
-};
 
 /// Triangles in a space of their own, in which a ray's first hit among them is found.
 class MeshShape {
@@ -35,7 +30,7 @@ public:
   /// As they were given, to be drawn each; none where there are too many for that.
   [[nodiscard]] const std::vector<MeshFace> &faces() const { return m_faces; }
   /// Around all corners.
-  [[nodiscard]] const MeshBox &box() const { return m_box; }
+  [[nodiscard]] const BoundingBox &box() const { return m_box; }
   [[nodiscard]] std::size_t triangleCount() const { return m_mesh->triangles.size(); }
 
   /// Whether they have the same corners, triangles and faces.
@@ -47,7 +42,7 @@ private:
   std::vector<MeshFace> m_faces;
   std::shared_ptr<const TriangleMesh> m_mesh;
   std::shared_ptr<const HitSearch> m_search;
-  MeshBox m_box;
+  BoundingBox m_box;
 };
 
 } // namespace halfspace

@@ -29,8 +29,7 @@ Rational roundFactor(double factor) {
 }
 
 Rational scaleOf(const MeshShape &shape) {
-  const Vec3<double> size = shape.box().high - shape.box().low;
-  const double longest = std::max({size.x, size.y, size.z});
+  const double longest = shape.box().longestSide();
   return longest > 0 ? std::clamp(roundFactor(wantedSide / longest), smallestScale, coordinateLimit)
                      : Rational(1);
 }
@@ -86,7 +85,7 @@ std::string nextName(const Scene &scene, std::string name) {
 
 /// The way beside a mesh, across its heading but along an axis, by its width and a gap.
 ExactVec3 wayBeside(const MeshObject &mesh) {
-  const MeshBox &box = mesh.shape->box();
+  const BoundingBox &box = mesh.shape->box();
   const Rational width = (exactly(box.high).y - exactly(box.low).y) * mesh.scale;
   const Rational way = roundUpToMultiple(width + gapBeside, 1);
   return abs(mesh.heading.x) >= abs(mesh.heading.y) ? ExactVec3(0, way, 0) : ExactVec3(-way, 0, 0);

@@ -1,5 +1,6 @@
 #include "widgets/mesh_files/make_shape.h"
 
+#include "geometry/bounding_box.h"
 #include "geometry/decide.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/numbering.h"
@@ -29,26 +30,12 @@ bool isFinite(const Vec3<float> &corner) {
   return std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z);
 }
 
-struct Box {
-  Vec3<double> low{std::numeric_limits<double>::infinity()};
-  Vec3<double> high{-std::numeric_limits<double>::infinity()};
-
-  void include(const Vec3<double> &corner) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], corner[axis]);
-      high[axis] = std::max(high[axis], corner[axis]);
-    }
-  }
-  [[nodiscard]] Vec3<double> size() const { return high - low; }
-  [[nodiscard]] double longestSide() const { return std::max({size().x, size().y, size().z}); }
-};
-
 /// Where corners go: numbers of steps from an origin, which fit 21 bits each.
 class Grid {
 public:
   using Key = Numbering<1>::Key;
 
-  explicit Grid(const Box &box)
+  explicit Grid(const BoundingBox &box)
       : m_origin((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2, box.low.z) {
     int exponent = 0; // of the power of two above the longest side, or as large
     if (std::frexp(box.longestSide(), &exponent) == 0.5)
@@ -238,7 +225,7 @@ private:
   RawMesh m_raw;
   const std::atomic<bool> &m_cancelled;
   const PartDone &m_partDone;
-  Box m_box;
+  BoundingBox m_box;
   TriangleMesh m_mesh;
   LoadedMesh m_loaded;
 };

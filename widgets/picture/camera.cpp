@@ -1,5 +1,7 @@
 #include "widgets/picture/camera.h"
 
+#include "geometry/bounding_box.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -138,13 +140,10 @@ Camera fitted(Camera camera, const std::vector<Place> &places, PixelSize size, c
     return camera;
 
   // Look at the middle of all of them.
-  Place low = finite.front();
-  Place high = finite.front();
-  for (const Place &place : finite) {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  camera.target = (low + high) / 2.0;
+  BoundingBox box;
+  for (const Place &place : finite)
+    box.include(place);
+  camera.target = (box.low + box.high) / 2.0;
 
   const double slopePerPixel = 2 * slopeOfView / size.height;
   const glm::dvec2 middle = glm::dvec2(size.width, size.height) / 2.0;

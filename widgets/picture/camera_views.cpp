@@ -1,5 +1,6 @@
 #include "widgets/picture/camera_views.h"
 
+#include "geometry/bounding_box.h"
 #include "widgets/picture/free_rooms.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
@@ -76,18 +77,15 @@ Figure nearGiven(Figure figure) {
   const std::vector<Place> places = placesOf(given);
   if (places.empty())
     return figure;
-  Place low = places.front();
-  Place high = places.front();
-  for (const Place &place : places) {
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  const Place size = high - low;
-  const Place reach(homeReach * std::max({size.x, size.y, size.z}));
+  BoundingBox box;
+  for (const Place &place : places)
+    box.include(place);
+  const Place reach(homeReach * box.longestSide());
   std::erase_if(figure.marks, [&](const Mark &mark) {
     const std::vector<Place> of = placesOf({{mark}});
     return std::any_of(of.begin(), of.end(), [&](const Place &place) {
-      return glm::any(glm::lessThan(place, low - reach)) || glm::any(glm::greaterThan(place, high + reach));
+      return glm::any(glm::lessThan(place, box.low - reach)) ||
+             glm::any(glm::greaterThan(place, box.high + reach));
     });
   });
   return figure;
