@@ -61,8 +61,9 @@ TEST(ApproachBall, FromFarAwayAndPastIt_OrAwayFromIt_SaysThatNothingIsMet) {
       const auto [target, way] = farFrom(random, exponent);
       EXPECT_FALSE(approachBall({target + way, way}, middle, radius)) << exponent;
       const ExactVec3 aside = ExactVec3(way.y, -way.x, 0) + ExactVec3(0, way.z, -way.y);
-      if (!isZero(aside))
+      if (!isZero(aside)) {
         EXPECT_FALSE(approachBall({target + way, aside - way}, middle, radius)) << exponent;
+      }
     }
 }
 

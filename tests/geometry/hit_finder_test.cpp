@@ -120,8 +120,8 @@ TEST(HitFinder, RaysOverFractionsFromVeryFarAway_AskFewTriangles) {
   const Triangles triangles = terrain(scenes, 40, {0, 0, 0});
   const HitFinder finder(triangles);
   for (const int exponent : {3, 9, 18, 27}) {
-    const ExactVec3 way = ExactVec3(Rational(1, 3), Rational(2, 3), 1) * powerOfTen(exponent);
-    const ExactVec3 target(Rational(61, 3), Rational(50, 3), 0);
+    const Vec3<Rational> way = Vec3<Rational>(Rational(1, 3), Rational(2, 3), 1) * powerOfTen(exponent);
+    const Vec3<Rational> target(Rational(61, 3), Rational(50, 3), 0);
     const SearchResult result = finder.search({target + way, -way});
     EXPECT_TRUE(result.nearest) << exponent;
     EXPECT_LT(result.cost.triangles, triangles.size() / 20) << exponent;
