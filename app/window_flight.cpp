@@ -5,6 +5,8 @@
 #include "lessons/object/ray.h"
 #include "widgets/lesson/lesson_page.h"
 
+#include <QMenu>
+
 #include <algorithm>
 
 namespace halfspace {

@@ -2,13 +2,13 @@
 // loop stands still meanwhile, and how much memory the two processes take at most.
 #include "tests/bench/bumpy_ball.h"
 #include "tests/bench/durations.h"
+#include "tests/bench/heartbeat.h"
 #include "widgets/mesh_loader.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <cstdio>
 #include <sys/resource.h>
@@ -17,27 +17,6 @@ namespace halfspace::bench {
 namespace {
 
 constexpr double longestPauseGoal = 16; // a frame
-
-/// The longest time between two turns of the event loop.
-class Heartbeat {
-public:
-  Heartbeat() {
-    QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
-    m_timer.setTimerType(Qt::PreciseTimer);
-    m_timer.start(1);
-  }
-  [[nodiscard]] double longestPause() const { return m_longest; }
-
-private:
-  void beat() {
-    m_longest = std::max(m_longest, millisecondsSince(m_last));
-    m_last = Clock::now();
-  }
-
-  QTimer m_timer;
-  Clock::time_point m_last = Clock::now();
-  double m_longest = 0;
-};
 
 double peakMegabytes(__rusage_who who) {
   rusage usage{};

@@ -45,9 +45,18 @@ inline void print(const char *title, const std::vector<Contender> &contenders) {
                 each.nanoseconds / contenders.front().nanoseconds);
 }
 
+inline void printRatio(const std::string &what, double ratio, bool isMet) {
+  std::printf("  %-60s %8.2f  %s\n", what.c_str(), ratio, isMet ? "met" : "missed");
+}
+
+/// Whether the ratio is at most so large.
 inline void printGoal(const std::string &what, double ratio, double goal) {
-  std::printf("  %-60s %8.2f  %s\n", (what + ", goal " + std::to_string(goal).substr(0, 4)).c_str(), ratio,
-              ratio <= goal ? "met" : "missed");
+  printRatio(what + ", goal " + std::to_string(goal).substr(0, 4), ratio, ratio <= goal);
+}
+
+/// Whether it is at least so large.
+inline void printLeast(const std::string &what, double ratio, double least) {
+  printRatio(what + ", at least " + std::to_string(least).substr(0, 4), ratio, ratio >= least);
 }
 
 } // namespace halfspace::bench

@@ -92,7 +92,7 @@ TEST(MeshWire, CountsBeyondTheLimitsAreAProblemBeforeAnythingFollows) {
   }
 }
 
-TEST(MeshWire, TheLargestCountsTakeNoMemoryUntilTheyArrive) {
+TEST(MeshWire, TheLargestCountsAreWaitedFor) {
   MeshDecoder decoder;
   decoder.feed(counts(mostMeshCorners, mostMeshTriangles));
   EXPECT_FALSE(decoder.problem());

@@ -13,7 +13,7 @@ struct ReadMesh : ProgramTest {
   /// The mesh in a file of this name and content.
   [[nodiscard]] Result<RawMesh> read(const std::string &name, const std::string &content) const {
     write(name, content);
-    return readMeshWithVtk(inFolder(name), [](std::optional<double>) {});
+    return readMesh(inFolder(name), [](std::optional<double>) {});
   }
 
   /// Likewise, its triangles by their places.
@@ -88,6 +88,42 @@ TEST_F(ReadMesh, WithAnotherEndingIsReadAllTheSame) {
 TEST_F(ReadMesh, BinaryStlThatBeginsAsTextIsRead) {
   EXPECT_EQ(triangles("a.stl", binaryStl(tetrahedronTriangles(), "solid of a program that writes so")),
             tetrahedronTriangles());
+}
+
+TEST_F(ReadMesh, BinaryStlWithTooSmallACountIsReadToItsEnd) {
+  std::string stl = binaryStl(tetrahedronTriangles()) + "the end"; // less than a triangle
+  stl[80] = 1;
+  EXPECT_EQ(triangles("a.stl", stl), tetrahedronTriangles());
+}
+
+TEST_F(ReadMesh, TextStlWhoseNameIsInOtherLettersIsReadAsText) {
+  std::string name;
+  for (int i = 0; i < 200; ++i)
+    name += "Ж";
+  EXPECT_EQ(triangles("a.stl", "solid " + name + textStl(tetrahedronTriangles()).substr(5)),
+            tetrahedronTriangles());
+}
+
+TEST_F(ReadMesh, TextStlHoweverItIsWrittenIsRead) {
+  const std::string facet = "color 1 0 0\r\n\tFACET normal 0 0 1\r\n\r\nouter loop\r\nvertex 0 0 0\r\n"
+                            "VERTEX +4.0 0e0 .0\r\n  vertex\t0 4 0\r\nendloop\r\nendfacet\r\n";
+  const StlTriangle triangle{Vec3<float>(0, 0, 0), Vec3<float>(4, 0, 0), Vec3<float>(0, 4, 0)};
+  EXPECT_EQ(triangles("a.stl", "Solid one\r\n" + facet + "endsolid one\r\nsolid\r\n" + facet + "endsolid"),
+            (std::vector{triangle, triangle}));
+}
+
+TEST_F(ReadMesh, TextStlThatDoesNotGoOnAsItBeginsIsRefused) {
+  const std::string text = textStl(tetrahedronTriangles());
+  const auto with = [&](std::string_view part, std::string_view other) {
+    std::string changed = text;
+    return changed.replace(changed.find(part), part.size(), other);
+  };
+  expectRefused("a.stl", with("endsolid test", ""), "cut off");
+  expectRefused("b.stl", with("outer loop", ""), "damaged");
+  expectRefused("c.stl", with("endloop", "vertex 1 2 3"), "damaged");
+  expectRefused("d.stl", with("vertex 4.000000", "vertex four"), "damaged");
+  expectRefused("e.stl", with("0.000000\n", "\n"), "damaged"); // two numbers
+  expectRefused("f.stl", text + "facet normal 0 0 0\n", "damaged");
 }
 
 TEST_F(ReadMesh, FacesOfMoreCornersAreCutIntoTriangles) {
@@ -187,17 +223,20 @@ TEST_F(ReadMesh, ThatIsCutOffIsRefused) {
   expectRefused("c.ply", ply.substr(0, ply.size() - 1 - 13), "cut off");
 }
 
-TEST_F(ReadMesh, TellsHowFarItIs) {
-  write("a.stl", binaryStl(std::vector<StlTriangle>(800'000, tetrahedronTriangles().front())));
-  std::vector<double> parts;
-  ASSERT_TRUE(readMeshWithVtk(inFolder("a.stl"), [&](std::optional<double> part) {
-    if (part)
-      parts.push_back(*part);
-  }));
-  ASSERT_GE(parts.size(), 5U);
-  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
-  EXPECT_GT(parts.back(), 0.8);
-  EXPECT_LE(parts.back(), 1);
+TEST_F(ReadMesh, OfEitherStlTellsHowFarItIs) {
+  const std::vector<StlTriangle> many(100'000, tetrahedronTriangles().front());
+  for (const std::string &stl : {binaryStl(many), textStl(many)}) {
+    write("a.stl", stl);
+    std::vector<double> parts;
+    ASSERT_TRUE(readMesh(inFolder("a.stl"), [&](std::optional<double> part) {
+      if (part)
+        parts.push_back(*part);
+    }));
+    ASSERT_GE(parts.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+    EXPECT_GT(parts.back(), 0.8);
+    EXPECT_LE(parts.back(), 1);
+  }
 }
 
 TEST_F(ReadMesh, WithTooManyTrianglesIsRefusedAlsoWhereOnlyTheWholeTellsSo) {

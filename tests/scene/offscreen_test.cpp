@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halfspace {
@@ -80,6 +81,22 @@ TEST(OffscreenPicture, AMeshIsDrawnWhereItIsPlaced_AndTurned) {
   const MeshMark turned = rectangleAt({6, 8, 4}, quarterTurn);
   EXPECT_FALSE(covers(turned, {9, 8, 4}));
   EXPECT_TRUE(covers(turned, {6, 11, 4}));
+}
+
+TEST(OffscreenPicture, TheGridIsSeenOnTheShadowOfAMesh) {
+  const PictureRequest request = requestFor({{rectangleAt({4, 8.6, 4}, glm::dmat3(1))}});
+  const auto picture = drawOffscreen(request, noLabels);
+  const auto unshaded = drawOffscreen(requestFor({}), noLabels);
+  ASSERT_TRUE(picture && unshaded);
+  // In the middle of a field, and on the line y = 10, which is one of the darker ones.
+  const glm::dvec3 inField = *request.camera.project({4.5, 9.75, 0}, request.size);
+  const glm::dvec3 onLine = *request.camera.project({4.5, 10, 0}, request.size);
+  EXPECT_LT(pixelAt(*picture, inField).red, pixelAt(*unshaded, inField).red - 8) << "in the shadow";
+  int darkest = 255;
+  for (const double right : {-1, 0, 1})
+    for (const double down : {-1, 0, 1})
+      darkest = std::min(darkest, pixelAt(*picture, onLine + glm::dvec3(right, down, 0)).red);
+  EXPECT_LT(darkest, pixelAt(*picture, inField).red - 8);
 }
 
 TEST(OffscreenPicture, TwiceAsLargeShowsEverythingTwiceAsLarge) {

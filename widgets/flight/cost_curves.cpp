@@ -45,6 +45,10 @@ QString timeWords(int decade) {
   return QString::number(std::pow(10, above - 3 * unit)) + QChar(QChar::Nbsp) + units[unit];
 }
 
+/// In microseconds, the least that is shown: a coarse clock may tell of no time at all, which has no
+/// logarithm.
+constexpr double shortestTime = 1e-3;
+
 /// At least 1, for the logarithm: where no triangle has an area nothing is looked at.
 double sum(const SearchCost &cost) { return std::max(1.0, static_cast<double>(cost.boxes + cost.triangles)); }
 
@@ -122,12 +126,14 @@ QSize CostCurves::minimumSizeHint() const {
 
 std::vector<CostCurves::Curve> CostCurves::curves() const {
   const bool isTime = m_quantity == CostQuantity::Time;
-  const auto ofPlain = [isTime](const CostPoint &point) {
-    return Dot{static_cast<double>(point.triangles), isTime ? point.plainMicroseconds : sum(point.plain)};
+  const auto dot = [isTime](const CostPoint &point, const SearchCost &cost, double microseconds) {
+    return Dot{static_cast<double>(point.triangles),
+               isTime ? std::max(microseconds, shortestTime) : sum(cost)};
   };
-  const auto ofTree = [isTime](const CostPoint &point) {
-    return Dot{static_cast<double>(point.triangles), isTime ? point.treeMicroseconds : sum(point.tree)};
+  const auto ofPlain = [&](const CostPoint &point) {
+    return dot(point, point.plain, point.plainMicroseconds);
   };
+  const auto ofTree = [&](const CostPoint &point) { return dot(point, point.tree, point.treeMicroseconds); };
   Curve plain{{}, {}, tr("plain loop"), Subject::Neutral, true};
   Curve tree{{}, {}, tr("tree of boxes"), Subject::Ray, false};
   for (const CostPoint &point : m_points) {

@@ -49,10 +49,10 @@ QString costWords(const CostPoint &point) {
 }
 
 /// Whether there was memory for it.
-bool measureAll(const Aim &aim, const std::atomic<bool> &cancelled,
-                const std::function<void(const CostPoint &)> &tell, std::size_t most) {
+bool measureAll(const CostPlot::Measure &measure, const Aim &aim, const std::atomic<bool> &cancelled,
+                const TellCost &tell, std::size_t most) {
   try {
-    measureCost(aim, cancelled, tell, most);
+    measure(aim, cancelled, tell, most);
     return true;
   } catch (const std::bad_alloc &) {
     return false;
@@ -61,8 +61,9 @@ bool measureAll(const Aim &aim, const std::atomic<bool> &cancelled,
 
 } // namespace
 
-CostPlot::CostPlot(QWidget *parent)
-    : QWidget(parent), m_measure(new QPushButton), m_curves(new CostCurves), m_sentence(new QLabel) {
+CostPlot::CostPlot(LatestJob &job, Measure measure, QWidget *parent)
+    : QWidget(parent), m_job(job), m_measuring(std::move(measure)), m_measure(new QPushButton),
+      m_curves(new CostCurves), m_sentence(new QLabel) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(usualGap);
@@ -88,6 +89,11 @@ CostPlot::CostPlot(QWidget *parent)
   connect(m_measure, &QPushButton::clicked, this, [this] { isMeasuring() ? stop() : start(); });
   setTheme(themes().front());
   showState();
+}
+
+CostPlot::~CostPlot() {
+  if (m_isMeasuring)
+    m_job.cancel();
 }
 
 QToolButton *CostPlot::quantityButton(CostQuantity quantity, const QString &words,
@@ -125,20 +131,24 @@ void CostPlot::setTheme(const Theme &theme) {
 void CostPlot::start() {
   if (!m_aim)
     return;
+  emit started();
+  m_isMeasuring = true;
   m_points.clear();
   m_inScene.reset();
   m_measuredAim = m_aim;
   m_lacksMemory = false;
-  m_job.start([this, aim = *m_aim, most = m_most](const std::atomic<bool> &cancelled,
-                                                  const LatestJob::Post &post) -> LatestJob::Message {
+  m_job.start([this, measure = m_measuring, aim = *m_aim, most = m_most](
+                  const std::atomic<bool> &cancelled, const LatestJob::Post &post) -> LatestJob::Message {
     const auto tell = [&](const CostPoint &point) { post([this, point] { add(point); }); };
-    const bool lacksMemory = !measureAll(aim, cancelled, tell, most);
+    const bool lacksMemory = !measureAll(measure, aim, cancelled, tell, most);
     return [this, lacksMemory] { end(lacksMemory); };
   });
-  showState();
+  showPoints();
 }
 
 void CostPlot::stop() {
+  if (!std::exchange(m_isMeasuring, false))
+    return;
   m_job.cancel();
   showState();
   emit ended();
@@ -149,11 +159,12 @@ void CostPlot::add(const CostPoint &point) {
     m_inScene = point;
   else
     m_points.push_back(point);
-  showState();
+  showPoints();
   emit measured();
 }
 
 void CostPlot::end(bool lacksMemory) {
+  m_isMeasuring = false;
   m_lacksMemory = lacksMemory;
   showState();
   emit ended();
@@ -177,12 +188,20 @@ QString CostPlot::sentence() const {
                    .arg(counted(fewestMeasured), counted(m_most));
 }
 
+void CostPlot::showPoints() {
+  m_curves->setPoints(m_points, m_inScene);
+  showState();
+}
+
+/// In each frame of a drag: what has not changed is left alone.
 void CostPlot::showState() {
   m_measure->setText(isMeasuring() ? tr("Stop") : tr("Measure"));
   m_measure->setEnabled(isMeasuring() || m_aim);
-  m_curves->setPoints(m_points, m_inScene);
-  m_curves->setAccessibleDescription(sentence());
-  m_sentence->setText(sentence());
+  const QString told = sentence();
+  if (told == m_sentence->text())
+    return;
+  m_sentence->setText(told);
+  m_curves->setAccessibleDescription(told);
 }
 
 } // namespace halfspace

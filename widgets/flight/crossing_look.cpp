@@ -47,11 +47,11 @@ Standing standingAmongAll(const Crossing &crossing, const Crossings &crossings) 
   return isTied ? Standing::FirstToo : standingOf(crossing.which);
 }
 
-} // namespace
-
 bool areBeingAsked(const Crossings &crossings) {
   return crossings.nearestSoFar && crossings.chosen < crossings.fragments;
 }
+
+} // namespace
 
 Standing standingOf(const Crossing &crossing, const Crossings &crossings) {
   if (!areBeingAsked(crossings))

@@ -28,10 +28,8 @@ enum class Standing : std::uint8_t {
   NotAsked ///< those before it are being asked one after the other
 };
 
-/// The fragments are asked one after the other, up to the chosen one. The number 0 as the nearest so far:
-/// none of them was hit.
-[[nodiscard]] bool areBeingAsked(const Crossings &crossings);
-
+/// Where the crossings have a nearest so far, the fragments are asked one after the other up to the chosen
+/// one; the number 0 as the nearest so far: none of them was hit.
 [[nodiscard]] Standing standingOf(const Crossing &crossing, const Crossings &crossings);
 
 /// Of all, or of those that have been asked.
@@ -51,7 +49,7 @@ enum class Standing : std::uint8_t {
 [[nodiscard]] QString wordsOf(Standing standing);
 /// The same where there is little room.
 [[nodiscard]] QString shortWordsOf(Standing standing);
-/// In a sentence: barn 3: t = 1/2, hit first.
+/// In a sentence: barn 3: λ = 1/2, hit first.
 [[nodiscard]] QString sentenceOf(const Crossing &crossing, Standing standing);
 
 [[nodiscard]] Color inkOf(Standing standing, bool isBehindStart, const Theme &theme);

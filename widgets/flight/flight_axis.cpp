@@ -3,6 +3,9 @@
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
 #include "widgets/flight/flight_icons.h"
+#include "widgets/flight/short_decimal.h"
+#include "widgets/flight/speak_by.h"
+#include "widgets/flight/spoken_axis.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -77,14 +80,15 @@ bool FlightAxis::Pin::isInTriangle() const {
 FlightAxis::FlightAxis(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_letter(typesetter.picture(math::row(math::letter(U'λ')))),
       m_letterQ(typesetter.picture(math::row(math::letter('Q')))), m_theme(themes().front()) {
+  speakBy<FlightAxis, SpokenAxis>();
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("The ray's parameter λ"));
+  sayChosen();
 }
 
 void FlightAxis::setCrossings(const Crossings &crossings) {
-  m_chosen = crossings.chosen;
+  const bool isOtherChosen = std::exchange(m_chosen, crossings.chosen) != m_chosen;
   m_pins.clear();
   for (const Crossing &crossing : crossings.all)
     if (const Standing standing = standingOf(crossing, crossings);
@@ -94,13 +98,44 @@ void FlightAxis::setCrossings(const Crossings &crossings) {
   std::stable_sort(m_pins.begin(), m_pins.end(), [](const Pin &a, const Pin &b) {
     return a.t != b.t ? a.t < b.t : a.isInTriangle() && !b.isInTriangle();
   });
+  if (isOtherChosen && hasFocus())
+    sayChosen();
   settleRange();
   update();
 }
 
+std::optional<std::size_t> FlightAxis::chosenPin() const {
+  for (std::size_t i = 0; i < m_pins.size(); ++i)
+    if (m_pins[i].crossing.number == m_chosen)
+      return i;
+  return {};
+}
+
+void FlightAxis::sayChosen() {
+  const std::optional<std::size_t> pin = m_hidden ? std::nullopt : chosenPin();
+  const QString name = tr("The ray's parameter λ");
+  setAccessibleName(pin ? tr("%1: %2", "the axis and a crossing")
+                              .arg(name, sentenceOf(m_pins[*pin].crossing, m_pins[*pin].standing))
+                        : name);
+}
+
+QString FlightAxis::readout() const { return readoutOf(m_hidden ? std::nullopt : shortParameter(m_t)); }
+
+QStringList FlightAxis::spokenCrossings() const {
+  QStringList sentences;
+  for (const Pin &pin : m_pins)
+    if (!m_hidden)
+      sentences << sentenceOf(pin.crossing, pin.standing);
+  return sentences;
+}
+
 void FlightAxis::setTime(double t, double elapsed) {
-  m_t = std::isfinite(t) ? t : 0;
+  const double before = std::exchange(m_t, std::isfinite(t) ? t : 0);
   m_elapsed = std::isfinite(elapsed) ? elapsed : 0;
+  if (m_t != before) {
+    QAccessibleValueChangeEvent moved(this, time());
+    QAccessible::updateAccessibility(&moved);
+  }
   settleRange();
   update();
 }
@@ -110,6 +145,7 @@ void FlightAxis::setHidden(bool hidden) {
     return;
   if (hidden)
     endScrub(false);
+  sayChosen();
   settleRange();
   update();
 }
@@ -190,8 +226,7 @@ std::optional<QPointF> FlightAxis::placeOf(std::size_t number) const {
 }
 
 QPointF FlightAxis::handle() const {
-  const double t = m_hidden ? 0 : std::clamp(m_t, m_range.low, m_range.high);
-  return {scale().xOf(t), lineY()};
+  return {scale().xOf(std::clamp(time(), m_range.low, m_range.high)), lineY()};
 }
 
 QSize FlightAxis::sizeHint() const {

@@ -34,6 +34,16 @@ public:
   void setHeld(bool held);
   void setTheme(const Theme &theme);
 
+  /// Takes the torpedo there, as a key does. Nothing happens while a question is open, or while it is
+  /// dragged.
+  void moveTo(double t);
+
+  /// Where the torpedo is: at the start while a question is open.
+  [[nodiscard]] double time() const { return m_hidden ? 0 : m_t; }
+  /// The same as it is read: λ ≈ 0.33, or λ = ? while a question is open.
+  [[nodiscard]] QString readout() const;
+  /// What the ray crosses, each in a sentence; nothing while a question is open.
+  [[nodiscard]] QStringList spokenCrossings() const;
   [[nodiscard]] AxisScale scale() const;
   [[nodiscard]] bool isScrubbing() const { return m_grab && m_grab->isScrubbing; }
   /// Where the mark of a fragment's crossing is; nothing where there is none.
@@ -82,6 +92,7 @@ private:
   /// Clipped at an end of the axis.
   enum class End { Low, High };
 
+  void sayChosen(); ///< by the axis' accessible name
   void settleRange();
   void stackPins();
   [[nodiscard]] double unit() const;
@@ -89,6 +100,8 @@ private:
   [[nodiscard]] QPointF placeOf(const Pin &pin) const;
   [[nodiscard]] QPointF placeOf(End end) const;
   [[nodiscard]] std::vector<const Pin *> clippedAt(End end) const;
+  /// Where the chosen crossing is among the pins.
+  [[nodiscard]] std::optional<std::size_t> chosenPin() const;
   /// The pins that a place is about, the topmost first.
   [[nodiscard]] std::vector<const Pin *> pinsAt(QPointF place) const;
   [[nodiscard]] bool isOnHandle(QPointF place) const;
@@ -98,7 +111,7 @@ private:
   void scrubTo(double x, Qt::KeyboardModifiers modifiers);
   void endScrub(bool keep);
   void stepBy(double ticks);
-  void moveByKey(double t);
+  void chooseNext(int direction);
   [[nodiscard]] double snapped(double t, double x) const;
   void showTip(const QHelpEvent &help);
 

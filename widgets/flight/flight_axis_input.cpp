@@ -175,10 +175,21 @@ void FlightAxis::stepBy(double ticks) {
   const double step = std::abs(ticks) * toDouble(ticksOf(scale(), keyTickGap * unit()).step);
   const double steps = m_elapsed / step;
   const double slack = 1e-6; // a t that is a whole number of steps but for rounding counts as one
-  moveByKey((ticks > 0 ? std::floor(steps + slack) + 1 : std::ceil(steps - slack) - 1) * step);
+  moveTo((ticks > 0 ? std::floor(steps + slack) + 1 : std::ceil(steps - slack) - 1) * step);
 }
 
-void FlightAxis::moveByKey(double t) {
+void FlightAxis::chooseNext(int direction) {
+  const std::optional<std::size_t> pin = chosenPin();
+  const auto last = static_cast<std::ptrdiff_t>(m_pins.size()) - 1;
+  const std::ptrdiff_t fromEnd = direction > 0 ? 0 : last;
+  const std::ptrdiff_t next = pin ? static_cast<std::ptrdiff_t>(*pin) + direction : fromEnd;
+  const std::ptrdiff_t there = std::clamp(next, std::ptrdiff_t(0), last);
+  emit chosen(m_pins[static_cast<std::size_t>(there)].crossing.number);
+}
+
+void FlightAxis::moveTo(double t) {
+  if (m_hidden || m_grab || !std::isfinite(t))
+    return;
   emit scrubBegun();
   emit scrubbed(t);
   emit scrubEnded(true);
@@ -195,13 +206,19 @@ void FlightAxis::keyPressEvent(QKeyEvent *event) {
   case Qt::Key_Right:
     return stepBy(keyStep * factorOf(event->modifiers()));
   case Qt::Key_Home:
-    return moveByKey(0);
+    return moveTo(0);
+  case Qt::Key_Up:
+  case Qt::Key_Down:
+    if (!m_pins.empty())
+      return chooseNext(event->key() == Qt::Key_Up ? 1 : -1);
+    [[fallthrough]];
   default:
     QWidget::keyPressEvent(event);
   }
 }
 
 void FlightAxis::focusInEvent(QFocusEvent *event) {
+  sayChosen();
   update();
   QWidget::focusInEvent(event);
 }

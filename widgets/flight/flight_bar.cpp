@@ -1,9 +1,7 @@
 #include "widgets/flight/flight_bar.h"
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
-#include "widgets/flight/short_decimal.h"
 #include "widgets/flow_layout.h"
 #include "widgets/picture/term_formula.h"
 
@@ -17,13 +15,11 @@
 #include <QWheelEvent>
 
 #include <array>
-#include <cmath>
 
 namespace halfspace {
 namespace {
 
 constexpr std::array<double, 4> speeds{0.25, 0.5, 1, 2};
-constexpr int readoutPlaces = 2;
 constexpr int usualGap = 4;
 
 QString nameOfSpeed(double speed) {
@@ -41,9 +37,6 @@ public:
 protected:
   void wheelEvent(QWheelEvent *event) override { event->ignore(); }
 };
-
-/// The present t.
-WrittenNumber shown(double t) { return shortDecimal(exactly(t), readoutPlaces); }
 
 math::Row formulaOfTime(const math::Row &value, char32_t relation) {
   return math::row(math::letter(U'λ'), math::symbol(relation, math::AtomClass::Rel), value);
@@ -216,18 +209,18 @@ void FlightBar::showControls() {
   m_axis->setHidden(m_state.hidden);
 }
 
-QString FlightBar::readout() const {
-  if (m_state.hidden || !std::isfinite(m_state.t))
-    return "λ = ?";
-  return "λ" + QString::fromStdString(relatedText(shown(m_state.t)));
+std::optional<WrittenNumber> FlightBar::parameter() const {
+  return m_state.hidden ? std::nullopt : shortParameter(m_state.t);
 }
+
+QString FlightBar::readout() const { return readoutOf(parameter()); }
 
 void FlightBar::showTime() {
   m_axis->setTime(m_state.t, m_state.elapsed);
-  if (m_state.hidden || !std::isfinite(m_state.t))
-    return m_readout->setFormula(formulaOfTime(math::row(math::symbol('?')), '='), readout());
-  const WrittenNumber value = shown(m_state.t);
-  m_readout->setFormula(formulaOfTime(formulaOf(value.term), value.exact ? U'=' : U'≈'), readout());
+  const std::optional<WrittenNumber> value = parameter();
+  if (!value)
+    return m_readout->setFormula(formulaOfTime(math::row(math::symbol('?')), '='), readoutOf(value));
+  m_readout->setFormula(formulaOfTime(formulaOf(value->term), value->exact ? U'=' : U'≈'), readoutOf(value));
   if (const int needed = m_readout->sizeHint().width(); needed > m_readout->width())
     m_readout->setFixedWidth(needed);
 }

@@ -3,6 +3,7 @@
 
 #include "widgets/flight/flight_axis.h"
 #include "widgets/flight/flight_icons.h"
+#include "widgets/flight/short_decimal.h"
 #include "widgets/text/math_label.h"
 
 #include <QKeySequence>
@@ -53,7 +54,7 @@ public:
   [[nodiscard]] QToolButton &button(FlightControl control) const;
   /// Where the seed is typed; it is there while it fires by itself.
   [[nodiscard]] QSpinBox &seed() const { return *m_seed; }
-  /// The present t, as it is read: t ≈ 0.33.
+  /// The present λ, as it is read: λ ≈ 0.33.
   [[nodiscard]] QString readout() const;
 
 signals:
@@ -78,6 +79,8 @@ private:
   void makeSeed();
   void connectAxis();
   void showControls();
+  /// The present λ; nothing while it is hidden.
+  [[nodiscard]] std::optional<WrittenNumber> parameter() const;
   void showTime();
   void describe(FlightControl control, const QString &words);
   void setSizes();

@@ -3,6 +3,7 @@
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
 #include "widgets/flight/short_decimal.h"
+#include "widgets/flight/speak_by.h"
 #include "widgets/picture/term_formula.h"
 
 #include <QAccessibleWidget>
@@ -87,11 +88,6 @@ private:
   const FragmentTable &m_table;
 };
 
-QAccessibleInterface *spokenTable(const QString &, QObject *object) {
-  auto *table = qobject_cast<FragmentTable *>(object);
-  return table ? new SpokenTable(*table) : nullptr;
-}
-
 QString spokenNumber(const char *name, const Rational &value) {
   return QString::fromUtf8(name) + QString::fromStdString(relatedText(written(value)));
 }
@@ -108,8 +104,7 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
       m_widest(typesetter.picture(formulaOfNumber(Rational(-888, 100), true))), m_theme(themes().front()) {
-  static const bool isTold = (QAccessible::installFactory(spokenTable), true);
-  (void)isTold;
+  speakBy<FragmentTable, SpokenTable>();
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Fragments"));

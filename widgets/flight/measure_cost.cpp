@@ -153,8 +153,7 @@ TriangleMesh oneMeshOf(const std::vector<MeshObject> &meshes) {
   return all;
 }
 
-void measureCost(const Aim &aim, const std::atomic<bool> &cancelled,
-                 const std::function<void(const CostPoint &)> &tell, std::size_t most) {
+void measureCost(const Aim &aim, const std::atomic<bool> &cancelled, const TellCost &tell, std::size_t most) {
   const auto measure = [&](const Ray<Rational> &shot, const TriangleMesh &target, bool inScene) {
     CostPoint point = measured(shot, target, cancelled);
     point.inScene = inScene;

@@ -28,6 +28,9 @@ struct CostPoint {
   bool inScene = false; ///< at the meshes themselves
 };
 
+/// Is told a cost as soon as it is measured.
+using TellCost = std::function<void(const CostPoint &)>;
+
 inline constexpr std::size_t fewestMeasured = 100;
 inline constexpr std::size_t mostMeasured = 1'000'000;
 
@@ -42,9 +45,9 @@ inline constexpr std::size_t mostMeasured = 1'000'000;
 [[nodiscard]] TriangleMesh oneMeshOf(const std::vector<MeshObject> &meshes);
 
 /// Fires a shot at the meshes it aims at, if they have no more than `most` triangles, and then at ever larger
-/// fields; tells each cost as it is measured, until `cancelled`. The times are the best of several searches.
+/// fields, until `cancelled`. The times are the best of several searches.
 /// Requires a direction ≠ 0.
-void measureCost(const Aim &aim, const std::atomic<bool> &cancelled,
-                 const std::function<void(const CostPoint &)> &measured, std::size_t most = mostMeasured);
+void measureCost(const Aim &aim, const std::atomic<bool> &cancelled, const TellCost &tell,
+                 std::size_t most = mostMeasured);
 
 } // namespace halfspace

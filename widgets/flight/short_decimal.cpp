@@ -1,5 +1,10 @@
 #include "widgets/flight/short_decimal.h"
 
+#include "geometry/decide.h"
+#include "lessons/term/plain_text.h"
+
+#include <cmath>
+
 namespace halfspace {
 
 WrittenNumber shortDecimal(const Rational &number, int places) {
@@ -8,6 +13,15 @@ WrittenNumber shortDecimal(const Rational &number, int places) {
     return decimalOf(Surd(number));
   const Rational near = roundToMultiple(number, powerOfTen(-places));
   return {decimalOf(Surd(near)).term, near == number};
+}
+
+std::optional<WrittenNumber> shortParameter(double t) {
+  constexpr int places = 2;
+  return std::isfinite(t) ? std::optional(shortDecimal(exactly(t), places)) : std::nullopt;
+}
+
+QString readoutOf(const std::optional<WrittenNumber> &parameter) {
+  return "λ" + (parameter ? QString::fromStdString(relatedText(*parameter)) : QStringLiteral(" = ?"));
 }
 
 } // namespace halfspace

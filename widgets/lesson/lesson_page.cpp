@@ -90,7 +90,7 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   setTheme(m_theme);
 }
 
-LessonPage::~LessonPage() { delete m_scroll; } // its words look at the typesetter
+LessonPage::~LessonPage() { delete m_scroll; } // its words look at the typesetter, its plots at their job
 
 void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
   m_stepNumber = plainLabel();
@@ -258,8 +258,14 @@ QWidget *LessonPage::blockOf(const StepFragments &fragments) {
 }
 
 QWidget *LessonPage::blockOf(const StepCost &cost) {
-  m_costs.emplace_back(cost.hits, new CostPlot);
-  return m_costs.back().second;
+  auto *plot = new CostPlot(m_measuring);
+  m_costs.emplace_back(cost.hits, plot);
+  connect(plot, &CostPlot::started, this, [this, plot] {
+    for (const auto &[entry, other] : m_costs)
+      if (other != plot)
+        other->stop();
+  });
+  return plot;
 }
 
 void LessonPage::scrollTo(const QWidget &part) {

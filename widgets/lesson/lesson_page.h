@@ -104,6 +104,7 @@ private:
   };
 
   Typesetter m_typesetter; ///< with the lesson's macros
+  LatestJob m_measuring;   ///< of the costs; outlives their plots
   Theme m_theme;
   Lesson m_lesson;
   int m_step = 0;

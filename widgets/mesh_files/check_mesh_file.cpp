@@ -5,30 +5,18 @@
 #include "lessons/words.h"
 #include "widgets/mesh_files/ply_header.h"
 #include "widgets/mesh_files/raw_mesh.h"
+#include "widgets/mesh_files/read_stl.h"
+#include "widgets/mesh_files/small_letters.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <optional>
 
 namespace halfspace {
 namespace {
 
-/// A binary STL file: 80 bytes of anything, the count, and as many triangles of 50 bytes.
-constexpr std::size_t stlCountAt = 80;
-constexpr std::size_t stlBegin = stlCountAt + sizeof(std::uint32_t);
-constexpr std::size_t stlTriangle = 50;
-
 Problem problemOf(std::string sentence) { return {std::move(sentence), "", 0, ""}; }
 
 Problem cutOff() { return problemOf(words("The file is cut off: it says that more follows than is there.")); }
-
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
 
 bool isText(std::string_view head) { return head.find('\0') == std::string_view::npos; }
 
@@ -58,10 +46,7 @@ bool hasObjCorner(std::string_view head) {
 std::optional<std::uint64_t> stlCount(std::string_view head) {
   if (head.size() < stlBegin)
     return {};
-  std::uint64_t count = 0;
-  for (std::size_t byte = 0; byte < sizeof(std::uint32_t); ++byte)
-    count |= static_cast<std::uint64_t>(static_cast<unsigned char>(head[stlCountAt + byte])) << (8 * byte);
-  return count;
+  return stlNumber(head.data() + stlCountAt);
 }
 
 bool fillsExactly(std::optional<std::uint64_t> count, std::uint64_t bytes) {
@@ -106,6 +91,10 @@ std::string sentenceForTooManyTriangles() {
 }
 
 std::string sentenceForNoTriangles() { return words("The file has no triangles."); }
+
+std::string sentenceForDamage() {
+  return words("The file is damaged or cut off: it does not go on as its beginning says.");
+}
 
 Result<MeshFormat> checkMeshHead(std::string_view head, std::uint64_t bytes, std::string_view ending) {
   const std::string small = inSmallLetters(ending);

@@ -26,8 +26,10 @@ inline constexpr std::size_t meshFileHead = 1U << 16U;
 [[nodiscard]] Result<MeshFormat> checkMeshHead(std::string_view head, std::uint64_t bytes,
                                                std::string_view ending);
 
-/// The sentences for a file with too many triangles, and for one without any.
+/// The sentences for a file with too many triangles, for one without any, and for one that cannot be read to
+/// its end.
 [[nodiscard]] std::string sentenceForTooManyTriangles();
 [[nodiscard]] std::string sentenceForNoTriangles();
+[[nodiscard]] std::string sentenceForDamage();
 
 } // namespace halfspace

@@ -3,28 +3,24 @@
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/check_mesh_file.h"
+#include "widgets/mesh_files/read_stl.h"
 
-#include <vtkAbstractPolyDataReader.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkObjectFactory.h>
 #include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
-#include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -35,49 +31,6 @@ namespace {
 /// Faces with more corners are cut from their first corner: to cut them well takes a time that grows with the
 /// square.
 constexpr vtkIdType mostCornersOfFaceCutWell = 1000;
-
-struct CloseFile {
-  void operator()(std::FILE *file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
-
-/// VTK's reader guesses whether a file is text; this one is told.
-class StlReader final : public vtkSTLReader {
-public:
-  vtkTypeMacro(StlReader, vtkSTLReader) static StlReader *New() { VTK_STANDARD_NEW_BODY(StlReader); }
-
-  /// What was read, its corners not merged; nothing where the file is not as it should be.
-  vtkSmartPointer<vtkPolyData> read(const std::filesystem::path &path, MeshFormat format,
-                                    const PartDone &partDone) {
-    const OpenFile file(std::fopen(path.c_str(), "rbe"));
-    if (!file)
-      return nullptr;
-    SetFileName(path.c_str());
-    const auto size = static_cast<double>(std::filesystem::file_size(path));
-    m_tellPart = [&partDone, size, &file] {
-      partDone(std::clamp(static_cast<double>(std::ftell(file.get())) / size, 0.0, 1.0));
-    };
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> triangles;
-    const bool isRead = format == MeshFormat::BinaryStl ? ReadBinarySTL(file.get(), points, triangles)
-                                                        : ReadASCIISTL(file.get(), points, triangles);
-    m_tellPart = {};
-    if (!isRead)
-      return nullptr;
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(triangles);
-    return data;
-  }
-
-  void tellPart() const {
-    if (m_tellPart)
-      m_tellPart();
-  }
-
-private:
-  std::function<void()> m_tellPart;
-};
 
 /// Calls `told` whenever the reader says that it went on.
 template <class Told> class Listening {
@@ -184,22 +137,6 @@ std::optional<Problem> brokenLineOf(const std::filesystem::path &path) {
   return {};
 }
 
-vtkSmartPointer<vtkPolyData> readData(const std::filesystem::path &file, MeshFormat format,
-                                      const PartDone &partDone) {
-  switch (format) {
-  case MeshFormat::Obj:
-    return readBy<vtkOBJReader>(file, partDone);
-  case MeshFormat::Ply:
-    return readBy<vtkPLYReader>(file, partDone);
-  case MeshFormat::BinaryStl:
-  case MeshFormat::TextStl:
-    break;
-  }
-  vtkNew<StlReader> reader;
-  const Listening listening(*reader, [&] { reader->tellPart(); });
-  return reader->read(file, format, partDone);
-}
-
 /// Turns the faces of VTK's data into triangles.
 class Triangles {
 public:
@@ -232,7 +169,7 @@ private:
   /// So that faces with corners that point inwards stay what they are.
   bool addCutWell(vtkIdType count, const vtkIdType *corners) {
     m_face->Initialize(static_cast<int>(count), corners, &m_points);
-    if (m_face->Triangulate(m_cut) == 0)
+    if (m_face->EarCutTriangulation(m_cut) == 0)
       return false;
     for (vtkIdType i = 0; i + 2 < m_cut->GetNumberOfIds(); i += 3)
       add(corners[m_cut->GetId(i)], corners[m_cut->GetId(i + 1)], corners[m_cut->GetId(i + 2)]);
@@ -246,10 +183,14 @@ private:
   vtkNew<vtkIdList> m_cut;
 };
 
-Result<RawMesh> rawMeshOf(vtkPolyData &data, const std::filesystem::path &file) {
+/// Of what a reader has read; it gives nothing where it gave up.
+Result<RawMesh> rawMeshOf(const vtkSmartPointer<vtkPolyData> &read, const std::filesystem::path &file) {
   const auto problem = [&](std::string sentence) {
     return Problem{std::move(sentence), file.string(), 0, ""};
   };
+  if (!read)
+    return problem(sentenceForDamage());
+  vtkPolyData &data = *read;
   vtkPoints *points = data.GetPoints();
   if (points == nullptr || points->GetNumberOfPoints() == 0 || data.GetNumberOfPolys() == 0)
     return problem(sentenceForNoTriangles());
@@ -279,21 +220,31 @@ Result<RawMesh> rawMeshOf(vtkPolyData &data, const std::filesystem::path &file) 
   return mesh;
 }
 
+Result<RawMesh> readAs(MeshFormat format, const std::filesystem::path &file, const PartDone &partDone) {
+  switch (format) {
+  case MeshFormat::BinaryStl:
+    return readBinaryStl(file, partDone);
+  case MeshFormat::TextStl:
+    return readTextStl(file, partDone);
+  case MeshFormat::Obj:
+    if (const auto broken = brokenLineOf(file))
+      return *broken;
+    return rawMeshOf(readBy<vtkOBJReader>(file, partDone), file);
+  case MeshFormat::Ply:
+    break;
+  }
+  return rawMeshOf(readBy<vtkPLYReader>(file, partDone), file);
+}
+
 } // namespace
 
-Result<RawMesh> readMeshWithVtk(const std::filesystem::path &file, const PartDone &partDone) {
+Result<RawMesh> readMesh(const std::filesystem::path &file, const PartDone &partDone) {
   const auto format = checkMeshFile(file);
   if (!format)
     return format.problem();
   vtkObject::GlobalWarningDisplayOff(); // what is wrong is told by sentences
   try {
-    if (const auto broken = *format == MeshFormat::Obj ? brokenLineOf(file) : std::nullopt)
-      return *broken;
-    const auto data = readData(file, *format, partDone);
-    if (!data)
-      return Problem{words("The file is damaged or cut off: it does not go on as its beginning says."),
-                     file.string(), 0, ""};
-    return rawMeshOf(*data, file);
+    return readAs(*format, file, partDone);
   } catch (const std::bad_alloc &) {
     return Problem{words("The mesh is too large for the memory that may be used to read it."), file.string(),
                    0, ""};

@@ -46,7 +46,7 @@ int serveMesh(const std::filesystem::path &file, int descriptor) {
   if (!sendBeginning(sink))
     return exitNotServed;
   double told = -1;
-  const auto mesh = readMeshWithVtk(file, [&](std::optional<double> part) {
+  const auto mesh = readMesh(file, [&](std::optional<double> part) {
     if (!part || *part < told + partStep)
       return;
     told = *part;

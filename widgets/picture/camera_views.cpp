@@ -23,8 +23,8 @@ constexpr double labelMargin = 32;
 /// … but no more than this part of its shorter side.
 constexpr double largestMargin = 0.13;
 
-/// At home nothing is seen that lies farther from what is given than so many times its size.
-constexpr double homeReach = 2;
+/// No view is made to show what lies farther from what is given than so many times its size.
+constexpr double reachOfGiven = 2;
 
 /// The normal of a mark that is drawn as part of a plane.
 std::optional<Place> normalOf(const Mark &mark) {
@@ -80,7 +80,7 @@ Figure nearGiven(Figure figure) {
   BoundingBox box;
   for (const Place &place : places)
     box.include(place);
-  const Place reach(homeReach * box.longestSide());
+  const Place reach(reachOfGiven * box.longestSide());
   std::erase_if(figure.marks, [&](const Mark &mark) {
     const std::vector<Place> of = placesOf({{mark}});
     return std::any_of(of.begin(), of.end(), [&](const Place &place) {

@@ -9,6 +9,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -30,6 +31,15 @@ void write(const MeshMark &mark, vtkMatrix4x4 *matrix) {
 
 void setColor(vtkActor *actor, Color color) {
   actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+}
+
+/// The renderer draws in the order of its list, whose end is where it adds.
+void addBefore(vtkProp &next, vtkActor *actor, vtkRenderer &renderer) {
+  renderer.AddActor(actor);
+  vtkPropCollection *inOrder = renderer.GetViewProps();
+  inOrder->RemoveItem(actor);
+  const int place = inOrder->IsItemPresent(&next) - 1;
+  inOrder->InsertItem(place - 1, actor); // behind the one before
 }
 
 } // namespace
@@ -60,8 +70,8 @@ struct BodyActors::Body {
   vtkNew<vtkMatrix4x4> shadowPlacement;
 };
 
-BodyActors::BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround)
-    : m_renderer(renderer), m_ontoGround(ontoGround) {}
+BodyActors::BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround, vtkProp &aboveShadows)
+    : m_renderer(renderer), m_ontoGround(ontoGround), m_aboveShadows(aboveShadows) {}
 BodyActors::~BodyActors() = default;
 
 void BodyActors::show(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
@@ -75,7 +85,7 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
     actors = std::exchange(m_bodies[body->id], nullptr);
     if (!actors) {
       actors = std::make_unique<Body>();
-      m_renderer.AddActor(actors->shadow);
+      addBefore(m_aboveShadows, actors->shadow, m_renderer);
       m_renderer.AddActor(actors->actor);
     }
     if (std::exchange(actors->mesh, body->mesh) != body->mesh)

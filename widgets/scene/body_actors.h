@@ -13,6 +13,7 @@
 #include <string>
 
 class vtkMatrix4x4;
+class vtkProp;
 class vtkRenderer;
 
 namespace halfspace {
@@ -21,8 +22,9 @@ namespace halfspace {
 /// mesh comes first, and stay there while it is shown: a body that moves costs a matrix.
 class BodyActors {
 public:
-  /// `ontoGround` projects along the light onto the ground.
-  BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround);
+  /// `ontoGround` projects along the light onto the ground. Shadows are drawn before `aboveShadows`, which
+  /// the renderer has when something is shown.
+  BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround, vtkProp &aboveShadows);
   ~BodyActors();
   BodyActors(const BodyActors &) = delete;
   BodyActors &operator=(const BodyActors &) = delete;
@@ -35,6 +37,7 @@ private:
   struct Body;
   vtkRenderer &m_renderer;
   vtkMatrix4x4 &m_ontoGround;
+  vtkProp &m_aboveShadows;
   std::map<std::string, std::unique_ptr<Body>> m_bodies; ///< by the ids of their marks
   bool m_shadowsVisible = true;
 };

@@ -93,7 +93,7 @@ SceneActors::Shadow::Shadow(const Layer &layer, vtkMatrix4x4 *ontoGround) {
 
 SceneActors::SceneActors()
     : m_solidShadow(m_solids, m_ontoGround), m_faceShadow(m_faces, m_ontoGround),
-      m_bodies(std::make_unique<BodyActors>(*m_renderer, *m_ontoGround)) {
+      m_bodies(std::make_unique<BodyActors>(*m_renderer, *m_ontoGround, *m_grid.actor)) {
   flattenOntoGround(m_ontoGround);
   for (const Layer *solid : {&m_solids, &m_axes, &m_tools})
     useSolidMaterial(solid->actor);
@@ -103,7 +103,7 @@ SceneActors::SceneActors()
   m_grid.actor->GetProperty()->LightingOff();
   m_grid.actor->ForceOpaqueOn();
   // What is painted on the ground comes first and leaves no depth behind: so lines never cut through what
-  // stands there, and what lies below the ground can be seen.
+  // stands there, and what lies below the ground can be seen. The shadows of bodies come before the grid.
   vtkActor *const inOrder[] = {m_faceShadow.actor, m_solidShadow.actor, m_grid.actor, m_solids.actor,
                                m_axes.actor,       m_tools.actor,       m_faces.actor};
   for (vtkActor *actor : inOrder)

@@ -69,7 +69,7 @@ private:
   Layer m_tools;
   Shadow m_solidShadow;
   Shadow m_faceShadow;
-  std::unique_ptr<BodyActors> m_bodies; ///< in the renderer between what lies on the ground and the rest
+  std::unique_ptr<BodyActors> m_bodies; ///< their shadows lie below the grid
 };
 
 } // namespace halfspace

@@ -209,6 +209,16 @@ TEST(Obstacles, OfAFace_AreAllItsSides) {
   EXPECT_EQ(obstaclesOf(content, {}, theme(), usualView()).segments.size(), 3U);
 }
 
+TEST(Obstacles, OfAMesh_AreNone) {
+  MeshMark mesh;
+  mesh.box = {{0, 0, 0}, {6, 6, 3}};
+  SceneContent content;
+  content.figure.marks = {mesh};
+  const LabelObstacles found = obstaclesOf(content, {}, theme(), usualView());
+  EXPECT_TRUE(found.segments.empty());
+  EXPECT_TRUE(found.discs.empty());
+}
+
 TEST(Obstacles, OfTheHandAndTheWindow_StandApart) {
   SceneContent content;
   content.gizmo.emplace();

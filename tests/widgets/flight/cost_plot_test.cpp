@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <future>
+
 using namespace halfspace;
 
 namespace {
@@ -20,8 +22,41 @@ Aim aim() {
           {{{}, {1, 0, 0}, 1, std::make_shared<const MeshShape>(corners, std::vector<MeshFace>{{0, 1, 2}})}}};
 }
 
+/// A measuring that takes until it is let go on, whether cancelled or not.
+class HeldMeasuring {
+public:
+  [[nodiscard]] CostPlot::Measure measure() {
+    return [this](const Aim &, const std::atomic<bool> &, const TellCost &tell, std::size_t) {
+      hasBegun = true;
+      (void)m_opened.wait_for(std::chrono::milliseconds(longest)); // not for ever where the test fails
+      CostPoint point;
+      point.triangles = fewestMeasured;
+      tell(point);
+      hasEnded = true;
+    };
+  }
+  void goOn() { m_gate.set_value(); }
+
+  std::atomic<bool> hasBegun{false};
+  std::atomic<bool> hasEnded{false};
+
+private:
+  std::promise<void> m_gate;
+  std::future<void> m_opened = m_gate.get_future();
+};
+
+/// Curves of a scene alone.
+QImage picture(CostQuantity quantity, const std::optional<CostPoint> &inScene) {
+  CostCurves curves;
+  curves.resize(400, 300);
+  curves.setQuantity(quantity);
+  curves.setPoints({}, inScene);
+  return curves.grab().toImage();
+}
+
 struct ShownPlot {
-  ShownPlot() {
+  explicit ShownPlot(const CostPlot::Measure &measure = measureCost)
+      : plot(std::make_unique<CostPlot>(job, measure)) {
     plot->setMost(1000);
     plot->setAim(aim());
     plot->resize(400, 400);
@@ -30,7 +65,8 @@ struct ShownPlot {
   [[nodiscard]] QPushButton *button() const { return plot->findChild<QPushButton *>("measure"); }
   void click() const { QTest::mouseClick(button(), Qt::LeftButton); }
 
-  std::unique_ptr<CostPlot> plot = std::make_unique<CostPlot>();
+  LatestJob job;
+  std::unique_ptr<CostPlot> plot;
   QSignalSpy measured{plot.get(), &CostPlot::measured};
   QSignalSpy ended{plot.get(), &CostPlot::ended};
 };
@@ -54,7 +90,7 @@ private slots:
     QCOMPARE(shown.measured.count(), 3);
     QCOMPARE(shown.plot->points().back().triangles, std::size_t(1000));
     QCOMPARE(shown.button()->text(), QString("Measure"));
-    QVERIFY(shown.plot->sentence().startsWith("The scene, 1 triangles: the loop asked all 1 in "));
+    QVERIFY(shown.plot->sentence().startsWith("The scene, 1 triangle: the loop asked all 1 in "));
     QVERIFY(shown.plot->sentence().contains("\nA field, 1,000 triangles: the loop asked all 1,000 in "));
     QVERIFY(shown.plot->grab().toImage() != before);
   }
@@ -95,15 +131,34 @@ private slots:
     QVERIFY(shown.plot->inScene().has_value());
   }
 
-  void plot_destroyedWhileItMeasures_tellsNoMore() {
-    ShownPlot shown;
-    shown.plot->setMost(mostMeasured);
+  void plot_destroyedWhileItMeasures_doesNotWait_andLeavesTheJobToTheNext() {
+    HeldMeasuring held;
+    ShownPlot shown(held.measure());
     shown.click();
-    QVERIFY(QTest::qWaitFor([&] { return shown.measured.count() > 1; }, longest));
-    const int told = shown.measured.count();
+    QVERIFY(QTest::qWaitFor([&] { return held.hasBegun.load(); }, longest));
     shown.plot.reset();
-    QTest::qWait(100);
-    QCOMPARE(shown.measured.count(), told);
+    QVERIFY(!held.hasEnded);
+    QVERIFY(!shown.job.isRunning());
+    CostPlot next(shown.job);
+    next.setMost(fewestMeasured);
+    next.setAim(aim());
+    QSignalSpy ended(&next, &CostPlot::ended);
+    next.findChild<QPushButton *>("measure")->click();
+    held.goOn();
+    QVERIFY(QTest::qWaitFor([&] { return held.hasEnded && ended.count() > 0; }, longest));
+    QCOMPARE(next.points().size(), std::size_t(1));
+    QCOMPARE(shown.measured.count(), 0);
+  }
+
+  void plot_destroyedWhileItDoesNotMeasure_leavesTheJobOfAnother() {
+    HeldMeasuring held;
+    ShownPlot shown(held.measure());
+    shown.click();
+    { const CostPlot other(shown.job); }
+    QVERIFY(shown.job.isRunning());
+    held.goOn();
+    QVERIFY(QTest::qWaitFor([&] { return shown.ended.count() > 0; }, longest));
+    QCOMPARE(shown.measured.count(), 1);
   }
 
   void withoutARay_thereIsNothingToMeasure_butMeasuringGoesOn() {
@@ -118,31 +173,34 @@ private slots:
     QVERIFY(!shown.button()->isEnabled());
   }
 
-  void curves_whereNothingIsLookedAt_areDrawnAllTheSame() {
-    CostCurves curves;
-    curves.resize(400, 300);
+  void curves_whereNothingIsLookedAt_areDrawnAsWhereOneThingIs() {
     CostPoint nothing;
     nothing.triangles = 1; // without an area
-    curves.setPoints({}, nothing);
-    QVERIFY(!curves.grab().isNull());
+    CostPoint one = nothing;
+    one.plain = one.tree = {0, 1};
+    QCOMPARE(picture(CostQuantity::LookedAt, nothing), picture(CostQuantity::LookedAt, one));
+  }
+
+  void curves_ofNoTimeAtAll_areDrawnAsThoseOfANanosecond() {
+    CostPoint none;
+    none.triangles = 1;
+    CostPoint nanosecond = none;
+    nanosecond.plainMicroseconds = nanosecond.treeMicroseconds = 0.001;
+    QCOMPARE(picture(CostQuantity::Time, none), picture(CostQuantity::Time, nanosecond));
   }
 
   void curves_ofASceneOfOneTriangle_markItWithinThePlot() {
-    CostCurves curves;
-    curves.resize(400, 300);
-    const QImage empty = curves.grab().toImage();
     CostPoint one;
     one.triangles = 1;
-    one.plain = {0, 1};
-    one.tree = {0, 1};
-    curves.setPoints({}, one);
-    const QImage marked = curves.grab().toImage();
+    one.plain = one.tree = {0, 1};
+    const QImage empty = picture(CostQuantity::LookedAt, {});
+    const QImage marked = picture(CostQuantity::LookedAt, one);
     int leftmost = marked.width();
     for (int y = 0; y < marked.height(); ++y)
       for (int x = 0; x < marked.width(); ++x)
         if (marked.pixel(x, y) != empty.pixel(x, y))
           leftmost = std::min(leftmost, x);
-    const int numbers = QFontMetrics(curves.font()).horizontalAdvance("10"); // beside the plot
+    const int numbers = QFontMetrics(QApplication::font()).horizontalAdvance("10"); // beside the plot
     QVERIFY2(leftmost > numbers, qPrintable(QString::number(leftmost)));
     QVERIFY(leftmost < marked.width() / 2);
   }

@@ -4,6 +4,7 @@
 #include "some_crossings.h"
 #include "tests/widgets/pointer.h"
 
+#include <QAccessible>
 #include <QtTest>
 
 #include <algorithm>
@@ -172,6 +173,57 @@ private slots:
     QCOMPARE(shown.scrubbed.back(), 0.0);
     QCOMPARE(shown.begun, 4);
     QCOMPARE(shown.ended, 4);
+  }
+
+  void keys_upAndDown_chooseTheCrossingsInTheirOrder() {
+    ShownAxis shown(m_typesetter);
+    QTest::keyClick(&shown.axis, Qt::Key_Up);
+    QTest::keyClick(&shown.axis, Qt::Key_Down);
+    QCOMPARE(shown.chosen, (Numbers{4, 6})); // of those with a place the first and the last
+    for (const std::size_t chosen : Numbers{4, 3, 6}) {
+      Crossings crossings = someCrossings();
+      crossings.chosen = chosen;
+      shown.axis.setCrossings(crossings);
+      QTest::keyClick(&shown.axis, Qt::Key_Up);
+      QTest::keyClick(&shown.axis, Qt::Key_Down);
+    }
+    QCOMPARE(shown.chosen, (Numbers{4, 6, 3, 4, 1, 4, 6, 5}));
+    QVERIFY(shown.scrubbed.empty());
+    shown.axis.setHidden(true);
+    QTest::keyClick(&shown.axis, Qt::Key_Up);
+    QCOMPARE(shown.chosen.size(), std::size_t(8));
+  }
+
+  void speech_ofTheAxis_isASliderAtTheTorpedo_amongTheCrossings() {
+    ShownAxis shown(m_typesetter);
+    QAccessibleInterface *spoken = QAccessible::queryAccessibleInterface(&shown.axis);
+    QCOMPARE(spoken->role(), QAccessible::Slider);
+    QCOMPARE(spoken->text(QAccessible::Value), QString("λ = 0"));
+    shown.axis.setTime(1.0 / 3, 1.0 / 3);
+    QCOMPARE(spoken->text(QAccessible::Value), QString("λ ≈ 0.33"));
+    QCOMPARE(spoken->valueInterface()->currentValue().toDouble(), 1.0 / 3);
+    QCOMPARE(spoken->valueInterface()->maximumValue().toDouble(), shown.axis.scale().range.high);
+    spoken->valueInterface()->setCurrentValue(0.5);
+    QCOMPARE(shown.scrubbed, std::vector<double>{0.5});
+    QVERIFY(spoken->text(QAccessible::Description)
+                .startsWith("barn 4: λ = −1/4, behind the start; barn 3: λ = 1/2, hit first; "));
+    shown.axis.setHidden(true);
+    QCOMPARE(spoken->text(QAccessible::Value), QString("λ = ?"));
+    QCOMPARE(spoken->text(QAccessible::Description), QString());
+    QCOMPARE(spoken->valueInterface()->currentValue().toDouble(), 0.0);
+  }
+
+  void speech_ofAChosenCrossing_isInTheNameOfTheFocusedAxis() {
+    ShownAxis shown(m_typesetter);
+    shown.axis.show();
+    QVERIFY(QTest::qWaitForWindowActive(&shown.axis));
+    shown.axis.setFocus();
+    Crossings crossings = someCrossings();
+    crossings.chosen = 3;
+    shown.axis.setCrossings(crossings);
+    QCOMPARE(shown.axis.accessibleName(), QString("The ray's parameter λ: barn 3: λ = 1/2, hit first"));
+    shown.axis.setHidden(true);
+    QCOMPARE(shown.axis.accessibleName(), QString("The ray's parameter λ"));
   }
 
   void hidden_showsNoMark_andTakesNoDrag() {

@@ -400,6 +400,17 @@ private slots:
     QTRY_VERIFY(lines() < usual);
   }
 
+  void costs_ofAStep_areMeasuredOneAtATime() {
+    ShownPage shown(lessonOf({{"Costs", {StepCost{"one"}, StepCost{"other"}}}}));
+    shown.page.showAims([](const std::string &) { return Aim{{{6, 7, 14}, {2, 1, -2}}, {}}; });
+    const auto plots = shown.shown<CostPlot>();
+    QCOMPARE(plots.size(), 2);
+    for (CostPlot *plot : plots)
+      plot->findChild<QPushButton *>("measure")->click();
+    QVERIFY(!plots[0]->isMeasuring());
+    QVERIFY(plots[1]->isMeasuring());
+  }
+
   void pageThatIsVeryWide_hasLinesThatCanStillBeFollowed() {
     ShownPage shown(someLesson(), 0, {1800, 600});
     const RichLabel *words = shown.words("About");

@@ -36,13 +36,13 @@ double distanceOnScreen(glm::dvec2 pixel, const std::vector<Place> &path, const 
   return nearest;
 }
 
-/// How far along the sight a convex face is met, or nothing.
+/// How far along the sight a convex face is met, or nothing. It has corners.
 std::optional<double> distanceToFace(const SightLine &sight, const std::vector<Place> &corners) {
   Place normal(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   const double slope = glm::dot(normal, sight.direction);
-  if (corners.empty() || slope == 0)
+  if (slope == 0)
     return {};
   const double distance = glm::dot(corners[0] - sight.origin, normal) / slope;
   if (!(distance > 0))
@@ -62,12 +62,6 @@ std::optional<double> distanceToBody(const SightLine &sight, const MeshMark &bod
   const Ray<double> own{back * (sight.origin - body.place), back * sight.direction};
   const SearchResult found = body.search->search(exactly(own));
   return found.nearest ? std::optional(toDouble(found.nearest->t)) : std::nullopt;
-}
-
-std::optional<double> distanceToSurface(const SightLine &sight, const Mark &mark,
-                                        const std::vector<Place> &outline) {
-  const auto *body = std::get_if<MeshMark>(&mark);
-  return body ? distanceToBody(sight, *body) : distanceToFace(sight, outline);
 }
 
 } // namespace
@@ -91,12 +85,24 @@ std::string markUnder(glm::dvec2 pixel, const Figure &figure, const Camera &came
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
-    if (outline.kind == MarkOutline::Kind::Point)
+    if (outline.path.empty())
+      continue;
+    switch (outline.kind) {
+    case MarkOutline::Kind::Point:
       offer(point, base, distanceOnScreen(pixel, outline.path, camera, size));
-    else if (outline.kind == MarkOutline::Kind::Line)
+      break;
+    case MarkOutline::Kind::Line:
       offer(line, base, distanceOnScreen(pixel, outline.path, camera, size));
-    else if (const std::optional<double> distance = distanceToSurface(sight, mark, outline.path))
-      offer(face, base, *distance * (std::holds_alternative<PolygonMark>(mark) ? 1 - polygonAdvantage : 1));
+      break;
+    case MarkOutline::Kind::Face:
+      if (const std::optional<double> distance = distanceToFace(sight, outline.path))
+        offer(face, base, *distance * (std::holds_alternative<PolygonMark>(mark) ? 1 - polygonAdvantage : 1));
+      break;
+    case MarkOutline::Kind::Body:
+      if (const std::optional<double> distance = distanceToBody(sight, std::get<MeshMark>(mark)))
+        offer(face, base, *distance);
+      break;
+    }
   }
   return !point.id.empty() ? point.id : !line.id.empty() ? line.id : face.id;
 }

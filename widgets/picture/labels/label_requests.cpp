@@ -242,14 +242,23 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
     if (baseOf(mark).passes)
       continue;
     const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+    if (outline.path.empty())
+      continue;
     const bool isArrow = std::holds_alternative<ArrowMark>(mark);
-    if (const auto *point = std::get_if<PointMark>(&mark))
-      addDisc(point->at, clearanceOf(*point) * theme.lineScale);
-    else if (outline.kind == MarkOutline::Kind::Face && !outline.path.empty())
-      addPath(closed(outline.path), false, obstacles.segments);
-    else
+    switch (outline.kind) {
+    case MarkOutline::Kind::Point:
+      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * theme.lineScale);
+      break;
+    case MarkOutline::Kind::Line:
       addPath(outline.path, isArrow, obstacles.segments);
-    if (isArrow && !outline.path.empty())
+      break;
+    case MarkOutline::Kind::Face:
+      addPath(closed(outline.path), false, obstacles.segments);
+      break;
+    case MarkOutline::Kind::Body: // its box has edges that nobody sees
+      break;
+    }
+    if (isArrow)
       addDisc(outline.path.back(), tipRadius * theme.lineScale);
   }
   for (const Knob &knob : content.knobs)
