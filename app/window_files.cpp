@@ -8,6 +8,7 @@
 #include "lessons/scene/shape_text.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
+#include "widgets/text/figures.h"
 #include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 
@@ -16,7 +17,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
-#include <QLocale>
 #include <QMessageBox>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ QString savedWords(const Scene &scene) {
   return MainWindow::tr(
              "Saved, but without %1: a mesh of more than %2 triangles is not kept in a session. Open "
              "its own file again to go on with it.")
-      .arg(left.join(", "), QLocale().toString(static_cast<qulonglong>(mostWrittenTriangles)));
+      .arg(left.join(", "), counted(mostWrittenTriangles));
 }
 
 /// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or

@@ -3,6 +3,7 @@
 #include "lessons/object/mesh.h"
 #include "lessons/scene/large_meshes.h"
 #include "lessons/scene/target_mesh.h"
+#include "widgets/text/figures.h"
 
 #include <QApplication>
 #include <QDragEnterEvent>
@@ -22,6 +23,8 @@ namespace {
 constexpr int longestSilence = 400;
 /// After so many milliseconds it is looked again whether a mesh that waits can be put into the scene.
 constexpr int nextLook = 100;
+/// So many digits of a side of the box around a mesh are told.
+constexpr int sideDigits = 4;
 /// The bar's steps.
 constexpr int wholeProgress = 1000;
 
@@ -34,12 +37,18 @@ QString fileIn(const QMimeData &data) {
 QString leftOutWords(const LoadedMesh &mesh) {
   QStringList parts;
   if (mesh.degenerate > 0)
-    parts << MainWindow::tr("%n without an area", nullptr, static_cast<int>(mesh.degenerate));
+    parts << MainWindow::tr("%1 without an area").arg(counted(mesh.degenerate));
   if (mesh.repeated > 0)
-    parts << MainWindow::tr("%n that stand there twice", nullptr, static_cast<int>(mesh.repeated));
+    parts << MainWindow::tr("%1 that stand there twice").arg(counted(mesh.repeated));
   if (mesh.broken > 0)
-    parts << MainWindow::tr("%n broken", nullptr, static_cast<int>(mesh.broken));
+    parts << MainWindow::tr("%1 broken").arg(counted(mesh.broken));
   return parts.isEmpty() ? QString() : MainWindow::tr(" Left out: %1.").arg(parts.join(", "));
+}
+
+/// A side of the box around a mesh; after ≈ where it has more digits.
+QString sideWords(double length) {
+  const QString text = roundedText(length, sideDigits);
+  return QLocale(QLocale::English).toDouble(text) == length ? text : "≈ " + text;
 }
 
 } // namespace
@@ -121,13 +130,9 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
                                                tr("Open %1").arg(QString::fromStdString(mesh.name)));
   if (!refusal.isEmpty())
     return complain(refusal);
-  const auto side = [](double length) { return QString::number(length, 'g', 4); };
-  const QString triangles = mesh.triangles == 1
-                                ? tr("1 triangle")
-                                : tr("%1 triangles").arg(QLocale().toString(qulonglong(mesh.triangles)));
   say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
-          .arg(QString::fromStdString(mesh.name), triangles, side(mesh.size.x), side(mesh.size.y),
-               side(mesh.size.z)) +
+          .arg(QString::fromStdString(mesh.name), trianglesInWords(mesh.triangles), sideWords(mesh.size.x),
+               sideWords(mesh.size.y), sideWords(mesh.size.z)) +
       leftOutWords(mesh) +
       (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
            ? tr(" Too large to be saved with the session.")

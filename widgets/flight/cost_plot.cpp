@@ -2,16 +2,14 @@
 
 #include "widgets/colors.h"
 #include "widgets/flow_layout.h"
+#include "widgets/text/figures.h"
 
 #include <QButtonGroup>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 
@@ -21,21 +19,7 @@ namespace {
 constexpr int usualGap = 6;
 constexpr int significantDigits = 2;
 
-QString counted(std::size_t count) {
-  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));
-}
-
-/// To two digits, without powers of ten.
-QString milliseconds(double microseconds) {
-  const double time = microseconds / 1000;
-  const int digitsBefore = time > 0 ? static_cast<int>(std::floor(std::log10(time))) + 1 : 1;
-  const int digitsBehind = std::clamp(significantDigits - digitsBefore, 0, 6);
-  return QLocale(QLocale::English).toString(time, 'f', digitsBehind);
-}
-
-QString triangles(std::size_t count) {
-  return count == 1 ? CostPlot::tr("1 triangle") : CostPlot::tr("%1 triangles").arg(counted(count));
-}
+QString milliseconds(double microseconds) { return roundedText(microseconds / 1000, significantDigits); }
 
 QString boxes(std::size_t count) {
   return count == 1 ? CostPlot::tr("1 box") : CostPlot::tr("%1 boxes").arg(counted(count));
@@ -44,8 +28,9 @@ QString boxes(std::size_t count) {
 /// 25 triangles: what both did to find the hit.
 QString costWords(const CostPoint &point) {
   return CostPlot::tr("%1: the loop asked all %2 in %3 ms; the tree looked at %4 and %5 in %6 ms.")
-      .arg(triangles(point.triangles), counted(point.plain.triangles), milliseconds(point.plainMicroseconds),
-           boxes(point.tree.boxes), triangles(point.tree.triangles), milliseconds(point.treeMicroseconds));
+      .arg(trianglesInWords(point.triangles), counted(point.plain.triangles),
+           milliseconds(point.plainMicroseconds), boxes(point.tree.boxes),
+           trianglesInWords(point.tree.triangles), milliseconds(point.treeMicroseconds));
 }
 
 /// Whether there was memory for it.

@@ -5,10 +5,10 @@
 #include "widgets/flight/short_decimal.h"
 #include "widgets/flight/speak_by.h"
 #include "widgets/picture/term_formula.h"
+#include "widgets/text/figures.h"
 
 #include <QAccessibleWidget>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -215,7 +215,7 @@ QColor FragmentTable::inkOf(const FragmentRow &row) const {
 QString FragmentTable::leftOutWords() const {
   if (m_shown.leftOut == 0)
     return {};
-  const QString count = QLocale().toString(static_cast<qulonglong>(m_shown.leftOut));
+  const QString count = counted(m_shown.leftOut);
   return m_shown.leftOutAreOutside ? tr("and %1 more outside").arg(count) : tr("and %1 more").arg(count);
 }
 

@@ -1,0 +1,33 @@
+// Counts and measurements in sentences.
+#include "widgets/text/figures.h"
+
+#include <QtTest>
+
+using namespace halfspace;
+
+class FiguresTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void counts_areWrittenInGroups_andOneTriangleIsNoPlural() {
+    QCOMPARE(counted(0), QString("0"));
+    QCOMPARE(counted(1'234'567), QString("1,234,567"));
+    QCOMPARE(trianglesInWords(1), QString("1 triangle"));
+    QCOMPARE(trianglesInWords(0), QString("0 triangles"));
+    QCOMPARE(trianglesInWords(25'000), QString("25,000 triangles"));
+  }
+
+  void measurements_haveSoManyDigits_andNoPowersOfTen() {
+    QCOMPARE(roundedText(0, 2), QString("0"));
+    QCOMPARE(roundedText(0.012345, 2), QString("0.012"));
+    QCOMPARE(roundedText(1.26, 2), QString("1.3"));
+    QCOMPARE(roundedText(12345, 2), QString("12,000"));
+    QCOMPARE(roundedText(16, 4), QString("16"));
+    QCOMPARE(roundedText(1.2345e-7, 4), QString("0.000000123"));
+    QCOMPARE(roundedText(2.5, 4), QString("2.5"));
+    QCOMPARE(roundedText(123456.7, 4), QString("123,500"));
+  }
+};
+
+QTEST_APPLESS_MAIN(FiguresTest)
+#include "figures_test.moc"

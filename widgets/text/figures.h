@@ -1,0 +1,18 @@
+// Counts and measurements in sentences, as the program writes numbers: in English, whatever the desktop
+// speaks.
+#pragma once
+
+#include <QString>
+
+#include <cstddef>
+
+namespace halfspace {
+
+/// 1,000,000
+[[nodiscard]] QString counted(std::size_t count);
+/// 1 triangle, 1,000 triangles
+[[nodiscard]] QString trianglesInWords(std::size_t count);
+/// A measurement ≥ 0 to so many digits at the most, without powers of ten: 0.012, 12,300.
+[[nodiscard]] QString roundedText(double value, int digits);
+
+} // namespace halfspace
