@@ -1,7 +1,6 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/main_window.h"
 #include "lessons/scene/target_mesh.h"
-
 #include "widgets/view/flat_view.h"
 
 #include <QActionGroup>

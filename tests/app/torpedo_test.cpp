@@ -474,7 +474,7 @@ private slots:
 
   void flight_whenTheQuestionIsOpenedAgain_ends() {
     m_fixture->answer(2);
-    const auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
     emit bar.automaticToggled(true);
     QVERIFY(bar.state().isPlaying);
     emit m_fixture->window.findChild<LessonPage *>()->predictionReopened();
