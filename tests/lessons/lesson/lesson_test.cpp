@@ -203,7 +203,7 @@ TEST(Lesson, ACostBlock_NamesTheHits) {
 TEST(Lesson, AFlightBlock_NamesItsNumbersAndTheHits) {
   const auto flightIn = [](const std::string &fields) {
     const auto lesson = parseLesson(frontMatter + "## One\nA.\n```flight\n{" + fields + "}\n```\n", "a.md");
-    return std::get<StepFlight>(lesson.value().steps[0].blocks.back());
+    return std::get<StepFlight>(lesson->steps[0].blocks.back());
   };
   const StepFlight flight = flightIn("frame: f, seed: s, hits: nearest, first-seed: 7");
   EXPECT_EQ(flight.frame, "f");
@@ -225,7 +225,7 @@ TEST(Lesson, AFragmentsBlock_SaysTheOrder) {
   const auto isByNumber = [](const std::string &fields) {
     const auto lesson =
         parseLesson(frontMatter + "## One\nA.\n```fragments\n{" + fields + "}\n```\n", "a.md");
-    return std::get<StepFragments>(lesson.value().steps[0].blocks.back()).byNumber;
+    return std::get<StepFragments>(lesson->steps[0].blocks.back()).byNumber;
   };
   EXPECT_FALSE(isByNumber("hits: nearest"));
   EXPECT_FALSE(isByNumber("hits: nearest, by: parameter"));
