@@ -161,11 +161,14 @@ Place onRing(const Place &middle, double radius, double height, std::size_t side
 
 void drawSaucer(Figure &figure, const In &in, const Out &at) {
   const Place middle = place(at.saucer);
+  const bool hasFlownOn = at.saucer != vectorOf(at.Q);
   std::size_t number = 0;
   const auto add = [&](std::vector<Place> corners) {
     std::string id = in.mark("saucer") + (number > 0 ? "/" + std::to_string(number) : "");
     ++number;
-    figure.add(PolygonMark{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)});
+    PolygonMark part{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)};
+    part.passes = hasFlownOn;
+    figure.add(std::move(part));
   };
   std::vector<Place> roof;
   for (std::size_t i = 0; i < sides; ++i) {
