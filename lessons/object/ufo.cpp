@@ -39,7 +39,7 @@ Kind ufo() {
           .coordinates = {{"S", CoordinateRole::Position},
                           {"c", CoordinateRole::Direction},
                           {"g", CoordinateRole::Direction},
-                          {"b", CoordinateRole::Length}},
+                          {"B", CoordinateRole::Length}},
           .leavableVertices = 0,
           .shape = {},
           .binding = {},

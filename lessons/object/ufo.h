@@ -25,7 +25,7 @@ struct UfoTerms {
   Term S;
   Term c;
   Term g;
-  Term b;
+  Term B;
 };
 
 [[nodiscard]] UfoTerms termsOf(const Given<UfoObject> &ufo);
