@@ -158,7 +158,8 @@ TEST(RemoveMesh, OfACopy_LeavesTheSceneAsItWas) {
 
 TEST(RemoveMesh, TheOnlyOne_IsRefused) {
   const Scene scene = sceneWith(1);
-  EXPECT_FALSE(apply(scene, editsToRemoveMesh(scene, "m0").front()));
+  const Edit first = editsToRemoveMesh(scene, "m0").front();
+  EXPECT_FALSE(apply(scene, first));
 }
 
 TEST(TargetMesh, IsTakenOnlyWhereAConstructionLooksAtMeshes) {
