@@ -59,7 +59,7 @@ Out compute(const In &in) {
   const Rational &seed = in.seed.object.value;
   const Shot shot = shotAt(frame, seed);
   const ExactVec3 aim = seed == 0 ? barrel : randomBarrel(seed, shot);
-  const bool canFire = !isZero(aim) && barrelLength != 0;
+  const bool canFire = !isZero(aim) && barrelLength > 0;
   const Factor factor = canFire ? factorOf(aim, barrelLength) : Factor();
   const UfoTerms letters = termsOf(in.U);
   return {in,

@@ -26,7 +26,8 @@ void offer(const Given<Object> &given, Surroundings &found) {
 } // namespace
 
 UfoTerms termsOf(const Given<UfoObject> &ufo) {
-  return {coordinateTerm(ufo, 0), coordinateTerm(ufo, 1), coordinateTerm(ufo, 2), coordinateTerm(ufo, 3)};
+  return {coordinateTerm(ufo, 0), coordinateTerm(ufo, 1), coordinateTerm(ufo, 2),
+          coordinateTerm(ufo, 3).marked({})};
 }
 
 namespace object_kinds {

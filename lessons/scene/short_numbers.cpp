@@ -269,12 +269,12 @@ private:
       plane.point = pointOf(other);
   }
 
-  /// Its barrel's length is divided by.
+  /// Its barrel's length is divided by that of an arrow, which is often 3 or a multiple of it.
   void draw(UfoObject &ufo) {
     ufo.start = m_dice.position();
     ufo.velocity = m_dice.direction(longestStep);
     ufo.barrel = m_dice.normal();
-    ufo.barrelLength = 10 * m_dice.between(1, 3);
+    ufo.barrelLength = 3 * m_dice.between(2, 3);
   }
 
   /// Such that many whole points lie on it.

@@ -552,6 +552,7 @@ private:
   /// A barrel that points nowhere, or has no length, or whose arrow's length is a fraction; a saucer that
   /// stands still.
   void makeSpecial(UfoObject &ufo) {
+    ufo.barrelLength = abs(length());
     switch (integer(0, 5)) {
     case 0:
       ufo.barrel = {0, 0, 0};

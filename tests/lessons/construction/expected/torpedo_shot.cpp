@@ -55,7 +55,7 @@ Recomputed recompute(Objects objects) {
     expected.vanished.insert("U.c");
   if (vanishes(barrel))
     expected.vanished.insert("U.g");
-  expected.degenerate = vanishes(shot.barrel) || barrelLength == 0;
+  expected.degenerate = vanishes(shot.barrel) || barrelLength <= 0;
   expected.caseName = expected.degenerate ? "zero-direction" : given.seed == 0 ? "by-hand" : "seeded";
   if (expected.degenerate)
     return expected;
@@ -74,7 +74,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   const Given given = read(objects);
   const LastShot shot = lastShot(given.frame, given.seed, given.ufo.barrel);
   std::vector<WrongAnswer> all;
-  if (vanishes(shot.barrel) || given.ufo.barrelLength == 0)
+  if (vanishes(shot.barrel) || given.ufo.barrelLength <= 0)
     return all;
   addLength(all, "length", shot.barrel);
   if (shot.frame != 0)
