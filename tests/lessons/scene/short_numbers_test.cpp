@@ -68,15 +68,17 @@ std::vector<Surd> numbersIn(const std::vector<NamedValue> &values) {
   return numbers;
 }
 
-/// What can be reached by hand: the longest is the denominator in a triangle of sides (6, 6, 6).
+/// What can be reached by hand: the longest is the denominator in a triangle of sides (6, 6, 6). What chance
+/// directs is not: there a factor is rounded to four digits.
 void expectWithinReach(const Scene &scene) {
+  const int largestDenominator = lastCase(scene) == "seeded" ? 10'000 : 29;
   const Evaluation evaluation = evaluate(scene);
   for (const Surd &number : numbersIn(*lastOutcome(evaluation).values)) {
     EXPECT_LE(abs(number.rootFactor().numerator()), 108);
     EXPECT_LE(number.rootFactor().denominator(), 108); // a root divided by is one below
     EXPECT_LE(number.radicand(), 108 * 108);
     EXPECT_LE(abs(number.rationalPart().numerator()), 108 * 108);
-    EXPECT_LT(number.rationalPart().denominator(), 30);
+    EXPECT_LE(number.rationalPart().denominator(), largestDenominator);
   }
 }
 
