@@ -385,6 +385,8 @@ private slots:
     m_fixture->model().setStep(stepWithTable);
     const Scene before = m_fixture->model().session().scene;
     SceneView &view = m_fixture->scene();
+    m_fixture->window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_fixture->window));
     view.setFocus();
     view.selectHandle("wall.P");
     QTest::keyClick(&view, Qt::Key_D, Qt::ControlModifier);
@@ -456,6 +458,8 @@ private slots:
 
   void keys_whileThePageIsHidden_flyTheTorpedo() {
     m_fixture->answer(2);
+    m_fixture->window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_fixture->window));
     QTest::keyClick(&m_fixture->window, Qt::Key_F9);
     QVERIFY(!m_fixture->window.findChild<FlightBar *>()->isVisible());
     QTest::keyClick(&m_fixture->window, Qt::Key_Period);
