@@ -94,6 +94,7 @@ public:
       : m_application(application), m_fixture("photon-torpedo"), m_painter(labelPainter(m_typesetter)) {
     m_fixture.model().setStep(stepToMove);
     openMesh();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the bar of the step before
     m_bar = m_fixture.window.findChild<FlightBar *>();
     m_bare = std::make_unique<BareWindow>(view());
     QObject::connect(&view(), &SceneView::frameDrawn, &view(),
