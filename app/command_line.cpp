@@ -251,6 +251,8 @@ Command parseCommandLine(int argc, const char *const *argv) {
   if (arguments.window.subject && !app.get_subcommands().empty())
     return complaint("“" + *arguments.window.subject +
                      "” stands before a command: the lesson or file comes after it.");
+  if (arguments.window.mesh && !app.get_subcommands().empty())
+    return complaint("--mesh is for the window: no command draws or explains a mesh of yours.");
   arguments.window.ownLessons = arguments.lessons.ownLessons = arguments.ownLessons;
   arguments.explain.ownLessons = arguments.render.ownLessons = arguments.ownLessons;
   if (lessons->parsed())

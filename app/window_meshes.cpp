@@ -153,6 +153,7 @@ void MainWindow::copyMesh() {
   if (!refusal.isEmpty())
     return complain(refusal);
   m_scene->selectHandle(copy->name + ".P");
+  m_scene->setFocus(); // else the keys would go on with a number of the other
 }
 
 void MainWindow::removeMesh() {

@@ -123,14 +123,29 @@ Out compute(const In &in) {
 bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
 bool areAllListed(const Out &at) { return at.listed.size() == at.fragments; }
 
+/// How many of those that are listed are hit at the smallest λ.
+int tieCount(const Out &at) {
+  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [&at](const Meeting &meeting) {
+    return isHit(meeting) && meeting.meet.plane.t == at.first.t;
+  }));
+}
+
 CaseWords tell(const In &in, const Out &at) {
   if (isDegenerate(in))
     return zeroDirectionWords(at);
   if (!at.nearest)
     return {"miss", words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")};
   const WordValues found{{"fragment", nameOf(in.meshes, at.nearest->fragment)},
-                         {"lambda", equation(at.lambda)}};
-  return {"hit", words("The ray hits {fragment} first, at {lambda}.", found)};
+                         {"lambda", equation(at.lambda)},
+                         {"others", std::to_string(tieCount(at) - 1)}};
+  switch (tieCount(at)) {
+  case 1:
+    return {"hit", words("The ray hits {fragment} first, at {lambda}.", found)};
+  case 2:
+    return {"hit", words("The ray hits {fragment} and one other first, both at {lambda}.", found)};
+  default:
+    return {"hit", words("The ray hits {fragment} and {others} others first, all at {lambda}.", found)};
+  }
 }
 
 std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place); }
@@ -157,13 +172,6 @@ const Meeting *nearestSoFar(const Out &at) {
         (!nearest || isNearer(meeting, *nearest)))
       nearest = &meeting;
   return nearest;
-}
-
-/// How many are hit at the smallest λ.
-int tieCount(const Out &at) {
-  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [&at](const Meeting &meeting) {
-    return isHit(meeting) && meeting.meet.plane.t == at.first.t;
-  }));
 }
 
 std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
@@ -266,7 +274,7 @@ Explanation explain(const In &in, const Out &at) {
   if (at.nearest)
     lines.add("hit", [&at] {
       return asked(withNumbers(at.H == at.Q + at.lambda * at.r),
-                   words("The smallest λ that is not negative, put into the ray."));
+                   words("The smallest λ ≥ 0 of all hits, put into the ray."));
     });
   return lines;
 }

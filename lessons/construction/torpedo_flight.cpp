@@ -90,7 +90,7 @@ Explanation explain(const In &in, const Out &at) {
   lines.add("place", [&at] {
     return asked(withNumbers(at.M == at.Q + at.lambda * at.r),
                  hasExploded(at)
-                     ? words("The torpedo came as far as its hit.")
+                     ? words("The torpedo has reached what it hits.")
                      : words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
                              {{"frames", std::to_string(framesPerLambda)}}));
   });

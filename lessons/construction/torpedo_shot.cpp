@@ -83,8 +83,8 @@ CaseWords tell(const In &, const Out &at) {
             true};
   if (!canFire(at))
     return {"zero-direction",
-            words("{B}: a barrel without a length gives no direction, so nothing is fired.",
-                  {{"B", equation(at.B)}}),
+            words("{l}: a barrel without a length gives no direction, so nothing is fired.",
+                  {{"l", equation(at.l)}}),
             true};
   if (at.isByHand)
     return {"by-hand", words("The saucer fires from {Q} along its barrel.", {{"Q", plainText(at.Q)}})};
@@ -117,12 +117,12 @@ WorkingLine lengthLine(const Out &at) {
   return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
-Term factorTerm(const Out &at) { return at.B / norm(at.aim); }
+Term factorTerm(const Out &at) { return at.l / norm(at.aim); }
 
 WorkingLine factorLine(const Out &at) {
   return line(withNumbers(factorTerm(at)),
-              words("Divided by its length an arrow is one unit long; times {B} it is as long as the barrel.",
-                    {{"B", plainText(at.B)}}));
+              words("Divided by its length an arrow is one unit long; times {l} it is as long as the barrel.",
+                    {{"l", plainText(at.l)}}));
 }
 
 WorkingLine directionLine(const Out &at) {

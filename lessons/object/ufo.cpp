@@ -40,7 +40,7 @@ Kind ufo() {
           .coordinates = {{"S", CoordinateRole::Position},
                           {"c", CoordinateRole::Direction},
                           {"g", CoordinateRole::Direction},
-                          {"B", CoordinateRole::Length}},
+                          {"l", CoordinateRole::Length}},
           .leavableVertices = 0,
           .shape = {},
           .binding = {},

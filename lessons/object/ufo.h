@@ -25,7 +25,7 @@ struct UfoTerms {
   Term S;
   Term c;
   Term g;
-  Term B;
+  Term l;
 };
 
 [[nodiscard]] UfoTerms termsOf(const Given<UfoObject> &ufo);

@@ -69,18 +69,19 @@ std::vector<Edit> editsToAdd(const Scene &scene, const std::string &name, const 
   return edits;
 }
 
-/// wall2 for wall, and for wall2 as well; or wall3 where there is one already.
+/// wallB for wall, and for wallB as well; or wallC where there is one already. Numbers are those of
+/// triangles.
 std::string nextName(const Scene &scene, std::string name) {
-  while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())))
+  if (name.size() > 1 && std::isupper(static_cast<unsigned char>(name.back())))
     name.pop_back();
   const auto isTaken = [&scene](const std::string &wanted) {
     return std::any_of(scene.entries.begin(), scene.entries.end(),
                        [&wanted](const Entry &entry) { return entry.name == wanted; });
   };
-  int number = 2;
-  while (isTaken(name + std::to_string(number)))
-    ++number;
-  return name + std::to_string(number);
+  char letter = 'B';
+  while (isTaken(name + letter)) // no list has so many that it would come to the end of the letters
+    ++letter;
+  return name + letter;
 }
 
 /// The way beside a mesh, across its heading but along an axis, by its width and a gap.

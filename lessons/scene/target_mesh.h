@@ -23,7 +23,7 @@ inline constexpr const char *targetName = "target";
 [[nodiscard]] std::vector<Edit> editsForTarget(const Scene &scene, std::shared_ptr<const MeshShape> shape);
 
 /// The edits that put another mesh like one of the scene beside it, with the same shape, and the name that it
-/// gets: wall2. Nothing where no construction that looks at the mesh has room for one more.
+/// gets: wallB. Nothing where no construction that looks at the mesh has room for one more.
 struct MeshCopy {
   std::string name;
   std::vector<Edit> edits;

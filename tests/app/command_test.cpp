@@ -182,6 +182,11 @@ TEST_F(Program, Set_BeforeTheSubject_TakesOneValueOnly) {
   EXPECT_EQ(contentOf(inFolder("before.png")), contentOf(inFolder("after.png")));
 }
 
+TEST_F(Program, AMeshForACommand_IsRefused) {
+  expectRefused("render photon-torpedo --mesh ball.stl -o a.png", "--mesh is for the window");
+  expectRefused("--mesh ball.stl explain photon-torpedo", "--mesh is for the window");
+}
+
 TEST_F(Program, ASubjectInFrontOfACommand_IsRefused) {
   expectRefused("signed-distance lessons", "stands before a command");
   expectRefused("signed-distance explain ray-plane-dot", "stands before a command");

@@ -390,13 +390,13 @@ private slots:
     view.setFocus();
     view.selectHandle("wall.P");
     QTest::keyClick(&view, Qt::Key_D, Qt::ControlModifier);
-    const ExactVec3 place = m_fixture->value("wall2.P");
-    QCOMPARE(view.selectedHandle(), std::string("wall2.P"));
+    const ExactVec3 place = m_fixture->value("wallB.P");
+    QCOMPARE(view.selectedHandle(), std::string("wallB.P"));
     QCOMPARE(m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments,
              trianglesIn(before).size() + 2);
     const QPoint pixel = m_fixture->pixelOf(toDouble(place));
     m_fixture->drag(pixel, pixel + QPoint(-40, -10));
-    QVERIFY(m_fixture->value("wall2.P") != place);
+    QVERIFY(m_fixture->value("wallB.P") != place);
     QVERIFY(m_fixture->model().session().scene != before);
     QTest::keyClick(&view, Qt::Key_Delete);
     QVERIFY(m_fixture->model().session().scene == before);

@@ -233,7 +233,7 @@ void FlightBar::setSizes() {
   // As wide as it usually becomes: it does not move while the torpedo flies.
   MathLabel usual(m_typesetter);
   usual.setFont(font());
-  usual.setFormula(formulaOfTime(math::row(math::number("8.88")), U'≈'), {});
+  usual.setFormula(formulaOfTime(math::row(math::number("8.888")), U'≈'), {});
   m_readout->setFixedSize(usual.sizeHint().width(), button(FlightControl::StepBack).sizeHint().height());
 }
 

@@ -6,7 +6,7 @@ namespace halfspace {
 namespace {
 
 /// The first is shown soonest.
-enum class Rank : std::uint8_t { Needed, Hit, NoCrossing, Ahead, BehindStart, NotAsked };
+enum class Rank : std::uint8_t { Needed, Hit, HitBehind, NoCrossing, Ahead, BehindStart, NotAsked };
 
 Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
   const bool isNext = row.standing == Standing::NotAsked && row.crossing.number == crossings.chosen + 1;
@@ -14,6 +14,8 @@ Rank rankOf(const FragmentRow &row, const Crossings &crossings) {
     return Rank::Needed;
   if (isHit(row.standing))
     return Rank::Hit;
+  if (row.standing == Standing::Behind)
+    return Rank::HitBehind;
   if (row.standing == Standing::NotAsked)
     return Rank::NotAsked;
   if (!row.crossing.at)

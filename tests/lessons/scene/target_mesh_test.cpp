@@ -113,14 +113,14 @@ TEST(CopyOfMesh, StandsBesideIt_SharesItsShape_AndIsLookedAtWhereTheOtherIs) {
   scene.entries.push_back(nearest("again", {"m0"}));
   const auto copy = copyOfMesh(scene, "m1");
   ASSERT_TRUE(copy);
-  EXPECT_EQ(copy->name, "m2");
+  EXPECT_EQ(copy->name, "m1B");
   const Scene with = withAll(scene, copy->edits);
   EXPECT_FALSE(checkScene(with));
   const MeshObject original = *objectAs<MeshObject>(*findObject(with, "m1"));
-  const MeshObject made = *objectAs<MeshObject>(*findObject(with, "m2"));
+  const MeshObject made = *objectAs<MeshObject>(*findObject(with, "m1B"));
   EXPECT_EQ(made.shape, original.shape) << "shared, not copied";
   EXPECT_EQ(made.place, ExactVec3(0, 7, 0)) << "its width of 4, and a gap";
-  EXPECT_EQ(meshesOf(with, "hit"), (Ids{"m0", "m1", "m2"}));
+  EXPECT_EQ(meshesOf(with, "hit"), (Ids{"m0", "m1", "m1B"}));
   EXPECT_EQ(meshesOf(with, "again"), (Ids{"m0"})) << "which does not look at the other";
 }
 
@@ -128,15 +128,15 @@ TEST(CopyOfMesh, OfATurnedAndScaledOne_StandsBesideItsWidth) {
   Scene scene = sceneWith(1);
   scene = edited(scene, {ChangeObject{"m0", MeshObject{{1, 2, 3}, {1, -5, 0}, q(3, 2), cornerOf(4)}}});
   const Scene with = withAll(scene, copyOfMesh(scene, "m0")->edits);
-  EXPECT_EQ((*findObject(with, "m2"))[0], ExactVec3(1 - 9, 2, 3));
+  EXPECT_EQ((*findObject(with, "m0B"))[0], ExactVec3(1 - 9, 2, 3));
 }
 
-TEST(CopyOfMesh, OfACopy_HasTheNextNumber) {
+TEST(CopyOfMesh, OfACopy_HasTheNextLetter) {
   Scene scene = sceneWith(1);
   scene = withAll(scene, copyOfMesh(scene, "m0")->edits);
   scene = withAll(scene, copyOfMesh(scene, "m0")->edits);
-  scene = withAll(scene, copyOfMesh(scene, "m3")->edits);
-  EXPECT_EQ(meshesOf(scene, "hit"), (Ids{"m0", "m2", "m3", "m4"}));
+  scene = withAll(scene, copyOfMesh(scene, "m0C")->edits);
+  EXPECT_EQ(meshesOf(scene, "hit"), (Ids{"m0", "m0B", "m0C", "m0D"}));
 }
 
 TEST(CopyOfMesh, WhereAListIsFull_OrNothingLooksAtIt_OrThereIsNone_IsNone) {

@@ -104,7 +104,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"ray-triangle-perp", "case = collinear", {"T.P0", "T.P1", "T.P2"}},
       {"ray-triangle-perp", "case = hit", {"T.P0"}},
       {"photon-torpedo", "nearest >= 3 and nearest <= 18", {"U.g"}},
-      {"photon-torpedo", "nearest.lambda > 2", {}}, // by the number B
+      {"photon-torpedo", "nearest.lambda > 2", {}}, // by the number l
       {"photon-torpedo", "nearest.case = miss and behind > 0", {"U.g"}},
       {"photon-torpedo", "chosen.case = miss and perp.t > 0", {}}, // by a click on a row
       {"photon-torpedo", "so_far_is_nearest = yes", {}},           // likewise

@@ -200,7 +200,7 @@ private slots:
     QCOMPARE(spoken->role(), QAccessible::Slider);
     QCOMPARE(spoken->text(QAccessible::Value), QString("λ = 0"));
     shown.axis.setTime(1.0 / 3, 1.0 / 3);
-    QCOMPARE(spoken->text(QAccessible::Value), QString("λ ≈ 0.33"));
+    QCOMPARE(spoken->text(QAccessible::Value), QString("λ ≈ 0.333"));
     QCOMPARE(spoken->valueInterface()->currentValue().toDouble(), 1.0 / 3);
     QCOMPARE(spoken->valueInterface()->maximumValue().toDouble(), shown.axis.scale().range.high);
     spoken->valueInterface()->setCurrentValue(0.5);

@@ -74,7 +74,7 @@ private slots:
   void readout_ofARoundedTime_hasNoEquals() {
     FlightBar bar(m_typesetter);
     for (const auto &[t, text] : {std::pair{0.5, "λ = 0.5"},
-                                  {1.0 / 3, "λ ≈ 0.33"},
+                                  {1.0 / 3, "λ ≈ 0.333"},
                                   {-0.25, "λ = −0.25"},
                                   {2.0, "λ = 2"},
                                   {12345.678, "λ ≈ 12345.7"}}) {

@@ -50,7 +50,10 @@ Recomputed recompute(Objects objects) {
   const auto &[start, velocity, barrel, barrelLength] = given.ufo;
   const LastShot shot = lastShot(given.frame, given.seed, barrel);
   Recomputed expected;
-  expected.names = {{"S", quantity(start)}, {"\\vec c", quantity(velocity)}, {"\\vec g", quantity(barrel)}, {"B", quantity(barrelLength)}};
+  expected.names = {{"S", quantity(start)},
+                    {"\\vec c", quantity(velocity)},
+                    {"\\vec g", quantity(barrel)},
+                    {"l", quantity(barrelLength)}};
   if (vanishes(velocity))
     expected.vanished.insert("U.c");
   if (vanishes(barrel))
