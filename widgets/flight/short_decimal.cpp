@@ -16,7 +16,7 @@ WrittenNumber shortDecimal(const Rational &number, int places) {
 }
 
 std::optional<WrittenNumber> shortParameter(double t) {
-  constexpr int places = 2;
+  constexpr int places = 3;
   return std::isfinite(t) ? std::optional(shortDecimal(exactly(t), places)) : std::nullopt;
 }
 

@@ -13,7 +13,7 @@ namespace halfspace {
 /// on with as many digits as other numbers have. Requires 0 ≤ places ≤ 6.
 [[nodiscard]] WrittenNumber shortDecimal(const Rational &number, int places);
 
-/// A ray's parameter while it changes, to two places; nothing where it is not finite.
+/// A ray's parameter while it changes, to three places; nothing where it is not finite.
 [[nodiscard]] std::optional<WrittenNumber> shortParameter(double t);
 /// The same as it is read: λ ≈ 0.33, or λ = ? for nothing.
 [[nodiscard]] QString readoutOf(const std::optional<WrittenNumber> &parameter);
