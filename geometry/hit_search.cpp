@@ -1,5 +1,6 @@
 #include "geometry/hit_search.h"
 
+#include "geometry/large_pages.h"
 #include "geometry/nearest_so_far.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ bool areTame(const std::vector<Triangle<double>> &triangles) {
 
 std::vector<Triangle<double>> trianglesOf(const TriangleMesh &mesh) {
   std::vector<Triangle<double>> triangles;
-  triangles.reserve(mesh.triangles.size());
+  reserveInLargePages(triangles, mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     triangles.push_back(mesh.triangle(i));
   return triangles;

@@ -5,6 +5,7 @@
 #include "geometry/decide.h"
 #include "geometry/filter.h"
 #include "geometry/lanes.h"
+#include "geometry/large_pages.h"
 
 #include <embree3/rtcore.h>
 
@@ -119,7 +120,7 @@ struct TriangleTree::Builder {
 
   [[nodiscard]] std::vector<RTCBuildPrimitive> boxes() const {
     std::vector<RTCBuildPrimitive> boxes;
-    boxes.reserve(triangles.size());
+    reserveInLargePages(boxes, triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (decideShape(triangles[i]) != TriangleShape::Proper) // no ray hits it
         continue;

@@ -169,13 +169,23 @@ private:
     file.close();
     m_fixture.window.findChild<MeshLoader *>()->setProgram(QCoreApplication::applicationDirPath() +
                                                            "/halfspace");
+    double update = 0;
+    double render = 0;
+    const QMetaObject::Connection frames =
+        QObject::connect(&view(), &SceneView::frameDrawn, &view(), [&](const FrameTimes &times) {
+          update = std::max(update, milliseconds(times.update));
+          render = std::max(render, milliseconds(times.render));
+        });
     const Heartbeat heartbeat;
     m_fixture.window.openMesh(path);
     m_hasMesh = turnUntil(
         [&] { return findObject(m_fixture.model().session().scene, targetName) != nullptr; }, patience);
     turnUntil([] { return false; }, untilStill); // it is drawn
-    std::printf("\nevent loop's longest pause while a mesh of %zu triangles is opened: %.1f ms\n",
+    QObject::disconnect(frames);
+    std::printf("\nevent loop's longest pause until a mesh of %zu triangles is drawn: %.1f ms\n",
                 meshTriangles, heartbeat.longestPause());
+    std::printf("  of a frame at most: update of the scene %.1f, render by VTK and OpenGL %.1f\n", update,
+                render);
   }
 
   /// Lets the event loop turn without pauses of its own, as long as a heart beats; whether it is done in
