@@ -16,12 +16,13 @@ namespace halfspace {
 template <class T> void reserveInLargePages(std::vector<T> &vector, std::size_t count) {
   vector.reserve(count);
 #ifdef __linux__
-  constexpr std::uintptr_t pageBytes = std::uintptr_t{2} << 20U;
-  const auto begin = reinterpret_cast<std::uintptr_t>(vector.data());
-  const std::uintptr_t end = begin + count * sizeof(T);
-  const std::uintptr_t first = (begin + pageBytes - 1) / pageBytes * pageBytes;
-  if (end >= first + pageBytes) // advice alone: nothing is lost where it is not taken
-    ::madvise(reinterpret_cast<void *>(first), (end - first) / pageBytes * pageBytes, MADV_HUGEPAGE);
+  constexpr std::size_t pageBytes = std::size_t{2} << 20U;
+  const std::size_t bytes = count * sizeof(T);
+  const std::size_t toFirstPage =
+      (pageBytes - reinterpret_cast<std::uintptr_t>(vector.data()) % pageBytes) % pageBytes;
+  if (bytes >= toFirstPage + pageBytes) // advice alone: nothing is lost where it is not taken
+    ::madvise(reinterpret_cast<std::byte *>(vector.data()) + toFirstPage,
+              (bytes - toFirstPage) / pageBytes * pageBytes, MADV_HUGEPAGE);
 #endif
 }
 
