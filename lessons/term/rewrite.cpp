@@ -41,7 +41,7 @@ Term collected(const Polynomial &polynomial, const Term &origin) {
   return summands.size() == 1 ? summands.front() : sum(std::move(summands));
 }
 
-/// The component of a coordinate, where the list is one.
+/// The component of a coordinate, where the list or the number is one.
 std::optional<CoordinateSource> sourceOf(const Term &whole, std::size_t index) {
   std::optional<CoordinateSource> source = whole->source;
   if (source)
@@ -50,8 +50,11 @@ std::optional<CoordinateSource> sourceOf(const Term &whole, std::size_t index) {
 }
 
 Term valueAsTerm(const TermValue &value, const Term &origin) {
-  if (!value.isList)
-    return collected(value.entries.front(), origin);
+  if (!value.isList) {
+    const Real *constant = value.entries.front().number();
+    return constant ? number(*constant, origin, sourceOf(origin, 0))
+                    : collected(value.entries.front(), origin);
+  }
   std::vector<Term> entries;
   entries.reserve(value.entries.size());
   for (std::size_t i = 0; i < value.entries.size(); ++i) {

@@ -269,7 +269,7 @@ const std::vector<Solution> &solutions() {
       {"misprints", "Drag $P_1$", {"T", TriangleObject{{2, 0, 1}, {6, 4, 5}, {2, 8, 3}}}},
       {"misprints", "Turn $\\vec r$ until only", {"L", RayObject{{6, 8, 5}, {1, 1, 1}}}},
       {"photon-torpedo", "Turn the barrel", {"U", aimed({8, 6, -11})}},
-      {"photon-torpedo", "Click the ball", {"U", UfoObject{{5, 1, 14}, {4, 2, 0}, {4, 2, -4}, 5}}},
+      {"photon-torpedo", "Make the barrel shorter", {"U", UfoObject{{5, 1, 14}, {4, 2, 0}, {4, 2, -4}, 5}}},
       {"photon-torpedo", "Let the barrel point up", {"U", aimed({-2, -1, 2})}},
       {"photon-torpedo", "Find a fragment", {"i", NumberObject{3, 0, 40000000, 1}}},
       {"photon-torpedo", "Go on until", {"i", NumberObject{22, 0, 40000000, 1}}},

@@ -2,6 +2,7 @@
 
 #include "tests/lessons/term/term_samples.h"
 
+#include "lessons/object/sphere.h"
 #include "lessons/term/plain_text.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +102,11 @@ TEST(Rewriting, OfCoordinates_RemembersWhereTheyStand) {
   ASSERT_EQ(products->parts.size(), 3U);
   EXPECT_EQ(products->parts[1]->parts[0]->source, (CoordinateSource{"E", 1, 1}));
   EXPECT_EQ(products->parts[1]->parts[1]->source, (CoordinateSource{"E", 0, 1}));
+}
+
+TEST(Rewriting, OfACoordinateThatIsOneNumber_RemembersWhereItStands) {
+  const Given<SphereObject> sphere{"B", letter("B"), {letter("c"), letter("R")}, {{1, 2, 3}, 5}};
+  EXPECT_EQ(namesPutIn(termsOf(sphere).R)->source, (CoordinateSource{"B", 1, 0}));
 }
 
 TEST(Rewriting, OfWhatIsCalculated_HasNoSourceButAnOrigin) {
