@@ -135,10 +135,11 @@ CaseWords tell(const In &in, const Out &at) {
     return zeroDirectionWords(at);
   if (!at.nearest)
     return {"miss", words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")};
+  const int ties = tieCount(at);
   const WordValues found{{"fragment", nameOf(in.meshes, at.nearest->fragment)},
                          {"lambda", equation(at.lambda)},
-                         {"others", std::to_string(tieCount(at) - 1)}};
-  switch (tieCount(at)) {
+                         {"others", std::to_string(ties - 1)}};
+  switch (ties) {
   case 1:
     return {"hit", words("The ray hits {fragment} first, at {lambda}.", found)};
   case 2:

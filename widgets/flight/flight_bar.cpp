@@ -174,8 +174,7 @@ void FlightBar::setTheme(const Theme &theme) {
 void FlightBar::describe(FlightControl control, const QString &words) {
   QToolButton &described = button(control);
   described.setAccessibleName(words);
-  const auto known = m_keys.find(control);
-  const QString keys = known == m_keys.end() ? QString() : known->second.toString(QKeySequence::NativeText);
+  const QString keys = m_keys[control].toString(QKeySequence::NativeText);
   described.setToolTip(keys.isEmpty() ? words : tr("%1 (%2)", "a control and its key").arg(words, keys));
 }
 
