@@ -20,7 +20,7 @@ lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/picture      : geometry lessons/* : HarfBuzz
 widgets/scene        : geometry lessons/* widgets/picture : VTK OpenGL
-widgets/mesh_files   : geometry lessons/* : VTK
+widgets/mesh_files   : geometry lessons/*
 widgets              : geometry lessons/* widgets/picture widgets/mesh_files : Qt
 widgets/view         : geometry lessons/* widgets/picture widgets/scene widgets : Qt VTK
 app                  : geometry eval lessons/* widgets/picture widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11

@@ -18,8 +18,8 @@ TEST(PlyHeader, OfABinaryFileTellsItsCountsAndItsLeastContent) {
   const auto header = readPlyHeader(head + "more");
   ASSERT_TRUE(header) << header.problem().text();
   EXPECT_EQ(header->bytes, head.size());
-  EXPECT_EQ(header->corners, 8U);
-  EXPECT_EQ(header->faces, 6U);
+  EXPECT_EQ(header->countOf("vertex"), 8U);
+  EXPECT_EQ(header->countOf("face"), 6U);
   EXPECT_EQ(header->leastContent, 8U * 16 + 6U * (1 + 3 * 4 + 1));
 }
 
@@ -45,12 +45,35 @@ TEST(PlyHeader, ThatIsDamagedSaysWhere) {
   EXPECT_NE(sentenceOf("ply\nelement vertex 5\nend_header\n").find("format"), std::string::npos);
   for (const char *line :
        {"element vertex -1", "element vertex", "element vertex 1x", "property", "property real x",
-        "property list uchar int", "format", "format utf8 1.0", "vertex 3"}) {
+        "property list uchar int", "format", "format utf8 1.0", "vertex 3", "property float x"}) {
     const auto header = readPlyHeader("ply\nformat ascii 1.0\n" + std::string(line) + "\nend_header\n");
     ASSERT_FALSE(header) << line;
     EXPECT_EQ(header.problem().line, 3) << line;
     EXPECT_NE(header.problem().sentence.find(line), std::string::npos) << header.problem().sentence;
   }
+}
+
+TEST(PlyHeader, TellsWhatEachElementIsMadeOfInItsOrder) {
+  const auto header = readPlyHeader("ply\nformat binary_big_endian 1.0\nelement face 1\n"
+                                    "property list uchar int vertex_indices\nelement vertex 3\n"
+                                    "property double x\nproperty list int8 ushort others\nend_header\n");
+  ASSERT_TRUE(header) << header.problem().text();
+  EXPECT_EQ(header->form, PlyForm::HighestByteFirst);
+  ASSERT_EQ(header->elements.size(), 2U);
+  EXPECT_EQ(header->elements[0].name, "face");
+  EXPECT_TRUE(isListOfCorners(header->elements[0].properties.at(0)));
+  const auto &corner = header->elements[1].properties;
+  ASSERT_EQ(corner.size(), 2U);
+  EXPECT_EQ(corner[0].name, "x");
+  EXPECT_EQ(corner[0].number.bytes, 8U);
+  EXPECT_FALSE(corner[0].count);
+  EXPECT_EQ(corner[1].number.bytes, 2U);
+  EXPECT_EQ(corner[1].count->kind, PlyNumber::Kind::Signed);
+}
+
+TEST(PlyHeader, ThatNamesAnElementTwiceIsRefused) {
+  EXPECT_NE(sentenceOf("ply\nformat ascii 1.0\nelement face 1\nelement face 2\nend_header\n").find("face 2"),
+            std::string::npos);
 }
 
 } // namespace

@@ -3,6 +3,9 @@
 #include "tests/mesh_files/mesh_texts.h"
 #include "tests/program_test.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +38,8 @@ struct ReadMesh : ProgramTest {
     EXPECT_EQ(mesh.problem().file, inFolder(name).string());
   }
 };
+
+using Vec2 = glm::dvec2;
 
 /// Twice the area of triangles in the plane of x and y, each counted positive where it turns left.
 double twiceAreaOf(const std::vector<StlTriangle> &triangles) {
@@ -145,6 +150,98 @@ TEST_F(ReadMesh, AFaceWithACornerThatPointsInwardsStaysWhatItIs) {
   EXPECT_EQ(std::abs(twiceAreaOf(arrow)), 16);
 }
 
+TEST_F(ReadMesh, AFaceLikeACombIsCutIntoItsOwnArea_WhereverItIsSeenFrom) {
+  // Teeth of width 1 and height 3 on a bar of height 1, in each of the three planes and turned either way.
+  std::vector<Vec2> comb{{0, 0}, {9, 0}};
+  for (int x = 9; x > 0; --x)
+    comb.insert(comb.end(), {{static_cast<double>(x), x % 2 == 1 ? 4.0 : 1.0},
+                             {static_cast<double>(x - 1), x % 2 == 1 ? 4.0 : 1.0}});
+  for (int along = 0; along < 3; ++along)
+    for (const bool turned : {false, true}) {
+      std::string obj;
+      std::string face = "f";
+      for (std::size_t i = 0; i < comb.size(); ++i) {
+        Vec3<double> corner(0.0);
+        corner[(along + 1) % 3] = comb[i].x;
+        corner[(along + 2) % 3] = comb[i].y;
+        obj += "v " + std::to_string(corner.x) + " " + std::to_string(corner.y) + " " +
+               std::to_string(corner.z) + "\n";
+        face += " " + std::to_string(turned ? comb.size() - i : i + 1);
+      }
+      double area = 0;
+      for (const auto &[a, b, c] : triangles("comb.obj", obj + face + "\n")) {
+        const Vec3<float> normal = glm::cross(b - a, c - a);
+        EXPECT_TRUE(turned ? normal[along] <= 0 : normal[along] >= 0);
+        area += std::abs(normal[along]) / 2;
+      }
+      EXPECT_EQ(area, 9 + 5 * 3) << along << turned;
+    }
+}
+
+TEST_F(ReadMesh, AFaceThatCrossesItselfOrHasNoAreaIsCutAllTheSame) {
+  const std::string corners = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\n";
+  EXPECT_EQ(triangles("bow.obj", corners + "f 1 2 3 4\n").size(), 2U);
+  EXPECT_EQ(triangles("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n").size(), 2U);
+  EXPECT_EQ(triangles("point.obj", corners + "f 1 1 1 1 1\n").size(), 3U);
+}
+
+TEST_F(ReadMesh, PlyWithOtherPropertiesAndElementsInAnyOrderIsRead) {
+  const std::string head = "ply\nformat ascii 1.0\nelement strange 2\nproperty list uchar float many\n"
+                           "element nothing 4000000000\nelement face 1\nproperty uchar red\n"
+                           "property list uchar uint vertex_index\nproperty list uchar float texcoord\n"
+                           "element vertex 3\nproperty float nx\nproperty double z\nproperty double y\n"
+                           "property short x\nend_header\n";
+  EXPECT_EQ(triangles("a.ply", head + "3 1 2 3\n0\n255 3 2 0 1 2 .5 .5\n9 3 2 +1\r\n9 6 5 4 9 1e0 8 7"),
+            (std::vector<StlTriangle>{{Vec3<float>(7, 8, 1), Vec3<float>(1, 2, 3), Vec3<float>(4, 5, 6)}}));
+}
+
+TEST_F(ReadMesh, BinaryPlyWithNumbersOfAllSizesIsRead) {
+  const auto file = [](const std::string &form, auto bytes) {
+    std::string ply =
+        "ply\nformat " + form +
+        " 1.0\nelement vertex 3\nproperty double x\nproperty short y\n"
+        "property int8 z\nelement face 1\nproperty list ushort uint16 vertex_indices\nend_header\n";
+    for (int corner = 0; corner < 3; ++corner)
+      ply += bytes(0.25 * corner) + bytes(static_cast<std::int16_t>(-300 * corner)) +
+             bytes(static_cast<std::int8_t>(corner - 2));
+    for (const int number : {3, 2, 0, 1})
+      ply += bytes(static_cast<std::uint16_t>(number));
+    return ply;
+  };
+  const std::vector<StlTriangle> expected{
+      {Vec3<float>(0.5F, -600, 0), Vec3<float>(0, 0, -2), Vec3<float>(0.25F, -300, -1)}};
+  const auto inOrder = [](const auto &value) { return bytesOf(value); };
+  const auto turned = [](const auto &value) { return turnedBytesOf(value); };
+  EXPECT_EQ(triangles("a.ply", file("binary_little_endian", inOrder)), expected);
+  EXPECT_EQ(triangles("b.ply", file("binary_big_endian", turned)), expected);
+}
+
+TEST_F(ReadMesh, PlyThatDoesNotGoOnAsItsHeaderSaysIsRefused) {
+  const std::string head = plyHead("ascii", "4", "4") + cornersPly;
+  expectRefused("a.ply", head + "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 two 3\n", "damaged");
+  expectRefused("b.ply", head + "3 0 2 1\n3 0 1 3\n3 0 3 2\n-1 1 2 3\n", "damaged");
+  expectRefused("c.ply", head + "4000000000 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "damaged");
+  expectRefused("d.ply", head + std::string(100'000, '1') + facesPly, "damaged");
+  expectRefused("e.ply",
+                plyHead("ascii", "4", "4").replace(plyHead("ascii", "4", "4").find(" z"), 2, " w") +
+                    cornersPly + facesPly,
+                "x, y or z is missing");
+}
+
+TEST_F(ReadMesh, ObjFaceWithAWordThatIsNoCornerIsToldWithItsLine) {
+  for (const std::string word : {"two", "/2", "2x/1", "1.5"})
+    expectRefused("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 " + word + " 3\n",
+                  "Line 4 should be a face, and “" + word + "” is not the number of a corner.");
+}
+
+TEST_F(ReadMesh, ObjLineWithoutAnEndIsRefused) {
+  expectRefused("a.obj", "v 0 0 0\nf" + std::string(20'000'000, ' ') + "1 1 1\n", "Line 2 is too long.");
+  std::string goesOn = "v 0 0 0\nf";
+  for (int i = 0; i < 4'000'000; ++i)
+    goesOn += " 1111\\\n";
+  expectRefused("b.obj", goesOn, "Line 2 is too long.");
+}
+
 TEST_F(ReadMesh, ObjCountsNegativeNumbersFromTheLastCorner) {
   EXPECT_EQ(triangles("a.obj", "v 9 9 9\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf -3 -2 -1\n"),
             (std::vector<StlTriangle>{{Vec3<float>(0, 0, 0), Vec3<float>(4, 0, 0), Vec3<float>(0, 4, 0)}}));
@@ -223,10 +320,17 @@ TEST_F(ReadMesh, ThatIsCutOffIsRefused) {
   expectRefused("c.ply", ply.substr(0, ply.size() - 1 - 13), "cut off");
 }
 
-TEST_F(ReadMesh, OfEitherStlTellsHowFarItIs) {
+TEST_F(ReadMesh, OfEachFormatTellsHowFarItIs) {
+  constexpr int count = 400'000;
   const std::vector<StlTriangle> many(100'000, tetrahedronTriangles().front());
-  for (const std::string &stl : {binaryStl(many), textStl(many)}) {
-    write("a.stl", stl);
+  std::string obj = "v 0 0 0\nv 4 0 0\nv 0 4 0\n";
+  std::string ply = plyHead("ascii", "4", std::to_string(count)) + cornersPly;
+  for (int i = 0; i < count; ++i) {
+    obj += "f 1 2 3\n";
+    ply += "3 0 1 2\n";
+  }
+  for (const std::string &content : {binaryStl(many), textStl(many), obj, ply}) {
+    write("a.stl", content);
     std::vector<double> parts;
     ASSERT_TRUE(readMesh(inFolder("a.stl"), [&](std::optional<double> part) {
       if (part)

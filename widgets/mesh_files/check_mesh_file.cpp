@@ -78,7 +78,7 @@ Result<MeshFormat> checkPly(std::string_view head, std::uint64_t bytes) {
   // The end of the last line may be missing.
   if (header->leastContent > bytes - header->bytes + 1)
     return cutOff();
-  if (header->faces > mostMeshTriangles || header->corners > mostMeshCorners)
+  if (header->countOf(plyFace) > mostMeshTriangles || header->countOf(plyCorner) > mostMeshCorners)
     return problemOf(sentenceForTooManyTriangles());
   return MeshFormat::Ply;
 }

@@ -21,27 +21,36 @@ constexpr std::uint64_t cornersOfFace = 3;
 /// A digit and what parts it from the next.
 constexpr std::uint64_t leastOfNumberInText = 2;
 
-constexpr std::array<std::pair<std::string_view, std::uint64_t>, 16> numberSizes{{{"char", 1},
-                                                                                  {"uchar", 1},
-                                                                                  {"int8", 1},
-                                                                                  {"uint8", 1},
-                                                                                  {"short", 2},
-                                                                                  {"ushort", 2},
-                                                                                  {"int16", 2},
-                                                                                  {"uint16", 2},
-                                                                                  {"int", 4},
-                                                                                  {"uint", 4},
-                                                                                  {"int32", 4},
-                                                                                  {"uint32", 4},
-                                                                                  {"float", 4},
-                                                                                  {"float32", 4},
-                                                                                  {"double", 8},
-                                                                                  {"float64", 8}}};
+using Kind = PlyNumber::Kind;
+constexpr std::array<PlyNumber, 16> numbers{{{"char", 1, Kind::Signed},
+                                             {"uchar", 1, Kind::Unsigned},
+                                             {"int8", 1, Kind::Signed},
+                                             {"uint8", 1, Kind::Unsigned},
+                                             {"short", 2, Kind::Signed},
+                                             {"ushort", 2, Kind::Unsigned},
+                                             {"int16", 2, Kind::Signed},
+                                             {"uint16", 2, Kind::Unsigned},
+                                             {"int", 4, Kind::Signed},
+                                             {"uint", 4, Kind::Unsigned},
+                                             {"int32", 4, Kind::Signed},
+                                             {"uint32", 4, Kind::Unsigned},
+                                             {"float", 4, Kind::Floating},
+                                             {"float32", 4, Kind::Floating},
+                                             {"double", 8, Kind::Floating},
+                                             {"float64", 8, Kind::Floating}}};
 
-std::optional<std::uint64_t> sizeOfNumber(std::string_view type) {
-  const auto *const found = std::find_if(numberSizes.begin(), numberSizes.end(),
-                                         [&](const auto &known) { return known.first == type; });
-  return found == numberSizes.end() ? std::nullopt : std::optional(found->second);
+std::optional<PlyNumber> numberOf(std::string_view type) {
+  const auto *const found = std::find_if(numbers.begin(), numbers.end(),
+                                         [&](const PlyNumber &known) { return known.name == type; });
+  return found == numbers.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<PlyForm> formOf(std::string_view word) {
+  if (word == "ascii")
+    return PlyForm::Text;
+  if (word == "binary_little_endian")
+    return PlyForm::LowestByteFirst;
+  return word == "binary_big_endian" ? std::optional(PlyForm::HighestByteFirst) : std::nullopt;
 }
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
@@ -74,63 +83,67 @@ public:
 
   /// What was read; nothing without a format.
   [[nodiscard]] std::optional<PlyHeader> header() {
-    endElement();
-    return m_hasFormat ? std::optional(m_header) : std::nullopt;
+    if (!m_hasFormat)
+      return {};
+    for (const PlyElement &element : m_header.elements)
+      m_header.leastContent =
+          std::min(m_header.leastContent + element.count * leastOfOne(element), mostLeastContent);
+    return std::move(m_header);
   }
 
 private:
   bool takeFormat(const std::vector<std::string_view> &line) {
-    if (line.size() != 3)
-      return false;
-    m_text = line[1] == "ascii";
-    m_hasFormat = m_text || line[1] == "binary_little_endian" || line[1] == "binary_big_endian";
+    const auto form = line.size() == 3 ? formOf(line[1]) : std::nullopt;
+    m_hasFormat = form.has_value();
+    m_header.form = form.value_or(PlyForm::Text);
     return m_hasFormat;
   }
 
   bool takeElement(const std::vector<std::string_view> &line) {
-    endElement();
-    if (line.size() != 3)
+    if (line.size() != 3 || isKnown(line[1]))
       return false;
-    const std::string_view count = line[2];
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), m_count);
+    const std::string_view text = line[2];
+    std::uint64_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (error == std::errc::result_out_of_range)
-      m_count = largestCount;
-    else if (error != std::errc{} || end != count.data() + count.size())
+      count = largestCount;
+    else if (error != std::errc{} || end != text.data() + text.size())
       return false;
-    m_count = std::min(m_count, largestCount);
-    m_isFace = line[1] == "face";
-    if (m_isFace)
-      m_header.faces = m_count;
-    if (line[1] == "vertex")
-      m_header.corners = m_count;
+    m_header.elements.push_back({std::string(line[1]), std::min(count, largestCount), {}});
     return true;
+  }
+
+  [[nodiscard]] bool isKnown(std::string_view name) const {
+    const auto &all = m_header.elements;
+    return std::any_of(all.begin(), all.end(), [&](const PlyElement &one) { return one.name == name; });
   }
 
   bool takeProperty(const std::vector<std::string_view> &line) {
     const bool isList = line.size() == 5 && line[1] == "list";
-    if (!isList && line.size() != 3)
+    if (m_header.elements.empty() || (!isList && line.size() != 3))
       return false;
-    const auto first = sizeOfNumber(line[isList ? 2 : 1]);
-    const auto item = sizeOfNumber(line[isList ? 3 : 1]);
-    if (!first || !item)
+    const auto count = isList ? numberOf(line[2]) : std::nullopt;
+    const auto number = numberOf(line[isList ? 3 : 1]);
+    if (!number || (isList && !count))
       return false;
-    const bool isCorners = isList && m_isFace && line[4].starts_with("vertex_ind");
-    const std::uint64_t items = isCorners ? cornersOfFace : 0;
-    m_leastOfOne += m_text ? leastOfNumberInText * (1 + items) : *first + items * *item;
+    m_header.elements.back().properties.push_back({std::string(line.back()), *number, count});
     return true;
   }
 
-  void endElement() {
-    const std::uint64_t content = m_header.leastContent + m_count * std::exchange(m_leastOfOne, 0);
-    m_header.leastContent = std::min(content, mostLeastContent);
-    m_count = 0;
+  /// The bytes that an element takes at least.
+  [[nodiscard]] std::uint64_t leastOfOne(const PlyElement &element) const {
+    std::uint64_t least = 0;
+    for (const PlyProperty &property : element.properties) {
+      const bool isCorners = element.name == plyFace && isListOfCorners(property);
+      const std::uint64_t items = !property.count ? 1 : isCorners ? cornersOfFace : 0;
+      least += m_header.form == PlyForm::Text
+                   ? leastOfNumberInText * (items + (property.count ? 1 : 0))
+                   : items * property.number.bytes + (property.count ? property.count->bytes : 0);
+    }
+    return least;
   }
 
   PlyHeader m_header;
-  std::uint64_t m_count = 0;      ///< of the element whose properties are being read
-  std::uint64_t m_leastOfOne = 0; ///< bytes that one such element takes at least
-  bool m_isFace = false;
-  bool m_text = false;
   bool m_hasFormat = false;
 };
 
@@ -141,6 +154,16 @@ Problem damaged(std::string_view line, int number) {
 }
 
 } // namespace
+
+std::uint64_t PlyHeader::countOf(std::string_view name) const {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const PlyElement &element) { return element.name == name; });
+  return found == elements.end() ? 0 : found->count;
+}
+
+bool isListOfCorners(const PlyProperty &property) {
+  return property.count && property.name.starts_with("vertex_ind");
+}
 
 Result<PlyHeader> readPlyHeader(std::string_view head) {
   HeaderReader reader;

@@ -19,8 +19,6 @@ inline constexpr std::size_t stlTriangle = 50;
 [[nodiscard]] std::uint32_t stlNumber(const char *bytes);
 
 // What checkMeshFile has told to be of the format; the mesh has three corners of its own for each triangle.
-// Read here, not by VTK: its reader guesses the format anew, and takes a text whose first line has many
-// letters beyond a to z for a binary file.
 
 /// Reads as many triangles as the file has room for: some programs write a count that is too small.
 [[nodiscard]] Result<RawMesh> readBinaryStl(const std::filesystem::path &file, const PartDone &partDone);
