@@ -9,14 +9,15 @@
 namespace halfspace {
 
 struct HitFinder::Scene {
-  explicit Scene(std::vector<Triangle<double>> given) : triangles(std::move(given)), tree(triangles) {}
+  Scene(std::vector<Triangle<double>> given, const std::atomic<bool> *cancelled)
+      : triangles(std::move(given)), tree(triangles, cancelled) {}
 
   std::vector<Triangle<double>> triangles;
   TriangleTree tree;
 };
 
-HitFinder::HitFinder(std::vector<Triangle<double>> triangles)
-    : m_scene(std::make_unique<const Scene>(std::move(triangles))) {}
+HitFinder::HitFinder(std::vector<Triangle<double>> triangles, const std::atomic<bool> *cancelled)
+    : m_scene(std::make_unique<const Scene>(std::move(triangles), cancelled)) {}
 HitFinder::~HitFinder() = default;
 
 std::optional<NearestHit> HitFinder::find(const Ray<double> &ray) const {

@@ -3,6 +3,7 @@
 
 #include "geometry/hit_search.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,8 +23,9 @@ namespace halfspace {
 /// error, or else over fractions.
 class HitFinder final : public HitSearch {
 public:
-  /// Requires finite coordinates.
-  explicit HitFinder(std::vector<Triangle<double>> triangles);
+  /// Requires finite coordinates. Once `cancelled`, from another thread, making it ends soon: each triangle
+  /// is asked then.
+  explicit HitFinder(std::vector<Triangle<double>> triangles, const std::atomic<bool> *cancelled = nullptr);
   ~HitFinder() override;
 
   /// Requires a direction ≠ 0 and finite numbers. May be called from several threads at once.

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -117,11 +118,14 @@ struct TriangleTree::Memory {
 struct TriangleTree::Builder {
   const TriangleTree &tree;
   std::span<const Triangle<double>> triangles;
+  const std::atomic<bool> *cancelled; ///< null: it cannot be
+
+  [[nodiscard]] bool isCancelled() const { return cancelled != nullptr && *cancelled; }
 
   [[nodiscard]] std::vector<RTCBuildPrimitive> boxes() const {
     std::vector<RTCBuildPrimitive> boxes;
     reserveInLargePages(boxes, triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t i = 0; i < triangles.size() && !isCancelled(); ++i) {
       if (decideShape(triangles[i]) != TriangleShape::Proper) // no ray hits it
         continue;
       BoundingBox box;
@@ -139,7 +143,9 @@ struct TriangleTree::Builder {
     return room != nullptr ? static_cast<Kept *>(room) : throw std::bad_alloc();
   }
 
-  static void *createNode(RTCThreadLocalAllocator allocator, unsigned, void *) {
+  static void *createNode(RTCThreadLocalAllocator allocator, unsigned, void *builder) {
+    if (static_cast<const Builder *>(builder)->isCancelled())
+      throw std::runtime_error("cancelled");
     auto *node = new (roomFor<Node>(1, allocator)) Node;
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (auto &four : node->boxes) // no ray meets these
@@ -186,7 +192,7 @@ struct TriangleTree::Builder {
   }
 };
 
-TriangleTree::TriangleTree(std::span<const Triangle<double>> triangles) {
+TriangleTree::TriangleTree(std::span<const Triangle<double>> triangles, const std::atomic<bool> *cancelled) {
   assert(triangles.size() < noTriangle);
   BoundingBox box;
   for (const Triangle<double> &triangle : triangles) {
@@ -199,17 +205,19 @@ TriangleTree::TriangleTree(std::span<const Triangle<double>> triangles) {
     return;
   m_middle = (box.low + box.high) * 0.5;
   m_scale = std::exp2(-std::ilogb(halfWidth) - 1);
-  build(triangles);
+  build(triangles, cancelled);
 }
 
 TriangleTree::~TriangleTree() = default;
 
-void TriangleTree::build(std::span<const Triangle<double>> triangles) {
+void TriangleTree::build(std::span<const Triangle<double>> triangles, const std::atomic<bool> *cancelled) {
   m_memory = std::make_unique<Memory>();
   if (m_memory->nodes == nullptr)
     return;
-  Builder builder{*this, triangles};
+  Builder builder{*this, triangles, cancelled};
   std::vector<RTCBuildPrimitive> boxes = builder.boxes();
+  if (builder.isCancelled())
+    return;
   if (boxes.empty()) {
     m_isBuilt = true;
     return;

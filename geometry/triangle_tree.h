@@ -3,6 +3,7 @@
 
 #include "geometry/nearest_so_far.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,7 +19,9 @@ namespace halfspace {
 class TriangleTree {
 public:
   /// Keeps no reference to the triangles. Requires finite coordinates, and fewer than 2^32 − 1 triangles.
-  explicit TriangleTree(std::span<const Triangle<double>> triangles);
+  /// Once `cancelled`, building ends soon, and `search` can tell nothing.
+  explicit TriangleTree(std::span<const Triangle<double>> triangles,
+                        const std::atomic<bool> *cancelled = nullptr);
   TriangleTree(const TriangleTree &) = delete;
   TriangleTree &operator=(const TriangleTree &) = delete;
   ~TriangleTree();
@@ -73,7 +76,7 @@ private:
   };
   static constexpr std::size_t alignment = 32;
 
-  void build(std::span<const Triangle<double>> triangles);
+  void build(std::span<const Triangle<double>> triangles, const std::atomic<bool> *cancelled);
   [[nodiscard]] std::optional<SearchCost> searchFromMiddle(const Ray<double> &ray,
                                                            NearestSoFar &nearest) const;
   [[nodiscard]] std::optional<MovedRay> move(const Ray<double> &ray) const;

@@ -2,7 +2,6 @@
 
 #include "lessons/words.h"
 #include "widgets/mesh_files/mesh_wire.h"
-#include "widgets/mesh_files/serve_mesh.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -57,18 +56,28 @@ void tellReading(const MeshDecoder &decoder, News &news) {
     news(decoder.part() ? untilRead * *decoder.part() : -1, what);
 }
 
+/// The program that reads, what it is given, and how long it may take.
+struct Reading {
+  QString program;
+  QString file;
+  std::chrono::milliseconds longest;
+};
+
 /// What the process of its own reads, or why it could not.
-Result<RawMesh> readInProcess(const QString &program, const QString &file, const std::atomic<bool> &cancelled,
-                              News &news) {
+Result<RawMesh> readInProcess(const Reading &reading, const std::atomic<bool> &cancelled, News &news) {
+  QElapsedTimer taken;
+  taken.start();
   QProcess process;
   process.setStandardInputFile(QProcess::nullDevice());
   process.setStandardErrorFile(QProcess::nullDevice());
-  process.start(program, {readMeshCommand, QFileInfo(file).absoluteFilePath()}, QIODevice::ReadOnly);
+  process.start(reading.program, {readMeshCommand, QFileInfo(reading.file).absoluteFilePath()},
+                QIODevice::ReadOnly);
   if (!process.waitForStarted())
     return Problem{words("The program that reads meshes cannot be started."), "", 0, ""};
   MeshDecoder decoder;
   tellReading(decoder, news);
-  while (!cancelled && !decoder.problem() && !decoder.isDone()) {
+  const auto isTooLate = [&] { return taken.hasExpired(reading.longest.count()); };
+  while (!cancelled && !decoder.problem() && !decoder.isDone() && !isTooLate()) {
     const bool hasBytes = process.bytesAvailable() > 0 || process.waitForReadyRead(millisecondsBetweenLooks);
     if (hasBytes || process.bytesAvailable() > 0) {
       const QByteArray piece = process.read(pieceSize);
@@ -82,19 +91,20 @@ Result<RawMesh> readInProcess(const QString &program, const QString &file, const
   process.waitForFinished();
   if (decoder.isDone())
     return decoder.take();
-  return decoder.problem().value_or(Problem{});
+  if (decoder.problem() || cancelled)
+    return decoder.problem().value_or(Problem{});
+  return Problem{words("Reading the file takes too long."), "", 0, ""};
 }
 
 /// What comes of a file, or why nothing does; once cancelled, a problem that is for nobody.
-Result<LoadedMesh> loadMesh(const QString &program, const QString &file, const std::atomic<bool> &cancelled,
-                            News &news) {
-  const QFileInfo names(file);
+Result<LoadedMesh> loadMesh(const Reading &reading, const std::atomic<bool> &cancelled, News &news) {
+  const QFileInfo names(reading.file);
   const auto refuse = [&names](Problem problem) {
     problem.file = names.fileName().toStdString();
     return problem;
   };
   try {
-    auto raw = readInProcess(program, file, cancelled, news);
+    auto raw = readInProcess(reading, cancelled, news);
     if (!raw || cancelled)
       return refuse(raw ? Problem{} : raw.problem());
     const QString what = inQt(words("Making the mesh ready"));
@@ -117,11 +127,11 @@ MeshLoader::MeshLoader(QObject *parent)
 
 void MeshLoader::start(const QString &file) {
   cancel();
-  m_job.start([this, program = m_program, file](const std::atomic<bool> &cancelled,
-                                                const LatestJob::Post &post) -> LatestJob::Message {
+  m_job.start([this, reading = Reading{m_program, file, m_longestReading}](
+                  const std::atomic<bool> &cancelled, const LatestJob::Post &post) -> LatestJob::Message {
     News news(
         [&](double part, const QString &what) { post([this, part, what] { emit progressed(part, what); }); });
-    return [this, result = loadMesh(program, file, cancelled, news)] { end(result); };
+    return [this, result = loadMesh(reading, cancelled, news)] { end(result); };
   });
 }
 

@@ -3,15 +3,18 @@
 
 #include "widgets/latest_job.h"
 #include "widgets/mesh_files/make_shape.h"
+#include "widgets/mesh_files/serve_mesh.h"
 
 #include <QObject>
 #include <QString>
+
+#include <chrono>
 
 namespace halfspace {
 
 /// Reads one mesh file at a time: in a process of its own, which the file may crash, and then in a thread,
 /// which makes the mesh ready. Nothing of it is done on the thread of the caller, who hears of it by signals
-/// from the event loop. Its destructor waits until a search that is being made is ready.
+/// from the event loop. What it does is cancelled with it, within a moment.
 class MeshLoader : public QObject {
   Q_OBJECT
 public:
@@ -19,6 +22,8 @@ public:
 
   /// The program that is started as `program read-mesh FILE`; until told otherwise, this one.
   void setProgram(const QString &program) { m_program = program; }
+  /// How long that program may take; then it is ended, and loading fails.
+  void setLongestReading(std::chrono::milliseconds longest) { m_longestReading = longest; }
 
   /// What is being loaded is cancelled first. Exactly one of loaded, failed and cancelled follows.
   void start(const QString &file);
@@ -38,6 +43,7 @@ private:
   void end(const Result<LoadedMesh> &result);
 
   QString m_program;
+  std::chrono::milliseconds m_longestReading = longestReading;
   LatestJob m_job; ///< ended before the rest of this
 };
 

@@ -1,4 +1,5 @@
 #include "geometry/hit_finder.h"
+#include "geometry/make_hit_search.h"
 
 #include "geometry/decide.h"
 #include "geometry/hit_all.h"
@@ -365,6 +366,18 @@ TEST(MakeHitSearch, FewOrManyTriangles_AreSearchedOneByOneOrByBoxes) {
   EXPECT_GT(many.cost.boxes, 0U);
   EXPECT_LT(many.cost.triangles, 100U);
   EXPECT_EQ(many.nearest, few.nearest);
+}
+
+TEST(MakeHitSearch, ThatIsCancelled_IsNull_AndItsFinderAsksEachTriangle) {
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+  mesh.triangles.resize(1000, {0, 1, 2});
+  const std::atomic<bool> cancelled = true;
+  EXPECT_FALSE(makeHitSearch(mesh, cancelled));
+  const HitFinder finder(trianglesOf(mesh), &cancelled);
+  const auto found = finder.search({{Rational(1, 4), Rational(1, 4), 9}, {0, 0, -1}});
+  EXPECT_EQ(found.cost, (SearchCost{0, 1000}));
+  ASSERT_TRUE(found.nearest);
+  EXPECT_EQ(found.nearest->index, 0U);
 }
 
 } // namespace

@@ -191,6 +191,16 @@ TEST(MakeShape, ThatIsCancelledEndsWithAProblem) {
   EXPECT_FALSE(makeShape(randomMesh(3, 1, 100), "thing", cancelled, [](std::optional<double>) {}));
 }
 
+TEST(MakeShape, ThatIsCancelledWhileItsSearchIsMadeEndsWithAProblem) {
+  std::atomic<bool> cancelled = false;
+  double told = 0;
+  EXPECT_FALSE(makeShape(randomMesh(3, 1, 100'000), "thing", cancelled, [&](std::optional<double> part) {
+    told = *part;
+    cancelled = told > 0.3; // from when on only the search is missing
+  }));
+  EXPECT_GT(told, 0.3);
+}
+
 TEST(MakeShape, TellsHowFarItIs) {
   std::vector<double> parts;
   const std::atomic<bool> cancelled = false;

@@ -147,6 +147,16 @@ private slots:
     QCOMPARE(loading.ends(), 2);
   }
 
+  void readingThatTakesTooLong_isEnded() {
+    Loading loading;
+    loading.loader->setLongestReading(std::chrono::milliseconds(100));
+    loading.loader->start(loading.file("hang.stl", "x"));
+    QVERIFY(loading.waitForEnd());
+    QCOMPARE(loading.failed.count(), 1);
+    const QString told = loading.failed.at(0).at(0).toString();
+    QVERIFY2(told.contains("takes too long"), qPrintable(told));
+  }
+
   void start_whileLoading_cancelsTheOneBefore() {
     Loading loading;
     loading.loader->start(loading.file("hang.stl", "x"));

@@ -2,6 +2,7 @@
 
 #include "geometry/bounding_box.h"
 #include "geometry/decide.h"
+#include "geometry/make_hit_search.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/numbering.h"
 
@@ -217,8 +218,8 @@ private:
   }
 
   std::shared_ptr<const MeshShape> shapeOfTriangles() {
-    std::shared_ptr<const HitSearch> search = makeHitSearch(m_mesh);
-    return std::make_shared<const MeshShape>(std::move(m_mesh), std::move(search));
+    std::shared_ptr<const HitSearch> search = makeHitSearch(m_mesh, m_cancelled);
+    return m_cancelled ? nullptr : std::make_shared<const MeshShape>(std::move(m_mesh), std::move(search));
   }
 
   RawMesh m_raw;

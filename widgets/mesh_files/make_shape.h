@@ -36,7 +36,7 @@ struct LoadedMesh {
 /// (1) Every corner of the shape is one that `readShape` takes.
 /// (2) No two triangles of the shape have the same corners, and each has an area.
 /// Takes time and memory about as the number of triangles, wherever they lie. For a thread of its own: once
-/// `cancelled`, it ends soon with a problem that is for nobody, but not before a search that is being made.
+/// `cancelled`, it ends soon with a problem that is for nobody.
 [[nodiscard]] Result<LoadedMesh> makeShape(RawMesh raw, std::string name, const std::atomic<bool> &cancelled,
                                            const PartDone &partDone);
 

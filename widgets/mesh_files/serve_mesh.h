@@ -2,6 +2,7 @@
 // else.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 
@@ -12,7 +13,9 @@ inline constexpr const char *readMeshCommand = "read-mesh";
 
 /// More memory and time than this is not given to reading a file.
 inline constexpr std::size_t mostReadingMemory = 4ULL << 30U;
-inline constexpr unsigned mostReadingSeconds = 120;
+inline constexpr unsigned mostReadingSeconds = 120; ///< of the processor
+/// Who waits for the process waits no longer: a disk that is slow or gone takes no time of the processor.
+inline constexpr std::chrono::milliseconds longestReading = std::chrono::minutes(3);
 
 /// Bounds the memory and the time of this process from now on (memory not where a sanitizer needs it), and
 /// keeps it from leaving its memory behind when it ends.
