@@ -94,6 +94,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
+  connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::keepUnsavedSoon); // under the hand, too
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {

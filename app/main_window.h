@@ -70,6 +70,9 @@ public:
   void copyPicture();
   /// Keeps all that is unsaved for the next start, without a question: the program ends now.
   void endWithoutQuestions();
+  /// The same for a window that is busy with a frame; from any thread. Keeps the scene as it is shown, not
+  /// what is typed and not entered.
+  void endWhileBusy();
   void complain(const QString &sentence);
   void setThemeNamed(const QString &name);
   /// How large type, lines and handles are; within the bounds of size_scale.h.
@@ -79,6 +82,10 @@ public:
 
   [[nodiscard]] SessionModel &model() { return m_model; }
   [[nodiscard]] SceneView &sceneView() { return *m_scene; }
+
+signals:
+  /// All that is unsaved is kept, and nothing is done any more: the program can end.
+  void closed();
 
 protected:
   void closeEvent(QCloseEvent *event) override;
@@ -136,6 +143,8 @@ private:
   void askForMesh();
   void showMeshProgress(double part, const QString &what);
   void endMeshProgress();
+  /// Neither reads nor takes the mesh that was to come.
+  void leaveMesh();
   /// The first lesson that has use for a mesh.
   void openLessonWithMeshes();
   /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.

@@ -142,7 +142,8 @@ std::optional<UnsavedWork> Recovery::adopt(const QString &path) {
   auto work = readWork(path);
   if (!work)
     return {};
-  opened(); // what was here before
+  const std::scoped_lock held(m_mutex);
+  removeMark(); // of what was here before
   // Without the mark it is opened all the same: only the next start would not know.
   static_cast<void>(writeFile(openingMark(path).toStdString(), "", Readers::OwnerOnly));
   m_path = path;
@@ -150,9 +151,36 @@ std::optional<UnsavedWork> Recovery::adopt(const QString &path) {
   return work;
 }
 
-void Recovery::opened() { QFile::remove(openingMark(m_path)); }
+void Recovery::removeMark() { QFile::remove(openingMark(m_path)); }
+
+void Recovery::opened() {
+  const std::scoped_lock held(m_mutex);
+  removeMark();
+}
 
 std::optional<Problem> Recovery::keep(const UnsavedWork &work) {
+  const std::scoped_lock held(m_mutex);
+  return keepLocked(work);
+}
+
+void Recovery::prepare(std::optional<UnsavedWork> work) {
+  const std::scoped_lock held(m_mutex);
+  m_prepared = std::move(work);
+}
+
+std::optional<Problem> Recovery::keepPrepared() {
+  const std::scoped_lock held(m_mutex);
+  return m_prepared ? keepLocked(*m_prepared) : std::nullopt;
+}
+
+void Recovery::leave() {
+  const std::scoped_lock held(m_mutex);
+  removeMark();
+  m_prepared.reset();
+  m_lock.reset();
+}
+
+std::optional<Problem> Recovery::keepLocked(const UnsavedWork &work) {
   if (m_folder.isEmpty())
     return Problem{words("There is no folder for unsaved work on this system."), "", 0, ""};
   if (auto problem = makeFolder(m_folder))
@@ -169,10 +197,12 @@ std::optional<Problem> Recovery::keep(const UnsavedWork &work) {
 }
 
 void Recovery::forget() {
+  const std::scoped_lock held(m_mutex);
+  m_prepared.reset();
   if (!m_lock)
     return;
   QFile::remove(m_path);
-  QFile::remove(openingMark(m_path));
+  removeMark();
   m_lock.reset();
 }
 

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 class QLockFile;
@@ -62,10 +63,23 @@ public:
   /// There is nothing unsaved any more.
   void forget();
 
+  /// What `keepPrepared` would keep: the unsaved work as it is; nothing where nothing is unsaved.
+  void prepare(std::optional<UnsavedWork> work);
+  /// For the end of a program whose own thread does not come to it; from any thread.
+  [[nodiscard]] std::optional<Problem> keepPrepared();
+
+  /// The window is gone: what is kept is for the next start, which need not wait for the end of this program.
+  void leave();
+
 private:
+  [[nodiscard]] std::optional<Problem> keepLocked(const UnsavedWork &work);
+  void removeMark();
+
+  std::mutex m_mutex; ///< of all that follows
   QString m_folder;
   QString m_path;
   std::unique_ptr<QLockFile> m_lock; ///< of that file, from its first writing on
+  std::optional<UnsavedWork> m_prepared;
 };
 
 } // namespace halfspace

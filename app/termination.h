@@ -10,7 +10,13 @@ namespace halfspace {
 /// loop instead, with the signal's number. One at a time; requires the application object.
 class Termination {
 public:
-  explicit Termination(std::function<void(int)> end);
+  using End = std::function<void(int signal)>;
+
+  /// Where the event loop does not come to it within `patience` milliseconds, as during a frame that takes
+  /// long, `endWhileBusy` is called instead, from a thread of its own.
+  Termination(End end, End endWhileBusy, int patience = usualPatience);
+  /// Longer than a frame of a scene that one can work with.
+  static constexpr int usualPatience = 2000;
   ~Termination();
   Termination(const Termination &) = delete;
   Termination &operator=(const Termination &) = delete;

@@ -64,10 +64,18 @@ QIcon programIcon() {
 int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
                const WindowCommand &command) {
   MainWindow window(std::move(library));
-  const Termination termination([&](int signal) {
-    window.endWithoutQuestions();
-    QApplication::exit(statusAfterSignal(signal));
-  });
+  const Termination termination(
+      [&](int signal) {
+        window.endWithoutQuestions();
+        QApplication::exit(statusAfterSignal(signal));
+      },
+      [&](int signal) {
+        window.endWhileBusy();
+        std::_Exit(statusAfterSignal(signal)); // nothing else of the program can be relied on
+      });
+  // Not with the last window: a message that comes a moment later must not keep the program alone.
+  QApplication::setQuitOnLastWindowClosed(false);
+  QObject::connect(&window, &MainWindow::closed, &window, [] { QApplication::exit(); });
   std::optional<KnownFile> file;
   if (opened.text)
     file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *opened.text,

@@ -47,6 +47,8 @@ UnsavedWork MainWindow::unsavedWork() const {
 }
 
 void MainWindow::keepUnsavedSoon() {
+  const bool isUnsaved = hasChanges() || hasLeftSessions() || (m_model.inGesture() && m_model.isChanged());
+  m_recovery.prepare(isUnsaved ? std::optional(unsavedWork()) : std::nullopt);
   if (!m_keepTimer.isActive())
     m_keepTimer.start();
 }
@@ -160,17 +162,25 @@ void MainWindow::closeEvent(QCloseEvent *event) {
   }
   if (!keepForNextStart())
     return;
-  m_recovery.opened();
+  leaveMesh();
+  m_recovery.leave();
   storeSettings();
   event->accept();
+  emit closed();
 }
 
 void MainWindow::endWithoutQuestions() {
   static_cast<void>(finishInput()); // what cannot be entered is no number
   if (const auto problem = keepOrForget())
     printError(problem->text());
-  m_recovery.opened();
+  leaveMesh();
+  m_recovery.leave();
   storeSettings();
+}
+
+void MainWindow::endWhileBusy() {
+  if (const auto problem = m_recovery.keepPrepared())
+    printError(problem->text());
 }
 
 void MainWindow::takeUp(const QString &leftover) {

@@ -107,6 +107,12 @@ void MainWindow::endMeshProgress() {
   m_meshProgress = nullptr;
 }
 
+void MainWindow::leaveMesh() {
+  m_meshLoader.cancel();
+  m_meshTimer.stop();
+  m_waitingMesh.reset();
+}
+
 void MainWindow::takeWaitingMesh() {
   const bool isInHand = m_model.inGesture() && !m_player.state().isPlaying;
   if (isInHand || QApplication::activeModalWidget())

@@ -3,6 +3,7 @@
 #include "lessons/object/point.h"
 #include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/mesh_files/mesh_texts.h"
 #include "widgets/numbers/inspector.h"
 
 #include <QApplication>
@@ -15,7 +16,10 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QSemaphore>
+#include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 
 #include <csignal>
@@ -425,10 +429,89 @@ private slots:
   void signal_isHeardInTheEventLoop() {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
       int heard = 0;
-      const Termination termination([&](int number) { heard = number; });
+      const Termination termination([&](int number) { heard = number; },
+                                    [](int) { QFAIL("the loop was there"); }, 60000);
       QCOMPARE(std::raise(signal), 0);
       QTRY_COMPARE(heard, signal);
     }
+  }
+
+  void signal_whileTheLoopDoesNotGoOn_isHeardInAThread_andNotTwice() {
+    int heardInLoop = 0;
+    int heardInThread = 0;
+    QSemaphore heard;
+    const Termination termination([&](int number) { heardInLoop = number; },
+                                  [&](int number) {
+                                    heardInThread = number;
+                                    heard.release();
+                                  },
+                                  10);
+    QCOMPARE(std::raise(SIGTERM), 0);
+    QVERIFY(heard.tryAcquire(1, 60000)); // the loop does not go on before it is there
+    QCOMPARE(heardInThread, SIGTERM);
+    QCoreApplication::processEvents();
+    QCOMPARE(heardInLoop, 0);
+  }
+
+  void endingWhileBusy_keepsWhatIsUnderTheHand_fromAnotherThread() {
+    ExactVec3 dragged;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      const QPoint from = *fixture.scene().handlePosition("Q");
+      fixture.press(from);
+      fixture.moveTo(from + QPoint(60, 20));
+      dragged = fixture.value("Q");
+      const std::unique_ptr<QThread> other(QThread::create([&] { fixture.window.endWhileBusy(); }));
+      other->start();
+      QVERIFY(other->wait());
+    }
+    QVERIFY(!(dragged == ExactVec3(11, 15, 8)));
+    QCOMPARE(leftovers().size(), 1U);
+    QVERIFY(pointOf(leftovers().front().work.session, "Q") == dragged);
+  }
+
+  void closing_whileAMeshIsRead_endsAllThatGoesOn_andLeavesTheWorkToTheNextStart() {
+    const QTemporaryDir folder;
+    QFile hanging(folder.filePath("hang.stl")); // is read for ever
+    QVERIFY(hanging.open(QIODevice::WriteOnly));
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    moveUp(fixture, "Q");
+    auto *loader = fixture.window.findChild<MeshLoader *>();
+    loader->setProgram(MESH_CHILD);
+    const QSignalSpy progressed(loader, &MeshLoader::progressed);
+    const QSignalSpy closed(&fixture.window, &MainWindow::closed);
+    fixture.window.openMesh(hanging.fileName());
+    QTRY_VERIFY(!progressed.isEmpty());
+    QTRY_VERIFY(fixture.window.findChild<QWidget *>("meshProgress")->isVisible());
+    QVERIFY(fixture.window.close());
+    QCOMPARE(closed.count(), 1);
+    QVERIFY(!loader->isLoading());
+    for (const QWidget *widget : QApplication::topLevelWidgets())
+      QVERIFY2(!widget->isVisible(), qPrintable(widget->objectName()));
+    QCOMPARE(leftovers().size(), 1U); // though this program still lives
+  }
+
+  void closing_whileAMeshWaits_doesNotTakeIt() {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("one.stl"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const std::string stl = binaryStl(tetrahedronTriangles());
+    QCOMPARE(file.write(stl.data(), static_cast<qint64>(stl.size())), static_cast<qint64>(stl.size()));
+    file.close();
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    auto *loader = fixture.window.findChild<MeshLoader *>();
+    loader->setProgram(MESH_CHILD);
+    const QSignalSpy loaded(loader, &MeshLoader::loaded);
+    fixture.press(*fixture.scene().handlePosition("Q")); // in whose hand nothing is put into the scene
+    fixture.window.openMesh(file.fileName());
+    QTRY_COMPARE(loaded.count(), 1);
+    const std::string lesson = fixture.model().session().lesson;
+    QVERIFY(fixture.window.close());
+    QTest::qWait(300); // longer than until it would be looked again whether the hand is free
+    QCOMPARE(fixture.model().session().lesson, lesson);
   }
 
   void program_openedOnADamagedFile_showsItsWindow_andEndsInOrderWhenItIsTold() {

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace halfspace {
@@ -71,6 +72,38 @@ TEST_F(RecoveryTest, OfTwoProgramsAtOnce_IsKeptApart) {
   EXPECT_TRUE(third.leftovers().empty());
   killProgram(startProgram(3));
   EXPECT_EQ(third.leftovers().size(), 1U);
+}
+
+TEST_F(RecoveryTest, Prepared_IsKeptFromAnyThread_UntilNothingIsUnsaved) {
+  {
+    Recovery recovery(folder.path());
+    EXPECT_FALSE(recovery.keep(workAt(1)));
+    recovery.prepare(workAt(2));
+    std::thread([&] { EXPECT_FALSE(recovery.keepPrepared()); }).join();
+  }
+  {
+    Recovery next(folder.path());
+    ASSERT_EQ(next.leftovers().size(), 1U);
+    EXPECT_EQ(next.leftovers().front().work.session, workAt(2).session);
+    ASSERT_TRUE(next.adopt(next.leftovers().front().path));
+    EXPECT_FALSE(next.keepPrepared()); // nothing is prepared: what was taken up stays
+  }
+  Recovery last(folder.path());
+  ASSERT_EQ(last.leftovers().size(), 1U);
+  ASSERT_TRUE(last.adopt(last.leftovers().front().path));
+  last.prepare(workAt(3));
+  last.forget();
+  EXPECT_FALSE(last.keepPrepared());
+  EXPECT_TRUE(Recovery(folder.path()).leftovers().empty());
+}
+
+TEST_F(RecoveryTest, OfAWindowThatIsGone_IsOfferedThoughItsProgramStillLives) {
+  Recovery gone(folder.path());
+  EXPECT_FALSE(gone.keep(workAt(1)));
+  Recovery next(folder.path());
+  EXPECT_TRUE(next.leftovers().empty());
+  gone.leave();
+  EXPECT_EQ(next.leftovers().size(), 1U);
 }
 
 TEST_F(RecoveryTest, Adopted_BelongsToTheNewProgram_UntilThatForgetsIt) {
