@@ -56,19 +56,19 @@ void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::stri
 }
 
 /// Why a picture would not be shown; empty where it is.
-std::string whyNotShown(const std::string &picture, const Lesson &lesson) {
+std::string whyNotShown(const std::string &picture, const Lesson &lesson, int &pixelsLeft) {
   const auto bytes = readLessonPicture(std::filesystem::path(lesson.file).parent_path(), picture);
   if (!bytes)
     return bytes.problem().sentence;
-  const auto image = imageOf(*bytes);
+  const auto image = imageOf(*bytes, pixelsLeft);
   return image ? std::string()
                : words("The picture “{name}” cannot be shown. {reason}",
                        {{"name", shortened(picture)}, {"reason", image.problem().sentence}});
 }
 
 void addIfNotShown(const std::string &picture, const LessonWords &piece, const Lesson &lesson,
-                   std::vector<Problem> &problems) {
-  const std::string sentence = whyNotShown(picture, lesson);
+                   int &pixelsLeft, std::vector<Problem> &problems) {
+  const std::string sentence = whyNotShown(picture, lesson, pixelsLeft);
   if (!sentence.empty())
     problems.push_back({sentence, lesson.file,
                         piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
@@ -86,8 +86,9 @@ void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
         addIfUnreadable(source, piece, lesson, problems);
     std::vector<std::string> pictures;
     addPictures(markdown->blocks, pictures);
+    int pixelsLeft = mostPixelsOfPiece;
     for (const std::string &picture : pictures)
-      addIfNotShown(picture, piece, lesson, problems);
+      addIfNotShown(picture, piece, lesson, pixelsLeft, problems);
   }
 }
 

@@ -89,9 +89,9 @@ bool hasPicture(const QTextBlock &block) {
   return false;
 }
 
-Result<QImage> readPicture(const std::filesystem::path &folder, const std::string &name) {
+Result<QImage> readPicture(const std::filesystem::path &folder, const std::string &name, int &pixelsLeft) {
   const auto bytes = readLessonPicture(folder, name);
-  return bytes ? imageOf(*bytes) : bytes.problem();
+  return bytes ? imageOf(*bytes, pixelsLeft) : bytes.problem();
 }
 
 class MarkdownWriter {
@@ -184,7 +184,7 @@ private:
     const QString description = QString::fromStdString(span.text);
     if (m_style.pictures.empty())
       return m_cursor.insertText(description, format);
-    const auto image = readPicture(m_style.pictures, span.picture);
+    const auto image = readPicture(m_style.pictures, span.picture, m_pixelsLeft);
     if (image)
       return m_cursor.insertText(QChar(QChar::ObjectReplacementCharacter),
                                  pictureObjectFormat(*image, description, format));
@@ -352,6 +352,7 @@ private:
   const RichTextStyle &m_style;
   const FormulaFormat &m_formulaFormat;
   QTextDocument &m_document;
+  int m_pixelsLeft = mostPixelsOfPiece; ///< for the pictures that follow
   QTextCursor m_cursor;
   bool m_isEmpty = true;
   bool m_inTableHead = false;

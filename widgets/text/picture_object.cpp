@@ -1,6 +1,7 @@
 #include "widgets/text/picture_object.h"
 
 #include "lessons/words.h"
+#include "widgets/text/picture_bytes.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -20,6 +21,8 @@ namespace {
 constexpr int objectType = QTextFormat::UserObject + 2;
 constexpr int imageProperty = QTextFormat::UserProperty + 3;
 constexpr int descriptionProperty = QTextFormat::UserProperty + 4;
+
+constexpr std::string_view pngBegin = "\x89PNG";
 
 /// The type, in pixels, beside which a pixel of a picture is one of the screen's.
 constexpr double usualTypeSize = 16;
@@ -64,8 +67,9 @@ private:
 
 } // namespace
 
-Result<QImage> imageOf(const std::string &bytes) {
-  QByteArray data = QByteArray::fromRawData(bytes.data(), static_cast<int>(bytes.size()));
+Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft) {
+  const std::string seen = bytes.starts_with(pngBegin) ? seenPartOfPng(bytes) : bytes;
+  QByteArray data = QByteArray::fromRawData(seen.data(), static_cast<int>(seen.size()));
   QBuffer buffer(&data);
   QImageReader reader(&buffer);
   reader.setDecideFormatFromContent(true);
@@ -80,6 +84,16 @@ Result<QImage> imageOf(const std::string &bytes) {
     return Problem{words("It has too many pixels: at most {limit} million are shown.",
                          {{"limit", std::to_string(mostPicturePixels >> 20)}}),
                    "", 0, ""};
+  if (format == "jpeg" && scansOfJpeg(seen) > mostPictureScans)
+    return Problem{words("It goes over its pixels too often: at most {limit} scans are shown.",
+                         {{"limit", std::to_string(mostPictureScans)}}),
+                   "", 0, ""};
+  if (size.width() * size.height() > pixelsLeft)
+    return Problem{words("The pictures before it have so many pixels that there is no room for it: at most "
+                         "{limit} million are shown together.",
+                         {{"limit", std::to_string(mostPixelsOfPiece >> 20)}}),
+                   "", 0, ""};
+  pixelsLeft -= size.width() * size.height();
   const QSize longest(longestPictureSide, longestPictureSide);
   if (size.width() > longest.width() || size.height() > longest.height())
     reader.setScaledSize(size.scaled(longest, Qt::KeepAspectRatio).expandedTo({1, 1}));

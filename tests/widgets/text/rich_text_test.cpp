@@ -1,8 +1,11 @@
 // Markdown with formulas as documents.
+#include "widgets/text/picture_bytes.h"
+#include "widgets/text/picture_object.h"
 #include "widgets/text/rich_label.h"
 #include "widgets/text/unbroken.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QBuffer>
 #include <QHelpEvent>
 #include <QImage>
 #include <QPainter>
@@ -34,6 +37,28 @@ void writePicture(const QString &file, QSize size, const char *format = "png") {
   QImage image(size, QImage::Format_RGB32);
   image.fill(Qt::red);
   image.save(file, format);
+}
+
+/// The bytes of a red picture's file.
+std::string pictureBytes(QSize size, const char *format) {
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  image.setText("title", QString(1000, 'a')); // PNG files have it compressed
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, format);
+  return bytes.toStdString();
+}
+
+/// The same JPEG file, going over its picture so often.
+std::string withScans(const std::string &jpeg, std::size_t scans) {
+  const std::size_t begin = jpeg.find("\xFF\xDA");
+  const std::size_t end = jpeg.rfind("\xFF\xD9");
+  std::string many = jpeg.substr(0, begin);
+  for (std::size_t i = 0; i < scans; ++i)
+    many += jpeg.substr(begin, end - begin);
+  return many + jpeg.substr(end);
 }
 
 /// How many columns of the text, laid out so wide, have red in them.
@@ -296,6 +321,51 @@ private slots:
                         {usualFont(), Qt::black, Qt::red, {}, folder.path().toStdString()});
     QVERIFY2(rich.plain().startsWith("a box (") && rich.plain().contains(reason), qPrintable(rich.plain()));
     QVERIFY(redWidth(rich, 290) > 10);
+  }
+
+  void pngFile_isReadWithoutWhatIsNotSeen() {
+    const std::string bytes = pictureBytes({10, 10}, "png");
+    QVERIFY(bytes.find("tEXt") != std::string::npos || bytes.find("zTXt") != std::string::npos);
+    int pixelsLeft = mostPixelsOfPiece;
+    const auto image = imageOf(bytes, pixelsLeft);
+    QVERIFY(image);
+    QVERIFY(image->textKeys().isEmpty());
+    QCOMPARE(image->pixel(5, 5), qRgb(255, 0, 0));
+    QCOMPARE(pixelsLeft, mostPixelsOfPiece - 100);
+  }
+
+  void pngFile_whoseLengthsLie_isCutOffThere() {
+    const std::string bytes = pictureBytes({10, 10}, "png");
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      std::string damaged = bytes;
+      damaged[at] = '\xFF';
+      QVERIFY(seenPartOfPng(damaged).size() <= bytes.size());
+      QVERIFY(seenPartOfPng(damaged.substr(0, at)).size() <= at);
+    }
+  }
+
+  void jpegFile_goesOverItsPictureSoOftenAndNoMore() {
+    const std::string once = pictureBytes({10, 10}, "jpg");
+    QCOMPARE(scansOfJpeg(once), std::size_t(1));
+    QCOMPARE(scansOfJpeg(withScans(once, 7)), std::size_t(7));
+    QCOMPARE(scansOfJpeg(once.substr(0, 2)), std::size_t(0));
+    for (std::size_t end = 0; end < once.size(); ++end)
+      QVERIFY(scansOfJpeg(std::string_view(once).substr(0, end)) <= 1);
+    int pixelsLeft = mostPixelsOfPiece;
+    QVERIFY(imageOf(withScans(once, mostPictureScans), pixelsLeft));
+    const auto refused = imageOf(withScans(once, mostPictureScans + 1), pixelsLeft);
+    QVERIFY(!refused);
+    QVERIFY(refused.problem().sentence.find("at most 24 scans") != std::string::npos);
+  }
+
+  void picturesOfAPiece_haveSoManyPixelsTogetherAndNoMore() {
+    const std::string bytes = pictureBytes({10, 10}, "png");
+    int pixelsLeft = 199;
+    QVERIFY(imageOf(bytes, pixelsLeft));
+    const auto refused = imageOf(bytes, pixelsLeft);
+    QVERIFY(!refused);
+    QVERIFY(refused.problem().sentence.find("no room for it") != std::string::npos);
+    QCOMPARE(pixelsLeft, 99);
   }
 
   void pictureWithoutAFolder_isDescribed() {
