@@ -3,6 +3,7 @@
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson_lines.h"
 #include "lessons/lesson/lesson_reader.h"
+#include "lessons/lesson/macro_work.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
@@ -196,11 +197,29 @@ Problem tooLarge(const std::string &file) {
           file, 0, ""};
 }
 
-/// What keeps a lesson's words from being read as Markdown, if anything does.
+std::size_t bytesFromMacros(const Markdown &markdown, const Macros &macros) {
+  std::size_t bytes = 0;
+  for (const MarkdownFormula &formula : markdown.formulas)
+    bytes += bytesFromMacros(formula.latex, macros);
+  return bytes;
+}
+
+/// What keeps a lesson's words from being read as Markdown, or makes them too much to be set, if anything
+/// does.
 std::optional<Problem> problemOfWords(const Lesson &lesson) {
-  for (const LessonWords &piece : wordsOf(lesson))
-    if (const auto markdown = readMarkdown(piece.text); !markdown)
+  std::size_t fromMacros = 0;
+  for (const LessonWords &piece : wordsOf(lesson)) {
+    const auto markdown = readMarkdown(piece.text);
+    if (!markdown)
       return Problem{markdown.problem().sentence, lesson.file, piece.lineAt(0), piece.field};
+    fromMacros += bytesFromMacros(*markdown, lesson.macros);
+    if (fromMacros > mostBytesFromMacros)
+      return Problem{
+          words("Up to here the lesson's macros stand for more than {limit} KiB of LaTeX: that is too "
+                "much to be set.",
+                {{"limit", std::to_string(mostBytesFromMacros >> 10)}}),
+          lesson.file, piece.lineAt(0), piece.field};
+  }
   return {};
 }
 

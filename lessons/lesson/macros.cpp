@@ -1,5 +1,6 @@
 #include "lessons/lesson/macros.h"
 
+#include "lessons/lesson/macro_work.h"
 #include "lessons/text.h"
 
 #include <algorithm>
@@ -94,6 +95,7 @@ public:
       step();
     return m_brought <= longestExpansion ? std::optional(std::move(m_text)) : std::nullopt;
   }
+  [[nodiscard]] std::size_t brought() const { return m_brought; }
 
 private:
   void step() {
@@ -207,6 +209,14 @@ std::string expanded(const std::string &latex, const Macros &macros) {
   if (macros.empty())
     return latex;
   return Expander(latex, macros).expand().value_or(latex);
+}
+
+std::size_t bytesFromMacros(const std::string &latex, const Macros &macros) {
+  if (macros.empty())
+    return 0;
+  Expander expander(latex, macros);
+  static_cast<void>(expander.expand());
+  return expander.brought();
 }
 
 } // namespace halfspace

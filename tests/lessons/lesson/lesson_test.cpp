@@ -85,6 +85,22 @@ TEST(Lesson, Macros_AreReadWithTheirArguments) {
   EXPECT_TRUE(parseLesson(frontMatter + "## One\n", "a.md")->macros.empty());
 }
 
+TEST(Lesson, WhoseMacrosBringTooMuchTogether_IsRefused) {
+  // Each formula stands for 10 · 10 · 80 letters, and alone it would be set.
+  const std::string macros = "\n  a: '" + std::string(80, 'x') + "'\n  b: '\\a\\a\\a\\a\\a\\a\\a\\a\\a\\a'" +
+                             "\n  c: '\\b\\b\\b\\b\\b\\b\\b\\b\\b\\b'\n";
+  const auto lesson = [&](int formulas) {
+    std::string text = withMacros(macros);
+    for (int i = 0; i < formulas; ++i)
+      text += "\nSo $\\c$.\n";
+    return parseLesson(text, "a.md");
+  };
+  EXPECT_TRUE(lesson(60)) << lesson(60).problem().text();
+  const auto refused = lesson(200);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.problem().sentence.find("more than 1024 KiB"), std::string::npos);
+}
+
 TEST(Lesson, MacrosThatAreNone_AreToldWithTheirLine) {
   const auto expect = [](const std::string &macros, int line, const std::string &field,
                          const std::string &words) {
