@@ -136,8 +136,10 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
 
   // Writing to a pipe that nobody reads any more is a failure to be told, not the end of the window.
   std::signal(SIGPIPE, SIG_IGN);
+#if QT_VERSION_MAJOR < 6 // which always does so
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
   QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
 
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);

@@ -3,11 +3,10 @@
 #include "geometry/approach_ball.h"
 #include "geometry/bounding_box.h"
 #include "geometry/decide.h"
+#include "geometry/embree.h"
 #include "geometry/filter.h"
 #include "geometry/lanes.h"
 #include "geometry/large_pages.h"
-
-#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <array>

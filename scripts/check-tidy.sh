@@ -6,6 +6,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# Each version finds other things.
+if [[ $(clang-tidy --version) != *' version 14.'* ]]; then
+  echo "The checks are clang-tidy 14's, which is not here: they are left out." >&2
+  exit 0
+fi
+
 [[ $# != 0 ]] || set -- geometry eval lessons widgets/picture
 checked=build/release/checked
 outdated=()

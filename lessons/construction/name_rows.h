@@ -1,6 +1,7 @@
 // Rows of names: e0, e1, … of the edges, and several rows behind each other.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <string>

@@ -276,7 +276,7 @@ public:
     mapper->SetInputData(rectangle);
     m_actor->SetMapper(mapper);
     m_actor->SetTexture(m_texture);
-    renderer->AddActor2D(m_actor);
+    renderer->AddViewProp(m_actor);
   }
 
   void show(const BareLabel &label) {

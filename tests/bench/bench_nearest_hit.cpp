@@ -1,5 +1,6 @@
 // The nearest hit among 10^2 to 10^6 triangles: time to make ready, and for a ray, beside the libraries that
 // do it.
+#include "geometry/embree.h"
 #include "geometry/hit_finder.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/vtk_segment.h"
@@ -10,7 +11,6 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #endif
-#include <embree3/rtcore.h>
 #include <glm/geometric.hpp>
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>
@@ -119,8 +119,6 @@ public:
   }
 
   [[nodiscard]] double find(const Ray<double> &ray) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit asked{};
     asked.ray.org_x = static_cast<float>(ray.origin.x);
     asked.ray.org_y = static_cast<float>(ray.origin.y);
@@ -131,11 +129,21 @@ public:
     asked.ray.tfar = std::numeric_limits<float>::infinity();
     asked.ray.mask = std::numeric_limits<unsigned>::max();
     asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(m_scene, &context, &asked);
+    intersect(asked);
     return asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 0 : asked.ray.tfar;
   }
 
 private:
+  void intersect(RTCRayHit &asked) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(m_scene, &asked);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(m_scene, &context, &asked);
+#endif
+  }
+
   RTCDevice m_device;
   RTCScene m_scene;
 };

@@ -18,8 +18,10 @@ int main(int argc, char **argv) {
     return 1;
   const Session session = opened->session;
   QStandardPaths::setTestModeEnabled(true);
+#if QT_VERSION_MAJOR < 6 // which always does so
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);

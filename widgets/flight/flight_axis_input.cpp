@@ -103,12 +103,12 @@ void FlightAxis::mousePressEvent(QMouseEvent *event) {
 void FlightAxis::mouseMoveEvent(QMouseEvent *event) {
   if (!m_grab)
     return pointAt(event->pos());
-  const int moved = std::abs(event->x() - m_grab->pressedAt.x());
+  const int moved = std::abs(event->pos().x() - m_grab->pressedAt.x());
   if (!m_grab->isScrubbing && m_grab->pin != 0 && moved < QApplication::startDragDistance())
     return;
   if (!m_grab->isScrubbing && moved == 0)
     return;
-  const double tip = event->x() + m_grab->offset;
+  const double tip = event->pos().x() + m_grab->offset;
   beginScrub();
   if (isScrubbing()) // who was told has not hidden it
     scrubTo(tip, event->modifiers());

@@ -51,9 +51,9 @@ struct LabelOverlay::Sprite {
     texture->RepeatOff();
     actor->SetMapper(mapper);
     actor->SetTexture(texture);
-    renderer->AddActor2D(actor);
+    renderer->AddViewProp(actor);
   }
-  ~Sprite() { renderer->RemoveActor2D(actor); }
+  ~Sprite() { renderer->RemoveViewProp(actor); }
   Sprite(const Sprite &) = delete;
   Sprite &operator=(const Sprite &) = delete;
 
@@ -81,10 +81,10 @@ LabelOverlay::LabelOverlay(vtkRenderer *renderer, LabelPainter painter)
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(m_leaderLines);
   m_leaders->SetMapper(mapper);
-  m_renderer->AddActor2D(m_leaders);
+  m_renderer->AddViewProp(m_leaders);
 }
 
-LabelOverlay::~LabelOverlay() { m_renderer->RemoveActor2D(m_leaders); }
+LabelOverlay::~LabelOverlay() { m_renderer->RemoveViewProp(m_leaders); }
 
 LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
   while (m_sprites.size() <= number)

@@ -1,10 +1,10 @@
 #include "widgets/view/flat_view.h"
 
 #include "widgets/colors.h"
+#include "widgets/mouse_place.h"
 #include "widgets/picture/hand/mark_picker.h"
 
 #include <QAction>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QToolButton>
 
@@ -137,7 +137,7 @@ void FlatView::mousePressEvent(QMouseEvent *event) { event->accept(); }
 void FlatView::mouseMoveEvent(QMouseEvent *event) {
   if (!isOpen())
     return;
-  const QPointF at = event->localPos();
+  const QPointF at = mousePlace(*event);
   hover(markUnder({at.x(), at.y()}, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio));
 }
 

@@ -3,12 +3,12 @@
 #include "lessons/object/corners.h"
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/snapping.h"
+#include "widgets/mouse_place.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/view/key_steps.h"
 #include "widgets/view/scene_view.h"
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QToolTip>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   if (m_gesture != Gesture::None)
     return;
   m_glide.stop();
-  m_pressed = m_lastPointer = event->localPos();
+  m_pressed = m_lastPointer = mousePlace(*event);
   m_moved = false;
   if (event->button() != Qt::LeftButton)
     m_gesture = Gesture::Pan;
@@ -170,22 +170,22 @@ std::vector<SnapTarget> SceneView::askedFor(const Handle &handle) const {
 
 void SceneView::mouseMoveEvent(QMouseEvent *event) {
   if (m_gesture == Gesture::None)
-    return hover(devicePixel(event->localPos()));
+    return hover(devicePixel(mousePlace(*event)));
   if (!(event->buttons() & m_button)) {
     // The release went elsewhere.
     finishDrag();
     return;
   }
-  if ((event->localPos() - m_pressed).manhattanLength() > clickSlop)
+  if ((mousePlace(*event) - m_pressed).manhattanLength() > clickSlop)
     m_moved = true;
   if (!m_moved)
     return;
   if (m_gesture == Gesture::Handle) {
     m_isSuspended = suspends(event->modifiers());
-    m_pendingPointer = event->localPos();
+    m_pendingPointer = mousePlace(*event);
     showMoved();
   } else {
-    moveCamera(event->localPos());
+    moveCamera(mousePlace(*event));
   }
 }
 

@@ -14,8 +14,12 @@ namespace {
 struct Scrubbed {
   Scrubbed() { widget.show(); }
 
-  void press(QPoint at) { scrub.press(QMouseEvent(QEvent::MouseButtonPress, at, Qt::LeftButton, {}, {})); }
-  void move(QPoint to) { scrub.move(QMouseEvent(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, {})); }
+  void press(QPoint at) {
+    scrub.press(QMouseEvent(QEvent::MouseButtonPress, at, at, Qt::LeftButton, {}, {}));
+  }
+  void move(QPoint to) {
+    scrub.move(QMouseEvent(QEvent::MouseMove, to, to, Qt::NoButton, Qt::LeftButton, {}));
+  }
   int lastSteps() const { return moved.last().at(0).toInt(); }
 
   QWidget widget;

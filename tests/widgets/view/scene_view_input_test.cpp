@@ -51,7 +51,8 @@ private slots:
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     const QPoint at = fixture.at("Q");
-    QMouseEvent twice(QEvent::MouseButtonDblClick, at, Qt::LeftButton, Qt::LeftButton, {});
+    QMouseEvent twice(QEvent::MouseButtonDblClick, at, fixture.view.mapToGlobal(at), Qt::LeftButton,
+                      Qt::LeftButton, {});
     QCoreApplication::sendEvent(&fixture.view, &twice);
     QVERIFY(fixture.model.inGesture());
     fixture.release(at);
