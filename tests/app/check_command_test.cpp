@@ -186,6 +186,15 @@ const std::vector<Mistake> &mistakes() {
   return all;
 }
 
+TEST_F(Program, Lines_NamedNone_AreNone_AndPassTheCheck) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  std::string text = contentOf(inFolder("base.md"));
+  text.replace(text.find("f, side"), 7, "none");
+  write("base.md", text);
+  const Ran ran = run("check base.md");
+  EXPECT_EQ(ran.status, 0) << ran.out;
+}
+
 TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) {
   ASSERT_EQ(run("new-lesson base").status, 0);
   const std::string base = contentOf(inFolder("base.md"));
