@@ -167,11 +167,24 @@ const std::vector<Mistake> &mistakes() {
       {"The program notices", std::string(40, '>') + " The program notices", 34,
        "Lists and quotes are nested too"},
       {"```draw\nF\n", "```draw\nG\n", 41, "draw: There is no mark “G”."},
+      {"```draw\nF\n", "```draw\nplane.F\n", 41, "draw: There is no mark “plane.F”. Perhaps “F” is meant."},
       {"```task", "```tusk", 44, "There is no block “tusk”. Perhaps “task” is meant."},
       {"signed_distance = 6", "signed_distanse = 6", 46,
        "when: There is no value “signed_distanse”. Perhaps “signed_distance” is meant."},
       {"signed_distance = 6", "signed_distance = six", 46,
        "when: “signed_distance” is a number, and never “six”."},
+      {"signed_distance = 6", "signed_distance = length", 46,
+       "when: “length” is a value too, and two values are not compared: compare “signed_distance” with a "
+       "number."},
+      {"signed_distance = 6", "signed_distance < length", 46,
+       "when: “signed_distance < length” orders a word: < and > compare a value with a number, not with a "
+       "word "
+       "or another value."},
+      {"ask: On which side of the plane is $Q$?", "ask: \"On which side of $\\lambda$ is $Q$?\"", 17,
+       "This is not YAML as it should be: unknown escape character: l. In double quotes a backslash begins a "
+       "sign of YAML's own: put the text in single quotes."},
+      {"ask: On which side of the plane is $Q$?", "ask: \"On which side of $\\theta$ is $Q$?\"", 17,
+       "ask: In double quotes a backslash begins a sign of YAML's own: put the text in single quotes."},
       {"signed_distance = 6", "side = upward", 46,
        "when: “side” is never “upward”. It can be: positive, negative, on."},
       {"signed_distance = 6", "signed_distance", 46, "when: “signed_distance” is not a comparison"},
