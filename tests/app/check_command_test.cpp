@@ -240,8 +240,10 @@ TEST_F(Program, NewLesson_OverAFile_OrWithNoId_IsRefused) {
   write("mine.md", "precious");
   expectRefused("new-lesson mine", "stays as it is");
   EXPECT_EQ(run("check mine.md").status, 1) << "and so it does";
-  for (const std::string bad : {"Mine", "../mine", "a/b", "''", "'a: b'"})
+  for (const std::string bad : {"Mine", "../mine", "a/b", "''", "'a: b'", "-- -x"})
     expectRefused("new-lesson " + bad, "cannot be the id of a lesson");
+  expectRefused("new-lesson signed-distance",
+                "A lesson of the program has the id “signed-distance” already.");
 }
 
 TEST_F(Program, OwnLessons_WithIdsOfOurs_OrInNoFolder_AreToldAndLeftOut) {
