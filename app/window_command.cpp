@@ -68,10 +68,9 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
     window.endWithoutQuestions();
     QApplication::exit(statusAfterSignal(signal));
   });
-  std::optional<KnownFile> file;
-  if (opened.text)
-    file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *opened.text,
-            opened.session.lesson};
+  std::optional<KnownFile> file; // of a name that cannot be told: Save asks
+  if (const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt)
+    file = {*path, *opened.text, opened.session.lesson};
   window.startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
