@@ -16,7 +16,7 @@ using OwnLessons = std::vector<std::string>;
 struct WindowCommand {
   std::optional<std::string>
       subject;             ///< a lesson's id, its .md file or a .halfspace file; nothing: the first lesson
-  OwnLessons ownLessons{}; ///< none: the folder of the settings
+  OwnLessons ownLessons{}; ///< besides those of the settings
   std::optional<std::string> mesh{}; ///< a file to open in it
 };
 

@@ -75,6 +75,7 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
   QTimer::singleShot(0, &window, [&] {
+    window.tellPutAside();
     if (problem)
       window.complain(QString::fromStdString(problem->text()));
     if (!command.subject)
@@ -87,14 +88,13 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   return QApplication::exec();
 }
 
-/// Those of the command line; without any that of the settings.
+/// Those of the command line, and behind them those of the settings.
 OwnLessons ownLessonsOf(const WindowCommand &command) {
-  if (!command.ownLessons.empty())
-    return command.ownLessons;
-  const auto settings = readSettings(settingsFile());
-  if (!settings || settings->ownLessons.isEmpty())
-    return {};
-  return {settings->ownLessons.toStdString()};
+  OwnLessons folders = command.ownLessons;
+  if (const auto settings = readSettings(settingsFile()))
+    for (const QString &folder : settings->ownLessons)
+      folders.push_back(folder.toStdString());
+  return folders;
 }
 
 } // namespace
