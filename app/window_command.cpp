@@ -1,5 +1,6 @@
 #include "app/window_command.h"
 
+#include "app/application.h"
 #include "app/lessons_folder.h"
 #include "app/main_window.h"
 #include "app/memory.h"
@@ -9,8 +10,6 @@
 #include "app/termination.h"
 #include "lessons/words.h"
 
-#include <QApplication>
-#include <QFileInfo>
 #include <QIcon>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -62,8 +61,9 @@ QIcon programIcon() {
 /// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
 int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
-               const WindowCommand &command) {
+               const WindowCommand &command, Application &application) {
   MainWindow window(std::move(library));
+  application.setLastDeed([&] { window.endWithoutQuestions(); });
   const Termination termination([&](int signal) {
     window.endWithoutQuestions();
     QApplication::exit(statusAfterSignal(signal));
@@ -85,7 +85,9 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
     if (command.mesh)
       window.openMesh(QString::fromStdString(*command.mesh));
   });
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  application.setLastDeed({});
+  return status;
 }
 
 /// Those of the command line, and behind them those of the settings.
@@ -132,13 +134,13 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
 
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
-  const QApplication application(argc, argv);
+  Application application(argc, argv);
   qInstallMessageHandler(usualHandler);
   QApplication::setWindowIcon(programIcon());
   QGuiApplication::setDesktopFileName("halfspace");
   if (const auto missing = checkOpenGL())
     return fail(*missing);
-  return showWindow(std::move(library), *opened, problem, command);
+  return showWindow(std::move(library), *opened, problem, command, application);
 }
 
 } // namespace halfspace
