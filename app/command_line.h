@@ -60,8 +60,8 @@ struct RenderCommand {
   bool transparent = false;
   bool flat = false; ///< the lesson's flat picture in the place of the one in space
   std::string theme = "light";
-  std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure, or, of
-                           ///< frames, the flight's step
+  std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the
+                           ///< whole figure of a lesson, or, of frames, the flight's step
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
   std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
 };
