@@ -156,8 +156,8 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
   render->add_option("--theme", command.theme, themeNames())->capture_default_str();
   render->add_option("--step", arguments.step,
-                     "The lesson's step to show, counted from 1; without it the whole figure, "
-                     "or, for frames, the last step with the flight");
+                     "The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
+                     "whole figure of a lesson, or, for frames, the last step with the flight");
   auto *frame =
       render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0");
   render
@@ -168,7 +168,10 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   return render;
 }
 
-Command finishRender(const Arguments &arguments, bool stepGiven) {
+/// `render` is where the arguments come from.
+Command finishRender(const Arguments &arguments, const CLI::App &render) {
+  const bool stepGiven = render.count("--step") > 0;
+  const bool framesGiven = render.count("--frames") > 0;
   RenderCommand command = arguments.render;
   const auto size = parseSize(arguments.size);
   if (!size)
@@ -181,10 +184,10 @@ Command finishRender(const Arguments &arguments, bool stepGiven) {
     return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames() + ".");
   if (stepGiven && arguments.step < 1)
     return complaint("--step counts from 1.");
-  if (const std::string &frames = arguments.frames.empty() ? arguments.frame : arguments.frames;
-      !frames.empty()) {
+  if (framesGiven || render.count("--frame") > 0) {
+    const std::string &frames = framesGiven ? arguments.frames : arguments.frame;
     command.frames = parseFrames(frames);
-    if (!command.frames || (arguments.frames.empty() && command.frames->first != command.frames->second))
+    if (!command.frames || (!framesGiven && command.frames->first != command.frames->second))
       return complaint(
           "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “" + frames +
           "”.");
@@ -270,7 +273,7 @@ Command parseCommandLine(int argc, const char *const *argv) {
   if (readMesh->parsed())
     return arguments.readMesh;
   if (render->parsed())
-    return finishRender(arguments, render->count("--step") > 0);
+    return finishRender(arguments, *render);
   return arguments.window;
 }
 

@@ -16,7 +16,7 @@ using OwnLessons = std::vector<std::string>;
 struct WindowCommand {
   std::optional<std::string>
       subject;             ///< a lesson's id, its .md file or a .halfspace file; nothing: the first lesson
-  OwnLessons ownLessons{}; ///< none: the folder of the settings
+  OwnLessons ownLessons{}; ///< besides those of the settings
   std::optional<std::string> mesh{}; ///< a file to open in it
 };
 
@@ -60,8 +60,8 @@ struct RenderCommand {
   bool transparent = false;
   bool flat = false; ///< the lesson's flat picture in the place of the one in space
   std::string theme = "light";
-  std::optional<int> step; ///< counted from 1, as the window counts; nothing: the whole figure, or, of
-                           ///< frames, the flight's step
+  std::optional<int> step; ///< counted from 1, as the window counts; nothing: that of a session's file, the
+                           ///< whole figure of a lesson, or, of frames, the flight's step
   std::optional<std::pair<int, int>> frames{}; ///< of the lesson's flight, the first and the last
   std::optional<NumberedFile> numbered{};      ///< instead of the output, for several frames
 };

@@ -54,7 +54,11 @@ int runLessons(const LessonsCommand &command) {
 }
 
 int runNewLesson(const NewLessonCommand &command) {
-  const auto written = writeNewLesson(command.id, std::filesystem::current_path());
+  if (readLessons(lessonsFolder()).find(command.id))
+    return fail({words("A lesson of the program has the id “{id}” already. Give yours its own.",
+                       {{"id", command.id}}),
+                 "", 0, ""});
+  const auto written = writeNewLesson(command.id, {});
   if (!written)
     return fail(written.problem());
   return printOut(words("{file} is written. Try it: halfspace --lessons . {id}",

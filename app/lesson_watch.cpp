@@ -1,7 +1,10 @@
 #include "app/lesson_watch.h"
 
+#include "app/known_file.h"
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson.h"
+
+#include <QFileInfo>
 
 #include <chrono>
 
@@ -36,9 +39,8 @@ void LessonWatch::watch(const std::filesystem::path &file) {
   if (!before.isEmpty())
     m_watcher.removePaths(before);
   // A file that is put in its place is another: the folder tells of it.
-  if (!file.empty())
-    m_watcher.addPaths({QString::fromStdString(file.string()),
-                        QString::fromStdString(std::filesystem::absolute(file).parent_path().string())});
+  if (const auto path = file.empty() ? std::nullopt : absolutePathOf(file))
+    m_watcher.addPaths({*path, QFileInfo(*path).path()});
 }
 
 void LessonWatch::lookAgain() {

@@ -1,5 +1,7 @@
 #include "app/lessons_folder.h"
 
+#include <algorithm>
+
 namespace halfspace {
 
 std::filesystem::path lessonsFolder() {
@@ -8,10 +10,17 @@ std::filesystem::path lessonsFolder() {
   return executable.parent_path().parent_path() / "share" / "halfspace" / "lessons";
 }
 
+bool areOneFolder(const std::filesystem::path &one, const std::filesystem::path &other) {
+  std::error_code error; // where one of them is not there any more
+  return one == other || std::filesystem::equivalent(one, other, error);
+}
+
 LessonLibrary allLessons(const std::vector<std::string> &ownFolders) {
   LessonLibrary library = readLessons(lessonsFolder());
-  for (const std::string &folder : ownFolders)
-    addOwnLessons(library, folder);
+  for (auto folder = ownFolders.begin(); folder != ownFolders.end(); ++folder)
+    if (std::none_of(ownFolders.begin(), folder,
+                     [&](const std::string &before) { return areOneFolder(before, *folder); }))
+      addOwnLessons(library, *folder);
   return library;
 }
 

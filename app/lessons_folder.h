@@ -11,7 +11,10 @@ namespace halfspace {
 /// executable.
 [[nodiscard]] std::filesystem::path lessonsFolder();
 
-/// The lessons of this program, and behind them those of these folders.
+/// Whether both paths lead to one folder.
+[[nodiscard]] bool areOneFolder(const std::filesystem::path &one, const std::filesystem::path &other);
+
+/// The lessons of this program, and behind them those of these folders, each once.
 [[nodiscard]] LessonLibrary allLessons(const std::vector<std::string> &ownFolders);
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/eval_command.h"
+#include "app/last_words.h"
 #include "app/standard_streams.h"
 #include "app/window_command.h"
 
@@ -30,5 +31,10 @@ int run(const Command &command, int argc, char **argv) {
 int main(int argc, char **argv) {
   halfspace::holdStandardStreams();
   std::signal(SIGXFSZ, SIG_IGN); // a file that would be larger than it may be is a failure to be told
-  return run(halfspace::parseCommandLine(argc, argv), argc, argv);
+  try {
+    return run(halfspace::parseCommandLine(argc, argv), argc, argv);
+  } catch (const std::exception &exception) {
+    halfspace::printError(halfspace::lastWordsOn(exception));
+    return halfspace::exitRefused;
+  }
 }

@@ -3,6 +3,7 @@
 #include "app/check.h"
 #include "app/lessons_folder.h"
 #include "app/progress_file.h"
+#include "app/put_aside.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "lessons/term/plain_text.h"
@@ -25,6 +26,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QRandomGenerator>
 #include <QScreen>
@@ -32,6 +34,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -110,7 +113,7 @@ MainWindow::MainWindow(LessonLibrary library)
           [this] { m_card->setSelection(m_scene->selectedCoordinate()); });
 
   connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
-  m_progress = m_keptProgress = readProgress(progressFile());
+  m_progress = m_keptProgress = storedProgress();
   restoreSettings();
   showLesson();
   takeQuestion();
@@ -126,7 +129,7 @@ MainWindow::~MainWindow() {
 }
 
 StepProgress &MainWindow::progress() {
-  return m_progress[{m_model.session().lesson, m_model.session().step}];
+  return m_progress[{m_model.session().lesson, nameOfStep(m_model.lesson(), m_model.session().step)}];
 }
 
 bool MainWindow::isPredicting() { return predictionOf(m_model.step()) && !progress().chosen; }
@@ -136,16 +139,45 @@ bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks
 void MainWindow::takeQuestion() { m_model.setQuestion(isPredicting() ? Question::Open : Question::Answered); }
 
 void MainWindow::chooseOwnLessons() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Folder of your own lessons"), m_ownLessons);
-  if (folder.isEmpty())
-    return;
-  LessonLibrary library = allLessons({folder.toStdString()});
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of your own lessons"),
+                                                           m_ownLessons.value(m_ownLessons.size() - 1));
+  if (!folder.isEmpty())
+    addOwnLessonsOf(folder);
+}
+
+void MainWindow::addOwnLessonsOf(const QString &folder) {
+  if (m_ownLessons.contains(folder))
+    return say(tr("The lessons of %1 are there already.").arg(folder));
+  LessonLibrary library = m_model.library();
+  library.problems.clear();
+  addOwnLessons(library, folder.toStdString());
   const QString problem =
       library.problems.empty() ? QString() : QString::fromStdString(library.problems.front().text());
-  m_ownLessons = folder;
+  m_ownLessons << folder;
+  m_progress = withStepNames(m_progress, library.lessons);
   m_model.setLibrary(std::move(library));
   say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder) : problem);
+}
+
+void MainWindow::removeOwnLessonsOf(const QString &folder) {
+  LessonLibrary library = m_model.library();
+  std::erase_if(library.lessons, [&](const Lesson &lesson) {
+    return areOneFolder(std::filesystem::path(lesson.file).parent_path(), folder.toStdString());
+  });
+  m_ownLessons.removeAll(folder);
+  m_model.setLibrary(std::move(library));
+  say(tr("The lessons of %1 are not in the contents any more. Their files stay.").arg(folder));
+}
+
+void MainWindow::fillOwnLessonsMenu(QMenu &menu) {
+  menu.clear();
+  menu.addAction(tr("&Add a Folder…"), this, &MainWindow::chooseOwnLessons);
+  if (m_ownLessons.isEmpty())
+    return;
+  menu.addSeparator();
+  for (const QString &folder : m_ownLessons)
+    menu.addAction(tr("Remove %1").arg(QString(folder).replace("&", "&&")), this,
+                   [this, folder] { removeOwnLessonsOf(folder); });
 }
 
 void MainWindow::reloadLesson() {
@@ -382,10 +414,25 @@ void MainWindow::dropTyped() {
   m_card->given().dropTyped();
 }
 
+std::optional<Problem> MainWindow::putAsideUnreadable(const Problem &why) {
+  const auto aside = putAside(QString::fromStdString(why.file));
+  if (!aside)
+    return aside.problem();
+  m_putAside << tr("%1 It is put aside as %2.")
+                    .arg(QString::fromStdString(why.text()), QFileInfo(*aside).fileName());
+  printError(m_putAside.last().toStdString());
+  return {};
+}
+
+void MainWindow::tellPutAside() {
+  if (!m_putAside.isEmpty())
+    complain(std::exchange(m_putAside, {}).join("\n"));
+}
+
 void MainWindow::restoreSettings() {
   const auto stored = readSettings(settingsFile());
   if (!stored)
-    say(QString::fromStdString(stored.problem().text()));
+    putAsideUnreadable(stored.problem()); // where it cannot be, it is not written either
   const Settings settings = stored ? *stored : Settings();
   if (!restoreGeometry(settings.window))
     resize((usualSize * settings.sizeScale.value_or(usualSizeScale(*screen())))
@@ -395,6 +442,7 @@ void MainWindow::restoreSettings() {
   m_motion->setChecked(settings.motion);
   m_practice->setUsual(settings.blank);
   m_model.setSnapStep(settings.snapStep);
+  m_model.setSnapping(settings.snapping);
   m_ownLessons = settings.ownLessons;
   m_flat->unfolded().setChecked(settings.flatPicture);
   restoreState(settings.panels);
@@ -408,6 +456,7 @@ void MainWindow::storeSettings() {
   settings.motion = m_motion->isChecked();
   settings.blank = m_practice->usual();
   settings.snapStep = m_model.snapStep();
+  settings.snapping = m_model.isSnapping();
   settings.ownLessons = m_ownLessons;
   settings.flatPicture = m_flat->unfolded().isChecked();
   if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
@@ -417,8 +466,12 @@ void MainWindow::storeSettings() {
   settings.panels = saveState();
   if (m_isSplitChosen)
     settings.split = m_split->saveState();
+  const auto stored = readSettings(settingsFile());
+  auto problem = stored ? std::nullopt : putAsideUnreadable(stored.problem());
+  if (!problem)
+    problem = writeSettings(settings, settingsFile());
   // The window is on its way out: there is nowhere else to say it.
-  if (const auto problem = writeSettings(settings, settingsFile()))
+  if (problem)
     printError(problem->text());
 }
 

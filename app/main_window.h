@@ -55,7 +55,10 @@ public:
   /// Offers unsaved changes to the file that the window began with, and tells where other work waits. For the
   /// event loop: it may ask.
   void offerUnsaved();
-  /// Opens a .halfspace file; on failure says why and leaves the session as it is.
+  /// Tells which files of the program's own could not be read and stand aside. For the event loop: it asks.
+  void tellPutAside();
+  /// Opens a .halfspace file, or the .md file of a lesson; on failure says why and leaves the session as it
+  /// is.
   void openFile(const QString &file);
   /// Reads a mesh beside the window and puts it into the scene; on failure says why and leaves the scene as
   /// it is.
@@ -74,6 +77,10 @@ public:
   /// what is typed and not entered.
   void endWhileBusy();
   void complain(const QString &sentence);
+  /// Adds the lessons of a folder, from now on at every start.
+  void addOwnLessonsOf(const QString &folder);
+  /// Takes them away again; a lesson that is open stays.
+  void removeOwnLessonsOf(const QString &folder);
   void setThemeNamed(const QString &name);
   /// How large type, lines and handles are; within the bounds of size_scale.h.
   void setSizeScale(double scale);
@@ -166,8 +173,8 @@ private:
   void hoverMark(const QString &markId);
   /// The mark under the pointer, and those that the traced number came from.
   void showHighlights();
-  /// Adds the lessons of a folder that the user chooses, from now on at every start.
   void chooseOwnLessons();
+  void fillOwnLessonsMenu(QMenu &menu);
   /// Reads the file of the open lesson once more.
   void reloadLesson();
   void showCase();
@@ -196,6 +203,9 @@ private:
   [[nodiscard]] QString finishInput();
   /// Takes back what is typed and refused, wherever.
   void dropTyped();
+  /// Whether another session may take the place of this one: what is typed is entered, changes are asked
+  /// about.
+  bool mayLeaveSession();
   bool askToKeepChanges();
   bool askToReplace(const KnownFile &file);
   bool askToGoWithout(const QString &refused);
@@ -214,6 +224,10 @@ private:
   /// line says as long as it holds.
   std::optional<Problem> keepOrForget();
   std::optional<Problem> keepProgress();
+  [[nodiscard]] LessonProgress storedProgress();
+  /// Gives a file of the program's own that cannot be read another name, and keeps that to be told; why it
+  /// cannot.
+  std::optional<Problem> putAsideUnreadable(const Problem &why);
   void say(const QString &sentence);
   void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);
@@ -239,7 +253,8 @@ private:
   FlatView *m_flat = nullptr;    ///< in m_frame
   NumberCard *m_card = nullptr;
   LessonWatch m_watch;
-  QString m_ownLessons; ///< the folder of the settings
+  QStringList m_ownLessons; ///< the folders of the settings
+  QStringList m_putAside;   ///< sentences that are to be told
   CaseLine *m_caseLine = nullptr;
   std::optional<NearestSpecialCase> m_nearby; ///< of what the step shows
   QWidget *m_sceneColumn = nullptr;

@@ -63,10 +63,10 @@ Result<std::filesystem::path> writeNewLesson(const std::string &id, const std::f
   const std::string text = "---\nid: " + id + std::string(beginning);
   const std::filesystem::path file = folder / (id + ".md");
   if (const auto lesson = parseLesson(text, file.string()); !lesson || lesson->id != id)
-    return Problem{
-        words("“{id}” cannot be the id of a lesson: it is made of small letters, digits and hyphens.",
-              {{"id", shortened(id)}}),
-        "", 0, ""};
+    return Problem{words("“{id}” cannot be the id of a lesson: it is made of small letters, digits and "
+                         "hyphens, and begins with no hyphen.",
+                         {{"id", shortened(id)}}),
+                   "", 0, ""};
   std::error_code error;
   if (std::filesystem::exists(std::filesystem::symlink_status(file, error)))
     return Problem{words("The file is there already, and stays as it is."), file.string(), 0, ""};

@@ -3,6 +3,7 @@
 #include "app/folders.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
+#include "lessons/words.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -47,16 +48,27 @@ QString progressFile() {
   return folder.isEmpty() ? QString() : folder + "/progress.json";
 }
 
-LessonProgress readProgress(const QString &file) {
+Result<LessonProgress> readProgress(const QString &file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file.toStdString(), error) && !error)
+    return LessonProgress();
   const auto text = readFile(file.toStdString(), maxProgressBytes);
-  return text ? progressFrom(QJsonDocument::fromJson(QByteArray::fromStdString(*text)).array())
-              : LessonProgress();
+  if (!text)
+    return text.problem();
+  const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(*text));
+  if (!json.isArray())
+    return Problem{words("This is damaged: what has been done in the lessons begins anew."),
+                   file.toStdString(), 0, ""};
+  return progressFrom(json.array());
 }
 
 std::optional<Problem> addProgress(const LessonProgress &progress, const QString &file) {
   if (auto problem = makeFolder(QFileInfo(file).path()))
     return problem;
-  const QJsonArray json = toJson(merged(progress, readProgress(file)));
+  const auto before = readProgress(file);
+  if (!before)
+    return before.problem();
+  const QJsonArray json = toJson(merged(progress, *before));
   return writeFile(file.toStdString(), QJsonDocument(json).toJson().toStdString(), Readers::OwnerOnly);
 }
 
@@ -65,7 +77,10 @@ QJsonArray toJson(const LessonProgress &progress) {
   for (const auto &[place, step] : progress) {
     QJsonObject entry = toJson(step);
     entry["lesson"] = QString::fromStdString(place.first);
-    entry["step"] = place.second;
+    entry["step"] = std::visit(
+        Overloaded{[](int number) { return QJsonValue(number); },
+                   [](const std::string &name) { return QJsonValue(QString::fromStdString(name)); }},
+        place.second);
     json.append(entry);
   }
   return json;
@@ -75,8 +90,11 @@ LessonProgress progressFrom(const QJsonArray &json) {
   LessonProgress progress;
   for (const QJsonValue &value : json) {
     const QJsonObject entry = value.toObject();
-    if (entry["lesson"].isString() && entry["step"].isDouble())
-      progress[{entry["lesson"].toString().toStdString(), entry["step"].toInt()}] = stepFrom(entry);
+    const QJsonValue step = entry["step"];
+    if (entry["lesson"].isString() && (step.isString() || step.isDouble()))
+      progress[{entry["lesson"].toString().toStdString(),
+                step.isString() ? StepId(step.toString().toStdString()) : StepId(step.toInt())}] =
+          stepFrom(entry);
   }
   return progress;
 }

@@ -1,6 +1,7 @@
 #include "app/recovery.h"
 
 #include "app/folders.h"
+#include "lessons/files/descriptor.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
 #include "lessons/scene/session_file.h"
@@ -15,6 +16,8 @@
 #include <QLockFile>
 #include <QStandardPaths>
 #include <QUuid>
+
+#include <sys/file.h>
 
 namespace halfspace {
 namespace {
@@ -35,6 +38,21 @@ std::unique_ptr<QLockFile> lockOf(const QString &path) {
   lock->setStaleLockTime(0); // a lock is stale when its program is gone, not when it is old
   return lock;
 }
+
+/// Held by one program at a time, as long as it lives: who looks for leftovers takes their locks for a
+/// moment, and another would take that for a sign of life. Where there is no such folder, or it cannot be
+/// held, nobody waits.
+class FolderTurn {
+public:
+  explicit FolderTurn(const QString &folder)
+      : m_folder(::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (m_folder.isOpen())
+      static_cast<void>(::flock(m_folder.get(), LOCK_EX)); // until it is closed
+  }
+
+private:
+  Descriptor m_folder;
+};
 
 /// Whether a living program holds the lock of a file. (Where no lock can be made, as in a read-only home,
 /// nobody has made one.)
@@ -123,6 +141,7 @@ std::vector<Recovery::Leftover> Recovery::leftovers() const {
   std::vector<Leftover> found;
   if (m_folder.isEmpty())
     return found;
+  const FolderTurn turn(m_folder);
   const auto files = QDir(m_folder).entryInfoList({"*.json"}, QDir::Files, QDir::Time);
   for (const QFileInfo &info : files) {
     const QString path = info.filePath();
@@ -135,6 +154,7 @@ std::vector<Recovery::Leftover> Recovery::leftovers() const {
 }
 
 std::optional<UnsavedWork> Recovery::adopt(const QString &path) {
+  const FolderTurn turn(m_folder);
   auto lock = lockOf(path);
   const bool locked = lock->tryLock(0);
   if (!locked && lock->error() == QLockFile::LockFailedError)

@@ -1,6 +1,7 @@
 // Unsaved work, kept where a killed program cannot lose it.
 #pragma once
 
+#include "app/known_file.h"
 #include "lessons/reading/problem.h"
 #include "lessons/scene/session.h"
 
@@ -15,14 +16,6 @@
 class QLockFile;
 
 namespace halfspace {
-
-/// The file that Save writes, as it was when this program last read or wrote it.
-struct KnownFile {
-  QString path;       ///< absolute
-  std::string text;   ///< what stood in it
-  std::string lesson; ///< the lesson of its session
-  bool operator==(const KnownFile &) const = default;
-};
 
 /// A session that is saved nowhere, and what is needed to go on with it.
 struct UnsavedWork {

@@ -39,6 +39,13 @@ Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSessio
   return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
 }
 
+/// Where somebody had put the camera when the session was saved.
+Camera cameraOf(const ChosenView &chosen) {
+  Camera camera(chosen.view);
+  camera.orthographic = chosen.orthographic;
+  return camera;
+}
+
 /// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
 /// stand where they stand at its beginning.
 struct Setting {
@@ -52,10 +59,19 @@ Setting settingOf(const RenderCommand &command, const OpenedSession &opened) {
   const Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
+  if (opened.session.view)
+    return {stage, cameraOf(*opened.session.view), {}};
   return {stage,
           homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
                    command.size.height / designHeight),
           {}};
+}
+
+/// The step that a session's file was left at; nothing for a lesson, whose whole figure is drawn.
+std::optional<int> stepOfFile(const OpenedSession &opened) {
+  if (!opened.text || !opened.lesson)
+    return {};
+  return std::min(opened.session.step + 1, static_cast<int>(opened.lesson->steps.size()));
 }
 
 /// What is shown of a scene.
@@ -155,6 +171,8 @@ int runRender(RenderCommand command) {
     return fail(*refused);
   if (command.frames && !command.step)
     command.step = stepOfFlight(*opened);
+  if (!command.step)
+    command.step = stepOfFile(*opened);
   const Typesetter typesetter;
   const Setting setting = settingOf(command, *opened);
   if (command.frames) {

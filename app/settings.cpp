@@ -6,6 +6,7 @@
 #include "lessons/words.h"
 
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
@@ -21,6 +22,15 @@ QByteArray bytesIn(const QJsonValue &value) { return QByteArray::fromBase64(valu
 
 QString textOf(const QByteArray &bytes) { return QString::fromLatin1(bytes.toBase64()); }
 
+/// Older programs kept one folder, as a text.
+QStringList foldersIn(const QJsonValue &value) {
+  QStringList folders;
+  for (const QJsonValue &each : value.isArray() ? value.toArray() : QJsonArray{value})
+    if (const QString folder = each.toString(); !folder.isEmpty())
+      folders << folder;
+  return folders;
+}
+
 Settings settingsFrom(const QJsonObject &json) {
   Settings settings;
   settings.theme = json["theme"].toString(settings.theme);
@@ -28,7 +38,7 @@ Settings settingsFrom(const QJsonObject &json) {
   settings.blank = fadingNamed(json["blank"].toString().toStdString()).value_or(settings.blank);
   if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
     settings.sizeScale = scale.toDouble();
-  settings.ownLessons = json["ownLessons"].toString();
+  settings.ownLessons = foldersIn(json["ownLessons"]);
   settings.flatPicture = json["flatPicture"].toBool(settings.flatPicture);
   settings.window = bytesIn(json["window"]);
   settings.panels = bytesIn(json["panels"]);
@@ -36,6 +46,7 @@ Settings settingsFrom(const QJsonObject &json) {
   const auto step = parseRational(json["snapStep"].toString().toStdString());
   if (step && *step > 0)
     settings.snapStep = *step;
+  settings.snapping = json["snapping"].toBool(settings.snapping);
   return settings;
 }
 
@@ -64,12 +75,13 @@ std::optional<Problem> writeSettings(const Settings &settings, const QString &fi
   QJsonObject json{{"theme", settings.theme},
                    {"motion", settings.motion},
                    {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
-                   {"ownLessons", settings.ownLessons},
+                   {"ownLessons", QJsonArray::fromStringList(settings.ownLessons)},
                    {"flatPicture", settings.flatPicture},
                    {"window", textOf(settings.window)},
                    {"panels", textOf(settings.panels)},
                    {"split", textOf(settings.split)},
-                   {"snapStep", QString::fromStdString(toText(settings.snapStep))}};
+                   {"snapStep", QString::fromStdString(toText(settings.snapStep))},
+                   {"snapping", settings.snapping}};
   if (settings.sizeScale)
     json["sizeScale"] = *settings.sizeScale;
   if (auto problem = makeFolder(QFileInfo(file).path()))

@@ -6,7 +6,7 @@
 #include "lessons/reading/problem.h"
 
 #include <QByteArray>
-#include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -19,14 +19,15 @@ struct Settings {
   std::optional<double> sizeScale; ///< nothing: what suits the screen; always finite
   QByteArray window;               ///< size and place, as Qt saves them
   Rational snapStep = 1;           ///< in which handles move
+  bool snapping = true;            ///< they do so when they are dragged
   QByteArray panels;               ///< their arrangement, as Qt saves it
-  QString ownLessons{};            ///< a folder of the user's own lessons; empty for none
+  QStringList ownLessons{};        ///< folders of the user's own lessons
   bool flatPicture = true;         ///< unfolded, where a lesson has one
   QByteArray split;                ///< between scene and page, likewise; empty: as it suits the window
   bool operator==(const Settings &) const = default;
 };
 
-/// Where the settings stand: a file of the user's configuration.
+/// Where the settings stand: a file of the user's configuration; empty where there is none.
 [[nodiscard]] QString settingsFile();
 
 /// The settings of a file. What it does not tell, or tells wrongly, is as usual; a file that is there and

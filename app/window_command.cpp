@@ -1,5 +1,6 @@
 #include "app/window_command.h"
 
+#include "app/application.h"
 #include "app/lessons_folder.h"
 #include "app/main_window.h"
 #include "app/memory.h"
@@ -9,8 +10,6 @@
 #include "app/termination.h"
 #include "lessons/words.h"
 
-#include <QApplication>
-#include <QFileInfo>
 #include <QIcon>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -62,8 +61,9 @@ QIcon programIcon() {
 /// The window on a session. A file that cannot be opened is told about in the window: who clicked on it sees
 /// no terminal.
 int showWindow(LessonLibrary library, const OpenedSession &opened, const std::optional<Problem> &problem,
-               const WindowCommand &command) {
+               const WindowCommand &command, Application &application) {
   MainWindow window(std::move(library));
+  application.setLastDeed([&] { window.endWithoutQuestions(); });
   const Termination termination(
       [&](int signal) {
         window.endWithoutQuestions();
@@ -76,14 +76,14 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   // Not with the last window: a message that comes a moment later must not keep the program alone.
   QApplication::setQuitOnLastWindowClosed(false);
   QObject::connect(&window, &MainWindow::closed, &window, [] { QApplication::exit(); });
-  std::optional<KnownFile> file;
-  if (opened.text)
-    file = {QFileInfo(QString::fromStdString(*command.subject)).absoluteFilePath(), *opened.text,
-            opened.session.lesson};
+  std::optional<KnownFile> file; // of a name that cannot be told: Save asks
+  if (const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt)
+    file = {*path, *opened.text, opened.session.lesson};
   window.startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
   QTimer::singleShot(0, &window, [&] {
+    window.tellPutAside();
     if (problem)
       window.complain(QString::fromStdString(problem->text()));
     if (!command.subject)
@@ -93,17 +93,18 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
     if (command.mesh)
       window.openMesh(QString::fromStdString(*command.mesh));
   });
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  application.setLastDeed({});
+  return status;
 }
 
-/// Those of the command line; without any that of the settings.
+/// Those of the command line, and behind them those of the settings.
 OwnLessons ownLessonsOf(const WindowCommand &command) {
-  if (!command.ownLessons.empty())
-    return command.ownLessons;
-  const auto settings = readSettings(settingsFile());
-  if (!settings || settings->ownLessons.isEmpty())
-    return {};
-  return {settings->ownLessons.toStdString()};
+  OwnLessons folders = command.ownLessons;
+  if (const auto settings = readSettings(settingsFile()))
+    for (const QString &folder : settings->ownLessons)
+      folders.push_back(folder.toStdString());
+  return folders;
 }
 
 } // namespace
@@ -143,13 +144,13 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
 
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
-  const QApplication application(argc, argv);
+  Application application(argc, argv);
   qInstallMessageHandler(usualHandler);
   QApplication::setWindowIcon(programIcon());
   QGuiApplication::setDesktopFileName("halfspace");
   if (const auto missing = checkOpenGL())
     return fail(*missing);
-  return showWindow(std::move(library), *opened, problem, command);
+  return showWindow(std::move(library), *opened, problem, command, application);
 }
 
 } // namespace halfspace

@@ -1,6 +1,7 @@
 // Sessions and pictures in files.
 #include "app/main_window.h"
 #include "app/memory.h"
+#include "app/open_session.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
 #include "lessons/scene/large_meshes.h"
@@ -59,11 +60,16 @@ void MainWindow::startWith(const Session &session, std::optional<KnownFile> file
 }
 
 void MainWindow::openFile(const QString &file) {
-  const auto opened = readSessionFile(file.toStdString());
+  LessonLibrary library = m_model.library();
+  auto opened = openSession(library, file.toStdString());
   if (!opened)
     return complain(QString::fromStdString(opened.problem().text()));
-  startWith(opened->session,
-            KnownFile{QFileInfo(file).absoluteFilePath(), opened->text, opened->session.lesson});
+  std::optional<KnownFile> known;
+  if (opened->text)
+    known = KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson};
+  else
+    m_model.setLibrary(std::move(library)); // with the lesson
+  startWith(opened->session, std::move(known));
 }
 
 bool MainWindow::saveTo(const QString &file) {
@@ -111,12 +117,10 @@ bool MainWindow::saveAs() {
 }
 
 void MainWindow::open() {
-  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
-    return;
-  if (hasChanges() && !askToKeepChanges())
+  if (!mayLeaveSession())
     return;
   const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open session"), {}, tr("Halfspace sessions (*.halfspace)"));
+      QFileDialog::getOpenFileName(this, tr("Open"), {}, tr("Sessions and lessons (*.halfspace *.md)"));
   if (!file.isEmpty())
     openFile(file);
 }

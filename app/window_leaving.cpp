@@ -75,10 +75,27 @@ std::optional<Problem> MainWindow::keepOrForget() {
 std::optional<Problem> MainWindow::keepProgress() {
   if (m_progress == m_keptProgress)
     return {};
+  if (const auto stored = readProgress(progressFile()); !stored)
+    if (auto problem = putAsideUnreadable(stored.problem()))
+      return problem;
   if (auto problem = addProgress(m_progress, progressFile()))
     return problem;
   m_keptProgress = m_progress;
   return {};
+}
+
+LessonProgress MainWindow::storedProgress() {
+  const auto stored = readProgress(progressFile());
+  if (stored)
+    return withStepNames(*stored, m_model.library().lessons);
+  putAsideUnreadable(stored.problem()); // where it cannot be, it is not written either
+  return {};
+}
+
+bool MainWindow::mayLeaveSession() {
+  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+    return false;
+  return !hasChanges() || askToKeepChanges();
 }
 
 bool MainWindow::askToKeepChanges() {
@@ -184,6 +201,8 @@ void MainWindow::endWhileBusy() {
 }
 
 void MainWindow::takeUp(const QString &leftover) {
+  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+    return;
   // What is unsaved here becomes a leftover itself.
   if (const auto problem = keepOrForget())
     return complain(QString::fromStdString(problem->text()));

@@ -72,7 +72,9 @@ void MainWindow::createEditMenu() {
   });
   createCornerItems(menu);
   createMeshItems(menu);
-  createSnapMenu(*menu.addMenu(tr("S&nap To")));
+  QMenu &snap = *menu.addMenu(tr("S&nap To"));
+  snap.setObjectName("snap");
+  createSnapMenu(snap);
 }
 
 /// For a selected corner of a polygon or a prism.
@@ -113,8 +115,10 @@ void MainWindow::createSnapMenu(QMenu &menu) {
   for (const auto &[text, step] : steps) {
     QAction *action = menu.addAction(text);
     action->setCheckable(true);
-    action->setChecked(step == m_model.snapStep());
     group->addAction(action);
+    connect(&menu, &QMenu::aboutToShow, action, [this, action, step = step] {
+      action->setChecked(m_model.isSnapping() && step == m_model.snapStep());
+    });
     connect(action, &QAction::triggered, this, [this, step = step] {
       m_model.setSnapStep(step);
       m_model.setSnapping(true);
@@ -124,6 +128,8 @@ void MainWindow::createSnapMenu(QMenu &menu) {
   nothing->setCheckable(true);
   group->addAction(nothing);
   connect(nothing, &QAction::triggered, this, [this] { m_model.setSnapping(false); });
+  connect(&menu, &QMenu::aboutToShow, nothing,
+          [this, nothing] { nothing->setChecked(!m_model.isSnapping()); });
   menu.addSeparator();
   menu.addAction(tr("Hold Ctrl while dragging for thousandths"))->setEnabled(false);
 }
@@ -230,7 +236,9 @@ void MainWindow::createLessonMenu() {
   addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
   createFlightMenu(menu);
   menu.addSeparator();
-  addItem(menu, tr("Add Your &Own Lessons…"), {}, this, [this] { chooseOwnLessons(); });
+  QMenu &own = *menu.addMenu(tr("Your &Own Lessons"));
+  own.setObjectName("ownLessons");
+  connect(&own, &QMenu::aboutToShow, this, [this, &own] { fillOwnLessonsMenu(own); });
 }
 
 /// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.

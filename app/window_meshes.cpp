@@ -181,10 +181,10 @@ void MainWindow::dropEvent(QDropEvent *event) {
     return;
   event->setDropAction(Qt::CopyAction); // whoever moves deletes the file
   event->accept();
-  if (!file.endsWith(".halfspace", Qt::CaseInsensitive))
+  if (!file.endsWith(".halfspace") && !file.endsWith(".md"))
     return openMesh(file);
   QTimer::singleShot(0, this, [this, file] { // the other program does not wait for questions
-    if (!hasChanges() || askToKeepChanges())
+    if (mayLeaveSession())
       openFile(file);
   });
 }

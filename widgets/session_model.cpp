@@ -84,8 +84,10 @@ void SessionModel::startWith(Session session) {
 void SessionModel::setLibrary(LessonLibrary library) {
   settleGesture();
   const Lesson before = *m_lesson;
-  m_library = std::move(library);
+  // Whoever hears of the history below sees the lesson as it was: the library's own is gone by then.
   m_unknownLesson = before;
+  m_lesson = &m_unknownLesson;
+  m_library = std::move(library);
   const Lesson *now = m_library.find(before.id);
   Session session = m_session;
   if (now && (session.scene == before.scene || !haveSameEntries(now->scene, session.scene)))

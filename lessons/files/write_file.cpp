@@ -1,6 +1,7 @@
 #include "lessons/files/write_file.h"
 
 #include "lessons/files/descriptor.h"
+#include "lessons/files/held_signals.h"
 #include "lessons/words.h"
 
 #include <array>
@@ -144,6 +145,7 @@ void replace(const fs::path &target, const std::optional<struct stat> &old, std:
   const fs::path parent = target.parent_path();
   const Descriptor folder(
       checked(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+  const HeldSignals whole; // who is told to end would leave a file of a strange name behind
   UnfinishedFile unfinished(folder.get(), old || readers == Readers::OwnerOnly ? ownerMode : usualMode);
   unfinished.write(content);
   if (old)

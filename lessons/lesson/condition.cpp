@@ -47,8 +47,10 @@ Result<Condition> parseComparison(std::string_view text) {
       return notAComparison(text);
     if (isOrder(condition.relation) && !number)
       return Problem{
-          words("“{text}” orders a word: < and > compare with a number.", {{"text", shortened(text)}}), "", 0,
-          ""};
+          words("“{text}” orders a word: < and > compare a value with a number, not with a word or another "
+                "value.",
+                {{"text", shortened(text)}}),
+          "", 0, ""};
     return condition;
   }
   return notAComparison(text);

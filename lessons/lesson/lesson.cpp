@@ -83,7 +83,7 @@ Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
   LineScanner lines(block.text, block.firstLine);
   StepNote note;
   while (note.title.empty() && lines.next()) {
-    note.title = trimmed(lines.line());
+    note.title = printable(trimmed(lines.line()));
   }
   addLines(note.words, {std::string(lines.rest()), lines.number() + 1});
   trimEnds(note.words);

@@ -106,7 +106,7 @@ struct StepWords {
 };
 
 /// Worked lines, by their ids: `distance.f`, `f` where only one construction has an f, or `distance.*` for
-/// all of one; empty: all.
+/// all of one; empty: all; `none`: none.
 struct StepLines {
   std::vector<std::string> ids;
   std::vector<int> lines{}; ///< where each of them stands in the file

@@ -180,10 +180,10 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   lesson.id = fields.lessonId("id");
   if (const DocumentNode *id = fields.optional("id"))
     lesson.idLine = id->line;
-  lesson.title = fields.text("title");
+  lesson.title = printable(fields.text("title"));
   lesson.order = fields.integer("order", 0, highestOrder, 0);
   if (fields.optional("chapter"))
-    lesson.chapter = fields.text("chapter");
+    lesson.chapter = printable(fields.text("chapter"));
   if (const DocumentNode *needs = fields.optional("needs"))
     for (const DocumentNode *text : textsIn(*needs, "needs", fields))
       lesson.needs.push_back({text->text, text->line});
@@ -284,8 +284,10 @@ Result<StepLines> readLines(const TextBlock &block, const std::string &file) {
           words("“{text}” cannot be the id of a line: write ids between commas.", {{"text", shortened(id)}}),
           file, lines.lines[i], "lines"};
   if (lines.ids.empty())
-    return Problem{words("No line is named here. Name some, or leave the block out to show all."), file,
-                   block.firstLine, "lines"};
+    return Problem{
+        words("No line is named here. Name some, write none to show none, or leave the block out to show "
+              "all."),
+        file, block.firstLine, "lines"};
   return lines;
 }
 

@@ -58,7 +58,7 @@ std::optional<std::string> stepTitle(std::string_view line) {
   constexpr std::string_view heading = "## ";
   if (!line.starts_with(heading))
     return {};
-  return std::string(trimmed(line.substr(heading.size())));
+  return printable(trimmed(line.substr(heading.size())));
 }
 
 std::string whyNoStep(std::string_view line) {

@@ -7,6 +7,9 @@
 
 namespace halfspace {
 
+/// Stands in a block of lines that shows none, in the place of their ids.
+inline constexpr std::string_view noLines = "none";
+
 /// A text's lines with their numbers, without their ends.
 class LineScanner {
 public:

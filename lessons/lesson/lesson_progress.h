@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace halfspace {
 
@@ -17,8 +18,19 @@ struct StepProgress {
   bool operator==(const StepProgress &) const = default;
 };
 
+/// Which step of a lesson: by its name, so that it stays the same among others that are put before it. Older
+/// files tell its number, counted from 0.
+using StepId = std::variant<std::string, int>;
+
 /// By lesson and step.
-using LessonProgress = std::map<std::pair<std::string, int>, StepProgress>;
+using LessonProgress = std::map<std::pair<std::string, StepId>, StepProgress>;
+
+/// A step's title; where others before it have the same, with their number in a line below.
+[[nodiscard]] std::string nameOfStep(const Lesson &lesson, int step);
+
+/// With names in the place of numbers, as far as these lessons have such steps.
+[[nodiscard]] LessonProgress withStepNames(const LessonProgress &progress,
+                                           const std::vector<Lesson> &lessons);
 
 /// How far a learner has come with a lesson.
 enum class LessonState { New, Begun, Done };

@@ -2,6 +2,7 @@
 
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
+#include "lessons/lesson/lesson_lines.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/number.h"
 #include "lessons/words.h"
@@ -88,15 +89,19 @@ std::string saysNotWhose(const std::string &name, const std::string &first, cons
                {{"name", name}, {"first", first + "." + name}, {"second", second + "." + name}});
 }
 
+bool isNumber(const ValueName &value) {
+  return value.shape == ValueShape::Number || value.shape == ValueShape::Index;
+}
+
 /// Why a value can never be compared like this; empty where it can.
 std::string whyIncomparable(const ValueName &value, const Condition &condition) {
-  const bool isNumber = parseRational(condition.against).has_value();
+  const bool againstNumber = parseRational(condition.against).has_value();
   switch (value.shape) {
   case ValueShape::Number:
   case ValueShape::Index:
-    return isNumber ? std::string()
-                    : words("“{value}” is a number, and never “{against}”.",
-                            {{"value", condition.value}, {"against", condition.against}});
+    return againstNumber ? std::string()
+                         : words("“{value}” is a number, and never “{against}”.",
+                                 {{"value", condition.value}, {"against", condition.against}});
   case ValueShape::List:
     return words("“{value}” has several numbers: name one of them, as {value}.x or {value}.0.",
                  {{"value", condition.value}});
@@ -153,6 +158,8 @@ private:
   }
   void check(const StepCost &cost) { complain(whyNoCrossings(cost.hits), cost.line, "hits"); }
   void check(const StepLines &lines) {
+    if (lines.ids == Names{std::string(noLines)})
+      return;
     for (std::size_t i = 0; i < lines.ids.size(); ++i)
       complain(whyNoLine(lines.ids[i]), lines.lines[i], "lines");
   }
@@ -256,7 +263,12 @@ private:
                                              const Names &bearers, const Names &known) {
     if (bearers.size() > 1)
       return saysNotWhose(name, bearers[0], bearers[1]);
-    return bearers.empty() ? withGuess(sentence, name, known) : std::string();
+    if (!bearers.empty())
+      return {};
+    // Perhaps it is another entry's: d.F where only distance has an F.
+    const std::string own = name.substr(name.rfind('.') + 1);
+    const bool isAnothers = nearestOf(name, known).empty() && std::ranges::find(known, own) != known.end();
+    return withGuess(sentence, isAnothers ? own : name, known);
   }
 
   /// What a name means; or why it means no value, a sentence.
@@ -292,8 +304,13 @@ private:
     const Meant meant = valueOf(condition.value);
     if (!meant.whyNone.empty())
       return meant.whyNone;
-    return meant.value ? whyIncomparable(*meant.value, condition)
-                       : words("No construction of this scene has a case.");
+    if (!meant.value)
+      return words("No construction of this scene has a case.");
+    if (isNumber(*meant.value) && valueOf(condition.against).value)
+      return words(
+          "“{against}” is a value too, and two values are not compared: compare “{value}” with a number.",
+          {{"against", condition.against}, {"value", condition.value}});
+    return whyIncomparable(*meant.value, condition);
   }
 
   [[nodiscard]] std::string whyNotLive(const std::string &name) const {

@@ -4,8 +4,11 @@
 #include "lessons/lesson/lesson_lines.h"
 #include "lessons/lesson/lesson_reader.h"
 #include "lessons/reading/markdown_formulas.h"
+#include "lessons/reading/yaml_hint.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -68,6 +71,16 @@ void addLoneDollars(const LessonWords &piece, const std::string &file, std::vect
   }
 }
 
+/// LaTeX in double quotes may read as YAML all the same: `"\theta"` begins with a tab, `"\frac"` with the end
+/// of a page.
+void addIfEscaped(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
+  const bool isOfYaml = !piece.field.empty() && piece.field != "note";
+  const std::size_t place =
+      std::min(firstNoText(piece.text).value_or(std::string::npos), piece.text.find('\t'));
+  if (isOfYaml && place != std::string::npos)
+    problems.push_back({singleQuotesHint(), file, piece.lineAt(place), piece.field});
+}
+
 } // namespace
 
 std::vector<Problem> problemsWithWords(const Lesson &lesson) {
@@ -78,8 +91,10 @@ std::vector<Problem> problemsWithWords(const Lesson &lesson) {
         LinesCheck(*words, lesson.file, problems).lookThroughStep();
       else if (const auto *note = std::get_if<StepNote>(&block))
         LinesCheck(note->words, lesson.file, problems).lookThroughNote();
-  for (const LessonWords &piece : wordsOf(lesson))
+  for (const LessonWords &piece : wordsOf(lesson)) {
     addLoneDollars(piece, lesson.file, problems);
+    addIfEscaped(piece, lesson.file, problems);
+  }
   return problems;
 }
 

@@ -53,12 +53,13 @@ std::string FieldReader::text(std::string_view key, const std::optional<std::str
 std::string FieldReader::lessonId(std::string_view key) {
   constexpr std::size_t longest = 64;
   std::string id = text(key);
-  const bool good = !id.empty() && id.size() <= longest &&
+  const bool good = !id.empty() && id.size() <= longest && id.front() != '-' &&
                     id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
   if (!good)
     if (const DocumentNode *node = m_node.find(key))
       complain(*node, pathOf(key),
-               words("An id is made of small letters, digits and hyphens, at most {limit}.",
+               words("An id is made of small letters, digits and hyphens, at most {limit}, and begins with "
+                     "no hyphen.",
                      {{"limit", std::to_string(longest)}}));
   return id;
 }

@@ -131,12 +131,18 @@ YamlHint bracketHint(const Bracket &lone) {
 
 } // namespace
 
+std::string singleQuotesHint() {
+  return words("In double quotes a backslash begins a sign of YAML's own: put the text in single quotes.");
+}
+
 YamlHint yamlHint(std::string_view text, std::string_view reason, int line) {
   if (const auto lone = BracketScanner(text).findLone())
     return bracketHint(*lone);
   const auto speaksOf = [&](std::string_view what) { return reason.find(what) != std::string_view::npos; };
   if (speaksOf("map value"))
     return colonHint(text, line);
+  if (speaksOf("escape"))
+    return {singleQuotesHint(), line};
   if (speaksOf("flow"))
     return {words("Perhaps a comma is missing, or the space behind a colon."), line};
   const std::string_view wrong = lineIn(text, line);

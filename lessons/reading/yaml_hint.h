@@ -12,6 +12,9 @@ struct YamlHint {
   int line;
 };
 
+/// What to do about LaTeX in double quotes.
+[[nodiscard]] std::string singleQuotesHint();
+
 /// `reason` is the library's, or ours for what reads as YAML but was hardly meant; `line` is where the
 /// reading stopped.
 [[nodiscard]] YamlHint yamlHint(std::string_view text, std::string_view reason, int line);

@@ -167,11 +167,24 @@ const std::vector<Mistake> &mistakes() {
       {"The program notices", std::string(40, '>') + " The program notices", 34,
        "Lists and quotes are nested too"},
       {"```draw\nF\n", "```draw\nG\n", 41, "draw: There is no mark “G”."},
+      {"```draw\nF\n", "```draw\nplane.F\n", 41, "draw: There is no mark “plane.F”. Perhaps “F” is meant."},
       {"```task", "```tusk", 44, "There is no block “tusk”. Perhaps “task” is meant."},
       {"signed_distance = 6", "signed_distanse = 6", 46,
        "when: There is no value “signed_distanse”. Perhaps “signed_distance” is meant."},
       {"signed_distance = 6", "signed_distance = six", 46,
        "when: “signed_distance” is a number, and never “six”."},
+      {"signed_distance = 6", "signed_distance = length", 46,
+       "when: “length” is a value too, and two values are not compared: compare “signed_distance” with a "
+       "number."},
+      {"signed_distance = 6", "signed_distance < length", 46,
+       "when: “signed_distance < length” orders a word: < and > compare a value with a number, not with a "
+       "word "
+       "or another value."},
+      {"ask: On which side of the plane is $Q$?", "ask: \"On which side of $\\lambda$ is $Q$?\"", 17,
+       "This is not YAML as it should be: unknown escape character: l. In double quotes a backslash begins a "
+       "sign of YAML's own: put the text in single quotes."},
+      {"ask: On which side of the plane is $Q$?", "ask: \"On which side of $\\theta$ is $Q$?\"", 17,
+       "ask: In double quotes a backslash begins a sign of YAML's own: put the text in single quotes."},
       {"signed_distance = 6", "side = upward", 46,
        "when: “side” is never “upward”. It can be: positive, negative, on."},
       {"signed_distance = 6", "signed_distance", 46, "when: “signed_distance” is not a comparison"},
@@ -184,6 +197,15 @@ const std::vector<Mistake> &mistakes() {
        "with and between two. Perhaps “signed_distance > 5.5 and side != on” is meant."},
   };
   return all;
+}
+
+TEST_F(Program, Lines_NamedNone_AreNone_AndPassTheCheck) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  std::string text = contentOf(inFolder("base.md"));
+  text.replace(text.find("f, side"), 7, "none");
+  write("base.md", text);
+  const Ran ran = run("check base.md");
+  EXPECT_EQ(ran.status, 0) << ran.out;
 }
 
 TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) {
@@ -218,8 +240,10 @@ TEST_F(Program, NewLesson_OverAFile_OrWithNoId_IsRefused) {
   write("mine.md", "precious");
   expectRefused("new-lesson mine", "stays as it is");
   EXPECT_EQ(run("check mine.md").status, 1) << "and so it does";
-  for (const std::string bad : {"Mine", "../mine", "a/b", "''", "'a: b'"})
+  for (const std::string bad : {"Mine", "../mine", "a/b", "''", "'a: b'", "-- -x"})
     expectRefused("new-lesson " + bad, "cannot be the id of a lesson");
+  expectRefused("new-lesson signed-distance",
+                "A lesson of the program has the id “signed-distance” already.");
 }
 
 TEST_F(Program, OwnLessons_WithIdsOfOurs_OrInNoFolder_AreToldAndLeftOut) {

@@ -387,6 +387,62 @@ TEST_F(Program, RenderFrame_ThatIsNotThere_IsRefused) {
   expectRefused("render photon-torpedo --frames 3:0 -o %d.png", "--frames");
 }
 
+TEST_F(Program, RenderFrame_ThatIsEmpty_IsRefused) {
+  expectRefused("render photon-torpedo --frames '' -o x%04d.png", "--frames");
+  expectRefused("render photon-torpedo --frame '' -o x%04d.png", "--frame");
+  EXPECT_FALSE(fs::exists(inFolder("x%04d.png")));
+}
+
+TEST_F(Program, RenderOfASessionFile_DrawsItsStepAndItsView) {
+  const std::string begin = R"({"format":"halfspace","version":1,"lesson":"signed-distance","step":)";
+  const std::string scene = R"(,"scene":[{"name":"E","plane":{"P0":["5","4","7"],"n":["1","2","2"]}},
+    {"name":"Q","point":["11","15","8"]},
+    {"name":"distance","construction":"signed-distance","of":{"E":"E","Q":"Q"}}])";
+  write("first.halfspace", begin + "0" + scene + "}");
+  write("third.halfspace", begin + "2" + scene + "}");
+  write("seen.halfspace",
+        begin + "2" + scene + R"(,"view":{"from":[0,0,1],"at":[6,8,4],"height":30,"orthographic":true}})");
+  for (const std::string name : {"first", "third", "seen"})
+    EXPECT_EQ(run("render " + name + ".halfspace --size 160x100 -o " + name + ".png").status, 0);
+  EXPECT_EQ(run("render signed-distance --step 3 --size 160x100 -o step.png").status, 0);
+  EXPECT_EQ(run("render first.halfspace --step 3 --size 160x100 -o asked.png").status, 0);
+  const auto drawn = [this](const std::string &name) { return contentOf(inFolder(name + ".png")); };
+  EXPECT_EQ(drawn("third"), drawn("step"));
+  EXPECT_EQ(drawn("asked"), drawn("step"));
+  EXPECT_NE(drawn("first"), drawn("third"));
+  EXPECT_NE(drawn("seen"), drawn("third"));
+}
+
+TEST_F(Program, InAFolderThatIsGone_DoesWhatCanBeDone_AndEndsInOrder) {
+  const auto ranThere = [this](const std::string &arguments) {
+    return shell("there=$PWD && mkdir gone && cd gone && rmdir ../gone && exec env HOME=/ '" HALFSPACE_PROGRAM
+                 "' " +
+                 arguments + " >$there/.out 2>$there/.err");
+  };
+  EXPECT_EQ(ranThere("lessons").status, 0);
+  const Ran written = ranThere("new-lesson mine");
+  EXPECT_EQ(written.status, 2);
+  EXPECT_EQ(written.err, "halfspace: mine.md: This cannot be written: there is no such folder.\n");
+}
+
+TEST_F(Program, RenderFlatWithoutEnoughMemory_IsRefused) {
+  const Ran ran = shell("ulimit -v 1500000 && exec env HOME=/ '" HALFSPACE_PROGRAM
+                        "' render ray-plane-picture --flat --size 16000x16000 -o a.png >.out 2>.err");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_TRUE(ran.err.ends_with("halfspace: There is not enough memory to go on.\n")) << ran.err;
+}
+
+TEST_F(Program, Eval_OfAPipeThatNobodyWritesTo_SaysThatItWaits_AndAnswersThen) {
+  ASSERT_EQ(mkfifo(inFolder("pipe").c_str(), 0600), 0);
+  const Ran ran = shell("{ '" HALFSPACE_PROGRAM "' eval pipe >.out 2>.err & "
+                        "until grep -q waiting .err 2>/dev/null; do sleep 0.1; done; "
+                        "echo '{}' >pipe; wait $!; }");
+  EXPECT_EQ(ran.status, 1) << ran.err; // a question without a kind
+  EXPECT_EQ(ran.err,
+            "halfspace: pipe: Nothing has come out of this pipe yet: waiting for whoever writes to it.\n");
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+}
+
 TEST_F(Program, RenderSet_DrawsTheChangedScene) {
   EXPECT_EQ(run("render signed-distance -o start.png --size 160x100").status, 0);
   EXPECT_EQ(run("render signed-distance -o again.png --size 160x100").status, 0);

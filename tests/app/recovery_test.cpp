@@ -106,6 +106,25 @@ TEST_F(RecoveryTest, OfAWindowThatIsGone_IsOfferedThoughItsProgramStillLives) {
   EXPECT_EQ(next.leftovers().size(), 1U);
 }
 
+TEST_F(RecoveryTest, LookedForByTwoProgramsAtOnce_IsSeenByBoth) {
+  constexpr int looks = 300;
+  killProgram(startProgram(7));
+  const auto missed = [this] {
+    const Recovery recovery(folder.path());
+    int count = 0;
+    for (int i = 0; i < looks; ++i)
+      count += recovery.leftovers().empty() ? 1 : 0;
+    return count;
+  };
+  const pid_t other = fork();
+  if (other == 0)
+    _exit(missed() == 0 ? 0 : 1);
+  EXPECT_EQ(missed(), 0);
+  int status = -1;
+  waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
 TEST_F(RecoveryTest, Adopted_BelongsToTheNewProgram_UntilThatForgetsIt) {
   killProgram(startProgram(7));
   Recovery recovery(folder.path());

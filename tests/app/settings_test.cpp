@@ -49,7 +49,8 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   settings.sizeScale = 1.75;
   settings.window = QByteArray("\0\xFFgeometry", 10);
   settings.snapStep = Rational(1, 4);
-  settings.ownLessons = "/somewhere/über";
+  settings.snapping = false;
+  settings.ownLessons = QStringList{"/somewhere/über", "/elsewhere"};
   settings.flatPicture = false;
   settings.panels = "panels";
   settings.split = QByteArray("\xFF\0split", 7);
@@ -101,6 +102,12 @@ TEST_F(SettingsFile, WithASnapStepThatIsNone_KeepsTheUsualOne) {
   for (const char *step : {"0", "\"0\"", "\"-1/2\"", "\"1/0\"", "\"fine\"", "null", "[1]"})
     EXPECT_EQ(readFrom(R"({"snapStep":)" + QByteArray(step) + "}"), Settings()) << step;
   EXPECT_EQ(readFrom(R"({"snapStep":"1/10"})").snapStep, Rational(1, 10));
+}
+
+TEST_F(SettingsFile, OfAnOlderProgram_HasItsOneFolderOfLessons) {
+  EXPECT_EQ(readFrom(R"({"ownLessons":"/somewhere"})").ownLessons, QStringList{"/somewhere"});
+  for (const char *folders : {R"("")", "[]", "null", "[\"\", 3]"})
+    EXPECT_TRUE(readFrom(R"({"ownLessons":)" + QByteArray(folders) + "}").ownLessons.isEmpty()) << folders;
 }
 
 TEST_F(SettingsFile, WithOtherFieldsOfTheWrongKind_KeepsTheUsualOnes) {

@@ -276,6 +276,16 @@ TEST_P(EveryCall, WithTheProgramKilledThere_LeavesTheOldOrTheNewWhole) {
   EXPECT_EQ(found, (std::set<std::optional<std::string>>{oldContent(), newContent()}));
 }
 
+TEST_P(EveryCall, WithTheProgramToldToEndThere_LeavesNothingUnfinished) {
+  const auto all = goodCalls();
+  for (std::size_t at = 1; at <= all.size(); ++at) {
+    SCOPED_TRACE(std::to_string(at) + ": " + all[at - 1].text());
+    EXPECT_EQ(saveFailing(at, 0, "end").status, -1);
+    expectOldOrNewWhole();
+    EXPECT_FALSE(leftUnfinished());
+  }
+}
+
 TEST_P(EveryCall, ThatIsInterrupted_IsDoneAgain) {
   const auto all = goodCalls();
   for (std::size_t at = 1; at <= all.size(); ++at) {

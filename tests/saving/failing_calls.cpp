@@ -7,7 +7,8 @@
 //   is for FAILING_AT       the call that fails, counted from 1; without it none does FAILING_ERROR    the
 //   number of the error FAILING_HOW      once: that call alone; onwards: that one and all that follow; half:
 //   that call, a write, takes
-//                    half of its bytes, and the writes that follow fail; kill: SIGKILL in its place
+//                    half of its bytes, and the writes that follow fail; kill: SIGKILL in its place; end:
+//                    SIGTERM before it
 //
 // The program says by countCalls(true) from where on calls are counted.
 #include <cerrno>
@@ -90,6 +91,8 @@ Fate fateOf(const char *call, const Place &place) {
     return Fate::Passes;
   if (how == "kill")
     syscall(SYS_kill, getpid(), SIGKILL);
+  if (how == "end" && seen == at)
+    syscall(SYS_kill, getpid(), SIGTERM);
   if (how == "half" && seen == at)
     return Fate::IsHalfDone;
   const bool follows = how == "onwards" || (how == "half" && std::string_view(call) == "write");

@@ -90,6 +90,28 @@ private slots:
     QVERIFY(!model.history().canUndo());
   }
 
+  void lessonRenewed_whileItsHistoryEnds_isTheLessonOfBeforeToWhoeverLooks() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    Lesson newer = model.lesson();
+    const std::string title = "A title that is too long to stand within its string";
+    newer.title = title;
+    model.renewLesson(newer);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    model.history().setClean();
+    model.undo();
+    int looks = 0;
+    connect(&model.history(), &QUndoStack::cleanChanged, &model, [&] {
+      ++looks;
+      QCOMPARE(model.lesson().title, title);
+    });
+    newer.title = "Another title that is too long to stand within its string";
+    newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
+    model.renewLesson(newer);
+    QCOMPARE(looks, 1);
+    QCOMPARE(model.lesson().title, newer.title);
+  }
+
   void openLesson_thatANewerLibraryLacks_staysOpen() {
     SessionModel model(library());
     model.openLesson("signed-distance");

@@ -32,9 +32,11 @@ constexpr double titleSize = 1.4;
 /// A line of words has at most so many letters: longer ones are hard to follow.
 constexpr int mostLettersInLine = 78;
 
-/// Empty for a lesson of no file.
+/// Empty for a lesson of no file, and where the working folder that its path begins in is gone.
 std::filesystem::path folderOf(const Lesson &lesson) {
-  return lesson.file.empty() ? std::filesystem::path() : std::filesystem::absolute(lesson.file).parent_path();
+  std::error_code error;
+  return lesson.file.empty() ? std::filesystem::path()
+                             : std::filesystem::absolute(lesson.file, error).parent_path();
 }
 
 void setInk(QWidget &widget, Color color) {

@@ -8,6 +8,8 @@
 #include <QImage>
 #include <QPainter>
 
+#include <new>
+
 namespace halfspace {
 namespace {
 
@@ -73,6 +75,8 @@ void FlatPainter::paint(QPainter &painter, const SceneContent &content, const Th
 LabelPicture drawFlat(const SceneContent &content, const Theme &theme, const View &view, bool isTransparent,
                       const Typesetter &typesetter) {
   QImage image(view.size.width, view.size.height, QImage::Format_ARGB32_Premultiplied);
+  if (image.isNull()) // as Qt tells it
+    throw std::bad_alloc();
   image.fill(isTransparent ? Qt::transparent : toQColor(theme.panel));
   QPainter painter(&image);
   FlatPainter(typesetter).paint(painter, content, theme, view);

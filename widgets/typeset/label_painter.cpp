@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <cstring>
+#include <new>
 
 namespace halfspace {
 
@@ -29,6 +30,8 @@ auto qHash(const Label &label) { return ::qHash(label.formula.get()); }
 
 LabelPicture fromImage(const QImage &image) {
   const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
+  if (straight.isNull() && !image.isNull()) // as Qt tells it
+    throw std::bad_alloc();
   LabelPicture picture{straight.width(), straight.height(), {}};
   const auto rowBytes = static_cast<std::size_t>(picture.width) * 4;
   picture.rgba.resize(rowBytes * static_cast<std::size_t>(picture.height));

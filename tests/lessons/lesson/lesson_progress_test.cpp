@@ -22,25 +22,29 @@ LessonState stateWith(const LessonProgress &progress) { return stateOf(someLesso
 
 TEST(LessonStateOf, ALessonWithNothingDone_IsNew) {
   EXPECT_EQ(stateWith({}), LessonState::New);
-  EXPECT_EQ(stateWith({{{"distance", 1}, withTasks({false, false})}}), LessonState::New);
-  EXPECT_EQ(stateWith({{{"distance", 2}, {}}}), LessonState::New);
-  EXPECT_EQ(stateWith({{{"another", 0}, answered("positive")}}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"distance", "Try"}, withTasks({false, false})}}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"distance", "Read"}, {}}}), LessonState::New);
+  EXPECT_EQ(stateWith({{{"another", "Predict"}, answered("positive")}}), LessonState::New);
 }
 
 TEST(LessonStateOf, ALessonWithSomethingLeft_IsBegun) {
-  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}}), LessonState::Begun);
-  EXPECT_EQ(stateWith({{{"distance", 1}, withTasks({true, true})}}), LessonState::Begun);
-  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}, {{"distance", 1}, withTasks({true, false})}}),
+  EXPECT_EQ(stateWith({{{"distance", "Predict"}, answered("positive")}}), LessonState::Begun);
+  EXPECT_EQ(stateWith({{{"distance", "Try"}, withTasks({true, true})}}), LessonState::Begun);
+  EXPECT_EQ(stateWith({{{"distance", "Predict"}, answered("positive")},
+                       {{"distance", "Try"}, withTasks({true, false})}}),
             LessonState::Begun);
-  EXPECT_EQ(stateWith({{{"distance", 0}, answered("positive")}, {{"distance", 1}, withTasks({true})}}),
-            LessonState::Begun); // a task has been added since
+  EXPECT_EQ(
+      stateWith({{{"distance", "Predict"}, answered("positive")}, {{"distance", "Try"}, withTasks({true})}}),
+      LessonState::Begun); // a task has been added since
 }
 
 TEST(LessonStateOf, ALessonWithEveryTaskDoneAndQuestionAnswered_IsDone) {
   for (const char *answer : {"positive", "negative"}) // right or wrong
-    EXPECT_EQ(stateWith({{{"distance", 0}, answered(answer)}, {{"distance", 1}, withTasks({true, true})}}),
+    EXPECT_EQ(stateWith({{{"distance", "Predict"}, answered(answer)},
+                         {{"distance", "Try"}, withTasks({true, true})}}),
               LessonState::Done);
-  EXPECT_EQ(stateWith({{{"distance", 0}, answered("x")}, {{"distance", 1}, withTasks({true, true, false})}}),
+  EXPECT_EQ(stateWith({{{"distance", "Predict"}, answered("x")},
+                       {{"distance", "Try"}, withTasks({true, true, false})}}),
             LessonState::Done); // a task has gone since
 }
 
@@ -50,6 +54,41 @@ TEST(LessonStateOf, ALessonThatAsksForNothing_IsNeverDone) {
   EXPECT_EQ(stateOf(lesson, {}), LessonState::New);
   lesson.steps.clear();
   EXPECT_EQ(stateOf(lesson, {}), LessonState::New);
+}
+
+TEST(LessonStateOf, ALessonThatGotAStepBetween_KeepsWhatWasDoneInTheOthers) {
+  Lesson lesson = someLesson();
+  const LessonProgress progress{{{"distance", nameOfStep(lesson, 0)}, answered("positive")},
+                                {{"distance", nameOfStep(lesson, 1)}, withTasks({true, true})}};
+  lesson.steps.insert(lesson.steps.begin(), {"Before", {StepLines()}});
+  EXPECT_EQ(stateOf(lesson, progress), LessonState::Done);
+}
+
+TEST(NameOfStep, OfStepsWithTheSameTitle_IsAnotherForEach) {
+  Lesson lesson = someLesson();
+  lesson.steps.push_back(lesson.steps.front());
+  lesson.steps.push_back(lesson.steps.front());
+  EXPECT_EQ(nameOfStep(lesson, 0), "Predict");
+  EXPECT_NE(nameOfStep(lesson, 0), nameOfStep(lesson, 3));
+  EXPECT_NE(nameOfStep(lesson, 3), nameOfStep(lesson, 4));
+}
+
+TEST(ProgressWithStepNames, OfAnOlderFile_HasNamesWhereTheLessonsHaveSuchSteps) {
+  const LessonProgress older{{{"distance", 0}, answered("positive")},
+                             {{"distance", 7}, answered("on")},
+                             {{"elsewhere", 0}, withTasks({true})}};
+  const LessonProgress renamed{{{"distance", "Predict"}, answered("positive")},
+                               {{"distance", 7}, answered("on")},
+                               {{"elsewhere", 0}, withTasks({true})}};
+  EXPECT_EQ(withStepNames(older, {someLesson()}), renamed);
+  EXPECT_EQ(withStepNames(renamed, {someLesson()}), renamed);
+}
+
+TEST(ProgressWithStepNames, BesideProgressByName_HasBoth) {
+  const LessonProgress both{{{"distance", 1}, withTasks({false, true})},
+                            {{"distance", "Try"}, withTasks({true, false})}};
+  EXPECT_EQ(withStepNames(both, {someLesson()}),
+            (LessonProgress{{{"distance", "Try"}, withTasks({true, true})}}));
 }
 
 TEST(MergedProgress, HasWhatIsDoneInOneOrTheOther) {

@@ -515,6 +515,31 @@ TEST(StepOf, ALessonThatHasNone_ShowsAllLines) {
   }
 }
 
+TEST(ShownIn, AStepWithNoneOfTheLines_ShowsNone_AndWhatIsGivenAlone) {
+  const auto lesson = parseLesson("---\nid: a\ntitle: A\nscene:\n  - {name: Q, point: [1, 2, 3]}\n---\n"
+                                  "## Read\nWords.\n```lines\nnone\n```\n",
+                                  "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  const Evaluation all = evaluate(test::distanceScene());
+  const Shown shown = shownIn(lesson->steps[0], all);
+  EXPECT_TRUE(shown.working.lines.empty());
+  EXPECT_EQ(shown.linesIn, std::vector<std::size_t>{0});
+  EXPECT_LT(shown.figure.marks.size(), figureOf(all).marks.size());
+  EXPECT_FALSE(shown.figure.marks.empty());
+}
+
+TEST(Lesson, Titles_ThatWouldSteerWhoReadsThem_DoNot) {
+  const auto lesson = parseLesson("---\nid: a\ntitle: \"A\\e[31m\\u202E\"\nchapter: \"C\\u202E\"\nscene:\n"
+                                  "  - {name: Q, point: [1, 2, 3]}\n---\n## S\u202E\n"
+                                  "```note\nN\u202E\nWords.\n```\n",
+                                  "a.md");
+  ASSERT_TRUE(lesson) << lesson.problem().text();
+  EXPECT_EQ(lesson->title, "A\uFFFD[31m\uFFFD");
+  EXPECT_EQ(lesson->chapter, "C\uFFFD");
+  EXPECT_EQ(lesson->steps[0].title, "S\uFFFD");
+  EXPECT_EQ(std::get<StepNote>(lesson->steps[0].blocks.back()).title, "N\uFFFD");
+}
+
 TEST(ShownIn, AStepWithoutLines_ShowsAll) {
   const Evaluation all = evaluate(test::distanceScene());
   const LessonStep step{"", {StepLines()}};

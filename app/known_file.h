@@ -1,0 +1,24 @@
+// The file that a session stands in.
+#pragma once
+
+#include <QString>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace halfspace {
+
+/// The file that Save writes, as it was when this program last read or wrote it.
+struct KnownFile {
+  QString path;       ///< absolute
+  std::string text;   ///< what stood in it
+  std::string lesson; ///< the lesson of its session
+  bool operator==(const KnownFile &) const = default;
+};
+
+/// The path from the root to a file; nothing where none can be told: the working folder is gone, or the path
+/// is not UTF-8. As a QString that would be another file's.
+[[nodiscard]] std::optional<QString> absolutePathOf(const std::filesystem::path &file);
+
+} // namespace halfspace

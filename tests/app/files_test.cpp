@@ -1,0 +1,279 @@
+// What the window does with files: sessions and lessons that are opened and dropped, folders of lessons,
+// settings and progress that cannot be read.
+#include "app/application.h"
+#include "app/known_file.h"
+#include "app/standard_streams.h"
+#include "tests/app/window_fixture.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QUrl>
+
+#include <new>
+
+using namespace halfspace;
+
+namespace {
+
+/// A lesson with one point, and what stands behind that in its scene.
+QByteArray lessonText(const QByteArray &id, const QByteArray &entries = {}) {
+  return "---\nid: " + id + "\ntitle: A lesson of my own, with a long title\nscene:\n" +
+         "  - {name: Q, point: [1, 2, 3]}\n" + entries + "---\n## One\nWords.\n## Two\nMore words.\n";
+}
+
+void writeTo(const QString &file, const QByteArray &text) {
+  QFile written(file);
+  QVERIFY(written.open(QIODevice::WriteOnly));
+  written.write(text);
+}
+
+QByteArray contentOf(const QString &file) {
+  QFile read(file);
+  return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+}
+
+void drop(MainWindow &window, const QString &file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &enter); // else Qt does not know where the drop goes
+  QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &event);
+}
+
+/// Closes the next message box, and keeps what it said.
+class BoxCloser : public QObject {
+public:
+  BoxCloser() {
+    m_timer.setInterval(20);
+    QObject::connect(&m_timer, &QTimer::timeout, this, [this] {
+      if (auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget())) {
+        m_timer.stop();
+        text = box->text();
+        box->reject();
+      }
+    });
+    m_timer.start();
+  }
+  QString text; ///< empty as long as no box was there
+
+private:
+  QTimer m_timer;
+};
+
+/// A menu as it is when it opens.
+QMenu &opened(MainWindow &window, const char *name) {
+  auto *menu = window.findChild<QMenu *>(name);
+  emit menu->aboutToShow();
+  return *menu;
+}
+
+QStringList textsOf(const QMenu &menu) {
+  QStringList texts;
+  for (const QAction *action : menu.actions())
+    if (!action->isSeparator())
+      texts << action->text();
+  return texts;
+}
+
+QStringList tickedIn(const QMenu &menu) {
+  QStringList texts;
+  for (const QAction *action : menu.actions())
+    if (action->isChecked())
+      texts << action->text();
+  return texts;
+}
+
+/// Throws when it is told to.
+class Thrower : public QObject {
+  void customEvent(QEvent *) override { throw std::bad_alloc(); }
+};
+
+} // namespace
+
+class FilesTest : public QObject {
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() { forgetStarts(); }
+
+  void lesson_thatIsOpened_isShown_andReadAnewWhenItsFileGetsAnotherScene() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.md");
+    writeTo(file, lessonText("mine"));
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.window.openFile(file);
+    QCOMPARE(fixture.model().lesson().id, std::string("mine"));
+    QCOMPARE(fixture.window.windowTitle(), QString("A lesson of my own, with a long title[*] — Halfspace"));
+    fixture.scene().selectHandle("Q");
+    QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
+    QVERIFY(fixture.model().isChanged());
+    writeTo(file, lessonText("mine", "  - {name: S, point: [0, 0, 0]}\n"));
+    QTRY_COMPARE(fixture.model().session().scene.entries.size(), 2U);
+    QVERIFY(!fixture.window.isWindowModified());
+    QCOMPARE(fixture.window.windowTitle(), QString("A lesson of my own, with a long title[*] — Halfspace"));
+  }
+
+  void lesson_thatCannotBeRead_isRefusedWithTheReason_andTheSessionStays() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("broken.md");
+    writeTo(file, "---\nid: broken\n---\n");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    const BoxCloser box;
+    fixture.window.openFile(file);
+    QVERIFY2(box.text.contains("broken.md:2: title:"), qPrintable(box.text));
+    QCOMPARE(fixture.model().lesson().id, std::string("signed-distance"));
+  }
+
+  void session_dropped_entersWhatIsTypedBeforeItAsks() {
+    const QTemporaryDir folder;
+    const QString other = folder.filePath("other.halfspace");
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.window.saveTo(other));
+    QVERIFY(fixture.window.saveTo(folder.filePath("mine.halfspace")));
+    NumberField &field = *fixture.field("Q", 0);
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, "3/7");
+    const BoxCloser box; // which keeps the session
+    drop(fixture.window, other);
+    QTRY_VERIFY2(box.text.contains("mine.halfspace"), qPrintable(box.text));
+    QVERIFY(fixture.value("Q").x == Rational(3, 7));
+  }
+
+  void lesson_dropped_isOpened() {
+    const QTemporaryDir folder;
+    writeTo(folder.filePath("mine.md"), lessonText("mine"));
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    drop(fixture.window, folder.filePath("mine.md"));
+    QTRY_COMPARE(fixture.model().lesson().id, std::string("mine"));
+  }
+
+  void foldersOfOwnLessons_areAListThatIsShownAndKept_andEachCanBeRemoved() {
+    const QTemporaryDir first;
+    const QTemporaryDir second;
+    writeTo(first.filePath("one.md"), lessonText("one"));
+    writeTo(second.filePath("two.md"), lessonText("two"));
+    const QString removeFirst = "Remove " + first.path();
+    const QString removeSecond = "Remove " + second.path();
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      fixture.window.addOwnLessonsOf(first.path());
+      fixture.window.addOwnLessonsOf(second.path());
+      QVERIFY(fixture.model().library().find("one") && fixture.model().library().find("two"));
+      QVERIFY(fixture.window.close());
+    }
+    WindowFixture next("signed-distance");
+    QVERIFY(next.ready);
+    QCOMPARE(readSettings(settingsFile())->ownLessons, (QStringList{first.path(), second.path()}));
+    QMenu &menu = opened(next.window, "ownLessons");
+    QCOMPARE(textsOf(menu), (QStringList{"&Add a Folder…", removeFirst, removeSecond}));
+    LessonLibrary library = next.model().library();
+    addOwnLessons(library, first.path().toStdString());
+    next.model().setLibrary(library);
+    menu.actions().at(2)->trigger();
+    QCOMPARE(textsOf(opened(next.window, "ownLessons")), (QStringList{"&Add a Folder…", removeSecond}));
+    QVERIFY(!next.model().library().find("one"));
+    QVERIFY(next.model().library().find("signed-distance"));
+  }
+
+  void snapping_chosen_isThereAndTickedAtTheNextStart_data() {
+    QTest::addColumn<QString>("choice");
+    for (const char *choice : {"Whole numbers", "Quarters", "Nothing (thousandths)"})
+      QTest::newRow(choice) << choice;
+  }
+
+  void snapping_chosen_isThereAndTickedAtTheNextStart() {
+    QFETCH(QString, choice);
+    bool snapping = false;
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      for (QAction *action : opened(fixture.window, "snap").actions())
+        if (action->text() == choice)
+          action->trigger();
+      snapping = fixture.model().isSnapping();
+      QVERIFY(fixture.window.close());
+    }
+    WindowFixture next("signed-distance");
+    QVERIFY(next.ready);
+    QCOMPARE(tickedIn(opened(next.window, "snap")), QStringList{choice});
+    QCOMPARE(next.model().isSnapping(), snapping);
+  }
+
+  void progressAndSettings_thatAreDamaged_arePutAsideAndTold() {
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      fixture.answer(0);
+      QVERIFY(fixture.window.close());
+    }
+    QList<QByteArray> damaged;
+    QStringList aside;
+    for (const QString &file : {settingsFile(), progressFile()}) {
+      damaged << contentOf(file).chopped(3);
+      writeTo(file, damaged.last());
+      aside << QString(file).replace(".json", "-damaged.json");
+      QFile::remove(aside.last());
+    }
+    {
+      WindowFixture fixture("signed-distance");
+      QVERIFY(fixture.ready);
+      const BoxCloser box;
+      fixture.window.tellPutAside();
+      for (const QString &file : aside)
+        QVERIFY2(box.text.contains("put aside as " + QFileInfo(file).fileName()), qPrintable(box.text));
+      fixture.answer(0);
+      QVERIFY(fixture.window.close());
+    }
+    QVERIFY(readSettings(settingsFile()));
+    const auto progress = readProgress(progressFile());
+    QVERIFY(progress && std::any_of(progress->begin(), progress->end(),
+                                    [](const auto &step) { return step.second.chosen.has_value(); }));
+    for (int i = 0; i < aside.size(); ++i) {
+      QCOMPARE(contentOf(aside[i]), damaged[i]);
+      QVERIFY(QFile::remove(aside[i]));
+    }
+  }
+
+  void pathOfAFile_thatNoTextCanTell_isNone() {
+    QCOMPARE(absolutePathOf("/tmp/über.halfspace"), std::optional<QString>("/tmp/über.halfspace"));
+    QCOMPARE(absolutePathOf("/tmp/\xE9t\xE9.halfspace"), std::optional<QString>());
+  }
+
+  void exception_outOfAnEvent_endsTheLoopAfterTheLastDeed() {
+    auto &application = *static_cast<Application *>(qApp);
+    int deeds = 0;
+    application.setLastDeed([&] {
+      ++deeds;
+      throw std::bad_alloc(); // memory has not become more
+    });
+    Thrower thrower;
+    QTimer::singleShot(0, &thrower, [&] {
+      QCoreApplication::postEvent(&thrower, new QEvent(QEvent::User));
+      QCoreApplication::postEvent(&thrower, new QEvent(QEvent::User));
+    });
+    QCOMPARE(QCoreApplication::exec(), exitRefused);
+    QCOMPARE(deeds, 1);
+  }
+};
+
+int main(int argc, char **argv) {
+  Application application(argc, argv);
+  FilesTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "files_test.moc"
