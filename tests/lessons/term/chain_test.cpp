@@ -61,6 +61,12 @@ TEST(Condition, IsDemandedOfItsFirstSideAndTrueOfTheOthers) {
             (std::vector{Relation::Equal, Relation::Unequal}));
 }
 
+TEST(Condition, WithoutAnUnknownThatCouldFulfilIt_IsShownAsFalse) {
+  EXPECT_EQ(plainText(condition(Term(0) == t * 0 + 18)), "0 ≠ t·0 + 18");
+  EXPECT_EQ(condition(Term(0) == t * 0).relations(), std::vector{Relation::Equal});
+  EXPECT_EQ(condition(Term(0) == t + 18).relations(), std::vector{Relation::Equal});
+}
+
 TEST(Compared, WritesTheRelationThatHolds) {
   EXPECT_EQ(plainText(compared(at.f, 0)), "f(Q) > 0");
   EXPECT_EQ(plainText(compared(-1, 0)), "−1 < 0");
