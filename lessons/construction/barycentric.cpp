@@ -81,7 +81,10 @@ std::string locationSentence(const In &in, const Out &at) {
   case FacePart::Outside:
     break;
   }
-  return words("A weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place});
+  const auto &all = at.weighed.weights;
+  return std::count_if(all.begin(), all.end(), [](const Rational &weight) { return weight < 0; }) == 1
+             ? words("One weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place})
+             : words("Two weights are negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place});
 }
 
 CaseWords tell(const In &in, const Out &at) {

@@ -83,8 +83,11 @@ WorkingLine momentLine(const Out &at) {
 
 WorkingLine sameLine(const Out &at) {
   return asked(withProducts(cross(at.N, at.v)),
-               words("{point} is another point of the line, and gives the same moment as {A}.", at.letters,
-                     {{"point", equation(at.N)}}),
+               vectorOf(at.N) == vectorOf(at.A)
+                   ? words("{point} is {A} itself here, so the moment is the same.", at.letters,
+                           {{"point", equation(at.N)}})
+                   : words("{point} is another point of the line, and gives the same moment as {A}.",
+                           at.letters, {{"point", equation(at.N)}}),
                {{cross(at.v, at.N),
                  words("{answer} is the cross product the other way round: begin with the point.")}});
 }

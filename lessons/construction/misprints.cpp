@@ -37,7 +37,7 @@ struct DistanceTerms {
 
 struct Out : Naming, TriangleTerms, RayTerms {
   RayTriangle<Rational> meet;
-  Term u, v, n, d;
+  Term u, v, n, D;
   DistanceTerms distance;
   Term printedPerp, uPerp; ///< (u×v)×u by the printed rule and by the right one
   Term cosine;
@@ -97,7 +97,7 @@ Out compute(const In &in) {
           name(in.own(vectorLetter("u")), perps.u).marked(in.mark("u")),
           name(in.own(vectorLetter("v")), perps.v).marked(in.mark("v")),
           n,
-          name(in.own(letter("d")), offset),
+          name(in.own(letter("D")), offset),
           distanceTermsOf(in, L.Q, n, measurePointPlane(origin, plane), offset),
           name(in.own(vectorLetter("k")), ExactVec3((perps.v - perps.u) * perps.uv)).marked(in.mark("k")),
           name(in.own(perpLetter("u")), perps.uPerp).marked(in.mark("uperp")),
@@ -149,14 +149,14 @@ Claim hitClaim(const Out &at) {
 }
 
 bool facingHolds(const Out &at) { return sign(*numberOf(dot(at.r, at.n))) == -1; }
-bool directionHolds(const Out &at) { return sign(*numberOf(at.d)) == 1; }
+bool directionHolds(const Out &at) { return sign(*numberOf(at.D)) == 1; }
 
 /// The printed lines that say something here, each with whether it holds.
 std::vector<std::pair<const char *, bool>> printedLines(const Out &at) {
   std::vector<std::pair<const char *, bool>> all{{"triple", perpHolds(at)}};
   if (at.hasPlane())
     all.emplace_back("distance", distanceHolds(at));
-  if (at.hasPlane() && !isZeroTerm(at.d))
+  if (at.hasPlane() && !isZeroTerm(at.D))
     all.emplace_back("direction", directionHolds(at));
   if (at.hasAngle())
     all.emplace_back("cosine", collinearClaim(at).holds());
@@ -215,7 +215,7 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   if (at.hasPlane()) {
     values.push_back(listed("printed_f", at.distance.printed));
     values.push_back(listed("f", at.distance.f));
-    values.push_back(listed("d", at.d));
+    values.push_back(listed("D", at.D));
   }
   if (at.hasAngle())
     values.push_back(listed("cos_angle", at.cosine));
@@ -255,19 +255,19 @@ void addDistanceLines(const Out &at, Explanation &lines) {
     return asked(withProducts((at.n == list({own.a, own.b, own.c})) == cross(at.u, at.v)),
                  words("A normal of the triangle's plane, and its three numbers."));
   });
-  lines.add("d", [&] {
-    return asked(withProducts(at.d == dot(at.n, at.P0)), words("The same for every point of the plane."));
+  lines.add("D", [&] {
+    return asked(withProducts(at.D == dot(at.n, at.P0)), words("The same for every point of the plane."));
   });
   lines.add("distance-printed", [&] {
     return line(
-        withNumbers(own.printed == at.d - own.a * own.Qx + own.b * own.Qy + own.c * own.Qz),
+        withNumbers(own.printed == at.D - own.a * own.Qx + own.b * own.Qy + own.c * own.Qz),
         words("As printed. {verdict}", {{"verdict", comparedWords(own.printed, own.f, distanceHolds(at))}}));
   });
   lines.add("distance-right", [&] {
     return asked(withNumbers((own.f == dot(at.n, at.Q - at.P0)) ==
-                             own.a * own.Qx + own.b * own.Qy + own.c * own.Qz - at.d),
+                             own.a * own.Qx + own.b * own.Qy + own.c * own.Qz - at.D),
                  words("Right. Divided by |n|, it is the signed distance."),
-                 {{-own.f, words("{answer} has the wrong sign: it is the printed line d − n·Q, with all its "
+                 {{-own.f, words("{answer} has the wrong sign: it is the printed line D − n·Q, with all its "
                                  "signs.")}});
   });
   lines.add("foot", [&] {
@@ -382,8 +382,8 @@ void addNormalLines(const Out &at, Explanation &lines) {
 }
 
 std::string directionWords(const Out &at) {
-  if (isZeroTerm(at.d))
-    return words("d = 0: the plane goes through O, and there is no way to go.");
+  if (isZeroTerm(at.D))
+    return words("D = 0: the plane goes through O, and there is no way to go.");
   return directionHolds(at)
              ? words("From O to B it is a positive multiple of n. The note says so, and here it is right.")
              : words("From O to B it is a negative multiple of n: the opposite direction. Refuted.");
@@ -407,7 +407,7 @@ Explanation explain(const In &, const Out &at) {
   }
   if (at.hasPlane())
     lines.add("direction", [&at] {
-      return asked(withNumbers(at.B == at.d / dot(at.n, at.n) * at.n), directionWords(at));
+      return asked(withNumbers(at.B == at.D / dot(at.n, at.n) * at.n), directionWords(at));
     });
   return lines;
 }
@@ -485,7 +485,7 @@ ValueName verdict(const char *name) { return named::word(name, {"holds", "fails"
 Construction misprints() {
   return makeConstruction<In, Out, TriangleObject, RayObject>(
       "misprints", {"T", "L"}, {{"I", "point"}},
-      {"u", "v", "n", "d", "a", "b", "c", "Qx", "Qy", "Qz", "h", "f", "F", "k", "θ", "s", "t", "λ", "N", "B"},
+      {"u", "v", "n", "D", "a", "b", "c", "Qx", "Qy", "Qz", "h", "f", "F", "k", "θ", "s", "t", "λ", "N", "B"},
       {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
                  "collinear"},
        .values = {verdict("distance"),
@@ -500,7 +500,7 @@ Construction misprints() {
                   named::vector("u_perp"),
                   named::number("printed_f"),
                   named::number("f"),
-                  named::number("d"),
+                  named::number("D"),
                   named::number("cos_angle"),
                   named::word("location", {"interior", "edge", "vertex", "outside"}),
                   named::index("feature"),
@@ -512,7 +512,7 @@ Construction misprints() {
        .lines = {"u",
                  "v",
                  "normal",
-                 "d",
+                 "D",
                  "distance-printed",
                  "distance-right",
                  "foot",

@@ -1,5 +1,6 @@
 // Which of many triangles a ray hits first: the one with the smallest parameter that is not negative (note
 // PG 7). The ray's parameter is λ here, because s and t belong to the triangles.
+#include "geometry/barycentric.h"
 #include "geometry/case_names.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/fragments.h"
@@ -130,11 +131,62 @@ int tieCount(const Out &at) {
   }));
 }
 
-CaseWords tell(const In &in, const Out &at) {
+bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
+
+/// Whether a ray in the triangle's plane comes through the triangle. Along the ray each corner's weight
+/// changes evenly, and those of inside are never negative: each weight leaves a piece of the ray.
+bool runsThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
+  const auto atStart = barycentricOf(ray.origin, triangle).weights;
+  const auto stepLater = barycentricOf(ExactVec3(ray.origin + ray.direction), triangle).weights;
+  Rational begin;
+  std::optional<Rational> end;
+  for (std::size_t i = 0; i < atStart.size(); ++i) {
+    const Rational slope = stepLater[i] - atStart[i];
+    if (slope == 0 && atStart[i] < 0)
+      return false;
+    if (slope == 0)
+      continue;
+    const Rational zero = -atStart[i] / slope;
+    if (slope > 0)
+      begin = std::max(begin, zero);
+    else
+      end = end ? std::min(*end, zero) : zero;
+  }
+  return !end || begin <= *end;
+}
+
+/// The first of those listed in which the ray runs along; null where there is none.
+const Meeting *runAlong(const In &in, const Out &at) {
+  const auto found = std::find_if(at.listed.begin(), at.listed.end(), [&in](const Meeting &meeting) {
+    return meeting.meet.which == RayTriangleCase::InPlane && runsThrough(in.L.object, meeting.triangle);
+  });
+  return found == at.listed.end() ? nullptr : &*found;
+}
+
+CaseWords tellMiss(const In &in, const Out &at) {
+  if (const Meeting *along = runAlong(in, at))
+    return {"in-plane",
+            words("The ray runs along {fragment}, in its plane: it hits no triangle at a single point.",
+                  {{"fragment", nameOf(in.meshes, along->fragment)}})};
+  return {"miss", areAllListed(at)
+                      ? words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")
+                      : words("No triangle has a hit with λ ≥ 0: the ray hits none at a single point.")};
+}
+
+/// Why the triangle that is looked at is none; empty where it is one.
+std::string chosenWords(const In &in, const Out &at) {
+  const WordValues values{{"i", equation(coordinateTerm(in.i, 0))}, {"count", std::to_string(at.fragments)}};
+  if (!at.chosen)
+    return words("{i} is the number of no triangle: they are numbered from 1 to {count}.", values);
+  return isTriangle(*at.chosen) ? std::string()
+                                : words("{i} is the number of a triangle without an area.", values);
+}
+
+CaseWords tellNearest(const In &in, const Out &at) {
   if (isDegenerate(in))
     return zeroDirectionWords(at);
   if (!at.nearest)
-    return {"miss", words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")};
+    return tellMiss(in, at);
   const int ties = tieCount(at);
   const WordValues found{{"fragment", nameOf(in.meshes, at.nearest->fragment)},
                          {"lambda", equation(at.lambda)},
@@ -149,11 +201,18 @@ CaseWords tell(const In &in, const Out &at) {
   }
 }
 
+CaseWords tell(const In &in, const Out &at) {
+  CaseWords told = tellNearest(in, at);
+  if (const std::string chosen = chosenWords(in, at); !chosen.empty())
+    told.description = words("{told} {chosen}", {{"told", told.description}, {"chosen", chosen}});
+  return told;
+}
+
 std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place); }
 
-std::string wordForFirst(const Out &at) {
+std::string wordForFirst(const In &in, const Out &at) {
   if (!at.nearest)
-    return "none";
+    return runAlong(in, at) ? "in-plane" : "none";
   return at.first.fragments.size() > 1 ? "several" : meshValue(at.nearest->fragment.mesh);
 }
 
@@ -179,7 +238,7 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
   std::vector<NamedValue> values{{"fragments", words("triangles"), static_cast<int>(at.fragments)}};
   if (isDegenerate(in))
     return values;
-  values.push_back({"first", words("first"), wordForFirst(at)});
+  values.push_back({"first", words("first"), wordForFirst(in, at)});
   if (at.nearest) {
     values.push_back({"nearest", words("number of the nearest"), static_cast<int>(at.nearest->number)});
     values.push_back(listed("lambda", at.lambda));
@@ -204,8 +263,6 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
          std::vector<NamedValue>{{"case", words("case"), std::string(nameOf(at.chosen->meet.which))}}});
   return values;
 }
-
-bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
 
 std::vector<MadeObject> make(const In &, const Out &at) {
   std::vector<MadeObject> made;
@@ -242,8 +299,8 @@ WorkingLine orderLine(const Out &at) {
       at.nearest
           ? words("In their order, each with the number of its triangle. The ray stops at the first one "
                   "that is 0 or more.")
-          : words("In their order, each with the number of its triangle. None is 0 or more, so the ray "
-                  "meets nothing."));
+          : words("In their order, each with the number of its triangle. None is 0 or more, so none is a "
+                  "hit."));
 }
 
 /// A corner as the mesh has it, from where the mesh stands.
@@ -368,10 +425,10 @@ Crossings cross(const In &in, const Out &at) {
 
 /// The names of all that it can come to with so many meshes as there may be.
 ConstructionNames names() {
-  std::vector<std::string> firstWords{"none", "several"};
+  std::vector<std::string> firstWords{"none", "several", "in-plane"};
   for (std::size_t i = 0; i < maxListedObjects; ++i)
     firstWords.push_back(meshValue(i));
-  return {.cases = {"hit", "miss", "zero-direction"},
+  return {.cases = {"hit", "miss", "in-plane", "zero-direction"},
           .values = {named::index("fragments"), named::word("first", std::move(firstWords)),
                      named::index("nearest"), named::number("lambda"), named::vector("point"),
                      named::index("hits"), named::index("behind"), named::index("ties"),

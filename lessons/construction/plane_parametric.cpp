@@ -6,6 +6,7 @@
 #include "geometry/project_vector.h"
 #include "lessons/construction/construction.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
@@ -199,7 +200,7 @@ WorkingLine sharesLine(const Out &at) {
 
 WorkingLine normalLine(const Out &at) {
   return asked(withProducts(at.n == cross(at.u, at.v)),
-               at.isDegenerate() ? words("The zero vector: u and v lie along one line and have no normal.")
+               at.isDegenerate() ? crossProductWords(at.n)
                                  : words("Perpendicular to u and to v, so it is a normal of the plane."),
                {{cross(at.v, at.u), words("{answer} is the cross product the other way round: v × u.")}});
 }

@@ -123,8 +123,11 @@ WorkingLine momentLine(const Out &at) {
 }
 
 WorkingLine pointLine(const Out &at) {
-  return asked(withNumbers(at.A == cross(at.v, at.m) / dot(at.v, at.v)),
-               words("The point of the line that is nearest to the origin."));
+  return asked(
+      withNumbers(at.A == cross(at.v, at.m) / dot(at.v, at.v)),
+      isZero(vectorOf(at.m))
+          ? words("The moment is zero: the line goes through the origin, which is its nearest point.")
+          : words("The point of the line that is nearest to the origin."));
 }
 
 WorkingLine angleLine(const Out &at) {

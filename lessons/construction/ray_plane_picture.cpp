@@ -149,8 +149,9 @@ WorkingLine originLine(const Out &at) {
   const int sign = signOf(at.D);
   const std::string way =
       sign > 0 ? words("Positive: the plane lies on that side of the origin to which {n} points.", at.letters)
-      : sign < 0 ? words("Negative: from the origin to the plane you go against {n}.", at.letters)
-                 : words("Zero: the plane passes through the origin.");
+      : sign < 0      ? words("Negative: from the origin to the plane you go against {n}.", at.letters)
+      : at.hasPlane() ? words("Zero: the plane passes through the origin.")
+                      : words("Zero, because {n} is the zero vector: there is no plane.", at.letters);
   return asked(withProducts(at.D == dot(at.P0, at.n)), way);
 }
 
@@ -169,9 +170,10 @@ void addOriginLines(const Out &at, Explanation &lines) {
 
 std::string stepWords(const Out &at) {
   const int sign = at.meet.denominator.sign();
-  return sign > 0   ? words("Positive: each step {r} goes as {n} points.", at.letters)
-         : sign < 0 ? words("Negative: each step {r} goes against {n}.", at.letters)
-                    : words("Zero: no step gains anything along {n}.", at.letters);
+  return sign > 0        ? words("Positive: each step {r} goes as {n} points.", at.letters)
+         : sign < 0      ? words("Negative: each step {r} goes against {n}.", at.letters)
+         : at.hasPlane() ? words("Zero: no step gains anything along {n}.", at.letters)
+                         : words("Zero, because {n} is the zero vector: there is no plane.", at.letters);
 }
 
 void addStepLines(const Out &at, Explanation &lines) {
@@ -196,7 +198,8 @@ void addStartLines(const Out &at, Explanation &lines) {
   lines.add("v0", [&at] {
     return asked(
         withNumbers(at.v0 == at.D - dot(at.n, at.Q)),
-        words("From where {Q} is, along {n}, to where the plane is.", at.letters),
+        at.hasPlane() ? words("From where {Q} is, along {n}, to where the plane is.", at.letters)
+                      : words("Zero, because {n} is the zero vector: there is no plane.", at.letters),
         {{-at.v0, words("{answer} is {n}·{Q} − D, from the plane to {Q}: turn it round.", at.letters)}});
   });
   if (at.hasPlane())
@@ -206,10 +209,17 @@ void addStartLines(const Out &at, Explanation &lines) {
     });
 }
 
+/// Q, A, B and C: flat where Q is on the line from the origin along n, or in the plane.
+bool areCornersOfRectangle(const Out &at) {
+  return vectorOf(at.Q) != vectorOf(at.A) && vectorOf(at.Q) != vectorOf(at.C);
+}
+
 /// The opposite sides of the rectangle, as vectors.
 WorkingLine rectangleLine(const Out &at) {
   return line(withNumbers(at.C - at.Q == at.B - at.A),
-              words("Opposite sides of a rectangle: the same arrow."));
+              areCornersOfRectangle(at)
+                  ? words("Opposite sides of a rectangle: the same arrow.")
+                  : words("The same arrow, though the four points are no corners of a rectangle here."));
 }
 
 void addMeetingLines(const Out &at, Explanation &lines) {
@@ -243,8 +253,7 @@ void addLengthLines(const Out &at, Explanation &lines) {
   lines.add("OB",
             [&at] { return lengthLine(at, at.B, at.D, words("How far the plane is from the origin.")); });
   lines.add("QE", [&at] {
-    return lengthLine(at, at.E - at.Q, at.vd,
-                      words("How much nearer one step comes, or how much farther away."));
+    return lengthLine(at, at.E - at.Q, at.vd, words("How far one step leads along {n}.", at.letters));
   });
   lines.add("QC", [&at] {
     return lengthLine(at, at.C - at.Q, at.v0, words("How far {Q} is from the plane.", at.letters));

@@ -109,14 +109,17 @@ bool isDegenerate(const Out &at) {
   return withoutNormal(at) || at.meetings.front().meet.which == RayPlaneCase::ZeroDirection;
 }
 
-/// The places of all planes that are hit.
-std::vector<std::size_t> hitOf(const Out &at) {
-  std::vector<std::size_t> hit;
+/// The places of all planes that the ray meets in this way.
+std::vector<std::size_t> placesOf(RayPlaneCase which, const Out &at) {
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < at.meetings.size(); ++i)
-    if (at.meetings[i].meet.which == RayPlaneCase::Hit)
-      hit.push_back(i);
-  return hit;
+    if (at.meetings[i].meet.which == which)
+      places.push_back(i);
+  return places;
 }
+
+/// Whether the whole ray lies in one of the planes.
+bool liesInPlane(const Out &at) { return !placesOf(RayPlaneCase::InPlane, at).empty(); }
 
 /// “E and F”, “E, F and G”
 std::string namesOf(const std::vector<std::size_t> &places, const Out &at) {
@@ -129,6 +132,23 @@ std::string namesOf(const std::vector<std::size_t> &places, const Out &at) {
   return all;
 }
 
+/// Of a ray that hits one plane or several.
+std::string hitWords(const Out &at) {
+  const std::string t = equation(firstMeeting(at)->t);
+  const std::vector<std::size_t> hit = placesOf(RayPlaneCase::Hit, at);
+  if (hit.size() == 1) {
+    const WordValues only{{"t", t}, {"plane", firstMeeting(at)->name}};
+    return liesInPlane(at) ? words("{t}: the ray hits {plane}, and no other plane at a single point.", only)
+                           : words("{t}: the ray hits {plane} and no other plane.", only);
+  }
+  if (at.first.size() > 1)
+    return words("{planes} have the same parameter, {t}: the ray hits them at one point.",
+                 {{"planes", namesOf(at.first, at)}, {"t", t}});
+  // Which of them first is the learner's to find.
+  return words("The ray hits {planes}. The smallest of their parameters tells which comes first.",
+               {{"planes", namesOf(hit, at)}});
+}
+
 CaseWords tell(const In &, const Out &at) {
   if (const Meeting *none = withoutNormal(at))
     return {std::string(nameOf(RayPlaneCase::ZeroNormal)),
@@ -137,19 +157,19 @@ CaseWords tell(const In &, const Out &at) {
             true};
   if (isDegenerate(at))
     return zeroDirectionWords(at);
-  if (at.first.empty())
-    return {"miss", words("None of the parameters is 0 or more: the ray meets no plane ahead of it.")};
-  const std::string t = equation(firstMeeting(at)->t);
-  const std::vector<std::size_t> hit = hitOf(at);
-  if (hit.size() == 1)
-    return {"hit", words("{t}: the ray hits {plane} and no other plane.",
-                         {{"t", t}, {"plane", firstMeeting(at)->name}})};
-  if (at.first.size() > 1)
-    return {"hit", words("{planes} have the same parameter, {t}: the ray hits them at one point.",
-                         {{"planes", namesOf(at.first, at)}, {"t", t}})};
-  // Which of them first is the learner's to find.
-  return {"hit", words("The ray hits {planes}. The smallest of their parameters tells which comes first.",
-                       {{"planes", namesOf(hit, at)}})};
+  const std::vector<std::size_t> inside = placesOf(RayPlaneCase::InPlane, at);
+  if (inside.empty())
+    return at.first.empty()
+               ? CaseWords{"miss",
+                           words("None of the parameters is 0 or more: the ray meets no plane ahead of it.")}
+               : CaseWords{"hit", hitWords(at)};
+  const std::string planes = namesOf(inside, at);
+  return at.first.empty()
+             ? CaseWords{"in-plane",
+                         words("The whole ray lies in {planes}. It hits no plane at a single point.",
+                               {{"planes", planes}})}
+             : CaseWords{"hit", words("The whole ray lies in {planes}. {hit}",
+                                      {{"planes", planes}, {"hit", hitWords(at)}})};
 }
 
 std::string planeValue(std::size_t place) { return "plane" + std::to_string(place); }
@@ -165,7 +185,7 @@ std::vector<NamedValue> valuesOfPlane(const Meeting &meeting) {
 
 std::string wordForFirst(const Out &at) {
   if (at.first.empty())
-    return "none";
+    return liesInPlane(at) ? "in-plane" : "none";
   return at.first.size() > 1 ? "several" : planeValue(at.first.front());
 }
 
@@ -240,6 +260,14 @@ WorkingLine parameterLine(const Meeting &meeting) {
        {-rest, words("{answer} is not divided yet by the number before t.")}});
 }
 
+std::string orderWords(const Out &at) {
+  if (!at.first.empty())
+    return words("In their order. The first one that is 0 or more tells what the ray hits first.");
+  return liesInPlane(at)
+             ? words("In their order. None is 0 or more, so the ray hits no plane at a single point.")
+             : words("In their order. None is 0 or more, so the ray meets no plane.");
+}
+
 /// The parameters and 0 in their order, each compared with the next.
 WorkingLine orderLine(const Out &at) {
   std::vector<const Meeting *> crossed;
@@ -259,10 +287,7 @@ WorkingLine orderLine(const Out &at) {
   order.reserve(parameters.size());
   for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
     order.push_back(compared(parameters[i], parameters[i + 1]));
-  return line(std::move(order),
-              at.first.empty()
-                  ? words("In their order. None is 0 or more, so the ray meets no plane.")
-                  : words("In their order. The first one that is 0 or more tells what the ray meets first."));
+  return line(std::move(order), orderWords(at));
 }
 
 WorkingLine hitLine(const Out &at) {
@@ -370,11 +395,11 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
 
 /// The names of all that it can come to with so many planes as there may be.
 ConstructionNames names() {
-  ConstructionNames all{.cases = {"hit", "miss", "zero-direction", "zero-normal"},
+  ConstructionNames all{.cases = {"hit", "miss", "in-plane", "zero-direction", "zero-normal"},
                         .values = {},
                         .lines = {"ray", "order", "hit"},
                         .marks = {"H"}};
-  std::vector<std::string> firstWords{"none", "several"};
+  std::vector<std::string> firstWords{"none", "several", "in-plane"};
   std::vector<ValueName> planes;
   for (std::size_t i = 0; i < maxListedObjects; ++i) {
     const std::string place = std::to_string(i);

@@ -7,6 +7,7 @@
 #include "lessons/construction/product_signs.h"
 #include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
@@ -153,11 +154,16 @@ std::string notConvexWords(const In &in, const Out &at) {
       if (places[i] == places[k])
         return words("{first} and {second} are the same point: the polygon has a corner too many.",
                      {{"first", plainText(at.corner(i))}, {"second", plainText(at.corner(k))}});
+  if (count == 3)
+    return words("{first}, {second} and {third} lie on one line: this is no triangle.",
+                 {{"first", plainText(at.corner(0))},
+                  {"second", plainText(at.corner(1))},
+                  {"third", plainText(at.corner(2))}});
   for (std::size_t i = 0; i < count; ++i) {
     const ExactVec3 &corner = places[(i + 1) % count];
     if (isZero(cross(corner - places[i], places[(i + 2) % count] - corner)))
       return words(
-          "{first}, {corner} and {last} lie on one line, so {corner} is no corner. Drag it outwards.",
+          "{first}, {corner} and {last} lie on one line, so {corner} is no corner of a convex polygon.",
           {{"first", plainText(at.corner(i))},
            {"corner", plainText(at.corner(i + 1))},
            {"last", plainText(at.corner(i + 2))}});
@@ -239,6 +245,8 @@ WorkingLine momentLine(const Term &moment, const Term &point, const Term &direct
                  words("{answer} is the cross product the other way round: begin with the point.")}});
 }
 
+bool hasNoDirection(const Out &at) { return isZero(vectorOf(at.r)); }
+
 std::string signWords(const Out &at, std::size_t index) {
   const Rational &product = at.meet.products[index];
   const WordValues edge{{"r", plainText(at.r)}, {"edge", at.edgeNamed(index)}};
@@ -247,7 +255,8 @@ std::string signWords(const Out &at, std::size_t index) {
                  edge);
   if (product < 0)
     return words("Negative: with {r} pointing at you, the edge {edge} goes clockwise around the ray.", edge);
-  return words("Zero: the ray and the edge {edge} lie in one plane.", edge);
+  const std::string reason = withoutDirectionWords(at.r, at.edges[index].e);
+  return reason.empty() ? words("Zero: the ray and the edge {edge} lie in one plane.", edge) : reason;
 }
 
 WorkingLine productLine(const Out &at, std::size_t index) {
@@ -279,6 +288,8 @@ void addEdgeLines(const Out &at, std::size_t index, Explanation &lines) {
 
 std::string commonSignWords(const Out &at) {
   const ProductSigns signs = signsOf(at.meet.products);
+  if (hasNoDirection(at))
+    return words("All are 0, because {r} is the zero vector: there is no line.", at.letters);
   if (!at.isConvex())
     return words("The signs say which way the ray passes each edge. They decide for a flat, convex polygon "
                  "only.");
@@ -296,19 +307,25 @@ WorkingLine signsLine(const Out &at) {
   return line(std::move(products), commonSignWords(at));
 }
 
-WorkingLine sumLine(const Out &at) {
-  return asked(withNumbers(at.S == sumOf(at.edges)),
-               sign(*numberOf(at.S)) == 0
-                   ? words("Zero: the ray crosses the polygon's plane nowhere, or runs inside it.")
-                   : words("All products together."));
+std::string sumWords(const Out &at) {
+  if (sign(*numberOf(at.S)) != 0)
+    return words("All products together.");
+  if (hasNoDirection(at))
+    return words("Zero, because {r} is the zero vector: there is no ray.", at.letters);
+  return at.isConvex() ? words("Zero: the ray crosses the polygon's plane nowhere, or runs inside it.")
+                       : words("Zero: the products alone do not tell why.");
 }
+
+WorkingLine sumLine(const Out &at) { return asked(withNumbers(at.S == sumOf(at.edges)), sumWords(at)); }
 
 void addPlaneLines(const Out &at, Explanation &lines) {
   lines.add("normal", [&at] {
     const Term &first = at.edges[0].e;
     const Term &second = at.edges[1].e;
     return asked(withProducts(at.n == cross(first, second)),
-                 words("Two edges of the polygon give a normal of its plane."),
+                 isZero(vectorOf(at.n))
+                     ? words("The zero vector: the two edges lie along one line, and give no normal.")
+                     : words("Two edges of the polygon give a normal of its plane."),
                  {{cross(second, first), words("{answer} is the cross product the other way round.")}});
   });
   if (!at.meet.crosses())

@@ -8,6 +8,7 @@
 #include "lessons/construction/name_rows.h"
 #include "lessons/construction/shifted_ray.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
@@ -156,13 +157,24 @@ Out compute(const In &in) {
 
 bool isAhead(const Contact &contact) { return contact.crossing.t >= 0; }
 
+/// The face where the line goes in or comes out, or the edge or corner of it.
+std::string placeWords(const Contact &contact, const Out &at) {
+  const std::size_t face = contact.crossing.face;
+  const WordValues values{{"face", at.faceNames[face]}};
+  if (contact.part == FacePart::Interior)
+    return at.faceNames[face];
+  if (contact.part == FacePart::Vertex)
+    return words("a corner of {face}", values);
+  const auto shared = std::find_if(at.edges.begin(), at.edges.end(), [face](const EdgeTerms &edge) {
+    return (edge.face == face || edge.opposite == face) && edge.product == 0;
+  });
+  const std::size_t other = shared->face == face ? shared->opposite : shared->face;
+  return words("the edge of {face} and {other}", values, {{"other", at.faceNames[other]}});
+}
+
 WordValues contactWords(const Out &at) {
-  return {{"Q", plainText(at.Q)},
-          {"in", at.faceNames[at.in().crossing.face]},
-          {"out", at.faceNames[at.out().crossing.face]},
-          {"t1", equation(at.in().t)},
-          {"t2", equation(at.out().t)},
-          {"H1", plainText(at.in().H)},
+  return {{"Q", plainText(at.Q)},       {"in", placeWords(at.in(), at)}, {"out", placeWords(at.out(), at)},
+          {"t1", equation(at.in().t)},  {"t2", equation(at.out().t)},    {"H1", plainText(at.in().H)},
           {"H2", plainText(at.out().H)}};
 }
 
@@ -301,7 +313,8 @@ std::string signWords(const Out &at, const EdgeTerms &edge) {
                  values);
   if (edge.product < 0)
     return words("Negative: with {r} pointing at you, the edge goes clockwise around the ray.", values);
-  return words("Zero: the ray and the edge lie in one plane.");
+  const std::string reason = withoutDirectionWords(at.r, edge.e);
+  return reason.empty() ? words("Zero: the ray and the edge lie in one plane.") : reason;
 }
 
 WorkingLine productLine(const Out &at, const EdgeTerms &edge) {
@@ -364,15 +377,25 @@ std::string faceWords(const Out &at, std::size_t face, const std::vector<Term> &
     return std::any_of(products.begin(), products.end(),
                        [&](const Term &product) { return sign(*numberOf(product)) == wanted; });
   };
-  const WordValues values{{"face", at.faceNames[face]}};
+  const WordValues values{{"face", at.faceNames[face]}, {"r", plainText(at.r)}};
   if (!at.isConvex())
     return words("These are the products of {face}. They decide for a convex solid only.", values);
+  if (at.meet.which == RaySolidCase::ZeroDirection)
+    return words("All are 0, because {r} is the zero vector: there is no line.", values);
   if (hasSign(1) && hasSign(-1))
     return words("Both signs are there: the line misses {face}.", values);
   if (!hasSign(1) && !hasSign(-1))
     return words("All are 0: the line runs in the plane of {face}.", values);
-  if (at.meet.contacts != SolidContacts::Two)
-    return words("No two differ in sign: the line touches {face} at its border.", values);
+  if (at.meet.contacts == SolidContacts::One)
+    return words(
+        "No two differ in sign. But the line only touches the solid, in one point, which lies on the "
+        "border of {face}: it goes neither in nor out.",
+        values);
+  if (at.meet.contacts == SolidContacts::Along)
+    return words(
+        "No two differ in sign. But the line runs along the surface of the solid, and meets {face} at "
+        "its border: it goes neither in nor out.",
+        values);
   return hasSign(1) ? words("None is negative: the line comes out through {face}.", values)
                     : words("None is positive: the line goes in through {face}.", values);
 }

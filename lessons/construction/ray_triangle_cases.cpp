@@ -68,6 +68,10 @@ std::string placeWords(const FaceLocation &location, const TriangleTerms &corner
 
 std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners) {
   const auto &[p0, p1, p2] = triangle;
+  if (p0 == p1 && p0 == p2)
+    return words("{first}, {second} and {third} are the same point", {{"first", plainText(corners.P0)},
+                                                                      {"second", plainText(corners.P1)},
+                                                                      {"third", plainText(corners.P2)}});
   const Term &first = p0 == p1 || p0 == p2 ? corners.P0 : corners.P1;
   const Term &second = p0 == p1 ? corners.P1 : corners.P2;
   return words("{first} and {second} are the same point",

@@ -6,6 +6,7 @@
 #include "lessons/construction/construction.h"
 #include "lessons/construction/ray_triangle_cases.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
@@ -151,7 +152,7 @@ void addSideLines(const Out &at, Explanation &lines) {
                  words("Two sides of the triangle, both from {P0}.", at.letters));
   });
   lines.add("normal", [&] {
-    return asked(withProducts(at.n == cross(u, v)), words("Perpendicular to both sides."),
+    return asked(withProducts(at.n == cross(u, v)), crossProductWords(at.n),
                  {{cross(v, u), words("{answer} is the cross product the other way round: v × u.")}});
   });
   lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
@@ -162,11 +163,11 @@ void addSideLines(const Out &at, Explanation &lines) {
   });
   lines.add("uperp", [&] {
     return asked(withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u),
-                 words("u perp: in the plane of the triangle and perpendicular to u."));
+                 perpWords(at.uPerp, words("u perp: in the plane of the triangle and perpendicular to u.")));
   });
   lines.add("vperp", [&] {
     return asked(withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u),
-                 words("v perp likewise: perpendicular to v."));
+                 perpWords(at.vPerp, words("v perp likewise: perpendicular to v.")));
   });
 }
 
@@ -230,16 +231,32 @@ WorkingLine placeLine(const Out &at) {
             {{"place", placeWords(at.meet.location, at)}}));
 }
 
+/// Where one of the triangles has no corners of its own, they have no shape.
+std::string similarWords(const Out &at) {
+  const WordValues points{{"P0", plainText(at.P0)},
+                          {"P2", plainText(at.P2)},
+                          {"A", plainText(at.A)},
+                          {"B", plainText(at.B)},
+                          {"C", plainText(at.C)}};
+  if (at.meet.tTriangle == 0)
+    return words("t is 0: {A} and {C} are {P0} itself, and there is no triangle {P0}{A}{C}.", points);
+  if (at.meet.perps.uv == 0)
+    return words(
+        "u and v are perpendicular: {B} is {P2} itself and {A} is {C}, so the triangles are flat. Along "
+        "u⊥, t·v is to v as a is to b all the same.",
+        points);
+  return words("The right triangles {P0}{A}{C} and {P0}{B}{P2} have the same shape, so t·v is to v as a is "
+               "to b. The length of u⊥ stands in both and cancels.",
+               points);
+}
+
 /// Figure 4 of the note.
 WorkingLine similarLine(const Out &at) {
   const Term part = at.a / at.b;
-  return line(
-      ((at.t * at.v).marked(at.C->mark) == part * at.v)
-          .then(numbersPutIn(part) * at.v)
-          .then(multipleOf(part, at.v)),
-      words("The right triangles {P0}{A}{C} and {P0}{B}{P2} have the same shape, so t·v is to v as a is "
-            "to b. The length of u⊥ stands in both and cancels.",
-            at.letters, {{"A", plainText(at.A)}, {"B", plainText(at.B)}, {"C", plainText(at.C)}}));
+  return line(((at.t * at.v).marked(at.C->mark) == part * at.v)
+                  .then(numbersPutIn(part) * at.v)
+                  .then(multipleOf(part, at.v)),
+              similarWords(at));
 }
 
 void addShareLines(const Out &at, Explanation &lines) {

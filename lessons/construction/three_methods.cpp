@@ -9,6 +9,7 @@
 #include "lessons/construction/product_signs.h"
 #include "lessons/construction/ray_triangle_cases.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
@@ -216,7 +217,7 @@ Step crossStep(const char *line, const Term &product, const Term &a, const Term 
 void addPerpSteps(const Out &at, std::vector<Step> &steps) {
   const auto &[n, uPerp, vPerp, G, w] = at.first;
   const auto &[u, v] = std::pair(at.u, at.v);
-  steps.push_back(crossStep("normal", n, u, v, words("Perpendicular to both sides.")));
+  steps.push_back(crossStep("normal", n, u, v, crossProductWords(n)));
   steps.push_back({"perp-lambda",
                    at.lambda == startToPlane(at) / alongNormal(at),
                    words("First the plane: so many steps {r} lead from {Q} to it.", at.letters),
@@ -536,12 +537,12 @@ void addPerpVectors(const Out &at, Explanation &lines) {
   lines.add("uperp", [&at] {
     return asked(withNumbers((at.first.uPerp == cross(at.first.n, at.u)) ==
                              dot(at.u, at.u) * at.v - dot(at.u, at.v) * at.u),
-                 words("In the triangle's plane, perpendicular to u."));
+                 perpWords(at.first.uPerp, words("In the triangle's plane, perpendicular to u.")));
   });
   lines.add("vperp", [&at] {
     return asked(withNumbers((at.first.vPerp == cross(at.first.n, at.v)) ==
                              dot(at.u, at.v) * at.v - dot(at.v, at.v) * at.u),
-                 words("Likewise, perpendicular to v."));
+                 perpWords(at.first.vPerp, words("Likewise, perpendicular to v.")));
   });
 }
 

@@ -68,11 +68,11 @@ CaseWords tell(const In &in, const Out &at) {
         hits(at)
             ? words("{lambda}: the torpedo is not fired yet. What it will hit, and when, is known already.",
                     now)
-            : words("{lambda}: the torpedo is not fired yet. It will hit nothing.", now)};
+            : words("{lambda}: the torpedo is not fired yet. It will not explode.", now)};
   return {"flying",
           hits(at)
               ? words("The torpedo flies, at {lambda}. What it will hit, and when, is known already.", now)
-              : words("The torpedo flies, at {lambda}, and will hit nothing.", now)};
+              : words("The torpedo flies, at {lambda}, and will not explode.", now)};
 }
 
 std::vector<NamedValue> valuesOf(const In &in, const Out &at) {

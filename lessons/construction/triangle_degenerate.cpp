@@ -3,6 +3,7 @@
 #include "lessons/construction/construction.h"
 #include "lessons/construction/ray_triangle_cases.h"
 #include "lessons/construction/worked_lines.h"
+#include "lessons/construction/zero_vectors.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/object/triangle.h"
@@ -65,8 +66,6 @@ Out compute(const In &in) {
 
 /// What is wrong with the corners, as the end of a sentence.
 std::string faultWords(const In &in, const Out &at) {
-  if (at.same == "all")
-    return words("{P0}, {P1} and {P2} are the same point", at.letters);
   return at.same == "none" ? words("{P0}, {P1} and {P2} lie on one line", at.letters)
                            : coincidentWords(in.T.object, at);
 }
@@ -111,10 +110,7 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
 std::vector<MadeObject> make(const In &, const Out &) { return {}; }
 
 WorkingLine normalLine(const Out &at) {
-  return asked(withProducts(at.n == cross(at.u, at.v)),
-               at.isTriangle()
-                   ? words("Perpendicular to both sides.")
-                   : words("The zero vector: u and v lie along one line, or one of them is zero itself."),
+  return asked(withProducts(at.n == cross(at.u, at.v)), crossProductWords(at.n),
                {{cross(at.v, at.u), words("{answer} is the cross product the other way round: v × u.")}});
 }
 

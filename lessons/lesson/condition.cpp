@@ -221,8 +221,7 @@ std::string rightChoice(const Prediction &prediction, const Evaluation &evaluati
   const auto choice = std::find_if(prediction.choices.begin(), prediction.choices.end(), fits);
   if (choice != prediction.choices.end())
     return choice->word;
-  const bool isCovered = findValue(evaluation, prediction.value) &&
-                         std::any_of(prediction.choices.begin(), prediction.choices.end(),
+  const bool isCovered = std::any_of(prediction.choices.begin(), prediction.choices.end(),
                                      [](const Prediction::Choice &each) { return each.word == otherwise; });
   return isCovered ? otherwise : std::string();
 }

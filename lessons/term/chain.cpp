@@ -22,6 +22,13 @@ std::optional<bool> comeToTheSame(const Term &a, const Term &b) {
   return a->value && b->value ? areEqual(*a->value, *b->value) : std::optional(false);
 }
 
+/// Of two sides that are equal by demand: false where no unknown is left that could fulfil it.
+std::optional<bool> canBeTheSame(const Term &a, const Term &b) {
+  const Term difference = a - b;
+  const Real *left = numberOf(difference);
+  return left ? areEqual(*left, Real(0)) : std::optional(true);
+}
+
 } // namespace
 
 std::vector<Relation> Chain::relations() const {
@@ -35,7 +42,8 @@ std::vector<Relation> Chain::relations() const {
       relations.push_back(comparisonOf(m_sides[0], m_sides[1]));
       continue;
     }
-    const auto same = i == first ? std::optional(true) : comeToTheSame(m_sides[first], m_sides[i]);
+    const auto same =
+        i == first ? canBeTheSame(m_sides[0], m_sides[i]) : comeToTheSame(m_sides[first], m_sides[i]);
     relations.push_back(same == false      ? Relation::Unequal
                         : rounded || !same ? Relation::Approximately
                                            : Relation::Equal);

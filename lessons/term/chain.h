@@ -12,7 +12,7 @@ enum class Relation : std::uint8_t {
   Approximately, ///< a number was rounded, here or before
   Less,
   Greater,
-  Unequal, ///< the chain claims what does not hold: a defect of whoever built it
+  Unequal, ///< nothing fulfils the demand; in other chains a defect of whoever built it
 };
 
 /// Terms that are claimed to be equal, from left to right; its relations are derived, never written.

@@ -1,6 +1,7 @@
-// Bounds of a number that no exact form holds. To compile it takes seconds: only who looks at bounds includes
-// it.
+// Bounds of a number that is no A + B·√n. To compile it takes seconds: only who looks at bounds includes it.
 #pragma once
+
+#include "lessons/term/root_sum.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -13,6 +14,8 @@ struct Interval {
       boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>, boost::multiprecision::et_off>;
   Bound low;
   Bound high;
+  /// The number itself, where it is a sum of roots: then the bounds tell its sign.
+  std::optional<RootSum> number{};
 };
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "lessons/term/real.h"
 
+#include "geometry/integer.h"
 #include "lessons/term/interval.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 namespace halfspace {
 namespace {
 
-namespace mp = boost::multiprecision;
 using Bound = Interval::Bound;
 
 /// Wide enough for the rounding of the operation that gave the bounds.
@@ -57,30 +57,56 @@ Surd made(const Rational &rationalPart, const Rational &rootFactor, const Ration
   return Surd::root(radicand, rootFactor) + rationalPart;
 }
 
-/// Nothing where the sum has two different roots.
-std::optional<Surd> exactSum(const Surd &a, const Surd &b) {
-  if (b.isRational())
-    return a + b.rationalPart();
-  if (a.isRational())
-    return b + a.rationalPart();
-  if (a.radicand() != b.radicand())
-    return {};
-  return made(a.rationalPart() + b.rationalPart(), a.rootFactor() + b.rootFactor(), a.radicand());
+/// The number where it is a fraction, else null.
+const Rational *fractionOf(const Real &value) {
+  const Surd *exact = value.exact();
+  return exact && exact->isRational() ? &exact->rationalPart() : nullptr;
 }
 
-std::optional<Surd> exactProduct(const Surd &a, const Surd &b) {
-  if (b.isRational())
-    return a * b.rationalPart();
-  if (a.isRational())
-    return b * a.rationalPart();
-  if (a.radicand() == b.radicand()) {
-    const Rational &n = a.radicand();
-    return made(a.rationalPart() * b.rationalPart() + a.rootFactor() * b.rootFactor() * n,
-                a.rationalPart() * b.rootFactor() + a.rootFactor() * b.rationalPart(), n);
+bool isZero(const Real &value) {
+  const Surd *exact = value.exact();
+  return exact && exact->sign() == 0;
+}
+
+/// A summand's magnitude times 2^bits, cut off.
+Integer floorOf(const Surd &summand, int bits) {
+  const Rational square = summand.squared().rationalPart();
+  return mp::sqrt(Integer((numeratorOf(square) << (2 * bits)) / denominatorOf(square)));
+}
+
+/// So many bits of a sum are known after its summands have pulled against each other: all that a bound has.
+constexpr unsigned knownBits = std::numeric_limits<Bound>::digits;
+
+/// Each summand is cut off in fixed point, and more bits are added until enough are left of the sum. That
+/// happens, as it is not zero.
+Interval boundsOf(const RootSum &value) {
+  for (int bits = 2 * static_cast<int>(knownBits);; bits *= 2) {
+    Integer low = 0;
+    Integer high = 0;
+    for (const Surd &summand : value.summands()) {
+      const Integer magnitude = floorOf(summand, bits);
+      low += summand.sign() > 0 ? magnitude : Integer(-magnitude - 1);
+      high += summand.sign() > 0 ? Integer(magnitude + 1) : Integer(-magnitude);
+    }
+    const Integer least = std::max(low, Integer(-high)); // in magnitude, where both have the same sign
+    if (least <= 0 || mp::msb(least) < knownBits)
+      continue;
+    Interval within = widened(mp::ldexp(Bound(low), -bits), mp::ldexp(Bound(high), -bits));
+    within.number = value;
+    return within;
   }
-  if (a.rationalPart() == 0 && b.rationalPart() == 0)
-    return Surd::root(a.radicand() * b.radicand(), a.rootFactor() * b.rootFactor());
-  return {};
+}
+
+/// The number as a sum of roots, where it is known to be one.
+std::optional<RootSum> rootSumOf(const Real &value) {
+  if (const Surd *exact = value.exact())
+    return RootSum(*exact);
+  return value.bounds().number;
+}
+
+Real realOf(const RootSum &value) {
+  const auto surd = value.surd();
+  return surd ? Real(*surd) : Real(boundsOf(value));
 }
 
 /// 1/(A + B√n) = (A − B√n)/(A² − B²n)
@@ -104,21 +130,34 @@ Real Real::operator-() const {
   if (const Surd *surd = exact())
     return -*surd;
   const Interval within = bounds();
-  return Real(Interval{-within.high, -within.low});
+  Interval negated{-within.high, -within.low};
+  if (within.number)
+    negated.number = -*within.number;
+  return Real(negated);
 }
 
 Real operator+(const Real &a, const Real &b) {
-  if (a.exact() && b.exact())
-    if (const auto exact = exactSum(*a.exact(), *b.exact()))
-      return *exact;
-  return Real(sum(a.bounds(), b.bounds()));
+  const Surd *exact = a.exact();
+  if (const Rational *shift = fractionOf(b); exact && shift)
+    return *exact + *shift;
+  if (fractionOf(a) && b.exact())
+    return b + a;
+  const auto left = rootSumOf(a);
+  const auto right = rootSumOf(b);
+  return left && right ? realOf(*left + *right) : Real(sum(a.bounds(), b.bounds()));
 }
 
 Real operator*(const Real &a, const Real &b) {
-  if (a.exact() && b.exact())
-    if (const auto exact = exactProduct(*a.exact(), *b.exact()))
-      return *exact;
-  return Real(product(a.bounds(), b.bounds()));
+  const Surd *exact = a.exact();
+  if (const Rational *scale = fractionOf(b); exact && scale)
+    return *exact * *scale;
+  if (fractionOf(a) && b.exact())
+    return b * a;
+  if (isZero(a) || isZero(b))
+    return 0;
+  const auto left = rootSumOf(a);
+  const auto right = rootSumOf(b);
+  return left && right ? realOf(*left * *right) : Real(product(a.bounds(), b.bounds()));
 }
 
 std::optional<int> sign(const Real &value) {
@@ -150,15 +189,16 @@ std::optional<Real> squareRoot(const Real &value) {
 std::optional<bool> areEqual(const Real &a, const Real &b) {
   if (a.exact() && b.exact())
     return *a.exact() == *b.exact();
-  const Interval left = a.bounds();
-  const Interval right = b.bounds();
-  return left.high < right.low || right.high < left.low ? std::optional(false) : std::nullopt;
+  const auto order = sign(a - b);
+  return order ? std::optional(*order == 0) : std::nullopt;
 }
 
 double toDouble(const Real &value) {
   if (const Surd *exact = value.exact())
     return toDouble(*exact);
   const Interval within = value.bounds();
+  if (within.low <= 0 && within.high >= 0)
+    return 0; // as near as it is known
   return Bound((within.low + within.high) / 2).convert_to<double>();
 }
 

@@ -494,7 +494,7 @@ TEST(RightChoice, IsThatOfWhatTheSceneComesTo) {
   EXPECT_EQ(rightFor("on"), "") << "no choice fits";
 }
 
-TEST(RightChoice, Otherwise_IsRightWhereNoOtherFits_AndThereIsAValue) {
+TEST(RightChoice, Otherwise_IsRightWhereNoOtherFits_AlsoWithoutAValue) {
   const Prediction whichSide{
       "Which side?", "side", {{otherwise, "Neither"}, {"positive", "That of n"}}, "It is so."};
   const auto rightFor = [&](const char *value, const char *side) {
@@ -502,7 +502,7 @@ TEST(RightChoice, Otherwise_IsRightWhereNoOtherFits_AndThereIsAValue) {
   };
   EXPECT_EQ(rightFor("side", "positive"), "positive");
   EXPECT_EQ(rightFor("side", "on"), otherwise);
-  EXPECT_EQ(rightFor("location", "positive"), "");
+  EXPECT_EQ(rightFor("location", "positive"), otherwise);
 }
 
 TEST(StepOf, ALessonThatHasNone_ShowsAllLines) {

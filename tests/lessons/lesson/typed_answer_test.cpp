@@ -7,6 +7,15 @@ namespace {
 
 Surd root(int square, const Rational &factor = 1) { return Surd::root(square, factor); }
 
+TEST(TypedAnswer, OfWhatBoundsLeaveOpen_IsRightAsFarAsAnybodyCanType) {
+  const Real onePlusRoot = squareRoot(Real(root(2, 2) + Rational(3))).value(); // √(3 + 2√2) = 1 + √2
+  const TermValue zero = onePlusRoot - Real(root(2) + Rational(1));
+  EXPECT_TRUE(readAnswer("0")->means(zero));
+  EXPECT_FALSE(readAnswer("0.001")->means(zero));
+  EXPECT_TRUE(readAnswer("1 + √2")->means(onePlusRoot));
+  EXPECT_FALSE(readAnswer("2√2")->means(onePlusRoot));
+}
+
 TEST(ReadAnswer, OfNumbersAsLearnersWriteThem_IsExact) {
   const std::vector<std::pair<const char *, Surd>> cases{{"10", 10},
                                                          {" -10 / 3 ", Rational(-10, 3)},

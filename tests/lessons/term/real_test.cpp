@@ -104,14 +104,26 @@ TEST(RealSum, OfTwoDifferentRoots_IsNoExactNumberButNearlyKnown) {
   EXPECT_EQ(sign(sum), 1);
   EXPECT_EQ(sign(-sum), -1);
   EXPECT_EQ(areEqual(sum, rootOf(10)), false);
-  EXPECT_EQ(areEqual(sum, sum), std::nullopt) << "bounds cannot say that two numbers are the same";
+  EXPECT_EQ(areEqual(sum, sum), true);
+  EXPECT_EQ(areEqual(sum, rootOf(3) + rootOf(2)), true);
 }
 
-TEST(RealSum, OfRootsThatCancel_HasNoKnownSign) {
+TEST(RealSum, OfRootsThatCancel_IsZero) {
   const Real zero = (rootOf(2) + rootOf(3)) - (rootOf(2) + rootOf(3));
-  EXPECT_EQ(sign(zero), std::nullopt);
+  EXPECT_EQ(textOf(zero), "0");
+  EXPECT_EQ(sign(zero), 0);
   EXPECT_FALSE(quotient(1, zero));
-  EXPECT_FALSE(squareRoot(zero));
+}
+
+TEST(RealProduct, WithZero_IsZeroWhateverTheOtherIs) {
+  EXPECT_EQ(textOf(Real(0) * *squareRoot(Real(Surd::root(2) + Rational(1)))), "0");
+}
+
+TEST(RealSum, OfRootsOfRoots_IsAsNearToZeroAsItIsKnown) {
+  const Real nested = *squareRoot(Real(Surd::root(2, 2) + Rational(3))); // 1 + √2
+  const Real unknown = nested - rootOf(2) - Real(1);
+  EXPECT_EQ(sign(unknown), std::nullopt);
+  EXPECT_EQ(toDouble(unknown), 0);
 }
 
 TEST(RealProduct, OfTwoDifferentRoots_IsTheRootOfTheProduct) {

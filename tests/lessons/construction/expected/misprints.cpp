@@ -17,13 +17,13 @@ void addPlane(const TriangleObject &T, const RayObject &L, const ExactVec3 &n, R
   const PlaneObject plane{T.p0, n};
   expected.values["f"] = number(f);
   expected.values["printed_f"] = number(printed);
-  expected.values["d"] = number(d);
+  expected.values["D"] = number(d);
   expected.values["distance"] = verdict(printed - f == 0);
   if (d != 0)
     expected.values["direction"] = verdict(d > 0);
   else
     expected.vanished.insert("it.B/way");
-  expected.names.insert({{"d", quantity(d)},
+  expected.names.insert({{"D", quantity(d)},
                          {"f", quantity(f)},
                          {"h", quantity(printed)},
                          {"a", quantity(n.x)},
@@ -134,7 +134,7 @@ std::vector<WrongAnswer> wrongAnswers(Objects objects) {
   if (vanishes(n))
     return all;
   addCosine(all, u, v);
-  addProduct(all, "d", n, T.p0);
+  addProduct(all, "D", n, T.p0);
   Line distance("distance-right", times(n, ExactVec3(L.origin - T.p0)), all);
   distance.add("the sign lost", times(n, ExactVec3(T.p0 - L.origin)));
   if (times(n, L.direction) == 0)

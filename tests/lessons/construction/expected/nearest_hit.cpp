@@ -57,6 +57,27 @@ const Fragment *chosenOf(const Given &given) {
   return nullptr;
 }
 
+/// Whether a ray in the triangle's plane comes to the triangle: it starts in it, or hits a fence along its
+/// border.
+bool comesTo(const RayObject &ray, const Triangle<Rational> &triangle) {
+  const auto &[a, b, c] = triangle;
+  const ExactVec3 up = perpendicular(ExactVec3(b - a), ExactVec3(c - a));
+  const auto isHit = [](const RayObject &from, const Triangle<Rational> &target) {
+    return meet({from.origin, from.direction}, target).caseName == "hit";
+  };
+  const auto hitsFence = [&](const ExactVec3 &from, const ExactVec3 &to) {
+    return isHit(ray, {from - up, to - up, from + up}) || isHit(ray, {to + up, from + up, to - up});
+  };
+  return isHit({ray.origin, up}, triangle) || hitsFence(a, b) || hitsFence(b, c) || hitsFence(c, a);
+}
+
+bool comesAlong(const Given &given, const AllMet &all) {
+  for (std::size_t i = 0; i < all.each.size(); ++i)
+    if (all.each[i].caseName == "in-plane" && comesTo(given.ray, given.fragments[i].triangle))
+      return true;
+  return false;
+}
+
 /// Which mesh is hit first, and whether another is at the same parameter.
 std::string wordForFirst(const Given &given, const AllMet &all) {
   std::set<std::size_t> meshes;
@@ -64,7 +85,7 @@ std::string wordForFirst(const Given &given, const AllMet &all) {
     if (lambda == all.ahead.begin()->first)
       meshes.insert(given.fragments[static_cast<std::size_t>(number) - 1].mesh);
   if (meshes.empty())
-    return "none";
+    return comesAlong(given, all) ? "in-plane" : "none";
   return meshes.size() > 1 ? "several" : "mesh" + std::to_string(*meshes.begin());
 }
 
@@ -127,7 +148,10 @@ Recomputed recompute(Objects objects) {
         quantity((*objects[i])[0]);
   expected.values["fragments"] = static_cast<int>(given.fragments.size());
   expected.degenerate = vanishes(given.ray.direction);
-  expected.caseName = expected.degenerate ? "zero-direction" : all.ahead.empty() ? "miss" : "hit";
+  expected.caseName = expected.degenerate      ? "zero-direction"
+                      : !all.ahead.empty()     ? "hit"
+                      : comesAlong(given, all) ? "in-plane"
+                                               : "miss";
   addChosen(given, all, expected);
   if (expected.degenerate)
     return expected;

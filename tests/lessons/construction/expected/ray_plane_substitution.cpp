@@ -98,9 +98,12 @@ Recomputed recompute(Objects objects) {
   for (std::size_t i = 0; i < given.planes.size(); ++i)
     if (const auto t = addPlane(expected, given, i); t && *t >= 0)
       ahead.emplace(*t, i);
-  expected.caseName = ahead.empty() ? "miss" : "hit";
+  const bool liesInPlane =
+      std::any_of(given.planes.begin(), given.planes.end(),
+                  [&](const PlaneObject &plane) { return caseOf(sidesOf(plane, given.ray)) == "in-plane"; });
+  expected.caseName = !ahead.empty() ? "hit" : liesInPlane ? "in-plane" : "miss";
   if (ahead.empty()) {
-    expected.values["first"] = "none";
+    expected.values["first"] = liesInPlane ? "in-plane" : "none";
     return expected;
   }
   const auto &[t, place] = *ahead.begin();
