@@ -392,7 +392,6 @@ void MainWindow::restoreSettings() {
   setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
   setThemeNamed(settings.theme);
   m_motion->setChecked(settings.motion);
-  m_practice->setUsual(settings.blank);
   m_model.setSnapStep(settings.snapStep);
   m_ownLessons = settings.ownLessons;
   m_flat->unfolded().setChecked(settings.flatPicture);
@@ -405,7 +404,6 @@ void MainWindow::storeSettings() {
   Settings settings;
   settings.theme = QString::fromStdString(m_theme.name);
   settings.motion = m_motion->isChecked();
-  settings.blank = m_practice->usual();
   settings.snapStep = m_model.snapStep();
   settings.ownLessons = m_ownLessons;
   settings.flatPicture = m_flat->unfolded().isChecked();

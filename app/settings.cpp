@@ -25,7 +25,6 @@ Settings settingsFrom(const QJsonObject &json) {
   Settings settings;
   settings.theme = json["theme"].toString(settings.theme);
   settings.motion = json["motion"].toBool(settings.motion);
-  settings.blank = fadingNamed(json["blank"].toString().toStdString()).value_or(settings.blank);
   if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
     settings.sizeScale = scale.toDouble();
   settings.ownLessons = json["ownLessons"].toString();
@@ -61,15 +60,11 @@ Result<Settings> readSettings(const QString &file) {
 }
 
 std::optional<Problem> writeSettings(const Settings &settings, const QString &file) {
-  QJsonObject json{{"theme", settings.theme},
-                   {"motion", settings.motion},
-                   {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
-                   {"ownLessons", settings.ownLessons},
-                   {"flatPicture", settings.flatPicture},
-                   {"window", textOf(settings.window)},
-                   {"panels", textOf(settings.panels)},
-                   {"split", textOf(settings.split)},
-                   {"snapStep", QString::fromStdString(toText(settings.snapStep))}};
+  QJsonObject json{
+      {"theme", settings.theme},           {"motion", settings.motion},
+      {"ownLessons", settings.ownLessons}, {"flatPicture", settings.flatPicture},
+      {"window", textOf(settings.window)}, {"panels", textOf(settings.panels)},
+      {"split", textOf(settings.split)},   {"snapStep", QString::fromStdString(toText(settings.snapStep))}};
   if (settings.sizeScale)
     json["sizeScale"] = *settings.sizeScale;
   if (auto problem = makeFolder(QFileInfo(file).path()))
