@@ -183,15 +183,15 @@ void MainWindow::openNextLesson() {
     m_model.openLesson(next->id);
 }
 
-QStringList MainWindow::titlesStillNeeded(const Lesson &lesson) const {
-  QStringList titles;
+QStringList MainWindow::idsStillNeeded(const Lesson &lesson) const {
+  QStringList ids;
   if (stateOf(lesson, m_progress) == LessonState::Done)
-    return titles;
+    return ids;
   for (const Need &need : lesson.needs)
     if (const Lesson *needed = m_model.library().find(need.id);
         needed && stateOf(*needed, m_progress) != LessonState::Done)
-      titles << QString::fromStdString(needed->title);
-  return titles;
+      ids << QString::fromStdString(needed->id);
+  return ids;
 }
 
 void MainWindow::showContents() {
@@ -199,7 +199,7 @@ void MainWindow::showContents() {
   for (const Lesson &lesson : m_model.library().lessons)
     entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
                        stateOf(lesson, m_progress), QString::fromStdString(lesson.chapter),
-                       titlesStillNeeded(lesson)});
+                       idsStillNeeded(lesson)});
   m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
   m_contents->open();
 }

@@ -69,6 +69,7 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#hint { color: %2; }
     QFrame#contents { background: %3; border-right: 1px solid %1; }
     QLabel#contentsHeading { color: %2; padding: 0.7em 0.9em 0.4em 0.9em; }
+    QLineEdit#lessonSearch { margin: 0 0.75em 0.4em 0.75em; }
     QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
     QListWidget#lessonList::item { padding: 0.4em 2.4em 0.4em 0.45em; border-radius: 5px; }
     QLabel#heading { color: %2; }
