@@ -253,9 +253,9 @@ void MainWindow::showCase() {
   QString words = unbroken(QString::fromStdString(shown.description));
   if (isPredicting())
     words = tr("Answer the question first: the numbers are hidden until you do.");
-  else if (m_practice->hasBlanks() && !shown.degenerate)
+  else if (m_practice->hasBlanks())
     words = tr("Fill in the blank lines: other numbers are hidden until you do.");
-  m_caseLine->setCase(words, shown.degenerate && !isPredicting());
+  m_caseLine->setCase(words, shown.degenerate && !hidesNumbers());
   m_scene->setAccessibleDescription(words);
   showNearby();
 }
