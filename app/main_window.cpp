@@ -216,15 +216,15 @@ void MainWindow::openNextLesson() {
     m_model.openLesson(next->id);
 }
 
-QStringList MainWindow::titlesStillNeeded(const Lesson &lesson) const {
-  QStringList titles;
+QStringList MainWindow::idsStillNeeded(const Lesson &lesson) const {
+  QStringList ids;
   if (stateOf(lesson, m_progress) == LessonState::Done)
-    return titles;
+    return ids;
   for (const Need &need : lesson.needs)
     if (const Lesson *needed = m_model.library().find(need.id);
         needed && stateOf(*needed, m_progress) != LessonState::Done)
-      titles << QString::fromStdString(needed->title);
-  return titles;
+      ids << QString::fromStdString(needed->id);
+  return ids;
 }
 
 void MainWindow::showContents() {
@@ -232,7 +232,7 @@ void MainWindow::showContents() {
   for (const Lesson &lesson : m_model.library().lessons)
     entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
                        stateOf(lesson, m_progress), QString::fromStdString(lesson.chapter),
-                       titlesStillNeeded(lesson)});
+                       idsStillNeeded(lesson)});
   m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
   m_contents->open();
 }
@@ -286,9 +286,9 @@ void MainWindow::showCase() {
   QString words = unbroken(QString::fromStdString(shown.description));
   if (isPredicting())
     words = tr("Answer the question first: the numbers are hidden until you do.");
-  else if (m_practice->hasBlanks() && !shown.degenerate)
+  else if (m_practice->hasBlanks())
     words = tr("Fill in the blank lines: other numbers are hidden until you do.");
-  m_caseLine->setCase(words, shown.degenerate && !isPredicting());
+  m_caseLine->setCase(words, shown.degenerate && !hidesNumbers());
   m_scene->setAccessibleDescription(words);
   showNearby();
 }
@@ -440,7 +440,6 @@ void MainWindow::restoreSettings() {
   setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
   setThemeNamed(settings.theme);
   m_motion->setChecked(settings.motion);
-  m_practice->setUsual(settings.blank);
   m_model.setSnapStep(settings.snapStep);
   m_model.setSnapping(settings.snapping);
   m_ownLessons = settings.ownLessons;
@@ -454,7 +453,6 @@ void MainWindow::storeSettings() {
   Settings settings;
   settings.theme = QString::fromStdString(m_theme.name);
   settings.motion = m_motion->isChecked();
-  settings.blank = m_practice->usual();
   settings.snapStep = m_model.snapStep();
   settings.snapping = m_model.isSnapping();
   settings.ownLessons = m_ownLessons;

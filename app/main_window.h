@@ -194,8 +194,8 @@ private:
   void takeQuestion();
   void followGesture();
   void showContents();
-  /// The titles of the lessons that it builds on and that are not done.
-  [[nodiscard]] QStringList titlesStillNeeded(const Lesson &lesson) const;
+  /// The lessons that it builds on and that are not done.
+  [[nodiscard]] QStringList idsStillNeeded(const Lesson &lesson) const;
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
   /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and

@@ -35,7 +35,6 @@ Settings settingsFrom(const QJsonObject &json) {
   Settings settings;
   settings.theme = json["theme"].toString(settings.theme);
   settings.motion = json["motion"].toBool(settings.motion);
-  settings.blank = fadingNamed(json["blank"].toString().toStdString()).value_or(settings.blank);
   if (const QJsonValue scale = json["sizeScale"]; scale.isDouble() && std::isfinite(scale.toDouble()))
     settings.sizeScale = scale.toDouble();
   settings.ownLessons = foldersIn(json["ownLessons"]);
@@ -74,7 +73,6 @@ Result<Settings> readSettings(const QString &file) {
 std::optional<Problem> writeSettings(const Settings &settings, const QString &file) {
   QJsonObject json{{"theme", settings.theme},
                    {"motion", settings.motion},
-                   {"blank", QString::fromStdString(std::string(nameOf(settings.blank)))},
                    {"ownLessons", QJsonArray::fromStringList(settings.ownLessons)},
                    {"flatPicture", settings.flatPicture},
                    {"window", textOf(settings.window)},

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/rational.h"
-#include "lessons/lesson/practice.h"
 #include "lessons/reading/problem.h"
 
 #include <QByteArray>
@@ -15,7 +14,6 @@ namespace halfspace {
 struct Settings {
   QString theme = "light";
   bool motion = true;
-  Fading blank = Fading::None;     ///< which worked lines the user fills in
   std::optional<double> sizeScale; ///< nothing: what suits the screen; always finite
   QByteArray window;               ///< size and place, as Qt saves them
   Rational snapStep = 1;           ///< in which handles move

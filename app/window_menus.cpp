@@ -1,4 +1,5 @@
 // The menus of the window: every action, its key, and what it calls.
+#include "app/help_dialog.h"
 #include "app/main_window.h"
 #include "lessons/scene/target_mesh.h"
 #include "widgets/view/flat_view.h"
@@ -255,28 +256,7 @@ void MainWindow::createFlightMenu(QMenu &menu) {
 
 void MainWindow::createHelpMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&Help"));
-  addItem(menu, tr("&Mouse and Keys"), QKeySequence::HelpContents, this, [this] {
-    QMessageBox::information(
-        this, tr("Mouse and keys"),
-        tr("<p><b>Drag a handle</b> to move it in x and y. <b>Click it once more</b> or hold <b>Shift</b> to "
-           "move it up and down. <b>X</b>, <b>Y</b>, <b>Z</b> during a drag lock an axis, <b>Ctrl</b> "
-           "(or Alt) suspends snapping, <b>Escape</b> takes the drag back.</p><p><b>Arrow keys</b> and "
-           "<b>Page "
-           "Up/Down</b> step the selected handle, with Shift a tenth, with Ctrl ten steps. <b>Tab</b> goes "
-           "from handle to handle.</p><p><b>Drag beside the handles</b> to turn the view, with the right "
-           "button to move it; the <b>wheel</b> zooms. <b>F</b> fits, <b>H</b> goes home, <b>O</b> is "
-           "orthographic, <b>1</b>–<b>5</b> are views, <b>6</b> folds the flat picture of a lesson that has "
-           "one. <b>Ctrl +</b> and <b>Ctrl −</b> make text and lines "
-           "larger and smaller. <b>F9</b> shows the scene alone, <b>F8</b> the page, <b>F11</b> fills the "
-           "screen; <b>Ctrl I</b> shows all numbers, <b>Ctrl L</b> all lessons.</p><p>Where a torpedo flies, "
-           "<b>T</b> fires it, <b>P</b> plays and pauses, <b>,</b> and <b>.</b> go back and on by one frame. "
-           "<b>Ctrl M</b> opens a mesh of your own, <b>Ctrl D</b> puts another beside the one that is "
-           "selected, <b>Delete</b> takes it away again.</p><p><b>Point at a term</b> "
-           "of the working and its "
-           "mark lights up in the scene, and the other way round. <b>Click a number</b> to see where it "
-           "comes "
-           "from; drag one that is a coordinate sideways, or double-click it to type.</p>"));
-  });
+  addItem(menu, tr("&Mouse and Keys"), QKeySequence::HelpContents, this, [this] { HelpDialog(this).exec(); });
   addItem(menu, tr("&About Halfspace"), {}, this, [this] {
     QMessageBox::about(
         this, tr("About Halfspace"),

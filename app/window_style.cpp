@@ -51,6 +51,8 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton#contentsButton { margin: 0 0.3em; }
     QToolButton#sceneTool { background: %3; border: 1px solid %1; border-radius: 5px; padding: 0.35em; }
     QToolButton#sceneTool:hover, QToolButton#sceneTool:checked { background: %5; }
+    QToolButton#showLine { color: %2; border: 1px solid %1; border-radius: 4px; padding: 0.1em 0.35em; }
+    QToolButton#showLine:hover, QToolButton#showLine:focus { color: %6; border-color: %7; }
     QToolButton#fading { padding-right: 1em; }
     QToolButton::menu-indicator { subcontrol-position: right center; }
     QLabel#case, QLabel#usualCase { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; font-weight: 500; }
@@ -67,6 +69,7 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#hint { color: %2; }
     QFrame#contents { background: %3; border-right: 1px solid %1; }
     QLabel#contentsHeading { color: %2; padding: 0.7em 0.9em 0.4em 0.9em; }
+    QLineEdit#lessonSearch { margin: 0 0.75em 0.4em 0.75em; }
     QListWidget#lessonList { border: none; background: %3; padding: 0.15em 0.45em; outline: none; }
     QListWidget#lessonList::item { padding: 0.4em 2.4em 0.4em 0.45em; border-radius: 5px; }
     QLabel#heading { color: %2; }

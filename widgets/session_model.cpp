@@ -1,6 +1,6 @@
 #include "widgets/session_model.h"
 
-#include "lessons/scene/short_numbers.h"
+#include "lessons/lesson/new_numbers.h"
 
 #include <QUndoCommand>
 
@@ -129,7 +129,8 @@ void SessionModel::resetScene() {
 }
 
 void SessionModel::renewNumbers(std::uint64_t seed) {
-  replaceScene(withShortNumbers(m_session.scene, seed), tr("New numbers"));
+  const glm::dvec3 from = m_session.view ? m_session.view->view.from : m_lesson->camera.from;
+  replaceScene(withNewNumbers(m_session.scene, step(), from, seed), tr("New numbers"));
 }
 
 void SessionModel::replaceScene(Scene scene, const QString &description) {

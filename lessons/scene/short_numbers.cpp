@@ -578,25 +578,27 @@ private:
   int m_count = 0;
 };
 
-/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one: of those of
-/// which the same is told beside numbers, where there are such.
-std::optional<Scene> renewed(const Scene &before, Dice &dice) {
+/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one and that is
+/// wanted: of those of which the same is told beside numbers, where there are such.
+std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumbers &wanted) {
   const Evaluation start = evaluate(before);
   if (!start.lastConstruction())
     return before; // nothing is shown as the result
   const Outcome &present = *start.lastConstruction()->outcome;
   const std::vector<std::string> lines = present.explanation->ids();
+  const bool isOneOfACase = wanted.keepCase && !present.told->degenerate;
   Shortest alike;
   Shortest others;
   for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
     Scene scene = before;
     renewAll(objectsOf(scene), dice);
+    if (!differEverywhere(scene, before) || (wanted.suits && !wanted.suits(scene)))
+      continue;
     const Evaluation evaluation = evaluate(scene);
     const Outcome &outcome = *evaluation.lastConstruction()->outcome;
-    if (outcome.told->degenerate || !differEverywhere(scene, before) ||
-        (!present.told->degenerate && outcome.told->name != present.told->name))
+    if (outcome.told->degenerate || (isOneOfACase && outcome.told->name != present.told->name))
       continue;
-    Shortest &kept = present.told->degenerate || outcome.explanation->ids() == lines ? alike : others;
+    Shortest &kept = !isOneOfACase || outcome.explanation->ids() == lines ? alike : others;
     kept.compare(std::move(scene), lengthOf(*outcome.values));
   }
   return alike.scene() ? alike.scene() : others.scene();
@@ -604,9 +606,9 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice) {
 
 } // namespace
 
-Scene withShortNumbers(Scene scene, std::uint64_t seed) {
+Scene withShortNumbers(Scene scene, std::uint64_t seed, const WantedNumbers &wanted) {
   Dice dice(seed);
-  const auto last = renewed(shownPartOf(scene), dice);
+  const auto last = renewed(shownPartOf(scene), dice, wanted);
   if (!last)
     return scene;
   std::vector<Object *> others;

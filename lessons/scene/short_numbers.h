@@ -4,17 +4,25 @@
 #include "lessons/scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace halfspace {
 
+/// What new numbers are to be like.
+struct WantedNumbers {
+  bool keepCase = true;                       ///< false: any ordinary case will do
+  std::function<bool(const Scene &)> suits{}; ///< whether a scene can be shown; empty: every one
+};
+
 /// The scene with other coordinates: whole numbers of one digit, chosen so that the last construction's case
-/// stays what it was, or is an ordinary one where it was degenerate, and so that its results are short. It
+/// stays what it was if that is wanted, or is an ordinary one where it was degenerate, and so that its
+/// results are short. It
 /// has the same lines too, where chance allows: what a lesson says of them goes on to hold. What meets does
 /// so at whole points, and normals are as long as whole numbers say. The same seed gives the same numbers
 /// everywhere.
 ///
 /// A scene whose constructions allow nothing of that kind keeps its numbers.
-[[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed);
+[[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed, const WantedNumbers &wanted = {});
 
 /// No new coordinate is larger, either way.
 inline constexpr int largestShortNumber = 9;

@@ -1,11 +1,15 @@
 // Size, motion and menus of the window.
+#include "app/help_dialog.h"
 #include "app/panel_style.h"
 #include "tests/app/window_fixture.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QImage>
+#include <QLabel>
 #include <QPainter>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QStyleOption>
 
@@ -167,6 +171,23 @@ private slots:
       for (int x = 0; x < image.width(); ++x)
         contrast = std::max(contrast, std::abs(qGray(image.pixel(x, 8)) - qGray(panel.rgb())));
       QVERIFY2(contrast > 100, theme.name.c_str());
+    }
+  }
+
+  void help_fitsTheScreenAtEverySize_andNothingIsCutOff() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    for (const double scale : {1.0, 1.25, 2.5}) {
+      fixture.window.setSizeScale(scale);
+      HelpDialog help(&fixture.window);
+      help.show();
+      QVERIFY(QTest::qWaitForWindowExposed(&help));
+      const QSize room = fixture.window.screen()->availableSize();
+      QVERIFY(help.width() <= room.width() && help.height() <= room.height());
+      const auto &scroll = *help.findChild<QScrollArea *>();
+      QVERIFY2(scroll.widget()->width() <= scroll.viewport()->width(), "nothing to the right");
+      for (const QLabel *label : help.findChildren<QLabel *>())
+        QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
     }
   }
 };

@@ -303,7 +303,7 @@ private slots:
              fixture.scene().mapTo(&fixture.window, QPoint(0, 0)));
     QVERIFY(drawer->height() > fixture.scene().height());
     QCOMPARE(fixture.scene().width(), sceneWidth);
-    QTest::keyClick(list, Qt::Key_Escape);
+    QTest::keyClick(fixture.window.focusWidget(), Qt::Key_Escape);
     QVERIFY(!drawer->isVisible() && !button->isChecked());
     QCOMPARE(fixture.window.focusWidget(), &fixture.scene());
     QTest::mouseClick(button, Qt::LeftButton);

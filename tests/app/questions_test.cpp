@@ -4,7 +4,10 @@
 
 #include <QLabel>
 
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <set>
 
 using namespace halfspace;
@@ -103,8 +106,14 @@ private slots:
     open(lesson, step);
     const Prediction question = *predictionOf(m_fixture->model().step());
     QVERIFY(question.choices.size() >= 2);
-    for (int choice = static_cast<int>(question.choices.size()) - 1; choice >= 0; --choice) {
-      const bool isRight = question.choices[static_cast<std::size_t>(choice)].word == right.toStdString();
+    const auto isRightOne = [&](int choice) {
+      return question.choices[static_cast<std::size_t>(choice)].word == right.toStdString();
+    };
+    std::vector<int> order(question.choices.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_partition(order.begin(), order.end(), std::not_fn(isRightOne)); // there it ends
+    for (const int choice : order) {
+      const bool isRight = isRightOne(choice);
       QVERIFY(m_fixture->questionIsOpen());
       QVERIFY2(m_fixture->window.findChild<QLabel *>("nearby")->text().isEmpty(),
                "it would give the answer away");
@@ -117,7 +126,10 @@ private slots:
       QCOMPARE(int(told), 1);
       const QString reason = box().reason()->accessibleName();
       QVERIFY2(reason.startsWith(isRight ? "Right." : "Not quite."), qPrintable(reason));
-      QTest::mouseClick(m_fixture->window.findChild<QToolButton *>("again"), Qt::LeftButton);
+      auto *again = m_fixture->window.findChild<QToolButton *>("again");
+      QCOMPARE(again->isVisible(), !isRight);
+      if (!isRight)
+        QTest::mouseClick(again, Qt::LeftButton);
     }
   }
 };

@@ -45,7 +45,6 @@ TEST_F(SettingsFile, WrittenAndReadAgain_TellsTheSame) {
   Settings settings;
   settings.theme = "dark";
   settings.motion = false;
-  settings.blank = Fading::All;
   settings.sizeScale = 1.75;
   settings.window = QByteArray("\0\xFFgeometry", 10);
   settings.snapStep = Rational(1, 4);

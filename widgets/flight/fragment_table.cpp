@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace halfspace {
 namespace {
@@ -49,17 +50,22 @@ QFont bold(QFont font) {
 }
 
 /// Too long to stand exactly in a list.
-bool isLong(const Rational &number) {
+bool isLong(const WrittenNumber &number) {
   constexpr std::size_t longestExact = 6; // letters: 0.6875, 12/175
-  const WrittenNumber exact = written(abs(number));
-  return !exact.exact || plainText(exact.term).size() > longestExact;
+  const std::string text = plainText(number.term);
+  return !number.exact ||
+         text.size() - (text.starts_with("−") ? std::string_view("−").size() : 0) > longestExact;
 }
 
-/// As it stands among words: a small fraction; or a decimal, of a column whose head says that it is rounded.
-math::Row formulaOfNumber(const Rational &number, bool rounded) {
+/// As it stands among words: a fraction is small.
+math::Row formulaOfNumber(const WrittenNumber &number) {
+  return math::row(math::styleSwitch(math::Style::Text), formulaOf(number.term));
+}
+
+/// In a column whose head says that its numbers are rounded.
+WrittenNumber roundedInColumn(const Rational &number) {
   const int places = abs(number) < 10 ? 2 : 1;
-  const WrittenNumber shown = rounded ? shortDecimal(number, places) : written(number);
-  return math::row(math::styleSwitch(math::Style::Text), formulaOf(shown.term));
+  return shortDecimal(number, places);
 }
 
 math::Row roundedHead(char32_t letter) {
@@ -103,7 +109,8 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(Rational(-888, 100), true))), m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(roundedInColumn(Rational(-888, 100))))),
+      m_theme(themes().front()) {
   speakBy<FragmentTable, SpokenTable>();
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -122,14 +129,11 @@ void FragmentTable::setCrossings(const Crossings &crossings, LiveValues values) 
   m_names.clear();
   for (const Crossing &crossing : crossings.all)
     m_names << QString::fromStdString(crossing.name);
-  m_areRounded = {};
-  for (const FragmentRow &row : m_shown.rows)
-    if (row.crossing.at && !isHidden(row))
-      for (std::size_t i = 0; i < m_areRounded.size(); ++i)
-        m_areRounded[i] = m_areRounded[i] || isLong(numbersAt(*row.crossing.at)[i]);
   m_numbers.clear();
   for (const FragmentRow &row : m_shown.rows)
-    m_numbers.push_back(numbersOf(row));
+    m_numbers.emplace_back().fill(placeholderOf(row));
+  for (std::size_t column = 0; column < m_areRounded.size(); ++column)
+    writeColumn(column);
   measure();
   settleHeight();
   update();
@@ -189,17 +193,29 @@ bool FragmentTable::isHidden(const FragmentRow &row) const {
   return m_values == LiveValues::Hidden || row.standing == Standing::NotAsked;
 }
 
-FragmentTable::Numbers FragmentTable::numbersOf(const FragmentRow &row) const {
+bool FragmentTable::hasNumbers(const FragmentRow &row) const { return row.crossing.at && !isHidden(row); }
+
+Typesetter::Picture FragmentTable::placeholderOf(const FragmentRow &row) const {
   if (m_values == LiveValues::Hidden)
-    return {m_unknown, m_unknown, m_unknown};
-  if (row.standing == Standing::NotAsked)
-    return {};
-  if (!row.crossing.at)
-    return {m_none, m_none, m_none};
-  Numbers pictures;
-  for (std::size_t i = 0; i < pictures.size(); ++i)
-    pictures[i] = m_typesetter.picture(formulaOfNumber(numbersAt(*row.crossing.at)[i], m_areRounded[i]));
-  return pictures;
+    return m_unknown;
+  return row.standing == Standing::NotAsked ? nullptr : m_none;
+}
+
+void FragmentTable::writeColumn(std::size_t column) {
+  std::vector<Real> numbers;
+  for (const FragmentRow &row : m_shown.rows)
+    if (hasNumbers(row))
+      numbers.emplace_back(Surd(numbersAt(*row.crossing.at)[column]));
+  const std::vector<WrittenNumber> alike = writtenAlike(numbers);
+  const bool isRounded = std::any_of(alike.begin(), alike.end(), isLong);
+  m_areRounded[column] = isRounded;
+  auto next = alike.begin();
+  for (std::size_t i = 0; i < m_shown.rows.size(); ++i)
+    if (const FragmentRow &row = m_shown.rows[i]; hasNumbers(row)) {
+      const WrittenNumber &exact = *next++;
+      m_numbers[i][column] = m_typesetter.picture(
+          formulaOfNumber(isRounded ? roundedInColumn(numbersAt(*row.crossing.at)[column]) : exact));
+    }
 }
 
 QString FragmentTable::verdictOf(const FragmentRow &row) const {

@@ -67,7 +67,11 @@ private:
   void pointAt(std::size_t number);
   void chooseRow(std::size_t row);
   [[nodiscard]] double emPixels() const;
-  [[nodiscard]] Numbers numbersOf(const FragmentRow &row) const;
+  [[nodiscard]] bool hasNumbers(const FragmentRow &row) const;
+  /// What stands in the place of a row's numbers.
+  [[nodiscard]] Typesetter::Picture placeholderOf(const FragmentRow &row) const;
+  /// The numbers of a column, all of them in one way.
+  void writeColumn(std::size_t column);
   /// The number of the fragment at a place; 0 for none.
   [[nodiscard]] std::size_t numberAt(QPoint place) const;
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
@@ -87,7 +91,7 @@ private:
   FragmentRows m_shown;
   QStringList m_names;                ///< of all, so that the columns do not depend on which have a row
   std::vector<Numbers> m_numbers;     ///< of each row
-  std::array<bool, 3> m_areRounded{}; ///< the columns of which a number is too long to be written exactly
+  std::array<bool, 3> m_areRounded{}; ///< the columns of which a number would be too long, written exactly
   std::array<Typesetter::Picture, 3> m_heads;
   std::array<Typesetter::Picture, 3> m_roundedHeads;
   Typesetter::Picture m_start;

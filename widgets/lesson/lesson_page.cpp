@@ -180,6 +180,7 @@ void LessonPage::makeBlocks() {
   m_words.clear();
   m_notes.clear();
   m_tasks.clear();
+  m_dueTask = nullptr;
   m_flights.clear();
   m_fragments.clear();
   m_costs.clear();
@@ -335,6 +336,13 @@ void LessonPage::setHeld(bool held) {
 void LessonPage::setTaskStates(const std::vector<TaskState> &states) {
   for (std::size_t i = 0; i < m_tasks.size(); ++i)
     m_tasks[i]->setState(i < states.size() ? states[i] : TaskState::Open);
+  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const TaskRow *task) {
+    return task->state() == TaskState::Open || task->state() == TaskState::HoldsAlready;
+  });
+  const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : *due;
+  const TaskRow *before = std::exchange(m_dueTask, now);
+  if (before && now && before != now)
+    scrollTo(*now);
 }
 
 void LessonPage::setAnswer(const std::optional<GivenAnswer> &answer) {

@@ -49,7 +49,8 @@ public:
   void showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of);
   /// The pointer is on this fragment of an entry somewhere else; 0 for none.
   void setFragmentHovered(std::size_t number);
-  /// Of the step's tasks in their order; of those behind them nothing is known.
+  /// Of the step's tasks in their order; of those behind them nothing is known. The task that is due once
+  /// another is done comes into view.
   void setTaskStates(const std::vector<TaskState> &states);
   /// To the step's question, if it has one; nothing: it is open.
   void setAnswer(const std::optional<GivenAnswer> &answer);
@@ -123,6 +124,7 @@ private:
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   std::vector<TaskRow *> m_tasks;
+  const TaskRow *m_dueTask = nullptr;                         ///< null while none is known, or all are done
   std::vector<std::pair<std::string, FlightBar *>> m_flights; ///< with the entry whose crossings they show
   struct Fragments {
     StepFragments block;

@@ -113,7 +113,8 @@ void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
                                                               : Verdict::Open);
   }
   m_reason->setVisible(answer.has_value());
-  m_again->setVisible(answer.has_value());
+  // A right answer has nothing to mend, unless it was about another scene.
+  m_again->setVisible(answer && !(answer->isOfNow && answer->chosen == answer->right));
   if (!answer)
     return;
   const QString verdict = answer->right.empty()             ? QString()

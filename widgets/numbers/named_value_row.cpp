@@ -54,7 +54,8 @@ void NamedValueRow::place() {
 }
 
 bool NamedValueRow::event(QEvent *event) {
-  if (event->type() == QEvent::LayoutRequest) { // a formula has another size
+  // A formula has another size, or may have got one while nobody saw it, of which nothing is told.
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) {
     updateGeometry();
     place();
   }

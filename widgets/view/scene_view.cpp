@@ -2,6 +2,7 @@
 
 #include "geometry/decide.h"
 #include "lessons/term/latex.h"
+#include "widgets/picture/hand/drop_line.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/scene/render_window.h"
 
@@ -384,10 +385,8 @@ SceneContent SceneView::interactiveContent() const {
   content.gizmo = gizmo();
   content.knobs = knobs();
   const Handle *dropped = findHandle(m_selected.empty() ? m_hovered : m_selected);
-  const bool isPlace =
-      dropped && (dropped->motion == Handle::Motion::Coordinate || dropped->motion == Handle::Motion::OnHost);
-  if (isPlace && m_stage.hasGround())
-    content.dropLine = DropLine{toDouble(dropped->at)};
+  if (dropped && m_stage.hasGround())
+    content.dropLine = dropLineOf(*dropped, m_numbersHidden);
   return content;
 }
 

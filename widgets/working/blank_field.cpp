@@ -9,10 +9,23 @@
 #include <QToolButton>
 
 namespace halfspace {
+namespace {
+
+/// In pixels.
+constexpr int gapBeforeShow = 6;
+
+/// Ctrl+Right and its like.
+bool movesByWord(const QKeyEvent &key) {
+  return key.matches(QKeySequence::MoveToNextWord) || key.matches(QKeySequence::MoveToPreviousWord);
+}
+
+} // namespace
+
 BlankField::BlankField(int letters, QWidget *parent)
     : QWidget(parent), m_letters(letters), m_edit(new QLineEdit), m_show(new QToolButton) {
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(gapBeforeShow);
   layout->addWidget(m_edit);
   m_edit->setPlaceholderText(QStringLiteral("?"));
   m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
@@ -20,25 +33,17 @@ BlankField::BlankField(int letters, QWidget *parent)
   connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
   connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
   m_show->setText(tr("Show"));
-  m_show->setAutoRaise(true);
+  m_show->setObjectName("showLine"); // framed: else the word would be read as a part of the formula
   m_show->setFocusPolicy(Qt::StrongFocus);
   m_show->setCursor(Qt::ArrowCursor);
   connect(m_show, &QToolButton::clicked, this, &BlankField::showRequested);
-  // Inside the field: beside it the word would be read as a part of the formula.
-  auto *inside = new QHBoxLayout(m_edit);
-  inside->setContentsMargins(0, 0, 0, 0);
-  inside->addStretch();
-  inside->addWidget(m_show);
+  layout->addWidget(m_show);
   setFocusProxy(m_edit);
   m_edit->installEventFilter(this);
   setWidth();
 }
 
-void BlankField::setWidth() {
-  const int showWidth = m_show->sizeHint().width();
-  m_edit->setTextMargins(0, 0, showWidth, 0);
-  m_edit->setFixedWidth(m_letters * fontMetrics().averageCharWidth() + showWidth);
-}
+void BlankField::setWidth() { m_edit->setFixedWidth(m_letters * fontMetrics().averageCharWidth()); }
 
 void BlankField::changeEvent(QEvent *event) {
   QWidget::changeEvent(event);
@@ -46,15 +51,23 @@ void BlankField::changeEvent(QEvent *event) {
     setWidth();
 }
 
-/// While there is no text to move in, Ctrl+Right and its like are the window's shortcuts, as everywhere else.
 bool BlankField::eventFilter(QObject *watched, QEvent *event) {
-  if (event->type() != QEvent::ShortcutOverride || !m_edit->text().isEmpty())
-    return QWidget::eventFilter(watched, event);
-  const auto &key = static_cast<const QKeyEvent &>(*event);
-  if (!key.matches(QKeySequence::MoveToNextWord) && !key.matches(QKeySequence::MoveToPreviousWord))
-    return QWidget::eventFilter(watched, event);
-  event->ignore();
-  return true;
+  if (event->type() == QEvent::ShortcutOverride && movesByWord(static_cast<const QKeyEvent &>(*event))) {
+    event->ignore(); // a number is one word: the keys are the window's shortcuts
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress && static_cast<const QKeyEvent &>(*event).key() == Qt::Key_Escape) {
+    leave();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void BlankField::leave() {
+  if (parentWidget())
+    parentWidget()->setFocus();
+  else
+    m_edit->clearFocus();
 }
 
 void BlankField::setQuestion(const QString &question) {

@@ -8,7 +8,8 @@ class QToolButton;
 
 namespace halfspace {
 
-/// A field for the learner's answer, and in it the button that shows the line instead.
+/// A field for the learner's answer, and beside it the button that shows the line instead. The keys that go
+/// from step to step are the window's here too, and Escape hands the keys to what it stands in.
 class BlankField : public QWidget {
   Q_OBJECT
 public:
@@ -31,6 +32,7 @@ protected:
 
 private:
   void setWidth();
+  void leave();
   void answer();
   void mark(bool wrong);
 

@@ -152,7 +152,7 @@ std::map<std::string, QString> WorkingBlock::remarkTexts() const {
   std::map<std::string, QString> texts;
   for (const TypesetLine &line : m_lines)
     if (const auto remark = remarkOf(line.source.id))
-      texts[line.source.id] = remark->text;
+      texts[line.source.id] = remark->isOfNow ? remark->text : tr("Before the change: %1").arg(remark->text);
   return texts;
 }
 

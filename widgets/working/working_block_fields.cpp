@@ -53,8 +53,10 @@ bool WorkingBlock::matchFields() {
   for (const WorkingLine &line : lines)
     if (const auto field = m_fields.find(line.id); field != m_fields.end())
       field->second->setQuestion(QString::fromStdString(questionText(line, *gapOf(line.id))));
-  for (const auto &[line, field] : m_fields)
-    field->setRemark(m_remarks.contains(line) ? m_remarks.at(line).text : QString());
+  for (const auto &[line, field] : m_fields) {
+    const auto remark = m_remarks.find(line);
+    field->setRemark(remark != m_remarks.end() && remark->second.isOfNow ? remark->second.text : QString());
+  }
   return lostFocus;
 }
 

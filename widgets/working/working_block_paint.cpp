@@ -140,9 +140,12 @@ void WorkingBlock::paintRemark(QPainter &painter, const PlacedLine &line, const 
     return;
   const double middle = fontMetrics().capHeight() / 2.0;
   const QPointF first = line.remark.front().baseline;
-  paintVerdict(painter, first - QPointF(1.5 * remarkMarkRadius, middle), remarkMarkRadius,
-               remark.right ? Verdict::Right : Verdict::Wrong, m_theme);
-  painter.setPen(toQColor(remark.right ? m_theme.inkOf(Subject::Triangle) : m_theme.warning));
+  if (remark.isOfNow)
+    paintVerdict(painter, first - QPointF(1.5 * remarkMarkRadius, middle), remarkMarkRadius,
+                 remark.right ? Verdict::Right : Verdict::Wrong, m_theme);
+  painter.setPen(toQColor(!remark.isOfNow ? m_theme.mutedInk
+                          : remark.right  ? m_theme.inkOf(Subject::Triangle)
+                                          : m_theme.warning));
   for (const PlacedText &text : line.remark)
     paintText(painter, text);
 }

@@ -28,6 +28,7 @@ struct TypesetLine {
 struct LineRemark {
   QString text;
   bool right = false;
+  bool isOfNow = true; ///< the numbers are still those that were asked for
   bool operator==(const LineRemark &) const = default;
 };
 

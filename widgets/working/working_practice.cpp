@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -26,7 +27,7 @@ QToolButton *tool(const QString &explanation) {
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_blocks(typesetter),
       m_chooser(tool(tr("How much of the lines you work out yourself"))), m_choices(new QActionGroup(this)),
-      m_newNumbers(tool(tr("Work with other short numbers; the case stays the same."))), m_score(new QLabel) {
+      m_newNumbers(tool(tr("Work with other short numbers."))), m_score(new QLabel) {
   auto *menu = new QMenu(m_chooser);
   menu->setToolTipsVisible(true);
   addChoice(*menu, Fading::None, tr("All lines"), tr("Show every line with its numbers."));
@@ -40,7 +41,9 @@ WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
   m_newNumbers->setText(tr("New numbers"));
   m_score->setObjectName("score");
   m_score->setForegroundRole(QPalette::PlaceholderText);
-  m_score->setToolTip(tr("What you filled in right at the first try. A line that was shown does not count."));
+  m_score->setToolTip(
+      tr("How many of the blanks that you tried you filled in right at once. One that was shown "
+         "counts as tried."));
   m_score->hide();
   auto *row = new FlowLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -69,13 +72,9 @@ void WorkingPractice::showChoice() {
   for (QAction *choice : m_choices->actions())
     if (choice->data().toInt() == static_cast<int>(fading())) {
       choice->setChecked(true);
-      m_chooser->setText(choice->text());
+      // Who sees all lines learns here that they can be practised.
+      m_chooser->setText(fading() == Fading::None ? tr("Practise") : choice->text());
     }
-}
-
-void WorkingPractice::setUsual(Fading fading) {
-  m_usual = fading;
-  refresh();
 }
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
@@ -99,13 +98,12 @@ Fading WorkingPractice::fading() const {
   const auto here = m_practice.find(m_step);
   if (here != m_practice.end() && here->second.fading)
     return *here->second.fading;
-  return m_asked.value_or(m_usual);
+  const auto chosen = m_chosen.find(m_step.first);
+  return m_asked.value_or(chosen == m_chosen.end() ? Fading::None : chosen->second);
 }
 
 void WorkingPractice::refresh() {
-  // What was done with other numbers is of no use for these.
-  std::erase_if(practice().lines,
-                [this](const auto &each) { return textOf(each.first) != each.second.text; });
+  endRecordsOfOtherNumbers();
   m_chooser->setEnabled(!m_hidden);
   m_newNumbers->setEnabled(!m_hidden);
   showChoice();
@@ -115,27 +113,35 @@ void WorkingPractice::refresh() {
   showScore();
 }
 
-void WorkingPractice::showScore() {
-  const Fade all = fade(m_working, fading(), {});
-  const auto asked = static_cast<int>(all.gaps.size());
-  int right = 0;
-  for (const auto &[line, gap] : all.gaps) {
-    const auto record = practice().lines.find(line);
-    right += record != practice().lines.end() && record->second.wasRight == true ? 1 : 0;
+void WorkingPractice::endRecordsOfOtherNumbers() {
+  for (auto &[line, record] : practice().lines) {
+    if (textOf(line) == record.text)
+      continue;
+    LineRemark said = std::move(record.remark);
+    said.isOfNow = false;
+    record = {textOf(line), false, std::move(said)};
   }
-  constexpr QChar figureSpace(0x2007); // as wide as a digit: nothing moves from 9 to 10
-  const int digits = static_cast<int>(QString::number(asked).size());
-  m_score->setText(
-      tr("%1/%n right", "lines that were filled in right", asked).arg(right, digits, 10, figureSpace));
-  m_score->setAccessibleName(
-      tr("%1 of %n right at the first try", "lines that were filled in", asked).arg(right));
-  m_score->setVisible(asked > 0 && !m_hidden);
+}
+
+void WorkingPractice::count(LineRecord &record, bool right) {
+  if (std::exchange(record.isCounted, true))
+    return;
+  Score &score = practice().score;
+  ++score.tried;
+  score.right += right ? 1 : 0;
+}
+
+void WorkingPractice::showScore() {
+  const Score score = practice().score;
+  m_score->setText(tr("%1 of %n right at once", "blanks that were tried", score.tried).arg(score.right));
+  m_score->setVisible(score.tried > 0 && !m_hidden);
 }
 
 std::map<std::string, LineRemark> WorkingPractice::remarks() {
   std::map<std::string, LineRemark> remarks;
   for (const auto &[line, record] : practice().lines)
-    remarks[line] = record.remark;
+    if (!record.remark.text.isEmpty())
+      remarks[line] = record.remark;
   return remarks;
 }
 
@@ -159,8 +165,8 @@ std::string WorkingPractice::textOf(const std::string &lineId) const {
 }
 
 void WorkingPractice::choose(Fading fading) {
-  m_usual = fading;
-  practice() = {fading, {}};
+  m_chosen[m_step.first] = fading;
+  practice() = {fading, {}, {}};
   m_blocks.forgetAnswers(); // they were to other questions
   refresh();
   m_blocks.focusField();
@@ -187,8 +193,8 @@ void WorkingPractice::answer(const QString &lineId, const QString &text) {
   LineRecord &record = recordOf(line);
   record.remark = {QString::fromStdString(judgement.sentence), judgement.right};
   record.isOpen = judgement.right;
-  if (judgement.isAnswer && !record.wasRight)
-    record.wasRight = judgement.right;
+  if (judgement.isAnswer)
+    count(record, judgement.right);
   refresh();
   emit blanksChanged();
 }
@@ -198,7 +204,7 @@ void WorkingPractice::open(const QString &lineId) {
   LineRecord &record = recordOf(line);
   record.isOpen = true;
   record.remark = {};
-  record.wasRight = record.wasRight.value_or(false);
+  count(record, false);
   refresh();
   emit blanksChanged();
 }

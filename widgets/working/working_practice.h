@@ -16,7 +16,7 @@ namespace halfspace {
 /// A row of tools: the choice of how much is blank, new numbers, the score. Keeps for every step of every
 /// lesson which lines the learner has completed or had shown; they stay open until their numbers change, and
 /// choosing how much is blank makes them blank anew, as do new numbers. Lines that are blank stay so and ask
-/// for the new number.
+/// for the new number; what was said about the one before stays, as such. A choice holds for its lesson.
 class WorkingPractice : public QWidget {
   Q_OBJECT
 public:
@@ -31,11 +31,6 @@ public:
   /// a question goes before.
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn, bool hidden);
 
-  /// How much is blank where neither the step nor the learner has said anything else: the learner's last
-  /// choice.
-  [[nodiscard]] Fading usual() const { return m_usual; }
-  void setUsual(Fading fading);
-
   /// Whether some lines ask to be filled in.
   [[nodiscard]] bool hasBlanks() const { return !m_fade.gaps.empty(); }
 
@@ -46,16 +41,22 @@ signals:
   void newNumbersRequested();
 
 private:
-  /// What the learner did with a line. New numbers end it.
+  /// What the learner did with a line.
   struct LineRecord {
-    std::string text;               ///< of the line then
-    bool isOpen = false;            ///< completed, or shown
-    LineRemark remark{};            ///< said about the last answer
-    std::optional<bool> wasRight{}; ///< the first answer; false where the line was shown instead
+    std::string text;       ///< of the line then
+    bool isOpen = false;    ///< completed, or shown
+    LineRemark remark{};    ///< said about the last answer
+    bool isCounted = false; ///< there was an answer, or the line was shown instead
+  };
+  /// Of all blanks of a step since the learner chose them, whatever numbers they asked for.
+  struct Score {
+    int right = 0; ///< at the first try
+    int tried = 0; ///< answered or shown
   };
   struct StepPractice {
     std::optional<Fading> fading; ///< the learner's choice here
     std::map<std::string, LineRecord> lines;
+    Score score;
   };
 
   void addChoice(QMenu &menu, Fading fading, const QString &text, const QString &explanation);
@@ -65,6 +66,9 @@ private:
   void answer(const QString &lineId, const QString &text);
   void open(const QString &lineId);
   void refresh();
+  /// What was done with other numbers is of no use for these: only what was said is kept.
+  void endRecordsOfOtherNumbers();
+  void count(LineRecord &record, bool right);
   void showScore();
   [[nodiscard]] Fading fading() const;
   [[nodiscard]] std::set<std::string> openedLines();
@@ -80,8 +84,8 @@ private:
   QActionGroup *m_choices;
   QToolButton *m_newNumbers;
   QLabel *m_score;
-  Fading m_usual = Fading::None; ///< the learner's last choice
-  std::optional<Fading> m_asked; ///< by the step
+  std::map<std::string, Fading> m_chosen; ///< the learner's last choice in a lesson
+  std::optional<Fading> m_asked;          ///< by the step
   std::pair<std::string, int> m_step;
   std::map<std::pair<std::string, int>, StepPractice> m_practice;
   Working m_working;

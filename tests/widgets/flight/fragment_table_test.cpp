@@ -161,6 +161,17 @@ private slots:
     QVERIFY(shown.table.spoken(0).contains("-1234/5679") || shown.table.spoken(0).contains("−1234/5679"));
   }
 
+  void column_withADecimal_hasNoFractions() {
+    ShownTable shown(m_typesetter);
+    Crossings crossings = someCrossings();
+    crossings.all[1].at->t = Rational(3, 5);
+    shown.show(crossings);
+    const QImage alone = shown.imageOf(1); // λ = 3/5
+    crossings.all[0].at->t = Rational(-9, 40);
+    shown.show(crossings);
+    QVERIFY(shown.imageOf(1) != alone); // λ = 0.6, as the other is −0.225
+  }
+
   void narrowTable_hasHigherRows_noWiderThanItself() {
     ShownTable shown(m_typesetter);
     shown.table.resize(700, shown.table.heightForWidth(700));

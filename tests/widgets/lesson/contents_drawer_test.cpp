@@ -28,6 +28,15 @@ struct ShownDrawer {
     field.setFocus();
   }
   QListWidget &list() { return *drawer.findChild<QListWidget *>("lessonList"); }
+  QLineEdit &search() { return *drawer.findChild<QLineEdit *>("lessonSearch"); }
+  /// The lines of the list that can be seen.
+  QStringList rows() {
+    QStringList texts;
+    for (int i = 0; i < list().count(); ++i)
+      if (!list().item(i)->isHidden())
+        texts << list().item(i)->text();
+    return texts;
+  }
   QPoint middleOf(int lesson) { return list().visualItemRect(list().item(lesson)).center(); }
   QString chosenId() const { return chosen.isEmpty() ? QString() : chosen.last().first().toString(); }
 
@@ -49,18 +58,19 @@ private slots:
   void lessons_standUnderTheirChapters_withWhatTheyNeed_andTheKeysPassTheseBy() {
     ShownDrawer shown;
     QVERIFY(shown.ready);
-    shown.drawer.setLessons({{"plane", "What is a plane?", LessonState::Done, "Planes"},
-                             {"side", "On which side?", LessonState::New, "Planes", {"What is a plane?"}},
-                             {"ray", "Where does a ray meet it?", LessonState::New, "Rays", {"A", "B"}}},
-                            "plane");
+    shown.drawer.setLessons(
+        {{"plane", "What is a plane?", LessonState::Done, "Planes"},
+         {"side", "On which side?", LessonState::New, "Planes", {"plane"}},
+         {"ray", "Where does a ray meet it?", LessonState::New, "Rays", {"plane", "side"}}},
+        "plane");
     QStringList rows;
     for (int i = 0; i < shown.list().count(); ++i)
       rows << shown.list().item(i)->text();
-    QCOMPARE(rows, (QStringList{"Planes", "What is a plane?", "On which side?", "After: What is a plane?",
-                                "Rays", "Where does a ray meet it?", "After: A; B"}));
+    QCOMPARE(rows, (QStringList{"Planes", "What is a plane?", "On which side?", "after plane", "Rays",
+                                "Where does a ray meet it?", "after plane, side"}));
     shown.drawer.open();
-    QTest::keyClick(&shown.list(), Qt::Key_Down);
-    QTest::keyClick(&shown.list(), Qt::Key_Down);
+    QTest::keyClick(&shown.search(), Qt::Key_Down);
+    QTest::keyClick(&shown.search(), Qt::Key_Down);
     QCOMPARE(shown.list().currentItem()->text(), QString("Where does a ray meet it?"));
     QTest::mouseClick(shown.list().viewport(), Qt::LeftButton, {}, shown.middleOf(4));
     QVERIFY2(shown.chosen.isEmpty(), "a chapter is no lesson");
@@ -76,7 +86,7 @@ private slots:
     QCOMPARE(shown.drawer.geometry().topLeft(), QPoint(0, 0));
     QCOMPARE(shown.drawer.height(), 600);
     QVERIFY(shown.drawer.width() < 700);
-    QCOMPARE(shown.window.focusWidget(), &shown.list());
+    QCOMPARE(shown.window.focusWidget(), &shown.search());
     QCOMPARE(shown.list().currentItem()->text(), QString("How far is a point?"));
     shown.drawer.open();
     QCOMPARE(shown.changed.count(), 1);
@@ -88,7 +98,7 @@ private slots:
     ShownDrawer shown;
     QVERIFY(shown.ready);
     shown.drawer.open();
-    QTest::keyClick(&shown.list(), Qt::Key_Escape);
+    QTest::keyClick(&shown.search(), Qt::Key_Escape);
     QVERIFY(!shown.drawer.isVisible());
     QCOMPARE(shown.changed.count(), 2);
     QVERIFY(!shown.changed.last().first().toBool());
@@ -129,10 +139,31 @@ private slots:
     QVERIFY(!shown.drawer.isVisible());
     shown.drawer.open();
     shown.list().setCurrentRow(0);
-    QTest::keyClick(&shown.list(), Qt::Key_Return);
+    QTest::keyClick(&shown.search(), Qt::Key_Return);
     QCOMPARE(shown.chosenId(), QString("plane"));
     QVERIFY(!shown.drawer.isVisible());
     QCOMPARE(shown.chosen.count(), 2);
+  }
+
+  void whatIsTyped_isLookedForInTitlesChaptersAndIds() {
+    ShownDrawer shown;
+    QVERIFY(shown.ready);
+    shown.drawer.setLessons({{"plane-implicit", "What is a plane?", LessonState::Done, "Planes"},
+                             {"signed-distance", "How far?", LessonState::New, "Planes", {"plane-implicit"}},
+                             {"ray-plane-dot", "Where does it meet?", LessonState::New, "Rays", {"other"}}},
+                            "plane-implicit");
+    shown.drawer.open();
+    QTest::keyClicks(&shown.search(), "signed");
+    QCOMPARE(shown.rows(), (QStringList{"Planes", "How far?", "after plane-implicit"}));
+    shown.search().clear();
+    QTest::keyClicks(&shown.search(), "MEET dot");
+    QCOMPARE(shown.rows(), (QStringList{"Rays", "Where does it meet?", "after other"}));
+    QTest::keyClick(&shown.search(), Qt::Key_Return);
+    QCOMPARE(shown.chosenId(), QString("ray-plane-dot"));
+    shown.drawer.open();
+    QCOMPARE(shown.rows().size(), 7); // it begins anew
+    QTest::keyClicks(&shown.search(), "nothing of the kind");
+    QCOMPARE(shown.rows(), QStringList());
   }
 
   void stateOfALesson_isToldToWhoCannotSeeItsMark() {

@@ -418,6 +418,31 @@ private slots:
     QVERIFY(words->width() < 90 * letter);
     QVERIFY(std::abs(words->mapTo(&shown.page, words->rect().center()).x() - 900) < 20); // in the middle
   }
+
+  void taskThatIsDueNext_comesIntoView_butNotOnArrival() {
+    std::string many;
+    for (int i = 0; i < 60; ++i)
+      many += "Many words stand between the two of them. ";
+    const StepWords words{many};
+    Lesson lesson = lessonOf({{"Tasks", {StepLines(), Task{"First.", {}}, words, Task{"Second.", {}}}}});
+    ShownPage shown(lesson, 0, smallPage);
+    QVERIFY(shown.ready);
+    QScrollBar &bar = *shown.page.findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar.maximum() > 0);
+    const TaskRow &second = *shown.shown<TaskRow>().at(1);
+    const auto isInView = [&] {
+      const int top = shown.topOf(&second);
+      return top >= 0 && top + second.height() <= shown.page.findChild<QScrollArea *>()->height();
+    };
+    shown.page.setTaskStates({TaskState::Open, TaskState::Waiting});
+    QCOMPARE(bar.value(), 0);
+    QVERIFY(!isInView());
+    shown.page.setTaskStates({TaskState::Done, TaskState::Open});
+    QVERIFY(isInView());
+    bar.setValue(0);
+    shown.page.setTaskStates({TaskState::Done, TaskState::Open}); // nothing new
+    QCOMPARE(bar.value(), 0);
+  }
 };
 
 QTEST_MAIN(LessonPageTest)

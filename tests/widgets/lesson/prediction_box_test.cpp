@@ -89,6 +89,24 @@ private slots:
     QVERIFY(!shown.reason().contains("The sign of f(Q) tells."));
   }
 
+  void tryingAgain_isOfferedWhereThereIsSomethingToMend_data() {
+    QTest::addColumn<QString>("chosen");
+    QTest::addColumn<bool>("isOfNow");
+    QTest::addColumn<bool>("isOffered");
+    QTest::newRow("right") << "negative" << true << false;
+    QTest::newRow("wrong") << "on" << true << true;
+    QTest::newRow("right, about another scene") << "negative" << false << true;
+  }
+
+  void tryingAgain_isOfferedWhereThereIsSomethingToMend() {
+    QFETCH(QString, chosen);
+    QFETCH(bool, isOfNow);
+    QFETCH(bool, isOffered);
+    ShownBox shown;
+    shown.box.setAnswer(GivenAnswer{chosen.toStdString(), "negative", isOfNow});
+    QCOMPARE(shown.box.findChild<QToolButton *>("again")->isVisibleTo(&shown.box), isOffered);
+  }
+
   void answer_whereNoneIsRight_isExplainedWithoutAVerdict() {
     ShownBox shown;
     shown.box.setAnswer(GivenAnswer{"on", ""});

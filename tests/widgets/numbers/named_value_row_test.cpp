@@ -2,6 +2,7 @@
 #include "widgets/numbers/named_value_row.h"
 
 #include <QTest>
+#include <QVBoxLayout>
 
 using namespace halfspace;
 
@@ -58,6 +59,24 @@ private slots:
     row.value().setFormula(formulaOf("a value that is much longer than before"), "");
     QTRY_VERIFY(row.value().y() > 0); // there is no room for it beside the name any more
     QVERIFY(row.sizeHint().width() > row.width());
+  }
+
+  void value_thatGrewWhileItWasHidden_hasItsRoomWhenItIsShown() {
+    Typesetter typesetter;
+    QWidget panel;
+    auto *column = new QVBoxLayout(&panel);
+    auto *row = new NamedValueRow(typesetter);
+    row->name().setFormula(formulaOf("t"), "");
+    row->value().setFormula(math::number("1"), "");
+    column->addWidget(row);
+    panel.resize(400, 300);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const int before = row->height();
+    panel.hide();
+    row->value().setFormula({math::fraction({math::number("1")}, {math::number("3")})}, "");
+    panel.show();
+    QTRY_VERIFY(row->height() > before);
   }
 };
 

@@ -55,7 +55,7 @@ private slots:
     QCOMPARE(edit(field).text(), QString("10"));
   }
 
-  void keysThatMoveByWords_areShortcutsOfTheWindowWhileThereIsNoText() {
+  void keysThatMoveByWords_areShortcutsOfTheWindow() {
     BlankField field(12);
     const auto isTaken = [&](Qt::Key key, Qt::KeyboardModifiers modifiers) {
       QKeyEvent asked(QEvent::ShortcutOverride, key, modifiers);
@@ -68,7 +68,7 @@ private slots:
       QVERIFY(!isTaken(key, Qt::ControlModifier));
       QVERIFY(isTaken(key, Qt::NoModifier));
       edit(field).setText("10");
-      QVERIFY(isTaken(key, Qt::ControlModifier));
+      QVERIFY(!isTaken(key, Qt::ControlModifier));
     }
   }
 
@@ -118,6 +118,26 @@ private slots:
     window.show();
     field.setFocus();
     QCOMPARE(window.focusWidget(), &edit(field));
+  }
+
+  void escape_handsTheKeysToWhatTheFieldStandsIn() {
+    QWidget window;
+    window.setFocusPolicy(Qt::StrongFocus);
+    BlankField field(12, &window);
+    window.show();
+    field.setFocus();
+    QTest::keyClicks(&edit(field), "10");
+    QTest::keyClick(&edit(field), Qt::Key_Escape);
+    QCOMPARE(window.focusWidget(), &window);
+    QCOMPARE(edit(field).text(), QString("10"));
+  }
+
+  void showButton_standsBesideWhereItIsTyped() {
+    BlankField field(12);
+    field.resize(field.sizeHint());
+    field.show();
+    QVERIFY(showButton(field).geometry().left() > edit(field).geometry().right());
+    QVERIFY(field.rect().contains(showButton(field).geometry()));
   }
 
   void fieldIsAsWideAsItsLetters() {

@@ -116,7 +116,7 @@ private slots:
     ShownPractice practice(m_typesetter);
     QVERIFY(!practice.tools.hasBlanks());
     QVERIFY(practice.fields().isEmpty());
-    QCOMPARE(practice.chooser().text(), QString("All lines"));
+    QCOMPARE(practice.chooser().text(), QString("Practise"));
     QSignalSpy changed(&practice.tools, &WorkingPractice::blanksChanged);
     practice.choose("Last blank");
     QCOMPARE(changed.count(), 1);
@@ -221,7 +221,8 @@ private slots:
     practice.choose("Last blank");
     answer(practice.fields().first(), "30");
     practice.setWorking(someWorking(60));
-    QVERIFY(text(practice.line(1).remark).isEmpty()); // it was about another number
+    QCOMPARE(text(practice.line(1).remark), QString("Before the change: 30 is f(Q)."));
+    QCOMPARE(practice.fields().first()->property("wrong").toBool(), false);
     QVERIFY(practice.tools.hasBlanks());
     answer(practice.fields().first(), "10");
     QVERIFY(practice.tools.hasBlanks());
@@ -264,57 +265,62 @@ private slots:
     ShownPractice practice(m_typesetter);
     QCOMPARE(practice.score(), QString());
     practice.choose("All blank");
-    QCOMPARE(practice.score(), QString("0/2 right")); // the vector asks for nothing
-    answer(practice.fields().first(), "abc");         // no answer
+    QCOMPARE(practice.score(), QString());    // nothing is tried yet
+    answer(practice.fields().first(), "abc"); // no answer
+    QCOMPARE(practice.score(), QString());
     answer(practice.fields().first(), "30");
-    QCOMPARE(practice.score(), QString("1/2 right"));
+    QCOMPARE(practice.score(), QString("1 of 1 right at once"));
     answer(practice.fields().first(), "30"); // wrong
     answer(practice.fields().first(), "10");
-    QCOMPARE(practice.score(), QString("1/2 right"));
-    QCOMPARE(practice.tools.findChild<QLabel *>("score")->accessibleName(),
-             QString("1 of 2 right at the first try"));
+    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
     practice.choose("Last blank");
-    QCOMPARE(practice.score(), QString("0/1 right"));
-    practice.choose("All lines");
     QCOMPARE(practice.score(), QString());
   }
 
-  void scoreLeavesOutWhatWasShown_andBeginsAnewWithNewNumbers() {
+  void scoreCountsWhatWasShownAsTried_andGoesOnWithOtherNumbers() {
     ShownPractice practice(m_typesetter);
     practice.choose("All blank");
     answer(practice.fields().first(), "30");
     QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
-    QCOMPARE(practice.score(), QString("1/2 right"));
+    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
     practice.setStep(1, Fading::All);
     practice.setWorking(someWorking());
-    QCOMPARE(practice.score(), QString("0/2 right"));
+    QCOMPARE(practice.score(), QString());
     practice.setStep(0);
     practice.setWorking(someWorking());
-    QCOMPARE(practice.score(), QString("1/2 right"));
+    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
     practice.setWorking(someWorking(), true);
     QCOMPARE(practice.score(), QString()); // a question goes before
     practice.setWorking(someWorking(60));
-    QCOMPARE(practice.score(), QString("0/2 right"));
+    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
     answer(practice.fields().first(), "60");
-    QCOMPARE(practice.score(), QString("1/2 right"));
+    QCOMPARE(practice.score(), QString("2 of 3 right at once"));
     QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
-    QCOMPARE(practice.score(), QString("0/2 right")); // even where they are the same
+    answer(practice.fields().first(), "60");
+    QCOMPARE(practice.score(), QString("3 of 4 right at once"));
   }
 
-  void choiceOfAnEarlierStartHoldsWhereTheStepAsksForNothingElse() {
+  void choiceHoldsInTheStepsOfItsLesson_andInNoOther() {
     ShownPractice practice(m_typesetter);
-    practice.tools.setUsual(Fading::Last);
-    QCOMPARE(practice.chooser().text(), QString("Last blank"));
+    practice.choose("Last blank");
+    practice.setStep(1);
+    practice.setWorking(someWorking());
     QCOMPARE(practice.fields().size(), 1);
-    practice.choose("All blank");
-    QVERIFY(practice.tools.usual() == Fading::All);
+    practice.tools.setStep("another lesson", 0, {});
+    practice.setWorking(someWorking());
+    QVERIFY(!practice.tools.hasBlanks());
+    QCOMPARE(practice.chooser().text(), QString("Practise"));
+    practice.setStep(2);
+    practice.setWorking(someWorking());
+    QVERIFY(practice.tools.hasBlanks());
   }
 
   void choices_excludeEachOther_andTheToolSaysWhichHolds() {
     ShownPractice practice(m_typesetter);
     for (const char *chosen : {"Gaps", "Last blank", "All blank", "All lines"}) {
       practice.choose(chosen);
-      QCOMPARE(practice.chooser().text(), QString(chosen));
+      QCOMPARE(practice.chooser().text(),
+               QString(chosen) == "All lines" ? QString("Practise") : QString(chosen));
       QStringList checked;
       for (const QAction *choice : practice.chooser().menu()->actions())
         if (choice->isChecked())
@@ -326,6 +332,7 @@ private slots:
   void toolsAreNeverCutOff() {
     ShownPractice practice(m_typesetter);
     practice.choose("All blank");
+    answer(practice.fields().first(), "30");
     QVERIFY(!practice.score().isEmpty());
     const int least = practice.tools.minimumSizeHint().width();
     for (const int width : {practice.tools.sizeHint().width(), least}) {

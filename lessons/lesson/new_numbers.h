@@ -1,0 +1,16 @@
+// New numbers for the scene of a step.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+
+#include <cstdint>
+
+namespace halfspace {
+
+/// The scene with other short numbers, see short_numbers.h, of which nothing flat is seen edge-on from the
+/// direction `from`, where chance allows. Where the step asks a question its answer may become another one:
+/// each that the numbers tried come to is as likely as the others.
+[[nodiscard]] Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec3 &from,
+                                   std::uint64_t seed);
+
+} // namespace halfspace

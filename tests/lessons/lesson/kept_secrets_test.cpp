@@ -1,0 +1,93 @@
+// What a learner is to find in a blank stands nowhere else on the page or in the figure.
+#include "lessons/lesson/lesson.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+namespace halfspace {
+namespace {
+
+bool isPartOfNumber(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.'; }
+
+/// Whether the text has the number or list by itself, not as a part of another, and not as an index.
+bool tells(const std::string &text, const std::string &answer) {
+  for (auto at = text.find(answer); at != std::string::npos; at = text.find(answer, at + 1)) {
+    const auto end = at + answer.size();
+    const bool beginsHere = at == 0 || (!isPartOfNumber(text[at - 1]) && text[at - 1] != '_');
+    if (beginsHere && (end == text.size() || !isPartOfNumber(text[end])))
+      return true;
+  }
+  return false;
+}
+
+bool tells(const std::string &text, const Term &answer) {
+  Notation amongWords;
+  amongWords.smallFractions = true;
+  return tells(text, plainText(answer)) || tells(text, latexOf(answer)) ||
+         tells(text, latexOf(answer, LatexMarks::Without, amongWords));
+}
+
+/// A lesson at one of its steps, with one of its lines left to the learner.
+class BlankLine {
+public:
+  BlankLine(const Lesson &lesson, const LessonStep &step, const Evaluation &evaluation)
+      : m_lesson(lesson), m_evaluation(evaluation), m_shown(shownIn(step, evaluation)) {
+    m_lesson.steps = {step};
+  }
+
+  void expectSecrets(Fading fading) {
+    const Fade all = fade(m_shown.working, fading, {});
+    for (const auto &[id, gap] : all.gaps) {
+      SCOPED_TRACE(id + ", " + std::string(nameOf(fading)));
+      expectSecret(calculated(gap.hidden));
+      expectWaitingLinesKeep(id, fading, all);
+    }
+  }
+
+private:
+  void expectSecret(const Term &answer) {
+    for (const LessonWords &words : wordsOf(m_lesson)) {
+      const std::string filled = withLiveValues(words.text, m_lesson.scene, m_evaluation, LiveValues::Hidden);
+      // What the author has written is no live value: the 0 of “it is 0 in the plane”.
+      EXPECT_TRUE(tells(words.text, answer) || !tells(filled, answer)) << filled;
+    }
+    for (const Mark &mark : withoutNumbers(m_shown.figure).marks)
+      EXPECT_FALSE(tells(baseOf(mark).label + baseOf(mark).numbers, answer)) << baseOf(mark).id;
+  }
+
+  /// The lines that wait for one that is still blank when all others are filled in.
+  void expectWaitingLinesKeep(const std::string &blank, Fading fading, const Fade &all) {
+    std::set<std::string> opened;
+    for (const auto &[id, gap] : all.gaps)
+      if (id != blank)
+        opened.insert(id);
+    const Term answer = calculated(all.gaps.at(blank).hidden);
+    for (const std::string &waiting : fade(m_shown.working, fading, opened).waiting) {
+      const std::string symbols = symbolsText(*findLine(m_shown.working, waiting));
+      EXPECT_TRUE(symbols.find(plainText(answer)) == std::string::npos || !answer->value->isList) << symbols;
+    }
+  }
+
+  Lesson m_lesson;
+  const Evaluation &m_evaluation;
+  Shown m_shown;
+};
+
+TEST(KeptSecrets, ofEveryStepOfEveryLesson_areInNoLiveValue_noLabel_andNoLineThatWaits) {
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
+    const Evaluation evaluation = evaluate(lesson.scene);
+    for (const LessonStep &step : lesson.steps) {
+      SCOPED_TRACE(lesson.id + ", " + step.title);
+      BlankLine blank(lesson, step, evaluation);
+      for (const Fading fading : {Fading::Last, Fading::All})
+        blank.expectSecrets(fading);
+    }
+  }
+}
+
+} // namespace
+} // namespace halfspace

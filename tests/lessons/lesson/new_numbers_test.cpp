@@ -1,0 +1,60 @@
+// New numbers for a step: a repeated question may have another answer, and planes are seen as planes.
+#include "lessons/lesson/new_numbers.h"
+
+#include "lessons/object/plane.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace halfspace {
+namespace {
+
+const LessonLibrary &library() {
+  static const LessonLibrary lessons = readLessons(LESSON_FOLDER);
+  return lessons;
+}
+
+/// The first step of a lesson that asks a question, or none.
+const LessonStep &stepOf(const Lesson &lesson, bool asks) {
+  return *std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                       [&](const LessonStep &step) { return (predictionOf(step) != nullptr) == asks; });
+}
+
+std::string caseOf(const Scene &scene) { return evaluate(scene).lastConstruction()->outcome->told->name; }
+
+TEST(NewNumbers, whereTheStepAsks_varyTheAnswer) {
+  for (const char *id : {"signed-distance", "ray-plane-dot", "ray-triangle-perp"}) {
+    const Lesson &lesson = *library().find(id);
+    const LessonStep &step = stepOf(lesson, true);
+    std::set<std::string> answers;
+    for (std::uint64_t seed = 0; seed < 12; ++seed)
+      answers.insert(rightChoice(*predictionOf(step),
+                                 evaluate(withNewNumbers(lesson.scene, step, lesson.camera.from, seed))));
+    EXPECT_GT(answers.size(), 1U) << id;
+    EXPECT_FALSE(answers.contains("")) << id;
+  }
+}
+
+TEST(NewNumbers, whereTheStepAsksNothing_keepTheCase) {
+  const Lesson &lesson = *library().find("signed-distance");
+  const LessonStep &step = stepOf(lesson, false);
+  for (std::uint64_t seed = 0; seed < 12; ++seed)
+    EXPECT_EQ(caseOf(withNewNumbers(lesson.scene, step, lesson.camera.from, seed)), caseOf(lesson.scene));
+}
+
+TEST(NewNumbers, planes_areNotSeenEdgeOn) {
+  const Lesson &lesson = *library().find("signed-distance");
+  const glm::dvec3 from = glm::normalize(lesson.camera.from);
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Scene renewed = withNewNumbers(lesson.scene, stepOf(lesson, false), from, seed);
+    const glm::dvec3 normal =
+        glm::normalize(toDouble(objectAs<PlaneObject>(*findObject(renewed, "E"))->normal));
+    EXPECT_GT(std::abs(glm::dot(normal, from)), 0.15);
+  }
+}
+
+} // namespace
+} // namespace halfspace
