@@ -69,6 +69,31 @@ TEST(Lines, OfHelpersAndGhosts_AreDashedAndOthersAreNot) {
   }
 }
 
+TEST(Lines, OfFurtherObjects_AreInLongDashes_EachInItsOwn) {
+  std::set<double> parts;
+  for (const std::size_t rank : {0U, 1U, 2U, 3U}) {
+    SegmentMark line = segmentOf(Role::Given);
+    line.look.rank = rank;
+    const double part = partDrawn(meshOfMark(line), 8);
+    EXPECT_GT(part, partDrawn(meshOfMark(segmentOf(Role::Helper)), 8)) << rank;
+    parts.insert(part);
+  }
+  EXPECT_EQ(parts.size(), 4U);
+}
+
+TEST(Lines, OfAHelperOfAFurtherObject_AreDashedAsThoseOfHelpers) {
+  SegmentMark line = segmentOf(Role::Helper);
+  line.look.rank = 2;
+  EXPECT_EQ(rhythmOf(line, 1), rhythmOf(segmentOf(Role::Helper), 1));
+}
+
+TEST(Lines, InALook_HaveItsHue_AndSoHasTheFaceOfAPatch) {
+  PlanePatchMark patch = withId(patchAt({0, 0, 0}, {0, 0, 1}), "F", Subject::Plane);
+  patch.look.hue = Hue::Green;
+  EXPECT_EQ(solidColor(patch, theme(), false), theme().colorOf(Hue::Green));
+  EXPECT_EQ(facesOfMark(patch).front().color, theme().colorOf(Hue::Green));
+}
+
 TEST(Lines, OfWhatIsGiven_AreThickerThanThoseOfHelpers) {
   const auto thickness = [](Role role) { return thicknessOf(meshOfMark(segmentOf(role))); };
   EXPECT_GT(thickness(Role::Given), thickness(Role::Derived));

@@ -194,7 +194,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
                        style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned});
   for (const Mark *mark : labelledMarks(content)) {
     const MarkBase &base = baseOf(*mark);
-    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
+    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
     texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
                      anchorsOf(*mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
                      true, content.arrival.presenceOf(base)});
