@@ -101,6 +101,29 @@ TEST(Lines, OfWhatIsGiven_AreThickerThanThoseOfHelpers) {
   EXPECT_EQ(thickness(Role::Result), thickness(Role::Given));
 }
 
+ArrowMark upArrow(const std::string &id, double length) {
+  ArrowMark arrow = withId(ArrowMark{}, id);
+  arrow.vector = {0, 0, length};
+  return arrow;
+}
+
+/// The largest distance from the z axis at a height.
+double thicknessAt(const Mesh &mesh, double height) {
+  double most = 0;
+  for (const glm::vec3 &position : mesh.positions)
+    if (std::abs(position.z - height) < 1e-4)
+      most = std::max<double>(most, std::hypot(position.x, position.y));
+  return most;
+}
+
+TEST(Arrows, ThatLieInOthers_AreThicker_SoThatBothAreSeen) {
+  const Figure both{{upArrow("v", 8), upArrow("w", 3)}};
+  const double alone = thicknessAt(meshOf({{upArrow("w", 3)}}, {}, theme(), 1), 0);
+  EXPECT_GT(thicknessAt(meshOf(both, {}, theme(), 1), 0), 1.5 * alone);
+  const Figure opposite{{upArrow("v", 8), upArrow("w", -3)}};
+  EXPECT_DOUBLE_EQ(thicknessAt(meshOf(opposite, {}, theme(), 1), 0), alone);
+}
+
 TEST(Lines, SeenFromFartherAway_AreThickerInTheScene) {
   EXPECT_NEAR(thicknessOf(meshOfMark(segmentOf(Role::Given), 3)),
               3 * thicknessOf(meshOfMark(segmentOf(Role::Given))), 1e-6);

@@ -2,6 +2,8 @@
 
 #include "widgets/picture/shapes/mark_outline.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 
@@ -47,6 +49,35 @@ double widthOf(Role role) {
 
 double highlightOf(const Mark &mark) {
   return std::holds_alternative<PointMark>(mark) ? highlightBallWidth : highlightWidth;
+}
+
+/// Each arrow that lies in longer ones is drawn so much thicker: its shaft is seen around theirs, their tips
+/// are seen beyond it.
+constexpr double sleeveWidth = 0.7;
+/// Directions that differ by less than this (the sine of the angle) are one to the eye, in whatever way they
+/// were rounded.
+constexpr double sameDirection = 1e-6;
+
+/// Whether an arrow lies in another: it starts in the same place, points the same way and is shorter.
+bool liesIn(const ArrowMark &arrow, const ArrowMark &other) {
+  const Place inner = shownVector(arrow);
+  const Place outer = shownVector(other);
+  const double lengths = glm::length(inner) * glm::length(outer);
+  return arrow.from == other.from && glm::dot(inner, outer) > 0 &&
+         glm::length(glm::cross(inner, outer)) <= sameDirection * lengths &&
+         glm::length(inner) < glm::length(outer);
+}
+
+/// What the width of a mark is multiplied by, so that it is seen where it lies in others.
+double sleeveOf(const Mark &mark, const Figure &figure) {
+  const auto *arrow = std::get_if<ArrowMark>(&mark);
+  if (!arrow)
+    return 1;
+  const auto holders = std::count_if(figure.marks.begin(), figure.marks.end(), [&](const Mark &each) {
+    const auto *other = std::get_if<ArrowMark>(&each);
+    return other && liesIn(*arrow, *other);
+  });
+  return 1 + sleeveWidth * static_cast<double>(holders);
 }
 
 BallDetail ballDetailFor(const Figure &figure) {
@@ -173,7 +204,8 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     const double presence = arrival.presenceOf(base);
     if (presence <= 0)
       continue;
-    const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) * presence;
+    const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
+                         sleeveOf(mark, figure) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
                       rhythmOf(base, scale), ball};
     addMark(mesh, mark, brush, theme, scale);
