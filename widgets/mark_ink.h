@@ -12,7 +12,7 @@ namespace halfspace {
 [[nodiscard]] inline MathPicture::InkOf markInk(const SessionModel &model, const Theme &theme) {
   return [&model, theme](const QString &markId) {
     const Mark *mark = findMark(model.shown().figure, markId.toStdString());
-    return toQColor(mark ? theme.inkOf(baseOf(*mark).subject) : theme.ink);
+    return toQColor(mark ? theme.inkOf(hueOf(baseOf(*mark))) : theme.ink);
   };
 }
 

@@ -234,24 +234,27 @@ Explanation explain(const In &, const Out &at) {
 
 /// A vector drawn once more from where the other starts, so that both start from one point: it is the same
 /// vector there.
-void drawMoved(Figure &figure, const std::string &leader, const Place &from, const VectorObject &moved) {
-  if (from != place(moved.start))
-    figure.add(ArrowMark{{leader + "/moved", Role::Ghost}, from, place(moved.vector)});
+void drawMoved(Figure &figure, const std::string &leader, const Place &from,
+               const Given<VectorObject> &moved) {
+  if (from != place(moved.object.start))
+    figure.add(
+        inLook(moved.look, ArrowMark{{leader + "/moved", Role::Ghost}, from, place(moved.object.vector)}));
 }
 
 /// The projection of a vector onto another from where that starts, with the way across from the vector's tip.
-void drawProjection(Figure &figure, const Term &prime, const VectorObject &vector, const VectorObject &onto) {
-  const Place from = place(onto.start);
+void drawProjection(Figure &figure, const Term &prime, const Given<VectorObject> &vector,
+                    const Given<VectorObject> &onto) {
+  const Place from = place(onto.object.start);
   const Place foot = from + place(prime);
-  const Place across = place(vector.vector) - place(prime);
+  const Place across = place(vector.object.vector) - place(prime);
   drawMoved(figure, prime->mark, from, vector);
   if (!isZero(vectorOf(prime)))
-    figure.add(arrowOf(prime, from, Role::Result, Subject::Ray));
+    figure.add(inLook(onto.look, arrowOf(prime, from, Role::Result, Subject::Neutral)));
   if (across == Place(0))
     return;
   figure.add(SegmentMark{{prime->mark + "/way", Role::Helper, Subject::Measure}, foot, foot + across});
   figure.add(RightAngleMark{
-      {prime->mark + "/angle", Role::Helper, Subject::Measure}, foot, place(onto.vector), across});
+      {prime->mark + "/angle", Role::Helper, Subject::Measure}, foot, place(onto.object.vector), across});
 }
 
 Figure draw(const In &in, const Out &at) {
@@ -260,18 +263,19 @@ Figure draw(const In &in, const Out &at) {
   const VectorObject &w = in.w.object;
   const Place from = place(v.start);
   if (!at.hasZero()) {
-    drawMoved(figure, at.theta->mark, from, w);
+    drawMoved(figure, at.theta->mark, from, in.w);
     figure.add(
         ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), from, place(v.vector), place(w.vector)});
   }
   if (!isZero(v.vector)) {
-    figure.add(ArrowMark{drawn(at.e, Role::Derived, Subject::Plane), from, unitOf(v.vector)});
-    drawProjection(figure, at.vPrime, w, v);
+    figure.add(
+        inLook(in.v.look, ArrowMark{drawn(at.e, Role::Derived, Subject::Neutral), from, unitOf(v.vector)}));
+    drawProjection(figure, at.vPrime, in.w, in.v);
     if (!isZero(at.wOntoV.rejection))
       figure.add(arrowOf(at.h, from + place(at.vPrime), Role::Result, Subject::Measure));
   }
   if (!isZero(w.vector))
-    drawProjection(figure, at.wPrime, v, w);
+    drawProjection(figure, at.wPrime, in.v, in.w);
   return figure;
 }
 

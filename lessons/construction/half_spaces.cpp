@@ -184,7 +184,7 @@ void drawSide(Figure &figure, const In &in, const Sided &each) {
   const Place foot = place(each.measured.foot);
   switch (each.measured.which) {
   case PointPlaneCase::Positive:
-    figure.add(SegmentMark{{id, Role::Derived, Subject::Plane, "+"}, foot, point});
+    figure.add(inLook(in.E.look, SegmentMark{{id, Role::Derived, Subject::Plane, "+"}, foot, point}));
     break;
   case PointPlaneCase::Negative:
     figure.add(SegmentMark{{id, Role::Helper, Subject::EdgeV, "-"}, foot, point});

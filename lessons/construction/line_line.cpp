@@ -224,10 +224,10 @@ Explanation explain(const In &, const Out &at) {
   return lines;
 }
 
-void drawMoments(Figure &figure, const Out &at) {
-  for (const Term *moment : {&at.m1, &at.m2})
-    if (!isZero(vectorOf(*moment)))
-      figure.add(momentArrow(*moment));
+void drawMoments(Figure &figure, const In &in, const Out &at) {
+  for (const auto &[moment, look] : {std::pair(at.m1, in.g.look), std::pair(at.m2, in.h.look)})
+    if (!isZero(vectorOf(moment)))
+      figure.add(momentArrow(moment, look));
 }
 
 /// The shortest way between the lines, with a right angle at each of them.
@@ -264,7 +264,7 @@ Figure draw(const In &in, const Out &at) {
   Figure figure;
   if (at.related.which == LineLineCase::NotALine)
     return figure;
-  drawMoments(figure, at);
+  drawMoments(figure, in, at);
   if (at.related.which == LineLineCase::Parallel) {
     const auto &[point, direction] = in.h.object;
     const ExactVec3 foot = measurePointLine(in.g.object.point, point, direction).foot;

@@ -23,9 +23,9 @@ Term momentOf(const Given<LineObject> &line) {
       .standingFor(cross(g.A, g.v));
 }
 
-ArrowMark momentArrow(const Term &moment) {
-  return {drawn(moment, Role::Derived, Subject::Measure), Place(0), unitOf(vectorOf(moment)), false,
-          drawnMomentLength};
+ArrowMark momentArrow(const Term &moment, const Look &look) {
+  return inLook(look, ArrowMark{drawn(moment, Role::Derived, Subject::Measure), Place(0),
+                                unitOf(vectorOf(moment)), false, drawnMomentLength});
 }
 
 } // namespace halfspace

@@ -13,7 +13,8 @@ namespace halfspace {
 /// m = A×v.
 [[nodiscard]] Term momentOf(const Given<LineObject> &line);
 
-/// The moment ≠ 0 as an arrow from the origin. It may be very long: only its direction is drawn.
-[[nodiscard]] ArrowMark momentArrow(const Term &moment);
+/// The moment ≠ 0 of a line with a look, as an arrow from the origin. It may be very long: only its direction
+/// is drawn.
+[[nodiscard]] ArrowMark momentArrow(const Term &moment, const Look &look);
 
 } // namespace halfspace

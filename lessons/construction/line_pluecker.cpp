@@ -133,10 +133,10 @@ Explanation explain(const In &, const Out &at) {
 }
 
 /// The moment stands on the plane through the origin and the line: the triangle from the origin to v.
-void drawMoment(Figure &figure, const Out &at) {
+void drawMoment(Figure &figure, const In &in, const Out &at) {
   const Place start = place(at.A);
   const Place tip = start + place(at.v);
-  figure.add(momentArrow(at.m));
+  figure.add(momentArrow(at.m, in.g.look));
   PolygonMark triangle{{at.m->mark + "/triangle", Role::Helper, Subject::Measure}, {}};
   triangle.corners = {Place(0), start, tip};
   figure.add(std::move(triangle));
@@ -158,7 +158,7 @@ Figure draw(const In &in, const Out &at) {
     return figure;
   figure.reaches = {{in.g.id, place(at.N)}};
   if (!passesThroughOrigin(at.line)) {
-    drawMoment(figure, at);
+    drawMoment(figure, in, at);
     drawDistance(figure, at);
   }
   figure.add(pointOf(at.N, Role::Result, Subject::Measure));

@@ -168,10 +168,11 @@ Figure draw(const In &in, const Out &at) {
     return figure;
   figure.reaches.push_back({in.E.id, other});
   figure.add(SegmentMark{{at.P1->mark + "/way", Role::Helper}, point, other});
-  figure.add(pointOf(at.P1, Role::Derived, Subject::Plane));
+  figure.add(inLook(in.E.look, pointOf(at.P1, Role::Derived, Subject::Plane)));
   figure.add(RightAngleMark{{at.P1->mark + "/angle", Role::Helper}, point, normal, other - point});
   // Not from P0, where it would lie on n: a normal may stand on any point of its plane.
-  figure.add(ArrowMark{{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)}, other, 2.0 * normal});
+  MarkBase twice{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)};
+  figure.add(inLook(in.E.look, ArrowMark{std::move(twice), other, 2.0 * normal}));
   return figure;
 }
 

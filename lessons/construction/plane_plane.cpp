@@ -164,12 +164,16 @@ Explanation explain(const In &, const Out &at) {
 }
 
 /// The angle between the normals, both drawn once more from a point of the line.
-void drawAngle(Figure &figure, const Out &at, const Place &point) {
+void drawAngle(Figure &figure, const In &in, const Out &at, const Place &point) {
   const Place first = place(at.E.n);
   const Place second = place(at.F.n);
   figure.add(ArcMark{drawn(at.phi, Role::Derived, Subject::Neutral), point, first, second});
-  figure.add(ArrowMark{{at.phi->mark + "/first", Role::Ghost, Subject::Plane}, point, first, true});
-  figure.add(ArrowMark{{at.phi->mark + "/second", Role::Ghost, Subject::Plane}, point, second, true});
+  const auto addNormal = [&](const char *which, const Place &normal, const Look &look) {
+    const MarkBase base{at.phi->mark + which, Role::Ghost, Subject::Plane};
+    figure.add(inLook(look, ArrowMark{base, point, normal, true}));
+  };
+  addNormal("/first", first, in.E.look);
+  addNormal("/second", second, in.F.look);
 }
 
 Figure draw(const In &in, const Out &at) {
@@ -183,7 +187,7 @@ Figure draw(const In &in, const Out &at) {
   direction.isFree = true;
   figure.add(std::move(direction));
   figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
-  drawAngle(figure, at, point);
+  drawAngle(figure, in, at, point);
   figure.reaches = {{in.E.id, point}, {in.F.id, point}};
   return figure;
 }

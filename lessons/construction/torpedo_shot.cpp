@@ -147,11 +147,11 @@ Explanation explain(const In &, const Out &at) {
 }
 
 // The saucer, in scene units: a ring with a dome above and a keel below.
-constexpr double rimRadius = 1.5;
-constexpr double domeRadius = 0.65;
-constexpr double domeHeight = 0.55;
-constexpr double keelRadius = 0.5;
-constexpr double keelDepth = 0.4;
+constexpr double rimRadius = 2.1;
+constexpr double domeRadius = 0.95;
+constexpr double domeHeight = 0.85;
+constexpr double keelRadius = 0.8;
+constexpr double keelDepth = 0.5;
 constexpr std::size_t sides = 12;
 
 Place onRing(const Place &middle, double radius, double height, std::size_t side) {
@@ -168,7 +168,7 @@ void drawSaucer(Figure &figure, const In &in, const Out &at) {
     ++number;
     PolygonMark part{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)};
     part.passes = hasFlownOn;
-    figure.add(std::move(part));
+    figure.add(inLook(in.U.look, std::move(part)));
   };
   std::vector<Place> roof;
   for (std::size_t i = 0; i < sides; ++i) {

@@ -190,6 +190,13 @@ Explanation explain(const In &in, const Out &at) {
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
 constexpr double drawnNormalLength = 3;
 
+/// The words speak of the normal's length, which would have no room: so its label says that it is not shown.
+void drawNormal(Figure &figure, const Out &at, const Place &p0) {
+  MarkBase normal = drawn(at.n, Role::Derived, Subject::Plane);
+  normal.numbers = "\\ {\\scriptstyle\\text{" + words("direction only") + "}}";
+  figure.add(arrowOfLength(std::move(normal), p0, at.perps.normal, drawnNormalLength));
+}
+
 Figure draw(const In &, const Out &at) {
   Figure figure;
   const Place p0 = place(at.P0);
@@ -201,8 +208,7 @@ Figure draw(const In &, const Out &at) {
   if (at.hasAngle())
     figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.u), place(at.v)});
   if (at.isTriangle())
-    figure.add(
-        arrowOfLength(drawn(at.n, Role::Derived, Subject::Plane), p0, at.perps.normal, drawnNormalLength));
+    drawNormal(figure, at, p0);
   return figure;
 }
 

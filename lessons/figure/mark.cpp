@@ -27,6 +27,27 @@ bool hasSides(const PlanePatchMark &patch) {
 
 } // namespace
 
+Hue hueOf(Subject subject) {
+  switch (subject) {
+  case Subject::Neutral:
+    return Hue::Grey;
+  case Subject::Plane:
+    return Hue::Blue;
+  case Subject::Point:
+    return Hue::Orange;
+  case Subject::Ray:
+    return Hue::Yellow;
+  case Subject::Triangle:
+  case Subject::EdgeU:
+    return Hue::Green;
+  case Subject::EdgeV:
+    return Hue::Purple;
+  case Subject::Measure:
+    return Hue::Pink;
+  }
+  return Hue::Grey;
+}
+
 Extent extentOf(const RayMark &ray) {
   if (ray.held)
     return {ray.held->low, std::max(ray.held->high, ray.meets ? glm::distance(ray.origin, *ray.meets) : 0)};

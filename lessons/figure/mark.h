@@ -2,6 +2,8 @@
 // belong to the visitors (the 3D scene, exports, the description in words).
 #pragma once
 
+#include "lessons/figure/look.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
@@ -27,8 +29,12 @@ using Place = glm::dvec3; ///< a place or a vector of the drawing, in scene unit
 /// The part a mark plays. It decides width, dash and paleness.
 enum class Role { Given, Derived, Helper, Result, Warning, Ghost };
 
-/// What a mark belongs to. It decides the colour, in the figure and in the formulas alike.
+/// What a mark belongs to. It decides the colour, in the figure and in the formulas alike, unless its look
+/// does.
 enum class Subject { Neutral, Plane, Point, Ray, Triangle, EdgeU, EdgeV, Measure };
+
+/// The hue of what nothing else is told from.
+[[nodiscard]] Hue hueOf(Subject subject);
 
 /// What all marks have.
 struct MarkBase {
@@ -40,6 +46,7 @@ struct MarkBase {
   std::string label{};   ///< LaTeX written beside the mark; empty for none
   std::string numbers{}; ///< LaTeX that goes on behind the label, and stays away while numbers are hidden
   bool passes = false;   ///< it flies by: labels of others make no room for it
+  Look look{};           ///< that of the one object that it speaks of
   bool operator==(const MarkBase &) const = default;
 };
 
@@ -157,6 +164,15 @@ template <class... Visitors> Overloaded(Visitors...) -> Overloaded<Visitors...>;
 [[nodiscard]] inline MarkBase &baseOf(Mark &mark) {
   return std::visit([](MarkBase &base) -> MarkBase & { return base; }, mark);
 }
+
+/// A mark that speaks of one object alone, in that object's look.
+template <class Kind> [[nodiscard]] Kind inLook(const Look &look, Kind mark) {
+  mark.look = look;
+  return mark;
+}
+
+/// The hue of a mark: that of its look, else of its subject.
+[[nodiscard]] inline Hue hueOf(const MarkBase &mark) { return mark.look.hue.value_or(hueOf(mark.subject)); }
 
 /// The id of the mark that a mark accompanies: `F` for `F/angle`; its own for all others.
 [[nodiscard]] inline std::string leadingId(const MarkBase &mark) {

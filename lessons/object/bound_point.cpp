@@ -31,6 +31,7 @@ Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<Coo
                 void (*settle)(Object &), const Binding &binding) {
   return {.word = word,
           .meaning = meaning,
+          .subject = Subject::Point,
           .coordinates = std::move(freedoms),
           .leavableVertices = 0,
           .shape = {},

@@ -1,6 +1,7 @@
 // An object with what it is called in its scene.
 #pragma once
 
+#include "lessons/figure/look.h"
 #include "lessons/object/object.h"
 #include "lessons/term/term.h"
 
@@ -13,6 +14,7 @@ template <class Kind> struct Given {
   std::vector<Symbol> letters; ///< of its coordinates, in their order
   Kind object;
   bool isFree = true; ///< its coordinates are those of the scene; not so of what was made, or lies on another
+  Look look{};        ///< of its marks
   bool operator==(const Given &) const = default;
 };
 
@@ -23,7 +25,8 @@ template <class Kind> struct Given {
 
 /// The same object, which is of this kind, by its kind.
 template <class Kind> [[nodiscard]] Given<Kind> as(const Given<Object> &given) {
-  return {given.id, given.symbol, given.letters, objectAs<Kind>(given.object).value(), given.isFree};
+  return {given.id,     given.symbol, given.letters, objectAs<Kind>(given.object).value(),
+          given.isFree, given.look};
 }
 
 } // namespace halfspace

@@ -21,12 +21,12 @@ void offerNothing(const Given<Object> &, Surroundings &) {}
 void aimAtNothing(const Given<Object> &, const Handle &, const Surroundings &, std::vector<SnapTarget> &) {}
 
 MarkBase wholeOf(const Given<Object> &given, Subject subject) {
-  return {given.id, Role::Given, subject, latexOf(given.symbol)};
+  return inLook(given.look, MarkBase{given.id, Role::Given, subject, latexOf(given.symbol)});
 }
 
 MarkBase partOf(const Given<Object> &given, std::size_t index, Subject subject) {
-  return {coordinateId(given.id, coordinatesOf(given.object)[index]), Role::Given, subject,
-          latexOf(given.letters[index])};
+  return inLook(given.look, MarkBase{coordinateId(given.id, coordinatesOf(given.object)[index]), Role::Given,
+                                     subject, latexOf(given.letters[index])});
 }
 
 PointMark pointMark(const Given<Object> &given, std::size_t index, Subject subject) {
@@ -55,8 +55,9 @@ void addFace(const MarkBase &base, const std::vector<ExactVec3> &corners, std::v
   }
   for (std::size_t i = 0; i < places.size(); ++i)
     if (const Place &next = places[(i + 1) % places.size()]; next != places[i])
-      marks.push_back(
-          SegmentMark{{base.id + "/side" + std::to_string(i), base.role, base.subject}, places[i], next});
+      marks.push_back(inLook(
+          base.look,
+          SegmentMark{{base.id + "/side" + std::to_string(i), base.role, base.subject}, places[i], next}));
 }
 
 std::string faceId(const std::string &object, std::size_t face) {

@@ -13,8 +13,10 @@ namespace halfspace {
 
 /// All that is said of a kind. None of it has a default: what is left out does not compile.
 struct Kind {
-  std::string_view word;    ///< in files, in small letters: plane
-  std::string_view meaning; ///< for the documentation, in half a sentence
+  std::string_view word;          ///< in files, in small letters: plane
+  std::string_view meaning;       ///< for the documentation, in half a sentence
+  std::optional<Subject> subject; ///< of its marks, by which further objects take another look; nothing of a
+                                  ///< thing, which needs none, and of what is not drawn
   /// With all vertices that there may be, which stand last. A direction starts from the first coordinate, a
   /// position.
   std::vector<CoordinateSpec> coordinates;

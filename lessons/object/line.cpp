@@ -38,6 +38,7 @@ namespace object_kinds {
 Kind line() {
   return {.word = LineObject::kind,
           .meaning = "a line by a point of it and a direction",
+          .subject = Subject::Ray,
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction}},
           .leavableVertices = 0,
           .shape = {},

@@ -179,6 +179,7 @@ Kind mesh() {
           .meaning =
               "a mesh of flat, convex faces by their corners, where it stands, which way it is turned and "
               "how it is scaled",
+          .subject = {},
           .coordinates = {{"P", CoordinateRole::Position},
                           {"h", CoordinateRole::Direction},
                           {"k", CoordinateRole::Number}},

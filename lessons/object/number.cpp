@@ -22,6 +22,7 @@ namespace object_kinds {
 Kind number() {
   return {.word = NumberObject::kind,
           .meaning = "a number with bounds and a step",
+          .subject = {},
           .coordinates = {{"value", CoordinateRole::Number, true},
                           {"from", CoordinateRole::Number},
                           {"to", CoordinateRole::Number},

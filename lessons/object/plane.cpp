@@ -67,6 +67,7 @@ namespace object_kinds {
 Kind plane() {
   return {.word = PlaneObject::kind,
           .meaning = "a plane by a point of it and its normal",
+          .subject = Subject::Plane,
           .coordinates = {{"P0", CoordinateRole::Position}, {"n", CoordinateRole::Direction}},
           .leavableVertices = 0,
           .shape = {},

@@ -24,6 +24,7 @@ namespace object_kinds {
 Kind plane_through_points() {
   return {.word = "plane-through-points",
           .meaning = "a plane by three points of it",
+          .subject = Subject::Plane,
           .coordinates = {{"P0", CoordinateRole::Position},
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position}},

@@ -23,6 +23,7 @@ namespace object_kinds {
 Kind point() {
   return {.word = PointObject::kind,
           .meaning = "a free point",
+          .subject = Subject::Point,
           .coordinates = {{"", CoordinateRole::Position}},
           .leavableVertices = 0,
           .shape = {},

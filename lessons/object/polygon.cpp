@@ -51,6 +51,7 @@ namespace object_kinds {
 Kind polygon() {
   return {.word = PolygonObject::kind,
           .meaning = "a polygon by three to eight corners; filled where it is flat and convex",
+          .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position},

@@ -14,7 +14,8 @@ std::vector<Mark> draw(const Given<Object> &given) {
   std::vector<Mark> marks;
   if (!isZero(direction)) {
     // Its arrow and its start have names enough.
-    marks.push_back(RayMark{{given.id, Role::Given, Subject::Ray}, place(origin), unitOf(direction)});
+    marks.push_back(
+        inLook(given.look, RayMark{{given.id, Role::Given, Subject::Ray}, place(origin), unitOf(direction)}));
     marks.push_back(arrowMark(given, 1, Subject::Ray));
   }
   marks.push_back(pointMark(given, 0, Subject::Point));
@@ -34,6 +35,7 @@ namespace object_kinds {
 Kind ray() {
   return {.word = RayObject::kind,
           .meaning = "a ray by its start and its direction",
+          .subject = Subject::Ray,
           .coordinates = {{"Q", CoordinateRole::Position}, {"r", CoordinateRole::Direction}},
           .leavableVertices = 0,
           .shape = {},

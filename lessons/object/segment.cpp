@@ -8,8 +8,9 @@ namespace {
 std::vector<Mark> draw(const Given<Object> &given) {
   std::vector<Mark> marks;
   if (given.object[0] != given.object[1]) // its ends have names enough
-    marks.push_back(
-        SegmentMark{{given.id, Role::Given, Subject::Ray}, place(given.object[0]), place(given.object[1])});
+    marks.push_back(inLook(
+        given.look,
+        SegmentMark{{given.id, Role::Given, Subject::Ray}, place(given.object[0]), place(given.object[1])}));
   addPoints(given, Subject::Point, marks);
   return marks;
 }
@@ -27,6 +28,7 @@ namespace object_kinds {
 Kind segment() {
   return {.word = "segment",
           .meaning = "a segment by its ends",
+          .subject = Subject::Ray,
           .coordinates = {{"A", CoordinateRole::Position}, {"B", CoordinateRole::Position}},
           .leavableVertices = 0,
           .shape = {},

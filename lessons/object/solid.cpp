@@ -61,7 +61,7 @@ SolidMesh<Rational> meshOf(const Object &solid) {
 }
 
 template <> Given<SolidObject> as<SolidObject>(const Given<Object> &given) {
-  return {given.id, given.symbol, given.letters, {given, meshOf(given.object)}, given.isFree};
+  return {given.id, given.symbol, given.letters, {given, meshOf(given.object)}, given.isFree, given.look};
 }
 
 bool isFlat(const SolidMesh<Rational> &mesh) {

@@ -39,6 +39,7 @@ namespace object_kinds {
 Kind sphere() {
   return {.word = SphereObject::kind,
           .meaning = "a sphere by its centre and its radius",
+          .subject = Subject::Triangle,
           .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},
           .leavableVertices = 0,
           .shape = {},

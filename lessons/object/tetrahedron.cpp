@@ -44,6 +44,7 @@ SolidKind tetrahedronSolid() { return {"tetrahedron", mesh, corner, way, face}; 
 Kind tetrahedron() {
   return {.word = "tetrahedron",
           .meaning = "a tetrahedron by its corners",
+          .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position},

@@ -13,8 +13,8 @@ std::vector<Mark> draw(const Given<Object> &given) {
   const auto [p0, p1, p2] = as<TriangleObject>(given).object;
   std::vector<Mark> marks;
   if (!isZero(normalOfCorners(given.object))) // its corners have names enough
-    marks.push_back(
-        PolygonMark{{given.id, Role::Given, Subject::Triangle}, {place(p0), place(p1), place(p2)}});
+    marks.push_back(inLook(given.look, PolygonMark{{given.id, Role::Given, Subject::Triangle},
+                                                   {place(p0), place(p1), place(p2)}}));
   addPoints(given, Subject::Triangle, marks);
   return marks;
 }
@@ -45,6 +45,7 @@ namespace object_kinds {
 Kind triangle() {
   return {.word = TriangleObject::kind,
           .meaning = "a triangle by its corners",
+          .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},
                           {"P1", CoordinateRole::Position},
                           {"P2", CoordinateRole::Position}},

@@ -37,6 +37,7 @@ Kind ufo() {
           .meaning =
               "a flying saucer by where it starts, how far it flies in a hundred frames, where its barrel "
               "points, and how long that is",
+          .subject = {},
           .coordinates = {{"S", CoordinateRole::Position},
                           {"c", CoordinateRole::Direction},
                           {"g", CoordinateRole::Direction},

@@ -34,6 +34,7 @@ namespace object_kinds {
 Kind vector() {
   return {.word = VectorObject::kind,
           .meaning = "a vector, drawn from a point",
+          .subject = Subject::Neutral,
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction, true}},
           .leavableVertices = 0,
           .shape = {},

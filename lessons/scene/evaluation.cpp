@@ -4,6 +4,7 @@
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
 #include "lessons/scene/scene_letters.h"
+#include "lessons/scene/scene_looks.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
@@ -75,12 +76,12 @@ public:
     m_found.entries.reserve(scene.entries.size());
   }
 
-  void add(const Entry &entry) {
+  void add(const Entry &entry, const Look &look) {
     const auto *object = std::get_if<Object>(&entry.content);
     if (object && isBound(entry))
-      addBound(entry, *object);
+      addBound(entry, *object, look);
     else if (object)
-      addObject(entry.name, *object);
+      addObject(entry.name, *object, look);
     else
       addUse(entry, std::get<ConstructionUse>(entry.content));
   }
@@ -94,8 +95,14 @@ private:
     std::string whyNot{};
   };
 
-  void addObject(const std::string &name, const Object &object) {
-    auto given = std::make_shared<const Given<Object>>(m_letters.given(name, object));
+  /// An object in its look.
+  static SharedGiven shared(Given<Object> given, const Look &look) {
+    given.look = look;
+    return std::make_shared<const Given<Object>>(std::move(given));
+  }
+
+  void addObject(const std::string &name, const Object &object, const Look &look) {
+    const auto given = shared(m_letters.given(name, object), look);
     EvaluatedEntry entry{name, {}, Naming{name}, {given}};
     if (!takeOver(entry))
       entry.outcome = outcomeOfFree(given);
@@ -105,13 +112,12 @@ private:
   }
 
   /// A bound object is the point where it lies.
-  void addBound(const Entry &entry, const Object &object) {
+  void addBound(const Entry &entry, const Object &object, const Look &look) {
     const auto host = m_visible.find(entry.on);
     if (host == m_visible.end() || kindOf(host->second.given->object) != object.kind().binding->host)
       return;
     const auto place = placeOn(object, host->second.given->object);
-    const auto given =
-        std::make_shared<const Given<Object>>(m_letters.bound(entry.name, place.value_or(ExactVec3(0))));
+    const auto given = shared(m_letters.bound(entry.name, place.value_or(ExactVec3(0))), look);
     EvaluatedEntry found{entry.name, {}, Naming{entry.name}, {given, host->second.given}};
     found.missing =
         !host->second.whyNot.empty() ? host->second.whyNot
@@ -203,8 +209,9 @@ private:
 
 Evaluation evaluate(const Scene &scene, const Evaluation &before) {
   Evaluator evaluator(scene, before);
-  for (const Entry &entry : scene.entries)
-    evaluator.add(entry);
+  const std::vector<Look> looks = looksOf(scene);
+  for (std::size_t i = 0; i < scene.entries.size(); ++i)
+    evaluator.add(scene.entries[i], looks[i]);
   return evaluator.take();
 }
 

@@ -1,6 +1,7 @@
 // A scene: an ordered list of named entries, each an object or a construction over entries above it.
 #pragma once
 
+#include "lessons/figure/look.h"
 #include "lessons/object/object.h"
 
 #include <map>
@@ -30,10 +31,14 @@ struct ConstructionUse {
 /// What the host of a bound object is called in files and edits.
 inline constexpr const char *hostRole = "on";
 
+/// What the colour of an object is called in files.
+inline constexpr const char *colorField = "color";
+
 struct Entry {
   std::string name;
   std::variant<Object, ConstructionUse> content;
-  std::string on{}; ///< the id of the object above that a bound object lies on
+  std::string on{};           ///< the id of the object above that a bound object lies on
+  std::optional<Hue> color{}; ///< of an object; nothing where its place in the scene decides
   bool operator==(const Entry &) const = default;
 };
 

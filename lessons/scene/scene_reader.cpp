@@ -142,6 +142,27 @@ void complainOfKind(const DocumentNode &node, FieldReader &fields) {
   fields.complain(node, fields.pathOf(""), sentence);
 }
 
+bool isDrawn(const Kind &kind) { return kind.draw != drawNothing || kind.binding; }
+
+/// Reads the colour that an object is to have; nothing where none is said.
+std::optional<Hue> readColor(FieldReader &fields) {
+  const DocumentNode *node = fields.optional(colorField);
+  if (!node)
+    return {};
+  const auto hue = node->kind == DocumentNode::Kind::Text ? findHue(node->text) : std::nullopt;
+  if (!hue) {
+    const std::vector<std::string> known = hueNames();
+    std::string list;
+    for (const std::string &name : known)
+      list += (list.empty() ? "" : ", ") + name;
+    fields.complain(*node, fields.pathOf(colorField),
+                    withGuess(words("“{text}” is not a colour: it is one of {colors}.",
+                                    {{"text", shortened(node->text)}, {"colors", list}}),
+                              node->text, known));
+  }
+  return hue;
+}
+
 /// Reads one entry into `fields`' problem or an entry.
 Entry readEntry(const DocumentNode &node, FieldReader &fields) {
   Entry entry;
@@ -152,10 +173,14 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
   }
   for (const Kind &kind : kinds())
     if (const DocumentNode *coordinates = fields.optional(kind.word)) {
-      fields.allowOnly({"name", kind.word});
+      if (isDrawn(kind))
+        fields.allowOnly({"name", kind.word, colorField});
+      else
+        fields.allowOnly({"name", kind.word});
       Object object(kind);
       readObject(*coordinates, fields.pathOf(kind.word), fields, object, entry.on);
       entry.content = object;
+      entry.color = readColor(fields);
       return entry;
     }
   complainOfKind(node, fields);

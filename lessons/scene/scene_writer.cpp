@@ -42,6 +42,8 @@ Json jsonOf(const Entry &entry) {
   if (const auto *object = std::get_if<Object>(&entry.content)) {
     const Json coordinates = coordinatesJson(*object);
     json[std::string(kindOf(*object))] = entry.on.empty() ? coordinates : bound(entry.on, coordinates);
+    if (entry.color)
+      json[colorField] = nameOf(*entry.color);
     return json;
   }
   const auto &use = std::get<ConstructionUse>(entry.content);

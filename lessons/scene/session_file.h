@@ -9,12 +9,12 @@
 namespace halfspace {
 
 /// Version 2 lets a construction look at what another one makes, version 3 may say where the scene is looked
-/// at from; older files are read all the same.
-inline constexpr int sessionFileVersion = 3;
+/// at from, version 4 what colour an object has; older files are read all the same.
+inline constexpr int sessionFileVersion = 4;
 inline constexpr std::size_t maxSessionBytes = 16u << 20;
 inline constexpr int maxSessionDepth = 32;
 
-/// The text of a .halfspace file: {"format":"halfspace","version":3,"lesson":…,"step":…,"scene":[…]};
+/// The text of a .halfspace file: {"format":"halfspace","version":4,"lesson":…,"step":…,"scene":[…]};
 /// coordinates are exact texts ("-10/3"). With a view also {"view":{"from":[…],"at":[…],"height":…,
 /// "orthographic":…}}, in decimals. Without the meshes that are too large for it (`withoutLargeMeshes`).
 [[nodiscard]] std::string writeSession(const Session &session);

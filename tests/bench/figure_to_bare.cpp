@@ -21,20 +21,22 @@ constexpr double arrowRadius = 0.11;
 constexpr double lineRadius = 0.06;
 constexpr double thinRadius = 0.045;
 constexpr double axisRadius = 0.055;
-constexpr double dashLength = 0.42;
-constexpr double dashPeriod = 1.7 * dashLength;
+constexpr double dropDash = 0.42;
+constexpr double dropGap = 0.29;
 constexpr double gizmoLength = 64; ///< in pixels
 constexpr double gizmoRadius = 1.6;
 
 glm::dvec3 rgb(Color color) { return glm::dvec3(color.red, color.green, color.blue) / 255.0; }
 
-std::vector<Path> dashes(const Path &path, double scale) {
+std::vector<Path> dashes(const Path &path, const Rhythm &rhythm) {
   std::vector<Path> pieces;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double length = glm::distance(path[i - 1], path[i]);
-    for (double at = 0; at < length; at += dashPeriod * scale)
-      pieces.push_back({glm::mix(path[i - 1], path[i], at / length),
-                        glm::mix(path[i - 1], path[i], std::min(1.0, (at + dashLength * scale) / length))});
+    double at = 0;
+    for (std::size_t k = 0; at < length; at += rhythm[k], k = (k + 1) % rhythm.size())
+      if (k % 2 == 0)
+        pieces.push_back({glm::mix(path[i - 1], path[i], at / length),
+                          glm::mix(path[i - 1], path[i], std::min(1.0, (at + rhythm[k]) / length))});
   }
   return pieces;
 }
@@ -55,8 +57,8 @@ BareThing solidOf(const Mark &mark, Path path, const Theme &theme, double scale)
   const bool isThin =
       isFace || std::holds_alternative<ArcMark>(mark) || std::holds_alternative<RightAngleMark>(mark);
   const double radius = (isThin ? thinRadius : lineRadius) * scale;
-  return BareTubes{isDashed(base.role) ? dashes(path, scale) : std::vector<Path>{std::move(path)}, radius,
-                   color};
+  const Rhythm rhythm = rhythmOf(base, scale);
+  return BareTubes{rhythm.empty() ? std::vector<Path>{std::move(path)} : dashes(path, rhythm), radius, color};
 }
 
 /// The same triangles are handed over once.
@@ -95,7 +97,8 @@ void addGround(BarePicture &picture, const SceneContent &content, const Theme &t
   if (content.dropLine) {
     const Place from = content.dropLine->from;
     picture.things[" drop line"] =
-        BareTubes{dashes({from, {from.x, from.y, 0}}, scale), thinRadius * scale, rgb(theme.accent)};
+        BareTubes{dashes({from, {from.x, from.y, 0}}, {dropDash * scale, dropGap * scale}),
+                  thinRadius * scale, rgb(theme.accent)};
   }
 }
 

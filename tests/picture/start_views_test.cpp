@@ -151,6 +151,23 @@ std::vector<std::string> coveredLabels(const Page &page) {
   return wrong;
 }
 
+/// Labels of points that stand nearer to another point with a label, without a leader that tells whose they
+/// are.
+std::vector<std::string> mistakenLabels(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const LabelOnPage &label : page.labels)
+    for (const Mark &mark : page.content.figure.marks) {
+      const auto *own = std::get_if<PointMark>(findMark(page.content.figure, label.text.id));
+      const auto *other = std::get_if<PointMark>(&mark);
+      if (!own || !other || other->label.empty() || label.place.needsLeader)
+        continue;
+      const double reach = distanceTo(boxOf(label), page.pixelOf(own->at));
+      if (reach > distanceTo(boxOf(label), page.pixelOf(other->at)) + page.view.pixelRatio)
+        wrong.push_back(label.text.id + " seems to be the name of " + other->id);
+    }
+  return wrong;
+}
+
 std::vector<std::string> missingLabels(const Page &page) {
   std::vector<std::string> wrong;
   for (const Mark &mark : page.content.figure.marks) {
@@ -313,6 +330,7 @@ protected:
 
 TEST_P(StartView, NoLabelIsCovered) { expectNothing(coveredLabels, fitsItsLabels); }
 TEST_P(StartView, EveryMarkHasItsLabel) { expectNothing(missingLabels); }
+TEST_P(StartView, NoLabelSeemsToBeAnotherPoints) { expectNothing(mistakenLabels); }
 TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatMove); }
 TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
 TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }

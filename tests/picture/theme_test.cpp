@@ -42,30 +42,38 @@ constexpr double leastContrast = 3;
 constexpr double leastGhostContrast = 2;
 constexpr double leastCoveredContrast = 1.7;
 
-constexpr std::array allSubjects{Subject::Neutral,  Subject::Plane, Subject::Point, Subject::Ray,
-                                 Subject::Triangle, Subject::EdgeU, Subject::EdgeV, Subject::Measure};
+constexpr std::array allHues{Hue::Grey,  Hue::Blue,   Hue::Orange, Hue::Yellow,
+                             Hue::Green, Hue::Purple, Hue::Pink,   Hue::Red};
+static_assert(allHues.size() == hueCount);
 
 TEST(Theme, EverySolidIsSeenOnTheBackground) {
   for (const Theme &theme : themes())
-    for (const Subject subject : allSubjects)
+    for (const Hue hue : allHues)
       for (const Color ground : {theme.backgroundTop, theme.backgroundBottom})
-        EXPECT_GE(contrast(theme.colorOf(subject), ground), leastContrast)
-            << theme.name << ", " << static_cast<int>(subject);
+        EXPECT_GE(contrast(theme.colorOf(hue), ground), leastContrast) << theme.name << ", " << nameOf(hue);
 }
 
 TEST(Theme, EveryGhostIsSeenOnTheBackgroundAndBehindAPlane) {
   for (const Theme &theme : themes())
-    for (const Subject subject : allSubjects) {
+    for (const Hue hue : allHues) {
       MarkBase ghost;
       ghost.role = Role::Ghost;
-      ghost.subject = subject;
+      ghost.look.hue = hue;
       const Color color = solidColor(ghost, theme, false);
       const auto behindPlane = [&](Color each) { return mix(each, theme.planeFace, theme.planeOpacity); };
       for (const Color ground : {theme.backgroundTop, theme.backgroundBottom}) {
-        EXPECT_GE(contrast(color, ground), leastGhostContrast) << theme.name << static_cast<int>(subject);
+        EXPECT_GE(contrast(color, ground), leastGhostContrast) << theme.name << ", " << nameOf(hue);
         EXPECT_GE(contrast(behindPlane(color), behindPlane(ground)), leastCoveredContrast) << theme.name;
       }
     }
+}
+
+TEST(Theme, HasNoTwoHuesAlike) {
+  for (const Theme &theme : themes())
+    for (const Hue hue : allHues)
+      for (const Hue other : allHues)
+        EXPECT_TRUE(hue == other || theme.colorOf(hue) != theme.colorOf(other))
+            << theme.name << ": " << nameOf(hue) << ", " << nameOf(other);
 }
 
 TEST(Theme, IsFoundByItsName) {

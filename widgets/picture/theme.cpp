@@ -29,9 +29,9 @@ Theme light() {
   theme.halo = hex(0xffffff);
   theme.planeFace = hex(0x56b4e9);
   theme.solids = {hex(0x46525e), hex(0x0072b2), hex(0xd55e00), hex(0xb87d00),
-                  hex(0x009e73), hex(0x009e73), hex(0x7a5195), hex(0xc0689b)};
+                  hex(0x009e73), hex(0x7a5195), hex(0xc0689b), hex(0x9e3f34)};
   theme.inks = {hex(0x1b2530), hex(0x00629a), hex(0xb34f00), hex(0x8a6000),
-                hex(0x007a59), hex(0x007a59), hex(0x6b4585), hex(0xa3447a)};
+                hex(0x007a59), hex(0x6b4585), hex(0xa3447a), hex(0x8f382e)};
   return theme;
 }
 
@@ -53,7 +53,7 @@ Theme dark() {
   theme.halo = hex(0x14191f);
   theme.planeFace = hex(0x56b4e9);
   theme.solids = {hex(0xaab8c6), hex(0x8fd0ff), hex(0xff8c42), hex(0xf0c23c),
-                  hex(0x2fd6a4), hex(0x2fd6a4), hex(0xc8a2ff), hex(0xf0a0cc)};
+                  hex(0x2fd6a4), hex(0xc8a2ff), hex(0xf0a0cc), hex(0xe08a7c)};
   theme.inks = theme.solids;
   theme.inks[0] = theme.ink;
   return theme;
@@ -96,9 +96,9 @@ Theme projector() {
   theme.lineScale = 1.4;
   theme.textScale = 1.3;
   theme.solids = {hex(0x1b2530), hex(0x005a94), hex(0xc04f00), hex(0xb87a00),
-                  hex(0x008560), hex(0x008560), hex(0x673c86), hex(0xb4508a)};
+                  hex(0x008560), hex(0x673c86), hex(0xb4508a), hex(0x8c3328)};
   theme.inks = {hex(0x000000), hex(0x004a7c), hex(0x963f00), hex(0x6e4c00),
-                hex(0x006047), hex(0x006047), hex(0x553070), hex(0x8a2f63)};
+                hex(0x006047), hex(0x553070), hex(0x8a2f63), hex(0x7c2c22)};
   return theme;
 }
 
@@ -112,9 +112,9 @@ Color mix(Color a, Color b, double t) {
   return {mixChannel(a.red, b.red, t), mixChannel(a.green, b.green, t), mixChannel(a.blue, b.blue, t)};
 }
 
-Color Theme::colorOf(Subject subject) const { return solids[static_cast<std::size_t>(subject)]; }
+Color Theme::colorOf(Hue hue) const { return solids.at(static_cast<std::size_t>(hue)); }
 
-Color Theme::inkOf(Subject subject) const { return inks[static_cast<std::size_t>(subject)]; }
+Color Theme::inkOf(Hue hue) const { return inks.at(static_cast<std::size_t>(hue)); }
 
 const std::vector<Theme> &themes() {
   static const std::vector<Theme> all{light(), dark(), print(), projector()};

@@ -39,19 +39,23 @@ struct Theme {
   Color axis;
   Color shadow;
   Color halo;      ///< around labels
-  Color planeFace; ///< the face of a plane's patch, drawn with planeOpacity; its border and normal are darker
+  Color planeFace; ///< the face of a blue plane's patch; its border and normal are darker
   double planeOpacity = 0.30;
   double polygonOpacity = 0.34;
   double lineScale = 1; ///< widths of everything drawn in 3D
   double textScale = 1;
 
   /// The colour of a mark's solid parts.
-  [[nodiscard]] Color colorOf(Subject subject) const;
-  /// The colour of text about that subject: darker where the solid colour would not read on the background.
-  [[nodiscard]] Color inkOf(Subject subject) const;
+  [[nodiscard]] Color colorOf(Hue hue) const;
+  [[nodiscard]] Color colorOf(Subject subject) const { return colorOf(hueOf(subject)); }
+  /// The colour of text about it: darker where the solid colour would not read on the background.
+  [[nodiscard]] Color inkOf(Hue hue) const;
+  [[nodiscard]] Color inkOf(Subject subject) const { return inkOf(hueOf(subject)); }
+  /// The face of a plane's patch, drawn with planeOpacity.
+  [[nodiscard]] Color patchFaceOf(Hue hue) const { return hue == Hue::Blue ? planeFace : colorOf(hue); }
 
-  std::array<Color, 8> solids{}; ///< by Subject
-  std::array<Color, 8> inks{};   ///< by Subject
+  std::array<Color, hueCount> solids{}; ///< by Hue
+  std::array<Color, hueCount> inks{};   ///< by Hue
 
   bool operator==(const Theme &) const = default;
 };

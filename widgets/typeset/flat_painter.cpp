@@ -18,11 +18,15 @@ constexpr double leaderWidth = 1;
 QPointF toPoint(glm::dvec2 pixel) { return {pixel.x, pixel.y}; }
 
 QPen penOf(const FlatShape &shape) {
-  const bool isDashed = shape.dash > 0;
+  const bool isDashed = !shape.rhythm.empty();
   QPen pen(toQColor(shape.color), shape.width, Qt::SolidLine, isDashed ? Qt::FlatCap : Qt::RoundCap,
            Qt::MiterJoin);
-  if (isDashed)
-    pen.setDashPattern({shape.dash / shape.width, shape.dash / shape.width});
+  if (isDashed) {
+    QVector<qreal> inWidths;
+    for (const double length : shape.rhythm)
+      inWidths << length / shape.width;
+    pen.setDashPattern(inWidths);
+  }
   return pen;
 }
 

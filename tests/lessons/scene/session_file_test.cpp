@@ -52,6 +52,31 @@ TEST(SessionFile, WrittenAndReadAgain_IsTheSameSession) {
   EXPECT_EQ(*again, session);
 }
 
+TEST(SessionFile, ColorOfAnObject_IsKept_AndNoneIsNotWritten) {
+  Session session = startSession();
+  EXPECT_EQ(writeSession(session).find("color"), std::string::npos);
+  session.scene.entries.front().color = Hue::Purple;
+  const auto again = readSession(writeSession(session), file);
+  ASSERT_TRUE(again) << again.problem().text();
+  EXPECT_EQ(again->scene.entries.front().color, Hue::Purple);
+}
+
+TEST(SessionFile, WithAColorThatIsNone_SaysWhichThereAre_AndGuesses) {
+  const Problem problem = problemOf(around(R"([{"name":"Q","color":"purpel","point":[1,2,3]}])"));
+  EXPECT_TRUE(mentions(problem, "“purpel” is not a colour")) << problem.sentence;
+  EXPECT_TRUE(mentions(problem, "green, purple, pink")) << problem.sentence;
+  EXPECT_TRUE(mentions(problem, "“purple”")) << problem.sentence;
+  EXPECT_EQ(problem.field, "scene[0].color");
+  problemOf(around(R"([{"name":"Q","color":["blue"],"point":[1,2,3]}])"));
+  problemOf(around(R"([{"name":"Q","color":3,"point":[1,2,3]}])"));
+}
+
+TEST(SessionFile, WithAColorOfWhatIsNotDrawn_IsNotRead) {
+  const std::string number = R"("number":{"value":"1","from":"0","to":"2","step":"1"})";
+  EXPECT_TRUE(readSession(around(R"([{"name":"k",)" + number + "}]"), file));
+  problemOf(around(R"([{"name":"k","color":"blue",)" + number + "}]"));
+}
+
 TEST(SessionFile, View_IsKeptToAMillionth) {
   Session session = startSession();
   session.view = ChosenView{{{0.25, -1, 0.5}, {1.0 / 3, 2, -7}, 12.5}, true};
@@ -69,7 +94,7 @@ TEST(SessionFile, View_IsKeptToAMillionth) {
 
 TEST(SessionFile, WithoutAView_HasNone_AsThoseOfOlderVersions) {
   EXPECT_EQ(writeSession(startSession()).find("view"), std::string::npos);
-  for (const char *version : {"1", "2", "3"}) {
+  for (const char *version : {"1", "2", "3", "4"}) {
     const auto session = readSession(
         std::string(R"({"format":"halfspace","lesson":"x","step":0,"scene":[],"version":)") + version + "}",
         file);

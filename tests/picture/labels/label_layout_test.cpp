@@ -1,10 +1,14 @@
 #include "widgets/picture/labels/label_layout.h"
 
+#include "widgets/picture/screen_shapes.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -42,6 +46,43 @@ TEST(LabelLayout, LabelsOfNeighbouringPointsDoNotCoverEachOther) {
   for (std::size_t i = 0; i < placed.size(); ++i)
     for (std::size_t j = i + 1; j < placed.size(); ++j)
       EXPECT_FALSE(overlap(placed[i], placed[j])) << i << " and " << j;
+}
+
+/// How far a label is from a pixel.
+double distanceFrom(const PlacedLabel &label, glm::dvec2 pixel) {
+  return distanceTo(PixelBox{label.topLeft, label.topLeft + label.extent}, pixel);
+}
+
+TEST(LabelLayout, OfTwoPointsSideBySide_EachIsNearerToItsOwn) {
+  for (int degrees = 0; degrees < 360; degrees += 15)
+    for (const double apart : {22.0, 40.0, 70.0}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const std::array pixels{glm::dvec2(400, 300),
+                              glm::dvec2(400, 300) + apart * glm::dvec2(std::cos(angle), std::sin(angle))};
+      LabelObstacles points;
+      for (const glm::dvec2 pixel : pixels)
+        points.discs.push_back({pixel, 9, true});
+      const auto placed =
+          LabelLayout().place({labelAt("H", pixels[0]), labelAt("F", pixels[1])}, points, size, 1);
+      ASSERT_EQ(placed.size(), 2U);
+      for (const std::size_t own : {0U, 1U})
+        EXPECT_TRUE(placed[own].needsLeader ||
+                    distanceFrom(placed[own], pixels[own]) <= distanceFrom(placed[own], pixels[1 - own]))
+            << placed[own].id << ", " << degrees << "°, " << apart;
+    }
+}
+
+TEST(LabelLayout, OfAPointOnAnEdge_IsNotStruckThrough) {
+  for (int degrees = 0; degrees < 180; degrees += 15) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const glm::dvec2 way = 300.0 * glm::dvec2(std::cos(angle), std::sin(angle));
+    LabelObstacles edge;
+    edge.segments.push_back({glm::dvec2(400, 300) - way, glm::dvec2(400, 300) + way});
+    const auto placed = LabelLayout().place({labelAt("Q", {400, 300})}, edge, size, 1);
+    ASSERT_EQ(placed.size(), 1U);
+    const PixelBox box{placed[0].topLeft, placed[0].topLeft + placed[0].extent};
+    EXPECT_LT(lengthInside(box, edge.segments[0].from, edge.segments[0].to), 24) << degrees << "°";
+  }
 }
 
 TEST(LabelLayout, OfALabelInPassing_NoOtherTakesNotice) {

@@ -69,11 +69,59 @@ TEST(Lines, OfHelpersAndGhosts_AreDashedAndOthersAreNot) {
   }
 }
 
+TEST(Lines, OfFurtherObjects_AreInLongDashes_EachInItsOwn) {
+  std::set<double> parts;
+  for (const std::size_t rank : {0U, 1U, 2U, 3U}) {
+    SegmentMark line = segmentOf(Role::Given);
+    line.look.rank = rank;
+    const double part = partDrawn(meshOfMark(line), 8);
+    EXPECT_GT(part, partDrawn(meshOfMark(segmentOf(Role::Helper)), 8)) << rank;
+    parts.insert(part);
+  }
+  EXPECT_EQ(parts.size(), 4U);
+}
+
+TEST(Lines, OfAHelperOfAFurtherObject_AreDashedAsThoseOfHelpers) {
+  SegmentMark line = segmentOf(Role::Helper);
+  line.look.rank = 2;
+  EXPECT_EQ(rhythmOf(line, 1), rhythmOf(segmentOf(Role::Helper), 1));
+}
+
+TEST(Lines, InALook_HaveItsHue_AndSoHasTheFaceOfAPatch) {
+  PlanePatchMark patch = withId(patchAt({0, 0, 0}, {0, 0, 1}), "F", Subject::Plane);
+  patch.look.hue = Hue::Green;
+  EXPECT_EQ(solidColor(patch, theme(), false), theme().colorOf(Hue::Green));
+  EXPECT_EQ(facesOfMark(patch).front().color, theme().colorOf(Hue::Green));
+}
+
 TEST(Lines, OfWhatIsGiven_AreThickerThanThoseOfHelpers) {
   const auto thickness = [](Role role) { return thicknessOf(meshOfMark(segmentOf(role))); };
   EXPECT_GT(thickness(Role::Given), thickness(Role::Derived));
   EXPECT_GT(thickness(Role::Derived), thickness(Role::Helper));
   EXPECT_EQ(thickness(Role::Result), thickness(Role::Given));
+}
+
+ArrowMark upArrow(const std::string &id, double length) {
+  ArrowMark arrow = withId(ArrowMark{}, id);
+  arrow.vector = {0, 0, length};
+  return arrow;
+}
+
+/// The largest distance from the z axis at a height.
+double thicknessAt(const Mesh &mesh, double height) {
+  double most = 0;
+  for (const glm::vec3 &position : mesh.positions)
+    if (std::abs(position.z - height) < 1e-4)
+      most = std::max<double>(most, std::hypot(position.x, position.y));
+  return most;
+}
+
+TEST(Arrows, ThatLieInOthers_AreThicker_SoThatBothAreSeen) {
+  const Figure both{{upArrow("v", 8), upArrow("w", 3)}};
+  const double alone = thicknessAt(meshOf({{upArrow("w", 3)}}, {}, theme(), 1), 0);
+  EXPECT_GT(thicknessAt(meshOf(both, {}, theme(), 1), 0), 1.5 * alone);
+  const Figure opposite{{upArrow("v", 8), upArrow("w", -3)}};
+  EXPECT_DOUBLE_EQ(thicknessAt(meshOf(opposite, {}, theme(), 1), 0), alone);
 }
 
 TEST(Lines, SeenFromFartherAway_AreThickerInTheScene) {

@@ -59,7 +59,7 @@ TEST(Mesh, RingOfACornerIsMitredToItsOutside) {
 
 TEST(Mesh, DashesBeginAndEndWithTheSegmentAndLeaveGaps) {
   Mesh dashed;
-  addDashes(dashed, {0, 0, 0}, {10, 0, 0}, 0.1, 0.5, red);
+  addDashes(dashed, {0, 0, 0}, {10, 0, 0}, 0.1, {0.5, 0.35}, red);
   expectSound(dashed);
   EXPECT_NEAR(spanOf(dashed, 0).first, 0, 1e-5);
   EXPECT_NEAR(spanOf(dashed, 0).second, 10, 1e-5);
@@ -80,7 +80,7 @@ TEST(Mesh, WithoutLengthNothingIsAdded) {
   Mesh mesh;
   addTube(mesh, {1, 2, 3}, {1, 2, 3}, 0.1, red);
   addArrow(mesh, {1, 2, 3}, {0, 0, 0}, 0.1, red);
-  addDashes(mesh, {1, 2, 3}, {1, 2, 3}, 0.1, 0.4, red);
+  addDashes(mesh, {1, 2, 3}, {1, 2, 3}, 0.1, {0.4, 0.3}, red);
   addCone(mesh, {1, 2, 3}, {1, 2, 3}, 0.1, red);
   EXPECT_TRUE(mesh.positions.empty());
 }

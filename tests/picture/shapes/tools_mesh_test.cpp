@@ -141,6 +141,15 @@ TEST(Tools, OfAKnob_AreADoubleArrowOrACrossOnTheScreen) {
   EXPECT_LT(toEye, 0.5 * upward);
 }
 
+TEST(Tools, OfAKnobOfAnObjectInALook_HaveItsColour) {
+  SceneContent content = withKnob({});
+  PlanePatchMark whole;
+  whole.id = content.knobs.front().id.substr(0, content.knobs.front().id.find('.'));
+  whole.look.hue = Hue::Green;
+  content.figure.add(std::move(whole));
+  EXPECT_TRUE(hasColor(toolsMesh(content, theme(), viewAtHeight(21)), theme().colorOf(Hue::Green)));
+}
+
 TEST(Tools, OfAHotKnob_AreLargerAndInTheAccentsColour) {
   EXPECT_GT(reachOf(withKnob({}, true)).z, 1.3 * reachOf(withKnob({})).z);
   EXPECT_TRUE(hasColor(toolsMesh(withKnob({}, true), theme(), viewAtHeight(21)), theme().accent));

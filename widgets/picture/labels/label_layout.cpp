@@ -26,11 +26,14 @@ constexpr double costOfNextAnchor = 6;
 constexpr std::array<double, distances.size()> costOfDistance{0, 7, 22, 40, 60};
 constexpr double costOfChange = 9;
 constexpr double costOfThinLine = 16;
+/// Of a thin line that goes through from side to side: a label is better farther off than struck through.
+constexpr double costOfStrike = 24;
 // … then what makes it hard to read: more than all of that together. An overlap counts besides by the part of
 // the label that it takes.
 constexpr double costOfTouching = 120;
 constexpr double costOfOverlap = 140;
 constexpr double costOfPoint = 120;
+constexpr double costOfMistake = 120;
 constexpr double costOfThickLine = 110;
 constexpr double costOfLeaving = 200;
 
@@ -40,11 +43,13 @@ constexpr double freePush = 0.02;
 /// Labels are gone through this often: from the second time on each sees where all others are.
 constexpr int passes = 3;
 
-/// The obstacles that touch a box.
+/// The obstacles that touch a box, and the points that a label in it could be taken for that of.
 LabelObstacles obstaclesIn(const PixelBox &box, const LabelObstacles &all) {
   LabelObstacles found;
   std::copy_if(all.discs.begin(), all.discs.end(), std::back_inserter(found.discs),
-               [&](const LabelObstacles::Disc &disc) { return distanceTo(box, disc.center) < disc.radius; });
+               [&](const LabelObstacles::Disc &disc) {
+                 return disc.hasLabel || distanceTo(box, disc.center) < disc.radius;
+               });
   std::copy_if(all.segments.begin(), all.segments.end(), std::back_inserter(found.segments),
                [&](const LabelObstacles::Segment &segment) {
                  return lengthInside(box, segment.from, segment.to) > 0;
@@ -98,6 +103,14 @@ struct LabelLayout::Candidate {
   Choice choice;
   PixelBox box;
   double cost = 0; ///< by itself, whatever else is on the screen
+  glm::dvec2 anchor{};
+  double clearance = 0;
+
+  /// Whether it stands nearer to a point with a name than to what it names; a leader tells which that is.
+  [[nodiscard]] bool isNearerTo(const LabelObstacles::Disc &disc) const {
+    return disc.hasLabel && disc.center != anchor && choice.distance < firstWithLeader &&
+           distanceTo(box, disc.center) - disc.radius < distanceTo(box, anchor) - clearance;
+  }
 };
 
 /// Where a label may stand, the cheapest place first, and what it may come upon there: each obstacle is
@@ -144,7 +157,7 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
       const PixelBox inside = movedInside(box, board.size);
       if (pushOf(inside, box) > 0 || board.isCovered(inside))
         return {};
-      return {{{a, 0, 0}, inside, 0}};
+      return {{{a, 0, 0}, inside, 0, anchor.pixel, anchor.clearance}};
     }
     const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
     for (std::size_t way = 0; way < directionCount; ++way)
@@ -156,7 +169,7 @@ std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest
           continue;
         const double cost = liking + costOfOtherSide * (1 - glm::dot(best, ways[way].onCircle)) +
                             costOfDistance[far] + costOfLeaving * pushOf(box, wanted);
-        candidates.push_back({{a, way, far}, box, cost});
+        candidates.push_back({{a, way, far}, box, cost, anchor.pixel, anchor.clearance});
       }
     liking += costOfNextAnchor;
   }
@@ -181,12 +194,17 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
   for (const LabelObstacles::Disc &disc : obstacles.discs)
     if (distanceTo(box, disc.center) < disc.radius)
       cost += costOfPoint;
+    else if (candidate.isNearerTo(disc))
+      cost += costOfMistake;
   for (const LabelObstacles::Segment &segment : obstacles.segments) {
     if (cost >= limit)
       return cost;
     const double inside = lengthInside(box, segment.from, segment.to);
+    if (inside <= 0)
+      continue;
     const double part = std::min(1.0, inside / std::min(extent.x, extent.y));
-    cost += segment.isThick && inside > 0 ? costOfThickLine * (1 + part) : costOfThinLine * part;
+    cost += segment.isThick ? costOfThickLine * (1 + part)
+                            : costOfThinLine * part + (part == 1 ? costOfStrike : 0);
   }
   return cost;
 }

@@ -37,6 +37,8 @@ struct LabelObstacles {
   struct Disc {
     glm::dvec2 center{};
     double radius = 0;
+    bool hasLabel =
+        false; ///< a point with a name, which a label nearer to it than to its own would seem to be
   };
   struct Segment {
     glm::dvec2 from{};

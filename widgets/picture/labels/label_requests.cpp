@@ -194,7 +194,7 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
                        style(theme.mutedInk, tickTextSize), at(label.at), LabelStand::Pinned});
   for (const Mark *mark : labelledMarks(content)) {
     const MarkBase &base = baseOf(*mark);
-    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(base.subject);
+    const Color ink = base.role == Role::Warning ? theme.warning : theme.inkOf(hueOf(base));
     texts.push_back({base.id, base.label + base.numbers, style(ink, markTextSize),
                      anchorsOf(*mark, theme, view), base.passes ? LabelStand::Passing : LabelStand::Beside,
                      true, content.arrival.presenceOf(base)});
@@ -224,9 +224,9 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
                            const Theme &theme, const View &view) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   LabelObstacles obstacles;
-  const auto addDisc = [&](Place at, double radius) {
+  const auto addDisc = [&](Place at, double radius, bool hasLabel = false) {
     if (const auto pixel = view.camera.project(at, view.size))
-      obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio});
+      obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio, hasLabel});
   };
   using Segments = std::vector<LabelObstacles::Segment>;
   const auto addPath = [&](const std::vector<Place> &path, bool isThick, Segments &segments) {
@@ -247,7 +247,8 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
     const bool isArrow = std::holds_alternative<ArrowMark>(mark);
     switch (outline.kind) {
     case MarkOutline::Kind::Point:
-      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * theme.lineScale);
+      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * theme.lineScale,
+              !baseOf(mark).label.empty());
       break;
     case MarkOutline::Kind::Line:
       addPath(outline.path, isArrow, obstacles.segments);

@@ -41,7 +41,7 @@ public:
     if (m_path.empty())
       return;
     if (const auto *point = std::get_if<PointMark>(&m_mark))
-      m_shapes.push_back({m_path, m_color, 1, ballRadius(*point) * m_thickness, 0, false, true});
+      m_shapes.push_back({m_path, m_color, 1, ballRadius(*point) * m_thickness, {}, false, true});
     else if (std::holds_alternative<ArrowMark>(m_mark))
       addArrow();
     else if (std::holds_alternative<PolygonMark>(m_mark))
@@ -54,8 +54,9 @@ private:
   void addLine(std::vector<glm::dvec2> path, bool isClosed = false) {
     const bool isAngle =
         std::holds_alternative<ArcMark>(m_mark) || std::holds_alternative<RightAngleMark>(m_mark);
-    const double dash = isDashed(baseOf(m_mark).role) && !isAngle ? dashLength * m_scale * m_pixels : 0;
-    m_shapes.push_back({std::move(path), m_color, 1, strokeRadius(m_mark) * m_thickness, dash, isClosed});
+    Rhythm rhythm = isAngle ? Rhythm() : rhythmOf(baseOf(m_mark), m_scale * m_pixels);
+    m_shapes.push_back(
+        {std::move(path), m_color, 1, strokeRadius(m_mark) * m_thickness, std::move(rhythm), isClosed});
   }
 
   void addFace() {

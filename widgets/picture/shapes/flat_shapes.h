@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/picture/scene_content.h"
+#include "widgets/picture/shapes/mesh.h"
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"
 
@@ -13,7 +14,7 @@ struct FlatShape {
   Color color;
   double opacity = 1;
   double width = 0;      ///< of the pen; 0: the path goes around what is filled
-  double dash = 0;       ///< the length of dashes and gaps; 0: the pen does not leave the page
+  Rhythm rhythm{};       ///< in pixels; empty: the pen does not leave the page
   bool isClosed = false; ///< the pen goes back to where it began
   bool isDisc = false;   ///< a disc around the path's one point, as wide as the pen
 };

@@ -2,7 +2,10 @@
 
 #include "widgets/picture/shapes/mark_outline.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -48,30 +51,66 @@ double highlightOf(const Mark &mark) {
   return std::holds_alternative<PointMark>(mark) ? highlightBallWidth : highlightWidth;
 }
 
+/// Each arrow that lies in longer ones is drawn so much thicker: its shaft is seen around theirs, their tips
+/// are seen beyond it.
+constexpr double sleeveWidth = 0.7;
+/// Directions that differ by less than this (the sine of the angle) are one to the eye, in whatever way they
+/// were rounded.
+constexpr double sameDirection = 1e-6;
+
+/// Whether an arrow lies in another: it starts in the same place, points the same way and is shorter.
+bool liesIn(const ArrowMark &arrow, const ArrowMark &other) {
+  const Place inner = shownVector(arrow);
+  const Place outer = shownVector(other);
+  const double lengths = glm::length(inner) * glm::length(outer);
+  return arrow.from == other.from && glm::dot(inner, outer) > 0 &&
+         glm::length(glm::cross(inner, outer)) <= sameDirection * lengths &&
+         glm::length(inner) < glm::length(outer);
+}
+
+/// What the width of a mark is multiplied by, so that it is seen where it lies in others.
+double sleeveOf(const Mark &mark, const Figure &figure) {
+  const auto *arrow = std::get_if<ArrowMark>(&mark);
+  if (!arrow)
+    return 1;
+  const auto holders = std::count_if(figure.marks.begin(), figure.marks.end(), [&](const Mark &each) {
+    const auto *other = std::get_if<ArrowMark>(&each);
+    return other && liesIn(*arrow, *other);
+  });
+  return 1 + sleeveWidth * static_cast<double>(holders);
+}
+
 BallDetail ballDetailFor(const Figure &figure) {
   const auto points = std::count_if(figure.marks.begin(), figure.marks.end(),
                                     [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
   return points <= mostFineBalls ? BallDetail::Fine : BallDetail::Coarse;
 }
 
+/// The length of a dash at scale 1, in scene units, and what a rhythm has in lengths of a dash.
+constexpr double dashLength = 0.42;
+const Rhythm shortDashes{1, 0.7};
+/// The first of its kind is drawn in whole lines, those behind it each in another rhythm, as far as they go.
+const std::array<Rhythm, 4> rhythmsOfRanks{
+    {{}, {2.5, 0.5}, {2.5, 0.5, 0.5, 0.5}, {2.5, 0.5, 0.5, 0.5, 0.5, 0.5}}};
+
 /// How one mark is drawn.
 struct Brush {
   Color color;
   double width; ///< what radii are multiplied by
-  double dash;  ///< length of a dash, 0 for a solid line
+  Rhythm rhythm;
   BallDetail ball = BallDetail::Fine;
 };
 
 void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
-  if (brush.dash > 0)
-    for (std::size_t i = 1; i < path.size(); ++i)
-      addDashes(mesh, path[i - 1], path[i], radius * brush.width, brush.dash, brush.color);
-  else
+  if (brush.rhythm.empty())
     addTube(mesh, path, radius * brush.width, brush.color);
+  else
+    for (std::size_t i = 1; i < path.size(); ++i)
+      addDashes(mesh, path[i - 1], path[i], radius * brush.width, brush.rhythm, brush.color);
 }
 
 void addBorder(Mesh &mesh, std::vector<Place> corners, double radius, const Brush &brush) {
-  if (brush.dash > 0 && !corners.empty()) {
+  if (!brush.rhythm.empty() && !corners.empty()) {
     corners.push_back(corners.front());
     addLine(mesh, corners, radius, brush);
   } else {
@@ -82,7 +121,7 @@ void addBorder(Mesh &mesh, std::vector<Place> corners, double radius, const Brus
 Color patchBorderColor(const PlanePatchMark &patch, const Brush &brush, const Theme &theme) {
   const bool isPlain =
       patch.subject == Subject::Plane && patch.role != Role::Warning && patch.role != Role::Ghost;
-  return isPlain ? mix(theme.planeFace, brush.color, patchBorderDepth) : brush.color;
+  return isPlain ? mix(theme.patchFaceOf(hueOf(patch)), brush.color, patchBorderDepth) : brush.color;
 }
 
 void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &theme, double scale) {
@@ -100,10 +139,10 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
           [&](const RayMark &) { line(); },
           [&](const LineMark &) { line(); },
           [&](const ArrowMark &arrow) {
-            addArrow(mesh, arrow.from, shownVector(arrow), radius * brush.width, brush.color, brush.dash);
+            addArrow(mesh, arrow.from, shownVector(arrow), radius * brush.width, brush.color, brush.rhythm);
           },
           [&](const PlanePatchMark &patch) {
-            const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.dash};
+            const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.rhythm};
             addBorder(mesh, outline.path, radius, border);
           },
           [&](const PolygonMark &) { addBorder(mesh, outline.path, radius, brush); },
@@ -139,10 +178,16 @@ double thicknessOf(const MarkBase &mark, const Theme &theme, double scale) {
   return scale * theme.lineScale * widthOf(mark.role);
 }
 
-bool isDashed(Role role) { return role == Role::Helper || role == Role::Ghost; }
+Rhythm rhythmOf(const MarkBase &mark, double scale) {
+  const bool isAside = mark.role == Role::Helper || mark.role == Role::Ghost;
+  Rhythm rhythm = isAside ? shortDashes : rhythmsOfRanks.at(mark.look.rank % rhythmsOfRanks.size());
+  for (double &length : rhythm)
+    length *= dashLength * scale;
+  return rhythm;
+}
 
 Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
-  Color color = mark.role == Role::Warning ? theme.warning : theme.colorOf(mark.subject);
+  Color color = mark.role == Role::Warning ? theme.warning : theme.colorOf(hueOf(mark));
   if (mark.role == Role::Ghost)
     color = mix(color, theme.backgroundBottom, ghostPaleness);
   return highlighted ? mix(color, theme.ink, highlightInk) : color;
@@ -159,9 +204,10 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     const double presence = arrival.presenceOf(base);
     if (presence <= 0)
       continue;
-    const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) * presence;
+    const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
+                         sleeveOf(mark, figure) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
-                      isDashed(base.role) ? dashLength * scale : 0, ball};
+                      rhythmOf(base, scale), ball};
     addMark(mesh, mark, brush, theme, scale);
   }
   return mesh;

@@ -17,9 +17,6 @@ inline constexpr double pointRadius = 0.23;
 /// The radius of an arrow's shaft.
 inline constexpr double arrowRadius = 0.11;
 
-/// The length of a dash at scale 1, in scene units.
-inline constexpr double dashLength = 0.42;
-
 /// The radius of the lines that a mark is drawn with, at scale 1, in scene units; 0 for a point.
 [[nodiscard]] double strokeRadius(const Mark &mark);
 
@@ -28,8 +25,9 @@ inline constexpr double dashLength = 0.42;
 /// What the radii of a mark at scale 1 are multiplied by.
 [[nodiscard]] double thicknessOf(const MarkBase &mark, const Theme &theme, double scale);
 
-/// Whether a mark's lines are dashed.
-[[nodiscard]] bool isDashed(Role role);
+/// The rhythm of a mark's lines, in scene units at a scale: short dashes for helpers and ghosts,
+/// and for an object that is not the first of its kind long ones, of its own.
+[[nodiscard]] Rhythm rhythmOf(const MarkBase &mark, double scale);
 
 /// The colour of a mark's solid parts, by its subject, its role and whether it stands out.
 [[nodiscard]] Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted);

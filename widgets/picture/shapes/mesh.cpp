@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace halfspace {
 namespace {
@@ -18,11 +19,8 @@ constexpr std::size_t ballParallels = 18;
 constexpr std::size_t coarseMeridians = 12;
 constexpr std::size_t coarseParallels = 8;
 
-/// More dashes than this are not told apart any more.
-constexpr double mostDashes = 120;
-
-/// Gap between dashes, in lengths of a dash.
-constexpr double gapPerDash = 0.7;
+/// More rounds of a rhythm than this are not told apart any more.
+constexpr double mostRounds = 120;
 
 /// Sharper corners than this (the cosine of half the turn) are not mitred to a spike.
 constexpr double leastMitreCosine = 0.35;
@@ -204,17 +202,20 @@ void addRing(Mesh &mesh, std::span<const Place> corners, double radius, Color co
   }
 }
 
-void addDashes(Mesh &mesh, Place from, Place to, double radius, double dash, Color color) {
+void addDashes(Mesh &mesh, Place from, Place to, double radius, const Rhythm &rhythm, Color color) {
   const double length = glm::distance(from, to);
   if (!(length > 0))
     return;
-  // n dashes and n − 1 gaps fill the length.
-  const double wanted = std::round((length / dash + gapPerDash) / (1 + gapPerDash));
-  const double count = std::clamp(wanted, 1.0, mostDashes);
-  const Place step = (to - from) / (count + (count - 1) * gapPerDash);
-  for (double i = 0; i < count; ++i) {
-    const Place start = from + step * (i * (1 + gapPerDash));
-    addTube(mesh, start, start + step, radius, color);
+  // So many rounds without the last one's gap fill the length.
+  const double period = std::accumulate(rhythm.begin(), rhythm.end(), 0.0);
+  const double rounds = std::clamp(std::round((length + rhythm.back()) / period), 1.0, mostRounds);
+  const Place step = (to - from) / (rounds * period - rhythm.back());
+  for (double i = 0; i < rounds; ++i) {
+    Place start = from + step * (i * period);
+    for (std::size_t k = 0; k + 1 < rhythm.size(); k += 2) {
+      addTube(mesh, start, start + step * rhythm[k], radius, color);
+      start += step * (rhythm[k] + rhythm[k + 1]);
+    }
   }
 }
 
@@ -284,7 +285,7 @@ ArrowHead headOfArrow(double length, double radius) {
   return {head, std::max(headRadius * head / headLength, leastHeadRadius * radius)};
 }
 
-void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, double dash) {
+void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, const Rhythm &rhythm) {
   const double length = glm::length(vector);
   if (!(length > 0))
     return;
@@ -292,10 +293,10 @@ void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, 
   const ArrowHead head = headOfArrow(length, radius);
   const Place neck = from + along * (length - head.length);
   const Place shaftEnd = neck + along * (shaftInHead * head.length);
-  if (dash > 0)
-    addDashes(mesh, from, shaftEnd, radius, dash, color);
-  else
+  if (rhythm.empty())
     addTube(mesh, from, shaftEnd, radius, color);
+  else
+    addDashes(mesh, from, shaftEnd, radius, rhythm, color);
   addCone(mesh, neck, from + vector, head.radius, color);
 }
 

@@ -34,9 +34,13 @@ void addRing(Mesh &mesh, std::span<const Place> corners, double radius, Color co
 /// The corners of a circle around a unit axis.
 [[nodiscard]] std::vector<Place> circleAround(Place center, Place axis, double radius, int corners);
 
-/// Short tubes with gaps between; the first and the last dash end at the ends. `dash` is the wanted length of
-/// a dash.
-void addDashes(Mesh &mesh, Place from, Place to, double radius, double dash, Color color);
+/// How a line is cut into dashes: the lengths that are drawn and left out in turn, one left out at last;
+/// empty for a line that is whole.
+using Rhythm = std::vector<double>;
+
+/// Short tubes with gaps between, in a rhythm that is not empty, stretched or shrunk as it takes for a dash
+/// to begin and one to end at the ends.
+void addDashes(Mesh &mesh, Place from, Place to, double radius, const Rhythm &rhythm, Color color);
 
 /// A cone with its base.
 void addCone(Mesh &mesh, Place base, Place tip, double radius, Color color);
@@ -57,7 +61,7 @@ struct ArrowHead {
 [[nodiscard]] ArrowHead headOfArrow(double length, double radius);
 
 /// An arrow whose head is in proportion to the radius of its shaft; a short arrow has a smaller head.
-/// With dash > 0 the shaft is dashed.
-void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, double dash = 0);
+/// Its shaft is drawn in a rhythm.
+void addArrow(Mesh &mesh, Place from, Place vector, double radius, Color color, const Rhythm &rhythm = {});
 
 } // namespace halfspace

@@ -17,6 +17,7 @@ constexpr double toolRadius = 1.5;
 constexpr double modeReach = 30;
 constexpr double modeStart = 14;
 constexpr double dropDash = 6;
+constexpr double dropGap = 4.2;
 constexpr double dropRadius = 1.1;
 constexpr double footRadius = 5;
 
@@ -89,9 +90,16 @@ void addGizmo(Mesh &mesh, const Gizmo &gizmo, const Theme &theme, const View &vi
                    theme.mutedInk);
 }
 
-void addKnob(Mesh &mesh, const Knob &knob, const Theme &theme, const View &view) {
+/// The hue that the whole object has, where it has one of its own.
+Hue knobHue(const Knob &knob, const Figure &figure) {
+  const Mark *whole = findMark(figure, knob.id.substr(0, knob.id.find('.')));
+  const Hue usual = hueOf(knob.subject);
+  return whole ? baseOf(*whole).look.hue.value_or(usual) : usual;
+}
+
+void addKnob(Mesh &mesh, const Knob &knob, Hue hue, const Theme &theme, const View &view) {
   const double unit = view.unitsPerDesignPixel(knob.at) * (knob.hot ? hotWidth : 1);
-  const Color color = knob.hot ? theme.accent : theme.colorOf(knob.subject);
+  const Color color = knob.hot ? theme.accent : theme.colorOf(hue);
   if (unit <= 0)
     return;
   addBall(mesh, knob.at, knobBall * unit, color);
@@ -105,7 +113,7 @@ void addDropLine(Mesh &mesh, const DropLine &line, bool toAxes, const Theme &the
   if (unit <= 0)
     return;
   const auto dashes = [&](Place from, Place to) {
-    addDashes(mesh, from, to, dropRadius * unit, dropDash * unit, theme.mutedInk);
+    addDashes(mesh, from, to, dropRadius * unit, {dropDash * unit, dropGap * unit}, theme.mutedInk);
   };
   dashes(line.from, foot);
   if (toAxes) {
@@ -122,7 +130,7 @@ Mesh toolsMesh(const SceneContent &content, const Theme &theme, const View &view
   if (content.dropLine)
     addDropLine(mesh, *content.dropLine, content.stage.hasAxes(), theme, view);
   for (const Knob &knob : content.knobs)
-    addKnob(mesh, knob, theme, view);
+    addKnob(mesh, knob, knobHue(knob, content.figure), theme, view);
   if (content.gizmo)
     addGizmo(mesh, *content.gizmo, theme, view);
   return mesh;

@@ -69,8 +69,8 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
   Face face;
   face.corners = outlineOf(mark, rightAngleSize).path;
   face.color = base.role == Role::Warning                  ? theme.warning
-               : isPatch && base.subject == Subject::Plane ? theme.planeFace
-                                                           : theme.colorOf(base.subject);
+               : isPatch && base.subject == Subject::Plane ? theme.patchFaceOf(hueOf(base))
+                                                           : theme.colorOf(hueOf(base));
   face.opacity =
       (isPatch ? theme.planeOpacity : theme.polygonOpacity) * (base.role == Role::Ghost ? ghostOpacity : 1) +
       (highlighted ? highlightOpacity : 0);

@@ -1,0 +1,14 @@
+// The looks of a scene's objects.
+#pragma once
+
+#include "lessons/scene/scene.h"
+
+namespace halfspace {
+
+/// The look of each entry's object, in the order of the entries. An object has the colour that its entry
+/// says; else the first that is about a subject has that subject's, and each further one the hue that the
+/// fewest have. So two objects about the same subject are alike only where a lesson wants them to be, and
+/// even then their lines are not.
+[[nodiscard]] std::vector<Look> looksOf(const Scene &scene);
+
+} // namespace halfspace
