@@ -1,5 +1,7 @@
 #include "app/command_line.h"
 
+#include "app/completion.h"
+#include "app/manual_page.h"
 #include "lessons/guess.h"
 #include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/picture/theme.h"
@@ -20,6 +22,8 @@ namespace {
 constexpr int highestFrame = 999'999;
 /// Of a number in a file's name.
 constexpr int mostDigits = 9;
+
+constexpr const char *summary = "drag planes, points, rays and triangles, and read the exact working live";
 
 PrintCommand complaint(const std::string &sentence) { return {sentence, true}; }
 
@@ -83,10 +87,10 @@ bool namesPng(const std::string &file) {
   return suffix.empty() || suffix == ".png";
 }
 
-std::string themeNames() {
+std::string themeNames(const std::string &separator) {
   std::string names;
   for (const Theme &theme : themes())
-    names += (names.empty() ? "" : ", ") + theme.name;
+    names += (names.empty() ? "" : separator) + theme.name;
   return names;
 }
 
@@ -108,14 +112,16 @@ struct Arguments {
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
-  app.add_option("--lessons", folders, "A folder of lessons of your own (can be repeated)")
+  app.add_option(ownLessonsOption, folders, "A folder of lessons of your own (can be repeated)")
       ->type_name("FOLDER")
       ->allow_extra_args(false)
       ->take_all();
 }
 
 void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
-  app.add_option("subject", subject, "A lesson's id, its .md file or a .halfspace file")->required();
+  app.add_option("subject", subject, "A lesson's id, its .md file or a .halfspace file")
+      ->type_name("LESSON|FILE")
+      ->required();
   app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false) // one value each time: what follows it is another word
@@ -133,8 +139,9 @@ void addWindow(CLI::App &app, WindowCommand &command) {
 CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
   auto *explain = app.add_subcommand("explain", "Print values, worked lines and the case in plain words");
   addSubject(*explain, command.subject, command.assignments);
-  explain->add_option("--format", command.format, "text, latex or json")
-      ->check(CLI::IsMember({"text", "latex", "json"}))
+  explain->add_option("--format", command.format, "How it is written")
+      ->type_name("text|latex|json")
+      ->check(CLI::IsMember({"text", "latex", "json"}).description(""))
       ->capture_default_str();
   return explain;
 }
@@ -150,16 +157,23 @@ CLI::App *addRender(CLI::App &app, Arguments &arguments) {
   auto *render = app.add_subcommand("render", "Draw the figure as a PNG picture; needs no display");
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
-  render->add_option("-o,--output", command.output, "The PNG file to write")->required();
-  render->add_option("--size", arguments.size, "Width x height in pixels")->capture_default_str();
+  render->add_option("-o,--output", command.output, "The PNG file to write")->type_name("FILE")->required();
+  render->add_option("--size", arguments.size, "Its sides in pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
   render->add_flag("--transparent", command.transparent, "No background");
   render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
-  render->add_option("--theme", command.theme, themeNames())->capture_default_str();
-  render->add_option("--step", arguments.step,
-                     "The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
-                     "whole figure of a lesson, or, for frames, the last step with the flight");
+  render->add_option("--theme", command.theme, "The picture's colours")
+      ->type_name(themeNames("|"))
+      ->capture_default_str();
+  render
+      ->add_option("--step", arguments.step,
+                   "The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
+                   "whole figure of a lesson, or, for frames, the last step with the flight")
+      ->type_name("NUMBER");
   auto *frame =
-      render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0");
+      render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0")
+          ->type_name("NUMBER");
   render
       ->add_option("--frames", arguments.frames,
                    "Its frames from A to B, each in a file of its own: -o frames/%04d.png")
@@ -181,7 +195,7 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
     return complaint("Pictures are written as PNG: let the name end in .png, not as “" + command.output +
                      "” does.");
   if (!findTheme(command.theme))
-    return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames() + ".");
+    return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames(", ") + ".");
   if (stepGiven && arguments.step < 1)
     return complaint("--step counts from 1.");
   if (framesGiven || render.count("--frame") > 0) {
@@ -202,6 +216,18 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   return command;
 }
 
+/// What a shell or the build asks about the command line itself: it is not read as arguments.
+std::optional<Command> aboutItself(const CLI::App &app, int argc, const char *const *argv) {
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty())
+    return {};
+  if (words.front() == completeCommand)
+    return completionOf(app, {words.begin() + 1, words.end()});
+  if (words.front() == manualPageCommand)
+    return PrintCommand{manualPage(app, summary)};
+  return {};
+}
+
 /// A guess where what stands in the place of a lesson is nearly a command: `explin`; else empty.
 std::string commandMeant(const CLI::App &app, const std::optional<std::string> &subject) {
   std::vector<std::string> names;
@@ -216,8 +242,7 @@ std::string commandMeant(const CLI::App &app, const std::optional<std::string> &
 
 Command parseCommandLine(int argc, const char *const *argv) {
   Arguments arguments;
-  CLI::App app("Halfspace: drag planes, points, rays and triangles, and read the exact working live.",
-               "halfspace");
+  CLI::App app("Halfspace: " + std::string(summary) + ".", "halfspace");
   app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
   app.footer("Without a command, `halfspace [LESSON|FILE]` opens the window.");
   addWindow(app, arguments.window);
@@ -227,18 +252,25 @@ Command parseCommandLine(int argc, const char *const *argv) {
   addOwnLessons(*lessons, arguments.ownLessons); // what it is called itself does not fall through
   app.fallthrough();                             // it may stand behind the other commands
   auto *newLesson = app.add_subcommand("new-lesson", "Write a lesson to begin with: ID.md in this folder");
-  newLesson->add_option("id", arguments.newLesson.id, "Small letters, digits and hyphens")->required();
+  newLesson->add_option("id", arguments.newLesson.id, "Small letters, digits and hyphens")
+      ->type_name("ID")
+      ->required();
   auto *constructionList = app.add_subcommand(
       "constructions", "Print the names that lessons can use: cases, values, lines and marks");
   auto *check = app.add_subcommand("check", "Say what is wrong in lesson files, and where");
-  check->add_option("paths", arguments.check.paths,
-                    "Files, or folders of them; without any, the lessons of this program");
+  check
+      ->add_option("paths", arguments.check.paths,
+                   "Files, or folders of them; without any, the lessons of this program")
+      ->type_name("FILE|FOLDER");
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
   auto *eval = app.add_subcommand("eval", "Answer geometry questions, one JSON object a line");
-  eval->add_option("file", arguments.eval.file, "The file with the questions; standard input without one");
+  eval->add_option("file", arguments.eval.file, "The file with the questions; standard input without one")
+      ->type_name("FILE");
   auto *readMesh = addReadMesh(app, arguments.readMesh);
   app.require_subcommand(0, 1);
+  if (auto asked = aboutItself(app, argc, argv))
+    return *asked;
 
   try {
     app.parse(argc, argv);

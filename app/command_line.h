@@ -12,6 +12,7 @@ namespace halfspace {
 
 /// Folders of a teacher's own lessons.
 using OwnLessons = std::vector<std::string>;
+inline constexpr const char *ownLessonsOption = "--lessons";
 
 struct WindowCommand {
   std::optional<std::string>
@@ -75,6 +76,17 @@ struct ReadMeshCommand {
   std::string file;
 };
 
+/// Tell a shell what the word that is being typed may become.
+struct CompleteCommand {
+  enum class Files { None, Folders, All };
+
+  std::string typed;              ///< the word so far
+  std::vector<std::string> words; ///< that begin so
+  bool lessons = false;           ///< the ids of lessons may stand there, too
+  Files files = Files::None;      ///< so may files and folders, which the shell knows
+  OwnLessons ownLessons{};
+};
+
 /// Nothing is left to do but to print a text (--help, --version) or a complaint.
 struct PrintCommand {
   std::string text;
@@ -83,7 +95,7 @@ struct PrintCommand {
 
 using Command =
     std::variant<WindowCommand, LessonsCommand, NewLessonCommand, ConstructionsCommand, CheckCommand,
-                 ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand, PrintCommand>;
+                 ExplainCommand, RenderCommand, EvalCommand, ReadMeshCommand, CompleteCommand, PrintCommand>;
 
 /// Reads the arguments (argv[0] included). A bad one gives a PrintCommand with one sentence.
 [[nodiscard]] Command parseCommandLine(int argc, const char *const *argv);

@@ -68,6 +68,19 @@ int runNewLesson(const NewLessonCommand &command) {
 
 int runConstructions() { return printOut(referenceOfConstructions()); }
 
+int runComplete(const CompleteCommand &command) {
+  std::string lines = command.files == CompleteCommand::Files::All       ? "file\n"
+                      : command.files == CompleteCommand::Files::Folders ? "directory\n"
+                                                                         : "\n";
+  for (const std::string &word : command.words)
+    lines += word + "\n";
+  if (command.lessons)
+    for (const Lesson &lesson : allLessons(command.ownLessons).lessons)
+      if (lesson.id.starts_with(command.typed))
+        lines += lesson.id + "\n";
+  return printOut(lines);
+}
+
 int runReadMesh(const ReadMeshCommand &command) {
   boundThisProcess();
   return serveMesh(command.file, STDOUT_FILENO);

@@ -21,6 +21,10 @@ namespace halfspace {
 /// `MeshDecoder` takes it.
 [[nodiscard]] int runReadMesh(const ReadMeshCommand &command);
 
+/// Prints what kind of files may stand there as well, as bash's `compgen -A` calls it (an empty line: none),
+/// and then a line for each word.
+[[nodiscard]] int runComplete(const CompleteCommand &command);
+
 /// Writes a line on standard output for each problem; the exit status is then exitProblems, where there is
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);

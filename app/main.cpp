@@ -19,6 +19,7 @@ int run(const Command &command, int argc, char **argv) {
                                [](const ExplainCommand &explain) { return runExplain(explain); },
                                [](const RenderCommand &render) { return runRender(render); },
                                [](const ReadMeshCommand &mesh) { return runReadMesh(mesh); },
+                               [](const CompleteCommand &complete) { return runComplete(complete); },
                                [](const EvalCommand &eval) { return runEval(eval); },
                                [](const PrintCommand &print) {
                                  return print.refused ? fail({print.text, "", 0, ""}) : printOut(print.text);
