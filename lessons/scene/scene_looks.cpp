@@ -46,8 +46,8 @@ std::vector<Look> looksOf(const Scene &scene) {
     }
     looks.push_back(look);
   }
-  for (std::size_t i = 0; i < looks.size(); ++i)
-    if (Look &look = looks[i]; look.rank > 0 && !look.hue) {
+  for (Look &look : looks)
+    if (look.rank > 0 && !look.hue) {
       look.hue = counts.rarest();
       counts.add(*look.hue);
     }
