@@ -39,10 +39,12 @@ std::vector<Look> looksOf(const Scene &scene) {
   HueCounts counts;
   for (const Entry &entry : scene.entries) {
     Look look{entry.color};
+    if (look.hue)
+      counts.add(*look.hue);
     if (const auto subject = subjectOf(entry)) {
       look.rank = objects[*subject]++;
-      if (look.hue || look.rank == 0)
-        counts.add(look.hue.value_or(hueOf(*subject)));
+      if (!look.hue && look.rank == 0)
+        counts.add(hueOf(*subject));
     }
     looks.push_back(look);
   }
