@@ -1,5 +1,8 @@
 #include "lessons/lesson/lesson_progress.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -57,10 +60,12 @@ TEST(LessonStateOf, ALessonThatAsksForNothing_IsNeverDone) {
 }
 
 TEST(LessonStateOf, ALessonThatGotAStepBetween_KeepsWhatWasDoneInTheOthers) {
-  Lesson lesson = someLesson();
-  const LessonProgress progress{{{"distance", nameOfStep(lesson, 0)}, answered("positive")},
-                                {{"distance", nameOfStep(lesson, 1)}, withTasks({true, true})}};
-  lesson.steps.insert(lesson.steps.begin(), {"Before", {StepLines()}});
+  const Lesson before = someLesson();
+  const LessonProgress progress{{{"distance", nameOfStep(before, 0)}, answered("positive")},
+                                {{"distance", nameOfStep(before, 1)}, withTasks({true, true})}};
+  Lesson lesson = before;
+  lesson.steps = {{"Before", {StepLines()}}};
+  std::ranges::copy(before.steps, std::back_inserter(lesson.steps));
   EXPECT_EQ(stateOf(lesson, progress), LessonState::Done);
 }
 
