@@ -421,23 +421,24 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.model().setStep(1); // Q is to come to rest in the plane
     const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
+    GestureToken held = GestureToken::Nobodys;
     const auto move = [&](const ExactVec3 &place) {
-      fixture.model().moveGesture(ChangeObject{"Q", PointObject{place}});
+      fixture.model().moveGesture(held, ChangeObject{"Q", PointObject{place}});
       QTest::qWait(50);
     };
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
     QVERIFY(!isDone());
     move({5, 4, 6});
-    fixture.model().endGesture();
+    fixture.model().endGesture(held);
     QVERIFY(!isDone());
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().cancelGesture();
+    fixture.model().cancelGesture(held);
     QVERIFY(!isDone());
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().endGesture();
+    fixture.model().endGesture(held);
     QVERIFY(isDone());
   }
 

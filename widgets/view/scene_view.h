@@ -223,6 +223,7 @@ private:
 
   Gesture m_gesture = Gesture::None;
   Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
+  GestureToken m_held = GestureToken::Nobodys; ///< the model's gesture
   std::optional<HandleDrag> m_drag;
   std::string m_caught;        ///< the special case that the drag has snapped to
   bool m_isSuspended = false;  ///< whether a key is held that suspends snapping

@@ -147,7 +147,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
 void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel) {
   const Handle handle = pressed; // the handles are made anew where another gesture ends
   const Scene &scene = m_model.session().scene;
-  m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
+  m_held = m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
   m_gesture = Gesture::Handle;
   m_fade.finish();
   m_drag.emplace(stagedScene(), handle, mode, pixel, askedFor(handle));
@@ -210,7 +210,7 @@ void SceneView::followPointer() {
   if (!move)
     return;
   m_outcomeTaken = start;
-  m_model.moveGesture(ChangeObject{m_drag->handle().object, fromStage(move->object, m_stage)});
+  m_model.moveGesture(m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_stage)});
   if (m_outcomeTaken != start) {
     m_times.evaluate = m_outcomeTaken - start;
     m_times.panels = Clock::now() - m_outcomeTaken;
@@ -233,9 +233,9 @@ void SceneView::finishDrag() {
   if (m_gesture == Gesture::Handle) {
     followPointer();
     if (m_moved)
-      m_model.endGesture();
+      m_model.endGesture(m_held);
     else
-      m_model.cancelGesture();
+      m_model.cancelGesture(m_held);
     if (!m_moved && m_clickToggles)
       m_vertical = !m_vertical;
   }
@@ -243,7 +243,7 @@ void SceneView::finishDrag() {
 }
 
 void SceneView::cancelDrag() {
-  m_model.cancelGesture();
+  m_model.cancelGesture(m_held);
   letGo();
 }
 

@@ -68,12 +68,12 @@ private slots:
     const glm::dvec2 start = fixture.pixelOf("L.Q");
     const glm::dvec2 plane = fixture.pixelOf("G.P0");
     const View before = fixture.flat.view();
-    fixture.model.beginGesture("drag");
-    fixture.model.moveGesture(ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
+    const GestureToken held = fixture.model.beginGesture("drag");
+    fixture.model.moveGesture(held, ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
     QVERIFY(fixture.pixelOf("L.Q") != start);
     QVERIFY(fixture.flat.view() == before);
     QVERIFY(fixture.pixelOf("G.P0") == plane);
-    fixture.model.cancelGesture();
+    fixture.model.cancelGesture(held);
     QVERIFY(fixture.pixelOf("L.Q") == start);
   }
 

@@ -216,8 +216,10 @@ private slots:
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     const Camera before = fixture.view.camera();
+    const ExactVec3 start = fixture.value("Q");
     fixture.press(fixture.at("Q"));
-    fixture.model.moveGesture(ChangeObject{"Q", PointObject{{60, 60, 60}}}); // the figure is larger now
+    movePointer(fixture.view, fixture.at("Q") - QPoint(150, 40), Qt::LeftButton); // the figure is larger now
+    QTRY_VERIFY(fixture.value("Q") != start);
     const int height = fixture.view.height();
     fixture.window.resize(fixture.window.width(), fixture.window.height() - 16);
     QTRY_VERIFY(fixture.view.height() < height);
