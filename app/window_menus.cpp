@@ -67,10 +67,7 @@ void MainWindow::createEditMenu() {
   menu.addAction(undo);
   menu.addAction(redo);
   menu.addSeparator();
-  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] {
-    dropTyped(); // what was refused is gone too
-    m_model.resetScene();
-  });
+  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { startOver(); });
   createCornerItems(menu);
   createMeshItems(menu);
   QMenu &snap = *menu.addMenu(tr("S&nap To"));

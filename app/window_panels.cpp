@@ -52,6 +52,7 @@ QWidget *MainWindow::createScene() {
   connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
   m_caseLine = new CaseLine;
   connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
+  connect(m_caseLine, &CaseLine::afreshChosen, this, &MainWindow::startOver);
   m_sceneColumn = new QWidget;
   auto *column = new QVBoxLayout(m_sceneColumn);
   column->setContentsMargins(0, 0, 0, 0);

@@ -483,7 +483,7 @@ private slots:
     QTRY_COMPARE(reason(), before);
   }
 
-  void nearestSpecialCase_isToldOnceNumbersAreShown_andOneKeyLeadsThere() {
+  void nearestSpecialCase_isToldOnceNumbersAreShown_andOneClickLeadsThere() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
     auto *nearby = fixture.window.findChild<QLabel *>("nearby");
@@ -497,6 +497,22 @@ private slots:
     QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
     fixture.model().undo();
     QVERIFY(fixture.model().session() == before);
+  }
+
+  void step_whoseCaseLacksItsLines_offersToStartAfresh() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    fixture.goToLine("t");
+    auto *afresh = fixture.window.findChild<QPushButton *>("afresh");
+    QVERIFY(!afresh->isVisible());
+    const Scene start = fixture.model().session().scene;
+    Object ray = *findObject(start, "L");
+    coordinate(ray, 1) = {0, 0, 0};
+    QCOMPARE(fixture.model().edit(ChangeObject{"L", ray}, "no direction"), QString());
+    QVERIFY(afresh->isVisible());
+    QTest::mouseClick(afresh, Qt::LeftButton);
+    QVERIFY(fixture.model().session().scene == start);
+    QVERIFY(!afresh->isVisible());
   }
 
   void slider_ofANumber_changesItInStepsWithinItsBounds() {
