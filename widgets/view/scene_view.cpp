@@ -142,7 +142,7 @@ std::vector<Grip> SceneView::grips() const {
 }
 
 const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
-  return findHandle(handleGrabbedAt(pixel, grips(), designRatio()));
+  return findHandle(handleGrabbedAt(pixel, grips(), grabMargin * designRatio()));
 }
 
 std::optional<QPoint> SceneView::handlePosition(const std::string &handleId) const {
