@@ -385,7 +385,7 @@ std::string directionWords(const Out &at) {
   if (isZeroTerm(at.D))
     return words("D = 0: the plane goes through O, and there is no way to go.");
   return directionHolds(at)
-             ? words("From O to B it is a positive multiple of n. The note says so, and here it is right.")
+             ? words("From O to B it is a positive multiple of n. The notes say so, and here it is right.")
              : words("From O to B it is a negative multiple of n: the opposite direction. Refuted.");
 }
 

@@ -3,6 +3,8 @@
 #include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 
+#include <utility>
+
 namespace halfspace {
 namespace {
 
@@ -17,7 +19,7 @@ std::string crossProductWords(const Term &normal) {
 
 std::string perpWords(const Term &perp, std::string otherwise) {
   return isZeroVector(perp) ? words("The zero vector: u and v lie along one line, so it points nowhere.")
-                            : otherwise;
+                            : std::move(otherwise);
 }
 
 std::string withoutDirectionWords(const Term &ray, const Term &edge) {

@@ -39,15 +39,17 @@ std::vector<Look> looksOf(const Scene &scene) {
   HueCounts counts;
   for (const Entry &entry : scene.entries) {
     Look look{entry.color};
+    if (look.hue)
+      counts.add(*look.hue);
     if (const auto subject = subjectOf(entry)) {
       look.rank = objects[*subject]++;
-      if (look.hue || look.rank == 0)
-        counts.add(look.hue.value_or(hueOf(*subject)));
+      if (!look.hue && look.rank == 0)
+        counts.add(hueOf(*subject));
     }
     looks.push_back(look);
   }
-  for (std::size_t i = 0; i < looks.size(); ++i)
-    if (Look &look = looks[i]; look.rank > 0 && !look.hue) {
+  for (Look &look : looks)
+    if (look.rank > 0 && !look.hue) {
       look.hue = counts.rarest();
       counts.add(*look.hue);
     }

@@ -173,8 +173,8 @@ const std::vector<Mistake> &mistakes() {
        "when: There is no value “signed_distanse”. Perhaps “signed_distance” is meant."},
       {"signed_distance = 6", "signed_distance = six", 46,
        "when: “signed_distance” is a number, and never “six”."},
-      {"signed_distance = 6", "signed_distance = length", 46,
-       "when: “length” is a value too, and two values are not compared: compare “signed_distance” with a "
+      {"signed_distance = 6", "signed_distance = cos_angle", 46,
+       "when: “cos_angle” is a value too, and two values are not compared: compare “signed_distance” with a "
        "number."},
       {"signed_distance = 6", "signed_distance < length", 46,
        "when: “signed_distance < length” orders a word: < and > compare a value with a number, not with a "

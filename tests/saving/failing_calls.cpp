@@ -2,13 +2,13 @@
 // fail, or kills the program there. It counts only calls that concern a folder, by path or by a descriptor
 // opened there.
 //
-//   FAILING_FOLDER   the folder
-//   FAILING_REPORT   a file outside of it: one line for each counted call, its name and what in the folder it
-//   is for FAILING_AT       the call that fails, counted from 1; without it none does FAILING_ERROR    the
-//   number of the error FAILING_HOW      once: that call alone; onwards: that one and all that follow; half:
-//   that call, a write, takes
-//                    half of its bytes, and the writes that follow fail; kill: SIGKILL in its place; end:
-//                    SIGTERM before it
+// FAILING_FOLDER is the folder. FAILING_REPORT is a file outside of it: one line for each counted call, its
+// name and what in the folder it is for. FAILING_AT is the call that fails, counted from 1; without it none
+// does. FAILING_ERROR is the number of the error.
+//
+// FAILING_HOW is once: that call alone; onwards: that one and all that follow; half: that call, a write,
+// takes half of its bytes, and the writes that follow fail; kill: SIGKILL in its place; end: SIGTERM before
+// it.
 //
 // The program says by countCalls(true) from where on calls are counted.
 #include <cerrno>
@@ -91,8 +91,11 @@ Fate fateOf(const char *call, const Place &place) {
     return Fate::Passes;
   if (how == "kill")
     syscall(SYS_kill, getpid(), SIGKILL);
-  if (how == "end" && seen == at)
-    syscall(SYS_kill, getpid(), SIGTERM);
+  if (how == "end") {
+    if (seen == at)
+      syscall(SYS_kill, getpid(), SIGTERM);
+    return Fate::Passes;
+  }
   if (how == "half" && seen == at)
     return Fate::IsHalfDone;
   const bool follows = how == "onwards" || (how == "half" && std::string_view(call) == "write");

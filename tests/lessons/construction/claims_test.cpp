@@ -16,8 +16,9 @@ namespace {
 using namespace test;
 
 constexpr int scenesPerWriting = 300;
-/// Of so many scenes one has all that it can at the origin, where planes and lines have constants of zero.
-constexpr int scenesForOneAtOrigin = 4;
+/// Of so many scenes one has all that it can at the origin, where planes and lines have constants of zero,
+/// and another has a triangle with a right angle.
+constexpr int scenesForOneOfEach = 4;
 
 /// A scene's objects in the order of the construction's roles, and the number behind a line's id.
 struct Given {
@@ -290,6 +291,19 @@ std::vector<std::pair<std::size_t, std::string>> sentencesOf(const Outcome &outc
   return all;
 }
 
+void bringToOrigin(std::vector<Object> &objects) {
+  for (Object &object : objects) {
+    object[0] = ExactVec3(0);
+    object.kind().settle(object);
+  }
+}
+
+/// Of a triangle: the side v is turned until it is perpendicular to u.
+void makeRightAngle(Object &object) {
+  if (kindOf(object) == TriangleObject::kind)
+    object[2] = object[0] + perpendicular(object[1] - object[0], object[2] - object[0]);
+}
+
 TEST(Sentences, OfSeededScenes_StandExactlyWhereTheirClaimsHold) {
   for (const Claims &each : claims()) {
     std::vector<bool> isHeard(each.all.size());
@@ -298,11 +312,10 @@ TEST(Sentences, OfSeededScenes_StandExactlyWhereTheirClaimsHold) {
       RandomObjects random(20'250'000 + static_cast<std::uint64_t>(writing));
       for (int i = 0; i < scenesPerWriting; ++i) {
         std::vector<Object> objects = random.objectsFor(construction, writing);
-        if (i % scenesForOneAtOrigin == 0)
-          for (Object &object : objects) {
-            object[0] = ExactVec3(0);
-            object.kind().settle(object);
-          }
+        if (i % scenesForOneOfEach == 0)
+          bringToOrigin(objects);
+        if (i % scenesForOneOfEach == 1)
+          makeRightAngle(objects.front());
         const Evaluation evaluation = evaluate(sceneOf(construction, objects));
         for (const auto &[index, sentence] : sentencesOf(lastOutcome(evaluation), each.line)) {
           SCOPED_TRACE(std::string(each.construction) + " " + std::string(each.line) + ", scene " +

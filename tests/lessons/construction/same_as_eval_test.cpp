@@ -194,7 +194,8 @@ TEST(SameAsEval, NearestHit_AmongTheTrianglesOfAllMeshes) {
       return 0;
     const Json &values = explained.at("values");
     const Json &result = answered.at("result");
-    EXPECT_EQ(explained.at("case"), result.at("case"));
+    // To a question a ray within a triangle's plane misses it; a lesson tells that it lies there.
+    EXPECT_EQ(explained.at("case") == "in-plane" ? "miss" : explained.at("case"), result.at("case"));
     EXPECT_EQ(values.at("hits"), result.at("order").size());
     if (!result.contains("index"))
       return 0;

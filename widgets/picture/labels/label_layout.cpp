@@ -33,7 +33,7 @@ constexpr double costOfStrike = 24;
 constexpr double costOfTouching = 120;
 constexpr double costOfOverlap = 140;
 constexpr double costOfPoint = 120;
-constexpr double costOfMistake = 120;
+constexpr double costOfMistake = 60;
 constexpr double costOfThickLine = 110;
 constexpr double costOfLeaving = 200;
 

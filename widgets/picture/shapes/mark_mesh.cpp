@@ -92,6 +92,13 @@ const Rhythm shortDashes{1, 0.7};
 /// The first of its kind is drawn in whole lines, those behind it each in another rhythm, as far as they go.
 const std::array<Rhythm, 4> rhythmsOfRanks{
     {{}, {2.5, 0.5}, {2.5, 0.5, 0.5, 0.5}, {2.5, 0.5, 0.5, 0.5, 0.5, 0.5}}};
+/// So many objects can each have a hue and a rhythm together that no other has. Those behind them cannot be
+/// told apart, so their dashes would cost time for nothing.
+constexpr std::size_t toldApart = std::tuple_size_v<decltype(rhythmsOfRanks)> * hueCount;
+
+Rhythm ownRhythm(const Look &look) {
+  return look.rank < toldApart ? rhythmsOfRanks.at(look.rank % rhythmsOfRanks.size()) : Rhythm();
+}
 
 /// How one mark is drawn.
 struct Brush {
@@ -180,7 +187,7 @@ double thicknessOf(const MarkBase &mark, const Theme &theme, double scale) {
 
 Rhythm rhythmOf(const MarkBase &mark, double scale) {
   const bool isAside = mark.role == Role::Helper || mark.role == Role::Ghost;
-  Rhythm rhythm = isAside ? shortDashes : rhythmsOfRanks.at(mark.look.rank % rhythmsOfRanks.size());
+  Rhythm rhythm = isAside ? shortDashes : ownRhythm(mark.look);
   for (double &length : rhythm)
     length *= dashLength * scale;
   return rhythm;
