@@ -6,6 +6,7 @@
 #include "app/put_aside.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
+#include "lessons/lesson/short_move.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -87,6 +88,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
+    m_linesAtStart.reset();
     m_page->setStep(m_model.session().step);
     m_scene->selectHandle({}); // its tools would stand in the next step's figure
     progress().tasks.arrive();
@@ -290,6 +292,7 @@ void MainWindow::showCase() {
     words = tr("Fill in the blank lines: other numbers are hidden until you do.");
   m_caseLine->setCase(words, shown.degenerate && !hidesNumbers());
   m_scene->setAccessibleDescription(words);
+  m_caseLine->offerAfresh(lacksLines());
   showNearby();
 }
 
@@ -297,20 +300,36 @@ void MainWindow::showNearby() {
   std::set<std::string> entries;
   for (const WorkingLine &line : m_model.shown().working.lines)
     entries.insert(entryOf(line.id));
-  m_nearby = nearestSpecialCase(m_model.session().scene, m_model.evaluation(), entries);
-  if (!m_nearby || hidesNumbers())
-    return m_caseLine->setNearby({}, false);
-  const QString words =
-      tr("Nearest special case, %1 away: %2", "%1 a length: 3")
-          .arg(wayText(m_nearby->squareOfWay), unbroken(QString::fromStdString(m_nearby->sentence)));
-  m_caseLine->setNearby(m_nearby->change ? words : tr("%1 There, coordinates have roots.").arg(words),
-                        m_nearby->change.has_value());
+  m_nearby = specialCasesNear(m_model.session().scene, m_model.evaluation(), entries);
+  if (m_nearby.empty() || hidesNumbers())
+    return m_caseLine->setNearby({}, {});
+  std::vector<NearbyCase> cases;
+  for (const NearSpecialCase &near : m_nearby)
+    cases.push_back({unbroken(QString::fromStdString(near.sentence)), near.change.has_value()});
+  const QString words = tr("Nearest special case, %1 away: %2", "%1 a length: 3")
+                            .arg(wayText(m_nearby.front().squareOfWay), cases.front().words);
+  m_caseLine->setNearby(
+      cases.front().canBeReached ? words : tr("%1 There, coordinates have roots.").arg(words), cases);
 }
 
-void MainWindow::goToNearby() {
-  if (!m_nearby || !m_nearby->change)
-    return;
-  if (const QString refused = m_model.edit(*m_nearby->change, tr("Go to the nearest special case"));
+bool MainWindow::lacksLines() {
+  if (!m_linesAtStart) {
+    const Evaluation start = evaluate(m_model.lesson().scene);
+    m_linesAtStart = shownIn(m_model.step(), start, figureOf(start), Question::Answered).working.lines.size();
+  }
+  return m_model.shown().working.lines.size() < *m_linesAtStart;
+}
+
+void MainWindow::startOver() {
+  dropTyped(); // what was refused is gone too
+  m_model.resetScene();
+}
+
+void MainWindow::goToNearby(int which) {
+  const NearSpecialCase near = m_nearby.at(static_cast<std::size_t>(which));
+  const Rational step = m_model.snapStep() * m_model.stage().unit();
+  if (const QString refused =
+          m_model.edit(shortMoveTo(near, m_model.session().scene, step), tr("Go to the special case"));
       !refused.isEmpty())
     say(refused);
 }

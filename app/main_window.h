@@ -6,7 +6,7 @@
 #include "app/settings.h"
 #include "app/size_scale.h"
 #include "lessons/lesson/lesson_progress.h"
-#include "lessons/scene/nearest_special_case.h"
+#include "lessons/scene/near_special_cases.h"
 #include "widgets/flight/flight_player.h"
 #include "widgets/mesh_loader.h"
 #include "widgets/numbers/coordinate_editor.h"
@@ -179,7 +179,11 @@ private:
   void reloadLesson();
   void showCase();
   void showNearby();
-  void goToNearby();
+  void goToNearby(int which);
+  /// Back to the scene that the lesson begins with.
+  void startOver();
+  /// Whether the case is one without lines that the step has at its start.
+  [[nodiscard]] bool lacksLines();
   void updateTitle();
   void applyLook();
   void changeSizeBy(int steps);
@@ -256,7 +260,8 @@ private:
   QStringList m_ownLessons; ///< the folders of the settings
   QStringList m_putAside;   ///< sentences that are to be told
   CaseLine *m_caseLine = nullptr;
-  std::optional<NearestSpecialCase> m_nearby; ///< of what the step shows
+  std::vector<NearSpecialCase> m_nearby;     ///< of what the step shows
+  std::optional<std::size_t> m_linesAtStart; ///< so many the step has; nothing: nobody has asked yet
   QWidget *m_sceneColumn = nullptr;
   WorkingPractice *m_practice = nullptr;
   StepWorking *m_working = nullptr; ///< in m_practice

@@ -67,10 +67,7 @@ void MainWindow::createEditMenu() {
   menu.addAction(undo);
   menu.addAction(redo);
   menu.addSeparator();
-  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] {
-    dropTyped(); // what was refused is gone too
-    m_model.resetScene();
-  });
+  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { startOver(); });
   createCornerItems(menu);
   createMeshItems(menu);
   QMenu &snap = *menu.addMenu(tr("S&nap To"));
@@ -178,6 +175,12 @@ void MainWindow::createLayoutItems(QMenu &menu) {
 void MainWindow::createCameraItems(QMenu &menu) {
   m_fit = addItem(menu, tr("&Fit"), QKeySequence("F"), this, [this] { m_scene->fit(); });
   m_home = addItem(menu, tr("&Home"), QKeySequence("H"), this, [this] { m_scene->goHome(); });
+  QAction *previous =
+      addItem(menu, tr("Pre&vious View"), QKeySequence("V"), this, [this] { m_scene->showPreviousView(); });
+  previous->setObjectName("previousView");
+  const auto enablePrevious = [this, previous] { previous->setEnabled(m_scene->hasPreviousView()); };
+  connect(m_scene, &SceneView::previousViewsChanged, this, enablePrevious);
+  enablePrevious();
   addItem(menu, tr("From the &Front (x)"), QKeySequence("1"), this,
           [this] { m_scene->setAxisView(AxisView::Front); });
   addItem(menu, tr("From the &Right (y)"), QKeySequence("2"), this,
@@ -186,6 +189,7 @@ void MainWindow::createCameraItems(QMenu &menu) {
           [this] { m_scene->setAxisView(AxisView::Top); });
   m_alongPlane =
       addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
+  addItem(menu, tr("Fa&ce the Plane"), QKeySequence("7"), this, [this] { m_scene->facePlane(); });
   m_downRay = addItem(menu, tr("Down the Ra&y"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
   m_downRay->setObjectName("downRay");
   QAction *orthographic = menu.addAction(tr("&Orthographic"));

@@ -50,8 +50,11 @@ QWidget *MainWindow::createScene() {
   m_flat = new FlatView(m_model, *m_typesetter, m_frame);
   m_frame->setFlatView(*m_flat);
   connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
+  connect(m_flat, &FlatView::handleGrabbed, m_scene,
+          [this](const QString &id) { m_scene->selectHandle(id.toStdString()); });
   m_caseLine = new CaseLine;
   connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
+  connect(m_caseLine, &CaseLine::afreshChosen, this, &MainWindow::startOver);
   m_sceneColumn = new QWidget;
   auto *column = new QVBoxLayout(m_sceneColumn);
   column->setContentsMargins(0, 0, 0, 0);

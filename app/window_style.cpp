@@ -58,9 +58,8 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#case, QLabel#usualCase { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
     halfspace--CaseLine { background: %3; }
-    QLabel#nearby { padding: 0 0.4em 0.35em 1.1em; color: %2; }
-    QPushButton#there { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
-    QLabel#message { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; color: %2; }
+    QLabel#nearby, QLabel#usualNearby, QLabel#message { padding: 0 0.4em 0.35em 1.1em; color: %2; }
+    QPushButton#there, QPushButton#others, QPushButton#afresh { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QFrame#flatView { background: %3; border: 1px solid %1; border-radius: 5px; }
     QToolButton#flatTitle { color: %2; padding: 0.2em 0.5em; }

@@ -169,21 +169,24 @@ QString SessionModel::editTogether(const std::vector<Edit> &edits, const QString
   return {};
 }
 
-void SessionModel::beginGesture(const QString &description) {
+GestureToken SessionModel::beginGesture(const QString &description) {
   settleGesture();
+  const auto token = static_cast<GestureToken>(static_cast<std::uint64_t>(m_holder) + 1);
+  m_holder = token;
   m_gesture = {m_session, description};
-  emit gestureChanged();
+  emit gestureChanged(); // whoever hears it may begin another
+  return token;
 }
 
-void SessionModel::moveGesture(const Edit &edit) {
-  if (!inGesture())
+void SessionModel::moveGesture(GestureToken token, const Edit &edit) {
+  if (!isHeldBy(token))
     return;
   if (const auto moved = apply(m_session, edit); moved && !(*moved == m_session))
     show(*moved);
 }
 
-void SessionModel::endGesture() {
-  if (!m_gesture)
+void SessionModel::endGesture(GestureToken token) {
+  if (!isHeldBy(token))
     return;
   const Gesture ended = *m_gesture;
   finishGesture();
@@ -191,8 +194,8 @@ void SessionModel::endGesture() {
     record(ended.before, ended.description);
 }
 
-void SessionModel::cancelGesture() {
-  if (!m_gesture)
+void SessionModel::cancelGesture(GestureToken token) {
+  if (!isHeldBy(token))
     return;
   Session before = m_gesture->before;
   before.view = m_session.view;
@@ -211,7 +214,7 @@ bool SessionModel::isMovedByGesture(const std::string &object) const {
 void SessionModel::settleGesture() {
   if (!inGesture())
     return;
-  endGesture();
+  endGesture(m_holder);
   emit gestureSettled();
 }
 

@@ -8,10 +8,14 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 
 namespace halfspace {
+
+/// Who holds a gesture: each has another, and nobody's is none.
+enum class GestureToken : std::uint64_t { Nobodys };
 
 /// Owns the window's one session. Views are written from `evaluation()` and send edits back; they hold no
 /// truth.
@@ -80,12 +84,15 @@ public:
   QString editTogether(const std::vector<Edit> &edits, const QString &description);
 
   /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
-  /// before. Whatever else changes the scene or leaves the lesson ends the gesture first, as it is.
-  void beginGesture(const QString &description);
-  void moveGesture(const Edit &edit);
-  void endGesture();
-  void cancelGesture();
+  /// before. Whatever else changes the scene, begins a gesture or leaves the lesson ends this one first, as
+  /// it is: the token that it began with does nothing from then on.
+  [[nodiscard]] GestureToken beginGesture(const QString &description);
+  void moveGesture(GestureToken token, const Edit &edit);
+  void endGesture(GestureToken token);
+  void cancelGesture(GestureToken token);
   [[nodiscard]] bool inGesture() const { return m_gesture.has_value(); }
+  /// Whether the gesture of this token goes on.
+  [[nodiscard]] bool isHeldBy(GestureToken token) const { return inGesture() && m_holder == token; }
   /// Whether the object of this name is another than when the gesture began.
   [[nodiscard]] bool isMovedByGesture(const std::string &object) const;
 
@@ -130,6 +137,7 @@ private:
   Stage m_stage;
   Rational m_snapStep = 1;
   bool m_isSnapping = true;
+  GestureToken m_holder = GestureToken::Nobodys; ///< of the newest gesture
 };
 
 } // namespace halfspace

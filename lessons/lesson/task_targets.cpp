@@ -74,6 +74,27 @@ std::optional<Flat> placesOf(const Condition &condition, const Tried &tried, con
   return Flat::plane(start - change * Rational(lacking[0] / dot(change, change)), change);
 }
 
+/// What the probes around a start come to beside a number that a condition asks for: as they are, or squared
+/// where their squares are fractions, as those of a length.
+std::optional<Quadric> surfaceOf(const Condition &condition, const Tried &tried, const ExactVec3 &start) {
+  const Rational against = *parseRational(condition.against);
+  std::array<Rational, Quadric::probeCount> lacking;
+  std::array<Rational, Quadric::probeCount> lackingSquared;
+  bool areFractions = true;
+  const auto places = Quadric::probes(start);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto value = findValue(tried.at(places.at(i)), condition.value);
+    const auto *number = value ? std::get_if<Surd>(&*value) : nullptr;
+    if (!number || !number->squared().isRational())
+      return {};
+    areFractions = areFractions && number->isRational();
+    lacking.at(i) = number->rationalPart() - against;
+    lackingSquared.at(i) = number->squared().rationalPart() - against * against;
+  }
+  const auto surface = areFractions ? Quadric::through(start, lacking) : std::nullopt;
+  return surface ? surface : Quadric::through(start, lackingSquared);
+}
+
 /// Whether a value is one of several numbers, as `coefficients.0`, `foot.z`: it has no name that learners
 /// know.
 bool isOneOfSeveral(const std::string &value) {
@@ -100,13 +121,20 @@ std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const
   SnapTarget target;
   std::vector<Condition> met;
   for (const Condition &condition : task.conditions) {
-    const auto places = asksForANumber(condition) ? placesOf(condition, *tried, start) : std::nullopt;
-    if (!places)
+    if (!asksForANumber(condition))
       continue;
-    const auto common = Flat::intersection(target.places, *places);
-    if (!common)
-      return {};
-    target.places = *common;
+    if (const auto places = placesOf(condition, *tried, start)) {
+      const auto common = Flat::intersection(target.places, *places);
+      if (!common)
+        return {};
+      target.places = *common;
+    } else if (!target.surface) {
+      target.surface = surfaceOf(condition, *tried, start);
+      if (!target.surface)
+        continue;
+    } else {
+      continue;
+    }
     met.push_back(condition);
   }
   if (met.empty())

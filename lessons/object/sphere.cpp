@@ -26,6 +26,8 @@ std::vector<Handle> ownHandles(const std::string &name, const Object &sphere) {
 
 void offer(const Given<Object> &given, Surroundings &found) {
   offerPoint(given, Center, words("centre {name}", {{"name", plainText(given.letters[Center])}}), found);
+  if (const Rational &radius = given.object[Radius].x; radius > 0)
+    found.spheres.push_back({given.object[Center], radius, plainText(given.symbol)});
 }
 
 } // namespace

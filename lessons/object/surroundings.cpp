@@ -21,6 +21,15 @@ bool crossesEdge(const ExactVec3 &base, const ExactVec3 &place, const NamedEdge 
   return !isZero(direction) && dot(cross(direction, toFrom), cross(direction, toTo)) <= 0;
 }
 
+/// Negative where the line of the arrow from `start` passes by a sphere, 0 where it touches it.
+Rational discriminant(const ExactVec3 &start, const ExactVec3 &arrow, const NamedSphere &sphere) {
+  const ExactVec3 way = start - sphere.center;
+  const Rational along = dot(arrow, way);
+  return along * along - dot(arrow, arrow) * (dot(way, way) - sphere.radius * sphere.radius);
+}
+
+std::string touching(const NamedSphere &sphere) { return words("touching {name}", {{"name", sphere.name}}); }
+
 std::string through(const std::string &name) { return words("through {name}", {{"name", name}}); }
 
 } // namespace
@@ -70,6 +79,14 @@ void aimAtSurroundings(const Surroundings &found, const ExactVec3 &base, std::ve
       targets.push_back(
           {Flat::plane(plane.point, plane.normal), words("the tip on {name}", {{"name", plane.name}}), {}});
   }
+  for (const NamedSphere &sphere : found.spheres) {
+    const ExactVec3 outwards = base - sphere.center;
+    if (dot(outwards, outwards) == sphere.radius * sphere.radius) // all that touch it there lie in one plane
+      targets.push_back({Flat::plane(base, outwards), touching(sphere), pointsSomewhere});
+    else if (auto cone = Quadric::of(
+                 [&](const ExactVec3 &place) { return discriminant(base, place - base, sphere); }))
+      targets.push_back({{}, touching(sphere), pointsSomewhere, std::move(cone)});
+  }
 }
 
 void aimFromStart(const Surroundings &found, const ExactVec3 &arrow, std::vector<SnapTarget> &targets) {
@@ -82,6 +99,10 @@ void aimFromStart(const Surroundings &found, const ExactVec3 &arrow, std::vector
           {Flat::plane(edge.from, normal), through(edge.name),
            [arrow, edge](const ExactVec3 &start) { return crossesEdge(start, start + arrow, edge); }});
   }
+  for (const NamedSphere &sphere : found.spheres)
+    if (auto cylinder =
+            Quadric::of([&](const ExactVec3 &place) { return discriminant(place, arrow, sphere); }))
+      targets.push_back({{}, touching(sphere), {}, std::move(cylinder)});
 }
 
 void aimNormal(const Surroundings &found, const ExactVec3 &base, std::vector<SnapTarget> &targets) {

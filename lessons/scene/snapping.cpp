@@ -2,6 +2,7 @@
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/drawing.h"
+#include "lessons/scene/quadric_places.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +10,7 @@
 namespace halfspace {
 namespace {
 
-/// Grid places this many steps around the nearest one are tried.
+/// Grid places this many steps around one are tried.
 constexpr int gridReach = 2;
 
 /// One way to satisfy a target.
@@ -43,11 +44,11 @@ public:
     std::size_t bestDimension = 4;
     double bestPixels = 0;
     for (const SnapTarget &target : m_request.targets) {
-      const std::size_t dimension = target.places.dimension();
+      const std::size_t dimension = target.dimension();
       const auto common = Flat::intersection(m_request.freedom, target.places);
-      if (dimension > bestDimension || !common || (m_bound && isEverywhere(*common)))
+      if (dimension > bestDimension || !common || (m_bound && !target.surface && isEverywhere(*common)))
         continue;
-      const double pixels = pixelsTo(common->nearest(m_wanted));
+      const double pixels = pixelsTo(*common, target);
       if (!(pixels <= m_request.catchPixels) || (dimension == bestDimension && pixels >= bestPixels))
         continue;
       const auto rest = restOn(*common, target);
@@ -70,8 +71,7 @@ private:
 
   /// The place whose value has this coordinate rounded to the grid.
   Rational onGrid(const ExactVec3 &place, int axis) const {
-    const Rational &base = m_request.handle.base[axis];
-    return base + roundToMultiple(Rational(place[axis] - base), m_request.step);
+    return Grid{m_request.handle.base, m_request.step}.nearest(place, axis);
   }
 
   ExactVec3 gridPlace() const {
@@ -81,11 +81,36 @@ private:
     const Flat &freedom = m_request.freedom;
     if (freedom.dimension() == 1 && isSlanted(freedom.direction()))
       return withAxisOnGrid(m_wanted, freedom.direction(), dominantAxis(freedom.direction()));
+    if (freedom.dimension() == 2 && freedom.moves(0) && freedom.moves(1) && freedom.moves(2))
+      return gridPlaceInSlantedPlane();
     ExactVec3 place = m_request.handle.at;
     for (int axis = 0; axis < 3; ++axis)
       if (freedom.moves(axis))
         place[axis] = onGrid(m_wanted, axis);
     return place;
+  }
+
+  /// A place of the grid that lies in the plane, if one is around; else one with two coordinates on the grid.
+  ExactVec3 gridPlaceInSlantedPlane() const {
+    ExactVec3 rounded;
+    for (int axis = 0; axis < 3; ++axis)
+      rounded[axis] = onGrid(m_wanted, axis);
+    std::vector<ExactVec3> places = gridAround(rounded);
+    for (const auto &[first, second] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
+      const auto line = Flat::intersection(m_request.freedom, coordinatePlane(rounded, first));
+      const auto place = line ? Flat::intersection(*line, coordinatePlane(rounded, second)) : std::nullopt;
+      if (places.empty() && place && place->dimension() == 0)
+        places.push_back(place->nearest(rounded));
+    }
+    return *std::min_element(places.begin(), places.end(), [this](const ExactVec3 &a, const ExactVec3 &b) {
+      return pixelsTo(a) < pixelsTo(b);
+    });
+  }
+
+  static Flat coordinatePlane(const ExactVec3 &through, int axis) {
+    ExactVec3 normal(0);
+    normal[axis] = 1;
+    return Flat::plane(through, normal);
   }
 
   static bool isSlanted(const ExactVec3 &direction) {
@@ -101,6 +126,14 @@ private:
   bool isEverywhere(const Flat &common) const { return common.dimension() == m_request.freedom.dimension(); }
 
   double pixelsTo(const ExactVec3 &at) const { return m_request.pixelsApart(place(at), m_request.raw); }
+
+  /// Infinite where the target's surface is not met.
+  double pixelsTo(const Flat &common, const SnapTarget &target) const {
+    if (!target.surface)
+      return pixelsTo(common.nearest(m_wanted));
+    const auto nearest = nearestOn(*target.surface, common, m_wanted);
+    return nearest ? m_request.pixelsApart(*nearest, m_request.raw) : std::numeric_limits<double>::infinity();
+  }
 
   /// How far a grid place is that no other is near to: the hand means it, and not a place with fractions
   /// farther away. Infinite where many are within the catch.
@@ -120,20 +153,25 @@ private:
   std::optional<ExactVec3> restOn(const Flat &common, const SnapTarget &target) const {
     // Sliding on the target may move as far as the grid alone would.
     const double reach = m_request.catchPixels + pixelsTo(m_grid);
-    std::optional<Candidate> best;
-    for (const ExactVec3 &at : placesToTry(common)) {
-      const Candidate candidate{at, offGrid(at), pixelsTo(at)};
-      const bool better = !best || candidate.offGrid < best->offGrid ||
-                          (candidate.offGrid == best->offGrid && candidate.pixels < best->pixels);
-      if (better && candidate.pixels <= reach && isOffered(at) && (!target.counts || target.counts(at)))
-        best = candidate;
-    }
-    return best ? std::optional(best->at) : std::nullopt;
+    std::vector<Candidate> candidates;
+    for (const ExactVec3 &at : placesToTry(common, target))
+      if (const double pixels = pixelsTo(at); pixels <= reach && isOffered(at))
+        candidates.push_back({at, offGrid(at), pixels});
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate &a, const Candidate &b) {
+      return a.offGrid < b.offGrid || (a.offGrid == b.offGrid && a.pixels < b.pixels);
+    });
+    // Whether one counts may take the evaluation of a scene: the best are asked first.
+    const auto best = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate &candidate) {
+      return !target.counts || target.counts(candidate.at);
+    });
+    return best == candidates.end() ? std::nullopt : std::optional(best->at);
   }
 
-  /// A single place as it is; on a line where its coordinates are on the grid; and grid places that happen to
-  /// fit.
-  std::vector<ExactVec3> placesToTry(const Flat &common) const {
+  /// A single place as it is; on a line where its coordinates are on the grid; on a curve its places of
+  /// fractions; and grid places that happen to fit.
+  std::vector<ExactVec3> placesToTry(const Flat &common, const SnapTarget &target) const {
+    if (target.surface)
+      return exactPlacesOn(*target.surface, common, m_wanted, {m_request.handle.base, m_request.step});
     const ExactVec3 foot = common.nearest(m_wanted);
     if (common.dimension() == 0)
       return {foot};
@@ -144,20 +182,20 @@ private:
         if (direction[axis] != 0)
           places.push_back(withAxisOnGrid(foot, direction, axis));
     }
-    for (const ExactVec3 &at : gridAround())
+    for (const ExactVec3 &at : gridAround(m_grid))
       if (common.contains(at))
         places.push_back(at);
     return places;
   }
 
-  /// The grid places around the nearest one, within the freedom.
-  std::vector<ExactVec3> gridAround() const {
+  /// The grid places around one, within the freedom.
+  std::vector<ExactVec3> gridAround(const ExactVec3 &middle) const {
     const auto reach = [this](int axis) { return m_request.freedom.moves(axis) ? gridReach : 0; };
     std::vector<ExactVec3> places;
     for (int x = -reach(0); x <= reach(0); ++x)
       for (int y = -reach(1); y <= reach(1); ++y)
         for (int z = -reach(2); z <= reach(2); ++z) {
-          const ExactVec3 place = m_grid + ExactVec3(x, y, z) * m_request.step;
+          const ExactVec3 place = middle + ExactVec3(x, y, z) * m_request.step;
           if (m_request.freedom.contains(place))
             places.push_back(place);
         }

@@ -31,14 +31,16 @@ struct SnappedPlace {
 /// The exact place for a dragged handle.
 ///
 /// On the grid the value `at − base` is a multiple of the step in every coordinate that can move; the others
-/// stay. Along a slanted line it is the coordinate that changes most. A bound object rests where its freedoms
+/// stay. Along a slanted line it is the coordinate that changes most, and in a slanted plane two of the three
+/// where no place of the grid is near. A bound object rests where its freedoms
 /// are round (Binding::onGrid), and never off its host.
 ///
-/// A target (a vertex, an edge, a plane; for a direction: parallel, through a vertex or an edge, along an
-/// axis) catches within `catchPixels`: points before lines before planes, then the nearest. The handle slides
-/// on it from grid place to grid place, and where there is none nearby to a place with short fractions; those
-/// of more than `longestSnapDenominator` digits are never taken. A grid place that stands alone and is nearer
-/// to the pointer goes before places with fractions.
+/// A target (a vertex, an edge, a plane, a curved surface; for a direction: parallel, through a vertex or an
+/// edge, along an axis) catches within `catchPixels`: points before lines before planes, then the nearest.
+/// The handle slides on it from grid place to grid place, and where there is none nearby to a place with
+/// short fractions; those of more than `longestSnapDenominator` digits are never taken, and a curve without
+/// any catches nowhere. A grid place that stands alone and is nearer to the pointer goes before places with
+/// fractions.
 [[nodiscard]] SnappedPlace snap(const SnapRequest &request);
 
 inline constexpr std::size_t longestSnapDenominator = 6;

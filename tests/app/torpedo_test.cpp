@@ -1,5 +1,6 @@
 // The photon torpedo in the real window: flown by its controls, aimed by the mouse, with meshes of one's own.
 #include "tests/app/window_fixture.h"
+#include "tests/widgets/pointer.h"
 
 #include "geometry/decide.h"
 #include "geometry/hit_all.h"
@@ -474,6 +475,25 @@ private slots:
     const Rational frame = m_fixture->value("frame").x;
     QTest::keyClick(&m_fixture->window, Qt::Key_Period);
     QCOMPARE(m_fixture->value("frame").x, frame);
+  }
+
+  void keyThatFires_whileANumberIsScrubbed_endsTheScrubAndGoesOnAlone() {
+    m_fixture->answer(2);
+    m_fixture->window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_fixture->window));
+    auto &bar = *m_fixture->window.findChild<FlightBar *>();
+    NumberField *field = m_fixture->field("U.S", 0);
+    QVERIFY(field);
+    const QPoint from = field->rect().center();
+    QTest::mousePress(field, Qt::LeftButton, {}, from);
+    test::movePointer(*field, from + QPoint(24, 0), Qt::LeftButton);
+    const Rational scrubbed = m_fixture->value("U.S").x;
+    QTest::keyClick(&m_fixture->window, Qt::Key_T);
+    QVERIFY(bar.state().isPlaying);
+    test::movePointer(*field, from + QPoint(80, 0), Qt::LeftButton);
+    QCOMPARE(m_fixture->value("U.S").x, scrubbed);
+    QTest::mouseRelease(field, Qt::LeftButton, {}, from + QPoint(80, 0));
+    QVERIFY2(bar.state().isPlaying && m_fixture->model().inGesture(), "it belongs to the flight");
   }
 
   void flight_whenTheQuestionIsOpenedAgain_ends() {

@@ -421,23 +421,24 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.model().setStep(1); // Q is to come to rest in the plane
     const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
+    GestureToken held = GestureToken::Nobodys;
     const auto move = [&](const ExactVec3 &place) {
-      fixture.model().moveGesture(ChangeObject{"Q", PointObject{place}});
+      fixture.model().moveGesture(held, ChangeObject{"Q", PointObject{place}});
       QTest::qWait(50);
     };
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
     QVERIFY(!isDone());
     move({5, 4, 6});
-    fixture.model().endGesture();
+    fixture.model().endGesture(held);
     QVERIFY(!isDone());
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().cancelGesture();
+    fixture.model().cancelGesture(held);
     QVERIFY(!isDone());
-    fixture.model().beginGesture("move Q");
+    held = fixture.model().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().endGesture();
+    fixture.model().endGesture(held);
     QVERIFY(isDone());
   }
 
@@ -482,7 +483,7 @@ private slots:
     QTRY_COMPARE(reason(), before);
   }
 
-  void nearestSpecialCase_isToldOnceNumbersAreShown_andOneKeyLeadsThere() {
+  void nearestSpecialCase_isToldOnceNumbersAreShown_andOneClickLeadsThere() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
     auto *nearby = fixture.window.findChild<QLabel *>("nearby");
@@ -496,6 +497,22 @@ private slots:
     QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
     fixture.model().undo();
     QVERIFY(fixture.model().session() == before);
+  }
+
+  void step_whoseCaseLacksItsLines_offersToStartAfresh() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    fixture.goToLine("t");
+    auto *afresh = fixture.window.findChild<QPushButton *>("afresh");
+    QVERIFY(!afresh->isVisible());
+    const Scene start = fixture.model().session().scene;
+    Object ray = *findObject(start, "L");
+    coordinate(ray, 1) = {0, 0, 0};
+    QCOMPARE(fixture.model().edit(ChangeObject{"L", ray}, "no direction"), QString());
+    QVERIFY(afresh->isVisible());
+    QTest::mouseClick(afresh, Qt::LeftButton);
+    QVERIFY(fixture.model().session().scene == start);
+    QVERIFY(!afresh->isVisible());
   }
 
   void slider_ofANumber_changesItInStepsWithinItsBounds() {

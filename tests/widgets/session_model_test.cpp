@@ -130,18 +130,40 @@ private slots:
     model.openLesson("signed-distance");
     QSignalSpy settled(&model, &SessionModel::gestureSettled);
     const Session before = model.session();
-    model.beginGesture("Move Q");
-    model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    const GestureToken held = model.beginGesture("Move Q");
+    model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
     QCOMPARE(model.edit(RenameEntry{"Q", "S"}, "rename"), QString());
     QCOMPARE(settled.count(), 1);
     QVERIFY(!model.inGesture());
-    model.moveGesture(ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
+    model.moveGesture(held, ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
     QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
     QCOMPARE(model.history().text(0), QString("Move Q"));
     model.undo();
     QVERIFY(findObject(model.session().scene, "Q") != nullptr);
     model.undo();
     QVERIFY(model.session().scene == before.scene);
+  }
+
+  void gesture_thatAnotherHandHolds_isNotGoneOnWithNorEnded() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    const auto place = [&] { return findObject(model.session().scene, "Q")->operator[](0); };
+    const GestureToken scrub = model.beginGesture("Scrub");
+    model.moveGesture(scrub, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    const GestureToken flight = model.beginGesture("Fly");
+    model.moveGesture(scrub, ChangeObject{"Q", PointObject{{9, 9, 9}}});
+    QVERIFY(place() == ExactVec3(1, 2, 3));
+    model.endGesture(scrub);
+    model.cancelGesture(scrub);
+    QVERIFY(model.isHeldBy(flight) && !model.isHeldBy(scrub));
+    model.moveGesture(flight, ChangeObject{"Q", PointObject{{4, 5, 6}}});
+    model.endGesture(flight);
+    QCOMPARE(model.history().count(), 2);
+    QCOMPARE(model.history().text(0), QString("Scrub"));
+    model.undo();
+    QVERIFY(place() == ExactVec3(1, 2, 3));
+    model.moveGesture(GestureToken::Nobodys, ChangeObject{"Q", PointObject{{9, 9, 9}}});
+    QVERIFY2(place() == ExactVec3(1, 2, 3), "nobody holds anything");
   }
 
   void editsTogether_areOneStep_andNoneWhereOneIsRefused() {
@@ -163,15 +185,15 @@ private slots:
     model.openLesson("signed-distance");
     QSignalSpy changed(&model, &SessionModel::gestureChanged);
     for (const bool keep : {true, false}) {
-      model.beginGesture("Move Q");
+      const GestureToken held = model.beginGesture("Move Q");
       QVERIFY(!model.isMovedByGesture("Q"));
-      model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
+      model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
       QVERIFY(model.isMovedByGesture("Q"));
       QVERIFY(!model.isMovedByGesture("E"));
       if (keep)
-        model.endGesture();
+        model.endGesture(held);
       else
-        model.cancelGesture();
+        model.cancelGesture(held);
       QVERIFY(!model.isMovedByGesture("Q"));
     }
     QCOMPARE(changed.count(), 4);
@@ -194,10 +216,10 @@ private slots:
     QVERIFY(model.session().view == second);
     model.redo();
     QVERIFY(model.session().view == second);
-    model.beginGesture("Move Q");
-    model.moveGesture(ChangeObject{"Q", PointObject{{7, 7, 7}}});
+    const GestureToken held = model.beginGesture("Move Q");
+    model.moveGesture(held, ChangeObject{"Q", PointObject{{7, 7, 7}}});
     model.setView(first);
-    model.cancelGesture();
+    model.cancelGesture(held);
     QVERIFY(model.session().view == first);
     model.resetScene();
     QVERIFY(model.session().view == first);
@@ -240,17 +262,18 @@ private slots:
     SessionModel model(library());
     model.openLesson("signed-distance");
     std::vector<bool> told;
+    GestureToken held = GestureToken::Nobodys;
     connect(&model, &SessionModel::gestureChanged, this, [&] { told.push_back(model.inGesture()); });
     const std::vector<std::function<void()>> ends{
-        [&] { model.endGesture(); }, [&] { model.cancelGesture(); },
+        [&] { model.endGesture(held); }, [&] { model.cancelGesture(held); },
         [&] {
           model.edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed");
         },
         [&] { model.undo(); }, [&] { model.startWith(model.session()); }};
     for (const auto &end : ends) {
       told.clear();
-      model.beginGesture("Move Q");
-      model.moveGesture(ChangeObject{"Q", PointObject{{1, 2, 3}}});
+      held = model.beginGesture("Move Q");
+      model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
       end();
       QVERIFY(told == (std::vector{true, false}));
     }
@@ -260,7 +283,7 @@ private slots:
     SessionModel model(library());
     QSignalSpy settled(&model, &SessionModel::gestureSettled);
     QSignalSpy changed(&model, &SessionModel::gestureChanged);
-    model.beginGesture("Move Q");
+    static_cast<void>(model.beginGesture("Move Q"));
     model.startWith({"signed-distance", 0, model.library().find("signed-distance")->scene});
     QCOMPARE(settled.count(), 1);
     QCOMPARE(changed.count(), 2);

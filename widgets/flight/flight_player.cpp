@@ -134,7 +134,7 @@ void FlightPlayer::play(bool on) {
   if (on == m_isPlaying)
     return;
   if (!on)
-    return m_model.endGesture(); // which stops it
+    return m_model.endGesture(m_gesture); // which stops it
   auto now = flight();
   if (!now)
     return;
@@ -142,14 +142,14 @@ void FlightPlayer::play(bool on) {
 }
 
 void FlightPlayer::playFrom(const Flight &flight, const Rational &frame) {
-  m_model.beginGesture(tr("Fly"));
+  m_gesture = m_model.beginGesture(tr("Fly"));
   goOnFrom(flight, frame);
 }
 
 /// In a gesture that has begun.
 void FlightPlayer::goOnFrom(const Flight &flight, const Rational &frame) {
   m_from = frame;
-  m_model.moveGesture(toFrame(flight, frame));
+  m_model.moveGesture(m_gesture, toFrame(flight, frame));
   m_isPlaying = true;
   m_clock.start();
   m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
@@ -172,7 +172,7 @@ void FlightPlayer::tick() {
                                          : roundToMultiple(seconds * m_speed * framesPerSecond, frameStep);
   const Rational frame = m_from + flown;
   const Rational last = lastFrame(*now);
-  m_model.moveGesture(toFrame(*now, std::min(frame, last)));
+  m_model.moveGesture(m_gesture, toFrame(*now, std::min(frame, last)));
   if (frame < last)
     return;
   if (now->seed.value == 0)
@@ -201,16 +201,16 @@ void FlightPlayer::fireBySeed(int seed) {
   begin(*now, seed, seed != 0 ? tr("Fire by itself") : tr("Fire by hand"));
   if (seed != 0)
     return goOnFrom(*now, 0);
-  m_model.endGesture();
+  m_model.endGesture(m_gesture);
 }
 
 /// A gesture that begins at the start, with this seed.
 void FlightPlayer::begin(const Flight &flight, int seed, const QString &description) {
   NumberObject changed = flight.seed;
   changed.value = std::clamp(Rational(seed), changed.from, changed.to);
-  m_model.beginGesture(description);
-  m_model.moveGesture(ChangeObject{flight.names.seed, changed});
-  m_model.moveGesture(toFrame(flight, 0));
+  m_gesture = m_model.beginGesture(description);
+  m_model.moveGesture(m_gesture, ChangeObject{flight.names.seed, changed});
+  m_model.moveGesture(m_gesture, toFrame(flight, 0));
 }
 
 /// A step without the controls has none to bring the saucer back to where it starts, or to end what fires by
@@ -225,7 +225,7 @@ void FlightPlayer::followStep() {
   if (!left || (left->seed.value == 0 && left->frame.value == 0))
     return;
   begin(*left, 0, tr("Back to the start"));
-  m_model.endGesture();
+  m_model.endGesture(m_gesture);
 }
 
 void FlightPlayer::setSeed(int seed) {
@@ -247,7 +247,7 @@ void FlightPlayer::beginScrub() {
   play(false);
   if (!flight())
     return;
-  m_model.beginGesture(tr("Fly"));
+  m_gesture = m_model.beginGesture(tr("Fly"));
   m_isScrubbing = true;
 }
 
@@ -255,9 +255,9 @@ void FlightPlayer::endScrub(bool keep) {
   if (!std::exchange(m_isScrubbing, false))
     return;
   if (keep)
-    m_model.endGesture();
+    m_model.endGesture(m_gesture);
   else
-    m_model.cancelGesture();
+    m_model.cancelGesture(m_gesture);
 }
 
 /// The frame in which the torpedo of a shot has come to t; where that is a crossing's, all of the way.
@@ -276,7 +276,7 @@ void FlightPlayer::scrub(double t) {
   Rational frame = frameAt(t, shot, now->names);
   if (now->seed.value != 0) // it stays with its shot
     frame = std::clamp(frame, shot.frame, Rational(shot.frame + framesPerShot - frameStep));
-  m_model.moveGesture(toFrame(*now, frame));
+  m_model.moveGesture(m_gesture, toFrame(*now, frame));
 }
 
 } // namespace halfspace

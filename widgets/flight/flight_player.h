@@ -73,6 +73,7 @@ private:
 
   SessionModel &m_model;
   QTimer m_timer;
+  GestureToken m_gesture = GestureToken::Nobodys;
   QElapsedTimer m_clock; ///< since the flight went on
   Rational m_from;       ///< the frame from which it went on
   double m_speed = 1;

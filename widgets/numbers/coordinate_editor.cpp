@@ -30,21 +30,21 @@ void CoordinateEditor::beginScrub(const CoordinateNumber &number) {
   m_scrubbed = number;
   m_scrubStart = valueOf(number);
   m_scrubStep = stepOf(number.id);
-  m_model.beginGesture(nameOfChange(number));
+  m_gesture = m_model.beginGesture(nameOfChange(number));
 }
 
 void CoordinateEditor::scrub(int steps) {
-  if (!m_model.inGesture())
-    return; // another lesson was opened
+  if (!m_model.isHeldBy(m_gesture))
+    return; // another gesture has begun, or another lesson was opened
   if (const auto edit = editOf(m_scrubbed, m_scrubStart + m_scrubStep * steps))
-    m_model.moveGesture(*edit);
+    m_model.moveGesture(m_gesture, *edit);
 }
 
 void CoordinateEditor::endScrub(bool keep) {
   if (keep)
-    m_model.endGesture();
+    m_model.endGesture(m_gesture);
   else
-    m_model.cancelGesture();
+    m_model.cancelGesture(m_gesture);
 }
 
 Rational CoordinateEditor::valueOf(const CoordinateNumber &number) const {

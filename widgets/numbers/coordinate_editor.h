@@ -40,6 +40,7 @@ private:
 
   SessionModel &m_model;
   CoordinateNumber m_scrubbed;
+  GestureToken m_gesture = GestureToken::Nobodys;
   Rational m_scrubStart;
   Rational m_scrubStep;
 };

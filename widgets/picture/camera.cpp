@@ -93,6 +93,15 @@ void Camera::turn(double azimuthChange, double elevationChange) {
   elevation = std::clamp(elevation + elevationChange, -maxElevation, maxElevation);
 }
 
+void Camera::turnAbout(Place pivot, double azimuthChange, double elevationChange) {
+  const Place toTarget = target - pivot;
+  const Place seen(glm::dot(toTarget, right()), glm::dot(toTarget, up()),
+                   glm::dot(toTarget, viewDirection()));
+  turn(azimuthChange, elevationChange);
+  target = pivot + right() * seen.x + up() * seen.y + viewDirection() * seen.z;
+  target = glm::clamp(target, -farthestTarget, farthestTarget);
+}
+
 void Camera::pan(glm::dvec2 pixels, PixelSize size) {
   target -= (right() * pixels.x - up() * pixels.y) * unitsPerPixelAtTarget(*this, size);
   target = glm::clamp(target, -farthestTarget, farthestTarget);

@@ -62,6 +62,8 @@ public:
   [[nodiscard]] Place up() const;
 
   void turn(double azimuthChange, double elevationChange);
+  /// Likewise, but about another place: it stays where it is on the screen.
+  void turnAbout(Place pivot, double azimuthChange, double elevationChange);
   /// Moves the target in the plane of the screen, so that the picture there follows a pointer that moved by
   /// so many pixels (x right, y down).
   void pan(glm::dvec2 pixels, PixelSize size);

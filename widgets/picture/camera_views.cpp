@@ -35,6 +35,14 @@ std::optional<Place> normalOf(const Mark &mark) {
   return {};
 }
 
+/// Of the first plane or triangle of a figure.
+std::optional<Place> firstNormal(const Figure &figure) {
+  for (const Mark &mark : figure.marks)
+    if (const auto normal = normalOf(mark))
+      return normal;
+  return {};
+}
+
 } // namespace
 
 std::vector<Place> placesOf(const Figure &figure) {
@@ -139,13 +147,33 @@ Camera seenAlong(AxisView view, Camera camera) {
 }
 
 Camera seenAlongPlane(const Figure &figure, Camera camera) {
-  for (const Mark &mark : figure.marks)
-    if (const auto normal = normalOf(mark)) {
-      camera.azimuth = std::atan2(normal->y, normal->x) + std::numbers::pi / 2;
-      camera.elevation = 0;
-      return camera;
-    }
+  if (const auto normal = firstNormal(figure)) {
+    camera.azimuth = std::atan2(normal->y, normal->x) + std::numbers::pi / 2;
+    camera.elevation = 0;
+  }
   return camera;
+}
+
+Camera seenFacingPlane(const Figure &figure, Camera camera) {
+  const auto normal = firstNormal(figure);
+  if (!normal)
+    return camera;
+  const bool isBehind = glm::dot(*normal, camera.viewDirection()) > 0;
+  const Camera facing(CameraView{isBehind ? -*normal : *normal, camera.target, camera.height});
+  camera.azimuth = facing.azimuth;
+  camera.elevation = facing.elevation;
+  return camera;
+}
+
+Place middleInView(const View &view, const std::vector<Place> &places) {
+  BoundingBox box;
+  for (const Place &place : places) {
+    const auto pixel = view.camera.project(place, view.size);
+    if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= view.size.width &&
+        pixel->y <= view.size.height)
+      box.include(place);
+  }
+  return box.low.x > box.high.x ? view.camera.target : (box.low + box.high) / 2.0;
 }
 
 const RayMark *firstRay(const Figure &figure) {

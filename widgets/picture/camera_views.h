@@ -37,6 +37,14 @@ enum class AxisView { Front, Right, Top };
 /// one.
 [[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);
 
+/// From straight in front of the same plane or triangle, from the side that the eye is on, so that its shapes
+/// are true; unchanged without one.
+[[nodiscard]] Camera seenFacingPlane(const Figure &figure, Camera camera);
+
+/// The middle of all that a view shows of these places: what it is turned about. The camera's target where it
+/// shows none.
+[[nodiscard]] Place middleInView(const View &view, const std::vector<Place> &places);
+
 /// The first ray of a figure, or null; one without a direction is not drawn.
 [[nodiscard]] const RayMark *firstRay(const Figure &figure);
 

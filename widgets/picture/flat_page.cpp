@@ -87,9 +87,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Place of(const Place &place) const {
-    return {glm::dot(place, m_frame.toEye), glm::dot(place, m_frame.right), glm::dot(place, m_frame.up)};
-  }
+  [[nodiscard]] Place of(const Place &place) const { return onPage(place, m_frame); }
   [[nodiscard]] std::vector<Place> of(std::vector<Place> places) const {
     for (Place &place : places)
       place = of(place);
@@ -130,14 +128,20 @@ std::vector<Place> placesIn(const Figure &flat) {
 
 } // namespace
 
+Place onPage(const Place &place, const FlatFrame &frame) {
+  return {glm::dot(place, frame.toEye), glm::dot(place, frame.right), glm::dot(place, frame.up)};
+}
+
 std::optional<FlatFrame> flatFrame(const ExactVec3 &up, const ExactVec3 &right) {
   if (isZero(up))
     return {};
-  const ExactVec3 level = projectVector(right, up).rejection;
+  const ExactVec3 part = projectVector(right, up).rejection;
+  const ExactVec3 level = isZero(part) ? anySquareTo(up) : part;
   FlatFrame frame;
   frame.up = unitOf(up);
-  frame.right = unitOf(isZero(level) ? anySquareTo(up) : level);
+  frame.right = unitOf(level);
   frame.toEye = glm::cross(frame.right, frame.up);
+  frame.normal = cross(level, up);
   return frame;
 }
 

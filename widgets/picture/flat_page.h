@@ -7,12 +7,16 @@
 
 namespace halfspace {
 
-/// How the page lies in space: three unit vectors, square to each other.
+/// How the page lies in space: by three unit vectors, square to each other.
 struct FlatFrame {
   Place toEye{};
   Place right{};
   Place up{};
+  ExactVec3 normal{}; ///< along `toEye`, of any length, exactly
 };
+
+/// A place of space in the page's own coordinates: towards the eye, to the right and upwards.
+[[nodiscard]] Place onPage(const Place &place, const FlatFrame &frame);
 
 /// The page on which `up` points upwards and `right` to the right, both in their true length. Where those lie
 /// along one line (or the second is zero) any page along them will do. Nothing for a zero `up`.

@@ -1,63 +1,82 @@
 #include "widgets/view/case_line.h"
 
 #include "widgets/repolish.h"
-#include "widgets/text/indices.h"
+#include "widgets/view/fitted_label.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QMenu>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QStackedLayout>
 #include <QVariant>
 
 namespace halfspace {
 namespace {
 
-/// As long as cases usually are: the line has room for them from the start.
-QString usualCase() { return QStringLiteral("letters ").repeated(11); }
-
-QLabel *wrappedLabel(const char *name) {
-  auto *label = new QLabel;
+/// A label with as many letters as there is to be room for; it is never shown.
+QLabel *roomFor(int letters, const char *name) {
+  const QString word = QStringLiteral("letters ");
+  auto *label = new QLabel(word.repeated(letters / static_cast<int>(word.size())));
   label->setObjectName(name);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
 }
 
-/// Rich text takes time, which counts in a drag: it is for words with indices alone.
-void setWords(QLabel &label, const QString &words) {
-  const bool hasIndices = runsOf(words).size() > 1;
-  label.setTextFormat(hasIndices ? Qt::RichText : Qt::PlainText);
-  label.setText(hasIndices ? richTextOf(words) : words);
+// Nearly all cases of all lessons, and what is said of what is near, have fewer.
+constexpr int lettersOfCase = 200;
+constexpr int lettersOfNearby = 96;
+
+QPushButton *flatButton(const char *name, const QString &words) {
+  auto *button = new QPushButton(words);
+  button->setObjectName(name);
+  button->setFlat(true);
+  button->setCursor(Qt::PointingHandCursor);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+/// Its row stays where there is nothing to say: else the picture would jump.
+void keepRoom(QWidget &widget) {
+  QSizePolicy staying = widget.sizePolicy();
+  staying.setRetainSizeWhenHidden(true);
+  widget.setSizePolicy(staying);
 }
 
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(wrappedLabel("case")), m_message(wrappedLabel("message")),
-      m_usual(wrappedLabel("usualCase")), m_nearby(wrappedLabel("nearby")),
-      m_there(new QPushButton(tr("Take me there"))), m_complaint(wrappedLabel("complaint")),
-      m_words(new QStackedLayout) {
-  m_usual->setText(usualCase());
-  for (QLabel *page : {m_case, m_message, m_usual}) // it is as high as the highest
-    m_words->addWidget(page);
-  m_there->setObjectName("there");
-  m_there->setFlat(true);
-  m_there->setCursor(Qt::PointingHandCursor);
-  m_there->setFocusPolicy(Qt::TabFocus);
-  // Its row stays where there is nothing to say: else the picture would jump.
-  QSizePolicy staying = m_there->sizePolicy();
-  staying.setRetainSizeWhenHidden(true);
-  m_there->setSizePolicy(staying);
-  connect(m_there, &QPushButton::clicked, this, &CaseLine::nearbyChosen);
-  setNearby({}, false);
+    : QWidget(parent), m_case(new FittedLabel("case")), m_message(new FittedLabel("message")),
+      m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
+      m_others(flatButton("others", tr("Others"))),
+      m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(new QLabel),
+      m_second(new QStackedLayout) {
+  m_others->setMenu(new QMenu(m_others));
+  m_others->setAccessibleDescription(tr("All special cases near this one"));
+  m_complaint->setObjectName("complaint");
+  m_complaint->setTextFormat(Qt::PlainText);
+  m_complaint->setWordWrap(true);
+  keepRoom(*m_there);
+  keepRoom(*m_others);
+  m_afresh->hide();
+  m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
+  connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
+  connect(m_afresh, &QPushButton::clicked, this, &CaseLine::afreshChosen);
+  offer({});
+  auto *words = new QStackedLayout;
+  for (QLabel *page : {static_cast<QLabel *>(m_case), roomFor(lettersOfCase, "usualCase")})
+    words->addWidget(page);
+  for (QLabel *page : {static_cast<QLabel *>(m_nearby), static_cast<QLabel *>(m_message),
+                       roomFor(lettersOfNearby, "usualNearby")})
+    m_second->addWidget(page);
   auto *special = new QHBoxLayout;
   special->setSpacing(0);
-  special->addWidget(m_nearby, 1);
+  special->addLayout(m_second, 1);
   special->addWidget(m_there, 0, Qt::AlignTop);
+  special->addWidget(m_others, 0, Qt::AlignTop);
+  special->addWidget(m_afresh, 0, Qt::AlignTop);
   auto *column = new QVBoxLayout;
   column->setSpacing(0);
-  column->addLayout(m_words, 1);
+  column->addLayout(words, 1);
   column->addLayout(special);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -71,38 +90,42 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
-  setWords(*m_case, words);
+  m_case->setWords(words);
   if (m_case->property("degenerate") == degenerate)
     return;
   m_case->setProperty("degenerate", degenerate);
   repolish(*m_case);
 }
 
-void CaseLine::setNearby(const QString &words, bool canBeReached) {
-  setWords(*m_nearby, words);
-  m_there->setVisible(canBeReached);
+void CaseLine::setNearby(const QString &words, const std::vector<NearbyCase> &cases) {
+  m_nearby->setWords(words);
+  if (cases != m_cases)
+    offer(cases);
 }
 
-void CaseLine::resizeEvent(QResizeEvent *event) {
-  QWidget::resizeEvent(event);
-  setMinimumHeight(event->oldSize().width() == width() ? height() : 0);
+void CaseLine::offer(const std::vector<NearbyCase> &cases) {
+  m_cases = cases;
+  m_there->setVisible(!cases.empty() && cases.front().canBeReached);
+  QMenu &menu = *m_others->menu();
+  menu.clear();
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].canBeReached)
+      connect(menu.addAction(cases[i].words), &QAction::triggered, this,
+              [this, which = static_cast<int>(i)] { emit nearbyChosen(which); });
+  m_others->setVisible(menu.actions().size() > (m_there->isVisibleTo(this) ? 1 : 0));
 }
 
-void CaseLine::changeEvent(QEvent *event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    setMinimumHeight(0);
-}
+void CaseLine::offerAfresh(bool offered) { m_afresh->setVisible(offered); }
 
 void CaseLine::say(const QString &sentence) {
-  m_message->setText(sentence);
-  m_words->setCurrentWidget(m_message);
+  m_message->setWords(sentence);
+  m_second->setCurrentWidget(m_message);
   m_messageTimer.start();
 }
 
 void CaseLine::endMessage() {
   m_messageTimer.stop();
-  m_words->setCurrentWidget(m_case);
+  m_second->setCurrentWidget(m_nearby);
 }
 
 void CaseLine::complain(const QString &sentence, const QString &details) {

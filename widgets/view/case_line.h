@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <chrono>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -12,9 +13,20 @@ class QStackedLayout;
 
 namespace halfspace {
 
-/// The case in plain words; in its place, for a moment, what the program has to tell, and beside both, as
-/// long as it holds, what it has to complain of. Below them the nearest special case, with a way there.
-/// As long as width and type are the same it only grows: the picture above it would jump with the words.
+class FittedLabel;
+
+/// A special case near the present one.
+struct NearbyCase {
+  QString words;             ///< "The ray would run parallel to the plane."
+  bool canBeReached = false; ///< by numbers without roots
+  bool operator==(const NearbyCase &) const = default;
+};
+
+/// The case in plain words, and beside it, as long as it holds, what the program has to complain of. Below
+/// them the nearest special case, with a way there and to the others; in its place, for a moment, what the
+/// program has to tell. As long as width and type are the same it keeps its height: the picture above it
+/// would jump with the words. More words than there is room for are cut short, and stand in full where the
+/// pointer rests on them.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
@@ -24,9 +36,11 @@ public:
 
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
-  /// The nearest special case in words, empty for none; where it can be reached, with a button that says
-  /// `nearbyChosen`.
-  void setNearby(const QString &words, bool canBeReached);
+  /// What is said of the nearest special case, empty for none, and all that there are, the nearest first.
+  /// Those that can be reached are offered.
+  void setNearby(const QString &words, const std::vector<NearbyCase> &cases);
+  /// Where the present case lacks what the step speaks of: offers to go back to where it begins.
+  void offerAfresh(bool offered);
   void say(const QString &sentence);
   /// Where the case is what counts, as in a drag.
   void endMessage();
@@ -34,20 +48,21 @@ public:
   void complain(const QString &sentence, const QString &details = {});
 
 signals:
-  void nearbyChosen(); ///< the learner wants to be taken to the nearest special case
-
-protected:
-  void resizeEvent(QResizeEvent *event) override;
-  void changeEvent(QEvent *event) override;
+  void nearbyChosen(int which); ///< the learner wants to be taken to a special case
+  void afreshChosen();          ///< … or back to the start
 
 private:
-  QLabel *m_case;
-  QLabel *m_message;
-  QLabel *m_usual; ///< as long as cases usually are; never shown
-  QLabel *m_nearby;
-  QPushButton *m_there; ///< leads to it
+  void offer(const std::vector<NearbyCase> &cases);
+
+  FittedLabel *m_case;
+  FittedLabel *m_message;
+  FittedLabel *m_nearby;
+  QPushButton *m_there;  ///< leads to the nearest
+  QPushButton *m_others; ///< has a menu of all
+  QPushButton *m_afresh; ///< leads back to the start
+  std::vector<NearbyCase> m_cases;
   QLabel *m_complaint;
-  QStackedLayout *m_words; ///< case and message, one at a time
+  QStackedLayout *m_second; ///< what is near, and a message, one at a time
   QTimer m_messageTimer;
 };
 

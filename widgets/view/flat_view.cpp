@@ -1,7 +1,12 @@
 #include "widgets/view/flat_view.h"
 
+#include "lessons/lesson/task_targets.h"
+#include "lessons/scene/change_words.h"
+#include "lessons/scene/scene_letters.h"
+#include "lessons/scene/snapping.h"
 #include "widgets/colors.h"
 #include "widgets/mouse_place.h"
+#include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/mark_picker.h"
 
 #include <QAction>
@@ -43,6 +48,7 @@ FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *p
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &FlatView::takeOutcome);
   connect(&m_model, &SessionModel::gestureChanged, this, &FlatView::takeOutcome);
+  connect(&m_model, &SessionModel::gestureSettled, this, &FlatView::letGo);
   takeOutcome();
 }
 
@@ -76,7 +82,10 @@ bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameW
 void FlatView::takeOutcome() {
   const auto &flat = m_model.lesson().flat;
   const bool hadPicture = hasPicture();
-  m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
+  if (m_model.isHeldBy(m_held))
+    m_frame = m_drag->frame(); // the page keeps still under the hand
+  else
+    m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
   setVisible(hasPicture());
   if (hadPicture != hasPicture())
     emit sizeChanged();
@@ -88,7 +97,7 @@ void FlatView::takeOutcome() {
   m_content.figure = laidFlat(toStage(m_model.shown().figure, stage), *m_frame);
   describe();
   // What is held must not jump under the hand.
-  if (!m_model.inGesture() || !showsAll(m_whole, m_view))
+  if (!m_drag && (!m_model.inGesture() || !showsAll(m_whole, m_view)))
     takeView();
   update();
 }
@@ -132,12 +141,77 @@ void FlatView::resizeEvent(QResizeEvent *event) {
   takeView();
 }
 
-void FlatView::mousePressEvent(QMouseEvent *event) { event->accept(); }
+PlacedScene FlatView::stagedScene() const {
+  return toStage({m_model.session().scene, m_model.evaluation()}, m_content.stage);
+}
+
+std::optional<Handle> FlatView::handleAt(const QPointF &place) const {
+  const std::string upwards = fullName(m_model.session().scene, m_model.lesson().flat->up);
+  const std::vector<Handle> handles = handlesOf(stagedScene());
+  const Handle *handle = handleOnPage({place.x(), place.y()}, handles, upwards, *m_frame, m_view,
+                                      missMargin * m_view.pixelRatio);
+  return handle ? std::optional(*handle) : std::nullopt;
+}
+
+void FlatView::mousePressEvent(QMouseEvent *event) {
+  event->accept(); // never the scene's below
+  if (!isOpen() || m_drag || event->button() != Qt::LeftButton)
+    return;
+  const QPointF at = mousePlace(*event);
+  const auto handle = handleAt(at);
+  if (!handle)
+    return;
+  const Scene &scene = m_model.session().scene;
+  std::vector<SnapTarget> asked;
+  if (m_content.stage == Stage()) // lessons speak of their scene's own numbers
+    asked = taskTargets(tasksOf(m_model.step()), scene, *handle);
+  const GestureToken held = m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, *handle)));
+  m_drag.emplace(stagedScene(), *handle, *m_frame, glm::dvec2(at.x(), at.y()), std::move(asked));
+  m_held = held;
+  grabKeyboard();
+  setCursor(Qt::ClosedHandCursor);
+  emit handleGrabbed(QString::fromStdString(handle->id));
+}
+
+void FlatView::mouseReleaseEvent(QMouseEvent *event) {
+  if (!m_drag || event->button() != Qt::LeftButton)
+    return;
+  m_model.endGesture(m_held);
+  letGo();
+}
+
+void FlatView::keyPressEvent(QKeyEvent *event) {
+  if (!m_drag || event->key() != Qt::Key_Escape)
+    return QFrame::keyPressEvent(event);
+  m_model.cancelGesture(m_held);
+  letGo();
+}
+
+void FlatView::letGo() {
+  if (!m_drag)
+    return;
+  m_drag.reset();
+  m_held = GestureToken::Nobodys;
+  releaseKeyboard();
+  unsetCursor();
+  takeOutcome();
+}
 
 void FlatView::mouseMoveEvent(QMouseEvent *event) {
   if (!isOpen())
     return;
   const QPointF at = mousePlace(*event);
+  if (m_drag) {
+    const bool isFree = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.isSnapping();
+    if (const auto move = m_drag->moveTo({at.x(), at.y()}, isFree ? finestStep : m_model.snapStep(), m_view))
+      m_model.moveGesture(m_held,
+                          ChangeObject{m_drag->handle().object, fromStage(move->object, m_content.stage)});
+    return;
+  }
+  if (handleAt(at))
+    setCursor(Qt::OpenHandCursor);
+  else
+    unsetCursor();
   hover(markUnder({at.x(), at.y()}, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio));
 }
 

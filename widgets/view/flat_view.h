@@ -1,7 +1,7 @@
 // The flat picture beside the scene: the same marks, seen from the one side from which their shapes are true.
 #pragma once
 
-#include "widgets/picture/flat_page.h"
+#include "widgets/picture/hand/flat_drag.h"
 #include "widgets/picture/scene_content.h"
 #include "widgets/session_model.h"
 #include "widgets/typeset/flat_painter.h"
@@ -39,13 +39,16 @@ public:
 
 signals:
   void markHovered(const QString &markId); ///< empty: none
-  void sizeChanged();                      ///< it comes, goes, folds or unfolds
+  void handleGrabbed(const QString &handleId);
+  void sizeChanged(); ///< it comes, goes, folds or unfolds
 
 protected:
   void paintEvent(QPaintEvent *event) override;
   void resizeEvent(QResizeEvent *event) override;
   void mousePressEvent(QMouseEvent *event) override;
   void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
+  void keyPressEvent(QKeyEvent *event) override;
   void leaveEvent(QEvent *event) override;
 
 private:
@@ -55,6 +58,11 @@ private:
   void takeView();
   void describe();
   void hover(const std::string &mark);
+  /// The session's scene in units of the stage.
+  [[nodiscard]] PlacedScene stagedScene() const;
+  /// The handle at a place of the picture that can be moved there; nothing for none.
+  [[nodiscard]] std::optional<Handle> handleAt(const QPointF &place) const;
+  void letGo();
 
   SessionModel &m_model;
   FlatPainter m_painter;
@@ -66,6 +74,8 @@ private:
   View m_view;
   std::set<std::string> m_highlighted;
   std::string m_hovered; ///< a mark's id
+  std::optional<FlatDrag> m_drag;
+  GestureToken m_held = GestureToken::Nobodys; ///< the model's gesture
   QAction *m_unfolded;
   QToolButton *m_title;
 };

@@ -51,9 +51,11 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   });
   connect(&m_model, &SessionModel::lessonChanged, this, [this] {
     selectHandle({});
+    m_figure = {};             // nothing of it glides into the next
     m_stage = m_model.stage(); // what the view is fitted to is the new lesson's already
     m_handles = handlesOf(stagedScene());
     takeView();
+    forgetViews();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
   connect(&m_extents, &ExtentGlide::changed, this, [this] {
@@ -65,10 +67,8 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     if (!m_model.inGesture())
       m_extents.release(m_motion && isVisible());
   });
-  connect(&m_model, &SessionModel::sceneReplaced, this, [this] {
-    showAll();
-    requestFrame();
-  });
+  connect(&m_model, &SessionModel::sceneReplaced, this,
+          [this] { m_atHome ? goHome() : chooseView(fittedToGiven(m_camera)); });
   takeOutcome();
 }
 
@@ -141,8 +141,8 @@ std::vector<Grip> SceneView::grips() const {
   return gripsOf(m_handles, m_selected, m_figure, m_theme, screen());
 }
 
-const Handle *SceneView::handleAt(glm::dvec2 pixel) const {
-  return findHandle(handleGrabbedAt(pixel, grips(), designRatio()));
+const Handle *SceneView::handleAt(glm::dvec2 pixel, double margin) const {
+  return findHandle(handleGrabbedAt(pixel, grips(), margin * designRatio()));
 }
 
 std::optional<QPoint> SceneView::handlePosition(const std::string &handleId) const {
@@ -213,6 +213,7 @@ void SceneView::takeStage() {
   m_camera.height = std::clamp(m_camera.height * toDouble(powerOfTen(m_stage.exponent - stage.exponent)),
                                Camera::minHeight, Camera::maxHeight);
   m_stage = stage;
+  forgetViews();
   m_extents.release(false); // they are in units of the stage before
   showAll();
   showHint();
@@ -224,18 +225,22 @@ bool SceneView::isInView(const Handle &handle) const {
   return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= size.width && pixel->y <= size.height;
 }
 
-/// A position that was typed out of the view takes the view along.
-void SceneView::followTyped(const std::vector<Handle> &before) {
+/// The view stays where it is when a position is typed out of it; the hint then tells the way there.
+void SceneView::noticeTyped(const std::vector<Handle> &before) {
   if (m_model.inGesture())
     return;
+  std::vector<const Handle *> moved;
   for (const Handle &handle : m_handles) {
     const auto old = std::find_if(before.begin(), before.end(),
                                   [&](const Handle &other) { return other.id == handle.id; });
     const bool isPosition = handle.motion == Handle::Motion::OnHost ||
                             (handle.motion == Handle::Motion::Coordinate && isZero(handle.base));
-    if (isPosition && old != before.end() && !(old->at == handle.at) && !isInView(handle))
-      return showAll();
+    if (isPosition && old != before.end() && !(old->at == handle.at))
+      moved.push_back(&handle);
   }
+  if (!moved.empty())
+    m_hasTypedAway =
+        std::any_of(moved.begin(), moved.end(), [this](const Handle *handle) { return !isInView(*handle); });
 }
 
 void SceneView::holdExtents() {
@@ -250,15 +255,24 @@ void SceneView::holdExtents() {
       m_extents.leave(entry.name);
 }
 
+void SceneView::glideFrom(Extents before) {
+  if (m_model.inGesture() || before == extentsOf(m_figure))
+    return;
+  m_extents.hold(std::move(before));
+  m_extents.release(m_motion && isVisible());
+}
+
 void SceneView::takeOutcome() {
   takeStage();
+  Extents extents = extentsOf(drawnFigure());
   if (m_model.inGesture()) {
     holdExtents();
     m_restTimer.start(); // what a flight, or a number that is scrubbed, moves comes to rest later as well
   }
   m_figure = staged(m_model.shown().figure);
   const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
-  followTyped(before);
+  glideFrom(std::move(extents));
+  noticeTyped(before);
   if (!findHandle(m_selected))
     m_selected.clear();
   emit selectionChanged();
@@ -305,11 +319,15 @@ std::optional<Gizmo> SceneView::gizmo() const {
   for (const auto &[dragMode, gizmoMode] : modes)
     if (dragMode == *mode)
       gizmo.mode = gizmoMode;
-  if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate) {
-    const Rational z = fromStage(handle->at, CoordinateRole::Position, m_stage).z;
-    gizmo.note = "z" + relatedLatex(Term(z)) + "\\text{ fixed}";
-  }
+  if (*mode == DragMode::Horizontal && handle->motion == Handle::Motion::Coordinate)
+    gizmo.note = fixedNote(*handle);
   return gizmo;
+}
+
+std::string SceneView::fixedNote(const Handle &handle) const {
+  const Object &object = *findObject(m_model.session().scene, handle.object);
+  // Of an arrow's tip it is the arrow's own number, as it stands in the formulas.
+  return "z" + relatedLatex(Term(object[handle.coordinate].z)) + "\\text{ fixed}";
 }
 
 std::vector<Knob> SceneView::knobs() const {

@@ -63,9 +63,14 @@ public:
   void showAnother() { m_atHome ? goHome() : fit(); }
   /// The whole figure along its first plane or triangle, so that it is seen as a line.
   void lookAlongPlane();
+  /// The whole figure from straight in front of its first plane or triangle.
+  void facePlane();
   /// Looks from the start of the first ray in its direction.
   void lookDownRay();
   void setOrthographic(bool on);
+  /// As before the view was turned, moved or chosen last; step by step further back.
+  void showPreviousView();
+  [[nodiscard]] bool hasPreviousView() const { return !m_previousViews.empty(); }
   [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
 
   [[nodiscard]] const Camera &camera() const { return m_camera; }
@@ -75,6 +80,11 @@ public:
   /// What is drawn now, without handles: for pictures.
   [[nodiscard]] SceneContent pictureContent() const;
 
+  /// What stands beside the selected handle: how it is moved; as LaTeX.
+  [[nodiscard]] std::string toolNote() const {
+    const auto tool = gizmo();
+    return tool ? tool->note : std::string();
+  }
   /// What is drawn at this moment, while something is dragged or glides.
   [[nodiscard]] Figure drawnFigure() const { return m_extents.drawn(m_figure); }
 
@@ -98,6 +108,7 @@ signals:
   void markHovered(const QString &markId); ///< empty: none
   void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
   void selectionChanged();                 ///< of a handle, or of what can be done with it
+  void previousViewsChanged();             ///< there is a first one, or none any more
   void dismissed();                        ///< Escape, while nothing is dragged
   void frameDrawn(const halfspace::FrameTimes &times);
 
@@ -124,7 +135,8 @@ private:
   [[nodiscard]] View screen() const;
   [[nodiscard]] const Handle *findHandle(const std::string &id) const;
   [[nodiscard]] std::vector<Grip> grips() const;
-  [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel) const;
+  /// The handle that is grabbed within so many design pixels of what is seen of it.
+  [[nodiscard]] const Handle *handleAt(glm::dvec2 pixel, double margin) const;
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
   /// Of the handles that can be grabbed from where the camera stands.
   [[nodiscard]] std::vector<Knob> knobs() const;
@@ -134,6 +146,8 @@ private:
   void takeOutcome();
   /// While something is dragged, all others stay drawn as far as they were.
   void holdExtents();
+  /// After an edit of another sort they glide there.
+  void glideFrom(Extents before);
   void takeStage();
   /// The session's scene in units of the stage.
   [[nodiscard]] PlacedScene stagedScene() const {
@@ -145,6 +159,14 @@ private:
   void updateContent();
   /// Draws what is there from where the camera is now.
   void showMoved();
+  /// What a pointer at a pixel would take hold of.
+  struct Hold {
+    const Handle *handle = nullptr;
+    std::optional<Gizmo::Part> part; ///< of the selected handle's tool, where that is meant
+  };
+  [[nodiscard]] Hold holdAt(glm::dvec2 pixel) const;
+  /// What the selected handle does not move while it is dragged: "z = 4 fixed", as LaTeX.
+  [[nodiscard]] std::string fixedNote(const Handle &handle) const;
   [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
   /// What the tasks of the step ask of a handle.
@@ -152,6 +174,8 @@ private:
   /// Presses the handle or the tool's part at this pixel, if there is one.
   bool pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers);
   void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
+  /// Takes hold of the picture, to turn or to move it.
+  void pressPicture(Gesture gesture);
   void requestFrame();
   void frame();
   void followPointer();
@@ -162,6 +186,9 @@ private:
   void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
+  /// The view that is about to be left can be gone back to.
+  void rememberView();
+  void forgetViews();
   /// The session has this view from now on.
   void keepView(const Camera &camera);
   /// The session's view, or as the lesson begins.
@@ -186,7 +213,9 @@ private:
   /// All of the figure in view, from the direction that the camera has.
   void showAll();
   [[nodiscard]] bool isInView(const Handle &handle) const;
-  void followTyped(const std::vector<Handle> &before);
+  void noticeTyped(const std::vector<Handle> &before);
+  /// As a menu asks for it.
+  void chooseView(const Camera &camera);
   void glideTo(const Camera &camera);
   bool stepSelected(const QKeyEvent &event);
   /// Tells why an edit was refused; false where it was not.
@@ -207,10 +236,13 @@ private:
   double m_sizeScale = 1;
   bool m_motion = true;
   bool m_numbersHidden = false;
-  bool m_atHome = true;            ///< nobody has moved the camera since the lesson began
-  std::vector<PixelBox> m_covered; ///< parts of the view
-  PixelSize m_size;                ///< that the camera is for
-  std::optional<Resize> m_resize;  ///< the newest since somebody has moved the camera
+  std::vector<Camera> m_previousViews; ///< on the same stage, the newest last
+  bool m_isZooming = false;            ///< by clicks of the wheel, which are one change of the view
+  bool m_hasTypedAway = false;         ///< something was typed out of the view
+  bool m_atHome = true;                ///< nobody has moved the camera since the lesson began
+  std::vector<PixelBox> m_covered;     ///< parts of the view
+  PixelSize m_size;                    ///< that the camera is for
+  std::optional<Resize> m_resize;      ///< the newest since somebody has moved the camera
 
   Figure m_figure; ///< what is shown, on the stage
   std::vector<Handle> m_handles;
@@ -222,8 +254,11 @@ private:
   bool m_vertical = false; ///< whether the selected handle moves up and down when it is grabbed
 
   Gesture m_gesture = Gesture::None;
-  Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
+  Qt::MouseButton m_button = Qt::NoButton;     ///< that began the gesture
+  GestureToken m_held = GestureToken::Nobodys; ///< the model's gesture
   std::optional<HandleDrag> m_drag;
+  int m_dragsDone = 0;         ///< by a hand that knows by now how it goes
+  Place m_pivot{};             ///< what the picture is turned about
   std::string m_caught;        ///< the special case that the drag has snapped to
   bool m_isSuspended = false;  ///< whether a key is held that suspends snapping
   bool m_clickToggles = false; ///< whether the press was on the handle that was selected already

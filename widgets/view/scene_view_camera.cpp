@@ -11,7 +11,9 @@ namespace halfspace {
 namespace {
 
 constexpr int glideTime = 350; // milliseconds
-constexpr double radiansPerPixel = 0.008;
+constexpr double radiansPerPixel = 0.005;
+/// So many views can be gone back to.
+constexpr std::size_t mostPreviousViews = 50;
 constexpr double zoomPerWheelStep = 0.88;
 
 } // namespace
@@ -21,15 +23,48 @@ void SceneView::moveCamera(const QPointF &position) {
   m_lastPointer = position;
   m_atHome = false;
   if (m_gesture == Gesture::Turn)
-    m_camera.turn(-moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
+    m_camera.turnAbout(m_pivot, -moved.x() * radiansPerPixel, moved.y() * radiansPerPixel);
   else
     m_camera.pan(glm::dvec2(moved.x(), moved.y()) * devicePixelRatioF(), pixelSize());
   keepView(m_camera);
   showMoved();
 }
 
+void SceneView::rememberView() {
+  m_isZooming = false;
+  if (m_previousViews.size() == mostPreviousViews)
+    m_previousViews.erase(m_previousViews.begin());
+  m_previousViews.push_back(m_camera);
+  emit previousViewsChanged();
+}
+
+void SceneView::forgetViews() {
+  m_previousViews.clear();
+  emit previousViewsChanged();
+}
+
+void SceneView::showPreviousView() {
+  if (m_previousViews.empty())
+    return;
+  Camera camera = m_previousViews.back();
+  camera.orthographic = m_camera.orthographic;
+  m_previousViews.pop_back();
+  m_isZooming = false;
+  glideTo(camera);
+  emit previousViewsChanged();
+}
+
+void SceneView::chooseView(const Camera &camera) {
+  if (!(camera == m_camera))
+    rememberView();
+  glideTo(camera);
+}
+
 void SceneView::wheelEvent(QWheelEvent *event) {
   m_glide.stop();
+  if (!m_isZooming)
+    rememberView();
+  m_isZooming = true;
   m_atHome = false;
   const double steps = event->angleDelta().y() / 120.0;
   m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
@@ -78,13 +113,14 @@ Camera SceneView::fittedToGiven(const Camera &from) const {
 Camera SceneView::home() const { return fittedToGiven(Camera(m_model.lesson().camera)); }
 
 void SceneView::goHome() {
-  glideTo(home());
+  chooseView(home());
   m_atHome = true;
   if (!m_camera.orthographic)
     m_model.setView({});
 }
 
 void SceneView::keepView(const Camera &camera) {
+  m_hasTypedAway = false;
   m_model.setView(ChosenView{{-camera.viewDirection(), camera.target, camera.height}, camera.orthographic});
 }
 
@@ -139,13 +175,17 @@ void SceneView::resizeEvent(QResizeEvent *event) {
   requestFrame();
 }
 
-void SceneView::setAxisView(AxisView view) { glideTo(fittedToGiven(seenAlong(view, m_camera))); }
+void SceneView::setAxisView(AxisView view) { chooseView(fittedToGiven(seenAlong(view, m_camera))); }
 
 void SceneView::lookAlongPlane() {
-  glideTo(fittedToGiven(seenAlongPlane(staged(m_model.figure()), m_camera)));
+  chooseView(fittedToGiven(seenAlongPlane(staged(m_model.figure()), m_camera)));
 }
 
-void SceneView::lookDownRay() { glideTo(seenDownRay(staged(m_model.shown().figure), m_camera)); }
+void SceneView::facePlane() {
+  chooseView(fittedToGiven(seenFacingPlane(staged(m_model.figure()), m_camera)));
+}
+
+void SceneView::lookDownRay() { chooseView(seenDownRay(staged(m_model.shown().figure), m_camera)); }
 
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();
@@ -154,6 +194,6 @@ void SceneView::setOrthographic(bool on) {
   requestFrame();
 }
 
-void SceneView::fit() { glideTo(fittedTo(m_camera, staged(m_model.shown().figure), false)); }
+void SceneView::fit() { chooseView(fittedTo(m_camera, staged(m_model.shown().figure), false)); }
 
 } // namespace halfspace

@@ -21,6 +21,9 @@ using Clock = std::chrono::steady_clock;
 /// A press that moves less than this many pixels is a click.
 constexpr int clickSlop = 3;
 
+/// Who has dragged so many handles needs no words about it any more.
+constexpr int dragsToLearn = 3;
+
 /// A handle that moves up and down does so with the arrow keys too.
 int verticalKey(int key) {
   return key == Qt::Key_Up ? Qt::Key_PageUp : key == Qt::Key_Down ? Qt::Key_PageDown : key;
@@ -109,33 +112,46 @@ void SceneView::mousePressEvent(QMouseEvent *event) {
   m_pressed = m_lastPointer = mousePlace(*event);
   m_moved = false;
   if (event->button() != Qt::LeftButton)
-    m_gesture = Gesture::Pan;
+    pressPicture(Gesture::Pan);
   else if (!pressTool(devicePixel(m_pressed), event->modifiers()))
-    m_gesture = event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn;
+    pressPicture(event->modifiers() & Qt::ShiftModifier ? Gesture::Pan : Gesture::Turn);
   m_button = event->button(); // last: a gesture from elsewhere that ends here lets go of all
 }
 
 bool SceneView::pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers) {
-  if (const Handle *handle = handleAt(pixel)) {
-    const bool same = handle->id == m_selected;
-    const bool vertical = (same && m_vertical) != bool(modifiers & Qt::ShiftModifier);
-    if (const auto mode = grabMode(*handle, vertical, m_camera)) {
-      pressHandle(*handle, *mode, pixel);
-      return true;
-    }
-  }
-  const auto part = gizmoPartUnder(pixel);
-  const Handle *selected = findHandle(m_selected);
-  if (part && selected) {
-    pressHandle(*selected, modeOf(*part), pixel);
+  const bool shifted = modifiers & Qt::ShiftModifier;
+  const Hold hold = holdAt(pixel);
+  if (hold.part) {
+    pressHandle(*findHandle(m_selected), modeOf(*hold.part), pixel);
     return true;
   }
-  const Handle *body = handleOfBody(m_scene.markAt(pixel), m_figure, m_handles);
-  const auto mode = body ? grabMode(*body, bool(modifiers & Qt::ShiftModifier), m_camera) : std::nullopt;
+  const Handle *handle = hold.handle;
+  bool vertical = shifted;
+  if (handle && handle->id == m_selected)
+    vertical = m_vertical != shifted;
+  else if (!handle)
+    handle = handleOfBody(m_scene.markAt(pixel), m_figure, m_handles);
+  const auto mode = handle ? grabMode(*handle, vertical, m_camera) : std::nullopt;
   if (!mode)
     return false;
-  pressHandle(*body, *mode, pixel);
+  pressHandle(*handle, *mode, pixel);
   return true;
+}
+
+SceneView::Hold SceneView::holdAt(glm::dvec2 pixel) const {
+  if (const Handle *handle = handleAt(pixel, grabMargin))
+    return {handle, {}};
+  if (const auto part = gizmoPartUnder(pixel); part && findHandle(m_selected))
+    return {nullptr, part};
+  return {handleAt(pixel, missMargin), {}};
+}
+
+void SceneView::pressPicture(Gesture gesture) {
+  m_gesture = gesture;
+  std::vector<Place> places = placesOf(m_figure);
+  for (const Handle &handle : m_handles)
+    places.push_back(shownPlace(handle));
+  m_pivot = middleInView(screen(), places);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
@@ -147,7 +163,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event) {
 void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel) {
   const Handle handle = pressed; // the handles are made anew where another gesture ends
   const Scene &scene = m_model.session().scene;
-  m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
+  m_held = m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
   m_gesture = Gesture::Handle;
   m_fade.finish();
   m_drag.emplace(stagedScene(), handle, mode, pixel, askedFor(handle));
@@ -176,8 +192,11 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
     finishDrag();
     return;
   }
-  if ((mousePlace(*event) - m_pressed).manhattanLength() > clickSlop)
+  if (!m_moved && (mousePlace(*event) - m_pressed).manhattanLength() > clickSlop) {
     m_moved = true;
+    if (m_gesture != Gesture::Handle)
+      rememberView();
+  }
   if (!m_moved)
     return;
   if (m_gesture == Gesture::Handle) {
@@ -210,7 +229,7 @@ void SceneView::followPointer() {
   if (!move)
     return;
   m_outcomeTaken = start;
-  m_model.moveGesture(ChangeObject{m_drag->handle().object, fromStage(move->object, m_stage)});
+  m_model.moveGesture(m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_stage)});
   if (m_outcomeTaken != start) {
     m_times.evaluate = m_outcomeTaken - start;
     m_times.panels = Clock::now() - m_outcomeTaken;
@@ -232,10 +251,12 @@ void SceneView::finishDrag() {
     return;
   if (m_gesture == Gesture::Handle) {
     followPointer();
-    if (m_moved)
-      m_model.endGesture();
-    else
-      m_model.cancelGesture();
+    if (m_moved) {
+      ++m_dragsDone;
+      m_model.endGesture(m_held);
+    } else {
+      m_model.cancelGesture(m_held);
+    }
     if (!m_moved && m_clickToggles)
       m_vertical = !m_vertical;
   }
@@ -243,7 +264,7 @@ void SceneView::finishDrag() {
 }
 
 void SceneView::cancelDrag() {
-  m_model.cancelGesture();
+  m_model.cancelGesture(m_held);
   letGo();
 }
 
@@ -264,8 +285,7 @@ std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
 }
 
 void SceneView::hover(glm::dvec2 pixel) {
-  const Handle *handle = handleAt(pixel);
-  const auto part = handle ? std::nullopt : gizmoPartUnder(pixel);
+  const auto [handle, part] = holdAt(pixel);
   const std::string handleId = handle ? handle->id : std::string();
   const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);
   if (part == m_hotPart && handleId == m_hovered && mark == m_hoveredMark)
@@ -421,10 +441,14 @@ void SceneView::showHint() {
   const Handle *handle = findHandle(m_selected);
   if (!m_caught.empty())
     emit hint(QString::fromStdString(m_caught));
+  else if (m_hasTypedAway)
+    emit hint(tr("What was typed lies outside of the view. F brings all into it."));
+  else if (!handle && !m_stage.hasAxes())
+    emit hint(tr("The origin and the axes lie far outside of this picture."));
   else if (!handle)
-    emit hint(m_stage.hasAxes()
+    emit hint(m_dragsDone < dragsToLearn
                   ? tr("Drag a handle to move it, drag beside it to turn the view. The wheel zooms.")
-                  : tr("The origin and the axes lie far outside of this picture."));
+                  : QString());
   else if (const auto mode = m_drag ? std::optional(m_drag->mode()) : grabMode(*handle, m_vertical, m_camera))
     emit hint(hintFor(*mode, *handle, m_camera));
   else

@@ -2,6 +2,7 @@
 #include "lessons/lesson/task_targets.h"
 
 #include "lessons/lesson/condition.h"
+#include "lessons/object/vector.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,18 @@ TEST(TaskTargets, OfANumberWithARoot_AreOnlyWhereItCanBe) {
 TEST(TaskTargets, OfANumberThatDoesNotGoInProportion_AreNone) {
   EXPECT_TRUE(targetsFor("cos_angle = 0", distanceScene(), "Q").empty());
   EXPECT_TRUE(targetsFor("signed_distance = 5", distanceScene(), "E.n").empty());
+}
+
+TEST(TaskTargets, OfALength_AreOnASphere) {
+  const Scene scene{{{"v", VectorObject{{1, 2, 3}, {2, 3, 6}}},
+                     {"w", VectorObject{{1, 2, 3}, {1, 0, 0}}},
+                     {"shadow", ConstructionUse{"dot-product-projection", {{"v", "v"}, {"w", "w"}}}}}};
+  const auto targets = targetsFor("length_v = 7", scene, "v.v");
+  ASSERT_EQ(targets.size(), 1U);
+  EXPECT_EQ(targets[0].dimension(), 2U);
+  EXPECT_EQ(targets[0].name, "length v = 7");
+  EXPECT_EQ(targets[0].surface->at(ExactVec3(1, 2, 3) + ExactVec3(-6, 2, 3)), 0);
+  EXPECT_NE(targets[0].surface->at(ExactVec3(1, 2, 3) + ExactVec3(7, 1, 0)), 0);
 }
 
 TEST(TaskTargets, OfWordsAndOrders_AreNone) {

@@ -1,5 +1,5 @@
 // Roles that are a list of objects: as they are written, checked, evaluated and edited.
-#include "lessons/scene/nearest_special_case.h"
+#include "lessons/scene/near_special_cases.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/scene/scene_letters.h"
 #include "lessons/scene/scene_writer.h"
@@ -142,11 +142,11 @@ TEST(ListRole, OfAMovedObject_KeepsItsOrder) {
 TEST(ListRole, NearASpecialCase_ChangesTheObjectThatIsMeant) {
   Scene scene = threePlanes();
   *findObject(scene, "E") = PlaneObject{{0, 0, q(3, 2)}, {0, 0, 1}};
-  const auto nearest = nearestSpecialCase(scene, evaluate(scene), {"way"});
-  ASSERT_TRUE(nearest);
-  EXPECT_EQ(nearest->sentence, "The ray would hit F and E at one point.");
-  EXPECT_EQ(nearest->change.value().name, "E");
-  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {nearest->change.value()}))).told->description,
+  const auto all = specialCasesNear(scene, evaluate(scene), {"way"});
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.front().sentence, "The ray would hit F and E at one point.");
+  EXPECT_EQ(all.front().change.value().name, "E");
+  EXPECT_EQ(lastOutcome(evaluate(edited(scene, {all.front().change.value()}))).told->description,
             "E and F have the same parameter, t_E = 1: the ray hits them at one point.");
 }
 

@@ -1,10 +1,15 @@
 #include "lessons/scene/snapping.h"
 
+#include "geometry/intersect_ray_sphere.h"
+#include "lessons/object/sphere.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
 
 namespace halfspace {
 namespace {
@@ -256,6 +261,64 @@ TEST(SnapDirection, WhoseTipNearsAPlane_EndsExactlyOnIt) {
   const SnappedPlace place = Drag({scene, "L.r"}).horizontally(-1.96, 7.04); // x + 2z = 0 at z = 1
   EXPECT_EQ(place.at, ExactVec3(-2, 7, 1));
   EXPECT_EQ(place.caughtBy, "the tip on E");
+}
+
+/// Where the lesson about spheres begins.
+Scene sphereScene() {
+  return with({{"S", SphereObject{{5, 6, 5}, 5}}, {"L", RayObject{{10, 13, 9}, {-1, -2, -2}}}});
+}
+
+Rational discriminantOf(const Scene &scene, const std::string &id, const ExactVec3 &place) {
+  const Handle dragged = handle(scene, id);
+  const auto ray = *objectAs<RayObject>(movedTo(*findObject(scene, "L"), dragged, place));
+  return intersectRaySphere(Ray<Rational>{ray.origin, ray.direction}, {{5, 6, 5}, Rational(5)}).discriminant;
+}
+
+/// Drags from where it is in one direction of the plane of motion, a pixel at a time, until it touches.
+SnappedPlace firstTouch(const Drag &drag, double angle) {
+  const Place start = toDouble(handle(drag.scene, drag.id).at);
+  for (double way = 0; way < 20; way += 1 / pixelsPerUnit) {
+    const SnappedPlace at =
+        drag.horizontally(start.x + way * std::cos(angle), start.y + way * std::sin(angle));
+    if (at.caughtBy == "touching S")
+      return at;
+  }
+  return {};
+}
+
+class TouchAlong : public testing::TestWithParam<int> {};
+
+TEST_P(TouchAlong, AnyWayOutOfTheSphere_CatchesWhereTheLineTouchesItExactly) {
+  const double angle = GetParam() * std::numbers::pi / 8;
+  const Scene scene = sphereScene();
+  const SnappedPlace start = firstTouch({scene, "L.Q"}, angle);
+  ASSERT_EQ(start.caughtBy, "touching S");
+  EXPECT_EQ(discriminantOf(scene, "L.Q", start.at), 0);
+  EXPECT_EQ(start.at.z, 9);
+  EXPECT_LE(toText(start.at.x.denominator()).size(), longestSnapDenominator);
+}
+
+INSTANTIATE_TEST_SUITE_P(Directions, TouchAlong, testing::Range(0, 16));
+
+TEST(SnapTouching, ByItsTip_TouchesExactlyToo) {
+  const Scene scene = sphereScene();
+  const SnappedPlace tip = firstTouch({scene, "L.r"}, 0);
+  ASSERT_EQ(tip.caughtBy, "touching S");
+  EXPECT_EQ(discriminantOf(scene, "L.r", tip.at), 0);
+}
+
+TEST(SnapTouching, WhereNoFractionsTouch_CatchesNowhere) {
+  Scene scene = sphereScene();
+  findObject(scene, "L")->operator[](1) = {1, 1, 1}; // 3 is no sum of two squares
+  EXPECT_EQ(firstTouch({scene, "L.Q"}, 0).caughtBy, "");
+}
+
+TEST(SnapTouching, FromTheSphereItself_IsAPlaneOfDirections) {
+  Scene scene = sphereScene();
+  findObject(scene, "L")->operator[](0) = {10, 6, 5};
+  const SnappedPlace tip = Drag({scene, "L.r"}).horizontally(10.03, 4.1);
+  EXPECT_EQ(tip.caughtBy, "touching S");
+  EXPECT_EQ(tip.at, ExactVec3(10, 4, 3));
 }
 
 TEST(SnapPosition, AtTheOrigin_IsNamed) {

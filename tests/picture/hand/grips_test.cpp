@@ -32,7 +32,7 @@ struct Seen {
   std::string grabbedAt(glm::dvec2 pixel) const {
     const Figure figure = figureOf(evaluate(scene));
     return handleGrabbedAt(pixel, gripsOf(handlesOf(scene), selected, figure, themes().front(), view),
-                           view.pixelRatio);
+                           grabMargin * view.pixelRatio);
   }
   std::string beside(const std::string &id, glm::dvec2 way) const { return grabbedAt(pixelOf(id) + way); }
 };

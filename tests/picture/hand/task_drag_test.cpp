@@ -58,7 +58,7 @@ const std::vector<Asked> &tableOfTasks() {
       {"dot-product-projection", "dot = 0 and case = right", {"w.v", "v.v"}},
       {"dot-product-projection", "sign = negative", {"w.v", "v.v"}},
       {"dot-product-projection", "length_v = 1", {"v.v"}},
-      {"dot-product-projection", "length_v > 3", {"v.v"}},
+      {"dot-product-projection", "length_v > 1", {"v.v"}},
       {"dot-product-projection", "case = same-direction", {"w.v"}},
       {"dot-product-projection", "case = acute", {"w.v"}},
       {"dot-product-projection", "unit_v.0 = 1", {"v.v"}},

@@ -2,9 +2,10 @@
 #include "widgets/view/case_line.h"
 
 #include <QLabel>
+#include <QLayout>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QVBoxLayout>
 #include <QtTest>
 
 using namespace halfspace;
@@ -17,11 +18,6 @@ struct ShownLine {
   explicit ShownLine(std::chrono::milliseconds readingTime = CaseLine::usualReadingTime) : line(readingTime) {
     line.resize(600, 40);
     line.show();
-  }
-  /// That it wants at this width, with all that it says now.
-  int heightAt(int width) {
-    line.layout()->activate();
-    return line.heightForWidth(width);
   }
   /// What a label says; empty where it is hidden.
   QString said(const char *name) const {
@@ -43,7 +39,8 @@ private slots:
     shown.line.complain("It cannot be kept.", "The disk is full <now>.");
     shown.line.say("Text at 125 %.");
     QCOMPARE(shown.said("message"), QString("Text at 125 %."));
-    QCOMPARE(shown.said("case"), QString());
+    QVERIFY2(shown.said("case") == "The plane is behind.", "what is so stays in sight");
+    QCOMPARE(shown.said("nearby"), QString());
     QTRY_COMPARE(shown.said("message"), QString());
     QCOMPARE(shown.said("complaint"), QString("It cannot be kept."));
     QCOMPARE(shown.line.findChild<QLabel *>("complaint")->toolTip(),
@@ -53,29 +50,41 @@ private slots:
     QCOMPARE(shown.said("complaint"), QString());
   }
 
-  void message_ofAsManyWordsAsTheCase_leavesTheLineItsHeight() {
-    ShownLine shown;
-    const auto height = [&] { return shown.heightAt(600); };
-    const QString words = QString("some words ").repeated(6);
-    QVERIFY(QFontMetrics(shown.line.font()).horizontalAdvance(words) > 300); // more than half of the line
-    shown.line.setCase(words, false);
-    const int usual = height();
-    shown.line.say(words);
-    QCOMPARE(height(), usual);
-  }
-
-  void line_hasRoomForALongCaseFromTheStart() {
+  void line_whateverItSays_keepsItsHeight() {
     ShownLine shown;
     for (const int width : {400, 900}) {
       shown.line.resize(width, 40);
       QCoreApplication::processEvents();
-      const auto height = [&] { return shown.line.heightForWidth(width); };
+      const auto height = [&] {
+        shown.line.layout()->activate();
+        return shown.line.heightForWidth(width);
+      };
       shown.line.setCase("t = 3.", false);
       const int usual = height();
-      shown.line.setCase("t = −10/3 is negative: the plane is behind the ray's start, so it does not hit it.",
-                         false);
+      const QString many = QString("many words ").repeated(60);
+      shown.line.setCase(many, false);
+      QCOMPARE(height(), usual);
+      shown.line.setNearby(many, {{many, true}, {many, true}});
+      QCOMPARE(height(), usual);
+      shown.line.say(many);
       QCOMPARE(height(), usual);
     }
+  }
+
+  void case_ofUsualLength_isSeenWhole_andALongOneWhereThePointerRests() {
+    ShownLine shown;
+    shown.line.resize(600, shown.line.heightForWidth(600));
+    QCoreApplication::processEvents();
+    auto *label = shown.line.findChild<QLabel *>("case");
+    const QString usual =
+        "t = −10/3 is negative: the plane is behind the ray's start, so it does not hit it.";
+    shown.line.setCase(usual, false);
+    QCOMPARE(shown.said("case"), usual);
+    QVERIFY(label->toolTip().isEmpty());
+    const QString longOne = QString("many words ").repeated(60).trimmed();
+    shown.line.setCase(longOne, false);
+    QVERIFY(shown.said("case").startsWith("many words") && shown.said("case").endsWith("…"));
+    QVERIFY(label->toolTip().contains(longOne));
   }
 
   void message_thatIsEnded_leavesItsPlaceToTheCase() {
@@ -117,41 +126,36 @@ private slots:
     QCOMPARE(ink(), QColor(Qt::black));
   }
 
-  void line_thatBecameHigher_staysSo_untilItsWidthChanges() {
-    QWidget window;
-    auto *column = new QVBoxLayout(&window);
-    column->addWidget(new QWidget, 1);
-    auto *line = new CaseLine;
-    column->addWidget(line);
-    window.resize(500, 400);
-    window.show();
-    line->setCase("3", false);
-    QCoreApplication::processEvents();
-    const int usual = line->height();
-    line->setCase(QString("many words ").repeated(30), false);
-    QTRY_VERIFY(line->height() > usual);
-    const int grown = line->height();
-    line->setCase("3", false);
-    QTest::qWait(50);
-    QCOMPARE(line->height(), grown);
-    window.resize(520, 400);
-    QTRY_COMPARE(line->height(), usual);
-  }
-
-  void nearestSpecialCase_isOfferedByAButton_andItsRowStaysWithoutOne() {
+  void nearestSpecialCase_isOfferedByAButton_andAllByAMenu() {
     ShownLine shown;
-    shown.line.setNearby("It would be parallel.", true);
-    const int height = shown.heightAt(600);
+    shown.line.setNearby("It would be parallel.", {{"It would be parallel.", true},
+                                                   {"It would touch, with roots.", false},
+                                                   {"It would start in the plane.", true}});
     auto *there = shown.line.findChild<QPushButton *>("there");
-    QVERIFY(there->isVisible());
+    auto *others = shown.line.findChild<QPushButton *>("others");
+    QVERIFY(there->isVisible() && others->isVisible());
     QSignalSpy chosen(&shown.line, &CaseLine::nearbyChosen);
     QTest::mouseClick(there, Qt::LeftButton);
+    QCOMPARE(chosen.last().front().toInt(), 0);
+    QCOMPARE(others->menu()->actions().size(), 2);
+    others->menu()->actions().last()->trigger();
+    QCOMPARE(chosen.last().front().toInt(), 2);
+    shown.line.setNearby("It would be parallel.", {{"It would be parallel.", true}});
+    QVERIFY2(!others->isVisible(), "there are no others");
+    shown.line.setNearby("It would touch, with roots.", {{"It would touch, with roots.", false}});
+    QVERIFY(!there->isVisible() && !others->isVisible());
+    shown.line.setNearby({}, {});
+    QVERIFY(!there->isVisible());
+  }
+
+  void startAfresh_isOfferedWhereTheStepLacksSomething() {
+    ShownLine shown;
+    auto *afresh = shown.line.findChild<QPushButton *>("afresh");
+    QVERIFY(!afresh->isVisible());
+    shown.line.offerAfresh(true);
+    QSignalSpy chosen(&shown.line, &CaseLine::afreshChosen);
+    QTest::mouseClick(afresh, Qt::LeftButton);
     QCOMPARE(chosen.count(), 1);
-    shown.line.setNearby("It would touch, with roots.", false);
-    QVERIFY(!there->isVisible());
-    shown.line.setNearby({}, false);
-    QVERIFY(!there->isVisible());
-    QCOMPARE(shown.heightAt(600), height);
   }
 
   void wordsOfStrangers_arePlainText() {

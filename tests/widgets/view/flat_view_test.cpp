@@ -68,13 +68,50 @@ private slots:
     const glm::dvec2 start = fixture.pixelOf("L.Q");
     const glm::dvec2 plane = fixture.pixelOf("G.P0");
     const View before = fixture.flat.view();
-    fixture.model.beginGesture("drag");
-    fixture.model.moveGesture(ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
+    const GestureToken held = fixture.model.beginGesture("drag");
+    fixture.model.moveGesture(held, ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
     QVERIFY(fixture.pixelOf("L.Q") != start);
     QVERIFY(fixture.flat.view() == before);
     QVERIFY(fixture.pixelOf("G.P0") == plane);
-    fixture.model.cancelGesture();
+    fixture.model.cancelGesture(held);
     QVERIFY(fixture.pixelOf("L.Q") == start);
+  }
+
+  void handle_draggedInThePicture_movesInItsPage_onTheGrid_asOneUndoStep() {
+    FlatFixture fixture;
+    fixture.model.setStep(3); // with the ray whole
+    fixture.flat.resize(460, 340);
+    const auto start = [&] { return findObject(fixture.model.session().scene, "L")->operator[](0); };
+    const ExactVec3 before = start();
+    const ExactVec3 normal = cross(findObject(fixture.model.session().scene, "G")->operator[](1),
+                                   findObject(fixture.model.session().scene, "L")->operator[](1));
+    QSignalSpy grabbed(&fixture.flat, &FlatView::handleGrabbed);
+    const glm::dvec2 pixel = fixture.pixelOf("L.Q");
+    const QPoint from(qRound(pixel.x), qRound(pixel.y));
+    test::dragPointer(fixture.flat, from, from + QPoint(60, 30));
+    QCOMPARE(grabbed.last().first().toString(), QString("L.Q"));
+    QVERIFY(start() != before);
+    QVERIFY2(dot(normal, start() - before) == 0, "it leaves the page");
+    const ExactVec3 place = start();
+    QVERIFY(place.x.denominator() == 1 || place.y.denominator() == 1 || place.z.denominator() == 1);
+    QCOMPARE(fixture.model.history().count(), 1);
+    fixture.model.undo();
+    QVERIFY(start() == before);
+  }
+
+  void drag_inThePicture_escaped_isTakenBack_andTheNormalStaysUpright() {
+    FlatFixture fixture;
+    const Session before = fixture.model.session();
+    const glm::dvec2 pixel = fixture.pixelOf("L.Q");
+    const QPoint from(qRound(pixel.x), qRound(pixel.y));
+    QTest::mousePress(&fixture.flat, Qt::LeftButton, {}, from);
+    test::movePointer(fixture.flat, from + QPoint(40, -20), Qt::LeftButton);
+    QVERIFY(!(fixture.model.session() == before));
+    QTest::keyClick(&fixture.flat, Qt::Key_Escape);
+    QVERIFY(fixture.model.session() == before);
+    QTest::mouseRelease(&fixture.flat, Qt::LeftButton, {}, from);
+    QVERIFY(fixture.model.session() == before);
+    QCOMPARE(fixture.model.history().count(), 0);
   }
 
   void openQuestion_leavesOnlyWhatIsGiven() {

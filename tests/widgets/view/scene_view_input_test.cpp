@@ -271,6 +271,53 @@ private slots:
     QCOMPARE(fixture.model.history().undoText(), QString("Move Q"));
   }
 
+  void note_atATip_tellsTheArrowsOwnNumber() {
+    ViewFixture fixture({{planeE(), rayL()}});
+    QVERIFY(fixture.ready);
+    fixture.view.setAxisView(AxisView::Top);
+    fixture.view.selectHandle("L.r");
+    QCOMPARE(fixture.view.toolNote(), std::string("z = 2\\text{ fixed}")); // its height is 10
+    fixture.view.selectHandle("L.Q");
+    QCOMPARE(fixture.view.toolNote(), std::string("z = 8\\text{ fixed}"));
+  }
+
+  void hint_ofAHandThatHasDragged_saysNoMoreHowToDrag() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    QSignalSpy hints(&fixture.view, &SceneView::hint);
+    const auto dragOnce = [&](int way) {
+      dragPointer(fixture.view, fixture.at("Q"), fixture.at("Q") + QPoint(way, 0));
+      fixture.view.selectHandle({});
+      return hints.last().front().toString();
+    };
+    QVERIFY(dragOnce(30).startsWith("Drag a handle"));
+    dragOnce(-30);
+    QCOMPARE(dragOnce(30), QString());
+  }
+
+  void press_thatJustMissesAHandle_takesIt() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    const Camera before = fixture.view.camera();
+    const ExactVec3 start = fixture.value("Q");
+    const double ball = 6; // pixels, at most, of its seen radius
+    const QPoint beside = fixture.at("Q") + QPoint(0, -static_cast<int>(ball + missMargin - 2));
+    dragPointer(fixture.view, beside, beside + QPoint(60, 20));
+    QVERIFY(fixture.value("Q") != start);
+    QVERIFY(fixture.view.camera() == before);
+  }
+
+  void patch_afterAnEditThatWasTyped_glidesToItsNewSize() {
+    ViewFixture fixture;
+    QVERIFY(fixture.ready);
+    fixture.view.setMotion(true);
+    const Extents before = extentsOf(fixture.view.drawnFigure());
+    fixture.model.edit(ChangeObject{"Q", PointObject{{25, 15, 8}}}, "typed");
+    QVERIFY2(extentsOf(fixture.view.drawnFigure()) == before, "it does not leap");
+    QTRY_VERIFY(extentsOf(fixture.view.drawnFigure()) == extentsOf(fixture.view.pictureContent().figure));
+    QVERIFY(extentsOf(fixture.view.drawnFigure()) != before);
+  }
+
   void others_whileAHandleIsDragged_areDrawnAsFarAsTheyWere() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);

@@ -163,11 +163,11 @@ std::vector<Grip> gripsOf(const std::vector<Handle> &handles, const std::string 
   return grips;
 }
 
-std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, double pixelRatio) {
+std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, double margin) {
   std::string grabbed;
   std::optional<Claim> best;
   for (const Grip &grip : grips)
-    if (const auto claim = claimOf(grip, pixel, grabMargin * pixelRatio); claim && claim->winsOver(best)) {
+    if (const auto claim = claimOf(grip, pixel, margin); claim && claim->winsOver(best)) {
       best = claim;
       grabbed = grip.handle;
     }

@@ -26,8 +26,10 @@ struct Grip {
   std::optional<Stroke> ring; ///< around a selected handle that moves freely; it is grabbed up to there
 };
 
-/// Beside what is seen of a handle it is grabbed within this many design pixels.
+/// Beside what is seen of a handle it is grabbed within this many design pixels …
 inline constexpr double grabMargin = 5;
+/// … and within so many where nothing else is: a hand that just misses it means it.
+inline constexpr double missMargin = 12;
 
 /// The grips of the handles that can be grabbed from where the camera stands, as the figure shows them. The
 /// selected one may be none.
@@ -35,9 +37,9 @@ inline constexpr double grabMargin = 5;
                                         const Figure &figure, const Theme &theme, const View &view);
 
 /// The id of the handle that is grabbed at a pixel, or empty. What is seen there wins, the nearest to the eye
-/// first; beside what is seen, the nearest on the screen. Of handles in one place the selected one wins.
-[[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips,
-                                          double pixelRatio);
+/// first; beside what is seen, within a margin in pixels, the nearest on the screen. Of handles in one place
+/// the selected one wins.
+[[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, double margin);
 
 /// All that is seen of handles.
 [[nodiscard]] std::vector<Stroke> strokesOf(const std::vector<Grip> &grips);

@@ -1,8 +1,10 @@
-#include "lessons/scene/nearest_special_case.h"
+#include "lessons/scene/near_special_cases.h"
 
 #include "lessons/object/bound_point.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -55,9 +57,9 @@ std::optional<Move> moveTo(const SpecialCase &special, const std::string &name, 
 
 } // namespace
 
-std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const Evaluation &evaluation,
-                                                     const std::set<std::string> &entries) {
-  std::optional<NearestSpecialCase> nearest;
+std::vector<NearSpecialCase> specialCasesNear(const Scene &scene, const Evaluation &evaluation,
+                                              const std::set<std::string> &entries) {
+  std::vector<NearSpecialCase> all;
   for (const Entry &entry : scene.entries) {
     const auto *use = std::get_if<ConstructionUse>(&entry.content);
     const EvaluatedEntry *found = evaluation.find(entry.name);
@@ -66,13 +68,22 @@ std::optional<NearestSpecialCase> nearestSpecialCase(const Scene &scene, const E
     for (const SpecialCase &special : *found->outcome->nearby) {
       const std::string &name = use->roles.at(special.role).ids.at(special.place);
       const auto move = moveTo(special, name, scene, evaluation);
-      if (!move || (nearest && move->square >= nearest->squareOfWay))
+      if (!move)
         continue;
-      nearest = NearestSpecialCase{special.sentence, move->square, {}};
+      NearSpecialCase near{entry.name, special.when, special.sentence, move->square, {}};
       if (move->value)
-        nearest->change = ChangeObject{name, *move->value};
+        near.change = ChangeObject{name, *move->value};
+      all.push_back(std::move(near));
     }
   }
+  std::stable_sort(all.begin(), all.end(), [](const NearSpecialCase &a, const NearSpecialCase &b) {
+    return a.squareOfWay < b.squareOfWay;
+  });
+  std::vector<NearSpecialCase> nearest;
+  for (NearSpecialCase &near : all)
+    if (std::none_of(nearest.begin(), nearest.end(),
+                     [&](const NearSpecialCase &other) { return other.sentence == near.sentence; }))
+      nearest.push_back(std::move(near));
   return nearest;
 }
 

@@ -1,4 +1,4 @@
-#include "lessons/scene/nearest_special_case.h"
+#include "lessons/scene/near_special_cases.h"
 
 #include "lessons/lesson/lesson.h"
 #include "lessons/object/plane.h"
@@ -21,11 +21,12 @@ Scene rayAndPlane(const ExactVec3 &start, const ExactVec3 &direction) {
            {"meeting", ConstructionUse{"ray-plane-dot", {{"E", "E"}, {"L", "L"}}}}}};
 }
 
-std::optional<NearestSpecialCase> nearestIn(const Scene &scene, const std::set<std::string> &entries) {
-  return nearestSpecialCase(scene, evaluate(scene), entries);
+std::optional<NearSpecialCase> nearestIn(const Scene &scene, const std::set<std::string> &entries) {
+  const auto all = specialCasesNear(scene, evaluate(scene), entries);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
-TEST(NearestSpecialCase, SeveralNear_IsTheOneWithTheLeastMove) {
+TEST(NearSpecialCases, SeveralNear_IsTheOneWithTheLeastMove) {
   const Scene steep = rayAndPlane({1, 1, 2}, {1, 0, -3});
   const auto start = nearestIn(steep, {"meeting"});
   ASSERT_TRUE(start);
@@ -39,19 +40,30 @@ TEST(NearestSpecialCase, SeveralNear_IsTheOneWithTheLeastMove) {
   EXPECT_EQ(turn->change.value().name, "L");
 }
 
-TEST(NearestSpecialCase, TakenThere_TheCaseIsTheSpecialOne) {
+TEST(NearSpecialCases, TakenThere_TheCaseIsTheSpecialOne) {
   const Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
   const Scene there = edited(scene, {nearestIn(scene, {"meeting"})->change.value()});
   EXPECT_EQ(lastOutcome(evaluate(there)).told->name, "parallel");
 }
 
-TEST(NearestSpecialCase, OtherEntries_AreNotAsked) {
+TEST(NearSpecialCases, OfAnEntry_AreAllThatItNames_NearestFirst_EachSaidOnce) {
+  const Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
+  const auto all = specialCasesNear(scene, evaluate(scene), {"meeting"});
+  ASSERT_GT(all.size(), 1U);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_LE(all[i - 1].squareOfWay, all[i].squareOfWay);
+    EXPECT_NE(all[i - 1].sentence, all[i].sentence);
+    EXPECT_EQ(all[i].entry, "meeting");
+  }
+}
+
+TEST(NearSpecialCases, OtherEntries_AreNotAsked) {
   EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {}));
   EXPECT_FALSE(nearestIn(rayAndPlane({1, 1, 2}, {1, 0, -1}), {"E", "L"}));
 }
 
 /// With roots in its coordinates, the touching ray is nearer than the one through the centre, which has none.
-TEST(NearestSpecialCase, ThatNoFractionsLeadTo_IsToldAllTheSame_ButNotOffered) {
+TEST(NearSpecialCases, ThatNoFractionsLeadTo_IsToldAllTheSame_ButNotOffered) {
   const Scene scene{{{"S", SphereObject{{0, 0, 0}, 5}},
                      {"L", RayObject{{2, 2, -9}, {0, 0, 1}}},
                      {"meeting", ConstructionUse{"ray-sphere", {{"S", "S"}, {"L", "L"}}}}}};
@@ -63,7 +75,7 @@ TEST(NearestSpecialCase, ThatNoFractionsLeadTo_IsToldAllTheSame_ButNotOffered) {
 }
 
 /// Nobody can move what a construction makes.
-TEST(NearestSpecialCase, OfWhatIsMade_IsNotOffered) {
+TEST(NearSpecialCases, OfWhatIsMade_IsNotOffered) {
   Scene scene = rayAndPlane({1, 1, 2}, {1, 0, -1});
   scene.entries.push_back({"F", PlaneObject{{0, 0, 7}, {0, 1, 1}}});
   scene.entries.push_back({"d", ConstructionUse{"signed-distance", {{"E", "F"}, {"Q", "meeting.H"}}}});
@@ -71,7 +83,7 @@ TEST(NearestSpecialCase, OfWhatIsMade_IsNotOffered) {
 }
 
 /// A point that slides in a triangle's plane is brought to its nearest edge, by its freedoms.
-TEST(NearestSpecialCase, OfAPointThatLiesOnAnother_KeepsItThere) {
+TEST(NearSpecialCases, OfAPointThatLiesOnAnother_KeepsItThere) {
   Entry point{"Q", *makeObject("point-on-triangle-plane"), "T"};
   std::get<Object>(point.content)[0].x = Rational(1, 4);
   std::get<Object>(point.content)[1].x = Rational(1, 8);
@@ -86,7 +98,7 @@ TEST(NearestSpecialCase, OfAPointThatLiesOnAnother_KeepsItThere) {
 }
 
 /// The foot would have longer numbers than a coordinate may have.
-TEST(NearestSpecialCase, BeyondTheLimitsOfCoordinates_IsNotOffered) {
+TEST(NearSpecialCases, BeyondTheLimitsOfCoordinates_IsNotOffered) {
   const Rational thin = *parseRational("1/1234567890123456789012345678901234567");
   const Scene scene{{{"E", PlaneObject{{0, 0, 0}, {1, 2, thin}}},
                      {"Q", PointObject{{3, 5, 7}}},

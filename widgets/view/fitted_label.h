@@ -1,0 +1,36 @@
+// Words in a room that does not grow with them.
+#pragma once
+
+#include <QLabel>
+
+namespace halfspace {
+
+/// A label that takes the room that others leave it. Words that do not fit are cut short, and stand in full
+/// where the pointer rests on them.
+class FittedLabel : public QLabel {
+  Q_OBJECT
+public:
+  explicit FittedLabel(const char *name);
+
+  /// With indices as `v_d`.
+  void setWords(const QString &words);
+  /// All of them, however many are shown.
+  [[nodiscard]] const QString &words() const { return m_words; }
+
+  [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
+  [[nodiscard]] int heightForWidth(int) const override { return 0; }
+
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+  void changeEvent(QEvent *event) override;
+
+private:
+  void show(const QString &words);
+  [[nodiscard]] bool fits() const;
+  void fit();
+
+  QString m_words;
+};
+
+} // namespace halfspace
