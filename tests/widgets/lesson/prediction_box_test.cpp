@@ -5,6 +5,7 @@
 
 #include <QPixmap>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace halfspace;
