@@ -32,6 +32,7 @@ if(HALFSPACE_SANITIZE)
   target_compile_options(halfspace_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                                                      -fno-sanitize-recover=undefined)
   target_link_options(halfspace_options INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(halfspace_options INTERFACE HALFSPACE_SANITIZE)
 endif()
 
 find_program(CCACHE ccache)

@@ -1,4 +1,6 @@
 // Runs a fuzzer's entry on the files of the folders named, as they are and damaged in a fixed series of ways.
+#include "tests/effort.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -15,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 
 namespace {
 
-constexpr int mutationsPerFile = 200;
+constexpr int mutationsPerFile = halfspace::test::effort(200);
 constexpr std::size_t largestMutant = 20000;
 
 /// What a damaged file may suddenly hold.

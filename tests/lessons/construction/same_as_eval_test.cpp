@@ -4,6 +4,7 @@
 
 #include "eval/evaluate.h"
 #include "lessons/scene/explain_formats.h"
+#include "tests/effort.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +18,7 @@ namespace {
 using namespace test;
 using Json = nlohmann::json;
 
-#ifdef NDEBUG
-constexpr int scenesPerWriting = 500;
-#else
-constexpr int scenesPerWriting = 50; // a scene takes ten times as long with asserts
-#endif
+constexpr int scenesPerWriting = effort(500);
 constexpr std::array writings{Writing::SmallIntegers, Writing::Halves, Writing::Fractions,
                               Writing::LongFractions};
 
