@@ -561,8 +561,9 @@ protected:
 
 TEST_P(EveryConstruction, OnSmallIntegers_IsRightAndComesToAllThatItNames) {
   const NamesSeen seen = checkScenes(Writing::SmallIntegers, effort(scenesForAllNames));
-  if (!isWatched)
-    EXPECT_EQ(seen, declaredNames(construction().names));
+  if (isWatched)
+    return; // too few to come to all
+  EXPECT_EQ(seen, declaredNames(construction().names));
 }
 
 TEST_P(EveryConstruction, OnHalves_IsRight) { EXPECT_GT(casesIn(checkScenes(Writing::Halves)), 1); }
