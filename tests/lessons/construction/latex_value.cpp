@@ -10,7 +10,7 @@ namespace {
 
 /// One character for each command that means an operation; what is only there for the eye is taken away.
 std::string condensed(const std::string &latex) {
-  static const std::array<std::pair<std::string, std::string>, 17> replacements{{{"\\begin{vmatrix}", "|"},
+  static const std::array<std::pair<std::string, std::string>, 18> replacements{{{"\\begin{vmatrix}", "|"},
                                                                                  {"\\end{vmatrix}", "!"},
                                                                                  {"\\\\ ", "@"},
                                                                                  {"\\left", ""},
@@ -25,6 +25,7 @@ std::string condensed(const std::string &latex) {
                                                                                  {"\\cdot", "*"},
                                                                                  {"\\times", "#"},
                                                                                  {"\\approx", "~"},
+                                                                                 {"\\neq", "?"},
                                                                                  {",\\quad", ";"},
                                                                                  {" ", ""}}};
   std::string text = latex;
@@ -247,7 +248,7 @@ std::vector<std::vector<Side>> chainsOf(const std::string &latex) {
   for (const char c : condensed(latex))
     if (c == ';')
       chains.push_back({Side{}});
-    else if (std::string_view("=~<>").find(c) != std::string_view::npos)
+    else if (std::string_view("=~<>?").find(c) != std::string_view::npos)
       chains.back().push_back({c, ""});
     else
       chains.back().back().latex += c;
