@@ -55,13 +55,13 @@ private slots:
     fixture.window.setSizeScale(1);
     const double points = QApplication::font().pointSizeF();
     const double ratio = fixture.scene().designRatio();
-    QVERIFY(!grabsBelow(fixture, "Q", 24));
+    QVERIFY(!grabsBelow(fixture, "Q", 32));
     for (int i = 0; i < 4; ++i)
       action(fixture.window, "larger").trigger();
     QCOMPARE(fixture.window.sizeScale(), 2.0);
     QCOMPARE(QApplication::font().pointSizeF(), 2 * points);
     QCOMPARE(fixture.scene().designRatio(), 2 * ratio);
-    QVERIFY(grabsBelow(fixture, "Q", 24));
+    QVERIFY(grabsBelow(fixture, "Q", 32));
   }
 
   void size_keepsItsBounds_togetherWithAThemeOfLargeType() {

@@ -299,7 +299,7 @@ private slots:
   void turning_afterTheFigureWasMovedAside_keepsItsMiddleWhereItIs() {
     ViewFixture fixture({{pointQ()}});
     QVERIFY(fixture.ready);
-    fixture.dragBeside({260, 120}, Qt::RightButton);
+    fixture.dragBeside({-260, 120}, Qt::RightButton);
     QPoint before = fixture.at("Q");
     QVERIFY(fixture.view.rect().contains(before));
     fixture.dragBeside({90, 40});
