@@ -22,9 +22,10 @@ QLabel *roomFor(int letters, const char *name) {
   return label;
 }
 
-// Nearly all cases of all lessons, and what is said of what is near, have fewer.
-constexpr int lettersOfCase = 200;
-constexpr int lettersOfNearby = 96;
+// Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
+// each has a row.
+constexpr int lettersOfCase = 112;
+constexpr int lettersOfNearby = 72;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
@@ -47,7 +48,7 @@ void keepRoom(QWidget &widget) {
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(new FittedLabel("case")), m_message(new FittedLabel("message")),
       m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
-      m_others(flatButton("others", tr("Others"))),
+      m_others(flatButton("others", tr("More"))),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(new QLabel),
       m_second(new QStackedLayout) {
   m_others->setMenu(new QMenu(m_others));

@@ -19,6 +19,8 @@ public:
 
   [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
+  /// Said always: a QLabel says it only while it has words.
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int) const override { return 0; }
 
 protected:
