@@ -429,7 +429,8 @@ private slots:
     QVERIFY(!message.words().contains("Too large"));
     m_fixture->model().undo();
     open(pyramid(160));
-    QVERIFY2(message.words().endsWith("Too large to be saved with the session."), qPrintable(message.words()));
+    QVERIFY2(message.words().endsWith("Too large to be saved with the session."),
+             qPrintable(message.words()));
   }
 
   void meshFile_openedTwice_isTheSameTarget() {
