@@ -30,7 +30,8 @@ using Names = std::map<std::string, Quantity>;
 /// number/√square
 [[nodiscard]] Quantity quantityOverRoot(const Rational &number, const Rational &square);
 
-/// One side of a relation, and the relation before it: `=`, `~` (≈), `?` (≠), `<`, `>`; none before the first.
+/// One side of a relation, and the relation before it: `=`, `~` (≈), `?` (≠), `<`, `>`; none before the
+/// first.
 struct Side {
   char relation = ' ';
   std::string latex;
