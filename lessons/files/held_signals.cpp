@@ -31,8 +31,12 @@ HeldSignals::HeldSignals() : m_isHolding(!isHeld.test_and_set()) {
 HeldSignals::~HeldSignals() {
   if (!m_isHolding)
     return;
-  for (std::size_t i = 0; i < held.size(); ++i)
-    ::sigaction(held[i], &m_before[i], nullptr);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    struct sigaction now {};
+    ::sigaction(held[i], nullptr, &now);
+    if (now.sa_handler == noteWaiting) // whoever set another one meanwhile knows what it is to be from now on
+      ::sigaction(held[i], &m_before[i], nullptr);
+  }
   const int signal = waiting;
   isHeld.clear();
   if (signal != 0)
