@@ -133,9 +133,15 @@ int tieCount(const Out &at) {
 
 bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
 
-/// Whether a ray in the triangle's plane comes through the triangle. Along the ray each corner's weight
-/// changes evenly, and those of inside are never negative: each weight leaves a piece of the ray.
-bool runsThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
+/// What a ray and a triangle in whose plane it lies have in common, by the ray's λ.
+struct Passage {
+  Rational begin;
+  Rational end;
+};
+
+/// Along the ray each corner's weight changes evenly, and those of inside are never negative: each weight
+/// leaves a piece of the ray. Nothing where no piece is left.
+std::optional<Passage> passageThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
   const auto atStart = barycentricOf(ray.origin, triangle).weights;
   const auto stepLater = barycentricOf(ExactVec3(ray.origin + ray.direction), triangle).weights;
   Rational begin;
@@ -143,7 +149,7 @@ bool runsThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
   for (std::size_t i = 0; i < atStart.size(); ++i) {
     const Rational slope = stepLater[i] - atStart[i];
     if (slope == 0 && atStart[i] < 0)
-      return false;
+      return {};
     if (slope == 0)
       continue;
     const Rational zero = -atStart[i] / slope;
@@ -152,22 +158,40 @@ bool runsThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
     else
       end = end ? std::min(*end, zero) : zero;
   }
-  return !end || begin <= *end;
+  // The weights add up to 1, so one of them falls along the ray.
+  return end && begin <= *end ? std::optional(Passage{begin, *end}) : std::nullopt;
 }
 
-/// The first of those listed in which the ray runs along; null where there is none.
-const Meeting *runAlong(const In &in, const Out &at) {
-  const auto found = std::find_if(at.listed.begin(), at.listed.end(), [&in](const Meeting &meeting) {
-    return meeting.meet.which == RayTriangleCase::InPlane && runsThrough(in.L.object, meeting.triangle);
-  });
-  return found == at.listed.end() ? nullptr : &*found;
+/// A triangle in whose plane the ray lies, and what both have in common.
+struct Along {
+  const Meeting *meeting;
+  Passage passage;
+};
+
+/// The first along the ray of those listed; nothing where there is none.
+std::optional<Along> firstAlong(const In &in, const Out &at) {
+  std::optional<Along> first;
+  for (const Meeting &meeting : at.listed) {
+    if (meeting.meet.which != RayTriangleCase::InPlane)
+      continue;
+    const auto passage = passageThrough(in.L.object, meeting.triangle);
+    if (passage && (!first || passage->begin < first->passage.begin))
+      first = {&meeting, *passage};
+  }
+  return first;
 }
 
 CaseWords tellMiss(const In &in, const Out &at) {
-  if (const Meeting *along = runAlong(in, at))
+  if (const auto along = firstAlong(in, at)) {
+    const WordValues values{{"fragment", nameOf(in.meshes, along->meeting->fragment)}};
     return {"in-plane",
-            words("The ray runs along {fragment}, in its plane: it hits no triangle at a single point.",
-                  {{"fragment", nameOf(in.meshes, along->fragment)}})};
+            along->passage.begin < along->passage.end
+                ? words("The ray runs along {fragment}, in its plane: it hits no triangle at a single point.",
+                        values)
+                : words("The ray touches {fragment} at one point, within its plane, and that does not count "
+                        "as a hit. It hits no triangle.",
+                        values)};
+  }
   return {"miss", areAllListed(at)
                       ? words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")
                       : words("No triangle has a hit with λ ≥ 0: the ray hits none at a single point.")};
@@ -180,6 +204,19 @@ std::string chosenWords(const In &in, const Out &at) {
     return words("{i} is the number of no triangle: they are numbered from 1 to {count}.", values);
   return isTriangle(*at.chosen) ? std::string()
                                 : words("{i} is the number of a triangle without an area.", values);
+}
+
+/// What the ray comes to before its first hit although that is no hit; empty where there is nothing.
+std::string wordsBefore(const In &in, const Out &at) {
+  const auto along = at.nearest ? firstAlong(in, at) : std::nullopt;
+  if (!along || along->passage.begin >= at.first.t)
+    return {};
+  const WordValues values{{"fragment", nameOf(in.meshes, along->meeting->fragment)}};
+  return along->passage.begin < along->passage.end
+             ? words("Before, it runs along {fragment}, in its plane, and that does not count as a hit.",
+                     values)
+             : words("Before, it touches {fragment} within its plane, and that does not count as a hit.",
+                     values);
 }
 
 CaseWords tellNearest(const In &in, const Out &at) {
@@ -203,8 +240,9 @@ CaseWords tellNearest(const In &in, const Out &at) {
 
 CaseWords tell(const In &in, const Out &at) {
   CaseWords told = tellNearest(in, at);
-  if (const std::string chosen = chosenWords(in, at); !chosen.empty())
-    told.description = words("{told} {chosen}", {{"told", told.description}, {"chosen", chosen}});
+  for (const std::string &more : {wordsBefore(in, at), chosenWords(in, at)})
+    if (!more.empty())
+      told.description = words("{told} {more}", {{"told", told.description}, {"more", more}});
   return told;
 }
 
@@ -212,7 +250,7 @@ std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place)
 
 std::string wordForFirst(const In &in, const Out &at) {
   if (!at.nearest)
-    return runAlong(in, at) ? "in-plane" : "none";
+    return firstAlong(in, at) ? "in-plane" : "none";
   return at.first.fragments.size() > 1 ? "several" : meshValue(at.nearest->fragment.mesh);
 }
 
