@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace halfspace {
 namespace {
@@ -68,16 +69,34 @@ bool liesIn(const ArrowMark &arrow, const ArrowMark &other) {
          glm::length(inner) < glm::length(outer);
 }
 
+/// The arrows of a figure by where they start.
+class ArrowsByStart {
+public:
+  explicit ArrowsByStart(const Figure &figure) {
+    for (const Mark &mark : figure.marks)
+      if (const auto *arrow = std::get_if<ArrowMark>(&mark))
+        m_arrows.emplace(keyOf(*arrow), arrow);
+  }
+
+  /// How many of them the mark lies in.
+  std::ptrdiff_t holdersOf(const Mark &mark) const {
+    const auto *arrow = std::get_if<ArrowMark>(&mark);
+    if (!arrow)
+      return 0;
+    const auto [first, last] = m_arrows.equal_range(keyOf(*arrow));
+    return std::count_if(first, last, [&](const auto &other) { return liesIn(*arrow, *other.second); });
+  }
+
+private:
+  using Key = std::array<double, 3>;
+  static Key keyOf(const ArrowMark &arrow) { return {arrow.from.x, arrow.from.y, arrow.from.z}; }
+
+  std::multimap<Key, const ArrowMark *> m_arrows;
+};
+
 /// What the width of a mark is multiplied by, so that it is seen where it lies in others.
-double sleeveOf(const Mark &mark, const Figure &figure) {
-  const auto *arrow = std::get_if<ArrowMark>(&mark);
-  if (!arrow)
-    return 1;
-  const auto holders = std::count_if(figure.marks.begin(), figure.marks.end(), [&](const Mark &each) {
-    const auto *other = std::get_if<ArrowMark>(&each);
-    return other && liesIn(*arrow, *other);
-  });
-  return 1 + sleeveWidth * static_cast<double>(holders);
+double sleeveOf(const Mark &mark, const ArrowsByStart &arrows) {
+  return 1 + sleeveWidth * static_cast<double>(arrows.holdersOf(mark));
 }
 
 BallDetail ballDetailFor(const Figure &figure) {
@@ -205,6 +224,7 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
   Mesh mesh;
   makeRoom(mesh, figure.marks.size() * usualCorners);
   const BallDetail ball = ballDetailFor(figure);
+  const ArrowsByStart arrows(figure);
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
     const bool standsOut = highlighted.contains(base.id);
@@ -212,7 +232,7 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     if (presence <= 0)
       continue;
     const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
-                         sleeveOf(mark, figure) * presence;
+                         sleeveOf(mark, arrows) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
                       rhythmOf(base, scale), ball};
     addMark(mesh, mark, brush, theme, scale);
