@@ -56,5 +56,19 @@ TEST(NewNumbers, planes_areNotSeenEdgeOn) {
   }
 }
 
+/// A button that does nothing looks broken.
+TEST(NewNumbers, inEveryLesson_areOthers) {
+  for (const Lesson &lesson : library().lessons)
+    for (const bool asks : {false, true}) {
+      const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(), [&](const LessonStep &each) {
+        return (predictionOf(each) != nullptr) == asks;
+      });
+      for (std::uint64_t seed = 0; step != lesson.steps.end() && seed < 6; ++seed)
+        for (const glm::dvec3 &from : {lesson.camera.from, glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0)})
+          EXPECT_FALSE(withNewNumbers(lesson.scene, *step, from, seed) == lesson.scene)
+              << lesson.id << ", " << step->title << ", " << seed;
+    }
+}
+
 } // namespace
 } // namespace halfspace
