@@ -288,15 +288,14 @@ struct Screen {
 
 bool fitsAnyScreen(const Lesson &, const Theme &, const Screen &) { return true; }
 
-/// The equations of three planes have no room in so small a picture, nor has the large type of the projector.
+/// The equations of three planes have no room in so small a picture, in the projector's large type.
 bool fitsItsLabels(const Lesson &lesson, const Theme &theme, const Screen &screen) {
   const auto planes =
       std::count_if(lesson.scene.entries.begin(), lesson.scene.entries.end(), [](const Entry &entry) {
         const auto *object = std::get_if<Object>(&entry.content);
         return object && kindOf(*object) == "plane";
       });
-  const bool isCrowded = planes >= 3 || theme.name == "projector";
-  return !isCrowded || screen.size.width / screen.ratio > 400;
+  return planes < 3 || theme.name != "projector" || screen.size.width / screen.ratio > 400;
 }
 
 class StartView : public testing::TestWithParam<std::string> {

@@ -209,6 +209,23 @@ TEST(LabelLayout, UnderWhatCoversThePictureNoLabelStands) {
   EXPECT_TRUE(LabelLayout().place({labelAt("Q", {400, 300})}, card, size, 1).empty());
 }
 
+/// One room for both, where they lie on one another by half, and one for A alone, where a thick line crosses
+/// it: worse for A, and better for both together.
+TEST(LabelLayout, OfTwoInEachOthersWay_OneMakesRoomForBoth) {
+  LabelObstacles obstacles;
+  obstacles.covered = {{{0, 0}, {800, 280}},
+                       {{0, 310}, {800, 600}},
+                       {{0, 280}, {190, 310}},
+                       {{280, 280}, {300, 310}},
+                       {{396, 280}, {800, 310}}};
+  obstacles.segments.push_back({{200, 295}, {270, 295}, true});
+  const auto placed =
+      LabelLayout().place({labelAt("A", {290, 295}), labelAt("B", {402, 295})}, obstacles, size, 1);
+  ASSERT_EQ(placed.size(), 2U);
+  EXPECT_FALSE(overlap(placed[0], placed[1]));
+  EXPECT_LT(placed[0].topLeft.x, 280);
+}
+
 TEST(LabelLayout, CrossedByAThickLineOnAllSidesALabelRatherGoesFar) {
   LabelObstacles lines;
   for (int row = 220; row <= 380; row += 10)

@@ -10,6 +10,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -245,6 +247,32 @@ std::optional<LabelLayout::Candidate> LabelLayout::bestFor(std::size_t label, co
   return cheapest ? std::optional(*cheapest) : std::nullopt;
 }
 
+void LabelLayout::placeTogether(std::size_t first, std::size_t second,
+                                const std::vector<LabelRequest> &requests,
+                                const std::vector<Options> &options, Board &board) const {
+  const double limit = std::numeric_limits<double>::infinity();
+  const auto costOfBoth = [&] {
+    return costOf(*board.placed[first], first, options[first].obstacles, board, limit) +
+           costOf(*board.placed[second], second, options[second].obstacles, board, limit);
+  };
+  auto best = std::pair(*board.placed[first], *board.placed[second]);
+  double lowest = costOfBoth();
+  for (const Candidate &candidate : options[first].candidates) {
+    if (candidate.cost >= lowest)
+      break; // they are sorted: those after it cost even more
+    board.placed[first] = candidate;
+    board.placed[second].reset();
+    if (costOf(candidate, first, options[first].obstacles, board, lowest) >= lowest)
+      continue;
+    board.placed[second] = bestFor(second, requests[second].id, options[second], board);
+    if (const double cost = costOfBoth(); cost < lowest) {
+      lowest = cost;
+      best = {candidate, *board.placed[second]};
+    }
+  }
+  std::tie(board.placed[first], board.placed[second]) = best;
+}
+
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
@@ -272,6 +300,12 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       if (canBeRead(label, only))
         board.placed[label] = only;
   };
+  const auto putBack = [&](std::size_t label) {
+    const auto previous = m_choices.find(requests[label].id);
+    for (const Candidate &candidate : options[label].candidates)
+      if (previous != m_choices.end() && candidate.choice == previous->second)
+        board.placed[label] = candidate;
+  };
   const auto settle = [&](std::size_t label) {
     board.placed[label] = bestFor(label, requests[label].id, options[label], board);
   };
@@ -280,11 +314,24 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
     if (board.placed[label] && !canBeRead(label, *board.placed[label]))
       board.placed[label].reset();
   };
-  // Every label takes the best place beside those placed before it; then, beside all others. What is pinned
-  // cannot move away, so the others do; where they cannot, it is left out.
+  const auto lieOnOneAnother = [&](std::size_t a, std::size_t b) {
+    return board.placed[a] && board.placed[b] && overlapArea(board.placed[a]->box, board.placed[b]->box) > 0;
+  };
+  const auto untangle = [&](std::size_t first) {
+    for (std::size_t second = 0; second < requests.size(); ++second)
+      if (second != first && requests[second].stand == LabelStand::Beside && lieOnOneAnother(first, second))
+        placeTogether(first, second, requests, options, board);
+  };
+  // All begin where they were, so that nothing moves without a reason. Every label takes the best place
+  // beside those placed before it; then, beside all others. Two that are in each other's way, and neither of
+  // which comes away alone, are placed together. What is pinned cannot move away, so the others do; where
+  // they cannot, it is left out.
   forEach(LabelStand::Pinned, pin);
-  for (int pass = 0; pass < passes; ++pass)
+  forEach(LabelStand::Beside, putBack);
+  for (int pass = 0; pass < passes; ++pass) {
     forEach(LabelStand::Beside, settle);
+    forEach(LabelStand::Beside, untangle);
+  }
   forEach(LabelStand::Pinned, pin);
   forEach(LabelStand::Passing, settlePassing);
   forEach(LabelStand::Pinned, pin);

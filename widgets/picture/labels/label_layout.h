@@ -96,6 +96,10 @@ private:
   [[nodiscard]] std::optional<Candidate> bestFor(std::size_t label, const std::string &id,
                                                  const Options &options, const Board &board) const;
 
+  /// Gives two labels that lie on one another the two places that are best together.
+  void placeTogether(std::size_t first, std::size_t second, const std::vector<LabelRequest> &requests,
+                     const std::vector<Options> &options, Board &board) const;
+
   /// What is placed, remembered for the next frame.
   [[nodiscard]] std::vector<PlacedLabel> taken(const std::vector<LabelRequest> &requests, const Board &board);
 
