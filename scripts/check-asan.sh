@@ -9,7 +9,7 @@ installMissing build test
 say "Building with the sanitizers"
 cmake --preset asan >&2
 cmake --build --preset asan >&2
-# What Qt, VTK and the OpenGL driver keep to the end is theirs: leaks are looked for in the core, by scripts/check-core.sh.
+# What Qt, VTK and the OpenGL driver keep to the end is theirs, so leaks are not looked for.
 env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb ASAN_OPTIONS=detect_leaks=0 \
   xvfb-run --auto-servernum --server-args="-screen 0 1920x1080x24" \
   ctest --preset asan --timeout 1500 --parallel "$(nproc)" "$@"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds all that needs neither Qt, VTK, Embree nor GMP, with clang and the sanitizers, and runs its tests: both compilers
-# check us, nothing of it leans on the program, and no step reads memory that is not there. Arguments go to ctest.
+# Builds all that needs neither Qt, VTK, Embree nor GMP, with clang, and runs its tests: both compilers
+# check us, and nothing of it leans on the program. Arguments go to ctest.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 cd "$root"
