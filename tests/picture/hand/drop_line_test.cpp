@@ -15,14 +15,14 @@ Handle handleThat(Handle::Motion motion) {
 
 TEST(DropLine, ofAPlace_goesDownFromIt) {
   for (const auto motion : {Handle::Motion::Coordinate, Handle::Motion::OnHost})
-    EXPECT_EQ(dropLineOf(handleThat(motion), false), DropLine({1, 2, 3}));
+    EXPECT_EQ(dropLineOf(handleThat(motion), false), (DropLine{{1, 2, 3}}));
   for (const auto motion : {Handle::Motion::AlongNormal, Handle::Motion::Whole, Handle::Motion::Length})
     EXPECT_EQ(dropLineOf(handleThat(motion), false), std::nullopt);
 }
 
 TEST(DropLine, ofAPointOnSomething_isNotThereWhileNumbersAreHidden) {
   EXPECT_EQ(dropLineOf(handleThat(Handle::Motion::OnHost), true), std::nullopt);
-  EXPECT_EQ(dropLineOf(handleThat(Handle::Motion::Coordinate), true), DropLine({1, 2, 3}));
+  EXPECT_EQ(dropLineOf(handleThat(Handle::Motion::Coordinate), true), (DropLine{{1, 2, 3}}));
 }
 
 } // namespace
