@@ -276,7 +276,7 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
   std::vector<NamedValue> values{{"fragments", words("triangles"), static_cast<int>(at.fragments)}};
   if (isDegenerate(in))
     return values;
-  values.push_back({"first", words("first"), wordForFirst(in, at)});
+  values.push_back({"first", {}, wordForFirst(in, at)});
   if (at.nearest) {
     values.push_back({"nearest", words("number of the nearest"), static_cast<int>(at.nearest->number)});
     values.push_back(listed("lambda", at.lambda));

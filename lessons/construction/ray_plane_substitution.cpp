@@ -192,7 +192,7 @@ std::string wordForFirst(const Out &at) {
 std::vector<NamedValue> valuesOf(const In &, const Out &at) {
   if (isDegenerate(at))
     return {};
-  std::vector<NamedValue> values{{"first", words("first"), wordForFirst(at)}};
+  std::vector<NamedValue> values{{"first", {}, wordForFirst(at)}};
   if (const Meeting *first = firstMeeting(at)) {
     values.push_back(listed("t", first->t));
     values.push_back(listed("point", at.H));

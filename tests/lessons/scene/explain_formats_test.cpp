@@ -1,12 +1,14 @@
 #include "lessons/scene/explain_formats.h"
 
 #include "lessons/construction/worked_lines.h"
+#include "lessons/lesson/lesson.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <regex>
 
 namespace halfspace {
 namespace {
@@ -72,6 +74,15 @@ TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   for (const char *part : {"tenth", "feature", "perp"})
     EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
+}
+
+/// `plane2` and `mesh0` are places in a list, for programs; a learner reads letters.
+TEST(ExplanationText, OfEveryLesson_NamesNoPlaceInAList) {
+  const std::regex placeInAList(": [a-z]+[0-9]+\n");
+  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
+    const std::string text = explanationText(lesson.title, evaluate(lesson.scene));
+    EXPECT_FALSE(std::regex_search(text, placeInAList)) << text;
+  }
 }
 
 TEST(ExplanationText, OfABoundPoint_TellsWhereItIsOrWhyNowhere) {
