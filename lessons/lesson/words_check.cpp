@@ -9,6 +9,7 @@
 #include "lessons/words.h"
 
 #include <algorithm>
+#include <regex>
 
 namespace halfspace {
 namespace {
@@ -71,13 +72,25 @@ void addLoneDollars(const LessonWords &piece, const std::string &file, std::vect
   }
 }
 
+/// What YAML's signs leave of LaTeX in double quotes, beside control characters: a tab of `\theta`, the end
+/// of a line of `\rho` and of `\neq`, and rarer ones of `\Lambda` and `\Pi`. A formula may go on in a line
+/// that begins with u, so `\nu` is found at the formula's begin alone.
+const std::regex &leftoversOfLatex() {
+  static const std::regex leftovers("\t|\r(?!\n)|\u2028|\u2029|\n(?:abla|eq|ot|otin)(?![A-Za-z])|"
+                                    "(?:^|[^$])\\$\nu(?![A-Za-z])");
+  return leftovers;
+}
+
 /// LaTeX in double quotes may read as YAML all the same: `"\theta"` begins with a tab, `"\frac"` with the end
 /// of a page.
 void addIfEscaped(const LessonWords &piece, const std::string &file, std::vector<Problem> &problems) {
-  const bool isOfYaml = !piece.field.empty() && piece.field != "note";
-  const std::size_t place =
-      std::min(firstNoText(piece.text).value_or(std::string::npos), piece.text.find('\t'));
-  if (isOfYaml && place != std::string::npos)
+  if (piece.field.empty() || piece.field == "note") // Markdown
+    return;
+  std::smatch leftover;
+  std::size_t place = firstNoText(piece.text).value_or(std::string::npos);
+  if (std::regex_search(piece.text, leftover, leftoversOfLatex()))
+    place = std::min(place, static_cast<std::size_t>(leftover.position()));
+  if (place != std::string::npos)
     problems.push_back({singleQuotesHint(), file, piece.lineAt(place), piece.field});
 }
 

@@ -141,7 +141,7 @@ YamlHint yamlHint(std::string_view text, std::string_view reason, int line) {
   const auto speaksOf = [&](std::string_view what) { return reason.find(what) != std::string_view::npos; };
   if (speaksOf("map value"))
     return colonHint(text, line);
-  if (speaksOf("escape"))
+  if (speaksOf("escape") || speaksOf("hex number")) // the latter of \xi, \underline and \Upsilon
     return {singleQuotesHint(), line};
   if (speaksOf("flow"))
     return {words("Perhaps a comma is missing, or the space behind a colon."), line};

@@ -54,5 +54,33 @@ TEST(WordsCheck, DollarWithoutAPartner_IsToldOnceAParagraph) {
   EXPECT_EQ(problemsIn("It costs \\$5, `$x` and $x$ and $$y$$\n\n```\n$code\n```\n"), Texts{});
 }
 
+/// The problems of a question whose words are this YAML.
+Texts problemsInQuestion(const std::string &yaml) {
+  return problemsIn("```predict\nask: " + yaml +
+                    "\nchoices:\n  yes: Yes\n  no: No\nanswer: x\nwhy: So\n```\n");
+}
+
+TEST(WordsCheck, LatexThatDoubleQuotesReadAsYaml_IsTold) {
+  const Texts told{
+      "2: In double quotes a backslash begins a sign of YAML's own: put the text in single quotes."};
+  for (const char *latex : {"\\theta", "\\frac12", "\\vec n", "\\rho", "\\nu", "\\nu_1", "a \\neq b",
+                            "\\nabla f", "\\Lambda", "a\\Pi"})
+    EXPECT_EQ(problemsInQuestion("\"Is it $" + std::string(latex) + "$?\""), told) << latex;
+}
+
+TEST(WordsCheck, LatexInOtherWords_IsRight) {
+  EXPECT_EQ(problemsInQuestion("'Is it $\\nu \\neq \\theta$?'"), Texts{});
+  EXPECT_EQ(problemsInQuestion("|\n  Is it $s +\n  u$, not\n  eqal?"), Texts{});
+}
+
+TEST(WordsCheck, LatexThatDoubleQuotesRefuse_IsTold) {
+  for (const char *latex : {"\\xi", "\\underline{a}", "\\Upsilon", "\\lambda"}) {
+    const auto lesson = parseLesson(
+        "---\nid: example\ntitle: \"" + std::string(latex) + "\"\nscene: []\n---\n## One\n", "a.md");
+    ASSERT_FALSE(lesson) << latex;
+    EXPECT_NE(lesson.problem().sentence.find("single quotes"), std::string::npos) << lesson.problem().text();
+  }
+}
+
 } // namespace
 } // namespace halfspace
