@@ -174,7 +174,9 @@ WorkingLine unitLine(const Out &at) {
 
 WorkingLine unitProductLine(const Out &at) {
   return asked(withNumbers(dot(at.w, at.e)),
-               words("The same number once more: with a unit vector there is nothing to divide by."));
+               at.hasZero()
+                   ? words("With a unit vector there is nothing to divide by.")
+                   : words("The same number once more: with a unit vector there is nothing to divide by."));
 }
 
 WorkingLine projectionLine(const Out &at) {

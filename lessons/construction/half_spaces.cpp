@@ -139,11 +139,18 @@ WorkingLine sidesLine(const Out &at) {
   return line(std::move(signs), sidesWords(at));
 }
 
+std::string flippedWords(const Out &at, const Sided &point) {
+  const std::string named = plainText(point.point);
+  return point.measured.which == PointPlaneCase::On
+             ? words("With −{n} for {n} the number is −f({point}): that is 0 again.", at.letters,
+                     {{"point", named}})
+             : words("With −{n} for {n} the number is −f({point}): it only changes its sign.", at.letters,
+                     {{"point", named}});
+}
+
 WorkingLine flippedLine(const Out &at) {
   const Sided &first = at.points.front();
-  return asked(withNumbers(dot(-at.n, first.point - at.P0)),
-               words("With −{n} for {n} the number is −f({point}): it only changes its sign.", at.letters,
-                     {{"point", plainText(first.point)}}),
+  return asked(withNumbers(dot(-at.n, first.point - at.P0)), flippedWords(at, first),
                {{first.f, words("{answer} is f({point}): with −{n} every product changes its sign.",
                                 at.letters, {{"point", plainText(first.point)}})}});
 }

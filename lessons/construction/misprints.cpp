@@ -318,9 +318,9 @@ std::string perimeterWords(const Out &at) {
                  "the line of an edge, but outside the triangle.",
                  at.letters);
   return claim.right
-             ? words(
-                   "One of the three conditions holds, and {I} is on the perimeter. Here the note is right.",
-                   at.letters)
+             ? words("At least one of the three conditions holds, and {I} is on the perimeter. Here the note "
+                     "is right.",
+                     at.letters)
              : words("None of the three conditions holds, and {I} is not on the perimeter. Here the note is "
                      "right.",
                      at.letters);

@@ -82,7 +82,9 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 }
 
 WorkingLine implicitLine(const Out &at) {
-  return line(condition(0 == at.left), words("P lies in the plane exactly when this dot product is zero."));
+  return line(condition(0 == at.left),
+              at.zeroNormal ? words("This dot product is zero for every P, so it tells no plane.")
+                            : words("P lies in the plane exactly when this dot product is zero."));
 }
 
 WorkingLine insertLine(const Out &at) {

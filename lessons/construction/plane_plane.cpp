@@ -69,16 +69,14 @@ CaseWords tell(const In &, const Out &at) {
                   "are parallel.",
                   at.letters)};
   case PlanePlaneCase::Coincident:
-    return {caseName, words("{E} and {F} are the same plane, written in two ways: every point of one lies in "
-                            "the other.",
-                            at.letters)};
+    return {caseName,
+            words("{E} and {F} are the same plane: every point of one lies in the other.", at.letters)};
   case PlanePlaneCase::ZeroNormal:
     break;
   }
   return {caseName,
-          words("One of the normals {E.n} and {F.n} is the zero vector: it points nowhere, so there "
-                "is no plane.",
-                at.letters),
+          words("The normal {zero} is the zero vector: it points nowhere, so there is no plane.",
+                {{"zero", plainText(isZero(vectorOf(at.E.n)) ? at.E.n : at.F.n)}}),
           true};
 }
 

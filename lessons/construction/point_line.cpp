@@ -72,7 +72,7 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 }
 
 WorkingLine wayLine(const Out &at) {
-  return asked(withNumbers(at.w == at.Q - at.A), words("From the line's point {A} to {Q}.", at.letters));
+  return asked(withNumbers(at.w == at.Q - at.A), words("From {A} to {Q}.", at.letters));
 }
 
 WorkingLine parameterLine(const Out &at) {

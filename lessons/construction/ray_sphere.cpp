@@ -294,7 +294,9 @@ WorkingLine distanceLine(const Out &at) {
 
 WorkingLine chordLine(const Out &at) {
   return asked(withNumbers(at.s == root(power(at.R, 2) - power(at.h, 2))),
-               words("Half of the chord, by Pythagoras: {R} is the longest side.", at.letters),
+               at.nearest.which == PointLineCase::On
+                   ? words("The chord goes through the centre, so its half is as long as {R}.", at.letters)
+                   : words("Half of the chord, by Pythagoras: {R} is the longest side.", at.letters),
                {{power(at.R, 2) - power(at.h, 2), words("{answer} is s²: its root is still to be taken.")},
                 {at.R - at.h,
                  words("{answer} is {R} − h: the squares are subtracted, not the lengths.", at.letters)}});

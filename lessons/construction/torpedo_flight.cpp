@@ -83,17 +83,22 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
 
 std::vector<MadeObject> make(const In &, const Out &) { return {}; }
 
+std::string placeWords(const Out &at) {
+  if (hasExploded(at))
+    return words("The torpedo has reached what it hits.");
+  const WordValues values{{"frames", std::to_string(framesPerLambda)}};
+  return isFired(at)
+             ? words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.", values)
+             : words("Where the torpedo will start, or behind it. Its parameter grows by 1 in {frames} "
+                     "frames.",
+                     values);
+}
+
 Explanation explain(const In &in, const Out &at) {
   Explanation lines;
   if (isDegenerate(in))
     return lines;
-  lines.add("place", [&at] {
-    return asked(withNumbers(at.M == at.Q + at.lambda * at.r),
-                 hasExploded(at)
-                     ? words("The torpedo has reached what it hits.")
-                     : words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.",
-                             {{"frames", std::to_string(framesPerLambda)}}));
-  });
+  lines.add("place", [&at] { return asked(withNumbers(at.M == at.Q + at.lambda * at.r), placeWords(at)); });
   return lines;
 }
 
