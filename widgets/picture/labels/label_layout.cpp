@@ -44,6 +44,9 @@ constexpr double freePush = 0.02;
 
 /// Labels are gone through this often: from the second time on each sees where all others are.
 constexpr int passes = 3;
+/// Among more labels no two are placed together: there is no room to be found in such a crowd, and the search
+/// for it would take longer than the picture.
+constexpr std::size_t mostUntangled = 100;
 
 /// The obstacles that touch a box, and the points that a label in it could be taken for that of.
 LabelObstacles obstaclesIn(const PixelBox &box, const LabelObstacles &all) {
@@ -330,7 +333,8 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   forEach(LabelStand::Beside, putBack);
   for (int pass = 0; pass < passes; ++pass) {
     forEach(LabelStand::Beside, settle);
-    forEach(LabelStand::Beside, untangle);
+    if (requests.size() <= mostUntangled)
+      forEach(LabelStand::Beside, untangle);
   }
   forEach(LabelStand::Pinned, pin);
   forEach(LabelStand::Passing, settlePassing);
