@@ -36,7 +36,7 @@ const ExactVec3 *vectorIn(const Scene &scene, const CoordinateId &id) {
 /// Turns marks, whose places and directions it turns alike: the origin stays where it is.
 class Turn {
 public:
-  explicit Turn(const FlatFrame &frame) : m_frame(frame) {}
+  explicit Turn(FlatFrame frame) : m_frame(std::move(frame)) {}
 
   Mark operator()(PointMark mark) const { return turned(std::move(mark), &PointMark::at); }
   Mark operator()(SegmentMark mark) const {

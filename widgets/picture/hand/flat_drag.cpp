@@ -47,9 +47,9 @@ const Handle *handleOnPage(glm::dvec2 pixel, const std::vector<Handle> &handles,
   return nearest;
 }
 
-FlatDrag::FlatDrag(PlacedScene scene, Handle handle, const FlatFrame &frame, glm::dvec2 pressed,
+FlatDrag::FlatDrag(PlacedScene scene, Handle handle, FlatFrame frame, glm::dvec2 pressed,
                    std::vector<SnapTarget> asked)
-    : m_scene(std::move(scene)), m_handle(std::move(handle)), m_frame(frame), m_pressed(pressed),
+    : m_scene(std::move(scene)), m_handle(std::move(handle)), m_frame(std::move(frame)), m_pressed(pressed),
       m_targets(std::move(asked)) {
   for (SnapTarget &target : snapTargets(m_scene, m_handle))
     m_targets.push_back(std::move(target));

@@ -17,7 +17,7 @@ class FlatDrag {
 public:
   /// `scene` is the scene at the press, seen on the page as it lies then. What its objects offer catches, and
   /// `asked` for besides.
-  FlatDrag(PlacedScene scene, Handle handle, const FlatFrame &frame, glm::dvec2 pressed,
+  FlatDrag(PlacedScene scene, Handle handle, FlatFrame frame, glm::dvec2 pressed,
            std::vector<SnapTarget> asked = {});
 
   [[nodiscard]] const Handle &handle() const { return m_handle; }

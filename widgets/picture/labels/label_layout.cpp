@@ -132,6 +132,13 @@ struct LabelLayout::Options {
       reach = {glm::min(reach.low, candidate.box.low), glm::max(reach.high, candidate.box.high)};
     obstacles = obstaclesIn(reach, all);
   }
+
+  /// The candidate of a choice; null where it may not stand there any more.
+  [[nodiscard]] const Candidate *chosen(const Choice &choice) const {
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate &candidate) { return candidate.choice == choice; });
+    return found == candidates.end() ? nullptr : &*found;
+  }
 };
 
 /// All that is on the screen while labels are placed.
@@ -219,14 +226,11 @@ const LabelLayout::Candidate *LabelLayout::keptFor(std::size_t label, const std:
   const auto previous = m_choices.find(id);
   if (previous == m_choices.end() || previous->second.distance >= firstWithLeader)
     return nullptr;
-  const auto &all = options.candidates;
-  const auto kept = std::find_if(all.begin(), all.end(), [&](const Candidate &candidate) {
-    return candidate.choice == previous->second;
-  });
-  if (kept == all.end() || kept->cost >= costOfTouching)
+  const Candidate *kept = options.chosen(previous->second);
+  if (!kept || kept->cost >= costOfTouching)
     return nullptr;
   const double limit = std::numeric_limits<double>::infinity();
-  return costOf(*kept, label, options.obstacles, board, limit) > kept->cost ? nullptr : &*kept;
+  return costOf(*kept, label, options.obstacles, board, limit) > kept->cost ? nullptr : kept;
 }
 
 std::optional<LabelLayout::Candidate> LabelLayout::bestFor(std::size_t label, const std::string &id,
@@ -276,6 +280,34 @@ void LabelLayout::placeTogether(std::size_t first, std::size_t second,
   std::tie(board.placed[first], board.placed[second]) = best;
 }
 
+void LabelLayout::untangle(std::size_t first, const std::vector<std::size_t> &labels,
+                           const std::vector<LabelRequest> &requests, const std::vector<Options> &options,
+                           Board &board) const {
+  for (const std::size_t second : labels)
+    if (second != first && board.placed[first] && board.placed[second] &&
+        overlapArea(board.placed[first]->box, board.placed[second]->box) > 0)
+      placeTogether(first, second, requests, options, board);
+}
+
+void LabelLayout::placeBeside(const std::vector<LabelRequest> &requests, const std::vector<Options> &options,
+                              Board &board) const {
+  std::vector<std::size_t> labels;
+  for (std::size_t label = 0; label < requests.size(); ++label)
+    if (requests[label].stand == LabelStand::Beside)
+      labels.push_back(label);
+  for (const std::size_t label : labels)
+    if (const auto previous = m_choices.find(requests[label].id); previous != m_choices.end())
+      if (const Candidate *there = options[label].chosen(previous->second))
+        board.placed[label] = *there;
+  for (int pass = 0; pass < passes; ++pass) {
+    for (const std::size_t label : labels)
+      board.placed[label] = bestFor(label, requests[label].id, options[label], board);
+    if (labels.size() <= mostUntangled)
+      for (const std::size_t label : labels)
+        untangle(label, labels, requests, options, board);
+  }
+}
+
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &requests,
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
@@ -303,39 +335,14 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
       if (canBeRead(label, only))
         board.placed[label] = only;
   };
-  const auto putBack = [&](std::size_t label) {
-    const auto previous = m_choices.find(requests[label].id);
-    for (const Candidate &candidate : options[label].candidates)
-      if (previous != m_choices.end() && candidate.choice == previous->second)
-        board.placed[label] = candidate;
-  };
-  const auto settle = [&](std::size_t label) {
-    board.placed[label] = bestFor(label, requests[label].id, options[label], board);
-  };
   const auto settlePassing = [&](std::size_t label) {
-    settle(label);
+    board.placed[label] = bestFor(label, requests[label].id, options[label], board);
     if (board.placed[label] && !canBeRead(label, *board.placed[label]))
       board.placed[label].reset();
   };
-  const auto lieOnOneAnother = [&](std::size_t a, std::size_t b) {
-    return board.placed[a] && board.placed[b] && overlapArea(board.placed[a]->box, board.placed[b]->box) > 0;
-  };
-  const auto untangle = [&](std::size_t first) {
-    for (std::size_t second = 0; second < requests.size(); ++second)
-      if (second != first && requests[second].stand == LabelStand::Beside && lieOnOneAnother(first, second))
-        placeTogether(first, second, requests, options, board);
-  };
-  // All begin where they were, so that nothing moves without a reason. Every label takes the best place
-  // beside those placed before it; then, beside all others. Two that are in each other's way, and neither of
-  // which comes away alone, are placed together. What is pinned cannot move away, so the others do; where
-  // they cannot, it is left out.
+  // What is pinned cannot move away, so the others do; where they cannot, it is left out.
   forEach(LabelStand::Pinned, pin);
-  forEach(LabelStand::Beside, putBack);
-  for (int pass = 0; pass < passes; ++pass) {
-    forEach(LabelStand::Beside, settle);
-    if (requests.size() <= mostUntangled)
-      forEach(LabelStand::Beside, untangle);
-  }
+  placeBeside(requests, options, board);
   forEach(LabelStand::Pinned, pin);
   forEach(LabelStand::Passing, settlePassing);
   forEach(LabelStand::Pinned, pin);

@@ -100,6 +100,16 @@ private:
   void placeTogether(std::size_t first, std::size_t second, const std::vector<LabelRequest> &requests,
                      const std::vector<Options> &options, Board &board) const;
 
+  /// Places each label together with those that it lies on.
+  void untangle(std::size_t first, const std::vector<std::size_t> &labels,
+                const std::vector<LabelRequest> &requests, const std::vector<Options> &options,
+                Board &board) const;
+  /// All labels that stand beside something begin where they were, so that nothing moves without a reason.
+  /// Each takes the best place beside those placed before it; then, beside all others. Two that are in each
+  /// other's way, and neither of which comes away alone, are placed together.
+  void placeBeside(const std::vector<LabelRequest> &requests, const std::vector<Options> &options,
+                   Board &board) const;
+
   /// What is placed, remembered for the next frame.
   [[nodiscard]] std::vector<PlacedLabel> taken(const std::vector<LabelRequest> &requests, const Board &board);
 
