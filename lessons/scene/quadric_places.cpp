@@ -35,13 +35,6 @@ std::vector<ExactVec3> exactPlacesOnLine(const Quadric &surface, const ExactVec3
   return places;
 }
 
-/// The places of a flat where a coordinate has this value.
-std::optional<Flat> withCoordinate(const Flat &flat, int axis, const Rational &value) {
-  ExactVec3 normal(0);
-  normal[axis] = 1;
-  return Flat::intersection(flat, Flat::plane(normal * value, normal));
-}
-
 /// Two axes whose coordinates tell a place of a plane; the third follows.
 std::pair<int, int> axesOf(const Flat &plane) {
   for (const auto &[first, second] : {std::pair(0, 1), std::pair(1, 2)}) {
@@ -126,6 +119,12 @@ private:
 };
 
 } // namespace
+
+std::optional<Flat> withCoordinate(const Flat &flat, int axis, const Rational &value) {
+  ExactVec3 normal(0);
+  normal[axis] = 1;
+  return Flat::intersection(flat, Flat::plane(normal * value, normal));
+}
 
 std::optional<Place> nearestOn(const Quadric &surface, const Flat &flat, const ExactVec3 &to) {
   if (flat.dimension() != 1 && flat.dimension() != 2)

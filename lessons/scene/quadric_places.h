@@ -16,6 +16,9 @@ struct Grid {
   }
 };
 
+/// The places of a flat where a coordinate has this value; nothing where it has none.
+[[nodiscard]] std::optional<Flat> withCoordinate(const Flat &flat, int axis, const Rational &value);
+
 /// Of what a surface and a flat, a line or a plane, have in common the place that is about the nearest to one
 /// of the flat; rounded, as it has roots. Nothing where they do not meet near there, and for other flats.
 [[nodiscard]] std::optional<Place> nearestOn(const Quadric &surface, const Flat &flat, const ExactVec3 &to);

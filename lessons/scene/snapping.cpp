@@ -97,20 +97,14 @@ private:
       rounded[axis] = onGrid(m_wanted, axis);
     std::vector<ExactVec3> places = gridAround(rounded);
     for (const auto &[first, second] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
-      const auto line = Flat::intersection(m_request.freedom, coordinatePlane(rounded, first));
-      const auto place = line ? Flat::intersection(*line, coordinatePlane(rounded, second)) : std::nullopt;
+      const auto line = withCoordinate(m_request.freedom, first, rounded[first]);
+      const auto place = line ? withCoordinate(*line, second, rounded[second]) : std::nullopt;
       if (places.empty() && place && place->dimension() == 0)
         places.push_back(place->nearest(rounded));
     }
     return *std::min_element(places.begin(), places.end(), [this](const ExactVec3 &a, const ExactVec3 &b) {
       return pixelsTo(a) < pixelsTo(b);
     });
-  }
-
-  static Flat coordinatePlane(const ExactVec3 &through, int axis) {
-    ExactVec3 normal(0);
-    normal[axis] = 1;
-    return Flat::plane(through, normal);
   }
 
   static bool isSlanted(const ExactVec3 &direction) {
