@@ -313,6 +313,8 @@ void MainWindow::showNearby() {
 }
 
 bool MainWindow::lacksLines() {
+  if (!m_model.isChanged())
+    return false; // and nothing is evaluated for it when the window opens or a step is turned to
   if (!m_linesAtStart) {
     const Evaluation start = evaluate(m_model.lesson().scene);
     m_linesAtStart = shownIn(m_model.step(), start, figureOf(start), Question::Answered).working.lines.size();
