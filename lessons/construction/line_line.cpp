@@ -69,7 +69,15 @@ Out compute(const In &in) {
           name(in.own(word("dist")), related.distance).marked(in.mark("dist"))};
 }
 
-CaseWords tell(const In &, const Out &at) {
+std::string notALineWords(const In &in, const Out &at) {
+  const bool isFirst = isZero(in.g.object.direction);
+  if (isFirst && isZero(in.h.object.direction))
+    return words("{g.v} and {h.v} are zero vectors: they point nowhere, so there are no lines.", at.letters);
+  return isFirst ? words("{g.v} is the zero vector: it points nowhere, so {g} is no line.", at.letters)
+                 : words("{h.v} is the zero vector: it points nowhere, so {h} is no line.", at.letters);
+}
+
+CaseWords tell(const In &in, const Out &at) {
   const std::string caseName(nameOf(at.related.which));
   const std::string p = equation(at.p);
   switch (at.related.which) {
@@ -95,11 +103,7 @@ CaseWords tell(const In &, const Out &at) {
   case LineLineCase::NotALine:
     break;
   }
-  return {caseName,
-          words("One of the directions {g.v} and {h.v} is the zero vector: it points nowhere, so there is no "
-                "line.",
-                at.letters),
-          true};
+  return {caseName, notALineWords(in, at), true};
 }
 
 std::vector<NamedValue> valuesOf(const In &, const Out &at) {
@@ -157,11 +161,19 @@ WorkingLine cosineLine(const Out &at) {
                    : words("The lines are perpendicular when this is 0."));
 }
 
+std::string commonWords(const Out &at) {
+  switch (at.related.which) {
+  case LineLineCase::Skew:
+    return words("Perpendicular to both lines: the shortest way between them runs along it.");
+  case LineLineCase::Intersecting:
+    return words("Perpendicular to both lines, and so to the plane in which they meet.");
+  default:
+    return words("The zero vector: the directions are multiples of each other.");
+  }
+}
+
 WorkingLine commonLine(const Out &at) {
-  return asked(withProducts(at.c == cross(at.g.v, at.h.v)),
-               at.isCrossing()
-                   ? words("Perpendicular to both lines: the shortest way between them runs along it.")
-                   : words("The zero vector: the directions are multiples of each other."),
+  return asked(withProducts(at.c == cross(at.g.v, at.h.v)), commonWords(at),
                {{cross(at.h.v, at.g.v),
                  words("{answer} is the cross product the other way round: {h.v} × {g.v}.", at.letters)}});
 }
@@ -170,7 +182,9 @@ WorkingLine distanceLine(const Out &at) {
   if (!at.isCrossing())
     return asked(
         withNumbers(at.dist == norm(cross(at.h.A - at.g.A, at.g.v)) / norm(at.g.v)),
-        words("How far {h.A} is from {g}: with parallel lines every point is equally far.", at.letters));
+        at.related.which == LineLineCase::Parallel
+            ? words("How far {h.A} is from {g}: with parallel lines every point is equally far.", at.letters)
+            : words("Zero: {h.A} lies on {g}, as every point of the same line does.", at.letters));
   return asked(withNumbers(at.dist == norm(at.p) / norm(at.c)),
                at.related.which == LineLineCase::Intersecting
                    ? words("Zero: the lines meet.")

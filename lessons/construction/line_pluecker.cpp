@@ -74,11 +74,13 @@ std::vector<NamedValue> valuesOf(const In &, const Out &at) {
 std::vector<MadeObject> make(const In &, const Out &) { return {}; }
 
 WorkingLine momentLine(const Out &at) {
-  return asked(
-      withProducts(at.m == cross(at.A, at.v)),
-      words("The moment: perpendicular to the line, and to the way from the origin to {A}.", at.letters),
-      {{cross(at.v, at.A),
-        words("{answer} is the cross product the other way round: {v} × {A}.", at.letters)}});
+  return asked(withProducts(at.m == cross(at.A, at.v)),
+               passesThroughOrigin(at.line)
+                   ? words("The moment: the zero vector, because the line goes through the origin.")
+                   : words("The moment: perpendicular to the line, and to the way from the origin to {A}.",
+                           at.letters),
+               {{cross(at.v, at.A),
+                 words("{answer} is the cross product the other way round: {v} × {A}.", at.letters)}});
 }
 
 WorkingLine sameLine(const Out &at) {
@@ -99,7 +101,9 @@ WorkingLine scaledLine(const Out &at) {
 
 WorkingLine relationLine(const Out &at) {
   return asked(withProducts(dot(at.v, at.m)),
-               words("Always 0: the cross product {A} × {v} is perpendicular to {v}.", at.letters));
+               passesThroughOrigin(at.line)
+                   ? words("Always 0, and here the cross product {A} × {v} is the zero vector.", at.letters)
+                   : words("Always 0: the cross product {A} × {v} is perpendicular to {v}.", at.letters));
 }
 
 WorkingLine nearestLine(const Out &at) {

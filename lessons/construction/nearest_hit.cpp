@@ -192,9 +192,11 @@ CaseWords tellMiss(const In &in, const Out &at) {
                         "as a hit. It hits no triangle.",
                         values)};
   }
-  return {"miss", areAllListed(at)
-                      ? words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")
-                      : words("No triangle has a hit with λ ≥ 0: the ray hits none at a single point.")};
+  if (areAllListed(at))
+    return {"miss", words("No triangle has a hit with λ ≥ 0: the ray meets nothing.")};
+  return {"miss", words("No triangle has a hit with λ ≥ 0. Whether the ray lies in the plane of one and runs "
+                        "along it is not looked at: there are more than {most} triangles.",
+                        {{"most", std::to_string(mostListedFragments)}})};
 }
 
 /// Why the triangle that is looked at is none; empty where it is one.

@@ -100,12 +100,22 @@ std::vector<MadeObject> make(const In &, const Out &at) {
   return {{"H", PointObject{at.meet.point}}};
 }
 
+/// The sentence, where there are a plane and a ray that it can speak of; else which of them is missing.
+std::string wordsOfBoth(const Out &at, std::string sentence) {
+  if (at.meet.which == RayPlaneCase::ZeroNormal)
+    return words("{n} is the zero vector: there is no plane.", at.letters);
+  if (at.meet.which == RayPlaneCase::ZeroDirection)
+    return words("{r} is the zero vector: there is no ray.", at.letters);
+  return sentence;
+}
+
 WorkingLine substituteLine(const Out &at) {
   const Term inserted = dot(at.n, at.Q + unknown("t") * at.r) + at.d;
   return askedEquation(
       condition((0 == inserted).then(multipliedOut(inserted))),
-      words("The ray's points {Q} + t·{r} put into the plane's equation. One unknown is left: t.",
-            at.letters));
+      wordsOfBoth(at,
+                  words("The ray's points {Q} + t·{r} put into the plane's equation. One unknown is left: t.",
+                        at.letters)));
 }
 
 std::string collectWords(const Out &at) {
@@ -125,18 +135,22 @@ WorkingLine collectLine(const Out &at) {
 WorkingLine numeratorLine(const Out &at) {
   return asked(
       withNumbers(at.numerator),
-      words("This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance only "
-            "when |{n}| = 1.",
-            at.letters),
+      wordsOfBoth(
+          at,
+          words("This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance "
+                "only when |{n}| = 1.",
+                at.letters)),
       {{at.f, words("{answer} is f({Q}) = {n}·({Q} − {P0}): the numerator goes the other way, from {Q} "
                     "to {P0}.",
                     at.letters)}});
 }
 
 WorkingLine denominatorLine(const Out &at) {
-  return asked(withNumbers(at.denominator), words("How far one step {r} goes along {n}, times |{n}|. Zero "
-                                                  "means that no step comes nearer to the plane.",
-                                                  at.letters));
+  return asked(
+      withNumbers(at.denominator),
+      wordsOfBoth(at, words("How far one step {r} goes along {n}, times |{n}|. Zero means that no step comes "
+                            "nearer to the plane.",
+                            at.letters)));
 }
 
 WorkingLine parameterLine(const Out &at) {

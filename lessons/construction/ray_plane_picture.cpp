@@ -222,16 +222,28 @@ WorkingLine rectangleLine(const Out &at) {
                   : words("The same arrow, though the four points are no corners of a rectangle here."));
 }
 
+/// Of triangles only where there are two: they are flat for a ray along n, and the large one is a point where
+/// the ray starts in the plane.
+std::string similarWords(const Out &at) {
+  if (isZero(at.across))
+    return words("Along {n}: t times what a step gains. There are no triangles here, because the ray runs "
+                 "along {n}.",
+                 at.letters);
+  return at.meet.t == 0
+             ? words(
+                   "Along {n}: t is 0, because {Q} is in the plane already, and there is only one triangle.",
+                   at.letters)
+             : words("Along {n}: t times the side of the small triangle is that of the large one.",
+                     at.letters);
+}
+
 void addMeetingLines(const Out &at, Explanation &lines) {
   lines.add("t", [&at] {
     return asked(withNumbers(at.t == at.v0 / at.vd),
                  words("So many steps {r} lead from {Q} to the plane.", at.letters));
   });
-  lines.add("similar-n", [&at] {
-    return line(
-        withNumbers(at.C - at.Q == at.t * (at.E - at.Q)),
-        words("Along {n}: t times the side of the small triangle is that of the large one.", at.letters));
-  });
+  lines.add("similar-n",
+            [&at] { return line(withNumbers(at.C - at.Q == at.t * (at.E - at.Q)), similarWords(at)); });
   lines.add("similar-r", [&at] {
     return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)),
                 words("Along the ray: just as many times."));

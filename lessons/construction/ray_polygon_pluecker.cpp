@@ -323,9 +323,7 @@ void addPlaneLines(const Out &at, Explanation &lines) {
     const Term &first = at.edges[0].e;
     const Term &second = at.edges[1].e;
     return asked(withProducts(at.n == cross(first, second)),
-                 isZero(vectorOf(at.n))
-                     ? words("The zero vector: the two edges lie along one line, and give no normal.")
-                     : words("Two edges of the polygon give a normal of its plane."),
+                 words("Two edges of the polygon give a normal of its plane."),
                  {{cross(second, first), words("{answer} is the cross product the other way round.")}});
   });
   if (!at.meet.crosses())

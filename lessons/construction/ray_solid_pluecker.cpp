@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 
 namespace halfspace {
 namespace {
@@ -228,26 +229,37 @@ CaseWords tellMeeting(const Out &at) {
 
 bool isLetter(const Term &term) { return term->kind == TermKind::Name; }
 
-/// Two corners that have letters and are the same point, in words; empty where there are none.
-std::string coincidenceWords(const Out &at) {
+/// Two corners that have letters and are the same point; none where there are no such two.
+std::optional<WordValues> coincidingCorners(const Out &at) {
   const auto &places = at.mesh.vertices;
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t k = i + 1; k < places.size(); ++k)
       if (places[i] == places[k] && isLetter(at.corners[i]) && isLetter(at.corners[k]))
-        return words("{first} and {second} are the same point.",
-                     {{"first", plainText(at.corners[i])}, {"second", plainText(at.corners[k])}}) +
-               " ";
+        return WordValues{{"first", plainText(at.corners[i])}, {"second", plainText(at.corners[k])}};
   return {};
+}
+
+std::string flatWords(const Out &at) {
+  const auto same = coincidingCorners(at);
+  return (same ? words("{first} and {second} are the same point.", *same) + " " : std::string()) +
+         words("All corners lie in one plane: the solid is flat and has no inside.");
+}
+
+/// Of a solid with flat faces that is not convex.
+std::string notConvexWords(const Out &at) {
+  if (const auto same = coincidingCorners(at))
+    return words("{first} and {second} are the same point: a face has a corner too many, and the signs alone "
+                 "do not decide.",
+                 *same);
+  return words("A face bends inwards, crosses itself or has a straight corner: the solid is not convex, and "
+               "the signs alone do not decide.");
 }
 
 CaseWords tell(const In &in, const Out &at) {
   if (isZero(in.L.object.direction))
     return zeroDirectionWords(at);
   if (at.isFlat)
-    return {"flat",
-            coincidenceWords(at) +
-                words("All corners lie in one plane: the solid is flat and has no inside."),
-            true};
+    return {"flat", flatWords(at), true};
   switch (at.shape) {
   case SolidShape::Convex:
     return tellMeeting(at);
@@ -258,10 +270,7 @@ CaseWords tell(const In &in, const Out &at) {
   case SolidShape::NotClosed:
     break;
   }
-  return {"not-convex",
-          coincidenceWords(at) + words("A face bends inwards, crosses itself or has a straight corner: the "
-                                       "solid is not convex, and the signs alone do not decide."),
-          true};
+  return {"not-convex", notConvexWords(at), true};
 }
 
 NamedValue contactValue(const char *what, const Contact &contact) {
@@ -332,11 +341,14 @@ WorkingLine productLine(const Out &at, const EdgeTerms &edge) {
 
 /// What the two faces of an edge make of its one product.
 WorkingLine sharedLine(const Out &at, const EdgeTerms &edge) {
+  const WordValues faces{{"first", at.faceNames[edge.face]}, {"second", at.faceNames[edge.opposite]}};
   return line(
       {withResult(edge.p), withResult(-edge.p)},
-      words("One product for two faces. Along {first} the edge runs as its arrow does, along {second} "
-            "the other way: there the sign changes.",
-            {{"first", at.faceNames[edge.face]}, {"second", at.faceNames[edge.opposite]}}));
+      edge.product == 0
+          ? words("One product for {first} and {second}: 0, whichever way they run along the edge.", faces)
+          : words("One product for two faces. Along {first} the edge runs as its arrow does, along "
+                  "{second} the other way: there the sign changes.",
+                  faces));
 }
 
 void addEdgeLines(const In &in, const Out &at, std::size_t index, Explanation &lines) {

@@ -132,7 +132,9 @@ WorkingLine cosineLine(const Out &at) {
 
 WorkingLine valueLine(const Out &at) {
   return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               words("Zero in the plane, positive on the side that {n} points to.", at.letters),
+               at.which == PointPlaneCase::ZeroNormal
+                   ? words("Zero, because {n} is the zero vector: there is no plane.", at.letters)
+                   : words("Zero in the plane, positive on the side that {n} points to.", at.letters),
                {{dot(at.n, at.Q),
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }

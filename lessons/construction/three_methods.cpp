@@ -61,6 +61,7 @@ struct Out : Naming, TriangleTerms, RayTerms {
   PlueckerTerms third;
 
   [[nodiscard]] bool crosses() const { return perps.crosses(); }
+  [[nodiscard]] bool isRay() const { return !isZero(vectorOf(r)); }
   [[nodiscard]] bool isTriangle() const { return perps.perps.denominator != 0; }
 };
 
@@ -254,7 +255,7 @@ void addPerpSteps(const Out &at, std::vector<Step> &steps) {
 }
 
 std::string determinantWords(const Out &at) {
-  if (at.perps.which == RayTriangleCase::ZeroDirection)
+  if (!at.isRay())
     return words("Zero, because {r} is the zero vector: there is no ray.", at.letters);
   return at.cramer.det == 0
              ? words("Zero: nothing to divide by. Either the ray is parallel, or there is no triangle.")
@@ -478,7 +479,7 @@ void addCountLines(const Out &at, Explanation &lines) {
 }
 
 std::string signsWords(const Out &at) {
-  if (at.perps.which == RayTriangleCase::ZeroDirection)
+  if (!at.isRay())
     return words("All are 0, because {r} is the zero vector: there is no line.", at.letters);
   switch (signsOf(at.pluecker.products)) {
   case ProductSigns::Same:

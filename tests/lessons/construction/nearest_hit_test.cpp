@@ -21,14 +21,14 @@ MeshObject floorAndWall() {
   return mesh;
 }
 
-Outcome shot(const ExactVec3 &from, const ExactVec3 &direction) {
+std::string toldOf(const MeshObject &mesh, const ExactVec3 &from, const ExactVec3 &direction) {
   const Construction &construction = *findConstruction("nearest-hit");
-  return lastOutcome(
-      evaluate(sceneOf(construction, {RayObject{from, direction}, NumberObject{1}, floorAndWall()})));
+  return lastOutcome(evaluate(sceneOf(construction, {RayObject{from, direction}, NumberObject{1}, mesh})))
+      .told->description;
 }
 
 std::string toldOf(const ExactVec3 &from, const ExactVec3 &direction) {
-  return shot(from, direction).told->description;
+  return toldOf(floorAndWall(), from, direction);
 }
 
 TEST(NearestHit, OfARayAlongATriangle_SaysSo) {
@@ -51,6 +51,32 @@ TEST(NearestHit, BehindATriangleThatTheRayRunsAlong_TellsOfBoth) {
 TEST(NearestHit, BehindACornerThatTheRayTouchesWithinThePlane_TellsOfBoth) {
   const std::string told = toldOf({0, 2, 0}, {1, 0, 0});
   EXPECT_NE(told.find("Before, it touches meshes₀ 1 within its plane"), std::string::npos) << told;
+}
+
+/// So many triangles like the floor, one above the other.
+MeshObject floors(std::uint32_t count) {
+  std::vector<Vec3<double>> corners;
+  std::vector<MeshFace> faces;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double z = i;
+    corners.insert(corners.end(), {{2, 0, z}, {6, 0, z}, {4, 2, z}});
+    faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  MeshObject mesh;
+  mesh.shape = std::make_shared<const MeshShape>(std::move(corners), std::move(faces));
+  return mesh;
+}
+
+TEST(NearestHit, AlongOneOfAsManyTrianglesAsAreListed_SaysSo) {
+  const std::string told = toldOf(floors(128), {0, 1, 0}, {1, 0, 0});
+  EXPECT_NE(told.find("runs along meshes₀ 1"), std::string::npos) << told;
+}
+
+TEST(NearestHit, AlongOneOfMoreTriangles_SaysThatItIsNotLookedAt) {
+  const std::string told =
+      toldOf(floors(129), {0, 1, 1}, {1, 0, 0}); // the first one is looked at by its number
+  EXPECT_EQ(told.find("meets nothing"), std::string::npos) << told;
+  EXPECT_NE(told.find("not looked at: there are more than 128 triangles"), std::string::npos) << told;
 }
 
 TEST(NearestHit, OfATriangleThatTheRaysLineAloneRunsAlong_TellsNothing) {
