@@ -1,0 +1,325 @@
+#include "geometry/solid_shape.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/solid.h"
+#include "tests/lessons/construction/claims/claims.h"
+#include "tests/lessons/construction/expected/recompute_tools.h"
+
+#include <algorithm>
+
+namespace halfspace::test {
+namespace {
+
+/// What the line of a ray has in common with a convex solid.
+enum class Common { Nothing, Point, Surface, Inside };
+
+struct RayAtSolid {
+  explicit RayAtSolid(Objects objects)
+      : mesh(meshOf(*objects[0])), L(objectAs<RayObject>(*objects[1]).value()) {
+    for (const auto &face : mesh.faces) {
+      ExactVec3 normal(0);
+      for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        normal += perpendicular(ExactVec3(corner(face, i) - corner(face, 0)),
+                                ExactVec3(corner(face, i + 1) - corner(face, 0)));
+      normals.push_back(normal);
+    }
+    isConvex = !isFlat() && areFacesConvex();
+    if (isConvex && isRay())
+      cut();
+  }
+
+  bool isRay() const { return !vanishes(L.direction); }
+  const ExactVec3 &corner(const std::vector<std::uint32_t> &face, std::size_t i) const {
+    return mesh.vertices[face[i % face.size()]];
+  }
+  ExactVec3 edge(const std::vector<std::uint32_t> &face, std::size_t i) const {
+    return corner(face, i + 1) - corner(face, i);
+  }
+  Rational turn(const ExactVec3 &from, const ExactVec3 &to) const {
+    return determinant(L.direction, ExactVec3(from - L.origin), ExactVec3(to - from));
+  }
+
+  bool isFlat() const {
+    const ExactVec3 &first = mesh.vertices[0];
+    for (const ExactVec3 &a : mesh.vertices)
+      for (const ExactVec3 &b : mesh.vertices)
+        for (const ExactVec3 &c : mesh.vertices)
+          if (determinant(ExactVec3(a - first), ExactVec3(b - first), ExactVec3(c - first)) != 0)
+            return false;
+    return true;
+  }
+  bool areFacesFlat() const {
+    for (const auto &face : mesh.faces)
+      for (std::size_t i = 1; i < face.size(); ++i)
+        for (std::size_t j = i + 1; j + 1 < face.size(); ++j)
+          if (determinant(ExactVec3(corner(face, i) - corner(face, 0)),
+                          ExactVec3(corner(face, j) - corner(face, 0)),
+                          ExactVec3(corner(face, j + 1) - corner(face, 0))) != 0)
+            return false;
+    return true;
+  }
+  /// Whether each corner of a face lies in front of its other edges, and each other corner behind its plane.
+  bool areFacesConvex() const {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      if (!isFaceConvex(mesh.faces[f], normals[f]))
+        return false;
+    return true;
+  }
+  bool isFaceConvex(const std::vector<std::uint32_t> &face, const ExactVec3 &normal) const {
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+      const Rational height = product(normal, ExactVec3(mesh.vertices[i] - corner(face, 0)));
+      const bool isOwn = std::find(face.begin(), face.end(), i) != face.end();
+      if (isOwn ? height != 0 : height >= 0)
+        return false;
+    }
+    for (std::size_t i = 0; i < face.size(); ++i)
+      for (std::size_t k = 2; k < face.size(); ++k)
+        if (product(normal, perpendicular(edge(face, i), ExactVec3(corner(face, i + k) - corner(face, i)))) <=
+            0)
+          return false;
+    return true;
+  }
+  bool hasDoubleCorner() const {
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [this](const ExactVec3 &each) {
+      return std::count(mesh.vertices.begin(), mesh.vertices.end(), each) > 1;
+    });
+  }
+
+  /// The line cut off at each face's plane leaves what it has in common with the solid.
+  void cut() {
+    std::optional<Rational> first;
+    std::optional<Rational> last;
+    bool isOnFace = false;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const Rational height = product(normals[f], ExactVec3(L.origin - corner(mesh.faces[f], 0)));
+      const Rational slope = product(normals[f], L.direction);
+      isOnFace = isOnFace || (slope == 0 && height == 0);
+      if (slope == 0 && height > 0)
+        return;
+      if (slope < 0)
+        first = first ? std::max(*first, Rational(-height / slope)) : -height / slope;
+      if (slope > 0)
+        last = last ? std::min(*last, Rational(-height / slope)) : -height / slope;
+    }
+    if (*first > *last)
+      return;
+    begin = *first;
+    end = *last;
+    common = begin == end ? Common::Point : isOnFace ? Common::Surface : Common::Inside;
+  }
+
+  bool isLine() const { return isConvex && isRay(); }
+  bool has(Common what) const { return isLine() && common == what; }
+  bool meets() const { return isLine() && common != Common::Nothing; }
+
+  /// Whether the line has an edge of the face that goes around it this way, 1 or −1.
+  bool hasTurn(std::size_t f, int way) const {
+    const auto &face = mesh.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (turn(corner(face, i), corner(face, i + 1)).sign() == way)
+        return true;
+    return false;
+  }
+  bool hasOneTurn(std::size_t f) const { return hasTurn(f, 1) != hasTurn(f, -1); }
+
+  /// In the planes of how many faces the line's point lies.
+  long facesAt(const Rational &t) const {
+    const ExactVec3 point = L.origin + L.direction * t;
+    long count = 0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      if (product(normals[f], ExactVec3(point - corner(mesh.faces[f], 0))) == 0)
+        ++count;
+    return count;
+  }
+  bool isCorner(const Rational &t) const {
+    const ExactVec3 point = L.origin + L.direction * t;
+    return std::find(mesh.vertices.begin(), mesh.vertices.end(), point) != mesh.vertices.end();
+  }
+
+  SolidMesh<Rational> mesh;
+  RayObject L;
+  std::vector<ExactVec3> normals; ///< of the faces, outwards
+  bool isConvex = false;
+  Common common = Common::Nothing;
+  Rational begin, end; ///< of what the line has in common with the solid
+};
+
+/// Whether it holds of the face that a line is about; of one of them, where the line has no number.
+template <class Condition> bool holdsOfFace(const RayAtSolid &at, const Said &said, Condition condition) {
+  if (said.line.rfind("face", 0) == 0)
+    return condition(std::stoul(said.line.substr(std::string_view("face").size())));
+  for (std::size_t face = 0; face < at.mesh.faces.size(); ++face)
+    if (condition(face))
+      return true;
+  return false;
+}
+
+/// Where all that the line passes goes around it one way.
+auto oneWayClaim(Common common, int way = 0) {
+  return [common, way](const RayAtSolid &at, const Said &said) {
+    return at.has(common) && holdsOfFace(at, said, [&](std::size_t face) {
+             return at.hasOneTurn(face) && (way == 0 || at.hasTurn(face, way));
+           });
+  };
+}
+
+/// The ends of the edge that a line is about.
+std::pair<ExactVec3, ExactVec3> edgeOf(const RayAtSolid &at, const Said &said) {
+  const auto sides = edgesByEnds(at.mesh.faces);
+  const auto &[from, to, face] =
+      sides.at(2 * std::stoul(said.line.substr(said.line.find_first_of("0123456789"))));
+  return {at.mesh.vertices[from], at.mesh.vertices[to]};
+}
+Rational turnOf(const RayAtSolid &at, const Said &said) {
+  const auto [from, to] = edgeOf(at, said);
+  return at.turn(from, to);
+}
+
+/// Of the point that a line is about: t1 where the line goes in, t2 where it comes out.
+const Rational &parameterOf(const RayAtSolid &at, const Said &said) {
+  return said.line.back() == '1' ? at.begin : at.end;
+}
+
+bool hasNoDirection(const RayAtSolid &at) { return !at.isRay(); }
+bool meets(const RayAtSolid &at) { return at.meets(); }
+
+Claims caseClaims() {
+  return claimsAbout<RayAtSolid>({
+      {"The direction {r} is the zero vector: the ray goes nowhere.", hasNoDirection},
+      {"All corners lie in one plane: the solid is flat and has no inside.",
+       [](const RayAtSolid &at) { return at.isFlat(); }},
+      {"The corners of a face do not lie in one plane: its edges enclose no flat face.",
+       [](const RayAtSolid &at) { return !at.areFacesFlat(); }},
+      {"{first} and {second} are the same point.", [](const RayAtSolid &at) { return at.hasDoubleCorner(); }},
+      {"{first} and {second} are the same point: a face has a corner too many, and the signs alone do not "
+       "decide.",
+       [](const RayAtSolid &at) { return at.hasDoubleCorner() && !at.isFlat() && at.areFacesFlat(); }},
+      {"A face bends inwards, crosses itself or has a straight corner: the solid is not convex, and the "
+       "signs "
+       "alone do not decide.",
+       [](const RayAtSolid &at) {
+         return !at.isConvex && !at.isFlat() && at.areFacesFlat() && !at.hasDoubleCorner();
+       }},
+      {"The line goes through none of the faces: it misses the solid.",
+       [](const RayAtSolid &at) { return at.has(Common::Nothing); }},
+      {"The line goes through the solid, but {t1} and {t2} are negative: it is behind the ray's start.",
+       [](const RayAtSolid &at) { return at.has(Common::Inside) && at.end < 0; }},
+      {"The ray goes in through {in} at {t1}, and comes out through {out} at {t2}.",
+       [](const RayAtSolid &at) { return at.has(Common::Inside) && at.begin >= 0; }},
+      {"The ray starts on the solid and leads away from it: it has only its start in common with it.",
+       [](const RayAtSolid &at) { return at.has(Common::Inside) && at.end == 0; }},
+      {"The ray starts inside: {t1} is behind its start. It comes out through {out} at {t2}.",
+       [](const RayAtSolid &at) { return at.has(Common::Inside) && at.begin < 0 && at.end > 0; }},
+      {"The ray touches the solid in one point alone, {H1}, with {t1}.",
+       [](const RayAtSolid &at) { return at.has(Common::Point) && at.begin >= 0; }},
+      {"The line touches the solid in one point alone, {H1}. But {t1} is negative: that is behind the ray's "
+       "start.",
+       [](const RayAtSolid &at) { return at.has(Common::Point) && at.begin < 0; }},
+      {"The line runs along the surface, from {t1} to {t2}: in a face or an edge, without going inside.",
+       [](const RayAtSolid &at) { return at.has(Common::Surface) && at.end >= 0; }},
+      {"The line runs along the surface, but {t1} and {t2} are negative: the solid is behind the ray's "
+       "start.",
+       [](const RayAtSolid &at) { return at.has(Common::Surface) && at.end < 0; }},
+  });
+}
+
+Claims placeClaims() {
+  return claimsAbout<RayAtSolid>({
+      {"the face {axis}{value}", always},
+      {"the face {corners}", always},
+      {"the base", always},
+      {"the top", always},
+      {"the side at {edge}", always},
+      {"a corner of {face}",
+       [](const RayAtSolid &at) { return at.meets() && (at.isCorner(at.begin) || at.isCorner(at.end)); }},
+      {"the edge of {face} and {other}",
+       [](const RayAtSolid &at) {
+         return at.meets() && (at.facesAt(at.begin) == 2 || at.facesAt(at.end) == 2);
+       }},
+  });
+}
+
+Claims edgeClaims() {
+  return claimsAbout<RayAtSolid>({
+      {"The moment of the ray's line.", always},
+      {"The edge, from one corner to the other.", always},
+      {"The moment of its line.", always},
+      {"Positive: with {r} pointing at you, the edge goes counterclockwise around the ray.",
+       [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) > 0; }},
+      {"Negative: with {r} pointing at you, the edge goes clockwise around the ray.",
+       [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) < 0; }},
+      {"Zero, because {r} is the zero vector: there is no ray.", hasNoDirection},
+      {"Zero, because {e} is the zero vector: there is no edge.",
+       [](const RayAtSolid &at, const Said &said) {
+         const auto [from, to] = edgeOf(at, said);
+         return from == to;
+       }},
+      {"Zero: the ray and the edge lie in one plane.",
+       [](const RayAtSolid &at, const Said &said) {
+         const auto [from, to] = edgeOf(at, said);
+         return at.isRay() && from != to && turnOf(at, said) == 0;
+       }},
+      {"One product for two faces. Along {first} the edge runs as its arrow does, along {second} the other "
+       "way: there the sign changes.",
+       [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) != 0; }},
+      {"One product for {first} and {second}: 0, whichever way they run along the edge.",
+       [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) == 0; }},
+      {"One product for each edge.", always},
+      {"The edges of each face, face by face.", always},
+      {"Each edge belongs to two faces, so it was counted twice.", always},
+  });
+}
+
+Claims faceClaims() {
+  return claimsAbout<RayAtSolid>({
+      {"These are the products of {face}. They decide for a convex solid only.",
+       [](const RayAtSolid &at) { return !at.isConvex; }},
+      {"All are 0, because {r} is the zero vector: there is no line.", hasNoDirection},
+      {"Both signs are there: the line misses {face}.",
+       [](const RayAtSolid &at, const Said &said) {
+         return at.isLine() && holdsOfFace(at, said, [&](std::size_t face) {
+                  return at.hasTurn(face, 1) && at.hasTurn(face, -1);
+                });
+       }},
+      {"All are 0: the line runs in the plane of {face}.",
+       [](const RayAtSolid &at, const Said &said) {
+         return at.isLine() && holdsOfFace(at, said, [&](std::size_t face) {
+                  return product(at.normals[face], at.L.direction) == 0 &&
+                         product(at.normals[face],
+                                 ExactVec3(at.L.origin - at.corner(at.mesh.faces[face], 0))) == 0;
+                });
+       }},
+      {"No two differ in sign. But the line only touches the solid, in one point, which lies on the border "
+       "of "
+       "{face}: it goes neither in nor out.",
+       oneWayClaim(Common::Point)},
+      {"No two differ in sign. But the line runs along the surface of the solid, and meets {face} at its "
+       "border: it goes neither in nor out.",
+       oneWayClaim(Common::Surface)},
+      {"None is negative: the line comes out through {face}.", oneWayClaim(Common::Inside, 1)},
+      {"None is positive: the line goes in through {face}.", oneWayClaim(Common::Inside, -1)},
+      {"A normal of {face}, from two of its edges: it points outwards.", meets},
+      {"Negative: that is behind the start {Q}.",
+       [](const RayAtSolid &at, const Said &said) { return at.meets() && parameterOf(at, said) < 0; }},
+      {"Not negative: the ray itself gets there.",
+       [](const RayAtSolid &at, const Said &said) {
+         return at.meets() && !at.has(Common::Inside) && parameterOf(at, said) >= 0;
+       }},
+      {"Not negative: the ray itself gets there, and goes in.",
+       [](const RayAtSolid &at, const Said &said) {
+         return at.has(Common::Inside) && said.line == "t1" && at.begin >= 0;
+       }},
+      {"Not negative: the ray itself gets there, and comes out.",
+       [](const RayAtSolid &at, const Said &said) {
+         return at.has(Common::Inside) && said.line == "t2" && at.end >= 0;
+       }},
+  });
+}
+
+} // namespace
+
+namespace claims {
+
+Claims ray_solid_pluecker() { return together({caseClaims(), placeClaims(), edgeClaims(), faceClaims()}); }
+
+} // namespace claims
+} // namespace halfspace::test

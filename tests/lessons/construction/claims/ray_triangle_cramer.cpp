@@ -1,0 +1,59 @@
+#include "tests/lessons/construction/claims/ray_at_triangle.h"
+
+namespace halfspace::test {
+namespace {
+
+bool crosses(const RayAtTriangle &at) { return at.crosses(); }
+
+/// The determinant |a b c| of the sides that lead to P₀ and the way from the start to it.
+Rational lastDeterminant(const RayAtTriangle &at) {
+  return determinant(ExactVec3(-at.u), ExactVec3(-at.v), ExactVec3(at.corners[0] - at.L.origin));
+}
+
+} // namespace
+
+namespace claims {
+
+Claims ray_triangle_cramer() {
+  const Claims own = claimsAbout<RayAtTriangle>({
+      {"The ray hits {place}, at {lambda}.", [](const RayAtTriangle &at) { return at.hits(); }},
+      {"{lambda} is negative: the triangle is behind the ray's start. Only the line backwards meets it, "
+       "{place}.",
+       [](const RayAtTriangle &at) { return at.isBehind(); }},
+      {"The line meets the triangle's plane outside the triangle: {sigma}, {tau}, {sum}.",
+       [](const RayAtTriangle &at) { return at.misses(); }},
+      {"D = 0, but not D₃: the ray runs parallel to the triangle's plane and never meets it.",
+       [](const RayAtTriangle &at) { return at.isParallel() && lastDeterminant(at) != 0; }},
+      {"D = 0 and D₃ = 0: the ray lies in the triangle's plane, and no single point is the hit.",
+       [](const RayAtTriangle &at) { return at.isInPlane() && lastDeterminant(at) == 0; }},
+      {"{same}: this is no triangle, and D is 0.", [](const RayAtTriangle &at) { return at.isCoincident(); }},
+      {"{P0}, {P1} and {P2} lie on one line: two columns are multiples of each other, and D is 0.",
+       [](const RayAtTriangle &at) { return at.isCollinear(); }},
+      {"From {P1} to {P0}.", always},
+      {"From {P2} to {P0}.", always},
+      {"From {Q} to {P0}.", always},
+      {"By its first column: each number of a times what is left without its row and column. Signs: plus, "
+       "minus, plus.",
+       always},
+      {"The first cross product that is used twice.", always},
+      {"The second cross product that is used twice.", always},
+      {"Zero: there is nothing to divide by, so no single point is the answer.",
+       [](const RayAtTriangle &at) { return !at.crosses(); }},
+      {"The small determinants are the coordinates of p, with the signs already in them.", crosses},
+      {"c in the place of a: p is there already.", always},
+      {"c in the place of b. Here the last column is split off: {r}.", always},
+      {"c in the place of {r}. The middle column is split off, and that one comes with a minus.", always},
+      {"The weight of {P1}.", crosses},
+      {"The weight of {P2}.", crosses},
+      {"These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane {place}.", crosses},
+      {"Negative: the line gets there before the ray's start {Q}, so the ray does not hit.",
+       [](const RayAtTriangle &at) { return at.crosses() && at.lambda() < 0; }},
+      {"Not negative: the ray itself gets there.",
+       [](const RayAtTriangle &at) { return at.crosses() && at.lambda() >= 0; }},
+      {"Where the line of the ray meets the triangle's plane.", crosses},
+  });
+  return together({own, placeClaims<RayAtTriangle>(), coincidenceClaims(), zeroDirectionClaims(1)});
+}
+
+} // namespace claims
+} // namespace halfspace::test
