@@ -1,5 +1,6 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/solid_shape.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_bodies.h"
 
 #include <gtest/gtest.h>
@@ -249,8 +250,8 @@ TEST(AreAllBehind, ManyVertices_AreBehindAsOneByOne) { // law (1)
       ASSERT_EQ(areAllBehind(set), expected) << "hull " << i << ", mesh " << j;
     }
   }
-  EXPECT_GT(behind, 50);
-  EXPECT_GT(notBehind, 50);
+  EXPECT_GT(behind, test::effort(50));
+  EXPECT_GT(notBehind, test::effort(50));
 }
 
 TEST(IsInside, CornersInAnyOrder_TellTheSameAsBarycentricCoordinates) { // law (1)
@@ -413,11 +414,11 @@ ExactVec3 someDirection(const Mesh &mesh, const std::vector<std::uint32_t> &face
 TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
   RandomNumbers random(123);
   // So often each kind of contact comes up at least.
-  constexpr int enough = 100;
+  constexpr int enough = test::effort(100);
   std::map<SolidContacts, int> contacts;
   std::map<RaySolidCase, int> cases;
   std::map<SolidLocation, int> origins;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::effort(300); ++i) {
     const Mesh mesh = randomSolid(random);
     const auto solid = solidOf(mesh);
     for (int j = 0; j < 30; ++j) {
@@ -446,7 +447,7 @@ TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
 TEST(IntersectRaySolid, AnySolidAndRay_IsMetBetweenTheTwoAndTheSameWhenStretched) {
   RandomNumbers random(202);
   std::map<SolidContacts, int> contacts;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < test::effort(1500); ++i) {
     const Mesh mesh = randomSolid(random);
     const auto solid = solidOf(mesh);
     const auto &face = someFace(mesh, random);

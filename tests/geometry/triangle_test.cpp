@@ -1,4 +1,5 @@
 #include "geometry/triangle.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ std::vector<std::array<std::size_t, 3>> orders() {
 TEST(TriangleShape, AnyCorners_AreProperExactlyWithANormalAndTheSameInAnyOrder) {
   RandomNumbers random(173);
   std::map<TriangleShape, int> shapes;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const std::array<ExactVec3, 3> corners{random.wholeVector(1), random.wholeVector(1),
                                            random.wholeVector(1)};
     const TriangleShape shape = shapeOf<Rational>({corners[0], corners[1], corners[2]});
@@ -38,7 +39,7 @@ TEST(TriangleShape, AnyCorners_AreProperExactlyWithANormalAndTheSameInAnyOrder) 
 
 TEST(PointOf, CornersAndSwappedCorners_AreWhereTheirParametersSay) {
   RandomNumbers random(174);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Triangle<Rational> triangle{random.vector(), random.vector(), random.vector()};
     const Rational zero = 0;
     const Rational one = 1;
