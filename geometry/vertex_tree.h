@@ -81,10 +81,13 @@ private:
     m_units = largestExponents();
   }
 
+  /// Of zero, smaller than any exponent.
+  static constexpr int noExponent = std::numeric_limits<int>::min();
+  static int orZero(int exponent) { return exponent == noExponent ? 0 : exponent; }
+
   /// Of the points' coordinates as they are seen; 0 where all are 0.
   [[nodiscard]] Vec3<int> largestExponents() const {
-    constexpr int none = std::numeric_limits<int>::min();
-    Vec3<int> largest(none);
+    Vec3<int> largest(noExponent);
     for (const Point &point : m_points) {
       const auto from = seen(point.exact);
       for (glm::length_t axis = 0; axis < 3; ++axis)
@@ -92,7 +95,7 @@ private:
           largest[axis] = std::max(largest[axis], binaryExponent(from.position[axis], from.weight));
     }
     for (glm::length_t axis = 0; axis < 3; ++axis)
-      largest[axis] = largest[axis] == none ? 0 : largest[axis];
+      largest[axis] = orZero(largest[axis]);
     return largest;
   }
 
@@ -109,10 +112,11 @@ private:
     const Scalar one(1);
     const Vec3<Scalar> normal = plane.normal * m_from.weight;
     const Scalar offset = evaluate(plane, m_from);
-    int size = offset == Scalar(0) ? std::numeric_limits<int>::min() : binaryExponent(offset, one);
+    int size = offset == Scalar(0) ? noExponent : binaryExponent(offset, one);
     for (glm::length_t axis = 0; axis < 3; ++axis)
       if (normal[axis] != Scalar(0))
         size = std::max(size, binaryExponent(normal[axis], one) + m_units[axis]);
+    size = orZero(size);
     Plane<double> result{{}, nearestQuotient(offset, one, -size)};
     for (glm::length_t axis = 0; axis < 3; ++axis)
       result.normal[axis] = nearestQuotient(normal[axis], one, m_units[axis] - size);
