@@ -117,7 +117,7 @@ TEST(IntersectRaySphere, RootThatIsNoFraction_StaysARoot) {
 TEST(IntersectRaySphere, AnyRay_HasItsContactsExactlyOnTheSphere) {
   RandomNumbers random(101);
   std::map<RaySphereCase, int> cases;
-  for (int i = 0; i < test::effort(1500); ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
     const Sphere<Rational> sphere{random.wholeVector(9), abs(random.nonZeroRational(8))};
     const auto meet = intersectRaySphere(ray, sphere);
@@ -177,7 +177,7 @@ TEST(IntersectRaySphere, BothT_HaveTheSumAndProductOfTheQuadratic) { // law (4)
 TEST(IntersectRaySphere, MultipleOfTheDirection_DividesTAndKeepsThePoints) { // law (5)
   RandomNumbers random(188);
   std::map<SphereContacts, int> contacts;
-  for (int i = 0; i < test::effort(1500); ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const Ray<Rational> ray{random.wholeVector(4), random.nonZeroWholeVector(2)};
     const Sphere<Rational> sphere{random.wholeVector(4), random.integer(1, 4)};
     const Rational k = random.nonZeroRational(3);
@@ -199,7 +199,7 @@ TEST(IntersectRaySphere, MultipleOfTheDirection_DividesTAndKeepsThePoints) { // 
 
 TEST(IntersectRaySphere, TangentRay_TouchesExactlyOnceWhereItWasAimed) {
   RandomNumbers random(103);
-  for (int i = 0; i < test::effort(1000); ++i) {
+  for (int i = 0; i < 1000; ++i) {
     Sphere<Rational> sphere{random.vector(), 0};
     const ExactVec3 arm = vectorOfRationalLength(random, sphere.radius);
     const ExactVec3 direction = cross(arm, random.vector());

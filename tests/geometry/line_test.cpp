@@ -145,7 +145,7 @@ LineLineCase expectedCase(const Ray<Rational> &first, const Ray<Rational> &secon
 TEST(RelateLines, AnyTwo_AgreeWithDroppingAPerpendicular) {
   RandomNumbers random(85);
   std::map<LineLineCase, int> cases;
-  for (int i = 0; i < test::effort(8000); ++i) {
+  for (int i = 0; i < 8000; ++i) {
     const auto [first, second] = somePair(i % 4, random);
     const auto related = relateLines(lineOf(first), lineOf(second));
     ++cases[related.which];

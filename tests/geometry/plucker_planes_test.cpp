@@ -59,7 +59,7 @@ TEST(IntersectPlanes, MultiplesOfANormal_AreParallelOrCoincidentByTheirOffsets) 
 TEST(IntersectPlanes, InTheOtherOrderOrMultiplied_TurnsAndStretchesTheLine) {
   RandomNumbers random(186);
   std::map<PlanePlaneCase, int> cases;
-  for (int i = 0; i < test::effort(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Plane<Rational> a{random.wholeVector(1), random.integer(-1, 1)};
     const Plane<Rational> b{random.wholeVector(1), random.integer(-1, 1)};
     const auto meet = intersectPlanes(a, b);
@@ -134,7 +134,7 @@ Ray<Rational> someRay(const Plane<Rational> &plane, RandomNumbers &random) {
 TEST(IntersectLinePlane, AnyLine_AgreesWithTheRaysDotProducts) {
   RandomNumbers random(94);
   std::map<LinePlaneCase, int> cases;
-  for (int i = 0; i < test::effort(3000); ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const Ray<Rational> ray = someRay(plane, random);
     if (isZero(ray.direction))

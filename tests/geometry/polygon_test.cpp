@@ -100,7 +100,7 @@ TEST(PolygonShape, CornerPressedIn_IsConvexUntilItIsStraight) {
 TEST(PolygonShape, AnyPlanarCorners_AgreeWithLookingFromEveryEdge) {
   RandomNumbers random(111);
   int convex = 0;
-  constexpr int figures = test::effort(20'000);
+  constexpr int figures = 20'000;
   for (int i = 0; i < figures; ++i) {
     std::vector<std::pair<int, int>> corners;
     for (int left = random.integer(3, 6); left > 0; --left)
@@ -125,7 +125,7 @@ TEST(PolygonShape, RandomConvexPolygons_AreConvex) {
 TEST(PolygonShape, AnotherFirstCornerOrTheOtherWayRound_IsTheSame) { // law (1)
   RandomNumbers random(191);
   std::map<PolygonShape, int> shapes;
-  for (int i = 0; i < test::effort(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     Polygon<Rational> corners;
     for (int left = random.integer(3, 5); left > 0; --left)
       corners.emplace_back(random.integer(0, 2), random.integer(0, 2), i % 4 == 0 ? random.integer(0, 1) : 0);
@@ -229,7 +229,7 @@ ExactVec3 someTarget(const Polygon<Rational> &corners, RandomNumbers &random) {
 TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
   RandomNumbers random(113);
   std::map<FacePart, int> locations;
-  for (int i = 0; i < test::effort(5000); ++i) {
+  for (int i = 0; i < 5000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const ExactVec3 target = someTarget(corners, random);
     const ExactVec3 direction = random.nonZeroWholeVector(6);
@@ -275,7 +275,7 @@ TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTh
 TEST(IntersectRayPolygon, Triangle_IsMetAsByThePerps) { // law (3)
   RandomNumbers random(194);
   std::map<FacePart, int> locations;
-  for (int i = 0; i < test::effort(4000); ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const Polygon<Rational> corners{random.wholeVector(2), random.wholeVector(2), random.wholeVector(2)};
     const Triangle<Rational> triangle{corners[0], corners[1], corners[2]};
     if (shapeOf(triangle) != TriangleShape::Proper)
@@ -320,7 +320,7 @@ TEST(IntersectRayPolygon, CornersTheOtherWayRound_GiveTheSameAndNegativeProducts
 TEST(PlaceByProducts, LineTurnedRoundOrAnotherFirstEdge_IsTheSamePlace) {
   RandomNumbers random(196);
   std::map<FacePart, int> locations;
-  for (int i = 0; i < test::effort(2000); ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const ExactVec3 direction = random.nonZeroWholeVector(4);
     const auto meet = intersect({someTarget(corners, random) - direction, direction}, corners);

@@ -414,11 +414,11 @@ ExactVec3 someDirection(const Mesh &mesh, const std::vector<std::uint32_t> &face
 TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
   RandomNumbers random(123);
   // So often each kind of contact comes up at least.
-  constexpr int enough = test::effort(100);
+  constexpr int enough = 100;
   std::map<SolidContacts, int> contacts;
   std::map<RaySolidCase, int> cases;
   std::map<SolidLocation, int> origins;
-  for (int i = 0; i < test::effort(300); ++i) {
+  for (int i = 0; i < 300; ++i) {
     const Mesh mesh = randomSolid(random);
     const auto solid = solidOf(mesh);
     for (int j = 0; j < 30; ++j) {
@@ -447,7 +447,7 @@ TEST(IntersectRaySolid, AnySolidAndRay_AgreesWithClippingToHalfSpaces) {
 TEST(IntersectRaySolid, AnySolidAndRay_IsMetBetweenTheTwoAndTheSameWhenStretched) {
   RandomNumbers random(202);
   std::map<SolidContacts, int> contacts;
-  for (int i = 0; i < test::effort(1500); ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const Mesh mesh = randomSolid(random);
     const auto solid = solidOf(mesh);
     const auto &face = someFace(mesh, random);
