@@ -41,12 +41,25 @@ struct Meeting {
   RayTriangle<Rational> meet;
 };
 
+/// What a ray and a triangle in whose plane it lies have in common, by the ray's λ.
+struct Passage {
+  Rational begin;
+  Rational end;
+};
+
+/// A triangle in whose plane the ray lies, and what both have in common.
+struct Along {
+  Fragment fragment;
+  Passage passage;
+};
+
 struct Out : Naming, RayTerms {
   std::size_t fragments = 0;
   std::vector<Meeting> listed; ///< by number
   FirstHits first;
   std::optional<Meeting> nearest;
   std::optional<Meeting> chosen;
+  std::optional<Along> along; ///< the first of those listed that the ray lies in
   Term lambda, H;
 };
 
@@ -101,44 +114,6 @@ std::set<std::size_t> listedNumbers(const In &in, const Out &at) {
   return numbers;
 }
 
-Out compute(const In &in) {
-  Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, Term(0), Term(0)};
-  const Placements placements = placementsOf(in.meshes);
-  if (const auto number = chosenNumber(in.i.object.value, out.fragments))
-    out.chosen = meetingWith(in, placements, *number);
-  if (!isZero(in.L.object.direction)) {
-    out.first = firstHits(in.L.object, in.meshes);
-    if (!out.first.fragments.empty())
-      out.nearest = meetingWith(in, placements, numberOf(in.meshes, out.first.fragments.front()));
-    for (const std::size_t number : listedNumbers(in, out))
-      out.listed.push_back(meetingWith(in, placements, number));
-  }
-  const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
-  out.lambda = name(in.own(letter("λ", "H")), out.first.t);
-  if (out.nearest)
-    out.lambda = out.lambda.standingFor(crossingTerm(out, out.nearest->triangle));
-  out.H = madeName(in, "H", point);
-  return out;
-}
-
-bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
-bool areAllListed(const Out &at) { return at.listed.size() == at.fragments; }
-
-/// How many of those that are listed are hit at the smallest λ.
-int tieCount(const Out &at) {
-  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [&at](const Meeting &meeting) {
-    return isHit(meeting) && meeting.meet.plane.t == at.first.t;
-  }));
-}
-
-bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
-
-/// What a ray and a triangle in whose plane it lies have in common, by the ray's λ.
-struct Passage {
-  Rational begin;
-  Rational end;
-};
-
 /// Along the ray each corner's weight changes evenly, and those of inside are never negative: each weight
 /// leaves a piece of the ray. Nothing where no piece is left.
 std::optional<Passage> passageThrough(const RayObject &ray, const Triangle<Rational> &triangle) {
@@ -162,30 +137,57 @@ std::optional<Passage> passageThrough(const RayObject &ray, const Triangle<Ratio
   return end && begin <= *end ? std::optional(Passage{begin, *end}) : std::nullopt;
 }
 
-/// A triangle in whose plane the ray lies, and what both have in common.
-struct Along {
-  const Meeting *meeting;
-  Passage passage;
-};
-
-/// The first along the ray of those listed; nothing where there is none.
-std::optional<Along> firstAlong(const In &in, const Out &at) {
+/// The first along the ray of those in whose planes it lies; nothing where there is none.
+std::optional<Along> firstAlong(const RayObject &ray, const std::vector<Meeting> &meetings) {
   std::optional<Along> first;
-  for (const Meeting &meeting : at.listed) {
+  for (const Meeting &meeting : meetings) {
     if (meeting.meet.which != RayTriangleCase::InPlane)
       continue;
-    const auto passage = passageThrough(in.L.object, meeting.triangle);
+    const auto passage = passageThrough(ray, meeting.triangle);
     if (passage && (!first || passage->begin < first->passage.begin))
-      first = {&meeting, *passage};
+      first = {meeting.fragment, *passage};
   }
   return first;
 }
 
+Out compute(const In &in) {
+  Out out{in, termsOf(in.L), fragmentCount(in.meshes), {}, {}, {}, {}, {}, Term(0), Term(0)};
+  const Placements placements = placementsOf(in.meshes);
+  if (const auto number = chosenNumber(in.i.object.value, out.fragments))
+    out.chosen = meetingWith(in, placements, *number);
+  if (!isZero(in.L.object.direction)) {
+    out.first = firstHits(in.L.object, in.meshes);
+    if (!out.first.fragments.empty())
+      out.nearest = meetingWith(in, placements, numberOf(in.meshes, out.first.fragments.front()));
+    for (const std::size_t number : listedNumbers(in, out))
+      out.listed.push_back(meetingWith(in, placements, number));
+    out.along = firstAlong(in.L.object, out.listed);
+  }
+  const ExactVec3 point = out.nearest ? out.nearest->meet.plane.point : ExactVec3(in.L.object.origin);
+  out.lambda = name(in.own(letter("λ", "H")), out.first.t);
+  if (out.nearest)
+    out.lambda = out.lambda.standingFor(crossingTerm(out, out.nearest->triangle));
+  out.H = madeName(in, "H", point);
+  return out;
+}
+
+bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
+bool areAllListed(const Out &at) { return at.listed.size() == at.fragments; }
+
+/// How many of those that are listed are hit at the smallest λ.
+int tieCount(const Out &at) {
+  return static_cast<int>(std::count_if(at.listed.begin(), at.listed.end(), [&at](const Meeting &meeting) {
+    return isHit(meeting) && meeting.meet.plane.t == at.first.t;
+  }));
+}
+
+bool isTriangle(const Meeting &meeting) { return meeting.meet.perps.denominator != 0; }
+
 CaseWords tellMiss(const In &in, const Out &at) {
-  if (const auto along = firstAlong(in, at)) {
-    const WordValues values{{"fragment", nameOf(in.meshes, along->meeting->fragment)}};
+  if (at.along) {
+    const WordValues values{{"fragment", nameOf(in.meshes, at.along->fragment)}};
     return {"in-plane",
-            along->passage.begin < along->passage.end
+            at.along->passage.begin < at.along->passage.end
                 ? words("The ray runs along {fragment}, in its plane: it hits no triangle at a single point.",
                         values)
                 : words("The ray touches {fragment} at one point, within its plane, and that does not count "
@@ -210,11 +212,10 @@ std::string chosenWords(const In &in, const Out &at) {
 
 /// What the ray comes to before its first hit although that is no hit; empty where there is nothing.
 std::string wordsBefore(const In &in, const Out &at) {
-  const auto along = at.nearest ? firstAlong(in, at) : std::nullopt;
-  if (!along || along->passage.begin >= at.first.t)
+  if (!at.nearest || !at.along || at.along->passage.begin >= at.first.t)
     return {};
-  const WordValues values{{"fragment", nameOf(in.meshes, along->meeting->fragment)}};
-  return along->passage.begin < along->passage.end
+  const WordValues values{{"fragment", nameOf(in.meshes, at.along->fragment)}};
+  return at.along->passage.begin < at.along->passage.end
              ? words("Before, it runs along {fragment}, in its plane, and that does not count as a hit.",
                      values)
              : words("Before, it touches {fragment} within its plane, and that does not count as a hit.",
@@ -250,9 +251,9 @@ CaseWords tell(const In &in, const Out &at) {
 
 std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place); }
 
-std::string wordForFirst(const In &in, const Out &at) {
+std::string wordForFirst(const Out &at) {
   if (!at.nearest)
-    return firstAlong(in, at) ? "in-plane" : "none";
+    return at.along ? "in-plane" : "none";
   return at.first.fragments.size() > 1 ? "several" : meshValue(at.nearest->fragment.mesh);
 }
 
@@ -278,7 +279,7 @@ std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
   std::vector<NamedValue> values{{"fragments", words("triangles"), static_cast<int>(at.fragments)}};
   if (isDegenerate(in))
     return values;
-  values.push_back({"first", {}, wordForFirst(in, at)});
+  values.push_back({"first", {}, wordForFirst(at)});
   if (at.nearest) {
     values.push_back({"nearest", words("number of the nearest"), static_cast<int>(at.nearest->number)});
     values.push_back(listed("lambda", at.lambda));
