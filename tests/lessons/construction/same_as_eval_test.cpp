@@ -139,7 +139,7 @@ template <class Compare> void compareScenes(std::string_view id, const Compare &
       compared += compareWith(objects, explained);
     }
   }
-  EXPECT_GT(compared, scenesPerWriting / 4) << "hardly a figure is the same";
+  EXPECT_GT(compared, scenesPerWriting / 2) << "hardly a figure is the same";
 }
 
 class EveryConstructionWithAQuestion : public testing::TestWithParam<std::string> {};
