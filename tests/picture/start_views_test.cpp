@@ -2,6 +2,7 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/handles.h"
 #include "tests/picture/labels/vectors_only.h"
+#include "tests/test_name.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_page.h"
@@ -366,11 +367,7 @@ std::vector<std::string> lessonNames() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Lessons, StartView, testing::ValuesIn(lessonNames()), [](const auto &lesson) {
-  std::string name = lesson.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Lessons, StartView, testing::ValuesIn(lessonNames()), test::testName);
 
 } // namespace
 } // namespace halfspace

@@ -1,7 +1,9 @@
 // A sentence is a claim: it is said only where it holds. Thousands of scenes, the special cases beside them
 // too, are asked what they say, and each sentence is weighed by its condition in claims/.
 #include "tests/lessons/construction/claims/claims.h"
+#include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/random_objects.h"
+#include "tests/test_name.h"
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/corners.h"
@@ -150,7 +152,8 @@ std::string describe(const std::vector<Object> &objects) {
 
 class ClaimsOfConstruction : public testing::TestWithParam<std::string> {
 protected:
-  ClaimsOfConstruction() : m_construction(*findConstruction(GetParam())), m_claims(claimsOf(GetParam())) {}
+  ClaimsOfConstruction()
+      : m_construction(*findConstruction(GetParam())), m_claims(claimsOf(m_construction)) {}
 
   void weighEverythingSaid(const std::vector<Object> &objects) {
     std::vector<const Object *> pointers;
@@ -209,17 +212,8 @@ TEST_P(ClaimsOfConstruction, InEveryScene_Hold) {
     expectAllHeard();
 }
 
-INSTANTIATE_TEST_SUITE_P(Claims, ClaimsOfConstruction, testing::ValuesIn([] {
-                           std::vector<std::string> ids;
-                           for (const Construction &construction : constructions())
-                             ids.emplace_back(construction.id);
-                           return ids;
-                         }()),
-                         [](const auto &each) {
-                           std::string name = each.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Claims, ClaimsOfConstruction, testing::ValuesIn(test::constructionIds()),
+                         test::testName);
 
 TEST(MarkedSentences, OfSentencesWithinOthers_AreToldWithTheirTexts) {
   const MarkedSentences marked;

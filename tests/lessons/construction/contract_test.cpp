@@ -1,7 +1,9 @@
 // What every construction promises, checked on thousands of scenes: its values by a second calculation, its
 // worked lines by calculating what they say, its figure by the places that it names.
+#include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/expected/expected.h"
 #include "tests/lessons/construction/random_objects.h"
+#include "tests/test_name.h"
 
 #include "geometry/surd.h"
 #include "lessons/construction/reference.h"
@@ -638,17 +640,8 @@ TEST(Contract, TheStartOfEveryLesson_IsRightAndExactInEveryLine) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Contract, EveryConstruction, testing::ValuesIn([] {
-                           std::vector<std::string> ids;
-                           for (const Construction &construction : constructions())
-                             ids.emplace_back(construction.id);
-                           return ids;
-                         }()),
-                         [](const auto &each) {
-                           std::string name = each.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Contract, EveryConstruction, testing::ValuesIn(test::constructionIds()),
+                         test::testName);
 
 } // namespace
 } // namespace halfspace

@@ -1,6 +1,7 @@
 // What `halfspace explain` says of a scene, and what `halfspace eval` answers to the same question: one core,
 // the same figures.
 #include "tests/lessons/construction/random_objects.h"
+#include "tests/test_name.h"
 
 #include "eval/evaluate.h"
 #include "lessons/scene/explain_formats.h"
@@ -326,11 +327,7 @@ INSTANTIATE_TEST_SUITE_P(SameAsEval, EveryConstructionWithAQuestion, testing::Va
                                ids.push_back(std::move(id));
                            return ids;
                          }()),
-                         [](const auto &each) {
-                           std::string name = each.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::testName);
 
 } // namespace
 } // namespace halfspace

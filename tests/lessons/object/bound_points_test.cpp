@@ -7,6 +7,7 @@
 #include "lessons/term/plain_text.h"
 #include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
+#include "tests/test_name.h"
 
 #include <gtest/gtest.h>
 
@@ -168,11 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryBoundKind, testing::ValuesIn([] {
                                words.emplace_back(kind.word);
                            return words;
                          }()),
-                         [](const auto &each) {
-                           std::string name = each.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::testName);
 
 TEST(PointOnPlane, WhereThePlaneTurnsOrItsNormalGrows_StaysInItOrWhereItIs) {
   const Scene scene{{planeE(), {"P", objectOf("point-on-plane", {{5, 6, 5}}), "E"}}};

@@ -10,6 +10,7 @@
 #include "lessons/scene/snap_targets.h"
 #include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
+#include "tests/test_name.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -188,11 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn([] {
                              words.emplace_back(kind.word);
                            return words;
                          }()),
-                         [](const auto &each) {
-                           std::string name = each.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::testName);
 
 bool isFilled(const Object &polygon) {
   return findMark(figureOf(evaluate({{{"A1", polygon}}})), "A1") != nullptr;

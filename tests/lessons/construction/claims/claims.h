@@ -9,7 +9,6 @@
 #include <initializer_list>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace halfspace::test {
@@ -68,7 +67,6 @@ template <class Scene>
 /// thought about it.
 inline constexpr auto always = [](const auto &) { return true; };
 
-/// Of a construction by its id: signed-distance.
-[[nodiscard]] const Claims &claimsOf(std::string_view construction);
+[[nodiscard]] const Claims &claimsOf(const Construction &construction);
 
 } // namespace halfspace::test

@@ -28,8 +28,7 @@ namespace claims {
 Claims dot_product_projection() {
   return claimsAbout<TwoVectors>({
       {"{zero} is the zero vector: it points nowhere, so it makes no angle, and nothing can be projected "
-       "onto "
-       "it.",
+       "onto it.",
        [](const TwoVectors &at, const Said &said) { return vanishes(said.at("zero") == "v" ? at.v : at.w); }},
       {"{v} and {w} point in the same direction: nothing is left across.",
        [](const TwoVectors &at) { return at.areParallel() && at.vw > 0; }},

@@ -94,8 +94,7 @@ Claims misprints() {
        "cosine is 1 or −1.",
        [](const PrintedLines &at) { return at.hasAngle(); }},
       {"One of the three conditions holds, so the note says: on the perimeter. Refuted: {I} is on the line "
-       "of "
-       "an edge, but outside the triangle.",
+       "of an edge, but outside the triangle.",
        [](const PrintedLines &at) { return at.isPerimeterRefuted(); }},
       {"At least one of the three conditions holds, and {I} is on the perimeter. Here the note is right.",
        [](const PrintedLines &at) { return at.crosses() && at.isOnEdgeLine() && !at.misses(); }},

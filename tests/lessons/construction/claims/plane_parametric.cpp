@@ -44,13 +44,9 @@ Claims plane_parametric() {
   const Claims own = claimsAbout<PointBySides>({
       {"{P} is {place}: {s}, {t}.", isInPlane},
       {"{P} does not lie in the triangle's plane: no s and t lead to it.", isOffPlane},
-      {"{first} and {second} are the same point: the corners span no plane.",
-       [](const PointBySides &at, const Said &said) {
-         return at.corners.at(cornerNamed(said.at("first"))) == at.corners.at(cornerNamed(said.at("second")));
-       }},
+      {"{first} and {second} are the same point: the corners span no plane.", areSamePoint},
       {"{P0}, {P1} and {P2} lie on one line: every s and t lead to a point of this line, and the corners "
-       "span "
-       "no plane.",
+       "span no plane.",
        [](const PointBySides &at) { return at.isCollinear(); }},
       {"Two sides of the triangle, both from {P0}.", always},
       {"From {P0}, s steps of u and then t steps of v.", isInPlane},

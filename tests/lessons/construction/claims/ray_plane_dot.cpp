@@ -1,30 +1,6 @@
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
-#include "tests/lessons/construction/claims/claims.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/ray_at_plane.h"
 
 namespace halfspace::test {
-namespace {
-
-struct RayAtPlane {
-  explicit RayAtPlane(Objects objects)
-      : E(objectAs<PlaneObject>(*objects[0]).value()), L(objectAs<RayObject>(*objects[1]).value()),
-        rn(product(L.direction, E.normal)), f(product(E.normal, L.origin) - product(E.normal, E.point)) {}
-
-  bool isRay() const { return !vanishes(L.direction); }
-  bool isPlane() const { return !vanishes(E.normal); }
-  /// The line's one point in the plane.
-  bool crosses() const { return rn != 0; }
-  Rational t() const { return -f / rn; }
-
-  PlaneObject E;
-  RayObject L;
-  Rational rn;
-  Rational f;
-};
-
-} // namespace
-
 namespace claims {
 
 Claims ray_plane_dot() {
@@ -36,25 +12,24 @@ Claims ray_plane_dot() {
       {"{n} is the zero vector: there is no plane.", [](const RayAtPlane &at) { return !at.isPlane(); }},
       {"{r} is the zero vector: there is no ray.", [](const RayAtPlane &at) { return !at.isRay(); }},
       {"t = 0: the ray starts in the plane, so it hits at its own start.",
-       [](const RayAtPlane &at) { return at.crosses() && at.f == 0; }},
+       [](const RayAtPlane &at) { return at.crosses() && at.height == 0; }},
       {"{t} is positive: the ray hits the plane.",
        [](const RayAtPlane &at) { return at.crosses() && at.t() > 0; }},
       {"{t} is negative: the plane is behind the ray's start, so the ray does not hit it.",
        [](const RayAtPlane &at) { return at.crosses() && at.t() < 0; }},
       {"{r}·{n} = 0 but ({P0} − {Q})·{n} is not: the ray runs parallel to the plane and never meets it.",
-       [](const RayAtPlane &at) { return at.isRay() && at.isPlane() && at.rn == 0 && at.f != 0; }},
+       [](const RayAtPlane &at) { return at.isRay() && at.isPlane() && at.rn == 0 && at.height != 0; }},
       {"{r}·{n} = 0 and ({P0} − {Q})·{n} = 0: the ray lies in the plane. Every t fits, so 0/0 names no "
-       "single "
-       "point.",
-       [](const RayAtPlane &at) { return at.isRay() && at.isPlane() && at.rn == 0 && at.f == 0; }},
+       "single point.",
+       [](const RayAtPlane &at) { return at.isRay() && at.isPlane() && at.rn == 0 && at.height == 0; }},
       {"The ray's points {Q} + t·{r} put into the plane's equation. One unknown is left: t.",
        [](const RayAtPlane &at) { return at.isPlane() && at.isRay(); }},
       {"Collected by t: {r}·{n} stands before t, and f({Q}) is left over.",
        [](const RayAtPlane &at) { return at.rn != 0; }},
       {"{r}·{n} is 0, and so is f({Q}): t drops out, and every t fulfils 0 = 0.",
-       [](const RayAtPlane &at) { return at.rn == 0 && at.f == 0; }},
+       [](const RayAtPlane &at) { return at.rn == 0 && at.height == 0; }},
       {"{r}·{n} is 0: t drops out, and f({Q}) is not 0, so no t fulfils the equation.",
-       [](const RayAtPlane &at) { return at.rn == 0 && at.f != 0; }},
+       [](const RayAtPlane &at) { return at.rn == 0 && at.height != 0; }},
       {"This is −f({Q}). It says how far the plane is from {Q} along {n}, times |{n}|: a distance only when "
        "|{n}| = 1.",
        [](const RayAtPlane &at) { return at.isPlane(); }},
@@ -67,12 +42,10 @@ Claims ray_plane_dot() {
       {"Here the line through the ray meets the plane, behind the start: the ray itself never gets there.",
        [](const RayAtPlane &at) { return at.crosses() && at.t() < 0; }},
       {"{r}·{n} is positive, so {n} points away from where the ray comes from: the facing normal is −{n}, "
-       "made one "
-       "unit long.",
+       "made one unit long.",
        [](const RayAtPlane &at) { return at.rn > 0; }},
       {"{r}·{n} is negative, so {n} already points to where the ray comes from: the facing normal is {n}, "
-       "made one "
-       "unit long.",
+       "made one unit long.",
        [](const RayAtPlane &at) { return at.rn < 0; }},
   });
 }

@@ -1,27 +1,12 @@
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
-#include "tests/lessons/construction/claims/claims.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/ray_at_plane.h"
 
 namespace halfspace::test {
 namespace {
 
-struct RayInPicture {
-  explicit RayInPicture(Objects objects)
-      : G(objectAs<PlaneObject>(*objects[0]).value()), L(objectAs<RayObject>(*objects[1]).value()),
-        D(product(G.point, G.normal)), rn(product(L.direction, G.normal)),
-        height(product(L.origin, G.normal) - D) {}
+struct RayInPicture : RayAtPlane {
+  explicit RayInPicture(Objects objects) : RayAtPlane(objects), D(product(E.point, E.normal)) {}
 
-  bool isPlane() const { return !vanishes(G.normal); }
-  bool isRay() const { return !vanishes(L.direction); }
-  bool crosses() const { return rn != 0; }
-  Rational t() const { return -height / rn; }
-
-  PlaneObject G;
-  RayObject L;
-  Rational D;      ///< of the plane's equation n·x = D
-  Rational rn;     ///< what a step gains along n
-  Rational height; ///< of the start over the plane, times |n|
+  Rational D; ///< of the plane's equation n·x = D
 };
 
 bool isPlane(const RayInPicture &at) { return at.isPlane(); }
@@ -29,9 +14,9 @@ bool isNoPlane(const RayInPicture &at) { return !at.isPlane(); }
 bool crosses(const RayInPicture &at) { return at.crosses(); }
 /// The line through the origin along n, the plane, and the start that is on neither.
 bool isRectangle(const RayInPicture &at) {
-  return at.isPlane() && !vanishes(perpendicular(at.L.origin, at.G.normal)) && at.height != 0;
+  return at.isPlane() && !vanishes(perpendicular(at.L.origin, at.E.normal)) && at.height != 0;
 }
-bool runsAlongNormal(const RayInPicture &at) { return vanishes(perpendicular(at.L.direction, at.G.normal)); }
+bool runsAlongNormal(const RayInPicture &at) { return vanishes(perpendicular(at.L.direction, at.E.normal)); }
 
 Claims caseClaims() {
   return claimsAbout<RayInPicture>({
@@ -62,8 +47,7 @@ Claims wayClaims() {
        [](const RayInPicture &at) { return at.isPlane() && at.D == 0; }},
       {"Zero, because {n} is the zero vector: there is no plane.", isNoPlane},
       {"The point of the plane that is nearest to the origin. When |{n}| = 1, the denominator is 1, and it "
-       "is "
-       "D·{n}.",
+       "is D·{n}.",
        isPlane},
       {"Positive: each step {r} goes as {n} points.", [](const RayInPicture &at) { return at.rn > 0; }},
       {"Negative: each step {r} goes against {n}.", [](const RayInPicture &at) { return at.rn < 0; }},

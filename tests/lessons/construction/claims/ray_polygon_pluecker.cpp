@@ -138,8 +138,7 @@ Claims shapeClaims() {
                 at.areOnOneLine(corner, corner + 1, corner + at.size() - 1);
        }},
       {"The polygon bends inwards or crosses itself: it is not convex, and the signs alone do not tell what "
-       "is "
-       "inside.",
+       "is inside.",
        [](const RayAtPolygon &at) {
          return at.isPlanar() && !at.hasDoubleCorner() && !at.hasStraightCorner() && !at.isConvex();
        }},
@@ -152,8 +151,7 @@ Claims caseClaims() {
       {"No two products differ in sign: the ray goes through {part}, at {t}.",
        [](const RayAtPolygon &at) { return at.passesThrough() && at.t() >= 0; }},
       {"No two products differ in sign, so the line of the ray goes through {part}. But {t} is negative: "
-       "that "
-       "is behind the ray's start.",
+       "that is behind the ray's start.",
        [](const RayAtPolygon &at) { return at.passesThrough() && at.t() < 0; }},
       {"Two products differ in sign: the line of the ray passes outside the polygon.", passesOutside},
       {"The products add up to 0: the ray runs parallel to the polygon's plane and never meets it.",

@@ -194,8 +194,7 @@ Claims caseClaims() {
        "decide.",
        [](const RayAtSolid &at) { return at.hasDoubleCorner() && !at.isFlat() && at.areFacesFlat(); }},
       {"A face bends inwards, crosses itself or has a straight corner: the solid is not convex, and the "
-       "signs "
-       "alone do not decide.",
+       "signs alone do not decide.",
        [](const RayAtSolid &at) {
          return !at.isConvex && !at.isFlat() && at.areFacesFlat() && !at.hasDoubleCorner();
        }},
@@ -289,8 +288,7 @@ Claims faceClaims() {
                 });
        }},
       {"No two differ in sign. But the line only touches the solid, in one point, which lies on the border "
-       "of "
-       "{face}: it goes neither in nor out.",
+       "of {face}: it goes neither in nor out.",
        oneWayClaim(Common::Point)},
       {"No two differ in sign. But the line runs along the surface of the solid, and meets {face} at its "
        "border: it goes neither in nor out.",

@@ -24,16 +24,17 @@ bool isAtCorner(const std::array<Rational, 3> &weights, const std::string &name)
   return weights.at(corner) == 1 && std::count(weights.begin(), weights.end(), Rational(0)) == 2;
 }
 
+bool areSamePoint(const TriangleCorners &at, const Said &said) {
+  return at.corners.at(cornerNamed(said.at("first"))) == at.corners.at(cornerNamed(said.at("second")));
+}
+
 Claims coincidenceClaims() {
   return claimsAbout<TriangleCorners>({
       {"{first}, {second} and {third} are the same point",
        [](const TriangleCorners &at) {
          return at.corners[0] == at.corners[1] && at.corners[0] == at.corners[2];
        }},
-      {"{first} and {second} are the same point",
-       [](const TriangleCorners &at, const Said &said) {
-         return at.corners.at(cornerNamed(said.at("first"))) == at.corners.at(cornerNamed(said.at("second")));
-       }},
+      {"{first} and {second} are the same point", areSamePoint},
   });
 }
 

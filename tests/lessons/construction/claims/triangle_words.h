@@ -65,6 +65,9 @@ template <class Scene> [[nodiscard]] Claims placeClaims() {
                                                                  }}})});
 }
 
+/// Whether the corners that a sentence calls `first` and `second` are the same point.
+[[nodiscard]] bool areSamePoint(const TriangleCorners &at, const Said &said);
+
 /// Corners that are the same point.
 [[nodiscard]] Claims coincidenceClaims();
 
