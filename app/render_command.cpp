@@ -79,6 +79,7 @@ SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened
                        const Evaluation &evaluation, const Stage &stage) {
   SceneContent content;
   content.stage = stage;
+  content.hasShadows = !opened.lesson || opened.lesson->hasShadows;
   content.figure = toStage(
       command.step ? shownIn(stepAt(opened, *command.step), evaluation).figure : figureOf(evaluation), stage);
   return content;

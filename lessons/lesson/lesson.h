@@ -1,5 +1,5 @@
-// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera, flat), its
-// steps as second-level headings.
+// A lesson: a Markdown file with YAML front matter (id, title, sources, macros, scene, camera, shadows,
+// flat), its steps as second-level headings.
 //
 //   ---
 //   id: signed-distance
@@ -193,6 +193,7 @@ struct Lesson {
   Macros macros; ///< of the LaTeX in its words
   Scene scene;
   CameraView camera;
+  bool hasShadows = true;         ///< on the ground of its picture
   std::optional<FlatPage> flat{}; ///< nothing: there is only the picture in space
   std::vector<LessonStep> steps;
 };

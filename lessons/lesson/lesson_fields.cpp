@@ -174,8 +174,8 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly(
-      {"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera", "flat"});
+  fields.allowOnly({"id", "title", "order", "chapter", "needs", "sources", "macros", "scene", "camera",
+                    "shadows", "flat"});
   Lesson lesson;
   lesson.id = fields.lessonId("id");
   if (const DocumentNode *id = fields.optional("id"))
@@ -194,6 +194,7 @@ Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file) 
     lesson.macros = readMacros(*macros, block, fields);
   if (const DocumentNode *camera = fields.optional("camera"))
     lesson.camera = readCamera(*camera, fields);
+  lesson.hasShadows = fields.truth("shadows", lesson.hasShadows);
   const DocumentNode *list = fields.required("scene");
   if (fields.problem())
     return *fields.problem();

@@ -79,6 +79,15 @@ int FieldReader::integer(std::string_view key, int lowest, int highest, std::opt
   return lowest;
 }
 
+bool FieldReader::truth(std::string_view key, bool fallback) {
+  const DocumentNode *node = optional(key);
+  if (!node)
+    return fallback;
+  if (node->text != "true" && node->text != "false")
+    complain(*node, pathOf(key), words("Here true or false is expected."));
+  return node->text == "true";
+}
+
 std::string FieldReader::pathOf(std::string_view key) const {
   if (m_path.empty() || key.empty())
     return m_path + std::string(key);

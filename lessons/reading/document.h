@@ -53,6 +53,8 @@ public:
   /// A whole number between the bounds.
   [[nodiscard]] int integer(std::string_view key, int lowest, int highest,
                             std::optional<int> fallback = std::nullopt);
+  /// Whether the field says true or false; `fallback` when it is missing.
+  [[nodiscard]] bool truth(std::string_view key, bool fallback);
 
   /// The full path of a field: `scene[1].n`.
   [[nodiscard]] std::string pathOf(std::string_view key) const;

@@ -52,11 +52,7 @@ ChosenView readView(const DocumentNode &node, FieldReader &session) {
   FieldReader fields(node, session.file(), "view");
   fields.allowOnly({"from", "at", "height", "orthographic"});
   readCameraView(node, "view", fields, chosen.view);
-  if (const DocumentNode *orthographic = fields.optional("orthographic")) {
-    chosen.orthographic = orthographic->text == "true";
-    if (!chosen.orthographic && orthographic->text != "false")
-      fields.complain(*orthographic, "view.orthographic", words("Here true or false is expected."));
-  }
+  chosen.orthographic = fields.truth("orthographic", chosen.orthographic);
   if (fields.problem())
     session.keep(*fields.problem());
   return chosen;

@@ -354,6 +354,17 @@ TEST_F(Program, RenderStep_DrawsLessThanTheWholeFigure) {
   EXPECT_NE(contentOf(inFolder("whole.png")), contentOf(inFolder("step.png")));
 }
 
+TEST_F(Program, Render_LeavesShadowsOut_WhereTheLessonHasNone) {
+  const std::string lesson = contentOf(TEST_LESSONS_FOLDER "/signed-distance.md");
+  const std::string camera = "\ncamera:";
+  write("shaded.md", lesson);
+  write("plain.md",
+        std::string(lesson).replace(lesson.find(camera), camera.size(), "\nshadows: false" + camera));
+  EXPECT_EQ(run("render shaded.md -o shaded.png --size 160x100").status, 0);
+  EXPECT_EQ(run("render plain.md -o plain.png --size 160x100").status, 0);
+  EXPECT_NE(contentOf(inFolder("shaded.png")), contentOf(inFolder("plain.png")));
+}
+
 TEST_F(Program, RenderFrames_AreTheSameForTheSameSeed_AndThoseDrawnOneByOne) {
   const std::string flight = "render photon-torpedo --size 160x100 --set seed=7";
   for (const char *folder : {"first", "again"}) {

@@ -144,18 +144,32 @@ TEST(OffscreenPicture, TransparentHasStraightAlpha) {
   EXPECT_NEAR(face.blue, request.theme.planeFace.blue, 5);
 }
 
-TEST(OffscreenPicture, TransparentHasNoShadowOnTheGround) {
-  // The light falls so that the shadow lies in the middle of a field of the grid.
+/// A point whose shadow lies in the middle of a field of the grid.
+struct ShadowOnTheGround : testing::Test {
   PictureRequest request = requestFor({{withId(pointAt({6.5, 7.7, 8}), "Q", Subject::Point)}});
-  const auto shadow = request.camera.project({4.5, 10.5, 0}, request.size);
-  const auto beside = request.camera.project({4.5, 12.5, 0}, request.size);
-  ASSERT_TRUE(shadow && beside);
+  glm::dvec3 shadow = request.camera.project({4.5, 10.5, 0}, request.size).value();
+  glm::dvec3 beside = request.camera.project({4.5, 12.5, 0}, request.size).value();
+};
+
+TEST_F(ShadowOnTheGround, OfATransparentPictureIsLeftOut) {
   const auto opaque = drawOffscreen(request, noLabels);
   request.transparent = true;
   const auto clear = drawOffscreen(request, noLabels);
   ASSERT_TRUE(opaque && clear);
-  EXPECT_LT(pixelAt(*opaque, *shadow).red, pixelAt(*opaque, *beside).red - 4);
-  EXPECT_LT(pixelAt(*clear, *shadow).alpha, 20);
+  EXPECT_LT(pixelAt(*opaque, shadow).red, pixelAt(*opaque, beside).red - 4);
+  EXPECT_LT(pixelAt(*clear, shadow).alpha, 20);
+}
+
+TEST_F(ShadowOnTheGround, OfAContentWithoutShadowsIsLeftOut_AndTheGridStays) {
+  PictureRequest empty = request;
+  empty.content.figure = {};
+  request.content.hasShadows = false;
+  const auto unshaded = drawOffscreen(request, noLabels);
+  const auto ground = drawOffscreen(empty, noLabels);
+  ASSERT_TRUE(unshaded && ground);
+  EXPECT_EQ(pixelAt(*unshaded, shadow), pixelAt(*ground, shadow));
+  const glm::dvec3 onLine = *request.camera.project({4.5, 10, 0}, request.size);
+  EXPECT_EQ(pixelAt(*unshaded, onLine), pixelAt(*ground, onLine));
 }
 
 TEST(OffscreenPicture, OpaqueIsOpaqueEverywhere) {

@@ -47,6 +47,7 @@ struct DropLine {
 struct SceneContent {
   Stage stage;
   Figure figure;
+  bool hasShadows = true;            ///< on the ground, where there is one
   std::set<std::string> highlighted; ///< mark ids that stand out
   Arrival arrival;                   ///< marks that fade in
   std::optional<Gizmo> gizmo;

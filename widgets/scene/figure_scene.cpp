@@ -164,7 +164,7 @@ void FigureScene::Impl::prepareGround() {
   }
   // Seen from below, shadows on the ground would only cover what casts them. Their colour is that of a
   // darkened background: where there is none they would be patches on whatever lies behind the picture.
-  actors.setShadowsVisible(ground && backgroundVisible && view.camera.eye().z > 0);
+  actors.setShadowsVisible(ground && content.hasShadows && backgroundVisible && view.camera.eye().z > 0);
 }
 
 void FigureScene::Impl::prepareTools() {

@@ -343,6 +343,7 @@ SceneContent SceneView::pictureContent() const {
   SceneContent content;
   content.stage = m_stage;
   content.figure = m_figure;
+  content.hasShadows = m_model.lesson().hasShadows;
   if (m_numbersHidden)
     content.figure = withoutNumbers(std::move(content.figure));
   return content;

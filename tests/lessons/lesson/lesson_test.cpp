@@ -319,6 +319,18 @@ TEST(Lesson, FlatPage_IsTwoDirectionsOfTheScene) {
   EXPECT_FALSE(problemOf(withFlat("up")).sentence.empty());
 }
 
+TEST(Lesson, HasShadows_UnlessItsHeadSaysFalse) {
+  const auto withShadows = [](const std::string &value) {
+    return replaced(frontMatter, "height: 12}\n", "height: 12}\nshadows: " + value + "\n") + "## One\n";
+  };
+  EXPECT_TRUE(parseLesson(frontMatter + "## One\n", "a.md")->hasShadows);
+  EXPECT_TRUE(parseLesson(withShadows("true"), "a.md")->hasShadows);
+  EXPECT_FALSE(parseLesson(withShadows("false"), "a.md")->hasShadows);
+  const Problem problem = problemOf(withShadows("none"));
+  EXPECT_EQ(problem.field, "shadows");
+  EXPECT_EQ(problem.line, 11);
+}
+
 TEST(LessonProblems, InTheFrontMatter_NameLineAndField) {
   const Problem id = problemOf(replaced(frontMatter, "id: example", "id: An Example"));
   EXPECT_EQ(id.line, 2);

@@ -132,6 +132,18 @@ TEST_F(FieldReading, OfATruthValueInJson_IsNoWholeNumber) {
   EXPECT_TRUE(fields.problem());
 }
 
+TEST_F(FieldReading, OfATruthValue_TakesTrueAndFalseAlone) {
+  EXPECT_TRUE(read("a: true").truth("a", false));
+  EXPECT_FALSE(read("a: false").truth("a", true));
+  EXPECT_TRUE(read("b: false").truth("a", true)) << "what is missing is as it is without the field";
+  EXPECT_EQ(problem().sentence, "");
+  for (const char *value : {"no", "True", "0", "''", "[false]", "{false: 1}"}) {
+    (void)read(std::string("a: ") + value).truth("a", true);
+    EXPECT_EQ(problem().field, "scene[1].a") << value;
+    EXPECT_NE(problem().sentence.find("true or false"), std::string::npos) << value;
+  }
+}
+
 struct LessonIds : FieldReading, testing::WithParamInterface<std::pair<std::string, bool>> {};
 
 TEST_P(LessonIds, OfSmallLettersDigitsAndHyphens_AreTakenAndOthersRefused) {

@@ -61,6 +61,16 @@ private slots:
     QVERIFY(areNear(fixture.view.camera().height, close.view.height));
   }
 
+  void shadows_areThoseOfTheOpenLesson() {
+    LessonLibrary library = libraryOf({distanceScene(), distanceScene()});
+    library.lessons.back().hasShadows = false;
+    ViewFixture fixture(std::move(library));
+    QVERIFY(fixture.ready);
+    QVERIFY(fixture.view.pictureContent().hasShadows);
+    fixture.model.startWith({"lesson1", 0, distanceScene()});
+    QVERIFY(!fixture.view.pictureContent().hasShadows);
+  }
+
   void cameraThatIsMoved_tellsHowTheSelectedHandleMovesFromThere() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
