@@ -14,7 +14,8 @@ constexpr int nameLetters = 9;
 
 NamedValueRow::NamedValueRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_name(new MathLabel(typesetter, this)), m_value(new MathLabel(typesetter, this)) {
-  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  QSizePolicy policy(QSizePolicy::Preferred,
+                     QSizePolicy::Preferred); // a fixed height would be that of one line
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
 }
@@ -26,10 +27,12 @@ int NamedValueRow::nameColumn() const {
 
 bool NamedValueRow::isStacked(int width) const { return nameColumn() + m_value->sizeHint().width() > width; }
 
+int NamedValueRow::indent() const { return 2 * fontMetrics().averageCharWidth(); }
+
 int NamedValueRow::heightForWidth(int width) const {
-  const int name = m_name->sizeHint().height();
-  const int value = m_value->sizeHint().height();
-  return isStacked(width) ? name + value : std::max(name, value);
+  if (isStacked(width))
+    return m_name->heightForWidth(width) + m_value->heightForWidth(width - indent());
+  return std::max(m_name->sizeHint().height(), m_value->sizeHint().height());
 }
 
 QSize NamedValueRow::sizeHint() const {
@@ -38,15 +41,16 @@ QSize NamedValueRow::sizeHint() const {
 }
 
 QSize NamedValueRow::minimumSizeHint() const {
-  return {m_value->minimumSizeHint().width(), m_name->sizeHint().height()};
+  return {std::max(m_name->narrowestWidth(), indent() + m_value->narrowestWidth()),
+          m_name->sizeHint().height()};
 }
 
 void NamedValueRow::place() {
-  const int name = m_name->sizeHint().height();
   if (isStacked(width())) {
-    const int indent = 2 * fontMetrics().averageCharWidth();
+    const int name = m_name->heightForWidth(width());
+    const int valueWidth = width() - indent();
     m_name->setGeometry(0, 0, width(), name);
-    m_value->setGeometry(indent, name, width() - indent, m_value->sizeHint().height());
+    m_value->setGeometry(indent(), name, valueWidth, m_value->heightForWidth(valueWidth));
   } else {
     m_name->setGeometry(0, 0, nameColumn(), height());
     m_value->setGeometry(nameColumn(), 0, width() - nameColumn(), height());

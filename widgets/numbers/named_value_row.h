@@ -6,7 +6,7 @@
 namespace halfspace {
 
 /// The name beside its value where both fit, else above it: a value is not drawn small to make room for a
-/// long name.
+/// long name. There each of them is broken before it is drawn smaller.
 class NamedValueRow : public QWidget {
   Q_OBJECT
 
@@ -27,6 +27,7 @@ protected:
 
 private:
   [[nodiscard]] int nameColumn() const;
+  [[nodiscard]] int indent() const; ///< of a value below its name
   [[nodiscard]] bool isStacked(int width) const;
   void place();
 

@@ -8,7 +8,8 @@
 
 namespace halfspace {
 
-/// Shows a formula in the widget's text colour.
+/// Shows a formula in the widget's text colour. One that is too wide is broken where there is height for its
+/// lines, else drawn smaller, and stands in plain text where the pointer rests on it.
 class MathLabel : public QWidget {
   Q_OBJECT
 
@@ -22,12 +23,19 @@ public:
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
+  /// For whoever has room for a formula that is broken.
+  [[nodiscard]] int heightForWidth(int width) const override;
+  /// Narrower it can be neither broken nor drawn smaller.
+  [[nodiscard]] int narrowestWidth() const;
 
 protected:
+  bool event(QEvent *event) override;
   void paintEvent(QPaintEvent *event) override;
 
 private:
   [[nodiscard]] double emPixels() const;
+  [[nodiscard]] double roomIn(int width) const; ///< in em
+  [[nodiscard]] int heightOf(const MathPicture &picture) const;
 
   const Typesetter &m_typesetter;
   Typesetter::Picture m_picture; ///< null before the first `setFormula`

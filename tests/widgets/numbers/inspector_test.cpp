@@ -85,6 +85,12 @@ Scene manyPoints(int count) {
   return scene;
 }
 
+/// A box with a ray, whose line has a product with each of twelve edges.
+Scene boxScene() {
+  return sceneOf(*findConstruction("ray-solid-pluecker"),
+                 {*makeObject("box"), RayObject{{1, 0, 20}, {20, 20, 11}}});
+}
+
 Scene sphereScene() {
   Object sphere = *makeObject("sphere");
   sphere[1].x = 3;
@@ -135,6 +141,24 @@ private slots:
     QVERIFY(shown.ready);
     shown.enter(shown.field("Q", 0), "6"); // (6−5) + 2(15−4) + 2(8−7) = 25, over 3
     QCOMPARE(shown.result("dist"), QString::fromUtf8("= 25/3 ≈ 8.33333"));
+  }
+
+  void result_thatIsALongList_isWrappedAndReadWhole() {
+    ShownInspector shown(boxScene());
+    QVERIFY(shown.ready);
+    const auto rows = shown.inspector.findChildren<NamedValueRow *>();
+    const auto row = std::find_if(rows.begin(), rows.end(), [](NamedValueRow *each) {
+      return each->name().accessibleName().startsWith(QString::fromUtf8("(p₀, p₁"));
+    });
+    QVERIFY(row != rows.end());
+    for (const int width : {260, 420, 900}) {
+      shown.inspector.resize(width, 700);
+      QCoreApplication::processEvents();
+      const MathLabel &value = (*row)->value();
+      QVERIFY(value.width() >= value.narrowestWidth());
+      QVERIFY(QRect(QPoint(), (*row)->size()).contains(value.geometry()));
+      QVERIFY(value.height() >= value.heightForWidth(value.width()));
+    }
   }
 
   void results_whileAQuestionAsks_areHidden() {

@@ -69,6 +69,7 @@ private slots:
     row->name().setFormula(formulaOf("t"), "");
     row->value().setFormula(math::number("1"), "");
     column->addWidget(row);
+    column->addStretch(1);
     panel.resize(400, 300);
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));

@@ -6,6 +6,7 @@
 #include "tests/widgets/ink.h"
 
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QImage>
 #include <QtTest>
 
@@ -174,6 +175,22 @@ private slots:
     label->setFormula(formula("x-x-x"), "x − x − x");
     QCoreApplication::processEvents();
     QCOMPARE(label->geometry(), before);
+  }
+
+  void formulaTooWide_isBrokenWhereThereIsHeight_andIsReadWhereThePointerRests() {
+    MathLabel label(m_typesetter);
+    label.setFormula(formula(longSum), "the sum");
+    const QSize whole = label.sizeHint();
+    const int half = whole.width() / 2;
+    QCOMPARE(label.heightForWidth(whole.width()), whole.height());
+    QVERIFY(label.heightForWidth(half) > whole.height());
+    QVERIFY(label.narrowestWidth() < half);
+    const QRect broken = inkBox(painted(label, {half, label.heightForWidth(half)}), 160);
+    const QRect smaller = inkBox(painted(label, {half, whole.height()}), 160);
+    QVERIFY2(broken.height() > smaller.height(), "on two lines, and not drawn smaller");
+    QHelpEvent rests(QEvent::ToolTip, {1, 1}, {1, 1});
+    QCoreApplication::sendEvent(&label, &rests);
+    QCOMPARE(label.toolTip(), QString("the sum"));
   }
 };
 
