@@ -1,6 +1,7 @@
 #include "widgets/text/indices.h"
 
 #include <QFontInfo>
+#include <QLabel>
 #include <QRegularExpression>
 
 namespace halfspace {
@@ -32,6 +33,12 @@ QString richTextOf(const QString &plain) {
   for (const TextRun &run : runsOf(plain))
     rich += run.isIndex ? QStringLiteral("<sub>%1</sub>").arg(run.text) : run.text.toHtmlEscaped();
   return rich;
+}
+
+void showWords(QLabel &label, const QString &plain) {
+  const bool hasIndices = runsOf(plain).size() > 1;
+  label.setTextFormat(hasIndices ? Qt::RichText : Qt::PlainText);
+  label.setText(hasIndices ? richTextOf(plain) : plain);
 }
 
 QFont indexFont(QFont text) {

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+class QLabel;
+
 namespace halfspace {
 
 struct TextRun {
@@ -17,6 +19,9 @@ struct TextRun {
 [[nodiscard]] std::vector<TextRun> runsOf(const QString &plain);
 /// The same as rich text, for labels of Qt's own.
 [[nodiscard]] QString richTextOf(const QString &plain);
+/// Shows a plain text in a label, as rich text only where it has indices: that takes time, which counts in a
+/// drag.
+void showWords(QLabel &label, const QString &plain);
 
 [[nodiscard]] QFont indexFont(QFont text);
 /// How far below the text's baseline that of an index is, in pixels.

@@ -1,6 +1,7 @@
 #include "widgets/view/case_line.h"
 
 #include "widgets/repolish.h"
+#include "widgets/text/indices.h"
 #include "widgets/view/fitted_label.h"
 
 #include <QHBoxLayout>
@@ -12,14 +13,36 @@
 namespace halfspace {
 namespace {
 
-/// A label with as many letters as there is to be room for; it is never shown.
-QLabel *roomFor(int letters, const char *name) {
-  const QString word = QStringLiteral("letters ");
-  auto *label = new QLabel(word.repeated(letters / static_cast<int>(word.size())));
+QLabel *wrappedLabel(const char *name) {
+  auto *label = new QLabel;
   label->setObjectName(name);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
+}
+
+/// A label with as many letters as there is to be room for; it is never shown.
+QLabel *roomFor(int letters, const char *name) {
+  const QString word = QStringLiteral("letters ");
+  QLabel *label = wrappedLabel(name);
+  label->setText(word.repeated(letters / static_cast<int>(word.size())));
+  return label;
+}
+
+/// Words that are never cut short, in all the width that there is.
+QLabel *wholeLabel(const char *name) {
+  QLabel *label = wrappedLabel(name);
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  label->setSizePolicy(policy);
+  return label;
+}
+
+/// Shows the first of these, in a room that is enough for each.
+template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
+  auto *stack = new QStackedLayout;
+  (stack->addWidget(pages), ...);
+  return stack;
 }
 
 // Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
@@ -46,16 +69,12 @@ void keepRoom(QWidget &widget) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(new FittedLabel("case")), m_message(new FittedLabel("message")),
+    : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
       m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
       m_others(flatButton("others", tr("More"))),
-      m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(new QLabel),
-      m_second(new QStackedLayout) {
+      m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
   m_others->setMenu(new QMenu(m_others));
   m_others->setAccessibleDescription(tr("All special cases near this one"));
-  m_complaint->setObjectName("complaint");
-  m_complaint->setTextFormat(Qt::PlainText);
-  m_complaint->setWordWrap(true);
   keepRoom(*m_there);
   keepRoom(*m_others);
   m_afresh->hide();
@@ -63,22 +82,11 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
   connect(m_afresh, &QPushButton::clicked, this, &CaseLine::afreshChosen);
   offer({});
-  auto *words = new QStackedLayout;
-  for (QLabel *page : {static_cast<QLabel *>(m_case), roomFor(lettersOfCase, "usualCase")})
-    words->addWidget(page);
-  for (QLabel *page : {static_cast<QLabel *>(m_nearby), static_cast<QLabel *>(m_message),
-                       roomFor(lettersOfNearby, "usualNearby")})
-    m_second->addWidget(page);
-  auto *special = new QHBoxLayout;
-  special->setSpacing(0);
-  special->addLayout(m_second, 1);
-  special->addWidget(m_there, 0, Qt::AlignTop);
-  special->addWidget(m_others, 0, Qt::AlignTop);
-  special->addWidget(m_afresh, 0, Qt::AlignTop);
+  m_second = stackOf(createNearbyRow(), m_message);
   auto *column = new QVBoxLayout;
   column->setSpacing(0);
-  column->addLayout(words, 1);
-  column->addLayout(special);
+  column->addLayout(stackOf(m_case, roomFor(lettersOfCase, "usualCase")), 1);
+  column->addLayout(m_second);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -88,6 +96,17 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   m_messageTimer.setSingleShot(true);
   m_messageTimer.setInterval(readingTime);
   connect(&m_messageTimer, &QTimer::timeout, this, &CaseLine::endMessage);
+}
+
+QWidget *CaseLine::createNearbyRow() {
+  auto *row = new QWidget;
+  auto *layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(stackOf(m_nearby, roomFor(lettersOfNearby, "usualNearby")), 1);
+  for (QPushButton *button : {m_there, m_others, m_afresh})
+    layout->addWidget(button, 0, Qt::AlignTop);
+  return row;
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
@@ -113,20 +132,20 @@ void CaseLine::offer(const std::vector<NearbyCase> &cases) {
     if (cases[i].canBeReached)
       connect(menu.addAction(cases[i].words), &QAction::triggered, this,
               [this, which = static_cast<int>(i)] { emit nearbyChosen(which); });
-  m_others->setVisible(menu.actions().size() > (m_there->isVisibleTo(this) ? 1 : 0));
+  m_others->setVisible(menu.actions().size() > (m_there->isHidden() ? 0 : 1));
 }
 
 void CaseLine::offerAfresh(bool offered) { m_afresh->setVisible(offered); }
 
 void CaseLine::say(const QString &sentence) {
-  m_message->setWords(sentence);
+  showWords(*m_message, sentence);
   m_second->setCurrentWidget(m_message);
   m_messageTimer.start();
 }
 
 void CaseLine::endMessage() {
   m_messageTimer.stop();
-  m_second->setCurrentWidget(m_nearby);
+  m_second->setCurrentIndex(0);
 }
 
 void CaseLine::complain(const QString &sentence, const QString &details) {

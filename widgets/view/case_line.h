@@ -26,7 +26,8 @@ struct NearbyCase {
 /// them the nearest special case, with a way there and to the others; in its place, for a moment, what the
 /// program has to tell. As long as width and type are the same it keeps its height: the picture above it
 /// would jump with the words. More words than there is room for are cut short, and stand in full where the
-/// pointer rests on them.
+/// pointer rests on them; but a message has the whole row, which becomes as high as it needs and stays so
+/// until the next.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
@@ -52,17 +53,18 @@ signals:
   void afreshChosen();          ///< … or back to the start
 
 private:
+  [[nodiscard]] QWidget *createNearbyRow();
   void offer(const std::vector<NearbyCase> &cases);
 
   FittedLabel *m_case;
-  FittedLabel *m_message;
+  QLabel *m_message;
   FittedLabel *m_nearby;
   QPushButton *m_there;  ///< leads to the nearest
   QPushButton *m_others; ///< has a menu of all
   QPushButton *m_afresh; ///< leads back to the start
   std::vector<NearbyCase> m_cases;
   QLabel *m_complaint;
-  QStackedLayout *m_second; ///< what is near, and a message, one at a time
+  QStackedLayout *m_second = nullptr; ///< what is near, and a message, one at a time
   QTimer m_messageTimer;
 };
 

@@ -19,17 +19,10 @@ void FittedLabel::setWords(const QString &words) {
   fit();
 }
 
-/// Rich text takes time, which counts in a drag: it is for words with indices alone.
-void FittedLabel::show(const QString &words) {
-  const bool hasIndices = runsOf(words).size() > 1;
-  setTextFormat(hasIndices ? Qt::RichText : Qt::PlainText);
-  setText(hasIndices ? richTextOf(words) : words);
-}
-
 bool FittedLabel::fits() const { return QLabel::heightForWidth(width()) <= height(); }
 
 void FittedLabel::fit() {
-  show(m_words);
+  showWords(*this, m_words);
   setToolTip({});
   if (height() == 0 || fits())
     return;
@@ -38,11 +31,11 @@ void FittedLabel::fit() {
   // As many words as fit, by halving.
   for (qsizetype tooMany = m_words.size(); tooMany - shown > 1;) {
     const qsizetype middle = (shown + tooMany) / 2;
-    show(m_words.left(static_cast<int>(middle)).trimmed() + QStringLiteral("…"));
+    showWords(*this, m_words.left(static_cast<int>(middle)).trimmed() + QStringLiteral("…"));
     (fits() ? shown : tooMany) = middle;
   }
   const int end = m_words.lastIndexOf(' ', static_cast<int>(shown));
-  show(m_words.left(end < 0 ? static_cast<int>(shown) : end) + QStringLiteral(" …"));
+  showWords(*this, m_words.left(end < 0 ? static_cast<int>(shown) : end) + QStringLiteral(" …"));
 }
 
 void FittedLabel::resizeEvent(QResizeEvent *event) {

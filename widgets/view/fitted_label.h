@@ -28,7 +28,6 @@ protected:
   void changeEvent(QEvent *event) override;
 
 private:
-  void show(const QString &words);
   [[nodiscard]] bool fits() const;
   void fit();
 

@@ -66,7 +66,7 @@ private slots:
       QCOMPARE(height(), usual);
       shown.line.setNearby(many, {{many, true}, {many, true}});
       QCOMPARE(height(), usual);
-      shown.line.say(many);
+      shown.line.say("Picture saved.");
       QCOMPARE(height(), usual);
     }
   }
@@ -85,6 +85,30 @@ private slots:
     shown.line.setCase(longOne, false);
     QVERIFY(shown.said("case").startsWith("many words") && shown.said("case").endsWith("…"));
     QVERIFY(label->toolTip().contains(longOne));
+  }
+
+  void message_besideTheNearestCase_hasTheWholeRow_andIsWholeAtEverySizeOfType() {
+    const QString sentence =
+        "own: 512 triangles, 16 × 16 × 2 of the file's units. Too large to be saved with "
+        "the session.";
+    const int usual = QApplication::font().pointSize();
+    for (const int percent : {100, 150, 192, 250}) {
+      ShownLine shown;
+      shown.line.setStyleSheet(QString("* { font-size: %1pt }").arg(usual * percent / 100));
+      shown.line.setNearby("It would be parallel.",
+                           {{"It would be parallel.", true}, {"It would touch.", true}});
+      shown.line.say(sentence);
+      shown.line.resize(600, shown.line.heightForWidth(600));
+      QCoreApplication::processEvents();
+      const auto &message = *shown.line.findChild<QLabel *>("message");
+      QCOMPARE(message.text(), sentence);
+      QCOMPARE(message.width(), shown.line.width());
+      QVERIFY2(message.height() >= message.heightForWidth(message.width()),
+               qPrintable(QString::number(percent)));
+      QVERIFY(!shown.line.findChild<QPushButton *>("there")->isVisible());
+      shown.line.endMessage();
+      QVERIFY(shown.line.findChild<QPushButton *>("there")->isVisible());
+    }
   }
 
   void message_thatIsEnded_leavesItsPlaceToTheCase() {
