@@ -8,11 +8,15 @@
 #include <QLineEdit>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
 /// In pixels.
 constexpr int gapBeforeShow = 6;
+/// In less room the field keeps so many letters, and the button all of its word.
+constexpr int leastLetters = 5;
 
 /// Ctrl+Right and its like.
 bool movesByWord(const QKeyEvent &key) {
@@ -40,15 +44,23 @@ BlankField::BlankField(int letters, QWidget *parent)
   layout->addWidget(m_show);
   setFocusProxy(m_edit);
   m_edit->installEventFilter(this);
-  setWidth();
+  setWidths();
 }
 
-void BlankField::setWidth() { m_edit->setFixedWidth(m_letters * fontMetrics().averageCharWidth()); }
+void BlankField::setWidths() {
+  const int letter = fontMetrics().averageCharWidth();
+  m_edit->setMinimumWidth(std::min(m_letters, leastLetters) * letter);
+  m_edit->setMaximumWidth(m_letters * letter);
+}
+
+QSize BlankField::sizeHint() const {
+  return {m_edit->maximumWidth() + gapBeforeShow + m_show->sizeHint().width(), QWidget::sizeHint().height()};
+}
 
 void BlankField::changeEvent(QEvent *event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-    setWidth();
+    setWidths();
 }
 
 bool BlankField::eventFilter(QObject *watched, QEvent *event) {

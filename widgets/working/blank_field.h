@@ -13,7 +13,7 @@ namespace halfspace {
 class BlankField : public QWidget {
   Q_OBJECT
 public:
-  /// With room for so many letters.
+  /// With room for so many letters, or for fewer where there is less.
   explicit BlankField(int letters, QWidget *parent = nullptr);
 
   /// What is asked for, for screen readers.
@@ -21,6 +21,8 @@ public:
 
   /// What was said about the last answer; empty while nothing is.
   void setRemark(const QString &remark);
+
+  [[nodiscard]] QSize sizeHint() const override;
 
 signals:
   void answered(const QString &text); ///< as it was typed
@@ -31,7 +33,7 @@ protected:
   bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-  void setWidth();
+  void setWidths();
   void leave();
   void answer();
   void mark(bool wrong);

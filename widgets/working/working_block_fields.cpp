@@ -23,6 +23,15 @@ int lettersFor(const Gap &gap) {
   return gap.isResult ? number : partOfFormula;
 }
 
+/// A field in its place in a formula. Where the formula is drawn smaller the field is not, nor is its button
+/// cut.
+QRect roomOf(const BlankField &field, const QRectF &blank, int right) {
+  const QSize size = blank.size().toSize().expandedTo(field.minimumSizeHint());
+  QRect room(QPoint(qRound(blank.left()), qRound(blank.center().y() - size.height() / 2.0)), size);
+  room.moveRight(std::min(room.right(), right));
+  return room;
+}
+
 } // namespace
 
 void WorkingBlock::forgetAnswers() {
@@ -87,7 +96,7 @@ void WorkingBlock::addField(const WorkingLine &line, const Gap &gap) {
 void WorkingBlock::moveFields() {
   for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
     if (const auto field = m_fields.find(m_lines[i].source.id); field != m_fields.end()) {
-      field->second->setGeometry(m_placed.lines[i].blank.toRect());
+      field->second->setGeometry(roomOf(*field->second, m_placed.lines[i].blank, rect().right()));
       field->second->show();
     }
 }

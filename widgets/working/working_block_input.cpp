@@ -68,6 +68,9 @@ void WorkingBlock::leaveEvent(QEvent *event) {
 }
 
 bool WorkingBlock::event(QEvent *event) {
+  // A field has another size, or may have got one while nobody saw it, of which nothing is told.
+  if ((event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) && !m_fields.empty())
+    showLines(m_working);
   if (event->type() != QEvent::ToolTip)
     return QWidget::event(event);
   showTip(static_cast<QHelpEvent *>(event)->pos());

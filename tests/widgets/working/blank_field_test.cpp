@@ -140,6 +140,18 @@ private slots:
     QVERIFY(field.rect().contains(showButton(field).geometry()));
   }
 
+  void showButton_inLessRoomThanTheFieldAsksFor_hasAllOfItsWord() {
+    BlankField field(26);
+    QFont large = field.font();
+    large.setPointSizeF(1.92 * large.pointSizeF());
+    field.setFont(large);
+    field.resize(field.sizeHint().width() / 2, field.sizeHint().height());
+    field.show();
+    QVERIFY(field.rect().contains(showButton(field).geometry()));
+    QCOMPARE(showButton(field).width(), showButton(field).sizeHint().width());
+    QVERIFY(edit(field).width() > edit(field).fontMetrics().averageCharWidth());
+  }
+
   void fieldIsAsWideAsItsLetters() {
     const int few = BlankField(7).sizeHint().width();
     const BlankField many(26);

@@ -5,6 +5,7 @@
 
 #include <QClipboard>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -220,6 +221,25 @@ private slots:
                  m_typesetter.picture(formulaOf(shownLine, LinePiece::Result).row)->box());
       }
       QVERIFY(block.accessibleDescription().contains(QString::number(i)));
+    }
+  }
+
+  void blank_whateverTheSizeOfType_keepsItsFieldAndTheWordOfItsButton() {
+    const Typesetter typesetter;
+    WorkingBlock block(typesetter);
+    const int usual = block.font().pointSize();
+    show(block, 300, {});
+    block.setWorking(tracedWorking(), blankIn(tracedWorking(), "a"));
+    const auto &button = *block.findChild<QToolButton *>("showLine");
+    for (const int percent : {100, 192, 250}) {
+      const int before = button.height();
+      block.setStyleSheet(
+          QString("* { font-size: %1pt } QToolButton { padding: 0.3em 0.5em }").arg(usual * percent / 100));
+      QTRY_VERIFY(button.height() > before); // the style comes to the fields after the block
+      const QRect room(button.mapTo(&block, QPoint()), button.size());
+      QVERIFY2(room.left() >= 0 && room.right() < block.width(), qPrintable(QString::number(percent)));
+      QVERIFY(button.width() >= button.sizeHint().width());
+      QVERIFY(button.height() >= button.sizeHint().height());
     }
   }
 };
