@@ -8,6 +8,7 @@
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_page.h"
+#include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/offscreen.h"
 #include "widgets/scene/png.h"
 #include "widgets/typeset/flat_painter.h"
@@ -95,9 +96,12 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
   request.theme = *findTheme(command.theme);
   request.size = command.size;
   request.transparent = command.transparent;
-  return command.flat ? drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage),
-                                   request.content, typesetter)
-                      : drawOffscreen(request, labelPainter(typesetter));
+  if (command.flat)
+    return drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage), request.content,
+                      typesetter);
+  if (isThinned(request.content.figure))
+    printError(thinningWords());
+  return drawOffscreen(request, labelPainter(typesetter));
 }
 
 /// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.

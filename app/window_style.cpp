@@ -61,6 +61,7 @@ QString styleSheetOf(const Theme &theme) {
     QLabel#nearby, QLabel#usualNearby, QLabel#message { padding: 0 0.4em 0.35em 1.1em; color: %2; }
     QPushButton#there, QPushButton#others, QPushButton#afresh { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
+    QLabel#sceneNotice { background: %3; color: %4; border: 1px solid %1; border-radius: 5px; padding: 0.35em 0.6em; }
     QFrame#flatView { background: %3; border: 1px solid %1; border-radius: 5px; }
     QToolButton#flatTitle { color: %2; padding: 0.2em 0.5em; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }

@@ -568,6 +568,21 @@ TEST_F(Program, RenderOfAsManyObjectsAsAreRead_EndsWithinLimits) {
   }
 }
 
+TEST_F(Program, RenderOfVeryManyTrianglesOneBehindAnother_EndsWithinLimits_AndSaysWhatItLeavesOut) {
+  Json scene = Json::array();
+  for (int i = 0; i < 1000; ++i)
+    scene.push_back(
+        {{"name", "T" + std::to_string(i)},
+         {"triangle", {{"P0", {"0", "0", "1"}}, {"P1", {"20", "0", "1"}}, {"P2", {"0", "20", "1"}}}}});
+  write("stack.halfspace",
+        Json{{"format", "halfspace"}, {"version", 1}, {"lesson", "stack"}, {"step", 0}, {"scene", scene}}
+            .dump());
+  const Ran ran = run("render stack.halfspace -o stack.png --size 640x400", limits);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("So many surfaces"), std::string::npos) << ran.err;
+  EXPECT_EQ(picture("stack.png").width(), 640);
+}
+
 TEST_F(Program, RenderWhereNothingCanBeWritten_IsRefused) {
   expectRefused("render signed-distance -o no-such-folder/a.png --size 64x64", "no-such-folder/a.png");
   expectRefused("render signed-distance -o . --size 64x64", "cannot be written");

@@ -2,6 +2,7 @@
 
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
+#include "widgets/picture/shapes/surface_layers.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -174,6 +175,66 @@ TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   scene.setView({request.camera, request.size, 1});
   scene.prepare();
   EXPECT_LE(differences(withGizmo, meshTimes(scene)), 4); // the tools, the axes, the faces and their shadow
+}
+
+/// So near that the axes are as long for any number.
+Figure wallsOneBehindAnother(int count) {
+  Figure walls;
+  for (int i = 0; i < count; ++i) {
+    const double x = -i / 1000.0;
+    walls.add(
+        withId(polygonOf({{x, -9, -9}, {x, 9, -9}, {x, 9, 9}, {x, -9, 9}}), "wall" + std::to_string(i)));
+  }
+  return walls;
+}
+
+MeshMark meshOfFloors(std::uint32_t count) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double z = i / 1000.0;
+    mesh->corners.insert(mesh->corners.end(), {{0, 0, z}, {9, 0, z}, {0, 9, z}});
+    mesh->triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  MeshMark mark;
+  mark.id = "floors";
+  mark.box = {{0, 0, 0}, {9, 9, 1}};
+  mark.mesh = std::move(mesh);
+  return mark;
+}
+
+/// How many polygons all actors together draw.
+vtkIdType polygonsDrawn(const SceneContent &content, bool thinned) {
+  FigureScene scene(noLabels);
+  scene.setContent(content);
+  scene.prepare();
+  EXPECT_EQ(scene.isThinned(), thinned);
+  EXPECT_EQ(isThinned(content.figure), thinned);
+  vtkIdType count = 0;
+  vtkActorCollection *actors = scene.renderer()->GetActors();
+  actors->InitTraversal();
+  while (vtkActor *actor = actors->GetNextActor())
+    count += actor->GetMapper()->GetInput()->GetNumberOfCells();
+  return count;
+}
+
+TEST(FigureScene, OfVeryManyFacesOneBehindAnother_DrawsOneInSoMany_AndThoseThatStandOut) {
+  SceneContent content;
+  content.figure = wallsOneBehindAnother(40);
+  const vtkIdType ofForty = polygonsDrawn(content, false);
+  content.figure = wallsOneBehindAnother(41);
+  EXPECT_LT(polygonsDrawn(content, true), ofForty);
+  content.figure = wallsOneBehindAnother(160);
+  EXPECT_EQ(polygonsDrawn(content, true), ofForty);
+  content.highlighted = {"wall1"};
+  EXPECT_GT(polygonsDrawn(content, true), ofForty);
+}
+
+TEST(FigureScene, OfAMeshOfVeryManyTrianglesOneBehindAnother_DrawsOneInSoMany) {
+  SceneContent content;
+  content.figure = {{meshOfFloors(80)}};
+  const vtkIdType ofEighty = polygonsDrawn(content, false);
+  content.figure = {{meshOfFloors(320)}};
+  EXPECT_EQ(polygonsDrawn(content, true), ofEighty);
 }
 
 TEST(FigureScene, WritesALabelThatArrivesPaler) {

@@ -58,6 +58,18 @@ TEST(VtkMesh, OfTriangles_HasTheirCornersNormalsAndColours) {
     EXPECT_EQ(data->GetCell(1)->GetPointId(i), second[static_cast<std::size_t>(i)]);
 }
 
+TEST(VtkMesh, OfOneTriangleInThree_BeginsWithTheFirst) {
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}};
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  vtkNew<vtkPolyData> data;
+  write(mesh, 3, data);
+  ASSERT_EQ(data->GetNumberOfCells(), 2);
+  EXPECT_EQ(data->GetCell(0)->GetPointId(2), 2);
+  EXPECT_EQ(data->GetCell(1)->GetPointId(0), 1);
+  write(mesh, 1, data);
+  EXPECT_EQ(data->GetNumberOfCells(), 4);
+}
+
 TEST(VtkMesh, WrittenAgain_HoldsOnlyWhatIsNew) {
   vtkNew<vtkPolyData> data;
   write(squareMesh(), data);

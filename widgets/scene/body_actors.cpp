@@ -2,6 +2,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/depthless_mapper.h"
 #include "widgets/scene/vtk_mesh.h"
 
@@ -13,6 +14,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace halfspace {
@@ -60,7 +62,15 @@ struct BodyActors::Body {
     shadow->ForceOpaqueOn();
   }
 
+  void take(const std::shared_ptr<const TriangleMesh> &shown) {
+    if (std::exchange(mesh, shown) == shown)
+      return;
+    stride = strideFor(meshLayersOf(*mesh), mostMeshLayers);
+    halfspace::write(*mesh, stride, data);
+  }
+
   std::shared_ptr<const TriangleMesh> mesh;
+  std::size_t stride = 1; ///< one triangle in so many is drawn
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -88,8 +98,7 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
       addBefore(m_aboveShadows, actors->shadow, m_renderer);
       m_renderer.AddActor(actors->actor);
     }
-    if (std::exchange(actors->mesh, body->mesh) != body->mesh)
-      halfspace::write(*body->mesh, actors->data);
+    actors->take(body->mesh);
     write(*body, actors->placement);
     vtkMatrix4x4::Multiply4x4(&m_ontoGround, actors->placement, actors->shadowPlacement);
     actors->shadowPlacement->Modified(); // which Multiply4x4 does not tell
@@ -105,6 +114,11 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
       m_renderer.RemoveActor(gone->shadow);
     }
   m_bodies = std::move(shown);
+}
+
+bool BodyActors::areThinned() const {
+  return std::any_of(m_bodies.begin(), m_bodies.end(),
+                     [](const auto &body) { return body.second->stride > 1; });
 }
 
 void BodyActors::setShadowsVisible(bool visible) {

@@ -5,6 +5,7 @@
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/picture/shapes/silhouette.h"
+#include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/label_overlay.h"
 #include "widgets/scene/scene_actors.h"
 #include "widgets/scene/vtk_mesh.h"
@@ -48,6 +49,7 @@ public:
 
   void prepare();
   void showStrip(int top, int height);
+  [[nodiscard]] bool isThinned() const { return m_thinned || actors.bodies().areThinned(); }
 
   SceneActors actors;
   LabelOverlay labels;
@@ -63,6 +65,8 @@ public:
 private:
   [[nodiscard]] double scale() const { return designScale(view.camera, view.size, view.pixelRatio); }
   void prepareFigure();
+  void thin();
+  [[nodiscard]] const Figure &drawn() const { return m_thinned ? *m_thinned : content.figure; }
   void prepareFaceOrder();
   void prepareGround();
   void prepareTools();
@@ -85,6 +89,7 @@ private:
     bool operator==(const AxesKey &) const = default;
   };
 
+  std::optional<Figure> m_thinned; ///< drawn instead of a figure with too many faces
   FaceOrder m_faces;
   std::optional<AxesReach> m_axes;    ///< where there are any
   std::optional<GridKey> m_grid;      ///< what it was made for
@@ -97,8 +102,10 @@ void FigureScene::Impl::prepare() {
   const bool sizesChanged = m_solidScale != scale();
   if (themeChanged)
     actors.applyTheme(theme);
-  if (contentChanged)
+  if (contentChanged) {
+    thin();
     m_axes = content.stage.hasAxes() ? std::optional(axesAround(content.figure)) : std::nullopt;
+  }
   if (themeChanged || contentChanged || sizesChanged)
     prepareFigure();
   const bool lookChanged = themeChanged || contentChanged || viewChanged;
@@ -137,9 +144,14 @@ void FigureScene::Impl::showStrip(int top, int height) {
 void FigureScene::Impl::prepareFigure() {
   m_solidScale = scale();
   m_places = placesOf(content.figure, scale());
-  write(meshOf(content.figure, content.highlighted, theme, scale(), content.arrival), actors.solids());
+  write(meshOf(drawn(), content.highlighted, theme, scale(), content.arrival), actors.solids());
   actors.bodies().show(content.figure, content.highlighted, theme, content.arrival);
-  m_faces = FaceOrder(facesOf(content.figure, content.highlighted, theme, content.arrival));
+  m_faces = FaceOrder(facesOf(drawn(), content.highlighted, theme, content.arrival));
+}
+
+void FigureScene::Impl::thin() {
+  const std::size_t stride = strideFor(faceLayersOf(content.figure), mostFaceLayers);
+  m_thinned = stride > 1 ? std::optional(thinned(content.figure, stride, content.highlighted)) : std::nullopt;
 }
 
 void FigureScene::Impl::prepareFaceOrder() {
@@ -169,7 +181,7 @@ void FigureScene::Impl::prepareGround() {
 
 void FigureScene::Impl::prepareTools() {
   Mesh mesh = toolsMesh(content, theme, view);
-  addSilhouettes(mesh, content.figure, content.highlighted, content.arrival, theme, view);
+  addSilhouettes(mesh, drawn(), content.highlighted, content.arrival, theme, view);
   write(mesh, actors.tools());
 }
 
@@ -246,6 +258,8 @@ void FigureScene::setView(View view) {
 }
 
 void FigureScene::prepare() { m_impl->prepare(); }
+
+bool FigureScene::isThinned() const { return m_impl->isThinned(); }
 
 void FigureScene::showStrip(int top, int height) { m_impl->showStrip(top, height); }
 

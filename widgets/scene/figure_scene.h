@@ -36,6 +36,9 @@ public:
   /// Brings meshes, order of translucent faces and labels up to date; to be called right before rendering.
   void prepare();
 
+  /// Whether what was prepared leaves out surfaces, as too many lie one behind another to be drawn in time.
+  [[nodiscard]] bool isThinned() const;
+
   /// Narrows what the renderer shows to a strip of the view, as wide as the view and so many pixels high from
   /// the pixel row `top` on: for pictures too large to be drawn at once. Holds until the next prepare().
   void showStrip(int top, int height);

@@ -29,6 +29,7 @@ public:
   [[nodiscard]] vtkRenderer *renderer() const { return m_renderer; }
 
   [[nodiscard]] BodyActors &bodies() { return *m_bodies; }
+  [[nodiscard]] const BodyActors &bodies() const { return *m_bodies; }
   [[nodiscard]] vtkPolyData *solids() const { return m_solids.data; }
   [[nodiscard]] vtkPolyData *faces() const { return m_faces.data; }
   [[nodiscard]] vtkPolyData *axes() const { return m_axes.data; }

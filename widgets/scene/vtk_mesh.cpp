@@ -35,18 +35,19 @@ vtkNew<vtkUnsignedCharArray> colorArray(const std::vector<Color> &colors) {
   return array;
 }
 
-/// Of triangles that are three numbers of corners each.
-template <class Triangles> vtkNew<vtkCellArray> triangleArray(const Triangles &triangles) {
+/// Of one in `stride` of triangles that are three numbers of corners each.
+template <class Triangles>
+vtkNew<vtkCellArray> triangleArray(const Triangles &triangles, std::size_t stride = 1) {
   static_assert(sizeof(triangles.front()) == 3 * sizeof(vtkTypeInt32));
-  const std::size_t count = triangles.size();
+  const std::size_t count = (triangles.size() + stride - 1) / stride;
   vtkNew<vtkTypeInt32Array> offsets;
   offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
   for (std::size_t i = 0; i <= count; ++i)
     offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
   vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * count));
-  if (!triangles.empty())
-    std::copy_n(&triangles.front()[0], 3 * count, connectivity->GetPointer(0));
+  for (std::size_t i = 0; i < count; ++i)
+    std::copy_n(&triangles[i * stride][0], 3, connectivity->GetPointer(static_cast<vtkIdType>(3 * i)));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;
@@ -79,12 +80,12 @@ void write(const Mesh &mesh, vtkPolyData *data) {
   data->GetPointData()->SetScalars(colorArray(mesh.colors));
 }
 
-void write(const TriangleMesh &mesh, vtkPolyData *data) {
+void write(const TriangleMesh &mesh, std::size_t stride, vtkPolyData *data) {
   const std::vector<glm::vec3> corners(mesh.corners.begin(), mesh.corners.end());
   vtkNew<vtkPoints> points;
   points->SetData(floatArray(corners));
   data->SetPoints(points);
-  data->SetPolys(triangleArray(mesh.triangles));
+  data->SetPolys(triangleArray(mesh.triangles, stride));
 }
 
 void write(const std::vector<const Face *> &faces, vtkPolyData *data) {

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -25,7 +26,7 @@ constexpr double largestIconScale = 1.5;
 } // namespace
 
 SceneFrame::SceneFrame(SceneView &view, NumberCard &card, QWidget *parent)
-    : QWidget(parent), m_view(view), m_card(card), m_tools(new QWidget) {
+    : QWidget(parent), m_view(view), m_card(card), m_tools(new QWidget), m_notice(new QLabel(this)) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(&m_view);
@@ -35,6 +36,11 @@ SceneFrame::SceneFrame(SceneView &view, NumberCard &card, QWidget *parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(toolGap);
   m_card.installEventFilter(this);
+  m_notice->setObjectName("sceneNotice");
+  m_notice->setWordWrap(true);
+  m_notice->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_notice->hide();
+  connect(&m_view, &SceneView::thinned, this, &SceneFrame::showNotice);
 }
 
 void SceneFrame::addTool(QAction &action, ToolIcon icon) {
@@ -73,6 +79,19 @@ void SceneFrame::setTheme(const Theme &theme) {
   arrange();
 }
 
+void SceneFrame::showNotice(const QString &words) {
+  m_notice->setText(words);
+  m_notice->setVisible(!words.isEmpty());
+  placeNotice();
+}
+
+void SceneFrame::placeNotice() {
+  const int room = std::max(0, m_tools->geometry().left() - 2 * edgeGap);
+  const int noticeWidth = std::min(m_notice->sizeHint().width(), room);
+  m_notice->setGeometry(edgeGap, edgeGap, noticeWidth, m_notice->heightForWidth(noticeWidth));
+  m_notice->raise();
+}
+
 void SceneFrame::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
   arrange();
@@ -87,6 +106,7 @@ bool SceneFrame::eventFilter(QObject *watched, QEvent *event) {
 void SceneFrame::arrange() {
   const QSize tools = m_tools->sizeHint();
   m_tools->setGeometry(width() - tools.width() - edgeGap, edgeGap, tools.width(), tools.height());
+  placeNotice();
   std::vector<QRect> covered{m_tools->geometry()};
   int cardRoom = width() - 2 * edgeGap;
   if (m_flat && m_flat->hasPicture()) {

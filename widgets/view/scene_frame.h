@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 class QToolButton;
 
 namespace halfspace {
@@ -15,8 +16,9 @@ class FlatView;
 class NumberCard;
 class SceneView;
 
-/// Keeps the card in the view's lower left corner, a flat picture in the lower right one, and the tools in
-/// the upper right one, and tells the view what they cover.
+/// Keeps the card in the view's lower left corner, a flat picture in the lower right one, the tools in the
+/// upper right one, and tells the view what they cover. In the upper left one stands what the view does not
+/// draw; it comes and goes with the view, which does not make way for it.
 class SceneFrame : public QWidget {
   Q_OBJECT
 public:
@@ -38,12 +40,15 @@ private:
     QToolButton *button;
     ToolIcon icon;
   };
+  void showNotice(const QString &words);
+  void placeNotice();
   void arrange();
 
   SceneView &m_view;
   NumberCard &m_card;
   FlatView *m_flat = nullptr;
   QWidget *m_tools;
+  QLabel *m_notice;
   std::vector<Tool> m_buttons;
 };
 

@@ -4,6 +4,7 @@
 #include "lessons/term/latex.h"
 #include "widgets/picture/hand/drop_line.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
+#include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/render_window.h"
 
 #include <vtkNew.h>
@@ -392,6 +393,13 @@ void SceneView::prepare() {
   m_contentStale = false;
   m_scene.setView(screen());
   m_scene.prepare();
+  tellThinning();
+}
+
+void SceneView::tellThinning() {
+  const bool isThinned = m_scene.isThinned();
+  if (std::exchange(m_isThinned, isThinned) != isThinned)
+    emit thinned(isThinned ? QString::fromStdString(thinningWords()) : QString());
 }
 
 SceneContent SceneView::interactiveContent() const {

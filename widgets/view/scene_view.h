@@ -109,6 +109,7 @@ signals:
   void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
   void selectionChanged();                 ///< of a handle, or of what can be done with it
   void previousViewsChanged();             ///< there is a first one, or none any more
+  void thinned(const QString &words);      ///< why not all surfaces are drawn; empty: all are
   void dismissed();                        ///< Escape, while nothing is dragged
   void frameDrawn(const halfspace::FrameTimes &times);
 
@@ -155,6 +156,7 @@ private:
   }
   [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
   void prepare();
+  void tellThinning();
   /// Takes the content anew, and draws it.
   void updateContent();
   /// Draws what is there from where the camera is now.
@@ -230,6 +232,7 @@ private:
 
   SessionModel &m_model;
   FigureScene m_scene;
+  bool m_isThinned = false; ///< as it was told
   Theme m_theme;
   Stage m_stage; ///< the model's, that the camera is on
   Camera m_camera;

@@ -6,6 +6,7 @@
 #include "widgets/view/flat_view.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -112,6 +113,38 @@ private slots:
     QVERIFY(flat.height() < unfolded / 2);
     fixture.model.openLesson("lesson1");
     QVERIFY(!flat.isVisible());
+  }
+
+  void whatTheViewDoesNotDraw_isTold_beforeTheTools_asLongAsItHolds() {
+    FrameFixture fixture;
+    QVERIFY(fixture.ready);
+    const auto &notice = *fixture.frame.findChild<QLabel *>("sceneNotice");
+    QVERIFY(!notice.isVisible());
+    const Camera camera = fixture.view.camera();
+    emit fixture.view.thinned("Only some are filled.");
+    QVERIFY(notice.isVisible());
+    QCOMPARE(notice.text(), QString("Only some are filled."));
+    QVERIFY(fixture.frame.rect().contains(fixture.placeOf(notice)));
+    QVERIFY(!fixture.placeOf(notice).intersects(fixture.placeOf(*fixture.tools()[0])));
+    QVERIFY(fixture.view.camera() == camera);
+    emit fixture.view.thinned({});
+    QVERIFY(!notice.isVisible());
+  }
+
+  void veryManyTriangles_oneBehindAnother_areToldOf_untilAnotherLesson() {
+    Scene stack;
+    for (int i = 0; i < 60; ++i)
+      stack.entries.push_back(
+          {"T" + std::to_string(i), TriangleObject{{-90, -90, 0}, {90, -90, 0}, {0, 150, 0}}});
+    FrameFixture fixture(libraryOf({distanceScene(), stack}));
+    QVERIFY(fixture.ready);
+    const auto &notice = *fixture.frame.findChild<QLabel *>("sceneNotice");
+    QVERIFY(!notice.isVisible());
+    fixture.model.openLesson("lesson1");
+    QTRY_VERIFY(notice.isVisible());
+    QVERIFY(notice.text().contains("So many surfaces"));
+    fixture.model.openLesson("lesson0");
+    QTRY_VERIFY(!notice.isVisible());
   }
 
   void tool_doesWhatItsActionDoes_andSaysItsKey() {
