@@ -8,6 +8,7 @@
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
+#include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_object.h"
 
 #include <algorithm>
@@ -74,21 +75,30 @@ void addIfNotShown(const std::string &picture, const LessonWords &piece, const L
                         piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
 }
 
-/// What in a lesson's words would not be seen as it is meant: formulas that cannot be read, each with its
-/// line and the column within it, and pictures.
+/// What in a piece of words would not be seen as it is meant: formulas that cannot be read, each with its
+/// line and the column within it, and pictures, for which so many pixels are left.
+void addUnreadable(const LessonWords &piece, const Lesson &lesson, int &pixelsLeft,
+                   std::vector<Problem> &problems) {
+  const auto markdown = readMarkdown(piece.text);
+  if (!markdown)
+    return; // such a lesson is not read
+  for (const MarkdownFormula &formula : markdown->formulas)
+    for (const MarkdownFormula::Source &source : formula.sources)
+      addIfUnreadable(source, piece, lesson, problems);
+  std::vector<std::string> pictures;
+  addPictures(markdown->blocks, pictures);
+  for (const std::string &picture : pictures)
+    addIfNotShown(picture, piece, lesson, pixelsLeft, problems);
+}
+
+/// Step by step, as each has a page of its own, with room for its pictures.
 void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
-  for (const LessonWords &piece : wordsOf(lesson)) {
-    const auto markdown = readMarkdown(piece.text);
-    if (!markdown)
-      continue; // such a lesson is not read
-    for (const MarkdownFormula &formula : markdown->formulas)
-      for (const MarkdownFormula::Source &source : formula.sources)
-        addIfUnreadable(source, piece, lesson, problems);
-    std::vector<std::string> pictures;
-    addPictures(markdown->blocks, pictures);
-    int pixelsLeft = mostPixelsOfPiece;
-    for (const std::string &picture : pictures)
-      addIfNotShown(picture, piece, lesson, pixelsLeft, problems);
+  Lesson alone;
+  for (const LessonStep &step : lesson.steps) {
+    alone.steps = {step};
+    int pixelsLeft = mostPixelsOfPage;
+    for (const LessonWords &piece : wordsOf(alone))
+      addUnreadable(piece, lesson, pixelsLeft, problems);
   }
 }
 

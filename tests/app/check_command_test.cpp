@@ -223,6 +223,23 @@ TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) 
   }
 }
 
+TEST_F(Program, Check_OfPicturesThatAPageHasNoRoomFor_TellsThem_StepByStep) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  QImage(4096, 4096, QImage::Format_Mono).save(QString::fromStdString(inFolder("large.png").string()));
+  const std::string base = contentOf(inFolder("base.md"));
+  const std::string two = "![a](large.png) ![b](large.png)\n";
+  const std::string step = "\n## Pictures\n\n" + two + "```lines\nf\n```\n" + two;
+  write("base.md", base + step + step);
+  EXPECT_EQ(run("check base.md").out, "Nothing is wrong. Lessons: 1\n");
+  write("base.md", base + step + "```lines\nf\n```\n![one more](large.png)\n" + step);
+  const Ran ran = run("check base.md");
+  EXPECT_NE(
+      ran.out.find("The picture “large.png” cannot be shown. The pictures before it have so many pixels"),
+      std::string::npos)
+      << ran.out;
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+}
+
 TEST_F(Program, LessonFile_IsOpenedLikeALesson) {
   ASSERT_EQ(run("new-lesson my-first").status, 0);
   EXPECT_EQ(run("explain my-first.md").out, run("explain my-first --lessons .").out);

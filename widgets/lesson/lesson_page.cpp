@@ -177,6 +177,7 @@ void LessonPage::goOn() {
 
 void LessonPage::makeBlocks() {
   m_practice.working().dropBlocks();
+  m_pictures = {folderOf(m_lesson)};
   m_words.clear();
   m_notes.clear();
   m_tasks.clear();
@@ -200,7 +201,7 @@ void LessonPage::makeBlocks() {
 
 QWidget *LessonPage::blockOf(const StepWords &words) {
   m_words.push_back({words.markdown, new RichLabel(m_typesetter)});
-  m_words.back().label->setPictures(folderOf(m_lesson));
+  m_words.back().label->setPictures(m_pictures);
   return m_words.back().label;
 }
 
@@ -209,7 +210,7 @@ QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().ad
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
   m_words.push_back({note.words.markdown, &m_notes.back()->words()});
-  m_words.back().label->setPictures(folderOf(m_lesson));
+  m_words.back().label->setPictures(m_pictures);
   connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] { scrollTo(*fold); });
   return m_notes.back();
 }

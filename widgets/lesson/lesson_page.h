@@ -121,6 +121,7 @@ private:
   QLayout *m_foot = nullptr;
   QWidget *m_blocks = nullptr;
   // Of the step that is shown:
+  LessonPictures m_pictures;
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   std::vector<TaskRow *> m_tasks;

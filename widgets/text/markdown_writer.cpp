@@ -89,9 +89,11 @@ bool hasPicture(const QTextBlock &block) {
   return false;
 }
 
-Result<QImage> readPicture(const std::filesystem::path &folder, const std::string &name, int &pixelsLeft) {
-  const auto bytes = readLessonPicture(folder, name);
-  return bytes ? imageOf(*bytes, pixelsLeft) : bytes.problem();
+Result<QImage> readPicture(const LessonPictures &pictures, const std::string &name) {
+  if (const auto problem = whyNoMorePictures(*pictures.pixelsLeft))
+    return *problem;
+  const auto bytes = readLessonPicture(pictures.folder, name);
+  return bytes ? imageOf(*bytes, *pictures.pixelsLeft) : bytes.problem();
 }
 
 class MarkdownWriter {
@@ -182,9 +184,9 @@ private:
 
   void writePicture(const MarkdownSpan &span, QTextCharFormat format) {
     const QString description = QString::fromStdString(span.text);
-    if (m_style.pictures.empty())
+    if (m_style.pictures.folder.empty())
       return m_cursor.insertText(description, format);
-    const auto image = readPicture(m_style.pictures, span.picture, m_pixelsLeft);
+    const auto image = readPicture(m_style.pictures, span.picture);
     if (image)
       return m_cursor.insertText(QChar(QChar::ObjectReplacementCharacter),
                                  pictureObjectFormat(*image, description, format));
@@ -352,7 +354,6 @@ private:
   const RichTextStyle &m_style;
   const FormulaFormat &m_formulaFormat;
   QTextDocument &m_document;
-  int m_pixelsLeft = mostPixelsOfPiece; ///< for the pictures that follow
   QTextCursor m_cursor;
   bool m_isEmpty = true;
   bool m_inTableHead = false;

@@ -1,6 +1,7 @@
 #include "widgets/text/picture_object.h"
 
 #include "lessons/words.h"
+#include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_bytes.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -65,9 +66,23 @@ private:
   }
 };
 
+Problem noRoom() {
+  return {words("The pictures before it have so many pixels that there is no room for it: at most {limit} "
+                "million are shown together on a page.",
+                {{"limit", std::to_string(mostPixelsOfPage >> 20)}}),
+          "", 0, ""};
+}
+
 } // namespace
 
+std::optional<Problem> whyNoMorePictures(int pixelsLeft) {
+  return pixelsLeft < leastPixelsTaken ? std::optional(noRoom()) : std::nullopt;
+}
+
 Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft) {
+  if (const auto problem = whyNoMorePictures(pixelsLeft))
+    return *problem;
+  pixelsLeft -= leastPixelsTaken;
   const std::string seen = bytes.starts_with(pngBegin) ? seenPartOfPng(bytes) : bytes;
   QByteArray data = QByteArray::fromRawData(seen.data(), static_cast<int>(seen.size()));
   QBuffer buffer(&data);
@@ -88,12 +103,10 @@ Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft) {
     return Problem{words("It goes over its pixels too often: at most {limit} scans are shown.",
                          {{"limit", std::to_string(mostPictureScans)}}),
                    "", 0, ""};
-  if (size.width() * size.height() > pixelsLeft)
-    return Problem{words("The pictures before it have so many pixels that there is no room for it: at most "
-                         "{limit} million are shown together.",
-                         {{"limit", std::to_string(mostPixelsOfPiece >> 20)}}),
-                   "", 0, ""};
-  pixelsLeft -= size.width() * size.height();
+  const int more = std::max(0, size.width() * size.height() - leastPixelsTaken);
+  if (more > pixelsLeft)
+    return noRoom();
+  pixelsLeft -= more;
   const QSize longest(longestPictureSide, longestPictureSide);
   if (size.width() > longest.width() || size.height() > longest.height())
     reader.setScaledSize(size.scaled(longest, Qt::KeepAspectRatio).expandedTo({1, 1}));

@@ -7,12 +7,10 @@
 #include <QTextCharFormat>
 #include <QTextDocument>
 
+#include <optional>
 #include <string>
 
 namespace halfspace {
-
-/// A larger picture would take more memory, once it is unpacked, than a page of words is worth.
-inline constexpr int mostPicturePixels = 1 << 24;
 
 /// More are of no use on a page: a wider or higher picture is kept smaller.
 inline constexpr int longestPictureSide = 1600;
@@ -20,11 +18,11 @@ inline constexpr int longestPictureSide = 1600;
 /// Each goes over all pixels; programs write ten of them.
 inline constexpr std::size_t mostPictureScans = 24;
 
-/// The pictures of a piece of words have no more pixels together: four of the largest.
-inline constexpr int mostPixelsOfPiece = 4 * mostPicturePixels;
+/// Why no more pictures are read for a page that has room for so many pixels; nothing: some are.
+[[nodiscard]] std::optional<Problem> whyNoMorePictures(int pixelsLeft);
 
-/// The image that the bytes of a PNG or JPEG file hold; else a sentence about what is wrong with them. Its
-/// pixels, as they are in the file, are taken off those that are left for the piece of words.
+/// The image that the bytes of a PNG or JPEG file hold; else a sentence about what is wrong with them. What
+/// it takes, its pixels as they are in the file, is taken off those that are left for the page.
 [[nodiscard]] Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft);
 
 /// Lets a document paint pictures.

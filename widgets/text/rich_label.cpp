@@ -57,16 +57,16 @@ void RichLabel::setInk(Color ink, const Theme &theme) {
   build();
 }
 
-void RichLabel::setPictures(const std::filesystem::path &folder) {
-  if (folder == m_style.pictures)
+void RichLabel::setPictures(LessonPictures pictures) {
+  if (pictures == m_style.pictures)
     return;
-  m_style.pictures = folder;
+  m_style.pictures = std::move(pictures);
   build();
 }
 
 void RichLabel::build() {
   m_style.font = font();
-  m_text = RichText(m_markdown, m_typesetter, m_style);
+  m_text.setStyle(m_style);
   lookForLinks();
   updateGeometry();
   update();

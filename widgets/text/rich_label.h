@@ -21,8 +21,8 @@ public:
   void setMarkdown(const QString &markdown);
   /// The colour of words; the theme tells that of links and of what cannot be read.
   void setInk(Color ink, const Theme &theme);
-  /// The folder that pictures are taken from; before, they are told by their descriptions.
-  void setPictures(const std::filesystem::path &folder);
+  /// Before, pictures are told by their descriptions.
+  void setPictures(LessonPictures pictures);
   /// Why the formula at a place of the label cannot be read; empty where there is nothing to say.
   [[nodiscard]] QString problemAt(QPoint place) const;
   /// The address of the link at a place of the label; empty where there is none.

@@ -96,6 +96,12 @@ void RichText::setMarkdown(const QString &markdown) {
     makeDocument();
 }
 
+void RichText::setStyle(RichTextStyle style) {
+  dropDocument();
+  m_style = std::move(style);
+  makeDocument();
+}
+
 QString RichText::plain() const {
   QString plain;
   auto formula = m_shown.begin();
@@ -152,7 +158,15 @@ std::vector<QTextCursor> RichText::links() const {
   return links;
 }
 
+/// The room that its pictures took is free again.
+void RichText::dropDocument() {
+  m_document.reset();
+  *m_style.pictures.pixelsLeft += std::exchange(m_pixelsTaken, 0);
+}
+
 void RichText::makeDocument() {
+  dropDocument();
+  const int pixelsBefore = *m_style.pictures.pixelsLeft;
   m_document = std::make_unique<QTextDocument>();
   m_document->setUndoRedoEnabled(false);
   m_document->setDefaultFont(m_style.font);
@@ -164,6 +178,7 @@ void RichText::makeDocument() {
       m_markdown.blocks, m_style,
       [this](std::size_t formula, const QTextCharFormat &text) { return formulaFormat(formula, text); },
       *m_document);
+  m_pixelsTaken = pixelsBefore - *m_style.pictures.pixelsLeft;
   m_plain = breakable(textWithDescriptions(*m_document));
 }
 

@@ -31,6 +31,8 @@ public:
   /// laid out as it is.
   void setMarkdown(const QString &markdown);
 
+  void setStyle(RichTextStyle style);
+
   /// On one page without margins.
   [[nodiscard]] QTextDocument &document() const { return *m_document; }
   /// Why the formula at a place of the document cannot be read; empty where there is none, or it can.
@@ -44,6 +46,7 @@ public:
 
 private:
   void makeDocument();
+  void dropDocument();
   [[nodiscard]] QTextCharFormat formulaFormat(std::size_t formula, QTextCharFormat text);
   void replaceFormulas(const std::vector<MarkdownFormula> &before);
   [[nodiscard]] QString problemOf(std::size_t formula) const;
@@ -55,6 +58,7 @@ private:
   QString m_plain;                                     ///< with a character for each formula
   std::vector<std::size_t> m_shown;                    ///< the formulas, in the order of the document
   std::map<std::size_t, Typesetter::Picture> m_failed; ///< formulas that cannot be read
+  int m_pixelsTaken = 0;                               ///< of the room for the page's pictures
   std::unique_ptr<QTextDocument> m_document;
 };
 

@@ -6,12 +6,14 @@
 #include "widgets/working/working_practice.h"
 
 #include <QHelpEvent>
+#include <QImage>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -170,6 +172,30 @@ private slots:
     QVERIFY(shown.words("More words"));
     QTest::keyClick(title, Qt::Key_Space);
     QVERIFY(!shown.words("More words"));
+  }
+
+  void picturesOfAStep_shareTheRoomOfItsPage_inHoweverManyPieces() {
+    const QTemporaryDir folder;
+    QImage(4096, 4096, QImage::Format_Mono).save(folder.filePath("large.png"));
+    const StepWords four{"![a](large.png) ![b](large.png) ![c](large.png) ![d](large.png)"};
+    Lesson lesson =
+        lessonOf({{"One", {four, StepNote{"A note", four}, StepLines(), four, four}}, {"Two", {four}}});
+    lesson.file = folder.filePath("lesson.md").toStdString();
+    ShownPage shown(lesson);
+    const auto told = [&] {
+      QStringList names;
+      for (const auto *label : shown.page.findChildren<RichLabel *>())
+        if (label->accessibleName().startsWith('a'))
+          names << label->accessibleName();
+      return names;
+    };
+    QCOMPARE(told().size(), 4);
+    QCOMPARE(told().filter("no room for it").size(), 3);
+    QCOMPARE(told().first(), QString("a b c d"));
+    shown.page.setStep(1);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the step before is gone
+    shown.fill();
+    QCOMPARE(told().filter("a b c d").size(), 1);
   }
 
   void note_opened_isScrolledTo_andBreaksNoLineAnew() {

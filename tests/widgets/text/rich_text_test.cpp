@@ -1,4 +1,5 @@
 // Markdown with formulas as documents.
+#include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_bytes.h"
 #include "widgets/text/picture_object.h"
 #include "widgets/text/rich_label.h"
@@ -326,12 +327,12 @@ private slots:
   void pngFile_isReadWithoutWhatIsNotSeen() {
     const std::string bytes = pictureBytes({10, 10}, "png");
     QVERIFY(bytes.find("tEXt") != std::string::npos || bytes.find("zTXt") != std::string::npos);
-    int pixelsLeft = mostPixelsOfPiece;
+    int pixelsLeft = mostPixelsOfPage;
     const auto image = imageOf(bytes, pixelsLeft);
     QVERIFY(image);
     QVERIFY(image->textKeys().isEmpty());
     QCOMPARE(image->pixel(5, 5), qRgb(255, 0, 0));
-    QCOMPARE(pixelsLeft, mostPixelsOfPiece - 100);
+    QCOMPARE(pixelsLeft, mostPixelsOfPage - leastPixelsTaken);
   }
 
   void pngFile_whoseLengthsLie_isCutOffThere() {
@@ -351,7 +352,7 @@ private slots:
     QCOMPARE(scansOfJpeg(once.substr(0, 2)), std::size_t(0));
     for (std::size_t end = 0; end < once.size(); ++end)
       QVERIFY(scansOfJpeg(std::string_view(once).substr(0, end)) <= 1);
-    int pixelsLeft = mostPixelsOfPiece;
+    int pixelsLeft = mostPixelsOfPage;
     // What a decoder makes of a scan that comes again is its own affair.
     const auto most = imageOf(withScans(once, mostPictureScans), pixelsLeft);
     QVERIFY(most || most.problem().sentence.find("scans") == std::string::npos);
@@ -360,14 +361,46 @@ private slots:
     QVERIFY(refused.problem().sentence.find("at most 24 scans") != std::string::npos);
   }
 
-  void picturesOfAPiece_haveSoManyPixelsTogetherAndNoMore() {
-    const std::string bytes = pictureBytes({10, 10}, "png");
-    int pixelsLeft = 199;
+  void picturesOfAPage_haveSoManyPixelsTogetherAndNoMore() {
+    const QSize large(1000, 1000);
+    const std::string bytes = pictureBytes(large, "png");
+    int pixelsLeft = 2 * large.width() * large.height() - 1;
     QVERIFY(imageOf(bytes, pixelsLeft));
+    QCOMPARE(pixelsLeft, large.width() * large.height() - 1);
     const auto refused = imageOf(bytes, pixelsLeft);
     QVERIFY(!refused);
     QVERIFY(refused.problem().sentence.find("no room for it") != std::string::npos);
-    QCOMPARE(pixelsLeft, 99);
+  }
+
+  void smallOrDamagedPicture_takesSomeRoomToo() {
+    for (const std::string &bytes : {pictureBytes({1, 1}, "png"), std::string("words")}) {
+      int pixelsLeft = 2 * leastPixelsTaken - 1;
+      QVERIFY(!whyNoMorePictures(pixelsLeft));
+      (void)imageOf(bytes, pixelsLeft);
+      QCOMPARE(pixelsLeft, leastPixelsTaken - 1);
+      QVERIFY(whyNoMorePictures(pixelsLeft));
+      const auto refused = imageOf(bytes, pixelsLeft);
+      QVERIFY(refused.problem().sentence.find("no room for it") != std::string::npos);
+    }
+  }
+
+  void piecesOfAPage_shareTheRoomForPictures_andOneMadeAnewGivesItsBack() {
+    const Typesetter typesetter;
+    const QTemporaryDir folder;
+    writePicture(folder.filePath("a.png"), {10, 10});
+    RichTextStyle style{usualFont(), Qt::black};
+    style.pictures = {folder.path().toStdString(), std::make_shared<int>(leastPixelsTaken)};
+    RichText first("![first](a.png)", typesetter, style);
+    RichText second("![second](a.png)", typesetter, style);
+    QCOMPARE(first.plain(), QString("first"));
+    QVERIFY(second.plain().contains("no room for it"));
+    style.ink = Qt::blue;
+    first.setStyle(style);
+    QCOMPARE(first.plain(), QString("first"));
+    QVERIFY(redWidth(first, 290) == 10);
+    first.setMarkdown("words");
+    second.setStyle(style);
+    QCOMPARE(second.plain(), QString("second"));
   }
 
   void pictureWithoutAFolder_isDescribed() {
