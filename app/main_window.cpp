@@ -100,6 +100,9 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::keepUnsavedSoon); // under the hand, too
+  connect(m_working, &StepWorking::typing, this, &MainWindow::prepareUnsaved);
+  for (const CoordinateRows *rows : {&m_inspector->given(), &m_card->given()})
+    connect(rows, &CoordinateRows::typing, this, &MainWindow::prepareUnsaved);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {

@@ -222,6 +222,10 @@ private:
   /// Whether changed sessions of other lessons wait to be gone on with.
   [[nodiscard]] bool hasLeftSessions() const;
   [[nodiscard]] UnsavedWork unsavedWork() const;
+  /// What entering the number that is being typed would change; nothing where none is.
+  [[nodiscard]] std::optional<ChangeObject> typedChange() const;
+  /// For the end of the program at any moment from now on: what is unsaved, and what is being typed.
+  void prepareUnsaved();
   /// A moment after a change, and never during a drag: the disk is waited for.
   void keepUnsavedSoon();
   /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case

@@ -46,9 +46,28 @@ UnsavedWork MainWindow::unsavedWork() const {
   return {m_model.session(), m_model.leftSessions(), belongsToFile() ? m_file : std::nullopt};
 }
 
+std::optional<ChangeObject> MainWindow::typedChange() const {
+  if (const auto typed = m_working->typed()) {
+    const auto number = numberOf(typed->number);
+    return number ? m_editor.editOf(*number, typed->value) : std::nullopt;
+  }
+  const auto inList = m_inspector->given().typed();
+  return inList ? inList : m_card->given().typed();
+}
+
+void MainWindow::prepareUnsaved() {
+  const auto typed = typedChange();
+  if (!typed && !hasChanges() && !hasLeftSessions() && !(m_model.inGesture() && m_model.isChanged()))
+    return m_recovery.prepare({});
+  UnsavedWork work = unsavedWork();
+  if (typed)
+    if (auto changed = apply(work.session, *typed))
+      work.session = std::move(*changed);
+  m_recovery.prepare(std::move(work));
+}
+
 void MainWindow::keepUnsavedSoon() {
-  const bool isUnsaved = hasChanges() || hasLeftSessions() || (m_model.inGesture() && m_model.isChanged());
-  m_recovery.prepare(isUnsaved ? std::optional(unsavedWork()) : std::nullopt);
+  prepareUnsaved();
   if (!m_keepTimer.isActive())
     m_keepTimer.start();
 }
@@ -60,6 +79,7 @@ std::optional<Problem> MainWindow::keepOrForget() {
     problem = m_recovery.keep(unsavedWork());
   else
     m_recovery.forget();
+  prepareUnsaved(); // what is being typed is not kept before it is entered
   const std::optional<Problem> lesser = keepProgress();
   if (problem)
     m_caseLine->complain(tr("Unsaved work cannot be kept for the next start: save it to a file."),

@@ -479,6 +479,25 @@ private slots:
     QVERIFY(pointOf(leftovers().front().work.session, "Q") == dragged);
   }
 
+  void endingWhileBusy_keepsWhatIsBeingTyped_unlessItIsTakenBack() {
+    for (const bool takenBack : {false, true}) {
+      init();
+      {
+        WindowFixture fixture("signed-distance");
+        QVERIFY(fixture.ready);
+        NumberField &field = *fixture.field("Q", 0);
+        beginTyping(field, "3/7");
+        if (takenBack)
+          QTest::keyClick(&field, Qt::Key_Escape);
+        fixture.window.endWhileBusy();
+        QVERIFY(fixture.value("Q").x == 11);
+      }
+      QCOMPARE(leftovers().size(), takenBack ? 0U : 1U);
+      if (!takenBack)
+        QVERIFY(pointOf(leftovers().front().work.session, "Q").x == Rational(3, 7));
+    }
+  }
+
   void closing_whileAMeshIsRead_endsAllThatGoesOn_andLeavesTheWorkToTheNextStart() {
     const QTemporaryDir folder;
     QFile hanging(folder.filePath("hang.stl")); // is read for ever

@@ -175,6 +175,27 @@ private slots:
     QTRY_VERIFY(!fixture.lines().findChild<NumberField *>());
   }
 
+  void coordinate_beingTypedInAFormula_isKeptByAnEndWhileBusy_unlessItIsTakenBack() {
+    const auto leftovers = [] { return Recovery(Recovery::standardFolder()).leftovers(); };
+    for (const bool takenBack : {false, true}) {
+      init();
+      {
+        LinesFixture fixture;
+        QVERIFY(fixture.ready);
+        NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
+        QVERIFY(field);
+        QTest::keyClicks(field, "-10/3");
+        if (takenBack)
+          QTest::keyClick(field, Qt::Key_Escape);
+        fixture.window.endWhileBusy();
+      }
+      QCOMPARE(leftovers().size(), takenBack ? 0U : 1U);
+      if (!takenBack)
+        QVERIFY(coordinate(*findObject(leftovers().front().work.session.scene, "E"), 1).x ==
+                Rational(-10, 3));
+    }
+  }
+
   void numberThatIsNone_typedInAFormula_isRefusedWithASentence() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);

@@ -18,6 +18,9 @@ public:
   /// The model must outlive it.
   explicit CoordinateEditor(SessionModel &model) : m_model(model) {}
 
+  /// What `change` would do; nothing where it would do nothing.
+  [[nodiscard]] std::optional<ChangeObject> editOf(const CoordinateNumber &number,
+                                                   const Rational &value) const;
   /// One undo step.
   void change(const CoordinateNumber &number, const Rational &value);
   /// So many snapping steps up or down; one undo step.
@@ -31,8 +34,6 @@ public:
 
 private:
   [[nodiscard]] Rational valueOf(const CoordinateNumber &number) const;
-  [[nodiscard]] std::optional<ChangeObject> editOf(const CoordinateNumber &number,
-                                                   const Rational &value) const;
   /// The step that suits a coordinate: of a position the stage's, of a direction its own size's.
   [[nodiscard]] Rational stepOf(const CoordinateId &id) const;
   /// For the history.

@@ -77,6 +77,8 @@ void CoordinateRow::connectField(NumberField &field, const CoordinateNumber &num
   connect(&field, &NumberField::valueTyped, this,
           [=, this](const Rational &value) { m_editor.change(number, value); });
   connect(&field, &NumberField::stepped, this, [=, this](int steps) { m_editor.step(number, steps); });
+  connect(&field, &NumberField::textEdited, this, &CoordinateRow::typing);
+  connect(&field, &NumberField::dropped, this, &CoordinateRow::typing);
   connect(&field, &NumberField::refused, this, &CoordinateRow::refused);
   connect(&field, &NumberField::scrubStarted, this, [=, this] { m_editor.beginScrub(number); });
   connect(&field, &NumberField::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
@@ -119,6 +121,13 @@ void CoordinateRow::showNumbers() {
 void CoordinateRow::setTheme(const Theme &theme) {
   const QColor ink = markInk(m_model, theme)(QString::fromStdString(m_name));
   m_label->setInkOf([ink](const QString &) { return ink; });
+}
+
+std::optional<ChangeObject> CoordinateRow::typed() const {
+  for (std::size_t axis = 0; axis < m_fields.size(); ++axis)
+    if (const auto value = m_fields[axis]->typed())
+      return m_editor.editOf({m_id, static_cast<int>(axis)}, *value);
+  return {};
 }
 
 QString CoordinateRow::enterTyped() {

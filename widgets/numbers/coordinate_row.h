@@ -34,12 +34,15 @@ public:
   /// The letter is as its mark in the figure.
   void setTheme(const Theme &theme);
 
+  /// What entering the number that is typed would change; nothing where none is.
+  [[nodiscard]] std::optional<ChangeObject> typed() const;
   /// Ends a scrub, and enters what is typed and not entered yet. Why it is refused; else empty.
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
   void dropTyped();
 
 signals:
+  void typing();                         ///< what is typed has changed, and is not entered yet
   void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
 
 private:

@@ -13,6 +13,7 @@ CoordinateRows::make(const std::vector<CoordinateId> &ids) {
   for (const CoordinateId &id : ids) {
     const auto &row =
         m_rows.emplace_back(std::make_unique<CoordinateRow>(m_model, m_editor, m_typesetter, id));
+    connect(row.get(), &CoordinateRow::typing, this, &CoordinateRows::typing);
     connect(row.get(), &CoordinateRow::refused, this, &CoordinateRows::refused);
   }
   return m_rows;
@@ -31,6 +32,13 @@ void CoordinateRows::showNumbers() {
 void CoordinateRows::setTheme(const Theme &theme) {
   for (const auto &row : m_rows)
     row->setTheme(theme);
+}
+
+std::optional<ChangeObject> CoordinateRows::typed() const {
+  for (const auto &row : m_rows)
+    if (auto change = row->typed())
+      return change;
+  return {};
 }
 
 QString CoordinateRows::enterTyped() {

@@ -22,6 +22,8 @@ public:
   void showNumbers();
   void setTheme(const Theme &theme);
 
+  /// What entering the number that is typed would change; nothing where none is.
+  [[nodiscard]] std::optional<ChangeObject> typed() const;
   /// Ends a scrub, and enters the numbers that are typed and not entered yet. Why one is refused; else empty.
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
@@ -30,6 +32,7 @@ public:
   [[nodiscard]] NumberField *field(const std::string &coordinateName, int axis) const;
 
 signals:
+  void typing();                         ///< what is typed has changed, and is not entered yet
   void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
 
 private:

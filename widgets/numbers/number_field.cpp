@@ -127,6 +127,11 @@ void NumberField::mark(bool wrong) {
   repolish(*this);
 }
 
+std::optional<Rational> NumberField::typed() const {
+  const auto value = text() == ownText() ? std::nullopt : parseTyped(text(), locale());
+  return value && !refuseCoordinate(*value) ? value : std::nullopt;
+}
+
 QString NumberField::enter() {
   m_scrub.end(true);
   if (text() == ownText()) {

@@ -28,6 +28,8 @@ public:
   [[nodiscard]] const Rational &value() const { return m_value; }
   [[nodiscard]] bool isScrubbing() const { return m_scrub.isScrubbing(); }
 
+  /// The number that is typed and not entered yet; nothing where none is, or it would be refused.
+  [[nodiscard]] std::optional<Rational> typed() const;
   /// Ends a scrub, and takes the text for the value. Why it is refused; else empty.
   QString enter();
   /// Shows the value again instead of what is typed.

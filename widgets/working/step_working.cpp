@@ -22,6 +22,7 @@ WorkingBlock *StepWorking::addBlock() {
   connect(block, &WorkingBlock::traceDropped, this, &StepWorking::endTrace);
   connect(block, &WorkingBlock::reached, this,
           [this, block](const QRect &place) { emit reached(block, place); });
+  connect(block, &WorkingBlock::typing, this, &StepWorking::typing);
   connect(block, &WorkingBlock::coordinateTyped, this, &StepWorking::coordinateTyped);
   connect(block, &WorkingBlock::coordinateStepped, this, &StepWorking::coordinateStepped);
   connect(block, &WorkingBlock::scrubStarted, this, &StepWorking::scrubStarted);
@@ -133,6 +134,13 @@ void StepWorking::followTrace() {
     return;
   m_traced = std::move(traced);
   emit traceChanged();
+}
+
+std::optional<TypedCoordinate> StepWorking::typed() const {
+  for (const WorkingBlock *block : m_blocks)
+    if (auto typed = block->typed())
+      return typed;
+  return {};
 }
 
 QString StepWorking::enterTyped() {

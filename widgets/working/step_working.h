@@ -43,6 +43,8 @@ public:
   /// What the traced number came from; empty when there is none, or it is not shown.
   [[nodiscard]] const Provenance &traced() const { return m_traced; }
 
+  /// The number that is typed in a formula and not entered yet; nothing where none is.
+  [[nodiscard]] std::optional<TypedCoordinate> typed() const;
   /// Ends a scrub, and enters what is typed and not entered yet. Why it is refused; else empty.
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
@@ -60,6 +62,7 @@ signals:
   void reached(halfspace::WorkingBlock *block, const QRect &place);
 
   // As those of WorkingBlock.
+  void typing();
   void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
   void coordinateStepped(const halfspace::CoordinateSource &number, int steps);
   void scrubStarted(const halfspace::CoordinateSource &number);

@@ -19,6 +19,12 @@ class BlankField;
 class NumberField;
 struct TraceableFormula;
 
+/// A number of the scene that is typed where a formula shows it.
+struct TypedCoordinate {
+  CoordinateSource number;
+  Rational value;
+};
+
 /// Lines of a working: [begin, end).
 struct LineRange {
   std::size_t begin = 0;
@@ -53,6 +59,9 @@ public:
   /// Lets go of the number that the keys have chosen.
   void endChoice();
 
+  /// The number that is typed in its formula and not entered yet; nothing where none is, or it would be
+  /// refused.
+  [[nodiscard]] std::optional<TypedCoordinate> typed() const;
   /// Ends a scrub, and enters the number that is typed and not entered yet. Why it is refused; else empty.
   [[nodiscard]] QString enterTyped();
   /// Takes back what is typed and refused.
@@ -93,6 +102,8 @@ signals:
   void reached(const QRect &place);
 
   // A number in a formula that is a coordinate is changed, as the signals of NumberField say.
+  /// What is typed in a number's formula has changed, and is not entered yet.
+  void typing();
   void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
   void coordinateStepped(const halfspace::CoordinateSource &number, int steps);
   void scrubStarted(const halfspace::CoordinateSource &number);

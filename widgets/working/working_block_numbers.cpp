@@ -147,6 +147,7 @@ void WorkingBlock::connectNumberField(NumberField &field, const CoordinateSource
     placeLines(); // the sentence takes its room
   });
   connect(&field, &NumberField::textChanged, this, &WorkingBlock::moveNumberField);
+  connect(&field, &NumberField::textEdited, this, &WorkingBlock::typing);
   connect(&field, &NumberField::dropped, this, &WorkingBlock::closeNumberField);
   connect(&field, &NumberField::editingFinished, this, [this] {
     if (m_typed && m_typed->refusal.isEmpty())
@@ -188,6 +189,12 @@ void WorkingBlock::closeNumberField() {
   typed.field->deleteLater(); // its own signal may have led here
   if (!typed.refusal.isEmpty())
     placeLines();
+  emit typing();
+}
+
+std::optional<TypedCoordinate> WorkingBlock::typed() const {
+  const auto value = m_typed ? m_typed->field->typed() : std::nullopt;
+  return value ? std::optional(TypedCoordinate{*m_typed->place.coordinate(), *value}) : std::nullopt;
 }
 
 QString WorkingBlock::enterTyped() {
