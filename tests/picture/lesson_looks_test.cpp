@@ -2,6 +2,7 @@
 #include "lessons/lesson/lesson.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -63,6 +64,23 @@ TEST(LessonLooks, OfTwoAboutTheSame_DifferInGrey) {
       EXPECT_NE(rhythmOf(one, 1), rhythmOf(other, 1)) << one.id << ", " << other.id;
     }
   });
+}
+
+TEST(LessonLooks, TheTorpedo_IsThickerThanTheHeadOfItsArrow) {
+  Scene scene = library().find("photon-torpedo")->scene;
+  for (const int frame : {10, 40}) {
+    SCOPED_TRACE(frame);
+    (*findObject(scene, "frame"))[0].x = frame;
+    const Figure figure = figureOf(evaluate(scene));
+    const auto *torpedo = std::get_if<PointMark>(findMark(figure, "flight.M"));
+    const auto *arrow = std::get_if<ArrowMark>(findMark(figure, "shot.L.r"));
+    ASSERT_TRUE(torpedo && arrow);
+    for (const Theme &theme : themes()) {
+      const ArrowHead head =
+          headOfArrow(glm::length(arrow->vector), arrowRadius * thicknessOf(*arrow, theme, 1));
+      EXPECT_GT(ballRadius(*torpedo) * thicknessOf(*torpedo, theme, 1), head.radius) << theme.name;
+    }
+  }
 }
 
 } // namespace

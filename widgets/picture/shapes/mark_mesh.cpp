@@ -196,6 +196,8 @@ double strokeRadius(const Mark &mark) {
 }
 
 double ballRadius(const PointMark &point) {
+  if (point.passes)
+    return flyingRadius;
   const bool isFree = point.subject == Subject::Point && point.role == Role::Given;
   return isFree ? freePointRadius : pointRadius;
 }

@@ -9,8 +9,10 @@ namespace halfspace {
 
 /// What the corner of a right angle measures at scale 1, in scene units.
 inline constexpr double rightAngleSize = 0.9;
-/// The radius of a given point, the thickest thing there is.
+/// The radius of a given point, the thickest thing that stays in its place.
 inline constexpr double freePointRadius = 0.32;
+/// The radius of what flies by: the arrow and the line along which it flies do not hide it.
+inline constexpr double flyingRadius = 0.42;
 /// The radius of any other point.
 inline constexpr double pointRadius = 0.23;
 
