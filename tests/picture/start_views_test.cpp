@@ -32,6 +32,8 @@ constexpr double leastArrowLength = 11;
 /// are square to each other.
 constexpr double leastAngle = 0.12;
 constexpr double leastAxesAngle = 0.3;
+/// An arrow no end of which is farther away from an axis, in design pixels, is taken for a part of it.
+constexpr double leastAxisDistance = 6;
 
 /// A step's picture as it is seen when the lesson begins there.
 struct Page {
@@ -281,6 +283,24 @@ std::vector<std::string> falseLines(const Page &page) {
   return wrong;
 }
 
+/// Whether an arrow lies in an axis: then it is seen around that, as it is thicker.
+bool liesIn(const Stroke &arrow, const Stroke &axis) {
+  return areParallel(arrow, axis) && distanceToSegment(arrow.from, axis.from, axis.to) < 1;
+}
+
+/// Arrows that are seen along an axis in which they do not lie.
+std::vector<std::string> arrowsOnAxes(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Stroke &axis : axesOf(page))
+    for (const Stroke &arrow : arrowsOf(page)) {
+      const double distance = std::max(distanceToSegment(arrow.from, axis.from, axis.to),
+                                       distanceToSegment(arrow.to, axis.from, axis.to));
+      if (distance < leastAxisDistance * page.view.pixelRatio && !liesIn(arrow, axis))
+        wrong.push_back(arrow.name + " is " + std::to_string(distance) + " from the axis " + axis.name);
+    }
+  return wrong;
+}
+
 /// A picture on a screen.
 struct Screen {
   PixelSize size;
@@ -337,6 +357,7 @@ TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatM
 TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
 TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }
 TEST_P(StartView, NoHandleIsSeenEdgeOn) { expectNothing(handlesSeenEdgeOn); }
+TEST_P(StartView, NoArrowLooksLikeAPartOfAnAxis) { expectNothing(arrowsOnAxes); }
 TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); }
 
 /// The first step of a lesson, looked at from another direction.
