@@ -7,8 +7,46 @@
 #include "lessons/words.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
+namespace {
+
+/// The handle of a whole keeps so far away from its corners, in units of the picture: where it lay on one, it
+/// could not be told from it.
+constexpr int leastWayToCorners = 1;
+
+/// The heights above a place, from one to another, that are too near to a corner.
+struct Heights {
+  Rational from;
+  Rational to;
+};
+
+/// Those for a corner that lies beside the place as `way` says; nothing where all are far enough away.
+std::optional<Heights> heightsNear(const ExactVec3 &way) {
+  const Rational left = leastWayToCorners * leastWayToCorners - way.x * way.x - way.y * way.y;
+  if (left <= 0)
+    return {};
+  const Rational half = exactly(std::sqrt(toDouble(left)));
+  return Heights{way.z - half, way.z + half};
+}
+
+/// How far a place is lifted to be away from all corners: not at all where it is already. A corner that comes
+/// to it from the side lifts it without a jump.
+Rational liftOver(const std::vector<ExactVec3> &corners, const ExactVec3 &place) {
+  std::vector<Heights> taken;
+  for (const ExactVec3 &corner : corners)
+    if (const auto heights = heightsNear(corner - place))
+      taken.push_back(*heights);
+  std::sort(taken.begin(), taken.end(), [](const Heights &a, const Heights &b) { return a.from < b.from; });
+  Rational lift = 0;
+  for (const Heights &heights : taken)
+    if (heights.from < lift && lift < heights.to)
+      lift = heights.to;
+  return lift;
+}
+
+} // namespace
 
 void settleNothing(Object &) {}
 
@@ -127,18 +165,19 @@ void aimStartAndDirection(const Given<Object> &given, const Handle &handle, cons
 
 std::vector<Handle> wholeHandle(const std::string &name, const Object &object) {
   const auto specs = coordinatesOf(object);
+  std::vector<ExactVec3> corners;
   ExactVec3 sum(0);
-  Rational count = 0;
   for (std::size_t i = 0; i < specs.size(); ++i)
     if (specs[i].role == CoordinateRole::Position) {
+      corners.push_back(object[i]);
       sum += object[i];
-      count += 1;
     }
+  const ExactVec3 middle = sum / Rational(corners.size());
   Handle handle;
   handle.id = name + ".whole";
   handle.object = name;
   handle.motion = Handle::Motion::Whole;
-  handle.at = sum / count;
+  handle.at = middle + ExactVec3(0, 0, liftOver(corners, middle));
   // So the first position is the one that is snapped: parts of a middle would be no short numbers.
   handle.base = handle.at - object[0];
   return {handle};

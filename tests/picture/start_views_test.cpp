@@ -233,6 +233,20 @@ std::vector<std::string> handlesInTheWay(const Page &page) {
   return wrong;
 }
 
+/// Handles of wholes that sit on another handle. What other handles share a place with is another question:
+/// arrows may start in one point.
+std::vector<std::string> wholesInTheWay(const Page &page) {
+  std::vector<std::string> wrong;
+  for (const Handle &whole : page.handles)
+    for (const Handle &other : page.handles) {
+      const double distance = glm::distance(page.pixelOf(shownPlace(whole)), page.pixelOf(shownPlace(other)));
+      if (whole.motion == Handle::Motion::Whole && whole.id != other.id &&
+          distance < leastHandleDistance * page.view.pixelRatio)
+        wrong.push_back(whole.id + " and " + other.id + " are " + std::to_string(distance) + " apart");
+    }
+  return wrong;
+}
+
 /// What a plain drag does not move along the grid, because what it would move on is seen edge-on.
 std::vector<std::string> handlesSeenEdgeOn(const Page &page) {
   std::vector<std::string> wrong;
@@ -356,9 +370,41 @@ TEST_P(StartView, NoLabelSeemsToBeAnotherPoints) { expectNothing(mistakenLabels)
 TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatMove, fitsItsLabels); }
 TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
 TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }
+TEST_P(StartView, NoWholeIsOnAnotherHandle) { expectNothing(wholesInTheWay); }
 TEST_P(StartView, NoHandleIsSeenEdgeOn) { expectNothing(handlesSeenEdgeOn); }
 TEST_P(StartView, NoArrowLooksLikeAPartOfAnAxis) { expectNothing(arrowsOnAxes); }
 TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); }
+
+/// A lesson in which one corner of a triangle was dragged to the middle of the two others, or to the first of
+/// them.
+Lesson withDegenerateTriangle(Lesson lesson, const std::string &triangle, std::size_t corner, bool toMiddle) {
+  Object &object = *findObject(lesson.scene, triangle);
+  const ExactVec3 &first = object[corner == 0 ? 1 : 0];
+  const ExactVec3 &second = object[corner == 2 ? 1 : 2];
+  object[corner] = toMiddle ? (first + second) / Rational(2) : first;
+  return lesson;
+}
+
+TEST(DegenerateTriangles, HaveTheHandleOfTheWholeBesideTheirCorners) {
+  int looks = 0;
+  for (const Lesson &lesson : library().lessons)
+    for (const Entry &entry : lesson.scene.entries)
+      if (const Object *object = findObject(lesson.scene, entry.name);
+          object && kindOf(*object) == "triangle")
+        for (std::size_t corner = 0; corner < 3; ++corner)
+          for (const bool toMiddle : {true, false}) {
+            const Lesson degenerate = withDegenerateTriangle(lesson, entry.name, corner, toMiddle);
+            Page page = pageOf(degenerate, degenerate.steps.front(), themes().front(), {840, 725}, 1, {});
+            std::vector<Handle> &handles = page.handles;
+            handles.erase(std::remove_if(handles.begin(), handles.end(),
+                                         [&](const Handle &handle) { return handle.object != entry.name; }),
+                          handles.end());
+            for (const std::string &sentence : wholesInTheWay(page))
+              ADD_FAILURE() << lesson.id << ", corner " << corner << ": " << sentence;
+            ++looks;
+          }
+  EXPECT_GT(looks, 20);
+}
 
 /// The first step of a lesson, looked at from another direction.
 Page pageFrom(const glm::dvec3 &direction, const std::string &id) {

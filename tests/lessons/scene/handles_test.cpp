@@ -1,5 +1,6 @@
 #include "tests/lessons/scenes.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace halfspace {
@@ -48,6 +49,44 @@ TEST(MovedTo, TheWholeTriangle_KeepsItsShape) {
   EXPECT_EQ(whole.at - whole.base, ExactVec3(9, 9, 0)) << "the first corner is snapped";
   EXPECT_EQ(movedTo(*findObject(scene, "T"), whole, whole.at + ExactVec3(1, -1, 2)),
             Object(TriangleObject{{10, 8, 2}, {2, 8, 6}, {6, 1, 11}}));
+}
+
+struct WholeOfATriangle : testing::TestWithParam<TriangleObject> {};
+
+TEST_P(WholeOfATriangle, IsTakenByAHandleThatIsOnNoCorner) {
+  const Object triangle(GetParam());
+  const Scene scene{{{"T", triangle}}};
+  const Handle whole = handle(scene, "T.whole");
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const double way = glm::distance(toDouble(whole.at), toDouble(triangle[corner]));
+    EXPECT_GE(way, 1 - 1e-9) << corner; // but for rounding
+    EXPECT_LE(way, 8) << corner << ": it stays with the triangle";
+  }
+  EXPECT_EQ(movedTo(triangle, whole, whole.at), triangle);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Degenerate, WholeOfATriangle,
+    testing::Values(TriangleObject{{2, 3, 1}, {5, 3, 1}, {-1, 3, 1}}, // P0 is in the middle
+                    TriangleObject{{2, 3, 1}, {2, 3, 4}, {2, 3, -2}}, // so it is, upright
+                    TriangleObject{{2, 3, 1}, {2, 3, 1}, {2, 3, 1}},
+                    TriangleObject{{2, 3, 1}, {2, 3, 1}, {2, q(7, 2), 1}},
+                    TriangleObject{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}));
+
+TEST(Handles, OfAWhole_RiseWithoutAJump_WhereACornerComesToTheMiddle) {
+  const auto heightWith = [](const Rational &x) {
+    return toDouble(
+        handle(Scene{{{"T", TriangleObject{{x, 0, 0}, {5, 4, 0}, {-5, -4, 0}}}}}, "T.whole").at.z);
+  };
+  EXPECT_EQ(heightWith(2), 0);
+  double last = 0;
+  for (int i = 200; i >= 0; --i) {
+    const double height = heightWith(q(i, 100));
+    EXPECT_LT(height - last, 0.2) << i;
+    EXPECT_GE(height, last) << i;
+    last = height;
+  }
+  EXPECT_EQ(last, 1);
 }
 
 } // namespace
