@@ -406,6 +406,53 @@ TEST(DegenerateTriangles, HaveTheHandleOfTheWholeBesideTheirCorners) {
   EXPECT_GT(looks, 20);
 }
 
+/// The flat picture of a step in a room that it has beside the scene.
+Page flatPageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme, glm::dvec2 size,
+                double ratio) {
+  const Evaluation evaluation = evaluate(lesson.scene);
+  const Figure whole = figureOf(evaluation);
+  const FlatFrame frame = flatFrame(*lesson.flat, lesson.scene).value();
+  Page page{theme};
+  page.view = {{}, {static_cast<int>(size.x), static_cast<int>(size.y)}, ratio, {}};
+  page.view.camera = flatCamera(laidFlat(whole, frame), page.view);
+  page.content.figure = clippedTo(page.view, laidFlat(shownIn(step, evaluation, whole).figure, frame));
+  page.labels =
+      page.placer.place(labelTexts(page.content, {}, theme, page.view),
+                        obstaclesOf(page.content, std::nullopt, theme, page.view), vectorsOnly(), page.view);
+  return page;
+}
+
+/// The scenes of a lesson's flat picture: as it begins, and with its point and its ray dragged elsewhere.
+std::vector<Lesson> flatLessons() {
+  std::vector<Lesson> lessons;
+  for (const Lesson &lesson : library().lessons)
+    if (lesson.flat)
+      for (int x = -2; x <= 2; ++x)
+        for (int z = -2; z <= 2; ++z) {
+          lessons.push_back(lesson);
+          Object &ray = *findObject(lessons.back().scene, lesson.flat->right.object);
+          ray[0] += ExactVec3(x, 0, z);
+          ray[1] += ExactVec3(0, z, x);
+        }
+  return lessons;
+}
+
+TEST(FlatPictures, HaveNoLabelThatSeemsToBeAnotherPoints) {
+  int looks = 0;
+  for (const Lesson &lesson : flatLessons())
+    for (const Theme &theme : themes())
+      for (const glm::dvec2 room : {glm::dvec2(840, 725), glm::dvec2(600, 480), glm::dvec2(1100, 940)})
+        for (const double ratio : {0.64, 0.8})
+          for (const LessonStep &step : lesson.steps) {
+            const Page page = flatPageOf(lesson, step, theme, flatSizeIn(room, 1).value(), ratio);
+            for (const std::string &sentence : mistakenLabels(page))
+              ADD_FAILURE() << theme.name << ", " << room.x << " wide, at " << ratio << ", " << step.title
+                            << ": " << sentence;
+            ++looks;
+          }
+  EXPECT_GT(looks, 100);
+}
+
 /// The first step of a lesson, looked at from another direction.
 Page pageFrom(const glm::dvec3 &direction, const std::string &id) {
   Lesson lesson = *library().find(id);

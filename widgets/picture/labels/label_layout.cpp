@@ -111,10 +111,14 @@ struct LabelLayout::Candidate {
   glm::dvec2 anchor{};
   double clearance = 0;
 
-  /// Whether it stands nearer to a point with a name than to what it names; a leader tells which that is.
+  /// Whether it stands nearer to a point with a name than to what it names, from edge to edge or from middle
+  /// to middle; a leader tells which that is.
   [[nodiscard]] bool isNearerTo(const LabelObstacles::Disc &disc) const {
-    return disc.hasLabel && disc.center != anchor && choice.distance < firstWithLeader &&
-           distanceTo(box, disc.center) - disc.radius < distanceTo(box, anchor) - clearance;
+    if (!disc.hasLabel || disc.center == anchor || choice.distance >= firstWithLeader)
+      return false;
+    const double reach = distanceTo(box, disc.center);
+    const double ownReach = distanceTo(box, anchor);
+    return reach < ownReach || reach - disc.radius < ownReach - clearance;
   }
 };
 
