@@ -107,13 +107,19 @@ ArrowMark upArrow(const std::string &id, double length) {
   return arrow;
 }
 
-/// The largest distance from the z axis at a height.
-double thicknessAt(const Mesh &mesh, double height) {
-  double most = 0;
+/// The distances from the z axis at a height, in tenths of thousandths.
+std::set<long> radiiAt(const Mesh &mesh, double height) {
+  std::set<long> radii;
   for (const glm::vec3 &position : mesh.positions)
     if (std::abs(position.z - height) < 1e-4)
-      most = std::max<double>(most, std::hypot(position.x, position.y));
-  return most;
+      radii.insert(std::lround(1e4 * std::hypot(position.x, position.y)));
+  radii.erase(0); // the middles of caps
+  return radii;
+}
+
+/// The largest distance from the z axis at a height.
+double thicknessAt(const Mesh &mesh, double height) {
+  return static_cast<double>(*radiiAt(mesh, height).rbegin()) / 1e4;
 }
 
 TEST(Arrows, ThatLieInOthers_AreThicker_SoThatBothAreSeen) {
@@ -122,6 +128,39 @@ TEST(Arrows, ThatLieInOthers_AreThicker_SoThatBothAreSeen) {
   EXPECT_GT(thicknessAt(meshOf(both, {}, theme(), 1), 0), 1.5 * alone);
   const Figure opposite{{upArrow("v", 8), upArrow("w", -3)}};
   EXPECT_DOUBLE_EQ(thicknessAt(meshOf(opposite, {}, theme(), 1), 0), alone);
+}
+
+TEST(Arrows, ThatAreTheSameToTheEye_AreAroundEachOther_SoThatTheyDoNotFlicker) {
+  const double aHair = 1e-12; // as a unit vector is rounded
+  for (const Role one : {Role::Given, Role::Derived, Role::Helper, Role::Result})
+    for (const Role other : {Role::Given, Role::Derived, Role::Helper, Role::Result})
+      for (const std::size_t rank : {0U, 1U})
+        for (const double length : {8.0, 8 + aHair, 8 - aHair}) {
+          ArrowMark v = upArrow("v", 8);
+          ArrowMark w = upArrow("w", length);
+          v.role = one;
+          w.role = other;
+          w.look.rank = rank;
+          const std::set<long> radii = radiiAt(meshOf({{v, w}}, {}, theme(), 1), 0);
+          ASSERT_EQ(radii.size(), 2U);
+          EXPECT_GT(*radii.rbegin() - *radii.begin(), 40);
+        }
+}
+
+TEST(Arrows, ThatAreDashed_AreAroundWholeOnesThatAreTheSame) {
+  ArrowMark dashed = upArrow("a", 8);
+  dashed.look = {Hue::Orange, 1};
+  ArrowMark whole = upArrow("b", 8);
+  whole.look = {Hue::Blue, 0};
+  const Mesh mesh = meshOf({{dashed, whole}}, {}, theme(), 1);
+  const auto ofColor = [&](Hue hue) {
+    Mesh part;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+      if (mesh.colors[i] == theme().colorOf(hue))
+        part.positions.push_back(mesh.positions[i]);
+    return part;
+  };
+  EXPECT_GT(thicknessAt(ofColor(Hue::Orange), 0), thicknessAt(ofColor(Hue::Blue), 0));
 }
 
 TEST(Lines, SeenFromFartherAway_AreThickerInTheScene) {

@@ -55,18 +55,39 @@ double highlightOf(const Mark &mark) {
 /// Each arrow that lies in longer ones is drawn so much thicker: its shaft is seen around theirs, their tips
 /// are seen beyond it.
 constexpr double sleeveWidth = 0.7;
-/// Directions that differ by less than this (the sine of the angle) are one to the eye, in whatever way they
-/// were rounded.
-constexpr double sameDirection = 1e-6;
+/// Of arrows that are the same to the eye, each is so much thicker than the one inside it, even where its
+/// role makes it thinner: surfaces in one place would flicker.
+constexpr double twinWidth = 0.4;
+/// Directions that differ by less than this (the sine of the angle), and lengths by less than this part, are
+/// one to the eye, in whatever way they were rounded.
+constexpr double sameToTheEye = 1e-6;
 
-/// Whether an arrow lies in another: it starts in the same place, points the same way and is shorter.
+/// Whether two arrows start in the same place and point the same way.
+bool goTogether(const ArrowMark &one, const ArrowMark &other) {
+  const Place first = shownVector(one);
+  const Place second = shownVector(other);
+  const double lengths = glm::length(first) * glm::length(second);
+  return one.from == other.from && glm::dot(first, second) > 0 &&
+         glm::length(glm::cross(first, second)) <= sameToTheEye * lengths;
+}
+
+/// By how much an arrow is longer than another, as a part of its length.
+double lead(const ArrowMark &arrow, const ArrowMark &other) {
+  const double length = glm::length(shownVector(arrow));
+  return (length - glm::length(shownVector(other))) / length;
+}
+
+/// Whether an arrow lies in another, which goes on beyond its tip.
 bool liesIn(const ArrowMark &arrow, const ArrowMark &other) {
-  const Place inner = shownVector(arrow);
-  const Place outer = shownVector(other);
-  const double lengths = glm::length(inner) * glm::length(outer);
-  return arrow.from == other.from && glm::dot(inner, outer) > 0 &&
-         glm::length(glm::cross(inner, outer)) <= sameDirection * lengths &&
-         glm::length(inner) < glm::length(outer);
+  return goTogether(arrow, other) && lead(other, arrow) > sameToTheEye;
+}
+
+/// Whether an arrow is drawn around another that is the same to the eye: a dashed one around a whole one,
+/// which is seen in its gaps.
+bool covers(const ArrowMark &arrow, const ArrowMark &other) {
+  const auto rank = [](const ArrowMark &one) { return std::pair(!rhythmOf(one, 1).empty(), one.id); };
+  return goTogether(arrow, other) && std::abs(lead(arrow, other)) <= sameToTheEye &&
+         rank(other) < rank(arrow);
 }
 
 /// The arrows of a figure by where they start.
@@ -78,13 +99,11 @@ public:
         m_arrows.emplace(keyOf(*arrow), arrow);
   }
 
-  /// How many of them the mark lies in.
-  std::ptrdiff_t holdersOf(const Mark &mark) const {
-    const auto *arrow = std::get_if<ArrowMark>(&mark);
-    if (!arrow)
-      return 0;
-    const auto [first, last] = m_arrows.equal_range(keyOf(*arrow));
-    return std::count_if(first, last, [&](const auto &other) { return liesIn(*arrow, *other.second); });
+  /// How many of them stand to an arrow as `relation` says.
+  double count(const ArrowMark &arrow, bool (*relation)(const ArrowMark &, const ArrowMark &)) const {
+    const auto [first, last] = m_arrows.equal_range(keyOf(arrow));
+    return static_cast<double>(
+        std::count_if(first, last, [&](const auto &other) { return relation(arrow, *other.second); }));
   }
 
 private:
@@ -96,7 +115,9 @@ private:
 
 /// What the width of a mark is multiplied by, so that it is seen where it lies in others.
 double sleeveOf(const Mark &mark, const ArrowsByStart &arrows) {
-  return 1 + sleeveWidth * static_cast<double>(arrows.holdersOf(mark));
+  const auto *arrow = std::get_if<ArrowMark>(&mark);
+  return arrow ? 1 + sleeveWidth * arrows.count(*arrow, liesIn) + twinWidth * arrows.count(*arrow, covers)
+               : 1;
 }
 
 BallDetail ballDetailFor(const Figure &figure) {
