@@ -1,5 +1,6 @@
 // In the scenes of all lessons objects are told apart by their colours, and without colours by their dashes.
 #include "lessons/lesson/lesson.h"
+#include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 
 #include <glm/geometric.hpp>
@@ -81,6 +82,18 @@ TEST(LessonLooks, TheTorpedo_IsThickerThanTheHeadOfItsArrow) {
       EXPECT_GT(ballRadius(*torpedo) * thicknessOf(*torpedo, theme, 1), head.radius) << theme.name;
     }
   }
+}
+
+TEST(LessonLooks, TheSaucer_IsSeenBehindItsHandle_InLargeType) {
+  const Figure figure = figureOf(evaluate(library().find("photon-torpedo")->scene));
+  const auto *handle = std::get_if<PointMark>(findMark(figure, "U.S"));
+  const auto *dome = std::get_if<PolygonMark>(findMark(figure, "shot.saucer"));
+  ASSERT_TRUE(handle && dome);
+  double reach = 0;
+  for (const Place &corner : dome->corners)
+    reach = std::max(reach, glm::distance(corner, handle->at));
+  for (const double scale : {1.0, 1.5, 2.0, 4.0})
+    EXPECT_LT(BallSizes(figure).radiusOf(*handle, scale), reach / 3) << scale;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // How the role of a mark, and what is done with it, show in lines and faces.
 #include "tests/picture/marks.h"
+#include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
@@ -198,6 +199,30 @@ TEST(Points, ThatAreFreeToMove_AreTheThickest) {
   EXPECT_LT(ballRadius(point), freePointRadius);
   point = withId(pointAt({0, 0, 0}), "P0", Subject::Plane);
   EXPECT_LT(ballRadius(point), freePointRadius);
+}
+
+/// The largest distance of a ball's surface from the middle of it, the origin, on a square of some width.
+double ballOnSquare(double width, double scale) {
+  const double half = width / 2;
+  PolygonMark square =
+      withId(polygonOf({{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}), "S/1",
+             Subject::Neutral);
+  PointMark point = withId(pointAt({0, 0, 0}), "Q", Subject::Point);
+  return BallSizes({{square, point}}).radiusOf(point, scale);
+}
+
+TEST(Points, OnASurface_TakeNoMoreThanAPartOfIt) {
+  EXPECT_EQ(ballOnSquare(8, 1), freePointRadius) << "there is room";
+  EXPECT_EQ(ballOnSquare(8, 2), 2 * freePointRadius);
+  EXPECT_LT(ballOnSquare(4, 2), 0.13 * 4);
+  EXPECT_EQ(ballOnSquare(4, 3), ballOnSquare(4, 2)) << "the surface does not grow with the type";
+  EXPECT_GT(ballOnSquare(0.1, 2), 2 * arrowRadius) << "they are still seen on lines";
+}
+
+TEST(Points, BesideASurface_AreAsLargeAsAlways) {
+  const PolygonMark small = withId(polygonOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "S", Subject::Neutral);
+  const PointMark point = withId(pointAt({2, 2, 0}), "Q", Subject::Point);
+  EXPECT_EQ(BallSizes({{small, point}}).radiusOf(point, 3), 3 * freePointRadius);
 }
 
 TEST(Faces, OfPatches_LieUnderThoseOfPolygons) {

@@ -2,6 +2,7 @@
 
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/hand/handle_drag.h"
+#include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mark_mesh.h"
 
@@ -25,7 +26,8 @@ constexpr double tipPixels = 1;
 class GripMaker {
 public:
   GripMaker(const Figure &figure, const Theme &theme, const View &view)
-      : m_theme(theme), m_view(view), m_scale(designScale(view.camera, view.size, view.pixelRatio)) {
+      : m_theme(theme), m_view(view), m_scale(designScale(view.camera, view.size, view.pixelRatio)),
+        m_balls(figure) {
     for (const Mark &mark : figure.marks)
       m_marks.emplace(baseOf(mark).id, &mark);
   }
@@ -78,7 +80,7 @@ private:
   void addMark(Grip &grip, const Mark &mark) const {
     const double thickness = thicknessOf(baseOf(mark), m_theme, m_scale);
     if (const auto *point = std::get_if<PointMark>(&mark)) {
-      const double radius = ballRadius(*point) * thickness;
+      const double radius = m_balls.radiusOf(*point, thickness);
       addPiece(grip, point->at, point->at, radius, radius);
     } else if (const auto *arrow = std::get_if<ArrowMark>(&mark)) {
       const Place way = shownVector(*arrow);
@@ -107,6 +109,7 @@ private:
   const Theme &m_theme;
   const View &m_view;
   double m_scale;
+  BallSizes m_balls;
   std::unordered_map<std::string_view, const Mark *> m_marks; ///< by their ids
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/picture/shapes/mark_mesh.h"
 
+#include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/mark_outline.h"
 
 #include <glm/geometric.hpp>
@@ -145,7 +146,6 @@ struct Brush {
   Color color;
   double width; ///< what radii are multiplied by
   Rhythm rhythm;
-  BallDetail ball = BallDetail::Fine;
 };
 
 void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
@@ -171,7 +171,14 @@ Color patchBorderColor(const PlanePatchMark &patch, const Brush &brush, const Th
   return isPlain ? mix(theme.patchFaceOf(hueOf(patch)), brush.color, patchBorderDepth) : brush.color;
 }
 
-void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &theme, double scale) {
+/// How the points of a figure are drawn.
+struct Balls {
+  BallSizes sizes;
+  BallDetail detail;
+};
+
+void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Balls &balls, const Theme &theme,
+             double scale) {
   const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
   if (outline.path.empty())
     return;
@@ -180,7 +187,7 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Theme &them
   std::visit(
       Overloaded{
           [&](const PointMark &point) {
-            addBall(mesh, point.at, ballRadius(point) * brush.width, brush.color, brush.ball);
+            addBall(mesh, point.at, balls.sizes.radiusOf(point, brush.width), brush.color, balls.detail);
           },
           [&](const SegmentMark &) { line(); },
           [&](const RayMark &) { line(); },
@@ -246,7 +253,7 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
             const Arrival &arrival) {
   Mesh mesh;
   makeRoom(mesh, figure.marks.size() * usualCorners);
-  const BallDetail ball = ballDetailFor(figure);
+  const Balls balls{BallSizes(figure), ballDetailFor(figure)};
   const ArrowsByStart arrows(figure);
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
@@ -257,8 +264,8 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
                          sleeveOf(mark, arrows) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
-                      rhythmOf(base, scale), ball};
-    addMark(mesh, mark, brush, theme, scale);
+                      rhythmOf(base, scale)};
+    addMark(mesh, mark, brush, balls, theme, scale);
   }
   return mesh;
 }

@@ -22,7 +22,7 @@ inline constexpr double arrowRadius = 0.11;
 /// The radius of the lines that a mark is drawn with, at scale 1, in scene units; 0 for a point.
 [[nodiscard]] double strokeRadius(const Mark &mark);
 
-/// The radius of a point's ball at scale 1, in scene units.
+/// The radius of a point's ball at scale 1, in scene units, where it has room (see BallSizes).
 [[nodiscard]] double ballRadius(const PointMark &point);
 /// What the radii of a mark at scale 1 are multiplied by.
 [[nodiscard]] double thicknessOf(const MarkBase &mark, const Theme &theme, double scale);

@@ -1,0 +1,28 @@
+// How large the balls of a figure's points are beside what they stand on.
+#pragma once
+
+#include "lessons/figure/figure.h"
+
+#include <vector>
+
+namespace halfspace {
+
+/// The balls of one figure. They grow with the size of type, and the surfaces that they stand on do not: a
+/// ball takes no more than a part of its surface, so that the surface is seen.
+class BallSizes {
+public:
+  explicit BallSizes(const Figure &figure);
+
+  /// The radius of a point's ball where all of its kind at scale 1 are multiplied by `thickness`.
+  [[nodiscard]] double radiusOf(const PointMark &point, double thickness) const;
+
+private:
+  /// A box along the axes around a surface.
+  struct Surface {
+    Place low{};
+    Place high{};
+  };
+  std::vector<Surface> m_surfaces;
+};
+
+} // namespace halfspace
