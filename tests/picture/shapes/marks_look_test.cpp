@@ -162,6 +162,14 @@ TEST(Arrows, ThatAreDashed_AreAroundWholeOnesThatAreTheSame) {
     return part;
   };
   EXPECT_GT(thicknessAt(ofColor(Hue::Orange), 0), thicknessAt(ofColor(Hue::Blue), 0));
+  const auto tipOf = [&](Hue hue) {
+    double highest = 0;
+    for (const glm::vec3 &position : ofColor(hue).positions)
+      highest = std::max<double>(highest, position.z);
+    return highest;
+  };
+  EXPECT_NEAR(tipOf(Hue::Orange), 8, 1e-6);
+  EXPECT_LT(tipOf(Hue::Blue), 7.9) << "heads with one tip would be in one cone";
 }
 
 TEST(Lines, SeenFromFartherAway_AreThickerInTheScene) {

@@ -59,6 +59,10 @@ constexpr double sleeveWidth = 0.7;
 /// Of arrows that are the same to the eye, each is so much thicker than the one inside it, even where its
 /// role makes it thinner: surfaces in one place would flicker.
 constexpr double twinWidth = 0.4;
+/// Heads would still lie in one cone: each ends so many radii of a shaft before that of the one around it,
+/// but no more than a part of its length.
+constexpr double twinSetback = 1.5;
+constexpr double mostSetback = 0.1;
 /// Directions that differ by less than this (the sine of the angle), and lengths by less than this part, are
 /// one to the eye, in whatever way they were rounded.
 constexpr double sameToTheEye = 1e-6;
@@ -91,6 +95,8 @@ bool covers(const ArrowMark &arrow, const ArrowMark &other) {
          rank(other) < rank(arrow);
 }
 
+bool isCoveredBy(const ArrowMark &arrow, const ArrowMark &other) { return covers(other, arrow); }
+
 /// The arrows of a figure by where they start.
 class ArrowsByStart {
 public:
@@ -121,6 +127,13 @@ double sleeveOf(const Mark &mark, const ArrowsByStart &arrows) {
                : 1;
 }
 
+/// How far before its tip a mark ends at scale 1, so that its head lies in that of what is the same to the
+/// eye.
+double setbackOf(const Mark &mark, const ArrowsByStart &arrows) {
+  const auto *arrow = std::get_if<ArrowMark>(&mark);
+  return arrow ? twinSetback * arrowRadius * arrows.count(*arrow, isCoveredBy) : 0;
+}
+
 BallDetail ballDetailFor(const Figure &figure) {
   const auto points = std::count_if(figure.marks.begin(), figure.marks.end(),
                                     [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
@@ -146,6 +159,7 @@ struct Brush {
   Color color;
   double width; ///< what radii are multiplied by
   Rhythm rhythm;
+  double setback = 0; ///< of an arrow's tip
 };
 
 void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
@@ -193,7 +207,10 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Balls &ball
           [&](const RayMark &) { line(); },
           [&](const LineMark &) { line(); },
           [&](const ArrowMark &arrow) {
-            addArrow(mesh, arrow.from, shownVector(arrow), radius * brush.width, brush.color, brush.rhythm);
+            const Place way = shownVector(arrow);
+            const double length = glm::length(way);
+            const double shown = length > 0 ? 1 - std::min(brush.setback / length, mostSetback) : 0;
+            addArrow(mesh, arrow.from, way * shown, radius * brush.width, brush.color, brush.rhythm);
           },
           [&](const PlanePatchMark &patch) {
             const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.rhythm};
@@ -264,7 +281,7 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
     const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
                          sleeveOf(mark, arrows) * presence;
     const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
-                      rhythmOf(base, scale)};
+                      rhythmOf(base, scale), setbackOf(mark, arrows) * thicknessOf(base, theme, scale)};
     addMark(mesh, mark, brush, balls, theme, scale);
   }
   return mesh;
