@@ -180,13 +180,20 @@ CaseWords tell(const In &in, const Out &at) {
 /// How a formula goes on behind its symbols.
 enum class Numbers : std::uint8_t { PutIn, MultipliedOut };
 
+/// What a step has only where the ray crosses the triangle's plane.
+enum class Needs : std::uint8_t {
+  Nothing,
+  Denominator, ///< to divide by: else the line goes up to the division
+  Point        ///< else there is no line
+};
+
 struct Step {
   std::string line; ///< the id
   Chain chain;      ///< its first side is the letter that it gives a value
   std::string sentence{};
   Numbers numbers = Numbers::PutIn;
   std::vector<WrongTerm> mistakes{};
-  bool needsPoint = false; ///< there is something to divide by only where the ray crosses the plane
+  Needs needs = Needs::Nothing;
 };
 
 // The numbers r·n and c·n, in the colours of the letters that are the same in other ways.
@@ -225,14 +232,15 @@ void addPerpSteps(const Out &at, std::vector<Step> &steps) {
                    Numbers::PutIn,
                    {{-(startToPlane(at) / alongNormal(at)),
                      words("{answer} has the wrong sign: c leads from {Q} to the plane.", at.letters)}},
-                   true});
+                   Needs::Denominator});
   steps.push_back({"hit",
                    at.I == at.Q + at.lambda * at.r,
                    words("The point of the plane. Is it in the triangle?"),
                    Numbers::PutIn,
                    {},
-                   true});
-  steps.push_back({"w", w == at.I - at.P0, words("From {P0} to {I}.", at.letters), Numbers::PutIn, {}, true});
+                   Needs::Point});
+  steps.push_back(
+      {"w", w == at.I - at.P0, words("From {P0} to {I}.", at.letters), Numbers::PutIn, {}, Needs::Point});
   steps.push_back({"G",
                    (G == dot(u, vPerp)) == power(dot(u, v), 2) - dot(u, u) * dot(v, v),
                    denominatorWords(at),
@@ -244,14 +252,14 @@ void addPerpSteps(const Out &at, std::vector<Step> &steps) {
        words("v⊥ cannot see v: only s is left."),
        Numbers::PutIn,
        {{at.t, words("{answer} is t: for s, w is dotted with v⊥.")}},
-       true});
+       Needs::Point});
   steps.push_back(
       {"perp-t",
        (at.t == dot(w, uPerp) / dot(v, uPerp)) == (dot(u, v) * dot(w, u) - dot(u, u) * dot(w, v)) / G,
        words("u⊥ cannot see u: only t is left."),
        Numbers::PutIn,
        {{at.s, words("{answer} is s: for t, w is dotted with u⊥.")}},
-       true});
+       Needs::Point});
 }
 
 std::string determinantWords(const Out &at) {
@@ -269,7 +277,7 @@ Step shareStep(const Out &at, const char *line, const Term &share, const Term &n
           {},
           Numbers::PutIn,
           {{other / at.second.D, words("{answer} has the wrong determinant above.")}},
-          true};
+          Needs::Denominator};
 }
 
 void addCramerSteps(const Out &at, std::vector<Step> &steps) {
@@ -331,20 +339,20 @@ void addPlueckerSteps(const Out &at, std::vector<Step> &steps) {
   steps.push_back(productStep(at, 1, -dot(at.v, m), edge(1)));
   steps.push_back(productStep(at, 2, dot(at.u, m), edge(2)));
   steps.push_back({"S", S == products[0] + products[1] + products[2], sumWords(at)});
-  steps.push_back({"pluecker-s", at.s == products[1] / S, {}, Numbers::PutIn, {}, true});
-  steps.push_back({"pluecker-t", at.t == products[2] / S, {}, Numbers::PutIn, {}, true});
+  steps.push_back({"pluecker-s", at.s == products[1] / S, {}, Numbers::PutIn, {}, Needs::Denominator});
+  steps.push_back({"pluecker-t", at.t == products[2] / S, {}, Numbers::PutIn, {}, Needs::Denominator});
   steps.push_back({"mix",
                    at.I == (1 - at.s - at.t) * at.P0 + at.s * at.P1 + at.t * at.P2,
                    words("The corners, mixed. No normal was needed."),
                    Numbers::PutIn,
                    {},
-                   true});
+                   Needs::Point});
   steps.push_back({"pluecker-lambda",
                    at.lambda == dot(at.I - at.Q, at.r) / dot(at.r, at.r),
                    words("Only now the ray's own parameter, which the products do not have."),
                    Numbers::PutIn,
                    {},
-                   true});
+                   Needs::Point});
 }
 
 std::vector<Step> perpSteps(const Out &at) {
@@ -448,12 +456,24 @@ WorkingLine lineOf(const Step &step) {
                step.sentence, step.mistakes);
 }
 
+/// A quotient with the denominator 0: what would be divided.
+WorkingLine undividedLine(const Step &step) {
+  const Term &quotient = step.chain.formula();
+  return line({withResult(quotient->parts[0]), withResult(quotient->parts[1])},
+              words("{quotient}, which would be {letter}, is not defined: nothing can be divided by 0.",
+                    {{"quotient", plainText(quotient)}, {"letter", plainText(step.chain.sides().front())}}));
+}
+
 void addLines(std::vector<Step> steps, const Out &at, Explanation &lines) {
-  for (Step &step : steps)
-    if (!lines.has(step.line) && (at.crosses() || !step.needsPoint)) {
-      const std::string id = step.line;
+  for (Step &step : steps) {
+    const std::string id = step.line;
+    if (lines.has(id))
+      continue;
+    if (at.crosses() || step.needs == Needs::Nothing)
       lines.add(id, [step = std::move(step)] { return lineOf(step); });
-    }
+    else if (step.needs == Needs::Denominator)
+      lines.add(id, [step = std::move(step)] { return undividedLine(step); });
+  }
 }
 
 /// The multiplications of a way: for the triangle, and for each ray. They come from the formulas, not from

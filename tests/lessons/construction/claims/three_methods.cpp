@@ -83,6 +83,8 @@ Claims stepClaims() {
       {"All products together.", crosses},
       {"The corners, mixed. No normal was needed.", crosses},
       {"Only now the ray's own parameter, which the products do not have.", crosses},
+      {"{quotient}, which would be {letter}, is not defined: nothing can be divided by 0.",
+       [](const RayAtTriangle &at) { return at.rn == 0; }},
       {"{once} multiplications belong to the triangle alone and can be kept, {ray} are new for each ray. "
        "Besides: {additions} additions and {divisions} divisions.",
        [](const RayAtTriangle &, const Said &said) { return isCountOf(said); }},
