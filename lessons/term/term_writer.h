@@ -72,6 +72,8 @@ protected:
   [[nodiscard]] virtual Text list(std::vector<Text> entries) = 0;
   /// The same of entries that are no taller than letters.
   [[nodiscard]] virtual Text flatList(std::vector<Text> entries) { return list(std::move(entries)); }
+  /// The same of whole numbers and fractions of such.
+  [[nodiscard]] virtual Text numberList(std::vector<Text> entries) { return list(std::move(entries)); }
   [[nodiscard]] virtual Text matrix(std::vector<Text> entries, std::size_t columns, bool isDeterminant) = 0;
   /// A term that is raised to a power, where it needs parentheses.
   [[nodiscard]] virtual Text parenthesizedBase(Text inside, const Term &term) {
@@ -216,12 +218,27 @@ private:
     case TermKind::Norm:
       return normOf(write(parts[0]), parts[0]);
     case TermKind::List:
-      return std::any_of(parts.begin(), parts.end(), isTall) ? list(small(parts)) : flatList(small(parts));
+      return listOf(parts);
     case TermKind::Matrix:
     case TermKind::Determinant:
       return matrix(small(parts), looked->columns, looked->kind == TermKind::Determinant);
     }
     return row({});
+  }
+
+  [[nodiscard]] Text listOf(const std::vector<Term> &entries) {
+    if (std::none_of(entries.begin(), entries.end(), isTall))
+      return flatList(small(entries));
+    return std::all_of(entries.begin(), entries.end(), isFractionOfDigits) ? numberList(small(entries))
+                                                                           : list(small(entries));
+  }
+
+  /// 3, −10/3.
+  [[nodiscard]] static bool isFractionOfDigits(const Term &term) {
+    const Term &bare = shown(term)->kind == TermKind::Negation ? shown(term)->parts[0] : term;
+    const auto isDigits = [](const Term &each) { return shown(each)->kind == TermKind::Digits; };
+    return isDigits(bare) || (shown(bare)->kind == TermKind::Quotient &&
+                              std::all_of(shown(bare)->parts.begin(), shown(bare)->parts.end(), isDigits));
   }
 
   [[nodiscard]] Text sum(const std::vector<Term> &summands) {

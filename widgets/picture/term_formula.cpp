@@ -19,6 +19,8 @@ constexpr char32_t primeCharacter = 0x2032;
 constexpr char32_t centredDot = 0x22C5;
 constexpr char32_t perpendicular = 0x22A5;
 constexpr char32_t infinity = 0x221E;
+/// Of parentheses around small fractions, in em: as tall as those that stretch are there.
+constexpr double fenceOfFractions = 1.1;
 /// TeX's thin space, in em.
 constexpr double thinSpace = 3 / 18.0;
 
@@ -165,10 +167,17 @@ protected:
     return math::row(math::fenced('(', separated(std::move(entries)), ')'));
   }
 
-  /// With parentheses between which a line can be broken.
+  // With parentheses between which a line can be broken.
+
   Row flatList(std::vector<Row> entries) override {
     return math::row(math::symbol('(', AtomClass::Open), separated(std::move(entries)),
                      math::symbol(')', AtomClass::Close));
+  }
+
+  Row numberList(std::vector<Row> entries) override {
+    return math::row(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open},
+                     separated(std::move(entries)),
+                     math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
   }
 
   Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {

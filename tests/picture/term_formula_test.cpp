@@ -1,0 +1,33 @@
+// Terms as formulas that are laid out.
+#include "tests/picture/laid_out.h"
+
+#include "lessons/term/term.h"
+#include "widgets/picture/math/break_lines.h"
+#include "widgets/picture/term_formula.h"
+
+namespace halfspace::math {
+namespace {
+
+Layout coordinates() {
+  return layOut(formulaOf(list({Rational(-10, 3), Rational(43, 3), Rational(4, 3)})), fonts());
+}
+
+TEST(TermFormula, ListOfFractions_ThatIsTooWide_IsBrokenBehindAComma) {
+  const Layout whole = coordinates();
+  LineRules rules;
+  rules.width = 0.8 * whole.width;
+  const Layout broken = breakLines(whole, rules);
+  EXPECT_EQ(broken.lines.size(), 2U);
+  EXPECT_LE(broken.width, rules.width);
+  const auto commas = glyphsOf(broken, U',');
+  ASSERT_EQ(commas.size(), 2U);
+  EXPECT_EQ(commas.back().y, broken.lines.front().baseline);
+}
+
+TEST(TermFormula, ParenthesesAroundFractions_AreAsTallAsThoseThatStretch) {
+  const Layout stretched = laidOut("\\left(\\tfrac{43}{3}\\right)");
+  EXPECT_EQ(coordinates().glyphs.back().glyph, stretched.glyphs.back().glyph);
+}
+
+} // namespace
+} // namespace halfspace::math
