@@ -178,26 +178,32 @@ void drawRing(Figure &figure, const MarkBase &base, const Place &center, const E
     MarkBase third = base;
     if (i > 0) {
       third.id += "/" + std::to_string(i);
-      third.label.clear();
+      third.numbers.clear();
     }
     figure.add(ArcMark{std::move(third), center, thirds.at(i), thirds.at((i + 1) % thirds.size())});
   }
 }
 
+/// What is drawn of a point's side. Its sign is a number as the values are: a learner may be asked for it.
+MarkBase sideOf(const Sided &each, Role role, Subject subject, std::string sign) {
+  MarkBase base{each.f->mark, role, subject};
+  base.numbers = std::move(sign);
+  return base;
+}
+
 /// Signs and shapes tell the sides apart as colours do: a whole pin and +, a dashed one and −, a ring and 0.
 void drawSide(Figure &figure, const In &in, const Sided &each) {
-  const std::string &id = each.f->mark;
   const Place point = place(each.point);
   const Place foot = place(each.measured.foot);
   switch (each.measured.which) {
   case PointPlaneCase::Positive:
-    figure.add(inLook(in.E.look, SegmentMark{{id, Role::Derived, Subject::Plane, "+"}, foot, point}));
+    figure.add(inLook(in.E.look, SegmentMark{sideOf(each, Role::Derived, Subject::Plane, "+"), foot, point}));
     break;
   case PointPlaneCase::Negative:
-    figure.add(SegmentMark{{id, Role::Helper, Subject::EdgeV, "-"}, foot, point});
+    figure.add(SegmentMark{sideOf(each, Role::Helper, Subject::EdgeV, "-"), foot, point});
     break;
   case PointPlaneCase::On:
-    drawRing(figure, {id, Role::Derived, Subject::Neutral, "0"}, point, in.E.object.normal);
+    drawRing(figure, sideOf(each, Role::Derived, Subject::Neutral, "0"), point, in.E.object.normal);
     break;
   case PointPlaneCase::ZeroNormal:
     return;

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace halfspace {
 namespace {
@@ -87,6 +89,25 @@ TEST(KeptSecrets, ofEveryStepOfEveryLesson_areInNoLiveValue_noLabel_andNoLineTha
         blank.expectSecrets(fading);
     }
   }
+}
+
+/// What is written at the pins of the points beside a plane.
+std::set<std::string> labelsOfPins(const Figure &figure) {
+  std::set<std::string> labels;
+  for (const Mark &mark : figure.marks)
+    if (baseOf(mark).id.find("side-") != std::string::npos)
+      labels.insert(baseOf(mark).label + baseOf(mark).numbers);
+  return labels;
+}
+
+TEST(KeptSecrets, signsOfSides_standAtThePinsOnlyWhileNumbersAreShown) {
+  const LessonLibrary library = readLessons(LESSON_FOLDER);
+  const auto lesson = std::find_if(library.lessons.begin(), library.lessons.end(),
+                                   [](const Lesson &each) { return each.id == "half-spaces"; });
+  ASSERT_NE(lesson, library.lessons.end());
+  const Figure figure = figureOf(evaluate(lesson->scene));
+  EXPECT_EQ(labelsOfPins(figure), (std::set<std::string>{"+", "-"}));
+  EXPECT_EQ(labelsOfPins(withoutNumbers(figure)), std::set<std::string>{""});
 }
 
 } // namespace

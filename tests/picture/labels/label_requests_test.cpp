@@ -41,6 +41,15 @@ TEST(LabelRequests, OfVeryManyMarks_AreBounded_AndThoseThatStandOutAreAmongThem)
       std::any_of(texts.begin(), texts.end(), [](const LabelText &text) { return text.id == "P999"; }));
 }
 
+TEST(LabelRequests, NumbersOfAMarkWithoutALetter_StandBesideItAlone) {
+  PointMark point = withId(pointAt({1, 2, 3}), "Q");
+  SceneContent content;
+  content.figure.marks.push_back(point);
+  EXPECT_TRUE(labelTexts(content, {}, themes().front(), viewAtHeight(21)).empty());
+  baseOf(content.figure.marks.front()).numbers = "+";
+  EXPECT_EQ(labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().latex, "+");
+}
+
 TEST(LabelRequests, LabelOfAGivenPoint_KeepsOffItsThickerBall) {
   const auto clearanceOf = [](Subject subject) {
     PointMark point = withId(pointAt({1, 2, 3}), "Q", subject);

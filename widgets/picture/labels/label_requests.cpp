@@ -145,12 +145,15 @@ std::vector<LabelAnchor> anchorsOf(const Mark &mark, const Theme &theme, const V
   return anchors.take();
 }
 
+/// A mark without a letter may have a number alone beside it.
+bool isLabelled(const Mark &mark) { return !baseOf(mark).label.empty() || !baseOf(mark).numbers.empty(); }
+
 /// The marks whose labels are written.
 std::vector<const Mark *> labelledMarks(const SceneContent &content) {
   const auto standsOut = [&](const Mark *mark) { return content.highlighted.contains(baseOf(*mark).id); };
   std::vector<const Mark *> marks;
   for (const Mark &mark : content.figure.marks)
-    if (!baseOf(mark).label.empty())
+    if (isLabelled(mark))
       marks.push_back(&mark);
   if (marks.size() > mostMarkLabels) {
     std::stable_partition(marks.begin(), marks.end(), standsOut);
@@ -248,7 +251,7 @@ LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<Axes
     switch (outline.kind) {
     case MarkOutline::Kind::Point:
       addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * theme.lineScale,
-              !baseOf(mark).label.empty());
+              isLabelled(mark));
       break;
     case MarkOutline::Kind::Line:
       addPath(outline.path, isArrow, obstacles.segments);
