@@ -73,11 +73,9 @@ void addLoneDollars(const LessonWords &piece, const std::string &file, std::vect
 }
 
 /// What YAML's signs leave of LaTeX in double quotes, beside control characters: a tab of `\theta`, the end
-/// of a line of `\rho` and of `\neq`, and rarer ones of `\Lambda` and `\Pi`. A formula may go on in a line
-/// that begins with u, so `\nu` is found at the formula's begin alone.
+/// of a line of `\rho`, and rarer ones of `\Lambda` and `\Pi`, and of `\nu` within a formula.
 const std::regex &leftoversOfLatex() {
-  static const std::regex leftovers("\t|\r(?!\n)|\u2028|\u2029|\n(?:abla|eq|ot|otin)(?![A-Za-z])|"
-                                    "(?:^|[^$])\\$\nu(?![A-Za-z])");
+  static const std::regex leftovers("\t|\r(?!\n)|\u2028|\u2029");
   return leftovers;
 }
 

@@ -16,10 +16,31 @@ struct Stopped {
   std::string slip{}; ///< what reads as YAML, but was hardly meant; empty where it was
 };
 
+/// A text in double quotes, where `\n` ends a line. Within a formula it was LaTeX, as `\nu`, and is kept
+/// apart from the ends of lines that were written: as what YAML makes of `\L`, the begin of `\Lambda`.
+std::string withLatexApart(const std::string &value) {
+  constexpr std::string_view lineSeparator = "\u2028";
+  std::string text;
+  bool inFormula = false;
+  char before = '\0';
+  for (std::size_t i = 0; i < value.size(); before = value[i++]) {
+    if (value[i] == '$' && before != '\\' && before != '$')
+      inFormula = !inFormula;
+    if (value.compare(i, 2, "\n\n") == 0)
+      inFormula = false; // no formula goes on in another paragraph
+    if (value[i] == '\n' && inFormula)
+      text += lineSeparator;
+    else
+      text += value[i];
+  }
+  return text;
+}
+
 /// The receiver of yaml-cpp's events. Anchors are harmless, but what refers to them could grow without bound.
 class YamlEvents : public YAML::EventHandler {
 public:
-  YamlEvents(DocumentBuilder &builder, int firstLine) : m_builder(builder), m_firstLine(firstLine) {}
+  YamlEvents(DocumentBuilder &builder, std::string_view text, int firstLine)
+      : m_builder(builder), m_text(text), m_firstLine(firstLine) {}
 
   void OnDocumentStart(const YAML::Mark &) override {}
   void OnDocumentEnd() override {}
@@ -30,7 +51,7 @@ public:
   }
   void OnScalar(const YAML::Mark &mark, const std::string &, YAML::anchor_t,
                 const std::string &value) override {
-    scalar(value, mark);
+    scalar(isInDoubleQuotes(mark) ? withLatexApart(value) : value, mark);
   }
   void OnSequenceStart(const YAML::Mark &mark, const std::string &, YAML::anchor_t,
                        YAML::EmitterStyle::value) override {
@@ -46,6 +67,10 @@ public:
   [[nodiscard]] int line(const YAML::Mark &mark) const { return m_firstLine + std::max(mark.line, 0); }
 
 private:
+  [[nodiscard]] bool isInDoubleQuotes(const YAML::Mark &mark) const {
+    return m_text.substr(std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), m_text.size()))
+        .starts_with('"');
+  }
   void scalar(const std::string &value, const YAML::Mark &mark) {
     const bool goOn = m_builder.expectsKey() ? m_builder.key(value, line(mark))
                                              : m_builder.scalar(DocumentNode::Kind::Text, value, line(mark));
@@ -65,6 +90,7 @@ private:
   }
 
   DocumentBuilder &m_builder;
+  std::string_view m_text;
   int m_firstLine;
 };
 
@@ -82,7 +108,7 @@ Problem withHint(Problem problem, std::string_view text, const std::string &reas
 
 Result<DocumentNode> parseYaml(std::string_view text, const std::string &file, int firstLine, int maxDepth) {
   DocumentBuilder builder(file, maxDepth);
-  YamlEvents events(builder, firstLine);
+  YamlEvents events(builder, text, firstLine);
   std::string reason;
   try {
     std::istringstream stream{std::string(text)};

@@ -64,12 +64,13 @@ TEST(WordsCheck, LatexThatDoubleQuotesReadAsYaml_IsTold) {
   const Texts told{
       "2: In double quotes a backslash begins a sign of YAML's own: put the text in single quotes."};
   for (const char *latex : {"\\theta", "\\frac12", "\\vec n", "\\rho", "\\nu", "\\nu_1", "a \\neq b",
-                            "\\nabla f", "\\Lambda", "a\\Pi"})
+                            "2\\nu + \\nu", "a \\ne b", "\\neg a", "\\nabla f", "\\Lambda", "a\\Pi"})
     EXPECT_EQ(problemsInQuestion("\"Is it $" + std::string(latex) + "$?\""), told) << latex;
 }
 
 TEST(WordsCheck, LatexInOtherWords_IsRight) {
   EXPECT_EQ(problemsInQuestion("'Is it $\\nu \\neq \\theta$?'"), Texts{});
+  EXPECT_EQ(problemsInQuestion("\"Is it $a$\\nor $b$,\\n\\nor $c$?\""), Texts{});
   EXPECT_EQ(problemsInQuestion("|\n  Is it $s +\n  u$, not\n  eqal?"), Texts{});
 }
 
