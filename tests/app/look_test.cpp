@@ -190,6 +190,33 @@ private slots:
         QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
     }
   }
+
+  void entriesOfMenus_atEverySize_areNotElided() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(3);
+    for (const double scale : {1.0, 1.25, 1.5}) {
+      fixture.window.setSizeScale(scale);
+      for (const char *fading : {"All lines", "Gaps", "Last blank", "All blank"}) {
+        fixture.chooseFading(fading);
+        QCoreApplication::processEvents();
+        for (const QToolButton *button : fixture.window.findChildren<QToolButton *>())
+          if (button->isVisible())
+            QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+      }
+      for (QMenu *menu : fixture.window.findChildren<QMenu *>()) {
+        menu->popup({});
+        for (QAction *entry : menu->actions()) {
+          const QString text =
+              entry->text().remove('&') + entry->shortcut().toString(QKeySequence::NativeText);
+          const int needed = menu->fontMetrics().horizontalAdvance(text);
+          QVERIFY2(!entry->isVisible() || menu->actionGeometry(entry).width() > needed, qPrintable(text));
+        }
+        QVERIFY(menu->width() <= fixture.window.screen()->availableSize().width());
+        menu->hide();
+      }
+    }
+  }
 };
 
 QTEST_MAIN(LookTest)

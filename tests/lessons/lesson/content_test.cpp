@@ -3,6 +3,7 @@
 #include "lessons/object/mesh.h"
 #include "lessons/object/number.h"
 #include "lessons/object/polygon.h"
+#include "lessons/object/ray.h"
 #include "lessons/object/ufo.h"
 #include "lessons/object/vector.h"
 #include "lessons/scene/session.h"
@@ -447,6 +448,18 @@ TEST(Content, EveryStep_FitsOnAPage) {
           << lesson.id << ", " << step.title;
       EXPECT_LE(step.title.size(), lettersOfATitle) << lesson.id << ", " << step.title;
     }
+}
+
+TEST(Content, SecondPointOfASphere_IsNamedOnlyWhereItIs) {
+  const Lesson &lesson = *library().find("ray-sphere");
+  for (const int height : {10, 12}) { // where the line touches, and where it misses
+    Scene scene = lesson.scene;
+    *findObject(scene, "L") = RayObject{{10, 6, height}, {-1, 0, 0}};
+    for (const Mark &mark : figureOf(evaluate(scene)).marks)
+      EXPECT_EQ(baseOf(mark).label.find("H_2"), std::string::npos) << height;
+  }
+  for (const LessonWords &words : wordsOf(lesson))
+    EXPECT_EQ(words.text.find("H_2"), std::string::npos) << words.text;
 }
 
 } // namespace
