@@ -17,6 +17,18 @@ constexpr std::string_view hiddenValue = "?";
 /// Braces further apart than this hold no name.
 constexpr std::size_t longestName = 80;
 
+std::string latexAmongWords(const Term &term) {
+  Notation amongWords;
+  amongWords.smallFractions = true;
+  return latexOf(term, LatexMarks::Without, amongWords);
+}
+
+/// How large a root is, which nobody sees by looking at it: ≈ 7.34847; empty behind other values.
+std::string sizeOfRoot(const Value &value) {
+  const auto *number = std::get_if<Surd>(&value);
+  return number && !number->isRational() ? "\\approx " + latexAmongWords(decimalOf(*number).term) : "";
+}
+
 /// A value as Markdown: numbers as LaTeX, with ≈ when they are rounded, words as they are.
 std::string markdownOf(const Value &value) {
   if (const auto *word = std::get_if<std::string>(&value))
@@ -24,10 +36,8 @@ std::string markdownOf(const Value &value) {
   const auto term = termOf(value);
   if (!term)
     return std::string(noValue);
-  Notation amongWords;
-  amongWords.smallFractions = true;
-  return std::string("$") + (showsRounded(*term) ? "\\approx " : "") +
-         latexOf(*term, LatexMarks::Without, amongWords) + "$";
+  return showsRounded(*term) ? "$\\approx " + latexAmongWords(*term) + "$"
+                             : "$" + latexAmongWords(*term) + sizeOfRoot(value) + "$";
 }
 
 std::string markdownOf(std::string_view name, const Scene &scene, const Evaluation &evaluation,

@@ -217,6 +217,7 @@ QWidget *LessonPage::blockOf(const StepNote &note) {
 
 QWidget *LessonPage::blockOf(const Task &task) {
   m_tasks.push_back(new TaskRow(m_typesetter, QString::fromStdString(task.instruction)));
+  m_words.push_back({task.instruction, &m_tasks.back()->words()});
   return m_tasks.back();
 }
 
@@ -285,6 +286,8 @@ void LessonPage::showWords(const std::function<std::string(const std::string &)>
     if (m_held)
       label->setMinimumHeight(std::max(label->minimumHeight(), label->heightForWidth(label->width())));
   }
+  for (TaskRow *task : m_tasks)
+    task->tellAccessibly();
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }

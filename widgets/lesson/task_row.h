@@ -15,6 +15,9 @@ class TaskRow : public QWidget {
 public:
   TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent = nullptr);
 
+  /// The instruction, in which live values are filled in; tell it by `tellAccessibly` afterwards.
+  [[nodiscard]] RichLabel &words() { return *m_words; }
+  void tellAccessibly();
   void setState(TaskState state);
   [[nodiscard]] TaskState state() const { return m_state; }
   void setTheme(const Theme &theme);
@@ -24,7 +27,6 @@ protected:
 
 private:
   void setInks();
-  void tellAccessibly();
 
   RichLabel *m_words;
   RichLabel *m_holdsAlready;

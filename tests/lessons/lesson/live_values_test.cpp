@@ -56,5 +56,10 @@ TEST(LiveValues, WhenRounded_SaySo) {
   EXPECT_EQ(withLiveValues("{x}", Scene{}, outcome).substr(0, 9), "$\\approx ");
 }
 
+TEST(LiveValues, OfRoots_SayHowLargeTheyAre) {
+  const Evaluation outcome = test::withValues({{"x", "", Surd::root(6, 3)}});
+  EXPECT_EQ(withLiveValues("It is {x}.", Scene{}, outcome), "It is $3\\sqrt{6}\\approx 7.34847$.");
+}
+
 } // namespace
 } // namespace halfspace

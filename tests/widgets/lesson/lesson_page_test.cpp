@@ -226,6 +226,15 @@ private slots:
     QCOMPARE(rows[1]->state(), TaskState::Open);
   }
 
+  void liveValues_ofTasks_followTheScene() {
+    ShownPage shown(lessonOf({{"Do", {Task{"Make it 3. Now it is %1.", {}}, StepLines()}}}));
+    for (const char *now : {"30", "3"}) {
+      shown.fill(now);
+      QCOMPARE(shown.shown<TaskRow>().first()->accessibleName(),
+               QString("To do: Make it 3. Now it is %1.").arg(now));
+    }
+  }
+
   void macros_ofTheLesson_areKnownInAllItsWords() {
     Lesson lesson = someLesson();
     lesson.steps[0].blocks[0] = StepWords{"Here $\\it$ is."};
