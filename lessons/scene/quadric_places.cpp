@@ -52,7 +52,7 @@ public:
   Curve(const Quadric &surface, const Flat &plane)
       : m_surface(surface), m_plane(plane), m_axes(axesOf(plane)) {}
 
-  [[nodiscard]] std::vector<ExactVec3> placesNear(const ExactVec3 &near, const Grid &grid) const {
+  [[nodiscard]] std::vector<ExactVec3> placesNear(const ExactVec3 &near, const SnapGrid &grid) const {
     std::vector<ExactVec3> places;
     for (int steps = -lineReach; steps <= lineReach; ++steps)
       for (const int axis : {m_axes.first, m_axes.second})
@@ -75,7 +75,7 @@ private:
   }
 
   /// Any place of the curve, with short numbers if there is one.
-  [[nodiscard]] std::optional<ExactVec3> someplace(const ExactVec3 &near, const Grid &grid) const {
+  [[nodiscard]] std::optional<ExactVec3> someplace(const ExactVec3 &near, const SnapGrid &grid) const {
     for (int parts = 1; parts <= finestParts; ++parts)
       for (int steps = 0; steps <= searchReach * parts; ++steps)
         for (const int axis : {m_axes.first, m_axes.second})
@@ -146,7 +146,7 @@ std::optional<Place> nearestOn(const Quadric &surface, const Flat &flat, const E
 }
 
 std::vector<ExactVec3> exactPlacesOn(const Quadric &surface, const Flat &flat, const ExactVec3 &near,
-                                     const Grid &grid) {
+                                     const SnapGrid &grid) {
   if (flat.dimension() == 1)
     return exactPlacesOnLine(surface, flat.nearest(near), flat.direction());
   return flat.dimension() == 2 ? Curve(surface, flat).placesNear(near, grid) : std::vector<ExactVec3>();

@@ -7,7 +7,7 @@
 namespace halfspace {
 
 /// The multiples of a step, counted from a place.
-struct Grid {
+struct SnapGrid {
   ExactVec3 base;
   Rational step;
 
@@ -30,6 +30,6 @@ struct Grid {
 /// none). From one, each line with a rational slope leads to exactly one other. The first is looked for on
 /// the lines of the grid and on finer ones; a curve that has none there is taken to have none.
 [[nodiscard]] std::vector<ExactVec3> exactPlacesOn(const Quadric &surface, const Flat &flat,
-                                                   const ExactVec3 &near, const Grid &grid);
+                                                   const ExactVec3 &near, const SnapGrid &grid);
 
 } // namespace halfspace

@@ -71,7 +71,7 @@ private:
 
   /// The place whose value has this coordinate rounded to the grid.
   Rational onGrid(const ExactVec3 &place, int axis) const {
-    return Grid{m_request.handle.base, m_request.step}.nearest(place, axis);
+    return SnapGrid{m_request.handle.base, m_request.step}.nearest(place, axis);
   }
 
   ExactVec3 gridPlace() const {
