@@ -1,8 +1,10 @@
 // How many wrong answers are named: those that a learner reads more about than that they are wrong.
 #include "tests/lessons/construction/expected/expected.h"
 
+#include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/lessons/scenes.h"
+#include "tests/test_name.h"
 
 #include "lessons/lesson/practice.h"
 #include "lessons/lesson/typed_answer.h"
@@ -10,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace halfspace {
@@ -67,29 +68,32 @@ template <class Use> void forScenes(const Construction &construction, Use use) {
   }
 }
 
-TEST(Judge, OfWrongAnswersOfManyKinds_NamesAFairShareOfThem) {
-  for (const Construction &construction : constructions()) {
-    Named count;
-    forScenes(construction,
-              [&](const std::vector<Object> &objects) { judgeWrongAnswers(construction, objects, count); });
-    RecordProperty(std::string(construction.id), std::to_string(count.share()));
-    EXPECT_GT(count.share(), expectedOf(construction).leastShareNamed)
-        << construction.id << ": " << count.named << " of " << count.all;
-    EXPECT_GT(count.all, 500) << construction.id;
-  }
+class JudgeOfEveryConstruction : public testing::TestWithParam<std::string> {
+protected:
+  const Construction &m_construction = *findConstruction(GetParam());
+};
+
+TEST_P(JudgeOfEveryConstruction, WrongAnswersOfManyKinds_AFairShareOfThemIsNamed) {
+  Named count;
+  forScenes(m_construction,
+            [&](const std::vector<Object> &objects) { judgeWrongAnswers(m_construction, objects, count); });
+  EXPECT_GT(count.share(), expectedOf(m_construction).leastShareNamed) << count.named << " of " << count.all;
+  EXPECT_GT(count.all, 500);
 }
 
-TEST(Judge, OfTheRightAnswer_NamesNoMistake) {
-  for (const Construction &construction : constructions())
-    forScenes(construction, [&](const std::vector<Object> &objects) {
-      for (const WorkingLine &line : ownLines(sceneOf(construction, objects)).lines) {
-        const Real *number = line.asked == Asked::Value ? numberOf(line.chains.back().last()) : nullptr;
-        if (const auto text = number ? typed(*number->exact()) : std::nullopt) {
-          EXPECT_EQ(judge(line, resultGap(line), *text).sentence, "Right.") << line.id << ": " << *text;
-        }
+TEST_P(JudgeOfEveryConstruction, RightAnswer_NoMistakeIsNamed) {
+  forScenes(m_construction, [&](const std::vector<Object> &objects) {
+    for (const WorkingLine &line : ownLines(sceneOf(m_construction, objects)).lines) {
+      const Real *number = line.asked == Asked::Value ? numberOf(line.chains.back().last()) : nullptr;
+      if (const auto text = number ? typed(*number->exact()) : std::nullopt) {
+        EXPECT_EQ(judge(line, resultGap(line), *text).sentence, "Right.") << line.id << ": " << *text;
       }
-    });
+    }
+  });
 }
+
+INSTANTIATE_TEST_SUITE_P(WrongWorkings, JudgeOfEveryConstruction, testing::ValuesIn(constructionIds()),
+                         testName);
 
 } // namespace
 } // namespace halfspace
