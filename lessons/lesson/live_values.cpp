@@ -19,7 +19,7 @@ constexpr std::size_t longestName = 80;
 
 std::string latexAmongWords(const Term &term) {
   Notation amongWords;
-  amongWords.smallFractions = true;
+  amongWords.flatFractions = true;
   return latexOf(term, LatexMarks::Without, amongWords);
 }
 

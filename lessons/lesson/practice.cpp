@@ -227,8 +227,6 @@ std::optional<Fading> fadingNamed(std::string_view word) {
                                     : std::optional(static_cast<Fading>(found - fadingNames.begin()));
 }
 
-std::string_view nameOf(Fading fading) { return fadingNames.at(static_cast<std::size_t>(fading)); }
-
 Gap resultGap(const WorkingLine &line) { return {askedChain(line).last()}; }
 
 std::vector<Gap> numberGaps(const WorkingLine &line) {

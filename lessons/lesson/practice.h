@@ -16,7 +16,6 @@ enum class Fading { None, Gaps, Last, All };
 
 /// The fading that a lesson's word means: none, gaps, last, all.
 [[nodiscard]] std::optional<Fading> fadingNamed(std::string_view word);
-[[nodiscard]] std::string_view nameOf(Fading fading);
 
 /// What is left out of a line.
 struct Gap {

@@ -105,7 +105,8 @@ protected:
   }
 
   std::string fraction(std::string top, std::string bottom, FractionLook look) override {
-    return (look.small || m_notation.smallFractions ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
+    return isFlat() || look.flat ? top + "/" + bottom
+                                 : (look.small ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
   }
 
   std::string root(std::string square) override { return "\\sqrt{" + square + "}"; }
@@ -139,7 +140,8 @@ protected:
                                                               : text;
   }
 
-  [[nodiscard]] bool isFlat() const override { return false; }
+  [[nodiscard]] bool isFlat() const override { return m_notation.flatFractions; }
+  [[nodiscard]] bool hasBareRoots() const override { return false; }
 
 private:
   /// A letter behind a command would become part of its name.

@@ -110,6 +110,8 @@ protected:
 
   std::string parenthesized(std::string inside, const Term &) override { return fenced("(", inside, ")"); }
   std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+    if (look.flat)
+      return row({std::move(top), operation("/"), std::move(bottom)});
     const std::string fraction = element("mfrac", top + bottom);
     return look.small ? "<mstyle displaystyle=\"false\">" + fraction + "</mstyle>" : fraction;
   }

@@ -4,8 +4,8 @@
 namespace halfspace {
 
 struct Notation {
-  char decimalMark = '.';      ///< or a comma; lists are then parted by semicolons
-  bool smallFractions = false; ///< as among words, where tall ones would tear the lines apart
+  char decimalMark = '.';     ///< or a comma; lists are then parted by semicolons
+  bool flatFractions = false; ///< 1/2, as among words, where taller ones would tear the lines apart
 };
 
 } // namespace halfspace

@@ -54,6 +54,7 @@ protected:
     bool small = false;    ///< in a row of numbers, where a tall one would tear the line apart
     bool compound = false; ///< more than a number or a name above or below
     bool nested = false;   ///< itself above or below a bar
+    bool flat = false;     ///< of digits and alone there: with a slash, as bars above bars are hard to read
   };
 
   [[nodiscard]] virtual Text row(std::vector<Text> parts) = 0;
@@ -85,6 +86,8 @@ protected:
   [[nodiscard]] virtual Text touchable(const Term &, Text text) { return text; }
   /// Whether a fraction is written in the line, with a slash, so that it needs parentheses as a product does.
   [[nodiscard]] virtual bool isFlat() const = 0;
+  /// Whether no line tells where a root ends, so that it needs parentheses likewise.
+  [[nodiscard]] virtual bool hasBareRoots() const { return isFlat(); }
 
   /// What stands for a term that is left out.
   [[nodiscard]] virtual Text blank() { return symbol(letter("?")); }
@@ -141,7 +144,7 @@ private:
              : isNegativeAtom(shown(term)->parts[0]) ? Binding::Negation
                                                      : Binding::Fraction;
     case TermKind::Root:
-      return isFlat() ? Binding::Fraction : Binding::Atom;
+      return hasBareRoots() ? Binding::Fraction : Binding::Atom;
     case TermKind::Applied:
       return isWordBeforeName(term) ? Binding::Fraction : Binding::Atom;
     case TermKind::Power:
@@ -214,7 +217,7 @@ private:
     case TermKind::Power:
       return power(base(parts[0]), write(parts[1]));
     case TermKind::Root:
-      return root(held(parts[0], isFlat() ? Binding::Atom : Binding::Sum));
+      return root(held(parts[0], hasBareRoots() ? Binding::Atom : Binding::Sum));
     case TermKind::Norm:
       return normOf(write(parts[0]), parts[0]);
     case TermKind::List:
@@ -298,7 +301,7 @@ private:
   }
 
   [[nodiscard]] bool endsInRoot(const Term &term) const {
-    return isFlat() && term->kind == TermKind::Product && term->parts.back()->kind == TermKind::Root;
+    return hasBareRoots() && term->kind == TermKind::Product && term->parts.back()->kind == TermKind::Root;
   }
 
   [[nodiscard]] static bool standDotted(const Term &left, const Term &right) {
@@ -331,17 +334,25 @@ private:
   [[nodiscard]] Text quotient(const Term &term) {
     const Term &top = term->parts[0];
     const Term &bottom = term->parts[1];
-    const FractionLook look{m_small, isCompound(top) || isCompound(bottom), m_inFraction};
+    const bool isFlatHere = std::exchange(m_flat, false);
+    const FractionLook look{m_small, isCompound(top) || isCompound(bottom), m_inFraction, isFlatHere};
     const bool smallBefore = std::exchange(m_small, true);
     const bool inFractionBefore = std::exchange(m_inFraction, true);
     const Binding leastAbove = !isFlat()             ? Binding::Sum
                                : isNegativeAtom(top) ? Binding::Negation
                                                      : Binding::Power;
-    Text topText = held(top, leastAbove);
-    Text bottomText = held(bottom, isFlat() ? Binding::Power : Binding::Sum);
+    Text topText = besideBar(top, leastAbove);
+    Text bottomText = besideBar(bottom, isFlat() ? Binding::Power : Binding::Sum);
     m_small = smallBefore;
     m_inFraction = inFractionBefore;
     return fraction(std::move(topText), std::move(bottomText), look);
+  }
+
+  [[nodiscard]] Text besideBar(const Term &term, Binding least) {
+    m_flat = isFractionOfDigits(term);
+    Text text = held(term, least);
+    m_flat = false;
+    return text;
   }
 
   /// In parentheses wherever the exponent would stick to a part of it only.
@@ -373,6 +384,7 @@ private:
   bool m_small = false;
   const TermNode *m_leftOut = nullptr;
   bool m_inFraction = false;
+  bool m_flat = false; ///< the fraction that comes next
 };
 
 } // namespace halfspace

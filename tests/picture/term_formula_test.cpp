@@ -29,5 +29,12 @@ TEST(TermFormula, ParenthesesAroundFractions_AreAsTallAsThoseThatStretch) {
   EXPECT_EQ(coordinates().glyphs.back().glyph, stretched.glyphs.back().glyph);
 }
 
+TEST(TermFormula, FractionAboveABar_HasASlash) {
+  const Term quotient = Term(Rational(-15, 2)) / Term(Rational(1, 3));
+  const Layout layout = layOut(formulaOf(quotient), fonts());
+  EXPECT_EQ(glyphsOf(layout, U'/').size(), 2U);
+  EXPECT_EQ(layout.rules.size(), 1U) << "one bar";
+}
+
 } // namespace
 } // namespace halfspace::math

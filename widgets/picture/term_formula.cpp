@@ -144,6 +144,8 @@ protected:
   }
 
   Row fraction(Row top, Row bottom, FractionLook look) override {
+    if (look.flat)
+      return math::row(std::move(top), math::symbol('/'), std::move(bottom));
     return math::row(math::fraction(std::move(top), std::move(bottom),
                                     look.small ? std::optional(math::Style::Text) : std::nullopt));
   }

@@ -91,6 +91,11 @@ private:
       component *= a.size() == 1 ? a[0] : b[0];
     return result;
   }
+  Quantity divided(const Quantity &a, const Quantity &b) const {
+    if (b.size() != 1 || b[0] == 0)
+      complain();
+    return scaled({1 / b[0]}, a);
+  }
   Quantity crossed(const Quantity &a, const Quantity &b) const {
     if (a.size() != 3 || b.size() != 3)
       complain();
@@ -115,6 +120,8 @@ private:
         value = dotted(value, power());
       else if (take("#"))
         value = crossed(value, power());
+      else if (take("/"))
+        value = divided(value, power());
       else
         value = scaled(value, power());
     return value;
@@ -162,11 +169,9 @@ private:
       const Quantity top = braced();
       require("{");
       const Quantity bottom = braced();
-      if (bottom.size() != 1 || bottom[0] == 0)
-        complain();
       if (m_text.compare(m_at, 1, "^") == 0)
         complain(); // the exponent would seem to stick to the numerator
-      return scaled({1 / bottom[0]}, top);
+      return divided(top, bottom);
     }
     if (take("{"))
       return braced();

@@ -28,7 +28,7 @@ bool tells(const std::string &text, const std::string &answer) {
 
 bool tells(const std::string &text, const Term &answer) {
   Notation amongWords;
-  amongWords.smallFractions = true;
+  amongWords.flatFractions = true;
   return tells(text, plainText(answer)) || tells(text, latexOf(answer)) ||
          tells(text, latexOf(answer, LatexMarks::Without, amongWords));
 }
@@ -44,7 +44,7 @@ public:
   void expectSecrets(Fading fading) {
     const Fade all = fade(m_shown.working, fading, {});
     for (const auto &[id, gap] : all.gaps) {
-      SCOPED_TRACE(id + ", " + std::string(nameOf(fading)));
+      SCOPED_TRACE(id + ", fading " + std::to_string(static_cast<int>(fading)));
       expectSecret(calculated(gap.hidden));
       expectWaitingLinesKeep(id, fading, all);
     }

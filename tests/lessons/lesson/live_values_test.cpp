@@ -15,7 +15,7 @@ std::string filled(const std::string &markdown) {
 TEST(LiveValues, OfNumbersVectorsAndWords_StandInThePlaceOfTheirNames) {
   EXPECT_EQ(filled("f is {f}."), "f is $30$.");
   EXPECT_EQ(filled("{side}: {case}"), "positive: positive");
-  EXPECT_EQ(filled("{foot.z}"), "$\\tfrac{4}{3}$");
+  EXPECT_EQ(filled("{foot.z}"), "$4/3$");
 }
 
 TEST(LiveValues, OfCoordinates_GoByShortAndFullNames) {
@@ -30,7 +30,7 @@ TEST(LiveValues, OfBoundPoints_AreTheirFreedomsAndTheirPlace) {
   const auto shown = [&](const std::string &markdown) {
     return withLiveValues(markdown, scene, evaluate(scene));
   };
-  EXPECT_EQ(shown("{lambda} {P.lambda}"), "$\\tfrac{1}{2}$ $\\tfrac{1}{2}$");
+  EXPECT_EQ(shown("{lambda} {P.lambda}"), "$1/2$ $1/2$");
   EXPECT_EQ(shown("{P.at} {at.x}"), "$\\left(3,\\,0,\\,1\\right)$ $3$");
   EXPECT_EQ(shown("{P.case} {g.case}"), "— —") << "objects have no case";
 }

@@ -75,6 +75,8 @@ TEST(Latex, OfPowers_HasParenthesesAroundAllButAtoms) {
 TEST(Latex, OfFractions_NeedsNoParentheses) {
   EXPECT_EQ(latexOf((a + b) / (a - b)), "\\frac{a + b}{a - b}");
   EXPECT_EQ(latexOf((a / b) / c), "\\frac{\\tfrac{a}{b}}{c}") << "a fraction in a fraction is small";
+  EXPECT_EQ(latexOf(Term(Rational(-10, 3)) / Term(Rational(1, 2))), "\\frac{-10/3}{1/2}")
+      << "or flat, of numbers";
   EXPECT_EQ(latexOf(a / b * at.n), "\\frac{a}{b}\\,\\vec n");
   EXPECT_EQ(latexOf(a / b * c), "\\tfrac{a}{b}\\,c") << "before an unknown it is small";
   EXPECT_EQ(latexOf(Rational(-10, 3)), "-\\frac{10}{3}");
@@ -82,7 +84,16 @@ TEST(Latex, OfFractions_NeedsNoParentheses) {
       << "beside one too";
   EXPECT_EQ(latexOf(t - Rational(1, 3)), "t - \\tfrac{1}{3}");
   EXPECT_EQ(latexOf(list({Rational(1, 2), 3})), "\\left(\\tfrac{1}{2},\\,3\\right)");
-  EXPECT_EQ(latexOf(a / b, LatexMarks::Without, {.smallFractions = true}), "\\tfrac{a}{b}");
+}
+
+TEST(Latex, OfFlatFractions_HasParenthesesWhereTheyAreNeeded) {
+  const auto flat = [](const Term &term) {
+    return latexOf(term, LatexMarks::Without, {.flatFractions = true});
+  };
+  EXPECT_EQ(flat(a / b), "a/b");
+  EXPECT_EQ(flat(list({Rational(-1, 2), 3})), "\\left(-1/2,\\,3\\right)");
+  EXPECT_EQ(flat(written(Real(Surd::root(6, Rational(1, 6)))).term), "\\sqrt{6}/6");
+  EXPECT_EQ(flat((a + b) / (a / b)), "(a + b)/\\left(a/b\\right)");
 }
 
 TEST(Latex, OfNames_SpellsGreekLettersAndDecorations) {

@@ -117,6 +117,8 @@ TEST(MathMl, OfNumbersAndNames_HasTheirElements) {
   EXPECT_EQ(inside(mathMl(name(vectorLetter("n"), std::nullopt))),
             "<mover accent=\"true\"><mi>n</mi><mo>→</mo></mover>");
   EXPECT_EQ(inside(mathMl(a / b)), "<mfrac><mi>a</mi><mi>b</mi></mfrac>");
+  EXPECT_EQ(inside(mathMl(a / Rational(1, 2))),
+            "<mfrac><mi>a</mi><mrow><mn>1</mn><mo>/</mo><mn>2</mn></mrow></mfrac>");
   EXPECT_EQ(inside(mathMl(power(-a, 2))),
             "<msup><mrow><mo>(</mo><mrow><mo form=\"prefix\">−</mo><mi>a</mi></mrow><mo>)</mo></mrow>"
             "<mn>2</mn></msup>");
