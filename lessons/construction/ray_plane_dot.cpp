@@ -204,6 +204,8 @@ Figure draw(const In &in, const Out &at) {
   Figure figure;
   const bool hit = at.meet.which == RayPlaneCase::Hit;
   const Place meeting = place(at.H);
+  if (at.meet.which == RayPlaneCase::InPlane)
+    figure.reachWithin(in.E.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
   if (!at.meet.crosses())
     return figure;
   figure.reaches.push_back({in.E.id, meeting});

@@ -376,6 +376,8 @@ Figure draw(const In &in, const Out &at) {
     return figure;
   drawDistances(figure, at);
   figure.reaches = {{in.G.id, place(at.B)}, {in.G.id, place(at.C)}};
+  if (at.meet.which == RayPlaneCase::InPlane)
+    figure.reachWithin(in.G.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
   if (!at.meet.crosses())
     return figure;
   const bool hit = at.meet.which == RayPlaneCase::Hit;

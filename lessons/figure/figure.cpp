@@ -19,6 +19,13 @@ void draw(RayMark &ray, const Place &upTo) {
 
 } // namespace
 
+void Figure::reachWithin(const std::string &plane, const std::string &ray, const Place &origin,
+                         const Place &along) {
+  reaches.push_back({ray, origin + (openRayLength - beyondHit) * along});
+  reaches.push_back({plane, origin});
+  reaches.push_back({plane, origin + openRayLength * along});
+}
+
 Figure reaching(Figure figure) {
   std::unordered_map<std::string_view, Mark *> byId;
   for (Mark &mark : figure.marks)

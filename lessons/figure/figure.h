@@ -18,6 +18,9 @@ struct Figure {
   std::vector<Reach> reaches{}; ///< of marks of its own or of other figures that it is put together with
 
   void add(Mark mark) { marks.push_back(std::move(mark)); }
+  /// The patch of a plane is drawn as far as the ray that lies in it, and the ray goes on whatever else it
+  /// meets. `along` is the ray's direction, of length 1.
+  void reachWithin(const std::string &plane, const std::string &ray, const Place &origin, const Place &along);
 };
 
 /// The figure with its marks drawn as far as they are to reach. Where several places are asked of a ray, it
