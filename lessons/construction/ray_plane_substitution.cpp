@@ -160,8 +160,7 @@ CaseWords tell(const In &, const Out &at) {
   const std::vector<std::size_t> inside = placesOf(RayPlaneCase::InPlane, at);
   if (inside.empty())
     return at.first.empty()
-               ? CaseWords{"miss",
-                           words("None of the parameters is 0 or more: the ray meets no plane ahead of it.")}
+               ? CaseWords{"miss", words("No plane has a t of 0 or more: the ray meets none of them.")}
                : CaseWords{"hit", hitWords(at)};
   const std::string planes = namesOf(inside, at);
   return at.first.empty()
@@ -268,7 +267,17 @@ std::string orderWords(const Out &at) {
              : words("In their order. None is 0 or more, so the ray meets no plane.");
 }
 
-/// The parameters and 0 in their order, each compared with the next.
+/// Which planes the order leaves out.
+std::string leftOutWords(const Out &at) {
+  std::vector<std::size_t> without;
+  for (std::size_t i = 0; i < at.meetings.size(); ++i)
+    if (!at.meetings[i].meet.crosses())
+      without.push_back(i);
+  return without.empty() ? ""
+                         : " " + words("There is no t for {planes}.", {{"planes", namesOf(without, at)}});
+}
+
+/// The parameters and 0 in their order, each compared with the next, and each with its number.
 WorkingLine orderLine(const Out &at) {
   std::vector<const Meeting *> crossed;
   for (const Meeting &meeting : at.meetings)
@@ -282,12 +291,17 @@ WorkingLine orderLine(const Out &at) {
     parameters.push_back(meeting->t);
   const auto ahead = std::find_if(crossed.begin(), crossed.end(),
                                   [](const Meeting *meeting) { return meeting->meet.t >= 0; });
+  const auto zero = static_cast<std::size_t>(ahead - crossed.begin());
   parameters.insert(parameters.begin() + (ahead - crossed.begin()), Term(0));
   std::vector<Chain> order;
   order.reserve(parameters.size());
-  for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
-    order.push_back(compared(parameters[i], parameters[i + 1]));
-  return line(std::move(order), orderWords(at));
+  if (zero != 0)
+    order.push_back(withResult(parameters.front()));
+  for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+    const Chain next = compared(parameters[i], parameters[i + 1]);
+    order.push_back(i + 1 == zero ? next : withResult(next));
+  }
+  return line(std::move(order), orderWords(at) + leftOutWords(at));
 }
 
 WorkingLine hitLine(const Out &at) {
@@ -336,6 +350,8 @@ Figure draw(const In &in, const Out &at) {
   for (const Meeting &meeting : at.meetings)
     if (meeting.meet.crosses())
       drawMeeting(figure, meeting, in, at);
+    else if (meeting.meet.which == RayPlaneCase::InPlane)
+      figure.reachWithin(meeting.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
   if (!at.first.empty())
     figure.add(pointOf(at.H, Role::Result, Subject::Ray));
   return figure;

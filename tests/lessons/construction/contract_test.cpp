@@ -309,8 +309,8 @@ private:
     Names names = m_expected.names;
     if (chain.front().latex != "0")
       return checkSides(chain, names, solution.value_or(Names{}));
-    if (chain.size() > 1 && chain[1].relation == '?')
-      return checkSides(chain, names, m_expected.unknowns); // nothing fulfils it
+    if (chain.size() > 1 && std::string_view("?<>").find(chain[1].relation) != std::string_view::npos)
+      return checkSides(chain, names, m_expected.unknowns); // nothing fulfils it, or 0 is compared
     // Anywhere else the first exact side says what the others should.
     const auto exact =
         std::find_if(chain.begin(), chain.end(), [](const Side &side) { return side.relation == '='; });
@@ -343,8 +343,10 @@ private:
         first = value;
       } else if (side.relation == '<') {
         EXPECT_LT(first.at(0), value.at(0));
+        first = value;
       } else if (side.relation == '>') {
         EXPECT_GT(first.at(0), value.at(0));
+        first = value;
       }
     }
   }

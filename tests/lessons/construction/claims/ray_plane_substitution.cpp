@@ -82,7 +82,7 @@ Claims caseClaims() {
        [](const RayAtPlanes &at, const Said &said) {
          return at.hits() > 1 && at.ties() == 1 && countNames(said.at("planes")) == at.hits();
        }},
-      {"None of the parameters is 0 or more: the ray meets no plane ahead of it.",
+      {"No plane has a t of 0 or more: the ray meets none of them.",
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && !at.liesInAPlane(); }},
       {"The whole ray lies in {planes}. It hits no plane at a single point.",
        [](const RayAtPlanes &at, const Said &said) {
@@ -124,6 +124,12 @@ Claims lineClaims() {
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && at.liesInAPlane(); }},
       {"In their order. None is 0 or more, so the ray meets no plane.",
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && !at.liesInAPlane(); }},
+      {"There is no t for {planes}.",
+       [](const RayAtPlanes &at, const Said &said) {
+         const auto without = std::count_if(at.equations.begin(), at.equations.end(),
+                                            [](const auto &each) { return !each.isSolved(); });
+         return at.isSound() && countNames(said.at("planes")) == static_cast<std::size_t>(without);
+       }},
       {"The smallest t that is not negative, put into the ray.", hitsAPlane},
   });
 }
