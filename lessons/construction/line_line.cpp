@@ -11,6 +11,7 @@
 #include "lessons/object/letters.h"
 #include "lessons/object/point.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 
 #include <glm/geometric.hpp>
@@ -133,7 +134,8 @@ WorkingLine momentLine(const Term &moment, const LineTerms &line, std::string se
 
 WorkingLine productLine(const Out &at) {
   const Term both = dot(at.g.v, at.m2) + dot(at.h.v, at.m1);
-  return asked(withNumbers((at.p == permuted(at.g.v, at.m1, at.h.v, at.m2)) == both),
+  const Chain inSymbols = (at.p == permuted(at.g.v, at.m1, at.h.v, at.m2)) == both;
+  return asked(inSymbols.then(multipliedOut(both)).then(numbersPutIn(both)).then(calculated(both)),
                words("The direction of each line with the moment of the other."),
                {{dot(at.g.v, at.h.v) + dot(at.m1, at.m2),
                  words("{answer} multiplies direction by direction and moment by moment: cross over, each "
