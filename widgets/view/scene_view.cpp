@@ -327,8 +327,14 @@ std::optional<Gizmo> SceneView::gizmo() const {
 
 std::string SceneView::fixedNote(const Handle &handle) const {
   const Object &object = *findObject(m_model.session().scene, handle.object);
-  // Of an arrow's tip it is the arrow's own number, as it stands in the formulas.
-  return "z" + relatedLatex(Term(object[handle.coordinate].z)) + "\\text{ fixed}";
+  Symbol symbol = letter("z");
+  // Of an arrow's tip it is the arrow's own number, as it stands in the formulas, and not the tip's height.
+  if (coordinatesOf(object)[handle.coordinate].role == CoordinateRole::Direction) {
+    symbol = m_model.evaluation().find(handle.object)->own->letters[handle.coordinate];
+    symbol.isVector = false;
+    symbol.subscript += symbol.subscript.empty() ? "z" : ",z";
+  }
+  return latexOf(symbol) + relatedLatex(Term(object[handle.coordinate].z)) + "\\text{ fixed}";
 }
 
 std::vector<Knob> SceneView::knobs() const {

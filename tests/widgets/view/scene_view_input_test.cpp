@@ -276,7 +276,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.view.setAxisView(AxisView::Top);
     fixture.view.selectHandle("L.r");
-    QCOMPARE(fixture.view.toolNote(), std::string("z = 2\\text{ fixed}")); // its height is 10
+    QCOMPARE(fixture.view.toolNote(), std::string("r_z = 2\\text{ fixed}")); // its height is 10
     fixture.view.selectHandle("L.Q");
     QCOMPARE(fixture.view.toolNote(), std::string("z = 8\\text{ fixed}"));
   }
