@@ -1,5 +1,6 @@
 #include "widgets/view/case_line.h"
 
+#include "widgets/keep_room.h"
 #include "widgets/repolish.h"
 #include "widgets/text/indices.h"
 #include "widgets/view/fitted_label.h"
@@ -59,13 +60,6 @@ QPushButton *flatButton(const char *name, const QString &words) {
   return button;
 }
 
-/// Its row stays where there is nothing to say: else the picture would jump.
-void keepRoom(QWidget &widget) {
-  QSizePolicy staying = widget.sizePolicy();
-  staying.setRetainSizeWhenHidden(true);
-  widget.setSizePolicy(staying);
-}
-
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
@@ -75,9 +69,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
   m_others->setMenu(new QMenu(m_others));
   m_others->setAccessibleDescription(tr("All special cases near this one"));
-  keepRoom(*m_there);
-  keepRoom(*m_others);
-  m_afresh->hide();
+  offerAfresh(false);
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
   connect(m_afresh, &QPushButton::clicked, this, &CaseLine::afreshChosen);
@@ -135,7 +127,13 @@ void CaseLine::offer(const std::vector<NearbyCase> &cases) {
   m_others->setVisible(menu.actions().size() > (m_there->isHidden() ? 0 : 1));
 }
 
-void CaseLine::offerAfresh(bool offered) { m_afresh->setVisible(offered); }
+void CaseLine::offerAfresh(bool offered) {
+  m_afresh->setVisible(offered);
+  // Where there is nothing to say the row stays: else the picture would jump. Beside another button there is
+  // no room to spare.
+  keepRoom(*m_there, !offered);
+  keepRoom(*m_others, !offered);
+}
 
 void CaseLine::say(const QString &sentence) {
   showWords(*m_message, sentence);

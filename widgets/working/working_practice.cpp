@@ -1,6 +1,7 @@
 #include "widgets/working/working_practice.h"
 
 #include "widgets/flow_layout.h"
+#include "widgets/keep_room.h"
 
 #include <QActionGroup>
 #include <QLabel>
@@ -135,6 +136,7 @@ void WorkingPractice::showScore() {
   const Score score = practice().score;
   m_score->setText(tr("%1 of %n right at once", "blanks that were tried", score.tried).arg(score.right));
   m_score->setVisible(score.tried > 0 && !m_hidden);
+  keepRoom(*m_score, fading() != Fading::None); // the first answer moves nothing
 }
 
 std::map<std::string, LineRemark> WorkingPractice::remarks() {

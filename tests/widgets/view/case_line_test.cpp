@@ -50,6 +50,18 @@ private slots:
     QCOMPARE(shown.said("complaint"), QString());
   }
 
+  void offerToStartAfresh_inANarrowWindow_takesNoMoreRoomThanAWayThere() {
+    ShownLine shown;
+    shown.line.resize(400, 40);
+    shown.line.setNearby("The ray would lie in E.", {{"There", true}, {"There, too", true}});
+    shown.line.layout()->activate();
+    const int usual = shown.line.heightForWidth(400);
+    shown.line.setNearby({}, {});
+    shown.line.offerAfresh(true);
+    shown.line.layout()->activate();
+    QVERIFY(shown.line.heightForWidth(400) <= usual);
+  }
+
   void line_whateverItSays_keepsItsHeight() {
     ShownLine shown;
     for (const int width : {400, 900}) {

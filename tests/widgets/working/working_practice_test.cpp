@@ -329,6 +329,18 @@ private slots:
     }
   }
 
+  void firstAnswer_movesNothing_howeverNarrowThePageIs() {
+    ShownPractice practice(m_typesetter);
+    practice.choose("All blank");
+    const int width = practice.chooser().sizeHint().width() + practice.newNumbers().sizeHint().width() + 20;
+    const int height = practice.tools.heightForWidth(width);
+    answer(practice.fields().first(), "30");
+    QVERIFY(!practice.score().isEmpty());
+    QCOMPARE(practice.tools.heightForWidth(width), height);
+    practice.choose("All lines");
+    QVERIFY(practice.tools.heightForWidth(width) < height);
+  }
+
   void toolsAreNeverCutOff() {
     ShownPractice practice(m_typesetter);
     practice.choose("All blank");
