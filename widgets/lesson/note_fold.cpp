@@ -4,13 +4,32 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
+namespace {
+
+/// The text in lines that are as full as the room allows: a button breaks none by itself.
+QString broken(const QString &text, const QFontMetrics &metrics, int room) {
+  QString lines;
+  QString line;
+  for (const QString &word : text.split(' ')) {
+    const QString longer = line.isEmpty() ? word : line + ' ' + word;
+    if (line.isEmpty() || metrics.horizontalAdvance(longer) <= room) {
+      line = longer;
+      continue;
+    }
+    lines += line + '\n';
+    line = word;
+  }
+  return lines + line;
+}
+
+} // namespace
 
 NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *parent)
     : QWidget(parent), m_text(QString(title).replace('&', QLatin1String("&&"))), // no key of it
       m_title(new QToolButton), m_words(new RichLabel(typesetter)) {
   m_title->setText(m_text);
   m_title->setAccessibleName(title);
-  m_title->setMinimumWidth(1); // it is cut short where there is no room
+  m_title->setMinimumWidth(1); // it is broken where there is no room
   m_title->setObjectName("note");
   m_title->setCheckable(true);
   m_title->setAutoRaise(true);
@@ -33,9 +52,10 @@ NoteFold::NoteFold(const Typesetter &typesetter, const QString &title, QWidget *
 
 void NoteFold::resizeEvent(QResizeEvent *event) {
   QWidget::resizeEvent(event);
-  const int room =
-      width() - (m_title->sizeHint().width() - m_title->fontMetrics().horizontalAdvance(m_title->text()));
-  m_title->setText(m_title->fontMetrics().elidedText(m_text, Qt::ElideRight, room));
+  const QFontMetrics metrics = m_title->fontMetrics();
+  m_title->setText(m_text);
+  const int besideText = m_title->sizeHint().width() - metrics.horizontalAdvance(m_text);
+  m_title->setText(broken(m_text, metrics, width() - besideText));
 }
 
 bool NoteFold::isOpen() const { return m_title->isChecked(); }

@@ -214,6 +214,16 @@ private slots:
     QVERIFY2(top >= 0 && top < smallPage.height() / 2, qPrintable(QString::number(top)));
   }
 
+  void noteWithALongTitle_showsAllOfIt_onSeveralLines() {
+    const std::string title =
+        "A slip in the lecture notes about the coordinates of lines, as a title that is too long";
+    ShownPage shown(lessonOf({{"All", {StepNote{title, {"Words."}}}}}), 0, smallPage);
+    const auto *button = shown.shown<NoteFold>().first()->findChild<QToolButton *>();
+    QVERIFY(button->text().contains('\n'));
+    QCOMPARE(button->text().replace('\n', ' ').toStdString(), title);
+    QVERIFY(button->width() >= button->sizeHint().width() && button->height() >= button->sizeHint().height());
+  }
+
   void doneTasks_areTold() {
     ShownPage shown(someLesson(), 1);
     shown.page.setTaskStates({TaskState::Open, TaskState::Done});
