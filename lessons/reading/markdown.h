@@ -21,10 +21,10 @@ struct MarkdownFormula {
     std::string latex;
   };
 
-  std::string latex;  ///< `t = 3` where `$t$ = $3$` was written, as no line shall end between them
-  bool large = false; ///< it was in `$$…$$` or alone in its paragraph; else it is set as in a line
-  std::optional<char> punctuation{}; ///< what follows and no line shall begin with: , . ; : ! or ?
-  std::vector<Source> sources{};     ///< one, or the two that `latex` was made of
+  std::string latex;         ///< `t = 3` where `$t$ = $3$` was written, as no line shall end between them
+  bool large = false;        ///< it was in `$$…$$` or alone in its paragraph; else it is set as in a line
+  std::string punctuation{}; ///< what follows and no line shall begin with, of , . ; : ! ? and )
+  std::vector<Source> sources{}; ///< one, or the two that `latex` was made of
 };
 
 /// A piece of a line.

@@ -150,9 +150,13 @@ private:
   /// `$a$ = $b$`, and punctuation.
   void takeAttached(MarkdownFormula &formula) {
     takeRelated(formula);
-    constexpr std::string_view punctuation = ",.;:!?";
-    if (m_next < m_text.size() && punctuation.find(m_text[m_next]) != std::string_view::npos)
-      formula.punctuation = m_text[m_next++];
+    // A parenthesis behind it closes what was opened before, or ends the address of a link.
+    const auto open = m_text.substr(0, m_next).rfind('(');
+    const bool inAddress = open == std::string_view::npos || (open > 0 && m_text[open - 1] == ']');
+    const auto end =
+        std::min(m_text.find_first_not_of(inAddress ? ",.;:!?" : ",.;:!?)", m_next), m_text.size());
+    formula.punctuation = m_text.substr(m_next, end - m_next);
+    m_next = end;
   }
 
   /// The other side of ` = $b$`, or ` $\approx b$`.

@@ -29,9 +29,7 @@ Markdown markdownOf(const QString &text) {
 }
 
 /// A formula as it is said: as it was written, with what follows it.
-std::string writtenLatex(const MarkdownFormula &formula) {
-  return formula.latex + (formula.punctuation ? std::string(1, *formula.punctuation) : "");
-}
+std::string writtenLatex(const MarkdownFormula &formula) { return formula.latex + formula.punctuation; }
 
 /// A formula as it is typeset.
 QString typesetLatex(const MarkdownFormula &formula) {
@@ -39,7 +37,7 @@ QString typesetLatex(const MarkdownFormula &formula) {
     return QString::fromStdString(formula.latex);
   // What follows has no space before it, even behind \right).
   const std::string behind =
-      formula.punctuation ? std::string("\\mathclose{\\text{") + *formula.punctuation + "}}" : "";
+      formula.punctuation.empty() ? "" : "\\mathclose{\\text{" + formula.punctuation + "}}";
   return QString::fromStdString("\\textstyle " + formula.latex + behind);
 }
 

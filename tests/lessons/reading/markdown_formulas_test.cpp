@@ -78,7 +78,14 @@ TEST_P(Relations, BetweenTwoFormulas_MakeThemOne) {
   const MarkdownWithoutFormulas taken = takeFormulas("so $a$ " + relation + " $b$?");
   ASSERT_EQ(taken.formulas.size(), 1U);
   EXPECT_EQ(taken.formulas[0].latex, "a " + relation + " b");
-  EXPECT_EQ(taken.formulas[0].punctuation, '?');
+  EXPECT_EQ(taken.formulas[0].punctuation, "?");
+}
+
+TEST(Formulas, PunctuationBehindThem_StaysWithThem_ButNotTheEndOfAnAddress) {
+  const auto behind = [](const char *text) { return takeFormulas(text).formulas.at(0).punctuation; };
+  EXPECT_EQ(behind("(there is no $I$.) So"), ".)");
+  EXPECT_EQ(behind("[a](https://b/$c$) so"), "");
+  EXPECT_EQ(behind("so $a$?"), "?");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signs, Relations, testing::Values('=', '<', '>'));

@@ -19,7 +19,7 @@ std::vector<std::string> formulasIn(std::string_view text) {
   std::vector<std::string> all;
   for (const MarkdownFormula &formula : read(text).formulas)
     all.push_back((formula.large ? "large " : "") + formula.latex +
-                  (formula.punctuation ? std::string(" then ") + *formula.punctuation : ""));
+                  (formula.punctuation.empty() ? "" : " then " + formula.punctuation));
   return all;
 }
 
