@@ -24,7 +24,7 @@ std::string withLatexApart(const std::string &value) {
   bool inFormula = false;
   char before = '\0';
   for (std::size_t i = 0; i < value.size(); before = value[i++]) {
-    if (value[i] == '$' && before != '\\' && before != '$')
+    if (value[i] == '$' && before != '\\') // the two of $$ cancel out: LaTeX alone has lines of its own
       inFormula = !inFormula;
     if (value.compare(i, 2, "\n\n") == 0)
       inFormula = false; // no formula goes on in another paragraph

@@ -71,6 +71,7 @@ TEST(WordsCheck, LatexThatDoubleQuotesReadAsYaml_IsTold) {
 TEST(WordsCheck, LatexInOtherWords_IsRight) {
   EXPECT_EQ(problemsInQuestion("'Is it $\\nu \\neq \\theta$?'"), Texts{});
   EXPECT_EQ(problemsInQuestion("\"Is it $a$\\nor $b$,\\n\\nor $c$?\""), Texts{});
+  EXPECT_EQ(problemsInQuestion("\"So:\\n\\n$$\\nx = 1\\n$$\\n\\nIs it $a$?\""), Texts{});
   EXPECT_EQ(problemsInQuestion("|\n  Is it $s +\n  u$, not\n  eqal?"), Texts{});
 }
 
