@@ -51,6 +51,17 @@ TEST(Reaching, PatchesAndLines_CoverAllPlaces) {
   EXPECT_EQ(reached(lineThrough({0, 0, 0}, {1, 0, 0}), places).covers, places);
 }
 
+TEST(Reaching, APlaneThatARayLiesIn_CoversTheRayAsFarAsItIsDrawn) {
+  Figure figure{{withId(patchAt({0, 0, 3}, {0, 0, 1}), "E"), rayFrom({4, 1, 3}, {2, 0, 0})}};
+  figure.reaches.push_back({"L", {5, 1, 3}}); // what else the ray meets is not its end
+  figure.reachWithin("E", "L", {4, 1, 3}, {1, 0, 0});
+  const Figure drawn = reaching(figure);
+  const Place end = endOf(std::get<RayMark>(drawn.marks[1]));
+  EXPECT_NEAR(end.x, 4 + openRayLength, rounding);
+  const std::vector<Place> corners = cornersOf(std::get<PlanePatchMark>(drawn.marks[0]));
+  EXPECT_TRUE(std::any_of(corners.begin(), corners.end(), [&](const Place &each) { return each.x > end.x; }));
+}
+
 TEST(Reaching, MarksWithEndsOfTheirOwn_StayAsTheyAre) {
   const SegmentMark segment = withId(segmentBetween({0, 0, 0}, {1, 0, 0}), "s");
   EXPECT_EQ(reached(segment, {{9, 9, 9}}), segment);
