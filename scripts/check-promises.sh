@@ -11,7 +11,7 @@ named() { grep --only-matching --extended-regexp "$1" "$promises" | tr --delete 
 isThere() {
   local suite=${1%%.*} test=${1#*.}
   case $suite in
-  *_test) find tests -name "$suite.cpp" -exec grep --quiet --extended-regexp "void $test\(\)" {} + ;;
+  *_test) find tests -name "$suite.cpp" -exec cat {} + | grep --quiet --extended-regexp "void $test\(\)" ;;
   *) grep --quiet --recursive --extended-regexp "TEST(_[FP])?\($suite, *$test\)" tests ;;
   esac
 }
