@@ -97,7 +97,7 @@ void aimDirections(const Given<Object> &given, const Handle &handle, const Surro
 void aimStartAndDirection(const Given<Object> &given, const Handle &handle, const Surroundings &found,
                           std::vector<SnapTarget> &targets);
 
-/// One handle, which moves all positions together: at their middle, snapped as the first.
+/// One handle, which moves all positions together: at or above their middle, snapped as the first.
 [[nodiscard]] std::vector<Handle> wholeHandle(const std::string &name, const Object &object);
 /// The handle of a length: on an axis (0, 1, 2) from the first position.
 [[nodiscard]] Handle lengthHandle(const std::string &name, const Object &object, std::size_t index, int axis);

@@ -62,7 +62,7 @@ private slots:
     QVERIFY(shown.line.heightForWidth(400) <= usual);
   }
 
-  void line_whateverItSays_keepsItsHeight() {
+  void line_whateverTheCaseIs_andWithAMessageOfOneRow_keepsItsHeight() {
     ShownLine shown;
     for (const int width : {400, 900}) {
       shown.line.resize(width, 40);
