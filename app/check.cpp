@@ -93,11 +93,9 @@ void addUnreadable(const LessonWords &piece, const Lesson &lesson, int &pixelsLe
 
 /// Step by step, as each has a page of its own, with room for its pictures.
 void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
-  Lesson alone;
   for (const LessonStep &step : lesson.steps) {
-    alone.steps = {step};
     int pixelsLeft = mostPixelsOfPage;
-    for (const LessonWords &piece : wordsOf(alone))
+    for (const LessonWords &piece : wordsOf(step))
       addUnreadable(piece, lesson, pixelsLeft, problems);
   }
 }

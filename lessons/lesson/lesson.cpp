@@ -300,7 +300,7 @@ LessonWords::LessonWords(std::string words, std::vector<int> linesOfWords, std::
     lineEnds.push_back(end);
 }
 
-std::vector<LessonWords> wordsOf(const Lesson &lesson) {
+std::vector<LessonWords> wordsOf(const LessonStep &step) {
   std::vector<LessonWords> words;
   const Overloaded add{
       [&](const StepWords &block) { words.emplace_back(block.markdown, block.lines, ""); },
@@ -316,9 +316,16 @@ std::vector<LessonWords> wordsOf(const Lesson &lesson) {
           words.emplace_back(choice.text, std::vector{choice.line}, "choices");
         words.emplace_back(prediction.reason, std::vector{prediction.reasonLine}, "why");
       }};
+  for (const StepBlock &block : step.blocks)
+    std::visit(add, block);
+  return words;
+}
+
+std::vector<LessonWords> wordsOf(const Lesson &lesson) {
+  std::vector<LessonWords> words;
   for (const LessonStep &step : lesson.steps)
-    for (const StepBlock &block : step.blocks)
-      std::visit(add, block);
+    for (LessonWords &piece : wordsOf(step))
+      words.push_back(std::move(piece));
   return words;
 }
 

@@ -212,6 +212,7 @@ struct LessonWords {
 };
 
 /// All words that are set with their formulas, from top to bottom within a step.
+[[nodiscard]] std::vector<LessonWords> wordsOf(const LessonStep &step);
 [[nodiscard]] std::vector<LessonWords> wordsOf(const Lesson &lesson);
 
 /// Reads a lesson from the text of a file; `file` is only named in problems.

@@ -37,9 +37,7 @@ bool tells(const std::string &text, const Term &answer) {
 class BlankLine {
 public:
   BlankLine(const Lesson &lesson, const LessonStep &step, const Evaluation &evaluation)
-      : m_lesson(lesson), m_evaluation(evaluation), m_shown(shownIn(step, evaluation)) {
-    m_lesson.steps = {step};
-  }
+      : m_scene(lesson.scene), m_step(step), m_evaluation(evaluation), m_shown(shownIn(step, evaluation)) {}
 
   void expectSecrets(Fading fading) {
     const Fade all = fade(m_shown.working, fading, {});
@@ -52,8 +50,8 @@ public:
 
 private:
   void expectSecret(const Term &answer) {
-    for (const LessonWords &words : wordsOf(m_lesson)) {
-      const std::string filled = withLiveValues(words.text, m_lesson.scene, m_evaluation, LiveValues::Hidden);
+    for (const LessonWords &words : wordsOf(m_step)) {
+      const std::string filled = withLiveValues(words.text, m_scene, m_evaluation, LiveValues::Hidden);
       // What the author has written is no live value: the 0 of “it is 0 in the plane”.
       EXPECT_TRUE(tells(words.text, answer) || !tells(filled, answer)) << filled;
     }
@@ -74,7 +72,8 @@ private:
     }
   }
 
-  Lesson m_lesson;
+  const Scene &m_scene;
+  const LessonStep &m_step;
   const Evaluation &m_evaluation;
   Shown m_shown;
 };
@@ -102,9 +101,8 @@ std::set<std::string> labelsOfPins(const Figure &figure) {
 
 TEST(KeptSecrets, signsOfSides_standAtThePinsOnlyWhileNumbersAreShown) {
   const LessonLibrary library = readLessons(LESSON_FOLDER);
-  const auto lesson = std::find_if(library.lessons.begin(), library.lessons.end(),
-                                   [](const Lesson &each) { return each.id == "half-spaces"; });
-  ASSERT_NE(lesson, library.lessons.end());
+  const Lesson *lesson = library.find("half-spaces");
+  ASSERT_TRUE(lesson);
   const Figure figure = figureOf(evaluate(lesson->scene));
   EXPECT_EQ(labelsOfPins(figure), (std::set<std::string>{"+", "-"}));
   EXPECT_EQ(labelsOfPins(withoutNumbers(figure)), std::set<std::string>{""});

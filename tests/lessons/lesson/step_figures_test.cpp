@@ -71,10 +71,8 @@ struct StepOf {
 
   /// In words, question, tasks, notes and lines.
   [[nodiscard]] std::vector<std::string> formulas() const {
-    Lesson alone = lesson;
-    alone.steps = {step};
     std::vector<std::string> all;
-    for (const LessonWords &words : wordsOf(alone))
+    for (const LessonWords &words : wordsOf(step))
       for (std::string &formula : formulasIn(words.text))
         all.push_back(std::move(formula));
     for (const WorkingLine &line : shown.working.lines)
