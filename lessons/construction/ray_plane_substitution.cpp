@@ -109,13 +109,17 @@ bool isDegenerate(const Out &at) {
   return withoutNormal(at) || at.meetings.front().meet.which == RayPlaneCase::ZeroDirection;
 }
 
-/// The places of all planes that the ray meets in this way.
-std::vector<std::size_t> placesOf(RayPlaneCase which, const Out &at) {
+/// The places of all planes that the ray meets as `isSo` says.
+template <class Condition> std::vector<std::size_t> placesWhere(const Out &at, const Condition &isSo) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < at.meetings.size(); ++i)
-    if (at.meetings[i].meet.which == which)
+    if (isSo(at.meetings[i].meet))
       places.push_back(i);
   return places;
+}
+
+std::vector<std::size_t> placesOf(RayPlaneCase which, const Out &at) {
+  return placesWhere(at, [which](const auto &meet) { return meet.which == which; });
 }
 
 /// Whether the whole ray lies in one of the planes.
@@ -269,10 +273,7 @@ std::string orderWords(const Out &at) {
 
 /// Which planes the order leaves out.
 std::string leftOutWords(const Out &at) {
-  std::vector<std::size_t> without;
-  for (std::size_t i = 0; i < at.meetings.size(); ++i)
-    if (!at.meetings[i].meet.crosses())
-      without.push_back(i);
+  const auto without = placesWhere(at, [](const auto &meet) { return !meet.crosses(); });
   return without.empty() ? ""
                          : " " + words("There is no t for {planes}.", {{"planes", namesOf(without, at)}});
 }

@@ -172,14 +172,13 @@ protected:
   // With parentheses between which a line can be broken.
 
   Row flatList(std::vector<Row> entries) override {
-    return math::row(math::symbol('(', AtomClass::Open), separated(std::move(entries)),
-                     math::symbol(')', AtomClass::Close));
+    return between(math::symbol('(', AtomClass::Open), std::move(entries),
+                   math::symbol(')', AtomClass::Close));
   }
 
   Row numberList(std::vector<Row> entries) override {
-    return math::row(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open},
-                     separated(std::move(entries)),
-                     math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
+    return between(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open}, std::move(entries),
+                   math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
   }
 
   Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {
@@ -222,6 +221,10 @@ private:
                                 : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
                                             math::space(thinSpace), std::move(entry));
     return content;
+  }
+
+  [[nodiscard]] Row between(math::Node open, std::vector<Row> entries, math::Node close) const {
+    return math::row(std::move(open), separated(std::move(entries)), std::move(close));
   }
 
   Notation m_notation;
