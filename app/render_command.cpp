@@ -86,6 +86,12 @@ SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened
   return content;
 }
 
+/// Of a flight once, by its beginning.
+void tellThinning(const Figure &figure) {
+  if (isThinned(figure))
+    printError(thinningWords());
+}
+
 Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSession &opened,
                                  const Setting &setting, const Typesetter &typesetter) {
   const Evaluation evaluation = evaluate(opened.session.scene);
@@ -99,8 +105,8 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
   if (command.flat)
     return drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage), request.content,
                       typesetter);
-  if (isThinned(request.content.figure))
-    printError(thinningWords());
+  if (!setting.beginning)
+    tellThinning(request.content.figure);
   return drawOffscreen(request, labelPainter(typesetter));
 }
 
@@ -153,6 +159,8 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
                      "", 0, "--frame"};
   goTo(objectAs<NumberObject>(*number)->from);
   setting.beginning = contentOf(command, opened, evaluate(opened.session.scene), setting.stage);
+  if (!command.flat)
+    tellThinning(setting.beginning->figure);
   for (int frame = first; frame <= last; ++frame) {
     goTo(frame);
     const auto picture = drawPicture(command, opened, setting, typesetter);
