@@ -1,4 +1,5 @@
 // `halfspace eval` as a shell meets it: exit statuses, and nothing but answers on standard output.
+#include "tests/effort.h"
 #include "tests/program_test.h"
 
 #include <algorithm>
@@ -129,7 +130,7 @@ std::string readLine(int descriptor) {
 
 TEST_F(EvalCommand, IntoAPipeThatDoesNotWait_LosesNoAnswer) {
   std::string questions;
-  for (int i = 0; i < 4000; ++i)
+  for (int i = 0; i < test::effort(4000); ++i)
     questions += good + "\n";
   write("cases.jsonl", questions);
   const std::string expected = run("<cases.jsonl").out;

@@ -1,4 +1,5 @@
 #include "eval/json_line.h"
+#include "tests/effort.h"
 
 #include <gtest/gtest.h>
 
@@ -144,7 +145,7 @@ TEST(JsonLine, DamagedTexts_AreReadExactlyWhereAnotherLibraryWithOurRulesReadsTh
   Mutations mutations(171);
   int valid = 0;
   int invalid = 0;
-  for (int i = 0; i < 60'000; ++i) {
+  for (int i = 0; i < test::effort(60'000); ++i) {
     const std::string text = mutations.next();
     const auto expected = verdictOfOther(text);
     if (!expected)
@@ -156,8 +157,8 @@ TEST(JsonLine, DamagedTexts_AreReadExactlyWhereAnotherLibraryWithOurRulesReadsTh
       ASSERT_TRUE(holds(line.root(), Json::parse(text))) << text;
     }
   }
-  EXPECT_GT(valid, 5000);
-  EXPECT_GT(invalid, 5000);
+  EXPECT_GT(valid, test::effort(5000));
+  EXPECT_GT(invalid, test::effort(5000));
 }
 
 TEST(JsonLine, Seeds_HoldWhatTheySay) {

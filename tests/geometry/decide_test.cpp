@@ -5,6 +5,7 @@
 #include "geometry/filter.h"
 #include "geometry/intersect_ray_triangle_cramer.h"
 #include "geometry/intersect_ray_triangle_plucker.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 /// The sweeps are this many times as long when the environment says so: HALFSPACE_SWEEP=100 makes millions.
 int times(int count) {
   const char *factor = std::getenv("HALFSPACE_SWEEP");
-  return factor == nullptr ? count : count * std::max(1, std::atoi(factor));
+  return test::effort(count) * (factor == nullptr ? 1 : std::max(1, std::atoi(factor)));
 }
 
 /// Doubles that filters like least.
@@ -80,7 +81,7 @@ TEST(DecidePointPlane, PointsOnOrBesideThePlane_AreOnTheirExactSide) {
     on += exact == PointPlaneCase::On ? 1 : 0;
     ASSERT_EQ(decidePointPlane(point, plane), exact) << i;
   }
-  EXPECT_GT(on, 20); // the sweep reaches the plane itself
+  EXPECT_GT(on, times(20)); // the sweep reaches the plane itself
 }
 
 TEST(DecideRayPlane, NearlyParallelAndNearlyInThePlane_IsTheExactCase) {
@@ -178,7 +179,7 @@ TEST(DecideRaySphere, NearlyTangent_IsTheExactVerdict) {
     ASSERT_EQ(verdict.contacts, exact.contacts) << i;
     tangents += exact.contacts == SphereContacts::Tangent ? 1 : 0;
   }
-  EXPECT_GT(tangents, 100);
+  EXPECT_GT(tangents, times(100));
 }
 
 bool holds(const Bounded &bounded, const Rational &exact) {
@@ -213,7 +214,7 @@ TEST(Bounded, ProductsDifferencesAndQuotients_AreWithinTheirBounds) { // laws (1
       ASSERT_TRUE(holds(Bounded::of(1, 1) / second, Rational(1 / exactSecond))) << i;
     }
   }
-  EXPECT_GT(quotients, 500);
+  EXPECT_GT(quotients, times(500));
 }
 
 TEST(FilterRayTriangle, AnyTameNumbers_AreMissedSurelyOrWithinTheirBounds) {
@@ -244,8 +245,8 @@ TEST(FilterRayTriangle, AnyTameNumbers_AreMissedSurelyOrWithinTheirBounds) {
     const auto volume = intersectRayTriangleCramer(exactly(ray), exactly(triangle)).detT;
     ASSERT_TRUE(holds(filtered.bounded.volume, volume)) << i;
   }
-  EXPECT_GT(missed, 100);
-  EXPECT_GT(sure - missed, 20);
+  EXPECT_GT(missed, times(100));
+  EXPECT_GT(sure - missed, times(20));
 }
 
 } // namespace

@@ -6,12 +6,24 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <ostream>
+#include <string>
 
 namespace halfspace {
 
-using MakeSearch = std::unique_ptr<HitSearch> (*)(const TriangleMesh &);
+/// The names of tests show it by its own.
+struct SearchKind {
+  std::string name; ///< of its class
+  std::unique_ptr<HitSearch> (*make)(const TriangleMesh &);
 
-/// Its parameter makes a search of one kind ready.
-class EverySearch : public testing::TestWithParam<MakeSearch> {};
+  friend std::ostream &operator<<(std::ostream &out, const SearchKind &kind) { return out << kind.name; }
+};
+
+inline const SearchKind plainSearch{"PlainHitSearch",
+                                    [](const TriangleMesh &mesh) -> std::unique_ptr<HitSearch> {
+                                      return std::make_unique<PlainHitSearch>(mesh);
+                                    }};
+
+class EverySearch : public testing::TestWithParam<SearchKind> {};
 
 } // namespace halfspace

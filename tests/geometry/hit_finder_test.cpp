@@ -3,7 +3,8 @@
 
 #include "geometry/decide.h"
 #include "geometry/hit_all.h"
-#include "tests/geometry/every_search.h"
+#include "tests/effort.h"
+#include "tests/geometry/tree_search.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,7 @@ namespace {
 
 using Triangles = std::vector<Triangle<double>>;
 
-INSTANTIATE_TEST_SUITE_P(Tree, EverySearch, testing::Values([](const TriangleMesh &mesh) {
-                           return std::unique_ptr<HitSearch>(std::make_unique<HitFinder>(trianglesOf(mesh)));
-                         }));
+INSTANTIATE_TEST_SUITE_P(Tree, EverySearch, testing::Values(treeSearch));
 
 class Scenes {
 public:
@@ -95,7 +94,7 @@ TEST(HitFinder, AimedAtSharedEdgesAndCorners_NoRaySlipsThrough) { // law (2)
   for (const Vec3<double> corner : {Vec3<double>(0), Vec3<double>(1e6, 1e6, 0)}) {
     const Triangles triangles = terrain(scenes, 12, corner);
     const HitFinder finder(triangles);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < test::effort(20000); ++i) {
       // Straight down on a whole x, or a whole y: on an edge exactly, whatever the height.
       const double along = scenes.uniform(0, 12);
       const auto whole = static_cast<double>(scenes.index(13));
@@ -237,7 +236,7 @@ TEST(HitFinder, TreeOfManyLevels_FindsTheNearestOfEach) {
   triangles.insert(triangles.end(), above.begin(), above.end());
   const HitFinder finder(triangles);
   int hits = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Ray<double> ray{{scenes.uniform(-10, 50), scenes.uniform(-10, 50), scenes.uniform(-5, 30)},
                           i % 4 == 0 ? Vec3<double>(0, i % 8 == 0 ? 0.5 : 0, -1) : scenes.vector(1)};
     const auto expected = nearestOfEach(triangles, ray);
@@ -248,7 +247,7 @@ TEST(HitFinder, TreeOfManyLevels_FindsTheNearestOfEach) {
       ++hits;
     }
   }
-  EXPECT_GT(hits, 200);
+  EXPECT_GT(hits, test::effort(200));
 }
 
 TEST(HitFinder, ShortDirectionsInWideScenes_FindTheNearestOfEach) {
@@ -286,11 +285,11 @@ TEST(HitFinder, OnlyDegenerateTriangles_FindsNothing) {
 TEST(HitFinder, VeryManyDegenerateTrianglesInThePointAimedAt_HideNothing) {
   const Vec3<double> place(1, 1, 1);
   Triangles triangles(30'000, {place, place, place});
-  for (int i = 0; i < 3000; ++i)
+  for (int i = 0; i < test::effort(3000); ++i)
     triangles.push_back({place, place + Vec3<double>(i, i, 0), place - Vec3<double>(1, 1, 0)});
   triangles.push_back({{0, 0, 9}, {4, 0, 9}, {0, 4, 9}});
   const HitFinder finder(triangles);
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < test::effort(1000); ++i)
     ASSERT_EQ(finder.find({{1, 1, 0}, {0, 0, 1}})->index, triangles.size() - 1);
 }
 

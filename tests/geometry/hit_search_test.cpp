@@ -10,14 +10,12 @@
 namespace halfspace {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Plain, EverySearch, testing::Values([](const TriangleMesh &mesh) {
-                           return std::unique_ptr<HitSearch>(std::make_unique<PlainHitSearch>(mesh));
-                         }));
+INSTANTIATE_TEST_SUITE_P(Plain, EverySearch, testing::Values(plainSearch));
 
 /// A search, and the exact loop that it is held against.
 class Compared {
 public:
-  Compared(MakeSearch make, const TriangleMesh &mesh) : m_search(make(mesh)) {
+  Compared(const SearchKind &kind, const TriangleMesh &mesh) : m_search(kind.make(mesh)) {
     for (const Triangle<double> &triangle : trianglesOf(mesh))
       m_triangles.push_back(exactly(triangle));
   }
@@ -159,7 +157,7 @@ TEST_P(EverySearch, TiesAndTrianglesThatCannotBeHit_GiveTheLowestIndexOfTheOther
                            {4, 0, 8},
                            {0, 4, 8}},
                           {{0, 0, 0}, {1, 0, 2}, {0, 3, 4}, {5, 6, 7}, {8, 9, 10}, {9, 10, 8}}};
-  const auto search = GetParam()(mesh);
+  const auto search = GetParam().make(mesh);
   EXPECT_EQ(search->search({{1, 1, 0}, {0, 0, 1}}).nearest, (ExactNearestHit{4, 8}));
   EXPECT_EQ(search->search({{1, 1, Rational(1, 3)}, {0, 0, Rational(1, 3)}}).nearest,
             (ExactNearestHit{4, 23}));
@@ -167,7 +165,7 @@ TEST_P(EverySearch, TiesAndTrianglesThatCannotBeHit_GiveTheLowestIndexOfTheOther
 }
 
 TEST_P(EverySearch, OfNoTriangles_FindsNothing) {
-  EXPECT_FALSE(GetParam()({})->search({{0, 0, 0}, {0, 0, 1}}).nearest);
+  EXPECT_FALSE(GetParam().make({})->search({{0, 0, 0}, {0, 0, 1}}).nearest);
 }
 
 TEST(PlainHitSearch, AnyRay_AsksEveryTriangleAndNoBox) {

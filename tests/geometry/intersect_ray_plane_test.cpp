@@ -1,4 +1,5 @@
 #include "geometry/intersect_ray_plane.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(IntersectRayPlane, ZeroNormalOrDirection_IsACaseOfItsOwn) {
 
 TEST(IntersectRayPlane, AnyRay_MeetsThePlaneAtItsPoint) {
   RandomNumbers random(41);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = intersectRayPlane(ray, plane);
@@ -99,7 +100,7 @@ TEST(IntersectRayPlane, MultipleOfThePlane_MultipliesTheFractionAndKeepsTheRest)
 
 TEST(IntersectRayPlane, FacingNormal_IsUnitAndAgainstTheRayOnWhicheverSideTheNormalPoints) {
   RandomNumbers random(42);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = intersectRayPlane(ray, plane);
@@ -141,7 +142,7 @@ TEST(IntersectRayPlane, Doubles_AgreeWithFractionsWhereTheAngleIsLarge) {
   RandomNumbers random(43);
   // |r·n| ≥ 1 and coordinates up to 20 keep the relative rounding error of t far below this bound.
   const double bound = 1e-8;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
     const Plane<Rational> plane = planeThrough(random.vector(), random.nonZeroVector());
     const auto exact = intersectRayPlane(ray, plane);

@@ -1,4 +1,5 @@
 #include "geometry/intersect_ray_sphere.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ TEST(IntersectRaySphere, AnyRay_HasItsContactsExactlyOnTheSphere) {
 
 TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRadius) { // law (3)
   RandomNumbers random(102);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
     const Sphere<Rational> sphere{random.wholeVector(9), abs(random.nonZeroRational(8))};
     const ExactVec3 moment = cross(ExactVec3(sphere.center - ray.origin), ray.direction);
@@ -151,7 +152,7 @@ TEST(IntersectRaySphere, DiscriminantBelowZero_MeansTheLineKeepsFartherThanTheRa
 
 TEST(IntersectRaySphere, BothT_HaveTheSumAndProductOfTheQuadratic) { // law (4)
   RandomNumbers random(187);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < test::effort(1500); ++i) {
     const Ray<Rational> ray{random.wholeVector(5), random.nonZeroWholeVector(5)};
     const Sphere<Rational> sphere{random.wholeVector(5), random.integer(1, 6)};
     const auto meet = intersectRaySphere(ray, sphere);
@@ -232,7 +233,7 @@ TEST(IntersectRaySphere, TangentMovedByAHair_TouchesTwiceOrNotAtAll) {
 
 TEST(IntersectRaySphere, StartInsideOnOrOutside_IsSaidAndDecidesTheSignsOfT) {
   RandomNumbers random(104);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     Sphere<Rational> sphere{random.vector(), 0};
     const ExactVec3 arm = vectorOfRationalLength(random, sphere.radius);
     const ExactVec3 direction = random.nonZeroWholeVector(9);
@@ -264,7 +265,7 @@ TEST(IntersectRaySphere, DoublesOnSmallIntegers_FindTheSameContacts) {
   // The discriminant is an integer that a double holds; t is a sum of two numbers of at most 40, each with
   // three roundings, and a point 10 times that.
   const double bound = 1e-12;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Ray<Rational> ray{random.wholeVector(9), random.nonZeroWholeVector(9)};
     const Sphere<Rational> sphere{random.wholeVector(9), random.integer(1, 12)};
     const auto exact = intersectRaySphere(ray, sphere);

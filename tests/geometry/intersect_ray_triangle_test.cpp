@@ -1,4 +1,5 @@
 #include "geometry/intersect_ray_triangle.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +108,7 @@ TEST(PlaceInTriangle, PointMovedOverAnEdge_IsOnItOnlyAtZero) {
 
 TEST(PerpsOf, AnyTriangle_ObeysTheNotesIdentities) {
   RandomNumbers random(51);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     Triangle<Rational> triangle{random.vector(), random.vector(), random.vector()};
     if (i % 4 == 0) // the identities hold for collinear corners too
       triangle.p2 = pointIn(triangle, random.rational(), 0);
@@ -127,7 +128,7 @@ TEST(PerpsOf, AnyTriangle_ObeysTheNotesIdentities) {
 
 TEST(IntersectRayTriangle, RayAimedAtParameters_FindsExactlyThese) {
   RandomNumbers random(52);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
     const Rational s = random.rational(2);
     const Rational t = random.rational(2);
@@ -230,7 +231,7 @@ TEST(IntersectRayTriangle, Doubles_AgreeWithFractionsOnPlumpTriangles) {
   // |n|² ≥ 100 and |r·n| ≥ 1 with coordinates up to 20 keep the rounding errors of s and t far below this
   // bound.
   const double bound = 1e-7;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
     const Ray<Rational> ray =
         rayThrough(pointIn(triangle, random.rational(1), random.rational(1)), triangle, random);

@@ -1,5 +1,6 @@
 #include "geometry/line.h"
 #include "geometry/relate_lines.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ Rational squaredDistance(const ExactVec3 &p, const ExactVec3 &d, const ExactVec3
 
 TEST(LineThrough, TwoPoints_ContainsBothAndIsReal) {
   RandomNumbers random(81);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 p = random.vector();
     const ExactVec3 q = p + random.nonZeroVector();
     const Line<Rational> line = lineThrough(p, q);
@@ -49,7 +50,7 @@ TEST(LineThrough, TwoPoints_ContainsBothAndIsReal) {
 
 TEST(LineAlong, AnyOtherPointOfIt_HasTheSameMoment) { // law (2)
   RandomNumbers random(82);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Ray<Rational> ray{random.vector(), random.nonZeroVector()};
     const Line<Rational> line = lineOf(ray);
     EXPECT_EQ(lineAlong(pointAt(ray, random.rational()), ray.direction).moment, line.moment);
@@ -66,7 +67,7 @@ TEST(IsReal, SixNumbersOfNoLine_AreNot) {
 
 TEST(NearestToOrigin, AnyLine_IsOnItAndPerpendicularToItsDirection) {
   RandomNumbers random(83);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     ExactVec3 point = random.vector();
     const ExactVec3 direction = random.nonZeroVector();
     if (i % 5 == 0)
@@ -81,7 +82,7 @@ TEST(NearestToOrigin, AnyLine_IsOnItAndPerpendicularToItsDirection) {
 
 TEST(PermutedInnerProduct, AnyLines_IsTheVolumeTheySpanAndItsSignTurnsWithEither) {
   RandomNumbers random(84);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 p = random.vector();
     const ExactVec3 d = random.nonZeroVector();
     const ExactVec3 q = random.vector();
@@ -98,7 +99,7 @@ TEST(PermutedInnerProduct, AnyLines_IsTheVolumeTheySpanAndItsSignTurnsWithEither
 
 TEST(PermutedInnerProduct, AnySixNumbers_AreScaledWithItAndGiveTwiceTheirRelationWithThemselves) {
   RandomNumbers random(180);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Line<Rational> a{random.vector(), random.vector()};
     const Line<Rational> b{random.vector(), random.vector()};
     const Rational k = random.rational();
@@ -170,7 +171,7 @@ TEST(RelateLines, AnyTwo_AgreeWithDroppingAPerpendicular) {
 
 TEST(RelateLines, InTheOtherOrder_GivesTheSame) { // law (1)
   RandomNumbers random(86);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const auto [first, second] = somePair(i % 4, random);
     const auto related = relateLines(lineOf(first), lineOf(second));
     const auto swapped = relateLines(lineOf(second), lineOf(first));
@@ -184,7 +185,7 @@ TEST(RelateLines, InTheOtherOrder_GivesTheSame) { // law (1)
 
 TEST(RelateLines, MultipleOfOne_MultipliesTheProductAndTurnsSameIntoOpposite) { // law (5)
   RandomNumbers random(181);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const auto [first, second] = somePair(i % 4, random);
     const Line<Rational> line = lineOf(first);
     const Rational k = random.nonZeroRational();
@@ -204,7 +205,7 @@ TEST(RelateLines, MultipleOfOne_MultipliesTheProductAndTurnsSameIntoOpposite) { 
 
 TEST(RelateLines, PluckerCoordinatesScaled_DescribeTheSameLine) {
   RandomNumbers random(87);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Line<Rational> line = lineAlong(random.vector(), random.nonZeroVector());
     const Rational k = random.nonZeroRational();
     const Line<Rational> scaled{line.direction * k, line.moment * k};
@@ -223,7 +224,7 @@ TEST(RelateLines, NumbersOfNoLine_AreACaseOfTheirOwn) {
 
 TEST(NearestPoints, OfAnyTwoLines_AreTheFeetOfTheirCommonPerpendicular) {
   RandomNumbers random(57);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 point = random.vector();
     const ExactVec3 other = i % 3 == 0 ? point : random.vector();
     const auto first = lineAlong(point, random.nonZeroVector());
@@ -264,7 +265,7 @@ TEST(RelateLines, DoublesWhoseRelationIsRounded_AreLinesAllTheSame) {
 TEST(RelateLines, DoublesOnSmallIntegers_FindTheSameProductAndSkewLines) {
   // Products of integers this small are integers that a double holds.
   RandomNumbers random(88);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const auto [first, second] = somePair(3, random);
     const auto exact = relateLines(lineOf(first), lineOf(second));
     const auto rounded = relateLines(lineAlong(toDouble(first.origin), toDouble(first.direction)),

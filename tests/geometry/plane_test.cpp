@@ -1,6 +1,7 @@
 #include "geometry/integer.h"
 #include "geometry/plane.h"
 #include "geometry/point_plane.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(PlaneThrough, NotesExample_IsXPlus2YPlus2ZMinus27) {
 
 TEST(PlaneThrough, AnyPointOfThePlane_GivesTheSameOffset) {
   RandomNumbers random(21);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 point = random.vector();
     const ExactVec3 normal = random.nonZeroVector();
     const Plane<Rational> plane = planeThrough(point, normal);
@@ -44,7 +45,7 @@ TEST(PlaneThrough, AnyPointOfThePlane_GivesTheSameOffset) {
 
 TEST(PlaneThrough, ThreePoints_LieInItAndTurnItByTheirOrder) {
   RandomNumbers random(182);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 p = random.wholeVector(2);
     const ExactVec3 q = random.wholeVector(2);
     const ExactVec3 r = i % 3 == 0 ? ExactVec3(p + (q - p) * random.rational(2)) : random.wholeVector(2);
@@ -73,7 +74,7 @@ TEST(PlaneThrough, PointsCounterclockwiseFromAbove_HaveAbovePositive) {
 
 TEST(Evaluate, PointMovedAndPlaneMultiplied_GrowsWithBoth) {
   RandomNumbers random(183);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Plane<Rational> plane{random.vector(), random.rational()};
     const ExactVec3 x = random.vector();
     const ExactVec3 v = random.vector();
@@ -103,7 +104,7 @@ TEST(NormalizedCoefficients, LengthThatIsNoFraction_KeepsItsRoot) {
 
 TEST(NormalizedCoefficients, Multiples_GiveTheSameOrTheNegatives) { // law (2)
   RandomNumbers random(22);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const Rational k = random.nonZeroRational();
     const Plane<Rational> scaled{plane.normal * k, Rational(plane.offset * k)};
@@ -120,7 +121,7 @@ TEST(NormalizedCoefficients, PutIntoThePlanesForm_GiveTheSignedDistance) { // la
     return value.isRational() ? value.rationalPart() : value.rootFactor();
   };
   RandomNumbers random(184);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Plane<Rational> plane{random.nonZeroWholeVector(9), random.integer(-9, 9)};
     const ExactVec3 x = random.wholeVector(9);
     const auto [a, b, c, d] = normalizedCoefficients(plane);
@@ -131,7 +132,7 @@ TEST(NormalizedCoefficients, PutIntoThePlanesForm_GiveTheSignedDistance) { // la
 
 TEST(NormalizedCoefficients, Normal_HasLengthOne) { // law (1)
   RandomNumbers random(23);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const auto normalized =
         normalizedCoefficients(Plane<Rational>{random.nonZeroVector(), random.rational()});
     Rational square = 0;
@@ -154,7 +155,7 @@ TEST(PrimitiveCoefficients, FractionsAndCommonFactors_BecomeSmallestIntegers) {
 
 TEST(PrimitiveCoefficients, PositiveMultiples_GiveTheSameAndNegativeOnesTheOpposite) {
   RandomNumbers random(24);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const Rational k = random.nonZeroRational();
     const Coefficients primitive = primitiveCoefficients(plane);

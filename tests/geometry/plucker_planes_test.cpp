@@ -2,6 +2,7 @@
 #include "geometry/intersect_line_plane.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/intersect_ray_plane.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(IntersectPlanes, TwoAxisPlanes_MeetInAParallelToTheThirdAxis) {
 
 TEST(IntersectPlanes, AnyTwo_MeetInALineThatLiesInBoth) {
   RandomNumbers random(91);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Plane<Rational> a{random.nonZeroVector(), random.rational()};
     const Plane<Rational> b{random.nonZeroVector(), random.rational()};
     const auto meet = intersectPlanes(a, b);
@@ -44,7 +45,7 @@ TEST(IntersectPlanes, AnyTwo_MeetInALineThatLiesInBoth) {
 
 TEST(IntersectPlanes, MultiplesOfANormal_AreParallelOrCoincidentByTheirOffsets) {
   RandomNumbers random(92);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const Rational k = random.nonZeroRational();
     const Plane<Rational> same{plane.normal * k, Rational(plane.offset * k)};
@@ -103,7 +104,7 @@ TEST(IntersectPlanes, ZeroNormal_IsACaseOfItsOwn) {
 TEST(IntersectPlanes, DoublesOnSmallIntegers_GiveTheSameLine) {
   // Products of integers this small are integers that a double holds.
   RandomNumbers random(93);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Plane<Rational> a{random.nonZeroWholeVector(9), random.integer(-9, 9)};
     const Plane<Rational> b{random.nonZeroWholeVector(9), random.integer(-9, 9)};
     const auto exact = intersectPlanes(a, b);

@@ -1,5 +1,6 @@
 #include "geometry/point_line.h"
 
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ TEST(PointLine, OfAnyNumbers_HasAFootStraightBelowAndThePlueckerDistance) {
     const Rational y = number();
     return Exact(x, y, number());
   };
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Exact point = vector();
     const Exact through = vector();
     const Exact direction = vector();

@@ -1,4 +1,5 @@
 #include "geometry/point_plane.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ TEST(MeasurePointPlane, ZeroNormal_IsACaseOfItsOwn) {
 
 TEST(MeasurePointPlane, Foot_LiesOnThePlaneAlongTheNormalFromThePoint) {
   RandomNumbers random(31);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 point = random.vector();
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = measurePointPlane(point, plane);
@@ -55,7 +56,7 @@ TEST(MeasurePointPlane, Foot_LiesOnThePlaneAlongTheNormalFromThePoint) {
 
 TEST(MeasurePointPlane, MultipleOfThePlane_KeepsTheFootAndAllOfTheDistanceButItsSign) { // law (4)
   RandomNumbers random(32);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 point = random.vector();
     const Plane<Rational> plane{random.nonZeroVector(), random.rational()};
     const auto result = measurePointPlane(point, plane);
@@ -84,7 +85,7 @@ TEST(MeasurePointPlane, Doubles_AgreeWithFractions) {
   RandomNumbers random(33);
   // Coordinates up to 20: the sums stay below 2000, so that their rounding errors do below this bound.
   const double bound = 1e-9;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 point = random.vector();
     const ExactVec3 origin = random.vector();
     ExactVec3 normal = random.nonZeroVector();

@@ -1,5 +1,6 @@
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_bodies.h"
 
 #include <gtest/gtest.h>
@@ -117,7 +118,7 @@ TEST(PolygonShape, AnyPlanarCorners_AgreeWithLookingFromEveryEdge) {
 
 TEST(PolygonShape, RandomConvexPolygons_AreConvex) {
   RandomNumbers random(112);
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < test::effort(1000); ++i)
     EXPECT_EQ(shapeOfPolygon(randomPolygon(random)), PolygonShape::Convex);
 }
 
@@ -146,7 +147,7 @@ TEST(PolygonShape, AnotherFirstCornerOrTheOtherWayRound_IsTheSame) { // law (1)
 TEST(PlaneOfPolygon, AnyPlanarCorners_LieInItAndItIsNoneOnOneLine) {
   RandomNumbers random(192);
   int onOneLine = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     std::vector<std::pair<int, int>> figure;
     for (int left = random.integer(3, 5); left > 0; --left)
       figure.emplace_back(random.integer(0, 2), random.integer(0, 2));
@@ -162,12 +163,12 @@ TEST(PlaneOfPolygon, AnyPlanarCorners_LieInItAndItIsNoneOnOneLine) {
     EXPECT_EQ(isZero(plane.normal), allOnOneLine); // law (2)
     onOneLine += allOnOneLine ? 1 : 0;
   }
-  EXPECT_GT(onOneLine, 100);
+  EXPECT_GT(onOneLine, test::effort(100));
 }
 
 TEST(PlaneOfPolygon, ConvexPolygon_GoesCounterclockwiseAroundItsNormal) { // law (3)
   RandomNumbers random(193);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const auto points = weighted(corners);
     const auto plane = planeOf(std::span<const WeightedPoint<Rational>>(points));
@@ -252,7 +253,7 @@ TEST(IntersectRayPolygon, RayAimedAtSomePlace_FindsItAsAFanOfTrianglesDoes) {
 
 TEST(IntersectRayPolygon, Products_AreThoseWithTheEdgesAndSumToNoMoreThanTwiceTheArea) { // law (1)
   RandomNumbers random(114);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const Ray<Rational> ray{random.wholeVector(6), random.nonZeroWholeVector(6)};
     const auto meet = intersect(ray, corners);
@@ -299,7 +300,7 @@ TEST(IntersectRayPolygon, Triangle_IsMetAsByThePerps) { // law (3)
 
 TEST(IntersectRayPolygon, CornersTheOtherWayRound_GiveTheSameAndNegativeProducts) { // law (4)
   RandomNumbers random(195);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Polygon<Rational> corners = randomPolygon(random);
     const Polygon<Rational> reversed(corners.rbegin(), corners.rend());
     const ExactVec3 direction = random.wholeVector(4);
@@ -365,7 +366,7 @@ TEST(IntersectRayPolygon, Doubles_AgreeWithFractionsOnSmallIntegers) {
   Polygon<Rational> exact;
   for (const auto &corner : rounded)
     exact.emplace_back(exactly(corner.x), exactly(corner.y), exactly(corner.z));
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Ray<Rational> ray{random.wholeVector(8), random.nonZeroWholeVector(8)};
     const auto fractions = intersect(ray, exact);
     const auto doubles = intersectRayPolygon(Ray<double>{toDouble(ray.origin), toDouble(ray.direction)},

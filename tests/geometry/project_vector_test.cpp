@@ -1,4 +1,5 @@
 #include "geometry/project_vector.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(ProjectVector, OntoZero_IsACaseOfItsOwn) {
 
 TEST(ProjectVector, AnyVectors_SplitIntoAPartAlongAndAPartAcross) {
   RandomNumbers random(71);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 vector = random.vector();
     const ExactVec3 onto = random.nonZeroVector();
     const auto result = projectVector(vector, onto);
@@ -42,7 +43,7 @@ TEST(ProjectVector, AnyVectors_SplitIntoAPartAlongAndAPartAcross) {
 
 TEST(ProjectVector, ProjectedAgain_StaysAsItIs) { // law (3)
   RandomNumbers random(72);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 onto = random.nonZeroVector();
     const auto once = projectVector(random.vector(), onto);
     const auto twice = projectVector(once.projection, onto);
@@ -55,7 +56,7 @@ TEST(ProjectVector, ProjectedAgain_StaysAsItIs) { // law (3)
 
 TEST(ProjectVector, LengthAndTurnOfTheOther_ChangeOnlyTheScalarsSign) { // law (4)
   RandomNumbers random(73);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 vector = random.vector();
     const ExactVec3 onto = random.nonZeroVector();
     const Rational k = random.nonZeroRational();
@@ -71,7 +72,7 @@ TEST(ProjectVector, Doubles_AgreeWithFractions) {
   RandomNumbers random(74);
   // Sums of three products of coordinates up to 20, divided by the square of a vector no shorter than 1.
   const double bound = 1e-9;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 vector = random.vector();
     const ExactVec3 onto = random.nonZeroWholeVector(20);
     const auto exact = projectVector(vector, onto);

@@ -1,5 +1,6 @@
 // The quick ways to a hit against the thorough one.
 #include "geometry/quick_hit.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@ namespace {
 
 TEST(Prepare, AnyProperTriangle_HasFormsThatTellItsCornersApart) {
   RandomNumbers random(197);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
     const auto prepared = prepare(triangle);
     const auto formsAt = [&](const ExactVec3 &x) { // law (1)
@@ -27,7 +28,7 @@ TEST(Prepare, AnyProperTriangle_HasFormsThatTellItsCornersApart) {
 TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) { // law (1)
   RandomNumbers random(165);
   int hits = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::effort(5000); ++i) {
     const Triangle<Rational> triangle{random.wholeVector(3), random.wholeVector(3), random.wholeVector(3)};
     if (shapeOf(triangle) != TriangleShape::Proper)
       continue;
@@ -43,7 +44,7 @@ TEST(QuickHit, OverFractions_IsTheHitOfThePerpsByBothWays) { // law (1)
       }
     }
   }
-  EXPECT_GT(hits, 200);
+  EXPECT_GT(hits, test::effort(200));
 }
 
 TEST(QuickHit, DegenerateTriangleOrNoDirection_IsNoHit) { // law (1)

@@ -1,5 +1,6 @@
 #include "geometry/integer.h"
 #include "geometry/rational.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ TEST(ToText, Fraction_IsInLowestTermsWithoutDenominatorOne) {
 
 TEST(ToText, ReadBack_GivesTheSameFraction) { // law (1) of parseRational
   RandomNumbers random(1);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Rational value = random.rational(1000000);
     EXPECT_EQ(parseRational(toText(value)), value);
     const Rational limit = powerOfTen(static_cast<int>(maxDigits));
@@ -95,7 +96,7 @@ TEST(ToText, ReadBack_GivesTheSameFraction) { // law (1) of parseRational
 
 TEST(ToDouble, DecimalsOfEverySize_AreRoundedAsTheCLibraryDoes) {
   RandomNumbers random(2);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < test::effort(20000); ++i) {
     const std::string text = randomDecimal(random);
     const auto value = parseRational(text);
     ASSERT_TRUE(value) << text;
@@ -105,7 +106,7 @@ TEST(ToDouble, DecimalsOfEverySize_AreRoundedAsTheCLibraryDoes) {
 
 TEST(ToDouble, LargerFraction_IsNoSmallerDoubleAndTheNegativeOneIsTheNegative) {
   RandomNumbers random(206);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::effort(5000); ++i) {
     const Rational x = random.rational() * powerOfTen(random.integer(-330, 315));
     const Rational step = abs(x) * powerOfTen(-random.integer(14, 18)) * random.integer(0, 3);
     EXPECT_EQ(toDouble(Rational(-x)), -toDouble(x));      // law (1)
@@ -115,7 +116,7 @@ TEST(ToDouble, LargerFraction_IsNoSmallerDoubleAndTheNegativeOneIsTheNegative) {
 
 TEST(ToDouble, AnyDouble_IsItself) { // law (3)
   RandomNumbers random(3);
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < test::effort(10000); ++i) {
     const double value = random.anyDouble();
     EXPECT_EQ(toDouble(exactly(value)), value);
   }
@@ -125,7 +126,7 @@ TEST(ToDouble, AnyDouble_IsItself) { // law (3)
 
 TEST(ToDouble, HalfwayBetweenTwoDoubles_TakesTheEvenOne) {
   RandomNumbers random(4);
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < test::effort(10000); ++i) {
     const double below = std::abs(random.anyDouble());
     const double above = std::nextafter(below, infinity);
     if (above == infinity)
@@ -162,7 +163,7 @@ TEST(ToDouble, BeyondTheLargestDouble_IsInfinite) {
 
 TEST(NearestDouble, AnyFractionAndExponent_IsTheDoubleOfTheirProduct) { // law (1)
   RandomNumbers random(207);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Rational value = random.rational() * powerOfTen(random.integer(-30, 30));
     const int exponent = random.integer(-1200, 1200);
     const Rational power = rationalOf(Integer(1) << std::abs(exponent));
@@ -201,7 +202,7 @@ TEST(RoundToMultiple, Halves_GoUp) {
 
 TEST(RoundToMultiple, AnyValueAndStep_GivesTheNearestMultiple) {
   RandomNumbers random(5);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Rational value = random.rational(1000);
     const Rational step = abs(random.nonZeroRational());
     const Rational rounded = roundToMultiple(value, step);
@@ -215,7 +216,7 @@ TEST(RoundToMultiple, AnyValueAndStep_GivesTheNearestMultiple) {
 
 TEST(RoundToMultiple, Double_IsTakenAtItsExactValue) {
   RandomNumbers random(6);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const double value = random.anyDouble();
     EXPECT_EQ(roundToMultiple(value, Rational(1, 10)), roundToMultiple(exactly(value), Rational(1, 10)));
   }

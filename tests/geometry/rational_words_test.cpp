@@ -1,5 +1,6 @@
 // Fractions around the border of machine words, against Boost's own.
 #include "geometry/integer.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -58,7 +59,7 @@ testing::AssertionResult isSame(const Rational &ours, const Oracle &oracle) {
 
 TEST(RationalWords, ArithmeticAtTheBorder_IsThatOfBoost) { // law (1)
   RandomNumbers random(141);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < test::effort(20'000); ++i) {
     const Pair a = randomFraction(random);
     const Pair b = randomFraction(random);
     ASSERT_TRUE(isSame(a.ours, a.oracle));
@@ -76,7 +77,7 @@ TEST(RationalWords, ArithmeticAtTheBorder_IsThatOfBoost) { // law (1)
 TEST(RationalWords, ComparisonAtTheBorder_IsThatOfBoost) { // law (1)
   RandomNumbers random(142);
   int equal = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < test::effort(20'000); ++i) {
     const Pair a = randomFraction(random);
     const Pair b = i % 3 == 0 ? Pair{a.ours + 1 - 1, a.oracle} : randomFraction(random);
     equal += a.oracle == b.oracle ? 1 : 0;
@@ -85,7 +86,7 @@ TEST(RationalWords, ComparisonAtTheBorder_IsThatOfBoost) { // law (1)
     ASSERT_EQ(a.ours > b.ours, a.oracle > b.oracle);
     ASSERT_EQ(a.ours <= b.ours, a.oracle <= b.oracle);
   }
-  EXPECT_GT(equal, 6000);
+  EXPECT_GT(equal, test::effort(6000));
 }
 
 TEST(RationalWords, LongSums_LeaveTheWordsAndComeBack) {
@@ -148,7 +149,7 @@ TEST(ParseDecimal, AnyDigitsAndExponent_IsTheDecimalThatIsSpelled) {
   const auto power = [](int exponent) {
     return mp::cpp_int(mp::pow(mp::cpp_int(10), static_cast<unsigned>(exponent)));
   };
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const std::string whole = "1" + digits(random.integer(0, 40));
     const std::string decimals = digits(random.integer(1, 40));
     const int exponent = random.integer(-400, 400);

@@ -1,5 +1,6 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/solid_shape.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_bodies.h"
 
 #include <gtest/gtest.h>
@@ -249,8 +250,8 @@ TEST(AreAllBehind, ManyVertices_AreBehindAsOneByOne) { // law (1)
       ASSERT_EQ(areAllBehind(set), expected) << "hull " << i << ", mesh " << j;
     }
   }
-  EXPECT_GT(behind, 50);
-  EXPECT_GT(notBehind, 50);
+  EXPECT_GT(behind, test::effort(50));
+  EXPECT_GT(notBehind, test::effort(50));
 }
 
 TEST(IsInside, CornersInAnyOrder_TellTheSameAsBarycentricCoordinates) { // law (1)

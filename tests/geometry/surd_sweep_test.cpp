@@ -1,6 +1,7 @@
 // Surds through long calculations: their form, the limit of factoring, and the nearest double.
 #include "geometry/integer.h"
 #include "geometry/surd.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST(SurdSweep, AnyOrderOfOperations_HasATextExactlyWhereTheValueIsWithinTheLimi
   RandomNumbers random(151);
   int within = 0;
   int beyond = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     Direct direct;
     direct.square = smoothFraction(random, random.integer(1, 10));
     Surd value = Surd::root(direct.square);
@@ -80,8 +81,8 @@ TEST(SurdSweep, AnyOrderOfOperations_HasATextExactlyWhereTheValueIsWithinTheLimi
       }
     }
   }
-  EXPECT_GT(within, 300);
-  EXPECT_GT(beyond, 300);
+  EXPECT_GT(within, test::effort(300));
+  EXPECT_GT(beyond, test::effort(300));
 }
 
 TEST(SurdSweep, ScaledBeyondTheLimitAndBack_HasItsTextAgain) {
@@ -128,7 +129,7 @@ Rational against(const Surd &root, unsigned bits) {
 
 TEST(SurdToDouble, PartsThatCancelToAnyDegree_StayWithinOneUnit) {
   RandomNumbers random(153);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < test::effort(20'000); ++i) {
     const Rational square = random.integer(2, 1'000'000);
     const Rational factor = Rational(random.integer(1, 1'000'000)) / random.integer(1, 1'000'000);
     const Surd root = Surd::root(square, random.integer(0, 1) == 0 ? factor : Rational(-factor));
@@ -139,7 +140,7 @@ TEST(SurdToDouble, PartsThatCancelToAnyDegree_StayWithinOneUnit) {
 
 TEST(SurdToDouble, PartsOfAnySize_StayWithinOneUnit) {
   RandomNumbers random(154);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Surd root = Surd::root(abs(random.nonZeroRational(1000)) * powerOfTen(random.integer(-200, 200)),
                                  random.nonZeroRational() * powerOfTen(random.integer(-100, 100)));
     const Surd value = root + Rational(random.rational() * powerOfTen(random.integer(-200, 200)));

@@ -1,4 +1,5 @@
 #include "geometry/surd.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(SurdRoot, SquaresInTheRadicand_AreTakenOut) {
 
 TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
   RandomNumbers random(11);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Rational square = abs(random.nonZeroRational(200));
     const Rational factor = random.nonZeroRational();
     const Surd value = surd(square, factor);
@@ -82,7 +83,7 @@ TEST(SurdRoot, AnyFraction_HasASquareFreeRadicandAndTheRightSquare) {
 TEST(SurdRoot, FactorTakenUnderTheRoot_HasTheSamePartsWithinAndBeyondTheLimit) { // law (2)
   RandomNumbers random(203);
   int beyond = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Rational square = abs(random.rational(50)) * powerOfTen(random.integer(-40, 40));
     const Rational factor = random.rational();
     const Rational k = i % 10 == 0 ? Rational(0) : abs(random.nonZeroRational());
@@ -94,7 +95,7 @@ TEST(SurdRoot, FactorTakenUnderTheRoot_HasTheSamePartsWithinAndBeyondTheLimit) {
     EXPECT_EQ(inside.canonical(), outside.canonical());
     beyond += inside.canonical() ? 0 : 1;
   }
-  EXPECT_GT(beyond, 50);
+  EXPECT_GT(beyond, test::effort(50));
 }
 
 TEST(SurdRoot, LargePrimeFactors_AreFoundUpToTheLimit) {
@@ -145,7 +146,7 @@ TEST(SurdArithmetic, ScalingShiftingAndNegating_ActOnBothParts) {
 TEST(SurdArithmetic, AnyValueWithinAndBeyondTheLimit_ObeysItsLaws) {
   RandomNumbers random(204);
   int beyond = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Rational square = abs(random.rational(50)) * powerOfTen(random.integer(-40, 40));
     const Surd x = surd(square, random.rational(), random.rational());
     const Rational r = random.rational();
@@ -158,12 +159,12 @@ TEST(SurdArithmetic, AnyValueWithinAndBeyondTheLimit_ObeysItsLaws) {
     EXPECT_EQ(toDouble(-x), -toDouble(x)); // law (1) of the double
     beyond += x.canonical() ? 0 : 1;
   }
-  EXPECT_GT(beyond, 50);
+  EXPECT_GT(beyond, test::effort(50));
 }
 
 TEST(SurdSquare, OfAnyValue_ObeysItsLaws) {
   RandomNumbers random(31);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Rational square = abs(random.rational(50));
     const Rational factor = random.rational();
     const Surd x = surd(square, factor, random.rational());
@@ -176,7 +177,7 @@ TEST(SurdSquare, OfAnyValue_ObeysItsLaws) {
 
 TEST(SurdOrder, OfAnyTwo_IsThatOfTheirDoubles_AndObeysItsLaws) {
   RandomNumbers random(32);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Surd x = surd(abs(random.rational(50)), random.rational(), random.rational());
     const Surd y = surd(abs(random.rational(50)), random.rational(), random.rational());
     if (toDouble(x) != toDouble(y)) {
@@ -214,7 +215,7 @@ TEST(SurdSign, PartsThatPullApart_AreDecidedExactly) {
 
 TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) { // law (2)
   RandomNumbers random(12);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Rational square = abs(random.nonZeroRational(50));
     const Rational factor = random.rational();
     const Rational shift = random.rational();
@@ -226,7 +227,7 @@ TEST(SurdSign, Conjugates_MultiplyToTheSignOfTheirNorm) { // law (2)
 
 TEST(SurdToDouble, AnyValue_IsTheNearestDouble) {
   RandomNumbers random(13);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Rational scale = powerOfTen(random.integer(-60, 60));
     const Surd value =
         surd(abs(random.nonZeroRational(1000)), Rational(random.rational() * scale), random.rational());
@@ -238,7 +239,7 @@ TEST(SurdToDouble, NearTheMiddleBetweenTwoDoubles_IsTheNearerOne) {
   const Surd pinned = surd(81301, Rational(19, 1200000000000000), -14);
   EXPECT_TRUE(isNearestDoubleOf(toDouble(pinned), pinned));
   RandomNumbers random(14);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const double below = random.integer(1, 1 << 30) * 0x1p-20;
     const Rational middle = (exactly(below) + exactly(std::nextafter(below, 1e9))) / 2;
     const Rational factor = (random.integer(0, 1) == 0 ? 1 : -1) * powerOfTen(random.integer(-18, -10));
@@ -270,7 +271,7 @@ TEST(OverRoot, DoubleAndFraction_Agree) {
 
 TEST(OverRoot, AnyFraction_IsTheSameForAMultipleAndTheRootBySquare) {
   RandomNumbers random(205);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const Rational value = random.rational();
     const Rational square = abs(random.nonZeroRational());
     const Rational k = abs(random.nonZeroRational());

@@ -1,6 +1,7 @@
 // The three methods for a ray and a triangle against each other: perps, Cramer's rule and Plücker products.
 #include "geometry/intersect_ray_triangle_cramer.h"
 #include "geometry/intersect_ray_triangle_plucker.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -107,9 +108,9 @@ bool methodsAgree(const Ray<Rational> &ray, const Triangle<Rational> &triangle) 
 }
 
 TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
-  constexpr int pairs = 100'000;
+  constexpr int pairs = test::effort(100'000);
   // So often each case comes up at least, that the sweep says something of all of them.
-  constexpr int enough = 200;
+  constexpr int enough = test::atLeast(200);
   RandomNumbers random(61);
   std::map<RayTriangleCase, int> cases;
   std::map<FacePart, int> locations;
@@ -132,7 +133,7 @@ TEST(TriangleMethods, OnAHundredThousandRaysAndTriangles_AgreeExactly) {
 
 TEST(TriangleMethods, OnLargeFractions_AgreeExactly) {
   RandomNumbers random(62);
-  for (int i = 0; i < 800; ++i) {
+  for (int i = 0; i < test::effort(800); ++i) {
     const Rational scale = powerOfTen(random.integer(-30, 30)) / 7;
     const Triangle<Rational> triangle{random.vector() * scale, random.vector() * scale,
                                       random.vector() * scale};
@@ -147,7 +148,7 @@ TEST(Cramer, AnyRayAndTriangle_HasTheDeterminantsOfItsColumns) {
     return a.x * (b.y * c.z - c.y * b.z) - b.x * (a.y * c.z - c.y * a.z) + c.x * (a.y * b.z - b.y * a.z);
   };
   RandomNumbers random(63);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Triangle<Rational> triangle = someTriangle(random);
     const Ray<Rational> ray = someRay(triangle, random);
     const auto cramer = intersectRayTriangleCramer(ray, triangle);
@@ -167,7 +168,7 @@ TEST(Cramer, AnyRayAndTriangle_HasTheDeterminantsOfItsColumns) {
 TEST(PluckerProducts, AnyRayAndTriangle_ObeyTheirLaws) {
   RandomNumbers random(190);
   int inPlane = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const Triangle<Rational> triangle = someTriangle(random);
     const Ray<Rational> ray = someRay(triangle, random);
     const auto products = pluckerProducts(ray, triangle);
@@ -194,12 +195,12 @@ TEST(PluckerProducts, AnyRayAndTriangle_ObeyTheirLaws) {
     for (std::size_t edge = 0; edge < 3; ++edge)
       EXPECT_EQ(scaled[edge], products[edge] * k);
   }
-  EXPECT_GT(inPlane, 100);
+  EXPECT_GT(inPlane, test::effort(100));
 }
 
 TEST(PluckerProducts, Normalized_AreTheBarycentricCoordinatesAndSumToOne) {
   RandomNumbers random(64);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const Triangle<Rational> triangle = random.properTriangle();
     const Rational s = random.rational(2);
     const Rational t = random.rational(2);
@@ -227,7 +228,7 @@ TEST(PluckerProducts, LineThroughATriangle_PassesAllEdgesOnOneSideAndTurnedOnThe
 TEST(TriangleMethods, DoublesOnSmallIntegers_GiveTheSameProductsAndTheNearestT) {
   // Products of integers this small are integers that a double holds, so only the last division rounds.
   RandomNumbers random(65);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < test::effort(5000); ++i) {
     const Triangle<Rational> triangle{random.wholeVector(50), random.wholeVector(50), random.wholeVector(50)};
     const Ray<Rational> ray{random.wholeVector(50), random.wholeVector(50)};
     const Triangle<double> roundedTriangle{toDouble(triangle.p0), toDouble(triangle.p1),

@@ -1,4 +1,5 @@
 #include "geometry/triangle.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ TEST(TriangleShape, AnyCorners_AreProperExactlyWithANormalAndTheSameInAnyOrder) 
 
 TEST(PointOf, CornersAndSwappedCorners_AreWhereTheirParametersSay) {
   RandomNumbers random(174);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const Triangle<Rational> triangle{random.vector(), random.vector(), random.vector()};
     const Rational zero = 0;
     const Rational one = 1;

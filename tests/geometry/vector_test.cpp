@@ -1,4 +1,5 @@
 #include "geometry/vector.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ TEST(Cross, FirstAxisBySecond_IsTheThird) {
 
 TEST(Cross, AnyVectors_ObeyItsLaws) {
   RandomNumbers random(171);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 a = random.vector();
     const ExactVec3 b = i % 4 == 0 ? ExactVec3(a * random.rational(2)) : random.vector();
     const ExactVec3 c = random.vector();
@@ -31,7 +32,7 @@ TEST(Cross, AnyVectors_ObeyItsLaws) {
 
 TEST(Cross, MultiplesAndTheZeroVector_GiveZeroAndNothingElseDoes) { // law (3)
   RandomNumbers random(172);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 a = random.nonZeroWholeVector(2);
     const ExactVec3 b = random.wholeVector(2);
     const ExactVec3 part = a * Rational(dot(a, b) / dot(a, a));

@@ -1,6 +1,7 @@
 // Points in front of a plane by nested boxes, against looking at each.
 #include "geometry/integer.h"
 #include "geometry/vertex_tree.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(VertexTree, PlaneMovedOverTheOutermostPoint_HasItInFrontOnlyBeyond) { // la
 
 TEST(BinaryExponent, AnyWholeNumbers_IsWithinOneOfTheQuotients) { // law (1)
   RandomNumbers random(179);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::effort(3000); ++i) {
     const auto someWhole = [&] {
       const Rational whole = random.integer(1, 70) * powerOfTen(random.integer(0, 40));
       return random.integer(0, 1) == 0 ? whole : Rational(-whole);

@@ -1,6 +1,7 @@
 // Points in whole numbers, and what is computed of them, against the points themselves.
 #include "geometry/integer.h"
 #include "geometry/weighted_point.h"
+#include "tests/effort.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace {
 
 TEST(Weighted, AnyPoint_IsItsMultipleInWholeNumbersWithoutACommonFactor) {
   RandomNumbers random(175);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::effort(2000); ++i) {
     const ExactVec3 point = i % 3 == 0 ? random.wholeVector(20) : random.vector();
     const auto whole = weighted(point);
     EXPECT_EQ(whole.position, ExactVec3(point * whole.weight)); // law (1)
@@ -28,7 +29,7 @@ TEST(Weighted, AnyPoint_IsItsMultipleInWholeNumbersWithoutACommonFactor) {
 
 TEST(WeightedPoint, PlanesLinesAndSides_AreThoseOfThePointsTimesTheirWeights) { // law (1) of each
   RandomNumbers random(176);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::effort(1000); ++i) {
     const ExactVec3 p = random.vector();
     const ExactVec3 q = random.vector();
     const ExactVec3 r = i % 4 == 0 ? ExactVec3(p + (q - p) * random.rational(2)) : random.vector();
@@ -55,7 +56,7 @@ TEST(WeightedPoint, PlanesLinesAndSides_AreThoseOfThePointsTimesTheirWeights) { 
 
 TEST(MeanOf, AnyPoints_IsTheirSumByTheirNumber) { // law (1)
   RandomNumbers random(177);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::effort(500); ++i) {
     const ExactVec3 p = random.vector();
     const ExactVec3 q = random.vector();
     const ExactVec3 r = random.vector();

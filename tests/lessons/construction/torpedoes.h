@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-/// Its parameter makes a search ready, and says how many seeds there are time for.
-class TorpedoesAtAMesh : public testing::TestWithParam<std::pair<MakeSearch, int>> {};
+/// Its parameter is a search, and how many seeds there are time for.
+class TorpedoesAtAMesh : public testing::TestWithParam<std::pair<SearchKind, int>> {};
 
 } // namespace halfspace

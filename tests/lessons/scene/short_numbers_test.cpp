@@ -2,6 +2,7 @@
 #include "lessons/scene/short_numbers.h"
 
 #include "lessons/lesson/lesson.h"
+#include "tests/effort.h"
 #include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/lessons/scenes.h"
@@ -17,7 +18,7 @@ namespace {
 
 using namespace test;
 
-constexpr int seeds = 100;
+constexpr int seeds = effort(100);
 
 /// A scene of each ordinary case of a construction, as the first seeds come upon it.
 std::map<std::string, Scene> ordinaryScenes(const Construction &construction) {
@@ -122,8 +123,8 @@ TEST(ShortNumbers, ofEveryLesson_areOthersWithTheSameLines) {
   for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
     SCOPED_TRACE(lesson.id);
     const Evaluation before = evaluate(lesson.scene);
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-      const Scene renewed = withShortNumbers(lesson.scene, seed);
+    for (int seed = 0; seed < effort(30); ++seed) {
+      const Scene renewed = withShortNumbers(lesson.scene, static_cast<std::uint64_t>(seed));
       EXPECT_FALSE(shareAnObject(renewed, lesson.scene)) << textOf(renewed);
       const Evaluation after = evaluate(renewed);
       EXPECT_EQ(lastOutcome(after).explanation->ids(), lastOutcome(before).explanation->ids())
