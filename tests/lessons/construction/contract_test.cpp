@@ -2,6 +2,7 @@
 // worked lines by calculating what they say, its figure by the places that it names.
 #include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/expected/expected.h"
+#include "tests/lessons/construction/precise.h"
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/test_name.h"
 
@@ -36,7 +37,7 @@ const Precise sameDigits("1e-60");
 /// A number shown with six digits is this near at least.
 const Precise roundedDigits("1e-5");
 
-bool agree(const Quantity &a, const Quantity &b, const Precise &tolerance) {
+bool agree(const Numbers &a, const Numbers &b, const Precise &tolerance) {
   if (a.size() != b.size())
     return false;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -46,7 +47,7 @@ bool agree(const Quantity &a, const Quantity &b, const Precise &tolerance) {
   return true;
 }
 
-Quantity zeroLike(const Quantity &other) { return Quantity(other.size(), Precise(0)); }
+Numbers zeroLike(const Numbers &other) { return Numbers(other.size(), Precise(0)); }
 
 std::string textOf(const Object &object) {
   std::string text(kindOf(object));
@@ -284,11 +285,12 @@ private:
 
   void checkAnswer(const WorkingLine &line, const TermValue &truth) const {
     const Side last = chainsOf(latexOf(line)).back().back();
-    const Quantity answer = calculate(last.latex, m_expected.names);
-    Quantity asked;
+    const Numbers answer = calculate(last.latex, m_expected.names);
+    std::vector<Quantity> asked;
     for (const Polynomial &entry : truth.entries)
-      asked.push_back(quantity(*entry.constant().exact()).front());
-    EXPECT_TRUE(agree(answer, asked, last.relation == '=' ? sameDigits : roundedDigits)) << last.latex;
+      asked.push_back(quantity(*entry.constant().exact()));
+    EXPECT_TRUE(agree(answer, together(asked)->numbers, last.relation == '=' ? sameDigits : roundedDigits))
+        << last.latex;
   }
 
   /// A mistake that can be typed is told by its own sentence, or by an earlier one that comes to the same.
@@ -329,10 +331,10 @@ private:
   static void checkSides(const std::vector<Side> &sides, Names names, const Names &unknowns) {
     for (const auto &[name, value] : unknowns)
       names[name] = value; // the t of an equation, the x, y, z
-    Quantity first = calculate(sides.front().latex, names);
+    Numbers first = calculate(sides.front().latex, names);
     for (std::size_t i = 1; i < sides.size(); ++i) {
       const Side &side = sides[i];
-      const Quantity value = calculate(side.latex, names);
+      const Numbers value = calculate(side.latex, names);
       const bool isLast = i + 1 == sides.size();
       if (side.relation == '=') {
         EXPECT_TRUE(agree(first, value, sameDigits)) << "not equal: " << side.latex;
@@ -421,7 +423,7 @@ private:
   void checkPoint(const PointMark &mark) const {
     if (mark.label.empty())
       return;
-    const Quantity named = calculate(mark.label, m_expected.names);
+    const Numbers named = calculate(mark.label, m_expected.names);
     ASSERT_EQ(named.size(), 3U) << mark.id;
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_DOUBLE_EQ(mark.at[static_cast<int>(i)], named[i].convert_to<double>()) << mark.id;
@@ -432,10 +434,10 @@ private:
   void checkArrow(const ArrowMark &mark) const {
     if (mark.label.empty())
       return;
-    const Quantity named = calculate(mark.label, m_expected.names);
+    const Numbers named = calculate(mark.label, m_expected.names);
     ASSERT_EQ(named.size(), 3U) << mark.id;
-    const Quantity drawn{mark.vector.x, mark.vector.y, mark.vector.z};
-    const Names both{{"a", drawn}, {"b", named}};
+    const Numbers drawn{mark.vector.x, mark.vector.y, mark.vector.z};
+    const Names both{{"a", quantity(drawn)}, {"b", quantity(named)}};
     const Precise lengths = calculate("[a]*[b]", both)[0];
     EXPECT_LE(mp::abs(Precise(calculate("a*b", both)[0] - lengths)), lengths * Precise("1e-12")) << mark.id;
     EXPECT_EQ(named == zeroLike(named), drawn == zeroLike(drawn)) << mark.id;
@@ -454,8 +456,9 @@ private:
       const auto specs = coordinatesOf(made.object);
       for (std::size_t i = 0; i < specs.size(); ++i)
         if (const Mark *mark = findMark(m_figure, coordinateId(id, specs[i]))) {
-          const Quantity named = calculate(baseOf(*mark).label, m_expected.names);
-          EXPECT_TRUE(agree(named, quantity(coordinate(made.object, i)), sameDigits)) << baseOf(*mark).id;
+          const Numbers named = calculate(baseOf(*mark).label, m_expected.names);
+          EXPECT_TRUE(agree(named, quantity(coordinate(made.object, i))->numbers, sameDigits))
+              << baseOf(*mark).id;
         } else {
           EXPECT_TRUE(m_expected.vanished.contains(coordinateId(id, specs[i])));
         }

@@ -1,4 +1,4 @@
-#include "tests/lessons/construction/latex_value.h"
+#include "tests/lessons/construction/precise.h"
 
 #include <algorithm>
 #include <array>
@@ -39,14 +39,14 @@ class Reader {
 public:
   Reader(std::string text, const Names &names) : m_text(std::move(text)) {
     for (const auto &[name, value] : names)
-      m_names.emplace_back(condensed(name), value);
+      m_names.emplace_back(condensed(name), value->numbers);
     // `\vec n_{f}` before `\vec n`
     std::stable_sort(m_names.begin(), m_names.end(),
                      [](const auto &a, const auto &b) { return a.first.size() > b.first.size(); });
   }
 
-  Quantity all() {
-    Quantity value = sum();
+  Numbers all() {
+    Numbers value = sum();
     if (m_at != m_text.size())
       complain();
     return value;
@@ -67,43 +67,43 @@ private:
       complain();
   }
 
-  Quantity combine(const Quantity &a, const Quantity &b, int sign) const {
+  Numbers combine(const Numbers &a, const Numbers &b, int sign) const {
     if (a.size() != b.size())
       complain();
-    Quantity result = a;
+    Numbers result = a;
     for (std::size_t i = 0; i < a.size(); ++i)
       result[i] += sign * b[i];
     return result;
   }
   /// A dot product of two vectors, the permuted inner product of two lines, else a product.
-  Quantity dotted(const Quantity &a, const Quantity &b) const {
+  Numbers dotted(const Numbers &a, const Numbers &b) const {
     if (a.size() == 6 && b.size() == 6)
       return {a[0] * b[3] + a[1] * b[4] + a[2] * b[5] + a[3] * b[0] + a[4] * b[1] + a[5] * b[2]};
     if (a.size() == 3 && b.size() == 3)
       return {a[0] * b[0] + a[1] * b[1] + a[2] * b[2]};
     return scaled(a, b);
   }
-  Quantity scaled(const Quantity &a, const Quantity &b) const {
+  Numbers scaled(const Numbers &a, const Numbers &b) const {
     if (a.size() != 1 && b.size() != 1)
       complain();
-    Quantity result = a.size() == 1 ? b : a;
+    Numbers result = a.size() == 1 ? b : a;
     for (Precise &component : result)
       component *= a.size() == 1 ? a[0] : b[0];
     return result;
   }
-  Quantity divided(const Quantity &a, const Quantity &b) const {
+  Numbers divided(const Numbers &a, const Numbers &b) const {
     if (b.size() != 1 || b[0] == 0)
       complain();
     return scaled({1 / b[0]}, a);
   }
-  Quantity crossed(const Quantity &a, const Quantity &b) const {
+  Numbers crossed(const Numbers &a, const Numbers &b) const {
     if (a.size() != 3 || b.size() != 3)
       complain();
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  Quantity sum() {
-    Quantity value = take("-") ? scaled({Precise(-1)}, product()) : product();
+  Numbers sum() {
+    Numbers value = take("-") ? scaled({Precise(-1)}, product()) : product();
     while (true)
       if (take("+"))
         value = combine(value, product(), 1);
@@ -113,8 +113,8 @@ private:
         return value;
   }
 
-  Quantity product() {
-    Quantity value = power();
+  Numbers product() {
+    Numbers value = power();
     while (m_at < m_text.size() && std::string_view("+-,)]}&@!").find(m_text[m_at]) == std::string_view::npos)
       if (take("*"))
         value = dotted(value, power());
@@ -127,11 +127,11 @@ private:
     return value;
   }
 
-  Quantity power() {
-    Quantity value = primary();
+  Numbers power() {
+    Numbers value = primary();
     if (!take("^"))
       return value;
-    const Quantity exponent = take("{") ? braced() : Quantity{digit()};
+    const Numbers exponent = take("{") ? braced() : Numbers{digit()};
     // As in TeX: a second exponent would be an error.
     if (value.size() != 1 || exponent.size() != 1 || take("^"))
       complain();
@@ -139,8 +139,8 @@ private:
   }
 
   /// What follows an open brace.
-  Quantity braced() {
-    Quantity value = sum();
+  Numbers braced() {
+    Numbers value = sum();
     require("}");
     return value;
   }
@@ -161,14 +161,14 @@ private:
     return value;
   }
 
-  Quantity primary() {
+  Numbers primary() {
     for (const auto &[name, value] : m_names)
       if (take(name))
         return value;
     if (take("\\frac{")) {
-      const Quantity top = braced();
+      const Numbers top = braced();
       require("{");
-      const Quantity bottom = braced();
+      const Numbers bottom = braced();
       if (m_text.compare(m_at, 1, "^") == 0)
         complain(); // the exponent would seem to stick to the numerator
       return divided(top, bottom);
@@ -180,17 +180,17 @@ private:
     if (take("\\sqrt{"))
       return {mp::sqrt(braced().at(0))};
     if (take("[")) {
-      const Quantity inside = sum();
+      const Numbers inside = sum();
       require("]");
       return {mp::sqrt(dotted(inside, inside)[0])};
     }
-    return take("(") ? list() : Quantity{number()};
+    return take("(") ? list() : Numbers{number()};
   }
 
-  Quantity list() {
-    Quantity values = sum();
+  Numbers list() {
+    Numbers values = sum();
     while (take(",")) {
-      const Quantity next = sum();
+      const Numbers next = sum();
       values.insert(values.end(), next.begin(), next.end());
     }
     require(")");
@@ -199,15 +199,15 @@ private:
 
   /// Row by row up to its end; of vectors in one row as of the columns that they are, which comes to the same
   /// as rows.
-  Quantity determinant() {
-    Quantity entries = sum();
+  Numbers determinant() {
+    Numbers entries = sum();
     std::size_t rows = 1;
     while (!take("!")) {
       if (take("@"))
         ++rows;
       else
         require("&");
-      const Quantity next = sum();
+      const Numbers next = sum();
       entries.insert(entries.end(), next.begin(), next.end());
     }
     const std::size_t size = entries.size() == 4 ? 2 : 3;
@@ -224,7 +224,7 @@ private:
 
   std::string m_text;
   std::size_t m_at = 0;
-  std::vector<std::pair<std::string, Quantity>> m_names;
+  std::vector<std::pair<std::string, Numbers>> m_names;
 };
 
 Precise precise(const Rational &number) {
@@ -233,19 +233,35 @@ Precise precise(const Rational &number) {
 
 } // namespace
 
-Quantity quantity(const Rational &number) { return {precise(number)}; }
+Quantity quantity(Numbers numbers) {
+  return std::make_shared<const Components>(Components{std::move(numbers)});
+}
+
+Quantity quantity(const Rational &number) { return quantity(Numbers{precise(number)}); }
 
 Quantity quantity(const ExactVec3 &vector) {
-  return {precise(vector.x), precise(vector.y), precise(vector.z)};
+  return quantity(Numbers{precise(vector.x), precise(vector.y), precise(vector.z)});
 }
 
 Quantity quantity(const Surd &number) {
-  return {precise(number.rationalPart()) +
-          precise(number.rootFactor()) * mp::sqrt(precise(number.radicand()))};
+  return quantity(Numbers{precise(number.rationalPart()) +
+                          precise(number.rootFactor()) * mp::sqrt(precise(number.radicand()))});
 }
 
 Quantity quantityOverRoot(const Rational &number, const Rational &square) {
-  return {precise(number) / mp::sqrt(precise(square))};
+  return quantity(Numbers{precise(number) / mp::sqrt(precise(square))});
+}
+
+Quantity quantityOverRoot(const ExactVec3 &vector, const Rational &square) {
+  return together({quantityOverRoot(vector.x, square), quantityOverRoot(vector.y, square),
+                   quantityOverRoot(vector.z, square)});
+}
+
+Quantity together(const std::vector<Quantity> &quantities) {
+  Numbers all;
+  for (const Quantity &each : quantities)
+    all.insert(all.end(), each->numbers.begin(), each->numbers.end());
+  return quantity(std::move(all));
 }
 
 std::vector<std::vector<Side>> chainsOf(const std::string &latex) {
@@ -260,7 +276,7 @@ std::vector<std::vector<Side>> chainsOf(const std::string &latex) {
   return chains;
 }
 
-Quantity calculate(const std::string &latex, const Names &names) {
+Numbers calculate(const std::string &latex, const Names &names) {
   return Reader(condensed(latex), names).all();
 }
 

@@ -1,25 +1,23 @@
-// What a formula's LaTeX says, calculated: the tests read the worked lines as a learner does, and calculate
-// each side anew.
+// What the names of a formula stand for, and what its LaTeX says: the tests read the worked lines as a
+// learner does.
 #pragma once
 
 #include "geometry/surd.h"
 #include "lessons/object/object.h"
 
-#include <boost/multiprecision/cpp_dec_float.hpp>
-
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace halfspace::test {
 
-namespace mp = boost::multiprecision;
+/// The components of a quantity: `precise.h` says what they are. Few need it, and it takes seconds to
+/// compile.
+struct Components;
 
-/// A hundred digits: a number rounded for the page is seen at once, the calculation's own rounding never.
-using Precise = mp::number<mp::cpp_dec_float<100>, mp::et_off>;
-
-/// A number (one component) or a vector (three).
-using Quantity = std::vector<Precise>;
+/// A number (one component), a vector (three) or a line (six), never null.
+using Quantity = std::shared_ptr<const Components>;
 
 /// What the names of a formula stand for, by their LaTeX: `\vec n`, `P_0`, `f(Q)`.
 using Names = std::map<std::string, Quantity>;
@@ -29,6 +27,10 @@ using Names = std::map<std::string, Quantity>;
 [[nodiscard]] Quantity quantity(const Surd &number);
 /// number/√square
 [[nodiscard]] Quantity quantityOverRoot(const Rational &number, const Rational &square);
+/// vector/√square
+[[nodiscard]] Quantity quantityOverRoot(const ExactVec3 &vector, const Rational &square);
+/// Of all their components.
+[[nodiscard]] Quantity together(const std::vector<Quantity> &quantities);
 
 /// One side of a relation, and the relation before it: `=`, `~` (≈), `?` (≠), `<`, `>`; none before the
 /// first.
@@ -39,8 +41,5 @@ struct Side {
 
 /// The sides of `a = b \approx c`. Lines joined by `\quad` are separate chains.
 [[nodiscard]] std::vector<std::vector<Side>> chainsOf(const std::string &latex);
-
-/// Calculates one side. Throws std::invalid_argument for what is no formula of these names.
-[[nodiscard]] Quantity calculate(const std::string &latex, const Names &names);
 
 } // namespace halfspace::test

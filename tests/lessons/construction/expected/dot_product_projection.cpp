@@ -58,8 +58,7 @@ Recomputed recompute(Objects objects) {
     expected.names["\\vec h"] = quantity(rejection);
     if (vanishes(rejection))
       expected.vanished.insert("it.h");
-    for (int i = 0; i < 3; ++i)
-      expected.names["\\vec e"].push_back(quantityOverRoot(v[i], vv).front());
+    expected.names["\\vec e"] = quantityOverRoot(v, vv);
   }
   if (ww != 0) {
     addProjection(expected, "onto_w", v, w);

@@ -42,10 +42,7 @@ Recomputed recompute(Objects objects) {
   expected.values["facing_normal"] = normalizedNumbers(facing, square);
   expected.solution = Names{{"t", quantity(t)}};
   expected.names["H"] = quantity(point);
-  Quantity unit;
-  for (int i = 0; i < 3; ++i)
-    unit.push_back(quantityOverRoot(facing[i], square)[0]);
-  expected.names["\\vec n_f"] = unit;
+  expected.names["\\vec n_f"] = quantityOverRoot(facing, square);
   return expected;
 }
 

@@ -28,16 +28,16 @@ SumWithRoot sumWithRoot(const Rational &number, const Rational &factor, const Ra
   return {number, Rational(signedSquare(factor) * square)};
 }
 
-Precise precise(const SumWithRoot &sum) {
+Quantity quantityOf(const SumWithRoot &sum) {
   const Surd root = Surd::root(abs(sum.signedSquare), sum.signedSquare < 0 ? -1 : 1);
-  return quantity(root + sum.number).front(); // which is exactly 0 where the parts cancel
+  return quantity(root + sum.number); // which is exactly 0 where the parts cancel
 }
 
-Quantity preciseOf(const SumsWithRoots &sums) {
-  Quantity all;
+Quantity quantityOf(const SumsWithRoots &sums) {
+  std::vector<Quantity> all;
   for (const SumWithRoot &sum : sums)
-    all.push_back(precise(sum));
-  return all;
+    all.push_back(quantityOf(sum));
+  return together(all);
 }
 
 /// What a contact adds, on the side of the nearest point that `sign` tells.
@@ -51,9 +51,9 @@ void addContact(Recomputed &expected, const SphereObject &S, const RayObject &L,
     normal.push_back(sumWithRoot(Rational((passing.nearest[i] - S.center[i]) / S.radius),
                                  Rational(part / S.radius), passing.partSquared));
   }
-  expected.names["t_" + index] = {precise(sumWithRoot(passing.t, sign, passing.partSquared))};
-  expected.names["H_" + index] = preciseOf(point);
-  expected.names["\\vec n_" + index] = preciseOf(normal);
+  expected.names["t_" + index] = quantityOf(sumWithRoot(passing.t, sign, passing.partSquared));
+  expected.names["H_" + index] = quantityOf(point);
+  expected.names["\\vec n_" + index] = quantityOf(normal);
   expected.values[group + ".point"] = point;
   expected.values[group + ".normal"] = normal;
 }
@@ -111,7 +111,7 @@ Recomputed recompute(Objects objects) {
   expected.names["k"] = quantity(outside);
   expected.names["D"] = quantity(discriminant);
   expected.names["M"] = quantity(passing.nearest);
-  expected.names["h"] = {mp::sqrt(quantity(passing.heightSquared).front())};
+  expected.names["h"] = quantity(Surd::root(passing.heightSquared));
   if (passing.heightSquared == 0)
     expected.vanished.insert("it.h");
   if (passing.partSquared < 0) {
