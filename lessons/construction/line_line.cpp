@@ -148,9 +148,9 @@ WorkingLine productLine(const Out &at) {
 
 std::string signWords(const Out &at) {
   if (at.related.product > 0)
-    return words("Positive: with {g.v} pointing at you, {h} passes {g} counterclockwise.", at.letters);
+    return words("Positive: seen with {g.v} pointing at you, {h} passes {g} counterclockwise.", at.letters);
   if (at.related.product < 0)
-    return words("Negative: with {g.v} pointing at you, {h} passes {g} clockwise.", at.letters);
+    return words("Negative: seen with {g.v} pointing at you, {h} passes {g} clockwise.", at.letters);
   return at.isCrossing()
              ? words("Zero, and the directions are no multiples of each other: the lines meet.")
              : words("Zero: the directions are multiples of each other, so neither line passes the other.");

@@ -251,10 +251,12 @@ std::string signWords(const Out &at, std::size_t index) {
   const Rational &product = at.meet.products[index];
   const WordValues edge{{"r", plainText(at.r)}, {"edge", at.edgeNamed(index)}};
   if (product > 0)
-    return words("Positive: with {r} pointing at you, the edge {edge} goes counterclockwise around the ray.",
-                 edge);
+    return words(
+        "Positive: seen with {r} pointing at you, the edge {edge} goes counterclockwise around the ray.",
+        edge);
   if (product < 0)
-    return words("Negative: with {r} pointing at you, the edge {edge} goes clockwise around the ray.", edge);
+    return words("Negative: seen with {r} pointing at you, the edge {edge} goes clockwise around the ray.",
+                 edge);
   const std::string reason = withoutDirectionWords(at.r, at.edges[index].e);
   return reason.empty() ? words("Zero: the ray and the edge {edge} lie in one plane.", edge) : reason;
 }

@@ -318,10 +318,10 @@ WorkingLine momentLine(const Term &moment, const Term &point, const Term &direct
 std::string signWords(const Out &at, const EdgeTerms &edge) {
   const WordValues values{{"r", plainText(at.r)}};
   if (edge.product > 0)
-    return words("Positive: with {r} pointing at you, the edge goes counterclockwise around the ray.",
+    return words("Positive: seen with {r} pointing at you, the edge goes counterclockwise around the ray.",
                  values);
   if (edge.product < 0)
-    return words("Negative: with {r} pointing at you, the edge goes clockwise around the ray.", values);
+    return words("Negative: seen with {r} pointing at you, the edge goes clockwise around the ray.", values);
   const std::string reason = withoutDirectionWords(at.r, edge.e);
   return reason.empty() ? words("Zero: the ray and the edge lie in one plane.") : reason;
 }

@@ -1,8 +1,7 @@
 #include "lessons/object/polygon.h"
-#include "lessons/object/ray.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/claims/corner_letters.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/ray_at_faces.h"
 
 #include <algorithm>
 
@@ -11,16 +10,15 @@ namespace {
 
 struct RayAtPolygon {
   explicit RayAtPolygon(Objects objects)
-      : corners(objectAs<PolygonObject>(*objects[0])->corners), L(objectAs<RayObject>(*objects[1]).value()) {
+      : corners(objectAs<PolygonObject>(*objects[0])->corners), L(objectAs<RayObject>(*objects[1]).value()),
+        normal(normalOf(corners)) {
     for (std::size_t i = 0; i < size(); ++i)
-      turns.push_back(determinant(L.direction, ExactVec3(corners[i] - L.origin), edge(i)));
-    for (std::size_t i = 1; i + 1 < size(); ++i)
-      normal += perpendicular(ExactVec3(corners[i] - corners[0]), ExactVec3(corners[i + 1] - corners[0]));
+      turns.push_back(turnAround(L, corner(i), corner(i + 1)));
   }
 
   std::size_t size() const { return corners.size(); }
-  const ExactVec3 &corner(std::size_t i) const { return corners[i % size()]; }
-  ExactVec3 edge(std::size_t i) const { return corner(i + 1) - corner(i); }
+  const ExactVec3 &corner(std::size_t i) const { return cornerOf(corners, i); }
+  ExactVec3 edge(std::size_t i) const { return edgeOf(corners, i); }
   bool isRay() const { return !vanishes(L.direction); }
 
   /// Whether three corners span no triangle.
@@ -28,35 +26,10 @@ struct RayAtPolygon {
     return vanishes(perpendicular(ExactVec3(corner(b) - corner(a)), ExactVec3(corner(c) - corner(a))));
   }
 
-  /// Whether no four corners span a volume.
-  bool isPlanar() const {
-    for (std::size_t i = 1; i < size(); ++i)
-      for (std::size_t j = i + 1; j < size(); ++j)
-        for (std::size_t k = j + 1; k < size(); ++k)
-          if (determinant(ExactVec3(corners[i] - corners[0]), ExactVec3(corners[j] - corners[0]),
-                          ExactVec3(corners[k] - corners[0])) != 0)
-            return false;
-    return true;
-  }
-
-  /// Whether all others lie on the same side of each edge, none on its line.
-  bool isConvex() const {
-    if (!isPlanar())
-      return false;
-    for (std::size_t i = 0; i < size(); ++i)
-      for (std::size_t k = 2; k < size(); ++k)
-        if (product(normal, perpendicular(edge(i), ExactVec3(corner(i + k) - corner(i)))) <= 0)
-          return false;
-    return true;
-  }
-
+  bool isPlanar() const { return areInOnePlane(corners); }
+  bool isConvex() const { return isPlanar() && test::isConvex(corners); }
   bool isDouble(std::size_t a, std::size_t b) const { return a != b && corners.at(a) == corners.at(b); }
-  bool hasDoubleCorner() const {
-    for (std::size_t i = 0; i < size(); ++i)
-      if (std::count(corners.begin(), corners.end(), corners[i]) > 1)
-        return true;
-    return false;
-  }
+  bool hasDoubleCorner() const { return hasDouble(corners); }
   bool hasStraightCorner() const {
     for (std::size_t i = 0; i < size(); ++i)
       if (areOnOneLine(i, i + 1, i + 2))
@@ -95,21 +68,17 @@ struct RayAtPolygon {
   bool passesThrough() const { return crosses() && outer() == 0; }
   bool passesOutside() const { return crosses() && outer() > 0; }
 
-  std::vector<ExactVec3> corners;
+  Corners corners;
   RayObject L;
+  ExactVec3 normal;
   std::vector<Rational> turns; ///< which way round the ray each edge goes
-  ExactVec3 normal{0, 0, 0};
 };
-
-std::size_t edgeOf(const Said &said) {
-  return std::stoul(said.line.substr(said.line.find_first_of("0123456789")));
-}
 
 bool isEdgeNamed(const RayAtPolygon &at, std::size_t edge, const std::string &name) {
   return name == cornerLetter(edge) + cornerLetter((edge + 1) % at.size());
 }
 
-std::size_t cornerOf(const RayAtPolygon &at, const Said &said, const char *place) {
+std::size_t saidCorner(const RayAtPolygon &at, const Said &said, const char *place) {
   return cornerWithLetter(said.at(place), at.size());
 }
 
@@ -124,7 +93,7 @@ Claims shapeClaims() {
        [](const RayAtPolygon &at) { return !at.isPlanar(); }},
       {"{first} and {second} are the same point: the polygon has a corner too many.",
        [](const RayAtPolygon &at, const Said &said) {
-         return at.isDouble(cornerOf(at, said, "first"), cornerOf(at, said, "second"));
+         return at.isDouble(saidCorner(at, said, "first"), saidCorner(at, said, "second"));
        }},
       {"{first}, {second} and {third} lie on one line: this is no triangle.",
        [](const RayAtPolygon &at) {
@@ -132,9 +101,9 @@ Claims shapeClaims() {
        }},
       {"{first}, {corner} and {last} lie on one line, so {corner} is no corner of a convex polygon.",
        [](const RayAtPolygon &at, const Said &said) {
-         const std::size_t corner = cornerOf(at, said, "corner");
-         return cornerOf(at, said, "last") == (corner + 1) % at.size() &&
-                cornerOf(at, said, "first") == (corner + at.size() - 1) % at.size() &&
+         const std::size_t corner = saidCorner(at, said, "corner");
+         return saidCorner(at, said, "last") == (corner + 1) % at.size() &&
+                saidCorner(at, said, "first") == (corner + at.size() - 1) % at.size() &&
                 at.areOnOneLine(corner, corner + 1, corner + at.size() - 1);
        }},
       {"The polygon bends inwards or crosses itself: it is not convex, and the signs alone do not tell what "
@@ -169,7 +138,7 @@ Claims caseClaims() {
       {"the corner {corner}",
        [](const RayAtPolygon &at, const Said &said) {
          return at.passesThrough() &&
-                at.corner(cornerOf(at, said, "corner")) == ExactVec3(at.L.origin + at.L.direction * at.t());
+                at.corner(saidCorner(at, said, "corner")) == ExactVec3(at.L.origin + at.L.direction * at.t());
        }},
   });
 }
@@ -180,22 +149,23 @@ Claims edgeClaims() {
       {"The moment of its line.", always},
       {"The edge {edge}, from one corner to the next.",
        [](const RayAtPolygon &at, const Said &said) {
-         return isEdgeNamed(at, edgeOf(said), said.at("edge"));
+         return isEdgeNamed(at, numberIn(said.line), said.at("edge"));
        }},
-      {"Positive: with {r} pointing at you, the edge {edge} goes counterclockwise around the ray.",
+      {"Positive: seen with {r} pointing at you, the edge {edge} goes counterclockwise around the ray.",
        [](const RayAtPolygon &at, const Said &said) {
-         return at.turns.at(edgeOf(said)) > 0 && isEdgeNamed(at, edgeOf(said), said.at("edge"));
+         return at.turns.at(numberIn(said.line)) > 0 && isEdgeNamed(at, numberIn(said.line), said.at("edge"));
        }},
-      {"Negative: with {r} pointing at you, the edge {edge} goes clockwise around the ray.",
+      {"Negative: seen with {r} pointing at you, the edge {edge} goes clockwise around the ray.",
        [](const RayAtPolygon &at, const Said &said) {
-         return at.turns.at(edgeOf(said)) < 0 && isEdgeNamed(at, edgeOf(said), said.at("edge"));
+         return at.turns.at(numberIn(said.line)) < 0 && isEdgeNamed(at, numberIn(said.line), said.at("edge"));
        }},
       {"Zero, because {r} is the zero vector: there is no ray.", hasNoDirection},
       {"Zero, because {e} is the zero vector: there is no edge.",
-       [](const RayAtPolygon &at, const Said &said) { return vanishes(at.edge(edgeOf(said))); }},
+       [](const RayAtPolygon &at, const Said &said) { return vanishes(at.edge(numberIn(said.line))); }},
       {"Zero: the ray and the edge {edge} lie in one plane.",
        [](const RayAtPolygon &at, const Said &said) {
-         return at.isRay() && !vanishes(at.edge(edgeOf(said))) && at.turns.at(edgeOf(said)) == 0;
+         return at.isRay() && !vanishes(at.edge(numberIn(said.line))) &&
+                at.turns.at(numberIn(said.line)) == 0;
        }},
   });
 }
@@ -225,7 +195,7 @@ Claims sumClaims() {
       {"The weight of {corner}: the product of the edge opposite to it, as a share of S.",
        [](const RayAtPolygon &at, const Said &said) {
          static const std::map<std::string, std::size_t> corners{{"rho", 0}, {"sigma", 1}, {"tau", 2}};
-         return at.size() == 3 && at.crosses() && cornerOf(at, said, "corner") == corners.at(said.line);
+         return at.size() == 3 && at.crosses() && saidCorner(at, said, "corner") == corners.at(said.line);
        }},
       {"The corners mixed with these weights give the point {I}.",
        [](const RayAtPolygon &at) { return at.size() == 3 && at.crosses(); }},

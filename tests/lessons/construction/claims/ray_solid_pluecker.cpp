@@ -1,8 +1,7 @@
 #include "geometry/solid_shape.h"
-#include "lessons/object/ray.h"
 #include "lessons/object/solid.h"
 #include "tests/lessons/construction/claims/claims.h"
-#include "tests/lessons/construction/expected/recompute_tools.h"
+#include "tests/lessons/construction/claims/ray_at_faces.h"
 
 #include <algorithm>
 
@@ -15,12 +14,11 @@ enum class Common { Nothing, Point, Surface, Inside };
 struct RayAtSolid {
   explicit RayAtSolid(Objects objects)
       : mesh(meshOf(*objects[0])), L(objectAs<RayObject>(*objects[1]).value()) {
-    for (const auto &face : mesh.faces) {
-      ExactVec3 normal(0);
-      for (std::size_t i = 1; i + 1 < face.size(); ++i)
-        normal += perpendicular(ExactVec3(corner(face, i) - corner(face, 0)),
-                                ExactVec3(corner(face, i + 1) - corner(face, 0)));
-      normals.push_back(normal);
+    for (const auto &indices : mesh.faces) {
+      Corners &face = faces.emplace_back();
+      for (const std::uint32_t index : indices)
+        face.push_back(mesh.vertices[index]);
+      normals.push_back(normalOf(face));
     }
     isConvex = !isFlat() && areFacesConvex();
     if (isConvex && isRay())
@@ -28,69 +26,33 @@ struct RayAtSolid {
   }
 
   bool isRay() const { return !vanishes(L.direction); }
-  const ExactVec3 &corner(const std::vector<std::uint32_t> &face, std::size_t i) const {
-    return mesh.vertices[face[i % face.size()]];
-  }
-  ExactVec3 edge(const std::vector<std::uint32_t> &face, std::size_t i) const {
-    return corner(face, i + 1) - corner(face, i);
-  }
-  Rational turn(const ExactVec3 &from, const ExactVec3 &to) const {
-    return determinant(L.direction, ExactVec3(from - L.origin), ExactVec3(to - from));
-  }
-
-  bool isFlat() const {
-    const ExactVec3 &first = mesh.vertices[0];
-    for (const ExactVec3 &a : mesh.vertices)
-      for (const ExactVec3 &b : mesh.vertices)
-        for (const ExactVec3 &c : mesh.vertices)
-          if (determinant(ExactVec3(a - first), ExactVec3(b - first), ExactVec3(c - first)) != 0)
-            return false;
-    return true;
-  }
-  bool areFacesFlat() const {
-    for (const auto &face : mesh.faces)
-      for (std::size_t i = 1; i < face.size(); ++i)
-        for (std::size_t j = i + 1; j + 1 < face.size(); ++j)
-          if (determinant(ExactVec3(corner(face, i) - corner(face, 0)),
-                          ExactVec3(corner(face, j) - corner(face, 0)),
-                          ExactVec3(corner(face, j + 1) - corner(face, 0))) != 0)
-            return false;
-    return true;
-  }
-  /// Whether each corner of a face lies in front of its other edges, and each other corner behind its plane.
+  bool isFlat() const { return areInOnePlane(mesh.vertices); }
+  bool areFacesFlat() const { return std::all_of(faces.begin(), faces.end(), areInOnePlane); }
+  /// Whether each face is convex, and each corner that is not its own lies behind its plane.
   bool areFacesConvex() const {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (!isFaceConvex(mesh.faces[f], normals[f]))
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!test::isConvex(faces[f]) || !isAllBehind(f))
         return false;
     return true;
   }
-  bool isFaceConvex(const std::vector<std::uint32_t> &face, const ExactVec3 &normal) const {
+  bool isAllBehind(std::size_t f) const {
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
-      const Rational height = product(normal, ExactVec3(mesh.vertices[i] - corner(face, 0)));
-      const bool isOwn = std::find(face.begin(), face.end(), i) != face.end();
+      const Rational height = product(normals[f], ExactVec3(mesh.vertices[i] - faces[f][0]));
+      const bool isOwn = std::find(mesh.faces[f].begin(), mesh.faces[f].end(), i) != mesh.faces[f].end();
       if (isOwn ? height != 0 : height >= 0)
         return false;
     }
-    for (std::size_t i = 0; i < face.size(); ++i)
-      for (std::size_t k = 2; k < face.size(); ++k)
-        if (product(normal, perpendicular(edge(face, i), ExactVec3(corner(face, i + k) - corner(face, i)))) <=
-            0)
-          return false;
     return true;
   }
-  bool hasDoubleCorner() const {
-    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [this](const ExactVec3 &each) {
-      return std::count(mesh.vertices.begin(), mesh.vertices.end(), each) > 1;
-    });
-  }
+  bool hasDoubleCorner() const { return hasDouble(mesh.vertices); }
 
   /// The line cut off at each face's plane leaves what it has in common with the solid.
   void cut() {
     std::optional<Rational> first;
     std::optional<Rational> last;
     bool isOnFace = false;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const Rational height = product(normals[f], ExactVec3(L.origin - corner(mesh.faces[f], 0)));
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const Rational height = product(normals[f], ExactVec3(L.origin - faces[f][0]));
       const Rational slope = product(normals[f], L.direction);
       isOnFace = isOnFace || (slope == 0 && height == 0);
       if (slope == 0 && height > 0)
@@ -113,9 +75,8 @@ struct RayAtSolid {
 
   /// Whether the line has an edge of the face that goes around it this way, 1 or −1.
   bool hasTurn(std::size_t f, int way) const {
-    const auto &face = mesh.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i)
-      if (turn(corner(face, i), corner(face, i + 1)).sign() == way)
+    for (std::size_t i = 0; i < faces[f].size(); ++i)
+      if (turnAround(L, faces[f][i], cornerOf(faces[f], i + 1)).sign() == way)
         return true;
     return false;
   }
@@ -125,8 +86,8 @@ struct RayAtSolid {
   long facesAt(const Rational &t) const {
     const ExactVec3 point = L.origin + L.direction * t;
     long count = 0;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      if (product(normals[f], ExactVec3(point - corner(mesh.faces[f], 0))) == 0)
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (product(normals[f], ExactVec3(point - faces[f][0])) == 0)
         ++count;
     return count;
   }
@@ -136,6 +97,7 @@ struct RayAtSolid {
   }
 
   SolidMesh<Rational> mesh;
+  std::vector<Corners> faces; ///< of the mesh
   RayObject L;
   std::vector<ExactVec3> normals; ///< of the faces, outwards
   bool isConvex = false;
@@ -147,7 +109,7 @@ struct RayAtSolid {
 template <class Condition> bool holdsOfFace(const RayAtSolid &at, const Said &said, Condition condition) {
   if (said.line.rfind("face", 0) == 0)
     return condition(std::stoul(said.line.substr(std::string_view("face").size())));
-  for (std::size_t face = 0; face < at.mesh.faces.size(); ++face)
+  for (std::size_t face = 0; face < at.faces.size(); ++face)
     if (condition(face))
       return true;
   return false;
@@ -165,13 +127,12 @@ auto oneWayClaim(Common common, int way = 0) {
 /// The ends of the edge that a line is about.
 std::pair<ExactVec3, ExactVec3> edgeOf(const RayAtSolid &at, const Said &said) {
   const auto sides = edgesByEnds(at.mesh.faces);
-  const auto &[from, to, face] =
-      sides.at(2 * std::stoul(said.line.substr(said.line.find_first_of("0123456789"))));
+  const auto &[from, to, face] = sides.at(2 * numberIn(said.line));
   return {at.mesh.vertices[from], at.mesh.vertices[to]};
 }
 Rational turnOf(const RayAtSolid &at, const Said &said) {
   const auto [from, to] = edgeOf(at, said);
-  return at.turn(from, to);
+  return turnAround(at.L, from, to);
 }
 
 /// Of the point that a line is about: t1 where the line goes in, t2 where it comes out.
@@ -242,9 +203,9 @@ Claims edgeClaims() {
       {"The moment of the ray's line.", always},
       {"The edge, from one corner to the other.", always},
       {"The moment of its line.", always},
-      {"Positive: with {r} pointing at you, the edge goes counterclockwise around the ray.",
+      {"Positive: seen with {r} pointing at you, the edge goes counterclockwise around the ray.",
        [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) > 0; }},
-      {"Negative: with {r} pointing at you, the edge goes clockwise around the ray.",
+      {"Negative: seen with {r} pointing at you, the edge goes clockwise around the ray.",
        [](const RayAtSolid &at, const Said &said) { return turnOf(at, said) < 0; }},
       {"Zero, because {r} is the zero vector: there is no ray.", hasNoDirection},
       {"Zero, because {e} is the zero vector: there is no edge.",
@@ -283,8 +244,7 @@ Claims faceClaims() {
        [](const RayAtSolid &at, const Said &said) {
          return at.isLine() && holdsOfFace(at, said, [&](std::size_t face) {
                   return product(at.normals[face], at.L.direction) == 0 &&
-                         product(at.normals[face],
-                                 ExactVec3(at.L.origin - at.corner(at.mesh.faces[face], 0))) == 0;
+                         product(at.normals[face], ExactVec3(at.L.origin - at.faces[face][0])) == 0;
                 });
        }},
       {"No two differ in sign. But the line only touches the solid, in one point, which lies on the border "
