@@ -66,7 +66,8 @@ QString wayText(const Surd &squareOfWay) {
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_editor(m_model), m_player(m_model), m_meshLoader(this),
+    : m_model(std::move(library)), m_editor(m_model), m_player(m_model),
+      m_meshes(*this, [this] { return m_model.inGesture() && !m_player.state().isPlaying; }),
       m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
   setObjectName("main");
   m_scene = new SceneView(m_model, labelPainter(*m_typesetter));

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/lesson_watch.h"
+#include "app/mesh_opener.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
 #include "lessons/lesson/lesson_progress.h"
 #include "lessons/scene/near_special_cases.h"
 #include "widgets/flight/flight_player.h"
-#include "widgets/mesh_loader.h"
 #include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
@@ -21,7 +21,6 @@ class QActionGroup;
 class QDockWidget;
 class QLabel;
 class QMenu;
-class QProgressDialog;
 class QSplitter;
 class QToolButton;
 
@@ -62,7 +61,7 @@ public:
   void openFile(const QString &file);
   /// Reads a mesh beside the window and puts it into the scene; on failure says why and leaves the scene as
   /// it is.
-  void openMesh(const QString &file);
+  void openMesh(const QString &file) { m_meshes.open(file); }
   /// Writes the session to its file, or asks for one. Asks as well where the file is not any more as this
   /// window knows it. False where it is not saved.
   bool save();
@@ -148,16 +147,10 @@ private:
   [[nodiscard]] static QKeySequence keysOf(FlightControl control);
   void connectMeshes();
   void askForMesh();
-  void showMeshProgress(double part, const QString &what);
-  void endMeshProgress();
-  /// Neither reads nor takes the mesh that was to come.
-  void leaveMesh();
   /// The first lesson that has use for a mesh.
   void openLessonWithMeshes();
   /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.
   void takeMesh(const LoadedMesh &mesh);
-  /// As soon as nothing is held, and no question is open that goes on with the scene as it is.
-  void takeWaitingMesh();
   /// The name of the mesh whose handle is selected; empty for none.
   [[nodiscard]] std::string selectedMesh() const;
   /// Puts another mesh like the selected one beside it.
@@ -251,10 +244,7 @@ private:
   SessionModel m_model;
   CoordinateEditor m_editor; ///< for the numbers in the working
   FlightPlayer m_player;
-  MeshLoader m_meshLoader;
-  std::optional<LoadedMesh> m_waitingMesh;
-  QTimer m_meshTimer;
-  QProgressDialog *m_meshProgress = nullptr; ///< null while no mesh is read
+  MeshOpener m_meshes;
   std::unique_ptr<Typesetter> m_typesetter;
   SceneView *m_scene = nullptr;
   SceneFrame *m_frame = nullptr; ///< around m_scene

@@ -199,7 +199,7 @@ void MainWindow::closeEvent(QCloseEvent *event) {
   }
   if (!keepForNextStart())
     return;
-  leaveMesh();
+  m_meshes.leave();
   m_recovery.leave();
   storeSettings();
   event->accept();
@@ -210,7 +210,7 @@ void MainWindow::endWithoutQuestions() {
   static_cast<void>(finishInput()); // what cannot be entered is no number
   if (const auto problem = keepOrForget())
     printError(problem->text());
-  leaveMesh();
+  m_meshes.leave();
   m_recovery.leave();
   storeSettings();
 }

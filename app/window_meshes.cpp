@@ -5,28 +5,19 @@
 #include "lessons/scene/target_mesh.h"
 #include "widgets/text/figures.h"
 
-#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLocale>
 #include <QMimeData>
-#include <QProgressDialog>
 #include <QUrl>
 
 #include <algorithm>
-#include <utility>
 
 namespace halfspace {
 namespace {
 
-/// What takes longer, in milliseconds, shows a bar.
-constexpr int longestSilence = 400;
-/// After so many milliseconds it is looked again whether a mesh that waits can be put into the scene.
-constexpr int nextLook = 100;
 /// So many digits of a side of the box around a mesh are told.
 constexpr int sideDigits = 4;
-/// The bar's steps.
-constexpr int wholeProgress = 1000;
 
 /// The one local file that is dropped; empty for anything else.
 QString fileIn(const QMimeData &data) {
@@ -55,20 +46,8 @@ QString sideWords(double length) {
 
 void MainWindow::connectMeshes() {
   setAcceptDrops(true);
-  connect(&m_meshLoader, &MeshLoader::progressed, this, &MainWindow::showMeshProgress);
-  connect(&m_meshLoader, &MeshLoader::loaded, this, [this](const LoadedMesh &mesh) {
-    endMeshProgress();
-    m_waitingMesh = mesh;
-    takeWaitingMesh();
-  });
-  m_meshTimer.setSingleShot(true);
-  m_meshTimer.setInterval(nextLook);
-  connect(&m_meshTimer, &QTimer::timeout, this, &MainWindow::takeWaitingMesh);
-  connect(&m_meshLoader, &MeshLoader::failed, this, [this](const QString &sentence) {
-    endMeshProgress();
-    complain(sentence);
-  });
-  connect(&m_meshLoader, &MeshLoader::cancelled, this, &MainWindow::endMeshProgress);
+  connect(&m_meshes, &MeshOpener::opened, this, &MainWindow::takeMesh);
+  connect(&m_meshes, &MeshOpener::failed, this, &MainWindow::complain);
 }
 
 void MainWindow::askForMesh() {
@@ -76,49 +55,6 @@ void MainWindow::askForMesh() {
       QFileDialog::getOpenFileName(this, tr("Open mesh"), {}, tr("Meshes (*.stl *.obj *.ply)"));
   if (!file.isEmpty())
     openMesh(file);
-}
-
-void MainWindow::openMesh(const QString &file) { m_meshLoader.start(file); }
-
-void MainWindow::showMeshProgress(double part, const QString &what) {
-  if (!m_meshProgress) {
-    m_meshProgress = new QProgressDialog(this);
-    m_meshProgress->setObjectName("meshProgress");
-    m_meshProgress->setWindowTitle(tr("Open mesh"));
-    m_meshProgress->setMinimumDuration(longestSilence);
-    m_meshProgress->setValue(0); // from when on that counts
-    m_meshProgress->setAutoReset(false);
-    m_meshProgress->setAutoClose(false);
-    connect(m_meshProgress, &QProgressDialog::canceled, &m_meshLoader, &MeshLoader::cancel);
-  }
-  m_meshProgress->setLabelText(what);
-  m_meshProgress->setRange(0, part < 0 ? 0 : wholeProgress);
-  if (part >= 0)
-    m_meshProgress->setValue(static_cast<int>(part * wholeProgress));
-}
-
-void MainWindow::endMeshProgress() {
-  if (!m_meshProgress)
-    return;
-  m_meshProgress->disconnect(&m_meshLoader); // closing it would cancel the next
-  m_meshProgress->reset();                   // or it would be shown after its silence
-  m_meshProgress->hide();
-  m_meshProgress->deleteLater();
-  m_meshProgress = nullptr;
-}
-
-void MainWindow::leaveMesh() {
-  m_meshLoader.cancel();
-  m_meshTimer.stop();
-  m_waitingMesh.reset();
-}
-
-void MainWindow::takeWaitingMesh() {
-  const bool isInHand = m_model.inGesture() && !m_player.state().isPlaying;
-  if (isInHand || QApplication::activeModalWidget())
-    return m_meshTimer.start();
-  if (const auto mesh = std::exchange(m_waitingMesh, {}))
-    takeMesh(*mesh);
 }
 
 void MainWindow::openLessonWithMeshes() {
