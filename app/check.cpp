@@ -1,14 +1,12 @@
 #include "app/check.h"
 
 #include "lessons/guess.h"
-#include "lessons/lesson/lesson_picture.h"
 #include "lessons/lesson/name_check.h"
 #include "lessons/lesson/words_check.h"
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/picture/math/read_latex.h"
-#include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_object.h"
 
 #include <algorithm>
@@ -46,6 +44,9 @@ void addIfUnreadable(const MarkdownFormula::Source &formula, const LessonWords &
          lesson.file, piece.lineAt(formula.place), piece.field});
 }
 
+/// Whether a page shows the pictures of a piece; it describes those of tasks and questions.
+bool showsPictures(const LessonWords &piece) { return piece.field.empty() || piece.field == "note"; }
+
 /// The pictures among blocks, those in each other too.
 void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::string> &names) {
   for (const MarkdownBlock &block : blocks) {
@@ -56,28 +57,16 @@ void addPictures(const std::vector<MarkdownBlock> &blocks, std::vector<std::stri
   }
 }
 
-/// Why a picture would not be shown; empty where it is.
-std::string whyNotShown(const std::string &picture, const Lesson &lesson, int &pixelsLeft) {
-  const auto bytes = readLessonPicture(std::filesystem::path(lesson.file).parent_path(), picture);
-  if (!bytes)
-    return bytes.problem().sentence;
-  const auto image = imageOf(*bytes, pixelsLeft);
-  return image ? std::string()
-               : words("The picture “{name}” cannot be shown. {reason}",
-                       {{"name", shortened(picture)}, {"reason", image.problem().sentence}});
-}
-
 void addIfNotShown(const std::string &picture, const LessonWords &piece, const Lesson &lesson,
-                   int &pixelsLeft, std::vector<Problem> &problems) {
-  const std::string sentence = whyNotShown(picture, lesson, pixelsLeft);
-  if (!sentence.empty())
-    problems.push_back({sentence, lesson.file,
+                   const LessonPictures &ofPage, std::vector<Problem> &problems) {
+  if (const auto image = readPicture(ofPage, picture); !image)
+    problems.push_back({image.problem().sentence, lesson.file,
                         piece.lineAt(std::min(piece.text.find(picture), piece.text.size())), piece.field});
 }
 
 /// What in a piece of words would not be seen as it is meant: formulas that cannot be read, each with its
-/// line and the column within it, and pictures, for which so many pixels are left.
-void addUnreadable(const LessonWords &piece, const Lesson &lesson, int &pixelsLeft,
+/// line and the column within it, and pictures.
+void addUnreadable(const LessonWords &piece, const Lesson &lesson, const LessonPictures &ofPage,
                    std::vector<Problem> &problems) {
   const auto markdown = readMarkdown(piece.text);
   if (!markdown)
@@ -86,17 +75,18 @@ void addUnreadable(const LessonWords &piece, const Lesson &lesson, int &pixelsLe
     for (const MarkdownFormula::Source &source : formula.sources)
       addIfUnreadable(source, piece, lesson, problems);
   std::vector<std::string> pictures;
-  addPictures(markdown->blocks, pictures);
+  if (showsPictures(piece))
+    addPictures(markdown->blocks, pictures);
   for (const std::string &picture : pictures)
-    addIfNotShown(picture, piece, lesson, pixelsLeft, problems);
+    addIfNotShown(picture, piece, lesson, ofPage, problems);
 }
 
 /// Step by step, as each has a page of its own, with room for its pictures.
 void addUnreadable(const Lesson &lesson, std::vector<Problem> &problems) {
   for (const LessonStep &step : lesson.steps) {
-    int pixelsLeft = mostPixelsOfPage;
+    const LessonPictures ofPage{std::filesystem::path(lesson.file).parent_path()};
     for (const LessonWords &piece : wordsOf(step))
-      addUnreadable(piece, lesson, pixelsLeft, problems);
+      addUnreadable(piece, lesson, ofPage, problems);
   }
 }
 

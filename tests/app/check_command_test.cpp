@@ -240,6 +240,19 @@ TEST_F(Program, Check_OfPicturesThatAPageHasNoRoomFor_TellsThem_StepByStep) {
   EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
 }
 
+TEST_F(Program, Check_OfPicturesThatAPageOnlyDescribes_TakesNoRoomForThem) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  QImage(4096, 4096, QImage::Format_Mono).save(QString::fromStdString(inFolder("large.png").string()));
+  std::string step = "\n## Pictures\n\n```task\ndo: Like ![a](large.png).\nwhen: side = on\n```\n"
+                     "```predict\nask: Is it ![a](large.png)?\nanswer: side\n"
+                     "choices: {on: '![a](large.png)', otherwise: '![a](large.png)'}\n"
+                     "why: As ![a](large.png).\n```\n";
+  for (int i = 0; i < 4; ++i)
+    step += "![a](large.png)\n";
+  write("base.md", contentOf(inFolder("base.md")) + step);
+  EXPECT_EQ(run("check base.md").out, "Nothing is wrong. Lessons: 1\n");
+}
+
 TEST_F(Program, LessonFile_IsOpenedLikeALesson) {
   ASSERT_EQ(run("new-lesson my-first").status, 0);
   EXPECT_EQ(run("explain my-first.md").out, run("explain my-first --lessons .").out);

@@ -1,6 +1,5 @@
 #include "widgets/text/markdown_writer.h"
 
-#include "lessons/lesson/lesson_picture.h"
 #include "widgets/text/picture_object.h"
 #include "widgets/text/unbroken.h"
 
@@ -87,13 +86,6 @@ bool hasPicture(const QTextBlock &block) {
     if (isPictureObject(piece.fragment().charFormat()))
       return true;
   return false;
-}
-
-Result<QImage> readPicture(const LessonPictures &pictures, const std::string &name) {
-  if (const auto problem = whyNoMorePictures(*pictures.pixelsLeft))
-    return *problem;
-  const auto bytes = readLessonPicture(pictures.folder, name);
-  return bytes ? imageOf(*bytes, *pictures.pixelsLeft) : bytes.problem();
 }
 
 class MarkdownWriter {

@@ -1,7 +1,8 @@
 #include "widgets/text/picture_object.h"
 
+#include "lessons/lesson/lesson_picture.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
-#include "widgets/text/lesson_pictures.h"
 #include "widgets/text/picture_bytes.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -73,6 +74,12 @@ Problem noRoom() {
           "", 0, ""};
 }
 
+Problem notShown(const std::string &name, const Problem &why) {
+  return {words("The picture “{name}” cannot be shown. {reason}",
+                {{"name", shortened(name)}, {"reason", why.sentence}}),
+          "", 0, ""};
+}
+
 } // namespace
 
 std::optional<Problem> whyNoMorePictures(int pixelsLeft) {
@@ -114,6 +121,16 @@ Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft) {
   if (image.isNull())
     return damaged;
   return image;
+}
+
+Result<QImage> readPicture(const LessonPictures &pictures, const std::string &name) {
+  if (const auto problem = whyNoMorePictures(*pictures.pixelsLeft))
+    return notShown(name, *problem);
+  const auto bytes = readLessonPicture(pictures.folder, name);
+  if (!bytes)
+    return bytes.problem();
+  auto image = imageOf(*bytes, *pictures.pixelsLeft);
+  return image ? std::move(image) : notShown(name, image.problem());
 }
 
 void enablePictureObjects(QTextDocument &document) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/reading/problem.h"
+#include "widgets/text/lesson_pictures.h"
 
 #include <QImage>
 #include <QTextCharFormat>
@@ -24,6 +25,10 @@ inline constexpr std::size_t mostPictureScans = 24;
 /// The image that the bytes of a PNG or JPEG file hold; else a sentence about what is wrong with them. What
 /// it takes, its pixels as they are in the file, is taken off those that are left for the page.
 [[nodiscard]] Result<QImage> imageOf(const std::string &bytes, int &pixelsLeft);
+
+/// The picture of this name; else a sentence that names it and says why it is not shown. Where its page has
+/// no more room no file is read.
+[[nodiscard]] Result<QImage> readPicture(const LessonPictures &pictures, const std::string &name);
 
 /// Lets a document paint pictures.
 void enablePictureObjects(QTextDocument &document);

@@ -320,7 +320,9 @@ private slots:
     QImage(5000, 5000, QImage::Format_Mono).save(folder.filePath("huge.png"));
     const RichText rich("![a box](" + name + ") and $x$", typesetter,
                         {usualFont(), Qt::black, Qt::red, {}, folder.path().toStdString()});
-    QVERIFY2(rich.plain().startsWith("a box (") && rich.plain().contains(reason), qPrintable(rich.plain()));
+    QVERIFY2(rich.plain().startsWith("a box (") && rich.plain().contains(name) &&
+                 rich.plain().contains(reason),
+             qPrintable(rich.plain()));
     QVERIFY(redWidth(rich, 290) > 10);
   }
 
