@@ -150,13 +150,25 @@ private:
   /// `$a$ = $b$`, and punctuation.
   void takeAttached(MarkdownFormula &formula) {
     takeRelated(formula);
-    // A parenthesis behind it closes what was opened before, or ends the address of a link.
-    const auto open = m_text.substr(0, m_next).rfind('(');
-    const bool inAddress = open == std::string_view::npos || (open > 0 && m_text[open - 1] == ']');
     const auto end =
-        std::min(m_text.find_first_not_of(inAddress ? ",.;:!?" : ",.;:!?)", m_next), m_text.size());
+        std::min(m_text.find_first_not_of(isInAddress() ? ",.;:!?" : ",.;:!?)", m_next), m_text.size());
     formula.punctuation = m_text.substr(m_next, end - m_next);
     m_next = end;
+  }
+
+  /// Whether the next parenthesis ends the address of a link. Those of formulas are taken out by now.
+  [[nodiscard]] bool isInAddress() const {
+    const std::string_view before = m_found.markdown;
+    const auto link = before.rfind("](");
+    if (link == std::string_view::npos)
+      return false;
+    int depth = 0;
+    for (const char character : before.substr(link + 1)) {
+      depth += (character == '(') - (character == ')');
+      if (depth == 0)
+        return false;
+    }
+    return true;
   }
 
   /// The other side of ` = $b$`, or ` $\approx b$`.

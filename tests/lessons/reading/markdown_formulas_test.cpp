@@ -84,8 +84,11 @@ TEST_P(Relations, BetweenTwoFormulas_MakeThemOne) {
 TEST(Formulas, PunctuationBehindThem_StaysWithThem_ButNotTheEndOfAnAddress) {
   const auto behind = [](const char *text) { return takeFormulas(text).formulas.at(0).punctuation; };
   EXPECT_EQ(behind("(there is no $I$.) So"), ".)");
+  EXPECT_EQ(behind("(as [a](https://b) tells of $I$.) So"), ".)");
   EXPECT_EQ(behind("[a](https://b/$c$) so"), "");
+  EXPECT_EQ(behind("[a](https://b/(c)/$d$) so"), "");
   EXPECT_EQ(behind("so $a$?"), "?");
+  EXPECT_EQ(takeFormulas("(by $v[1](t)$ and $I$.)").formulas.at(1).punctuation, ".)");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signs, Relations, testing::Values('=', '<', '>'));
