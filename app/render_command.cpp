@@ -87,9 +87,9 @@ SceneContent contentOf(const RenderCommand &command, const OpenedSession &opened
 }
 
 /// Of a flight once, by its beginning.
-void tellThinning(const Figure &figure) {
-  if (isThinned(figure))
-    printError(thinningWords());
+void tellWhereOverfull(const Figure &figure) {
+  if (isOverfull(figure))
+    printError(overfullWords());
 }
 
 Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSession &opened,
@@ -106,7 +106,7 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
     return drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage), request.content,
                       typesetter);
   if (!setting.beginning)
-    tellThinning(request.content.figure);
+    tellWhereOverfull(request.content.figure);
   return drawOffscreen(request, labelPainter(typesetter));
 }
 
@@ -160,7 +160,7 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
   goTo(objectAs<NumberObject>(*number)->from);
   setting.beginning = contentOf(command, opened, evaluate(opened.session.scene), setting.stage);
   if (!command.flat)
-    tellThinning(setting.beginning->figure);
+    tellWhereOverfull(setting.beginning->figure);
   for (int frame = first; frame <= last; ++frame) {
     goTo(frame);
     const auto picture = drawPicture(command, opened, setting, typesetter);

@@ -50,20 +50,21 @@ std::size_t fragmentWith(const Crossings &crossings, const std::string &mark) {
 } // namespace
 
 void MainWindow::connectFlight() {
-  connect(m_page, &LessonPage::flightBarMade, this, [this](FlightBar *bar) {
+  connect(&m_page->flight(), &FlightBlocks::barMade, this, [this](FlightBar *bar) {
     m_player.serve(*bar);
     for (const FlightControl control :
          {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})
       bar->setKeys(control, keysOf(control));
   });
   connect(&m_player, &FlightPlayer::stateChanged, this, &MainWindow::showFlight);
-  connect(m_page, &LessonPage::fragmentChosen, this,
+  connect(&m_page->flight(), &FlightBlocks::fragmentChosen, this,
           [this](const QString &entry, std::size_t number) { chooseFragment(entry.toStdString(), number); });
-  connect(m_page, &LessonPage::fragmentHovered, this, [this](const QString &entry, std::size_t number) {
-    m_hoveredFragment = marksOf(crossingsOf(m_model.evaluation(), entry.toStdString()), number);
-    m_page->setFragmentHovered(number);
-    showHighlights();
-  });
+  connect(&m_page->flight(), &FlightBlocks::fragmentHovered, this,
+          [this](const QString &entry, std::size_t number) {
+            m_hoveredFragment = marksOf(crossingsOf(m_model.evaluation(), entry.toStdString()), number);
+            m_page->flight().setHovered(number);
+            showHighlights();
+          });
 }
 
 QKeySequence MainWindow::keysOf(FlightControl control) {
@@ -89,17 +90,18 @@ void MainWindow::showFlight() {
   FlightState state = m_player.state();
   state.hidden = hidesNumbers();
   m_flightMenu->menuAction()->setVisible(state.canFire && !state.hidden);
-  m_page->showFlight(state);
-  m_page->showCrossings([this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
-                        state.hidden ? LiveValues::Hidden : LiveValues::Shown);
-  m_page->showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
+  m_page->flight().showState(state);
+  m_page->flight().showCrossings(
+      [this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
+      state.hidden ? LiveValues::Hidden : LiveValues::Shown);
+  m_page->flight().showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
 }
 
 void MainWindow::showHoveredFragment() {
   std::size_t number = 0;
   for (const EvaluatedEntry &entry : m_model.evaluation().entries)
     number = std::max(number, fragmentWith(*entry.outcome->crossings, m_hoveredMark.toStdString()));
-  m_page->setFragmentHovered(number);
+  m_page->flight().setHovered(number);
 }
 
 void MainWindow::chooseFragment(const std::string &entry, std::size_t number) {

@@ -1,6 +1,7 @@
 #include "widgets/session_model.h"
 
 #include "lessons/lesson/new_numbers.h"
+#include "lessons/lesson/task_targets.h"
 
 #include <QUndoCommand>
 
@@ -151,6 +152,11 @@ void SessionModel::setStep(int step) {
   session.step = std::clamp(step, 0, lastStep());
   if (session.step != m_session.step)
     show(session);
+}
+
+std::vector<SnapTarget> SessionModel::askedOf(const Handle &handle) const {
+  return m_stage == Stage() ? taskTargets(tasksOf(step()), m_session.scene, handle)
+                            : std::vector<SnapTarget>();
 }
 
 QString SessionModel::editTogether(const std::vector<Edit> &edits, const QString &description) {

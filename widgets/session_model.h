@@ -3,6 +3,7 @@
 
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/session.h"
+#include "lessons/scene/snap_targets.h"
 #include "widgets/picture/stage.h"
 
 #include <QObject>
@@ -39,6 +40,9 @@ public:
   [[nodiscard]] const Shown &shown() const { return m_shown; }
   [[nodiscard]] QUndoStack &history() { return m_history; }
   [[nodiscard]] const QUndoStack &history() const { return m_history; }
+  /// What the step's tasks ask of a handle as it is on the stage. They speak of the scene's own numbers: of
+  /// none on a stage with others.
+  [[nodiscard]] std::vector<SnapTarget> askedOf(const Handle &handle) const;
   /// The stage that the scene is shown on. It follows the scene, but not during a gesture: the picture would
   /// jump under the hand.
   [[nodiscard]] const Stage &stage() const { return m_stage; }

@@ -45,15 +45,6 @@ void setInk(QWidget &widget, Color color) {
   widget.setPalette(palette);
 }
 
-/// As a loop asks them: by their numbers, and 0 for no hit so far. Where not all are there none can be asked
-/// after the other.
-void askOneByOne(Crossings &crossings) {
-  if (crossings.all.size() == crossings.fragments)
-    crossings.nearestSoFar = crossings.nearestSoFar.value_or(0);
-  std::sort(crossings.all.begin(), crossings.all.end(),
-            [](const Crossing &a, const Crossing &b) { return a.number < b.number; });
-}
-
 QLabel *plainLabel() {
   auto *label = new QLabel;
   label->setTextFormat(Qt::PlainText); // lesson files come from strangers
@@ -92,7 +83,9 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   setTheme(m_theme);
 }
 
-LessonPage::~LessonPage() { delete m_scroll; } // its words look at the typesetter, its plots at their job
+LessonPage::~LessonPage() {
+  delete m_scroll;
+} // its words look at the typesetter, its plots at the job of m_flight
 
 void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
   m_stepNumber = plainLabel();
@@ -182,9 +175,7 @@ void LessonPage::makeBlocks() {
   m_notes.clear();
   m_tasks.clear();
   m_dueTask = nullptr;
-  m_flights.clear();
-  m_fragments.clear();
-  m_costs.clear();
+  m_flight.dropBlocks();
   m_prediction = nullptr;
   auto *blocks = new QWidget;
   auto *column = new QVBoxLayout(blocks);
@@ -216,9 +207,8 @@ QWidget *LessonPage::blockOf(const StepNote &note) {
 }
 
 QWidget *LessonPage::blockOf(const Task &task) {
-  m_tasks.push_back(new TaskRow(m_typesetter, QString::fromStdString(task.instruction)));
-  m_words.push_back({task.instruction, &m_tasks.back()->words()});
-  return m_tasks.back();
+  m_tasks.push_back({task.instruction, new TaskRow(m_typesetter, QString::fromStdString(task.instruction))});
+  return m_tasks.back().row;
 }
 
 QWidget *LessonPage::blockOf(const Prediction &prediction) {
@@ -239,40 +229,6 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
   return m_prediction;
 }
 
-template <class Widget> void LessonPage::followFragments(Widget &widget, const std::string &entry) {
-  const QString name = QString::fromStdString(entry);
-  connect(&widget, &Widget::chosen, this,
-          [this, name](std::size_t number) { emit fragmentChosen(name, number); });
-  connect(&widget, &Widget::hovered, this,
-          [this, name](std::size_t number) { emit fragmentHovered(name, number); });
-}
-
-QWidget *LessonPage::blockOf(const StepFlight &flight) {
-  auto *bar = new FlightBar(m_typesetter);
-  m_flights.emplace_back(flight.hits, bar);
-  followFragments(*bar, flight.hits);
-  emit flightBarMade(bar);
-  return bar;
-}
-
-QWidget *LessonPage::blockOf(const StepFragments &fragments) {
-  auto *table = new FragmentTable(m_typesetter);
-  m_fragments.push_back({fragments, table});
-  followFragments(*table, fragments.hits);
-  return table;
-}
-
-QWidget *LessonPage::blockOf(const StepCost &cost) {
-  auto *plot = new CostPlot(m_measuring);
-  m_costs.emplace_back(cost.hits, plot);
-  connect(plot, &CostPlot::started, this, [this, plot] {
-    for (const auto &[entry, other] : m_costs)
-      if (other != plot)
-        other->stop();
-  });
-  return plot;
-}
-
 void LessonPage::scrollTo(const QWidget &part) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
   const QRect place(part.mapTo(m_scroll->widget(), QPoint()), part.size());
@@ -281,69 +237,30 @@ void LessonPage::scrollTo(const QWidget &part) {
 }
 
 void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
-  for (const auto &[markdown, label] : m_words) {
+  for (const auto &[markdown, label] : m_words)
     label->setMarkdown(QString::fromStdString(filled(markdown)));
-    if (m_held)
-      label->setMinimumHeight(std::max(label->minimumHeight(), label->heightForWidth(label->width())));
-  }
-  for (TaskRow *task : m_tasks)
-    task->tellAccessibly();
+  for (const auto &[instruction, row] : m_tasks)
+    row->setWords(QString::fromStdString(filled(instruction)));
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
 
-void LessonPage::showFlight(const FlightState &state) {
-  for (const auto &[entry, bar] : m_flights)
-    bar->setState(state);
-}
-
-void LessonPage::showCrossings(const std::function<Crossings(const std::string &entry)> &of,
-                               LiveValues values) {
-  for (const auto &[entry, bar] : m_flights) {
-    Crossings crossings = of(entry);
-    crossings.nearestSoFar.reset();
-    bar->setCrossings(crossings);
-  }
-  for (const auto &[block, table] : m_fragments) {
-    Crossings crossings = of(block.hits);
-    if (block.byNumber)
-      askOneByOne(crossings);
-    else
-      crossings.nearestSoFar.reset();
-    table->setCrossings(crossings, values);
-  }
-}
-
-void LessonPage::showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of) {
-  for (const auto &[entry, plot] : m_costs)
-    plot->setAim(of(entry));
-}
-
-void LessonPage::setFragmentHovered(std::size_t number) {
-  for (const auto &[entry, bar] : m_flights)
-    bar->setHovered(number);
-  for (const auto &[block, table] : m_fragments)
-    table->setHovered(number);
-}
-
 void LessonPage::setHeld(bool held) {
-  m_held = held;
-  for (const auto &[entry, bar] : m_flights)
-    bar->setHeld(held);
-  for (const auto &[block, table] : m_fragments)
-    table->setHeld(held);
+  m_flight.setHeld(held);
   for (const SetWords &words : m_words)
-    words.label->setMinimumHeight(held ? words.label->height() : 0);
+    words.label->setHeld(held);
+  for (const SetTask &task : m_tasks)
+    task.row->setHeld(held);
   m_practice.working().setHeld(held);
 }
 
 void LessonPage::setTaskStates(const std::vector<TaskState> &states) {
   for (std::size_t i = 0; i < m_tasks.size(); ++i)
-    m_tasks[i]->setState(i < states.size() ? states[i] : TaskState::Open);
-  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const TaskRow *task) {
-    return task->state() == TaskState::Open || task->state() == TaskState::HoldsAlready;
+    m_tasks[i].row->setState(i < states.size() ? states[i] : TaskState::Open);
+  const auto due = std::find_if(m_tasks.begin(), m_tasks.end(), [](const SetTask &task) {
+    return task.row->state() == TaskState::Open || task.row->state() == TaskState::HoldsAlready;
   });
-  const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : *due;
+  const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : due->row;
   const TaskRow *before = std::exchange(m_dueTask, now);
   if (before && now && before != now)
     scrollTo(*now);
@@ -371,19 +288,16 @@ void LessonPage::setTheme(const Theme &theme) {
     words.label->setInk(theme.ink, theme);
   for (NoteFold *note : m_notes)
     note->setTheme(theme);
-  for (TaskRow *task : m_tasks)
-    task->setTheme(theme);
-  for (const auto &[entry, bar] : m_flights)
-    bar->setTheme(theme);
-  for (const auto &[block, table] : m_fragments)
-    table->setTheme(theme);
-  for (const auto &[id, plot] : m_costs)
-    plot->setTheme(theme);
+  for (const SetTask &task : m_tasks)
+    task.row->setTheme(theme);
+  m_flight.setTheme(theme);
   if (m_prediction)
     m_prediction->setTheme(theme);
 }
 
 QSize LessonPage::sizeHint() const { return usualSize; }
+
+int LessonPage::longestLine(const QFontMetrics &type) { return mostLettersInLine * type.averageCharWidth(); }
 
 void LessonPage::resizeEvent(QResizeEvent *event) {
   setMargins();
@@ -398,7 +312,6 @@ void LessonPage::setGaps() {
     column->setSpacing(scaled(blockGap));
   m_above->setSpacing(scaled(headSpacing));
   m_head->setSpacing(scaled(headGap));
-  m_foot->setContentsMargins(scaled(margin), scaled(footMargin), scaled(margin), scaled(footMargin));
   for (QPushButton *button : {m_back, m_next})
     button->setMinimumSize(smallestButton * m_theme.textScale);
   setMargins();
@@ -406,11 +319,13 @@ void LessonPage::setGaps() {
 
 void LessonPage::setMargins() {
   const QScrollBar &bar = *m_scroll->verticalScrollBar();
-  const int longestLine = mostLettersInLine * fontMetrics().averageCharWidth();
-  const int side = std::max({scaled(margin), bar.sizeHint().width(), (width() - longestLine) / 2});
+  const int besideLines = (width() - longestLine(fontMetrics())) / 2;
+  const int side = std::max({scaled(margin), bar.sizeHint().width(), besideLines});
   // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
   const int right = side - (bar.maximum() > 0 ? bar.sizeHint().width() : 0);
   m_page->setContentsMargins(side, scaled(margin) / 2, right, scaled(margin) / 2);
+  const int footSide = std::max(scaled(margin), besideLines);
+  m_foot->setContentsMargins(footSide, scaled(footMargin), footSide, scaled(footMargin));
 }
 
 } // namespace halfspace

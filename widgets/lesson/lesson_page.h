@@ -2,15 +2,12 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
-#include "widgets/flight/cost_plot.h"
-#include "widgets/flight/flight_bar.h"
-#include "widgets/flight/fragment_table.h"
+#include "widgets/lesson/flight_blocks.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/lesson/step_dots.h"
 #include "widgets/lesson/task_row.h"
 
 #include <algorithm>
-#include <functional>
 
 class QBoxLayout;
 class QLabel;
@@ -42,13 +39,8 @@ public:
   /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place
   /// that was scrolled to.
   void showWords(const std::function<std::string(const std::string &)> &filled);
-  /// What the step's flight and its tables show; hidden while its question is open.
-  void showFlight(const FlightState &state);
-  void showCrossings(const std::function<Crossings(const std::string &entry)> &of, LiveValues values);
-  /// The shots whose cost is measured, by the entries that aim them; nothing where one aims at nothing.
-  void showAims(const std::function<std::optional<Aim>(const std::string &entry)> &of);
-  /// The pointer is on this fragment of an entry somewhere else; 0 for none.
-  void setFragmentHovered(std::size_t number);
+  /// The blocks about a flight, of the step that is shown.
+  [[nodiscard]] FlightBlocks &flight() { return m_flight; }
   /// Of the step's tasks in their order; of those behind them nothing is known. The task that is due once
   /// another is done comes into view.
   void setTaskStates(const std::vector<TaskState> &states);
@@ -57,6 +49,8 @@ public:
   /// While the page is held nothing on it becomes less high: what is dragged in the scene moves nothing here.
   void setHeld(bool held);
   void setTheme(const Theme &theme);
+  /// No line of words is longer, in pixels.
+  [[nodiscard]] static int longestLine(const QFontMetrics &type);
 
   [[nodiscard]] QSize sizeHint() const override;
 
@@ -64,10 +58,7 @@ signals:
   void stepRequested(int step);
   void nextLessonRequested();
   void predictionChosen(const QString &word);
-  void predictionReopened();          ///< the learner wants to try the question again
-  void flightBarMade(FlightBar *bar); ///< for a step that has a flight; it lives as long as the step is shown
-  void fragmentChosen(const QString &entry, std::size_t number);
-  void fragmentHovered(const QString &entry, std::size_t number); ///< 0: none any more
+  void predictionReopened(); ///< the learner wants to try the question again
 
 protected:
   void resizeEvent(QResizeEvent *event) override;
@@ -82,11 +73,9 @@ private:
   [[nodiscard]] QWidget *blockOf(const StepNote &note);
   [[nodiscard]] QWidget *blockOf(const Task &task);
   [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
-  [[nodiscard]] QWidget *blockOf(const StepFlight &flight);
-  [[nodiscard]] QWidget *blockOf(const StepFragments &fragments);
-  [[nodiscard]] QWidget *blockOf(const StepCost &cost);
-  /// Hands on what a widget says of the fragments of an entry.
-  template <class Widget> void followFragments(Widget &widget, const std::string &entry);
+  template <class Block> [[nodiscard]] QWidget *blockOf(const Block &ofFlight) {
+    return m_flight.addBlock(ofFlight);
+  }
   void showStep();
   [[nodiscard]] int scaled(int pixels) const;
   void setGaps();
@@ -105,12 +94,11 @@ private:
   };
 
   Typesetter m_typesetter; ///< with the lesson's macros
-  LatestJob m_measuring;   ///< of the costs; outlives their plots
+  FlightBlocks m_flight{m_typesetter};
   Theme m_theme;
   Lesson m_lesson;
   int m_step = 0;
   QString m_nextLesson;
-  bool m_held = false;
   WorkingPractice &m_practice;
   QLabel *m_stepNumber = nullptr;
   QLabel *m_stepTitle = nullptr;
@@ -124,16 +112,13 @@ private:
   LessonPictures m_pictures;
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
-  std::vector<TaskRow *> m_tasks;
-  const TaskRow *m_dueTask = nullptr;                         ///< null while none is known, or all are done
-  std::vector<std::pair<std::string, FlightBar *>> m_flights; ///< with the entry whose crossings they show
-  struct Fragments {
-    StepFragments block;
-    FragmentTable *table;
+  struct SetTask {
+    std::string instruction;
+    TaskRow *row;
   };
-  std::vector<Fragments> m_fragments;
-  std::vector<std::pair<std::string, CostPlot *>> m_costs; ///< with the entry that aims the shot
-  PredictionBox *m_prediction = nullptr;                   ///< null in steps without one
+  std::vector<SetTask> m_tasks;
+  const TaskRow *m_dueTask = nullptr;    ///< null while none is known, or all are done
+  PredictionBox *m_prediction = nullptr; ///< null in steps without one
   StepDots *m_dots = nullptr;
   QPushButton *m_back = nullptr;
   QPushButton *m_next = nullptr;

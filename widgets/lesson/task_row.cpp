@@ -28,10 +28,14 @@ TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidg
   auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
   layout->addWidget(m_holdsAlready);
-  m_words->setMarkdown(instruction);
   m_holdsAlready->setMarkdown(tr("It is so already. Change that, then bring it about again."));
   m_holdsAlready->hide();
   setTheme(m_theme);
+  setWords(instruction);
+}
+
+void TaskRow::setWords(const QString &markdown) {
+  m_words->setMarkdown(markdown);
   tellAccessibly();
 }
 

@@ -15,9 +15,10 @@ class TaskRow : public QWidget {
 public:
   TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent = nullptr);
 
-  /// The instruction, in which live values are filled in; tell it by `tellAccessibly` afterwards.
-  [[nodiscard]] RichLabel &words() { return *m_words; }
-  void tellAccessibly();
+  /// The instruction, in which live values are filled in.
+  void setWords(const QString &markdown);
+  /// While it is held it becomes no less high.
+  void setHeld(bool held) { m_words->setHeld(held); }
   void setState(TaskState state);
   [[nodiscard]] TaskState state() const { return m_state; }
   void setTheme(const Theme &theme);
@@ -27,6 +28,7 @@ protected:
 
 private:
   void setInks();
+  void tellAccessibly();
 
   RichLabel *m_words;
   RichLabel *m_holdsAlready;

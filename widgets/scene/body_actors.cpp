@@ -116,7 +116,7 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
   m_bodies = std::move(shown);
 }
 
-bool BodyActors::areThinned() const {
+bool BodyActors::leaveOutTriangles() const {
   return std::any_of(m_bodies.begin(), m_bodies.end(),
                      [](const auto &body) { return body.second->stride > 1; });
 }

@@ -32,7 +32,7 @@ public:
   void show(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
             const Arrival &arrival);
   /// Whether of a body only some triangles are drawn: more than `mostMeshLayers` lie one behind another.
-  [[nodiscard]] bool areThinned() const;
+  [[nodiscard]] bool leaveOutTriangles() const;
   void setShadowsVisible(bool visible);
 
 private:

@@ -49,7 +49,7 @@ public:
 
   void prepare();
   void showStrip(int top, int height);
-  [[nodiscard]] bool isThinned() const { return m_thinned || actors.bodies().areThinned(); }
+  [[nodiscard]] bool leavesOutSurfaces() const { return m_thinned || actors.bodies().leaveOutTriangles(); }
 
   SceneActors actors;
   LabelOverlay labels;
@@ -65,7 +65,6 @@ public:
 private:
   [[nodiscard]] double scale() const { return designScale(view.camera, view.size, view.pixelRatio); }
   void prepareFigure();
-  void thin();
   [[nodiscard]] const Figure &drawn() const { return m_thinned ? *m_thinned : content.figure; }
   void prepareFaceOrder();
   void prepareGround();
@@ -103,7 +102,7 @@ void FigureScene::Impl::prepare() {
   if (themeChanged)
     actors.applyTheme(theme);
   if (contentChanged) {
-    thin();
+    m_thinned = thinned(content.figure, content.highlighted);
     m_axes = content.stage.hasAxes() ? std::optional(axesAround(content.figure)) : std::nullopt;
   }
   if (themeChanged || contentChanged || sizesChanged)
@@ -147,11 +146,6 @@ void FigureScene::Impl::prepareFigure() {
   write(meshOf(drawn(), content.highlighted, theme, scale(), content.arrival), actors.solids());
   actors.bodies().show(content.figure, content.highlighted, theme, content.arrival);
   m_faces = FaceOrder(facesOf(drawn(), content.highlighted, theme, content.arrival));
-}
-
-void FigureScene::Impl::thin() {
-  const std::size_t stride = strideFor(faceLayersOf(content.figure), mostFaceLayers);
-  m_thinned = stride > 1 ? std::optional(thinned(content.figure, stride, content.highlighted)) : std::nullopt;
 }
 
 void FigureScene::Impl::prepareFaceOrder() {
@@ -259,7 +253,7 @@ void FigureScene::setView(View view) {
 
 void FigureScene::prepare() { m_impl->prepare(); }
 
-bool FigureScene::isThinned() const { return m_impl->isThinned(); }
+bool FigureScene::leavesOutSurfaces() const { return m_impl->leavesOutSurfaces(); }
 
 void FigureScene::showStrip(int top, int height) { m_impl->showStrip(top, height); }
 

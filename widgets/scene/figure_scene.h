@@ -37,7 +37,7 @@ public:
   void prepare();
 
   /// Whether what was prepared leaves out surfaces, as too many lie one behind another to be drawn in time.
-  [[nodiscard]] bool isThinned() const;
+  [[nodiscard]] bool leavesOutSurfaces() const;
 
   /// Narrows what the renderer shows to a strip of the view, as wide as the view and so many pixels high from
   /// the pixel row `top` on: for pictures too large to be drawn at once. Holds until the next prepare().

@@ -43,7 +43,14 @@ void RichLabel::setMarkdown(const QString &markdown) {
   setAccessibleName(m_text.plain());
   if (heightForWidth(width()) != before)
     updateGeometry();
+  if (m_held)
+    setMinimumHeight(std::max(minimumHeight(), heightForWidth(width())));
   update();
+}
+
+void RichLabel::setHeld(bool held) {
+  m_held = held;
+  setMinimumHeight(held ? height() : 0);
 }
 
 void RichLabel::setInk(Color ink, const Theme &theme) {

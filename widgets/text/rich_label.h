@@ -19,6 +19,8 @@ public:
   ~RichLabel() override;
 
   void setMarkdown(const QString &markdown);
+  /// While it is held it becomes no less high, whatever its words are.
+  void setHeld(bool held);
   /// The colour of words; the theme tells that of links and of what cannot be read.
   void setInk(Color ink, const Theme &theme);
   /// Before, pictures are told by their descriptions.
@@ -54,6 +56,7 @@ private:
   const Typesetter &m_typesetter;
   RichTextStyle m_style; ///< but for the font, which is the label's
   QString m_markdown;
+  bool m_held = false;
   RichText m_text;
   std::vector<QTextCursor> m_links;
   int m_focused = 0; ///< the link that keys are about

@@ -1,6 +1,5 @@
 #include "widgets/view/flat_view.h"
 
-#include "lessons/lesson/task_targets.h"
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/scene_letters.h"
 #include "lessons/scene/snapping.h"
@@ -161,12 +160,9 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
   const auto handle = handleAt(at);
   if (!handle)
     return;
-  const Scene &scene = m_model.session().scene;
-  std::vector<SnapTarget> asked;
-  if (m_content.stage == Stage()) // lessons speak of their scene's own numbers
-    asked = taskTargets(tasksOf(m_model.step()), scene, *handle);
-  const GestureToken held = m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, *handle)));
-  m_drag.emplace(stagedScene(), *handle, *m_frame, glm::dvec2(at.x(), at.y()), std::move(asked));
+  const GestureToken held =
+      m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
+  m_drag.emplace(stagedScene(), *handle, *m_frame, glm::dvec2(at.x(), at.y()), m_model.askedOf(*handle));
   m_held = held;
   grabKeyboard();
   setCursor(Qt::ClosedHandCursor);

@@ -41,11 +41,10 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("3D scene"));
-  m_frameTimer.setSingleShot(true);
   m_restTimer.setSingleShot(true);
   m_restTimer.setInterval(restDelay);
-  connect(&m_frameTimer, &QTimer::timeout, this, &SceneView::frame);
-  connect(&m_restTimer, &QTimer::timeout, this, &SceneView::requestFrame);
+  connect(&m_frames, &FramePacer::due, this, &SceneView::frame);
+  connect(&m_restTimer, &QTimer::timeout, &m_frames, &FramePacer::request);
   connect(&m_fade, &MarkFade::changed, this, [this] {
     m_contentStale = true;
     showMoved();
@@ -56,8 +55,9 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     m_stage = m_model.stage(); // what the view is fitted to is the new lesson's already
     m_handles = handlesOf(stagedScene());
     takeView();
-    forgetViews();
+    m_previousViews.forget();
   });
+  connect(&m_previousViews, &PreviousViews::changed, this, &SceneView::previousViewsChanged);
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
   connect(&m_extents, &ExtentGlide::changed, this, [this] {
     m_contentStale = true;
@@ -88,7 +88,7 @@ SceneView::~SceneView() {
 void SceneView::setTheme(const Theme &theme) {
   m_theme = theme;
   m_scene.setTheme(theme);
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::setMotion(bool on) {
@@ -105,7 +105,7 @@ void SceneView::setMotion(bool on) {
 void SceneView::setSizeScale(double scale) {
   m_sizeScale = scale;
   keepInView();
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::setHighlighted(std::set<std::string> markIds) {
@@ -214,7 +214,7 @@ void SceneView::takeStage() {
   m_camera.height = std::clamp(m_camera.height * toDouble(powerOfTen(m_stage.exponent - stage.exponent)),
                                Camera::minHeight, Camera::maxHeight);
   m_stage = stage;
-  forgetViews();
+  m_previousViews.forget();
   m_extents.release(false); // they are in units of the stage before
   showAll();
   showHint();
@@ -287,13 +287,13 @@ void SceneView::takeOutcome() {
 
 void SceneView::updateContent() {
   m_contentStale = true;
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::showMoved() {
   showHint(); // from elsewhere a handle may move otherwise
   m_restTimer.start();
-  requestFrame();
+  m_frames.request();
 }
 
 std::optional<Gizmo> SceneView::gizmo() const {
@@ -356,16 +356,8 @@ SceneContent SceneView::pictureContent() const {
   return content;
 }
 
-void SceneView::requestFrame() {
-  if (m_awaitingPaint)
-    m_frameWanted = true;
-  else if (!m_frameTimer.isActive())
-    m_frameTimer.start(0);
-}
-
 void SceneView::frame() {
-  m_frameTimer.stop();
-  m_frameWanted = false;
+  m_frames.begin();
   followPointer();
   if (!isValid() || !isVisible())
     return;
@@ -373,7 +365,7 @@ void SceneView::frame() {
   prepare();
   const auto prepared = Clock::now();
   // Outside of paintGL: VTK then asks for a paint, which only shows what is drawn here.
-  m_awaitingPaint = true;
+  m_frames.awaitPaint();
   renderWindow()->SetMultiSamples(m_restTimer.isActive() ? 0 : restSamples);
   renderWindow()->Render();
   m_times.update = prepared - start;
@@ -384,11 +376,7 @@ void SceneView::frame() {
 void SceneView::paintGL() {
   prepare(); // VTK draws by itself after a change of size
   QVTKOpenGLNativeWidget::paintGL();
-  m_awaitingPaint = false;
-  if (m_frameWanted) {
-    m_frameWanted = false;
-    requestFrame();
-  }
+  m_frames.painted();
 }
 
 void SceneView::prepare() {
@@ -399,13 +387,13 @@ void SceneView::prepare() {
   m_contentStale = false;
   m_scene.setView(screen());
   m_scene.prepare();
-  tellThinning();
+  tellNotice();
 }
 
-void SceneView::tellThinning() {
-  const bool isThinned = m_scene.isThinned();
-  if (std::exchange(m_isThinned, isThinned) != isThinned)
-    emit thinned(isThinned ? QString::fromStdString(thinningWords()) : QString());
+void SceneView::tellNotice() {
+  const QString notice = m_scene.leavesOutSurfaces() ? QString::fromStdString(overfullWords()) : QString();
+  if (std::exchange(m_notice, notice) != notice)
+    emit noticeChanged(notice);
 }
 
 SceneContent SceneView::interactiveContent() const {

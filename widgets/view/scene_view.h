@@ -7,7 +7,9 @@
 #include "widgets/scene/figure_scene.h"
 #include "widgets/session_model.h"
 #include "widgets/view/extent_glide.h"
+#include "widgets/view/frame_pacer.h"
 #include "widgets/view/mark_fade.h"
+#include "widgets/view/previous_views.h"
 
 #include <QElapsedTimer>
 #include <QRect>
@@ -70,7 +72,7 @@ public:
   void setOrthographic(bool on);
   /// As before the view was turned, moved or chosen last; step by step further back.
   void showPreviousView();
-  [[nodiscard]] bool hasPreviousView() const { return !m_previousViews.empty(); }
+  [[nodiscard]] bool hasPreviousView() const { return !m_previousViews.isEmpty(); }
   [[nodiscard]] bool orthographic() const { return m_camera.orthographic; }
 
   [[nodiscard]] const Camera &camera() const { return m_camera; }
@@ -105,12 +107,12 @@ public:
 
 signals:
   void orthographicChanged(bool on);
-  void markHovered(const QString &markId); ///< empty: none
-  void hint(const QString &words);         ///< what can be done, or what a drag just snapped to
-  void selectionChanged();                 ///< of a handle, or of what can be done with it
-  void previousViewsChanged();             ///< there is a first one, or none any more
-  void thinned(const QString &words);      ///< why not all surfaces are drawn; empty: all are
-  void dismissed();                        ///< Escape, while nothing is dragged
+  void markHovered(const QString &markId);  ///< empty: none
+  void hint(const QString &words);          ///< what can be done, or what a drag just snapped to
+  void selectionChanged();                  ///< of a handle, or of what can be done with it
+  void previousViewsChanged();              ///< there is a first one, or none any more
+  void noticeChanged(const QString &words); ///< why not all surfaces are drawn; empty: all are
+  void dismissed();                         ///< Escape, while nothing is dragged
   void frameDrawn(const halfspace::FrameTimes &times);
 
 protected:
@@ -156,7 +158,7 @@ private:
   }
   [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
   void prepare();
-  void tellThinning();
+  void tellNotice();
   /// Takes the content anew, and draws it.
   void updateContent();
   /// Draws what is there from where the camera is now.
@@ -171,14 +173,11 @@ private:
   [[nodiscard]] std::string fixedNote(const Handle &handle) const;
   [[nodiscard]] std::optional<Gizmo::Part> gizmoPartUnder(glm::dvec2 pixel) const;
   void hover(glm::dvec2 pixel);
-  /// What the tasks of the step ask of a handle.
-  [[nodiscard]] std::vector<SnapTarget> askedFor(const Handle &handle) const;
   /// Presses the handle or the tool's part at this pixel, if there is one.
   bool pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers);
   void pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pixel);
   /// Takes hold of the picture, to turn or to move it.
   void pressPicture(Gesture gesture);
-  void requestFrame();
   void frame();
   void followPointer();
   void showCaught(const std::string &caught);
@@ -188,9 +187,6 @@ private:
   void dismiss();
   void setDragMode(DragMode mode);
   void moveCamera(const QPointF &position);
-  /// The view that is about to be left can be gone back to.
-  void rememberView();
-  void forgetViews();
   /// The session has this view from now on.
   void keepView(const Camera &camera);
   /// The session's view, or as the lesson begins.
@@ -232,20 +228,19 @@ private:
 
   SessionModel &m_model;
   FigureScene m_scene;
-  bool m_isThinned = false; ///< as it was told
+  QString m_notice; ///< as it was told
   Theme m_theme;
   Stage m_stage; ///< the model's, that the camera is on
   Camera m_camera;
   double m_sizeScale = 1;
   bool m_motion = true;
   bool m_numbersHidden = false;
-  std::vector<Camera> m_previousViews; ///< on the same stage, the newest last
-  bool m_isZooming = false;            ///< by clicks of the wheel, which are one change of the view
-  bool m_hasTypedAway = false;         ///< something was typed out of the view
-  bool m_atHome = true;                ///< nobody has moved the camera since the lesson began
-  std::vector<PixelBox> m_covered;     ///< parts of the view
-  PixelSize m_size;                    ///< that the camera is for
-  std::optional<Resize> m_resize;      ///< the newest since somebody has moved the camera
+  PreviousViews m_previousViews;   ///< on the same stage
+  bool m_hasTypedAway = false;     ///< something was typed out of the view
+  bool m_atHome = true;            ///< nobody has moved the camera since the lesson began
+  std::vector<PixelBox> m_covered; ///< parts of the view
+  PixelSize m_size;                ///< that the camera is for
+  std::optional<Resize> m_resize;  ///< the newest since somebody has moved the camera
 
   Figure m_figure; ///< what is shown, on the stage
   std::vector<Handle> m_handles;
@@ -270,9 +265,7 @@ private:
   QPointF m_lastPointer;
   std::optional<QPointF> m_pendingPointer; ///< the newest pointer position that no frame has taken up
   bool m_contentStale = true;
-  bool m_awaitingPaint = false; ///< a frame is drawn but not shown yet
-  bool m_frameWanted = false;   ///< another one is wanted after that
-  QTimer m_frameTimer;
+  FramePacer m_frames;
   QTimer m_restTimer; ///< ends the quick drawing of what moves
   QVariantAnimation m_glide;
   MarkFade m_fade;

@@ -12,8 +12,6 @@ namespace {
 
 constexpr int glideTime = 350; // milliseconds
 constexpr double radiansPerPixel = 0.005;
-/// So many views can be gone back to.
-constexpr std::size_t mostPreviousViews = 50;
 constexpr double zoomPerWheelStep = 0.88;
 
 } // namespace
@@ -30,41 +28,23 @@ void SceneView::moveCamera(const QPointF &position) {
   showMoved();
 }
 
-void SceneView::rememberView() {
-  m_isZooming = false;
-  if (m_previousViews.size() == mostPreviousViews)
-    m_previousViews.erase(m_previousViews.begin());
-  m_previousViews.push_back(m_camera);
-  emit previousViewsChanged();
-}
-
-void SceneView::forgetViews() {
-  m_previousViews.clear();
-  emit previousViewsChanged();
-}
-
 void SceneView::showPreviousView() {
-  if (m_previousViews.empty())
+  auto camera = m_previousViews.takeLast();
+  if (!camera)
     return;
-  Camera camera = m_previousViews.back();
-  camera.orthographic = m_camera.orthographic;
-  m_previousViews.pop_back();
-  m_isZooming = false;
-  glideTo(camera);
-  emit previousViewsChanged();
+  camera->orthographic = m_camera.orthographic;
+  glideTo(*camera);
 }
 
 void SceneView::chooseView(const Camera &camera) {
   if (!(camera == m_camera))
-    rememberView();
+    m_previousViews.remember(m_camera);
   glideTo(camera);
 }
 
 void SceneView::wheelEvent(QWheelEvent *event) {
   m_glide.stop();
-  if (!m_isZooming)
-    rememberView();
-  m_isZooming = true;
+  m_previousViews.rememberZoomed(m_camera);
   m_atHome = false;
   const double steps = event->angleDelta().y() / 120.0;
   m_camera.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event->position()), pixelSize());
@@ -80,7 +60,7 @@ void SceneView::glideTo(const Camera &camera) {
   if (!m_motion || !isVisible()) {
     m_camera = camera;
     showHint();
-    return requestFrame();
+    return m_frames.request();
   }
   const Camera from = m_camera;
   m_glide.disconnect(this);
@@ -134,7 +114,7 @@ void SceneView::takeView() {
   m_glide.stop();
   m_camera = Camera(view->view);
   m_camera.orthographic = view->orthographic;
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::showAll() {
@@ -154,7 +134,7 @@ void SceneView::setCovered(const std::vector<QRect> &rectangles) {
   m_covered = std::move(covered);
   if (m_atHome && !m_model.inGesture())
     showAll();
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::keepInView() {
@@ -172,7 +152,7 @@ void SceneView::keepInView() {
 void SceneView::resizeEvent(QResizeEvent *event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   keepInView();
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::setAxisView(AxisView view) { chooseView(fittedToGiven(seenAlong(view, m_camera))); }
@@ -191,7 +171,7 @@ void SceneView::setOrthographic(bool on) {
   m_glide.stop();
   m_camera.orthographic = on;
   keepView(m_camera);
-  requestFrame();
+  m_frames.request();
 }
 
 void SceneView::fit() { chooseView(fittedTo(m_camera, staged(m_model.shown().figure), false)); }

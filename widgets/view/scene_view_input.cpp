@@ -1,5 +1,4 @@
 // The scene view's mouse and keys.
-#include "lessons/lesson/task_targets.h"
 #include "lessons/object/corners.h"
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/snapping.h"
@@ -166,7 +165,7 @@ void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pix
   m_held = m_model.beginGesture(QString::fromStdString(wordsForMoving(scene, handle)));
   m_gesture = Gesture::Handle;
   m_fade.finish();
-  m_drag.emplace(stagedScene(), handle, mode, pixel, askedFor(handle));
+  m_drag.emplace(stagedScene(), handle, mode, pixel, m_model.askedOf(handle));
   if (m_selected != handle.id)
     m_vertical = false;
   const bool wasSelected = m_selected == handle.id;
@@ -176,12 +175,6 @@ void SceneView::pressHandle(const Handle &pressed, DragMode mode, glm::dvec2 pix
   updateContent();
   showHint();
   emit selectionChanged();
-}
-
-std::vector<SnapTarget> SceneView::askedFor(const Handle &handle) const {
-  if (!(m_stage == Stage()))
-    return {}; // lessons speak of their scene's own numbers
-  return taskTargets(tasksOf(m_model.step()), m_model.session().scene, handle);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event) {
@@ -195,7 +188,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event) {
   if (!m_moved && (mousePlace(*event) - m_pressed).manhattanLength() > clickSlop) {
     m_moved = true;
     if (m_gesture != Gesture::Handle)
-      rememberView();
+      m_previousViews.remember(m_camera);
   }
   if (!m_moved)
     return;
@@ -270,7 +263,8 @@ void SceneView::cancelDrag() {
 
 void SceneView::letGo() {
   m_drag.reset();
-  showCaught({}); // what is typed or undone next may make it untrue
+  m_handles = handlesOf(stagedScene()); // those that kept still under the hand go where they belong
+  showCaught({});                       // what is typed or undone next may make it untrue
   m_pendingPointer.reset();
   m_gesture = Gesture::None;
   m_button = Qt::NoButton;

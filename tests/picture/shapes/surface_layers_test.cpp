@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -126,34 +128,67 @@ TEST(SurfaceStride, IsTheLeastPowerOfTwo_ThatLeavesNotTooManyLayers) {
   EXPECT_EQ(strideFor(40'000, 40), 1024U);
 }
 
-TEST(ThinnedFigure, HasOneFaceInSoMany_ThoseThatStandOut_AndAllElse) {
-  Figure figure = figureOf(8, [](int i) { return wallAt({i, 0, 0}); });
-  figure.marks.insert(figure.marks.begin() + 1, withId(pointAt({0, 0, 0}), "point"));
+std::vector<std::string> idsLeft(const Figure &figure, const std::set<std::string> &highlighted = {}) {
   std::vector<std::string> ids;
-  for (const Mark &mark : thinned(figure, 4, {"mark0", "mark3"}).marks)
+  for (const Mark &mark : thinned(figure, highlighted).value_or(figure).marks)
     ids.push_back(baseOf(mark).id);
-  EXPECT_EQ(ids, (std::vector<std::string>{"mark0", "point", "mark3", "mark4"}));
+  return ids;
 }
 
-TEST(FigureThatIsThinned, HasMoreLayersThanAreDrawn) {
+TEST(ThinnedFigure, OfAStack_HasEveryOtherFace_ThoseThatStandOut_AndAllElse) {
+  Figure figure = figureOf(41, [](int i) { return wallAt({i, 0, 0}); });
+  figure.marks.insert(figure.marks.begin() + 1, withId(pointAt({0, 0, 0}), "point"));
+  const std::vector<std::string> ids = idsLeft(figure, {"mark0", "mark3"});
+  EXPECT_EQ(ids.size(), 23U);
+  EXPECT_EQ(std::vector(ids.begin(), ids.begin() + 5),
+            (std::vector<std::string>{"mark0", "point", "mark2", "mark3", "mark4"}));
+}
+
+TEST(ThinnedFigure, LosesOnlyFacesThatLieOneBehindAnother) {
+  const auto wallsAndTiles = [](int i) { return i % 2 == 0 ? wallAt({i, 0, 0}) : wallAt({0, 5.0 * i, 0}); };
+  const std::vector<std::string> ids = idsLeft(figureOf(82, wallsAndTiles));
+  EXPECT_EQ(ids.size(), 21U + 41U);
+  for (int i = 1; i < 82; i += 2)
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), "mark" + std::to_string(i)), 1) << i;
+}
+
+TEST(ThinnedFigure, OfStacksInTurn_HasAsManyOfEach) {
+  const auto stacks = [](int i) { return wallAt({i / 10, 5.0 * (i % 10), 0}); };
+  std::map<int, int> left;
+  for (const std::string &id : idsLeft(figureOf(410, stacks)))
+    ++left[std::stoi(id.substr(4)) % 10];
+  for (int stack = 0; stack < 10; ++stack)
+    EXPECT_EQ(left[stack], 21) << stack;
+}
+
+TEST(ThinnedFigure, OfFacesInDisorder_HasNoMoreLayersThanAreDrawn) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(-1, 1);
+  const auto corner = [&] { return Place(anywhere(random), anywhere(random), anywhere(random)); };
+  const Figure figure = figureOf(1000, [&](int) { return polygonOf({corner(), corner(), corner()}); });
+  ASSERT_TRUE(isOverfull(figure));
+  EXPECT_FALSE(isOverfull(*thinned(figure, {})));
+}
+
+TEST(OverfullFigure, HasMoreLayersThanAreDrawn) {
   const auto walls = [](int i) { return wallAt({i, 0, 0}); };
-  EXPECT_FALSE(isThinned(figureOf(40, walls)));
-  EXPECT_TRUE(isThinned(figureOf(41, walls)));
+  EXPECT_FALSE(isOverfull(figureOf(40, walls)));
+  EXPECT_TRUE(isOverfull(figureOf(41, walls)));
   MeshMark mesh;
   mesh.mesh = std::make_shared<const TriangleMesh>(ballMesh(30, 15));
-  EXPECT_FALSE(isThinned({{mesh}}));
+  EXPECT_FALSE(isOverfull({{mesh}}));
   mesh.mesh = std::make_shared<const TriangleMesh>(randomTriangles(1000));
-  EXPECT_TRUE(isThinned({{mesh}}));
+  EXPECT_TRUE(isOverfull({{mesh}}));
 }
 
-TEST(FigureThatIsThinned, IsNoLessons) {
+TEST(OverfullFigure, IsNoLessons) {
   const LessonLibrary library = readLessons(LESSON_FOLDER);
   ASSERT_FALSE(library.lessons.empty());
   for (const Lesson &lesson : library.lessons) {
     const Evaluation evaluation = evaluate(lesson.scene);
     const Figure figure =
         toStage(figureOf(evaluation), stageOf(lesson.scene, boundObjectsOf(lesson.scene, evaluation)));
-    EXPECT_FALSE(isThinned(figure)) << lesson.id;
+    EXPECT_FALSE(isOverfull(figure)) << lesson.id;
     RecordProperty(lesson.id, std::to_string(faceLayersOf(figure)));
   }
 }

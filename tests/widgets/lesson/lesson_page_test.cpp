@@ -297,12 +297,12 @@ private slots:
     QVERIFY(choices[0]->isEnabled());
   }
 
-  void answeredQuestion_canBeTriedAgain() {
+  void answeredQuestion_ofAnotherScene_canBeTriedAgain() {
     ShownPage shown(someLesson(), 2);
     QSignalSpy reopened(&shown.page, &LessonPage::predictionReopened);
     QToolButton *again = shown.page.findChild<QToolButton *>("again");
     QVERIFY(!again->isVisible());
-    shown.page.setAnswer(GivenAnswer{"negative", "positive"});
+    shown.page.setAnswer(GivenAnswer{"negative", "positive", false});
     QVERIFY(again->isVisible());
     QTest::mouseClick(again, Qt::LeftButton);
     QCOMPARE(reopened.count(), 1);
@@ -447,7 +447,7 @@ private slots:
 
   void costs_ofAStep_areMeasuredOneAtATime() {
     ShownPage shown(lessonOf({{"Costs", {StepCost{"one"}, StepCost{"other"}}}}));
-    shown.page.showAims([](const std::string &) { return Aim{{{6, 7, 14}, {2, 1, -2}}, {}}; });
+    shown.page.flight().showAims([](const std::string &) { return Aim{{{6, 7, 14}, {2, 1, -2}}, {}}; });
     const auto plots = shown.shown<CostPlot>();
     QCOMPARE(plots.size(), 2);
     for (CostPlot *plot : plots)

@@ -121,13 +121,13 @@ private slots:
     const auto &notice = *fixture.frame.findChild<QLabel *>("sceneNotice");
     QVERIFY(!notice.isVisible());
     const Camera camera = fixture.view.camera();
-    emit fixture.view.thinned("Only some are filled.");
+    emit fixture.view.noticeChanged("Only some are filled.");
     QVERIFY(notice.isVisible());
     QCOMPARE(notice.text(), QString("Only some are filled."));
     QVERIFY(fixture.frame.rect().contains(fixture.placeOf(notice)));
     QVERIFY(!fixture.placeOf(notice).intersects(fixture.placeOf(*fixture.tools()[0])));
     QVERIFY(fixture.view.camera() == camera);
-    emit fixture.view.thinned({});
+    emit fixture.view.noticeChanged({});
     QVERIFY(!notice.isVisible());
   }
 

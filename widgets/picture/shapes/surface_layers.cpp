@@ -107,39 +107,85 @@ template <class CornersOf> std::size_t layersOf(std::size_t count, const Corners
 }
 
 /// The eight faces of the octahedron in a ball: a line through it crosses two, as with the ball itself.
-void addBall(const SphereMark &ball, std::vector<Corners> &faces) {
+std::vector<Corners> octahedronIn(const SphereMark &ball) {
+  std::vector<Corners> faces;
   for (const double x : {-ball.radius, ball.radius})
     for (const double y : {-ball.radius, ball.radius})
       for (const double z : {-ball.radius, ball.radius})
         faces.push_back(
             {ball.center + Place(x, 0, 0), ball.center + Place(0, y, 0), ball.center + Place(0, 0, z)});
-}
-
-std::vector<Corners> facesIn(const Figure &figure) {
-  std::vector<Corners> faces;
-  for (const Mark &mark : figure.marks)
-    if (const auto *patch = std::get_if<PlanePatchMark>(&mark))
-      faces.push_back(cornersOf(*patch));
-    else if (const auto *polygon = std::get_if<PolygonMark>(&mark))
-      faces.push_back(polygon->corners);
-    else if (const auto *ball = std::get_if<SphereMark>(&mark))
-      addBall(*ball, faces);
-  std::erase_if(faces, [](const Corners &corners) { return corners.size() < 3; });
   return faces;
 }
 
-bool isFace(const Mark &mark) {
-  return std::holds_alternative<PlanePatchMark>(mark) || std::holds_alternative<PolygonMark>(mark) ||
-         std::holds_alternative<SphereMark>(mark);
+/// The translucent faces of a mark.
+std::vector<Corners> facesOf(const Mark &mark) {
+  if (const auto *patch = std::get_if<PlanePatchMark>(&mark))
+    return {cornersOf(*patch)};
+  if (const auto *polygon = std::get_if<PolygonMark>(&mark))
+    return {polygon->corners};
+  if (const auto *ball = std::get_if<SphereMark>(&mark))
+    return octahedronIn(*ball);
+  return {};
+}
+
+struct Face {
+  std::size_t mark = 0; ///< the index of its mark
+  Corners corners;
+};
+
+std::vector<Face> facesOf(const Figure &figure) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < figure.marks.size(); ++i)
+    for (Corners &corners : facesOf(figure.marks[i]))
+      if (corners.size() >= 3)
+        faces.push_back({i, std::move(corners)});
+  return faces;
+}
+
+auto cornersIn(const std::vector<Face> &faces) {
+  return [&faces](std::size_t i) -> const Corners & { return faces[i].corners; };
+}
+
+/// The marks of all faces that a line crosses.
+std::vector<std::size_t> stackOn(const StraightLine &line, const std::vector<Face> &faces,
+                                 const std::set<std::size_t> &leftOut) {
+  std::vector<std::size_t> stack;
+  for (const Face &face : faces)
+    if (!leftOut.contains(face.mark) && crosses(line, face.corners))
+      stack.push_back(face.mark);
+  return stack;
+}
+
+void leaveOutEveryOther(std::vector<std::size_t> &stack, std::set<std::size_t> &leftOut) {
+  bool goes = false;
+  for (const std::size_t mark : std::set(stack.begin(), stack.end())) {
+    if (goes)
+      leftOut.insert(mark);
+    goes = !goes;
+  }
+  std::erase_if(stack, [&](std::size_t mark) { return leftOut.contains(mark); });
+}
+
+/// The marks that go for no line to cross too many faces. What is left is asked again, as other lines go
+/// through it.
+std::set<std::size_t> marksLeftOut(std::vector<Face> faces) {
+  std::set<std::size_t> leftOut;
+  std::size_t before = 0;
+  do {
+    before = leftOut.size();
+    for (const StraightLine &line : linesThrough(sample(faces.size(), cornersIn(faces)), cornersIn(faces)))
+      for (auto stack = stackOn(line, faces, leftOut); stack.size() > mostFaceLayers;)
+        leaveOutEveryOther(stack, leftOut);
+    std::erase_if(faces, [&](const Face &face) { return leftOut.contains(face.mark); });
+  } while (leftOut.size() > before);
+  return leftOut;
 }
 
 } // namespace
 
 std::size_t faceLayersOf(const Figure &figure) {
-  const std::vector<Corners> faces = facesIn(figure);
-  if (faces.size() <= mostFaceLayers)
-    return faces.size();
-  return layersOf(faces.size(), [&](std::size_t i) -> const Corners & { return faces[i]; });
+  const std::vector<Face> faces = facesOf(figure);
+  return faces.size() <= mostFaceLayers ? faces.size() : layersOf(faces.size(), cornersIn(faces));
 }
 
 std::size_t meshLayersOf(const TriangleMesh &mesh) {
@@ -155,15 +201,21 @@ std::size_t strideFor(std::size_t layers, std::size_t most) {
   return std::bit_ceil((layers + most - 1) / most);
 }
 
-Figure thinned(Figure figure, std::size_t stride, const std::set<std::string> &highlighted) {
-  std::size_t passed = 0;
-  std::erase_if(figure.marks, [&](const Mark &mark) {
-    return isFace(mark) && passed++ % stride != 0 && !highlighted.contains(baseOf(mark).id);
-  });
-  return figure;
+std::optional<Figure> thinned(const Figure &figure, const std::set<std::string> &highlighted) {
+  std::vector<Face> faces = facesOf(figure);
+  if (faces.size() <= mostFaceLayers)
+    return std::nullopt;
+  const std::set<std::size_t> leftOut = marksLeftOut(std::move(faces));
+  if (leftOut.empty())
+    return std::nullopt;
+  Figure left;
+  for (std::size_t i = 0; i < figure.marks.size(); ++i)
+    if (!leftOut.contains(i) || highlighted.contains(baseOf(figure.marks[i]).id))
+      left.marks.push_back(figure.marks[i]);
+  return left;
 }
 
-bool isThinned(const Figure &figure) {
+bool isOverfull(const Figure &figure) {
   return faceLayersOf(figure) > mostFaceLayers ||
          std::any_of(figure.marks.begin(), figure.marks.end(), [](const Mark &mark) {
            const auto *body = std::get_if<MeshMark>(&mark);
@@ -171,7 +223,7 @@ bool isThinned(const Figure &figure) {
          });
 }
 
-std::string thinningWords() {
+std::string overfullWords() {
   return words("So many surfaces lie one behind another that only some of them are drawn.");
 }
 
