@@ -1,5 +1,6 @@
 #include "lessons/lesson/practice.h"
 
+#include "lessons/lesson/gap_choice.h"
 #include "lessons/lesson/typed_answer.h"
 #include "lessons/lesson/usual_mistakes.h"
 #include "lessons/term/plain_text.h"
@@ -83,7 +84,9 @@ public:
     if (answer.entries.size() != m_truth.entries.size())
       return m_truth.isList      ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
                                          {{"count", std::to_string(m_truth.entries.size())}})
-             : m_letters.empty() ? words("One number is asked for here.")
+             : m_letters.empty() ? answer.entries.size() == 2
+                                       ? words("One number is asked for here: a decimal is written as 2.5.")
+                                       : words("One number is asked for here.")
                                  : words("One equation is asked for here.");
     for (const WrongTerm &mistake : m_mistakes)
       if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
@@ -143,66 +146,6 @@ private:
   std::vector<WrongTerm> m_mistakes;
 };
 
-/// Gaps in a term that is calculated; `entry`: it stands there in a list.
-void collectGaps(const Term &term, std::optional<std::size_t> entry, std::vector<Gap> &gaps) {
-  const bool isNumber = term->kind == TermKind::Number;
-  if (term->value && isExact(*term->value) && (isNumber || term->kind == TermKind::List))
-    gaps.push_back({term, false, entry});
-  if (isNumber)
-    return;
-  for (std::size_t i = 0; i < term->parts.size(); ++i)
-    collectGaps(term->parts[i], term->kind == TermKind::List ? std::optional(i) : std::nullopt, gaps);
-}
-
-/// Whether the term stands somewhere in the symbols of a line.
-bool isPartOf(const Term &term, const Term &whole) {
-  return readAlike(term, whole) || std::any_of(whole->parts.begin(), whole->parts.end(),
-                                               [&](const Term &part) { return isPartOf(term, part); });
-}
-
-bool isUsedIn(const WorkingLine &line, const Term &term) {
-  return std::any_of(line.chains.begin(), line.chains.end(),
-                     [&](const Chain &chain) { return isPartOf(term, chain.formula()); });
-}
-
-bool isPartOfResult(const Gap &gap, const Chain &chain) {
-  const std::vector<Term> &entries = chain.last()->parts;
-  return &*gap.hidden == &*chain.last() ||
-         (chain.last()->kind == TermKind::List &&
-          std::any_of(entries.begin(), entries.end(),
-                      [&](const Term &entry) { return &*entry == &*gap.hidden; }));
-}
-
-/// Whether the number is worked out by a formula that stands in the line, and by no name or coordinate alone.
-bool isWorkedOut(const Gap &gap) {
-  const auto &origin = gap.hidden->origin;
-  return origin && !gap.hidden->source && (*origin)->kind != TermKind::Name &&
-         (*origin)->kind != TermKind::Applied;
-}
-
-/// One of the numbers to be worked out: not the same of all lines, but always the same of a line that is
-/// built alike, so that it stays where it is while the scene moves. Not a result that another line puts in:
-/// it would stand there.
-std::optional<Gap> oneGap(const WorkingLine &line, const Working &working) {
-  if (line.chains.size() > 1)
-    return {};
-  const Chain &chain = askedChain(line);
-  const bool resultIsUsed =
-      std::any_of(working.lines.begin(), working.lines.end(), [&](const WorkingLine &other) {
-        return other.id != line.id && isUsedIn(other, chain.sides().front());
-      });
-  std::vector<Gap> gaps = numberGaps(line);
-  std::erase_if(gaps, [&](const Gap &gap) {
-    return !isWorkedOut(gap) || (resultIsUsed && isPartOfResult(gap, chain));
-  });
-  if (gaps.empty())
-    return {};
-  std::size_t sum = 0;
-  for (const char c : line.id)
-    sum += static_cast<unsigned char>(c);
-  return gaps[sum % gaps.size()];
-}
-
 using Lines = std::vector<WorkingLine>;
 
 Lines::const_iterator firstFaded(const Lines &lines, Fading fading) {
@@ -229,19 +172,13 @@ std::optional<Fading> fadingNamed(std::string_view word) {
 
 Gap resultGap(const WorkingLine &line) { return {askedChain(line).last()}; }
 
-std::vector<Gap> numberGaps(const WorkingLine &line) {
-  const Chain &chain = askedChain(line);
-  std::vector<Gap> gaps;
-  for (std::size_t side = chain.symbolic(); side < chain.sides().size(); ++side)
-    collectGaps(chain.sides()[side], {}, gaps);
-  return gaps;
-}
+std::vector<Gap> numberGaps(const WorkingLine &line) { return numberGaps(askedChain(line)); }
 
 Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened) {
   Fade faded;
   if (fading == Fading::Gaps) {
     for (const WorkingLine &line : working.lines)
-      if (const auto gap = opened.contains(line.id) ? std::nullopt : oneGap(line, working))
+      if (const auto gap = opened.contains(line.id) ? std::nullopt : gapAmongNumbers(line, working))
         faded.gaps.emplace(line.id, *gap);
     return faded;
   }

@@ -155,6 +155,14 @@ TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
   EXPECT_NE(judgement.sentence.find("“ten” is not a number"), std::string::npos);
 }
 
+TEST(Judge, OfADecimalCommaWhereItParts_SaysHowToWriteADecimal) {
+  const WorkingLine line = lineTo(Rational(1, 2));
+  EXPECT_NE(judged(line, "0,5").sentence.find("written as 2.5"), std::string::npos);
+  EXPECT_TRUE(judge(line, resultGap(line), "0,5", ',').right);
+  for (const char *right : {"0.5", ".5", "1/2", "2/4", "4/8", "0.50", "1 / 2"})
+    EXPECT_EQ(judged(line, right).sentence, "Right.") << right;
+}
+
 TEST(Judge, OfLettersWhereANumberIsAsked_SaysHowToWriteOne) {
   EXPECT_NE(judged(lineTo(10), "10x").sentence.find("is not a number"), std::string::npos);
   EXPECT_NE(judged(lineTo(10), "x = 10").sentence.find("is not a number"), std::string::npos);
@@ -227,14 +235,6 @@ TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
   EXPECT_FALSE(gapsOf(fade(working, Fading::Gaps, {"f"})).contains("f"));
 }
 
-TEST(Fade, ByGaps_HidesNothingThatStandsInAnotherLine) {
-  const Working working = workingOf("signed-distance");
-  const Fade faded = fade(working, Fading::Gaps, {});
-  EXPECT_FALSE(faded.gaps.contains("length")) << "the next line divides by it";
-  const Gap &distance = faded.gaps.at("distance");
-  EXPECT_NE(plainText(distance.hidden), "30") << "f(Q) is told by its own line";
-}
-
 TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
   const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
   const WorkingLine &f = *findLine(working, "f");
@@ -246,15 +246,6 @@ TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
       return;
     }
   FAIL() << "there is no 11";
-}
-
-TEST(NumberGaps, OfALine_AreAllItsNumbersAndLists) {
-  const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
-  std::vector<std::string> texts;
-  for (const Gap &gap : numberGaps(*findLine(working, "f")))
-    texts.push_back(plainText(gap.hidden));
-  EXPECT_EQ(texts,
-            (std::vector<std::string>{"(1, 2, 2)", "1", "2", "2", "(6, 11, 1)", "6", "11", "1", "30"}));
 }
 
 TEST(ToldFor, ALine_AreTheNamesThatNoShownLineSays) {
