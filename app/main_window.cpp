@@ -52,14 +52,14 @@ constexpr int longestExactWay = 6;
 constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
 
-/// How long a move is, in words: "3", "≈ 1.16499".
+/// How long a move is, in words: "3", "≈ 1.165".
 QString wayText(const Surd &squareOfWay) {
   const bool isSurd = squareOfWay.isRational(); // a root of a root is none
   const Surd way =
       isSurd ? Surd::root(squareOfWay.rationalPart()) : exactly(std::sqrt(toDouble(squareOfWay)));
   const auto textOf = [](const Term &term) { return QString::fromStdString(plainText(term)); };
   const bool isShort = isSurd && textOf(number(way)).size() <= longestExactWay;
-  const WrittenNumber shown = isShort ? written(way) : decimalOf(way);
+  const WrittenNumber shown = isShort ? written(way) : decimalOf(way, digitsAmongWords);
   return (isSurd && shown.exact ? QString() : QStringLiteral("≈\u00a0")) + textOf(shown.term);
 }
 

@@ -1,4 +1,5 @@
 #include "lessons/lesson/condition.h"
+#include "lessons/term/among_words.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/written.h"
 
@@ -18,15 +19,17 @@ constexpr std::string_view hiddenValue = "?";
 constexpr std::size_t longestName = 80;
 
 std::string latexAmongWords(const Term &term) {
-  Notation amongWords;
-  amongWords.flatFractions = true;
-  return latexOf(term, LatexMarks::Without, amongWords);
+  Notation flat;
+  flat.flatFractions = true;
+  return latexOf(amongWords(term), LatexMarks::Without, flat);
 }
 
-/// How large a root is, which nobody sees by looking at it: ≈ 7.34847; empty behind other values.
+/// How large a root is, which nobody sees by looking at it: ≈ 7.348; empty behind other values.
 std::string sizeOfRoot(const Value &value) {
   const auto *number = std::get_if<Surd>(&value);
-  return number && !number->isRational() ? "\\approx " + latexAmongWords(decimalOf(*number).term) : "";
+  return number && !number->isRational()
+             ? "\\approx " + latexAmongWords(decimalOf(*number, digitsAmongWords).term)
+             : "";
 }
 
 /// A value as Markdown: numbers as LaTeX, with ≈ when they are rounded, words as they are.

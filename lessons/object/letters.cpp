@@ -1,5 +1,6 @@
 #include "lessons/object/letters.h"
 
+#include "lessons/term/among_words.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
@@ -46,6 +47,6 @@ bool isUnit(const Term &vector) {
   return number && areEqual(*number, 1) == true;
 }
 
-std::string equation(const Term &name) { return plainText(withResult(name)); }
+std::string equation(const Term &name) { return plainText(Chain(name).then(amongWords(calculated(name)))); }
 
 } // namespace halfspace

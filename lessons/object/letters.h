@@ -31,7 +31,7 @@ template <class Kind> [[nodiscard]] Term coordinateTerm(const Given<Kind> &given
 /// Whether the vector is one unit long.
 [[nodiscard]] bool isUnit(const Term &vector);
 
-/// The name with its value, in plain text: `t = −10/3`, or `t ≈ 0.271828` when it is rounded.
+/// The name with its value, in plain text: `t = −10/3`, or `t ≈ 0.2718` when it is rounded.
 [[nodiscard]] std::string equation(const Term &name);
 
 } // namespace halfspace

@@ -36,7 +36,8 @@ WrittenNumber degreesOf(const Term &cosine) {
       if (*exact == -itsCosine)
         return {Term(180 - degrees), true};
     }
-  return {rounded(std::acos(std::clamp(toDouble(number), -1.0, 1.0)) * 180 / std::numbers::pi), false};
+  const double degrees = std::acos(std::clamp(toDouble(number), -1.0, 1.0)) * 180 / std::numbers::pi;
+  return {rounded(degrees, digitsAmongWords), false};
 }
 
 } // namespace halfspace

@@ -232,12 +232,12 @@ private:
   [[nodiscard]] Text listOf(const std::vector<Term> &entries) {
     if (std::none_of(entries.begin(), entries.end(), isTall))
       return flatList(small(entries));
-    return std::all_of(entries.begin(), entries.end(), isFractionOfDigits) ? numberList(small(entries))
-                                                                           : list(small(entries));
+    return std::all_of(entries.begin(), entries.end(), isWrittenInDigits) ? numberList(small(entries))
+                                                                          : list(small(entries));
   }
 
   /// 3, −10/3.
-  [[nodiscard]] static bool isFractionOfDigits(const Term &term) {
+  [[nodiscard]] static bool isWrittenInDigits(const Term &term) {
     const Term &bare = shown(term)->kind == TermKind::Negation ? shown(term)->parts[0] : term;
     const auto isDigits = [](const Term &each) { return shown(each)->kind == TermKind::Digits; };
     return isDigits(bare) || (shown(bare)->kind == TermKind::Quotient &&
@@ -349,7 +349,7 @@ private:
   }
 
   [[nodiscard]] Text besideBar(const Term &term, Binding least) {
-    m_flat = isFractionOfDigits(term);
+    m_flat = isWrittenInDigits(term);
     Text text = held(term, least);
     m_flat = false;
     return text;

@@ -130,32 +130,41 @@ bool isDecimal(const Real &number) {
          (value->rationalPart().denominator() == 1 || !shortDecimalOf(value->rationalPart()).empty());
 }
 
+/// How many digits stand before the decimal point; 0 where they are too many to be written.
+int wholeDigits(double magnitude) {
+  int digits = 0;
+  for (double next = 1; next <= magnitude; next *= 10)
+    if (++digits > shownDigits)
+      return 0;
+  return digits;
+}
+
 /// 31.4159, 6.02214e23; for a finite number ≥ 0.
-std::string shortDecimal(double magnitude) {
+std::string shortDecimal(double magnitude, int digits) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), magnitude,
-                                 std::chars_format::general, shownDigits)
+                                 std::chars_format::general, std::max(digits, wholeDigits(magnitude)))
                        .ptr;
   return {buffer.data(), end};
 }
 
 } // namespace
 
-Term rounded(double value) {
+Term rounded(double value, int digits) {
   const bool negative = value < 0;
   if (!std::isfinite(value))
-    return signedTerm(negative, digits("∞"));
-  const std::string text = shortDecimal(std::abs(value));
+    return signedTerm(negative, halfspace::digits("∞"));
+  const std::string text = shortDecimal(std::abs(value), digits);
   const auto e = text.find('e');
   return signedTerm(negative, e == std::string::npos
-                                  ? digits(text)
+                                  ? halfspace::digits(text)
                                   : scientific(text.substr(0, e), std::stoi(text.substr(e + 1))));
 }
 
-WrittenNumber decimalOf(const Surd &number) {
+WrittenNumber decimalOf(const Surd &number, int digits) {
   const double value = toDouble(number);
-  const auto same = std::isfinite(value) ? parseDecimal(shortDecimal(std::abs(value))) : std::nullopt;
-  return {rounded(value), same && number.isRational() && abs(number.rationalPart()) == *same};
+  const auto same = std::isfinite(value) ? parseDecimal(shortDecimal(std::abs(value), digits)) : std::nullopt;
+  return {rounded(value, digits), same && number.isRational() && abs(number.rationalPart()) == *same};
 }
 
 WrittenNumber written(const Real &number) { return written(number, ownLook(number)); }

@@ -19,6 +19,8 @@ struct WrittenNumber {
 /// rounded.
 inline constexpr std::size_t longestExactForm = 14;
 inline constexpr int shownDigits = 6;
+/// The same in sentences, where more would be read and forgotten: ≈ 0.6509.
+inline constexpr int digitsAmongWords = 4;
 
 /// Small fractions as such, others as decimals where those end; rounded where neither is short.
 [[nodiscard]] WrittenNumber written(const Real &number);
@@ -28,11 +30,12 @@ inline constexpr int shownDigits = 6;
 /// one has to be rounded. Whole numbers go with all of these.
 [[nodiscard]] std::vector<WrittenNumber> writtenAlike(const std::vector<Real> &numbers);
 
-/// The value rounded to `shownDigits` significant digits, as a term of digits; ∞ beyond all numbers.
-[[nodiscard]] Term rounded(double value);
+/// The value rounded to so many significant digits, as a term of digits; ∞ beyond all numbers. Digits before
+/// the decimal point stay, up to `shownDigits`.
+[[nodiscard]] Term rounded(double value, int digits = shownDigits);
 
-/// The number as a decimal of at most `shownDigits` significant digits.
-[[nodiscard]] WrittenNumber decimalOf(const Surd &number);
+/// The number as a decimal of at most so many significant digits.
+[[nodiscard]] WrittenNumber decimalOf(const Surd &number, int digits = shownDigits);
 
 /// Whether some number in the term is written rounded.
 [[nodiscard]] bool showsRounded(const Term &term);

@@ -29,6 +29,16 @@ TEST(TermFormula, ParenthesesAroundFractions_AreAsTallAsThoseThatStretch) {
   EXPECT_EQ(coordinates().glyphs.back().glyph, stretched.glyphs.back().glyph);
 }
 
+TEST(TermFormula, FractionAmongWords_HasASlash_AndDigitsOfUsualSize) {
+  Notation flat;
+  flat.flatFractions = true;
+  const Layout layout = layOut(formulaOf(Term(Rational(-12, 7)), flat), fonts());
+  EXPECT_EQ(glyphsOf(layout, U'/').size(), 1U);
+  EXPECT_TRUE(layout.rules.empty());
+  for (const auto &glyph : layout.glyphs)
+    EXPECT_EQ(glyph.size, 1);
+}
+
 TEST(TermFormula, FractionAboveABar_HasASlash) {
   const Term quotient = Term(Rational(-15, 2)) / Term(Rational(1, 3));
   const Layout layout = layOut(formulaOf(quotient), fonts());

@@ -57,9 +57,11 @@ bool isLong(const WrittenNumber &number) {
          text.size() - (text.starts_with("−") ? std::string_view("−").size() : 0) > longestExact;
 }
 
-/// As it stands among words: a fraction is small.
+/// As it stands among words: a fraction has a slash, and its digits are as large as others.
 math::Row formulaOfNumber(const WrittenNumber &number) {
-  return math::row(math::styleSwitch(math::Style::Text), formulaOf(number.term));
+  Notation flat;
+  flat.flatFractions = true;
+  return formulaOf(number.term, flat);
 }
 
 /// In a column whose head says that its numbers are rounded.
@@ -109,8 +111,7 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(roundedInColumn(Rational(-888, 100))))),
-      m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(written(Rational(-88, 87))))), m_theme(themes().front()) {
   speakBy<FragmentTable, SpokenTable>();
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

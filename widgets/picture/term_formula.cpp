@@ -144,7 +144,7 @@ protected:
   }
 
   Row fraction(Row top, Row bottom, FractionLook look) override {
-    if (look.flat)
+    if (look.flat || m_notation.flatFractions)
       return math::row(std::move(top), math::symbol('/'), std::move(bottom));
     return math::row(math::fraction(std::move(top), std::move(bottom),
                                     look.small ? std::optional(math::Style::Text) : std::nullopt));
@@ -210,7 +210,7 @@ protected:
 
   Row blank() override { return leftOut(m_roomOfBlank); }
 
-  [[nodiscard]] bool isFlat() const override { return false; }
+  [[nodiscard]] bool isFlat() const override { return m_notation.flatFractions; }
 
 private:
   [[nodiscard]] Row separated(std::vector<Row> entries) const {

@@ -58,7 +58,7 @@ TEST(LiveValues, WhenRounded_SaySo) {
 
 TEST(LiveValues, OfRoots_SayHowLargeTheyAre) {
   const Evaluation outcome = test::withValues({{"x", "", Surd::root(6, 3)}});
-  EXPECT_EQ(withLiveValues("It is {x}.", Scene{}, outcome), "It is $3\\sqrt{6}\\approx 7.34847$.");
+  EXPECT_EQ(withLiveValues("It is {x}.", Scene{}, outcome), "It is $3\\sqrt{6}\\approx 7.348$.");
 }
 
 } // namespace

@@ -22,7 +22,7 @@ TEST(Angle, IsExactWhereItIsAWholeNumberOfDegrees) {
 }
 
 TEST(Angle, IsRoundedElsewhere_HoweverNearToAWholeNumber) {
-  EXPECT_EQ(degrees(Rational(3, 5)), " ≈ 53.1301");
+  EXPECT_EQ(degrees(Rational(3, 5)), " ≈ 53.13");
   EXPECT_EQ(degrees(Rational(1, 1000000000)), " ≈ 90");
 }
 

@@ -4,7 +4,7 @@
 #include "lessons/term/prime.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"
-#include "tests/lessons/construction/latex_value.h"
+#include "tests/lessons/construction/precise.h"
 #include "tests/lessons/term/term_samples.h"
 #include "tests/lessons/term/truth.h"
 
@@ -160,7 +160,7 @@ std::vector<Truth> truthsOf(const TermValue &value) {
 void expectReadAsMeant(const Term &term) {
   const std::string latex = latexOf(term);
   const std::vector<Truth> expected = truthsOf(*term->value);
-  const Quantity read = calculate(latex, namesOfRandomTerms());
+  const Numbers read = calculate(latex, namesOfRandomTerms());
   ASSERT_EQ(read.size(), expected.size()) << latex;
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (mp::isnan(read[i]))

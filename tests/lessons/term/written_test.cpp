@@ -96,6 +96,9 @@ TEST(WrittenAlike, InATermOfAList_AreItsNumbers) {
 
 TEST(Rounded, OfVeryLargeAndVerySmallNumbers_HasAPowerOfTen) {
   EXPECT_EQ(plainText(rounded(-6.02214076e23)), "−6.02214·10²³");
+  EXPECT_EQ(plainText(rounded(0.650945, digitsAmongWords)), "0.6509");
+  EXPECT_EQ(plainText(rounded(65094.6, digitsAmongWords)), "65095") << "no power of ten for that";
+  EXPECT_EQ(plainText(rounded(6509450, digitsAmongWords)), "6.509·10⁶");
   EXPECT_EQ(plainText(rounded(1.5e-7)), "1.5·10⁻⁷");
   EXPECT_EQ(plainText(rounded(0.0001)), "0.0001");
 }
