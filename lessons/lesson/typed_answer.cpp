@@ -15,9 +15,9 @@ constexpr char rootSign = '\x01';
 
 /// One character for each sign of an answer.
 std::string condensed(std::string_view typed) {
-  std::string text(typed);
-  const std::array<std::pair<std::string_view, std::string_view>, 7> signs{
-      {{" ", ""}, {"−", "-"}, {"·", "*"}, {"⋅", "*"}, {"×", "*"}, {"√", "\x01"}, {"sqrt", "\x01"}}};
+  std::string text = plainSigns(typed);
+  const std::array<std::pair<std::string_view, std::string_view>, 6> signs{
+      {{" ", ""}, {"·", "*"}, {"⋅", "*"}, {"×", "*"}, {"√", "\x01"}, {"sqrt", "\x01"}}};
   for (const auto &[from, to] : signs)
     text = replacedAll(std::move(text), from, to);
   return text;

@@ -7,9 +7,9 @@
 namespace halfspace {
 namespace {
 
-/// With a plain minus, and without a plus sign in front.
-std::string plainSigns(std::string_view typed) {
-  std::string text = replacedAll(std::string(trimmed(typed)), "−", "-");
+/// With plain signs, and without a plus in front.
+std::string withoutPlus(std::string_view typed) {
+  std::string text = plainSigns(trimmed(typed));
   return text.starts_with('+') ? text.substr(1) : text;
 }
 
@@ -24,8 +24,17 @@ std::string withoutSpaces(std::string text) {
 
 } // namespace
 
+std::string plainSigns(std::string_view typed) {
+  std::string text(typed);
+  for (const char *minus : {"−", "–"})
+    text = replacedAll(std::move(text), minus, "-");
+  for (const char *slash : {"÷", "⁄"})
+    text = replacedAll(std::move(text), slash, "/");
+  return text;
+}
+
 std::optional<Rational> parseMixed(std::string_view typed) {
-  const std::string text = plainSigns(typed);
+  const std::string text = withoutPlus(typed);
   const bool negative = text.starts_with('-');
   const std::string magnitude(trimmed(std::string_view(text).substr(negative ? 1 : 0)));
   const auto space = magnitude.find(' ');
@@ -44,7 +53,7 @@ std::optional<Rational> parseMixed(std::string_view typed) {
 std::string plainSpelling(std::string_view typed, char decimalMark) {
   if (const auto mixed = parseMixed(typed))
     return toText(*mixed);
-  std::string text = plainSigns(typed);
+  std::string text = withoutPlus(typed);
   if (decimalMark != '.')
     std::replace(text.begin(), text.end(), decimalMark, '.');
   text = withoutSpaces(std::move(text));

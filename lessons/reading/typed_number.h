@@ -9,6 +9,9 @@
 
 namespace halfspace {
 
+/// With a plain minus and a plain slash, where keyboards and text programs put a dash, −, ÷ or ⁄.
+[[nodiscard]] std::string plainSigns(std::string_view typed);
+
 /// A whole number with a fraction behind it: 1 1/2 is 3/2, −3 1/3 is −10/3. Nothing for any other text, and
 /// where the fraction has a zero below.
 [[nodiscard]] std::optional<Rational> parseMixed(std::string_view typed);

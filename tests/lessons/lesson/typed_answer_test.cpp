@@ -20,6 +20,8 @@ TEST(ReadAnswer, OfNumbersAsLearnersWriteThem_IsExact) {
   const std::vector<std::pair<const char *, Surd>> cases{{"10", 10},
                                                          {" -10 / 3 ", Rational(-10, 3)},
                                                          {"−10/3", Rational(-10, 3)},
+                                                         {"–10⁄3", Rational(-10, 3)},
+                                                         {"10÷3", Rational(10, 3)},
                                                          {"10/-3", Rational(-10, 3)},
                                                          {"3.25", Rational(13, 4)},
                                                          {"2*sqrt(43)/3", root(43, Rational(2, 3))},

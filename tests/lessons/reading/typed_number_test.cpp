@@ -27,6 +27,7 @@ TEST(ParseMixed, OfAnythingElse_IsNothing) {
 TEST(PlainSpelling, OfWhatPeopleType_IsThatOfFiles) {
   EXPECT_EQ(plainSpelling(" +1 1/2 "), "3/2");
   EXPECT_EQ(plainSpelling("− 10 / 3"), "-10/3");
+  EXPECT_EQ(plainSpelling("–10⁄3"), "-10/3") << "a dash, and the slash of text programs";
   EXPECT_EQ(plainSpelling("1 234.5"), "1234.5");
   EXPECT_EQ(plainSpelling("-,5", ','), "-0.5");
   EXPECT_EQ(plainSpelling("1 1/0"), "11/0") << "no number in either spelling";
