@@ -6,7 +6,8 @@
 
 namespace halfspace {
 
-void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme) {
+void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme,
+                  bool isOfNow) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (verdict == Verdict::Open) {
@@ -15,7 +16,9 @@ void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verd
   } else {
     const bool right = verdict == Verdict::Right;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(toQColor(right ? theme.inkOf(Subject::Triangle) : theme.warning));
+    painter.setBrush(toQColor(!isOfNow ? theme.mutedInk
+                              : right  ? theme.inkOf(Subject::Triangle)
+                                       : theme.warning));
     painter.drawEllipse(center, radius, radius);
     const auto at = [&](double x, double y) { return center + QPointF(x, y) * radius; };
     painter.setPen(QPen(toQColor(theme.panel), 0.24 * radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

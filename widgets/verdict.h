@@ -11,7 +11,9 @@ namespace halfspace {
 
 enum class Verdict { Open, Right, Wrong };
 
-/// Paints a filled circle with a check mark, one with a cross, or an empty one, around a point.
-void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme);
+/// Paints a filled circle with a check mark, one with a cross, or an empty one, around a point. One that is
+/// not of now, but about what has changed since, is grey.
+void paintVerdict(QPainter &painter, QPointF center, double radius, Verdict verdict, const Theme &theme,
+                  bool isOfNow = true);
 
 } // namespace halfspace

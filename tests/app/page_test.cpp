@@ -1,5 +1,6 @@
 // The page beside the scene, the drawer and the card over it, and how the window is shared among them.
 #include "app/page_width.h"
+#include "lessons/object/point.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
@@ -108,11 +109,14 @@ private slots:
     press(Qt::Key_F9);
     QVERIFY(parts() == std::pair(true, false));
     QTRY_VERIFY(fixture.shareOfScene() > 0.8);
+    const double usual = fixture.page().font().pointSizeF();
     press(Qt::Key_F8);
     QVERIFY(parts() == std::pair(false, true));
+    QVERIFY(fixture.page().font().pointSizeF() > 1.2 * usual);
     QVERIFY(!fixture.action(Qt::Key_F9)->isChecked());
     press(Qt::Key_F8);
     QVERIFY(parts() == std::pair(true, true));
+    QCOMPARE(fixture.page().font().pointSizeF(), usual);
     press(Qt::Key_F9);
     press(Qt::Key_F9);
     QVERIFY(parts() == std::pair(true, true));
@@ -368,7 +372,7 @@ private slots:
     QTRY_COMPARE(fixture.model().step().title, std::string("Two"));
   }
 
-  void question_triedAgain_hidesTheNumbersAgain() {
+  void question_triedAgainOfAnotherScene_hidesTheNumbersAgain() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const auto hidesNumbers = [&] {
@@ -378,6 +382,7 @@ private slots:
     fixture.answer(1);
     QVERIFY(!fixture.questionIsOpen());
     QVERIFY(!fixture.lines().shownNumbers().inLine(0).empty());
+    fixture.model().edit(ChangeObject{"Q", PointObject{{-1, 1, 1}}}, "move Q"); // to the other side
     QTest::mouseClick(fixture.window.findChild<QToolButton *>("again"), Qt::LeftButton);
     QVERIFY(hidesNumbers());
     fixture.answer(0);

@@ -35,18 +35,24 @@ ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, Q
   setSizePolicy(policy);
 }
 
-void ChoiceButton::setVerdict(Verdict verdict) {
+void ChoiceButton::setVerdict(Verdict verdict, bool isOfNow) {
   m_verdict = verdict;
-  setAccessibleDescription(verdict == Verdict::Right   ? tr("Right")
-                           : verdict == Verdict::Wrong ? tr("Wrong")
-                                                       : QString());
-  update();
+  m_isOfNow = isOfNow;
+  const QString word = verdict == Verdict::Open    ? QString()
+                       : verdict == Verdict::Right ? tr("Right")
+                                                   : tr("Wrong");
+  setAccessibleDescription(isOfNow || word.isEmpty() ? word : tr("%1 before the change").arg(word));
+  showInk();
 }
 
 void ChoiceButton::setTheme(const Theme &theme) {
   m_theme = theme;
   layout()->setContentsMargins(choiceMargins * theme.textScale);
-  m_label->setInk(theme.ink, theme);
+  showInk();
+}
+
+void ChoiceButton::showInk() {
+  m_label->setInk(m_isOfNow ? m_theme.ink : m_theme.mutedInk, m_theme);
   update();
 }
 
@@ -58,13 +64,19 @@ bool ChoiceButton::event(QEvent *event) {
   return QCoreApplication::sendEvent(m_label, &forLabel);
 }
 
+Color ChoiceButton::edge() const {
+  if (!m_isOfNow)
+    return m_theme.border;
+  return m_verdict == Verdict::Right                               ? m_theme.inkOf(Subject::Triangle)
+         : m_verdict == Verdict::Wrong                             ? m_theme.warning
+         : hasFocus() || isDown() || (isEnabled() && underMouse()) ? m_theme.accent
+                                                                   : m_theme.border;
+}
+
 void ChoiceButton::paintEvent(QPaintEvent *) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const Color edge = m_verdict == Verdict::Right   ? m_theme.inkOf(Subject::Triangle)
-                     : m_verdict == Verdict::Wrong ? m_theme.warning
-                     : hasFocus() || isDown() || (isEnabled() && underMouse()) ? m_theme.accent
-                                                                               : m_theme.border;
+  const Color edge = this->edge();
   const double tint = m_verdict != Verdict::Open    ? 0.10
                       : isDown()                    ? 0.14
                       : isEnabled() && underMouse() ? 0.07
@@ -73,12 +85,12 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
   painter.setBrush(toQColor(mix(m_theme.panel, edge, tint)));
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), cornerRadius, cornerRadius);
   paintVerdict(painter, {layout()->contentsMargins().left() / 2.0, height() / 2.0},
-               markRadius * m_theme.textScale, m_verdict, m_theme);
+               markRadius * m_theme.textScale, m_verdict, m_theme, m_isOfNow);
 }
 
 PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
     : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
-      m_reason(new RichLabel(typesetter)), m_again(new QToolButton) {
+      m_reason(new RichLabel(typesetter)), m_again(new QToolButton), m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(7);
@@ -104,31 +116,40 @@ PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &pre
 }
 
 void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
+  m_isOfNow = !answer || answer->isOfNow;
   for (int i = 0; i < m_buttons.size(); ++i) {
     const std::string &word = m_prediction.choices[static_cast<std::size_t>(i)].word;
     m_buttons[i]->setEnabled(!answer);
     m_buttons[i]->setVerdict(!answer || answer->right.empty() ? Verdict::Open
                              : word == answer->right          ? Verdict::Right
                              : word == answer->chosen         ? Verdict::Wrong
-                                                              : Verdict::Open);
+                                                              : Verdict::Open,
+                             m_isOfNow);
   }
   m_reason->setVisible(answer.has_value());
-  // A right answer has nothing to mend, unless it was about another scene.
-  m_again->setVisible(answer && !(answer->isOfNow && answer->chosen == answer->right));
-  if (!answer)
-    return;
-  const QString verdict = answer->right.empty()             ? QString()
-                          : answer->chosen == answer->right ? tr("**Right.** ")
-                                                            : tr("**Not quite.** ");
-  m_reason->setMarkdown(verdict + (answer->isOfNow ? QString::fromStdString(m_prediction.reason)
-                                                   : tr("That was about the scene before it was changed.")));
+  // Where the right answer stands there is nothing left to try, unless it was about another scene.
+  m_again->setVisible(answer && (!m_isOfNow || answer->right.empty()));
+  if (answer)
+    showReason(*answer);
+  showInk();
+}
+
+void PredictionBox::showReason(const GivenAnswer &answer) {
+  const QString verdict = answer.right.empty()            ? QString()
+                          : answer.chosen == answer.right ? tr("**Right.** ")
+                                                          : tr("**Not quite.** ");
+  m_reason->setMarkdown(verdict + (answer.isOfNow ? QString::fromStdString(m_prediction.reason)
+                                                  : tr("That was about the scene before it was changed.")));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {
+  m_theme = theme;
   m_question->setInk(theme.ink, theme);
-  m_reason->setInk(theme.ink, theme);
   for (ChoiceButton *button : m_buttons)
     button->setTheme(theme);
+  showInk();
 }
+
+void PredictionBox::showInk() { m_reason->setInk(m_isOfNow ? m_theme.ink : m_theme.mutedInk, m_theme); }
 
 } // namespace halfspace

@@ -17,7 +17,8 @@ class ChoiceButton : public QAbstractButton {
 public:
   ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent = nullptr);
 
-  void setVerdict(Verdict verdict);
+  /// `isOfNow`: it is about the scene as it is; else it is shown in grey.
+  void setVerdict(Verdict verdict, bool isOfNow = true);
   [[nodiscard]] Verdict verdict() const { return m_verdict; }
   void setTheme(const Theme &theme);
 
@@ -26,8 +27,12 @@ protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
+  [[nodiscard]] Color edge() const;
+  void showInk();
+
   RichLabel *m_label;
   Verdict m_verdict = Verdict::Open;
+  bool m_isOfNow = true;
   Theme m_theme;
 };
 
@@ -37,7 +42,8 @@ struct GivenAnswer {
   bool isOfNow = true; ///< what was right then is so still: the scene has not become another case
 };
 
-/// The question and its choices; after the answer the right one, the verdict and the reason.
+/// The question and its choices; after the answer the right one, the verdict and the reason. What is about
+/// the scene before it became another case is grey, and the question can be answered again.
 class PredictionBox : public QWidget {
   Q_OBJECT
 public:
@@ -55,11 +61,16 @@ signals:
   void reopened(); ///< the learner wants to try again
 
 private:
+  void showReason(const GivenAnswer &answer);
+  void showInk();
+
   Prediction m_prediction;
   RichLabel *m_question;
   QList<ChoiceButton *> m_buttons;
   RichLabel *m_reason;
   QToolButton *m_again;
+  Theme m_theme;
+  bool m_isOfNow = true; ///< the answer
 };
 
 } // namespace halfspace

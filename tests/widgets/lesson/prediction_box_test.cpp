@@ -40,6 +40,15 @@ struct ShownBox {
   bool ready = false;
 };
 
+/// Whether a colour is where the verdict has its mark.
+bool paintsMark(ChoiceButton &choice, Color ink) {
+  const QImage image = choice.grab().toImage();
+  for (int x = 0; x < 34; ++x)
+    if (image.pixelColor(x, image.height() / 2).rgb() == toQColor(ink).rgb())
+      return true;
+  return false;
+}
+
 using enum Verdict;
 
 } // namespace
@@ -95,8 +104,9 @@ private slots:
     QTest::addColumn<bool>("isOfNow");
     QTest::addColumn<bool>("isOffered");
     QTest::newRow("right") << "negative" << true << false;
-    QTest::newRow("wrong") << "on" << true << true;
+    QTest::newRow("wrong, and the right one is shown") << "on" << true << false;
     QTest::newRow("right, about another scene") << "negative" << false << true;
+    QTest::newRow("wrong, about another scene") << "on" << false << true;
   }
 
   void tryingAgain_isOfferedWhereThereIsSomethingToMend() {
@@ -106,6 +116,18 @@ private slots:
     ShownBox shown;
     shown.box.setAnswer(GivenAnswer{chosen.toStdString(), "negative", isOfNow});
     QCOMPARE(shown.box.findChild<QToolButton *>("again")->isVisibleTo(&shown.box), isOffered);
+  }
+
+  void verdict_ofAnotherScene_isGrey() {
+    ShownBox shown;
+    QVERIFY(shown.ready);
+    shown.box.setAnswer(GivenAnswer{"on", "positive", false});
+    const Theme &theme = themes().front();
+    for (const int choice : {0, 2})
+      QVERIFY(paintsMark(*shown.box.choices()[choice], theme.mutedInk));
+    QVERIFY(!paintsMark(*shown.box.choices()[0], theme.inkOf(Subject::Triangle)));
+    QVERIFY(!paintsMark(*shown.box.choices()[2], theme.warning));
+    QCOMPARE(shown.box.choices()[0]->accessibleDescription(), QString("Right before the change"));
   }
 
   void answer_whereNoneIsRight_isExplainedWithoutAVerdict() {
@@ -132,27 +154,21 @@ private slots:
 
   void verdict_onAChoice_isPaintedInItsInk_data() {
     QTest::addColumn<int>("choice");
-    QTest::addColumn<QColor>("ink");
-    const Theme &theme = themes().front();
-    QTest::newRow("right") << 0 << toQColor(theme.inkOf(Subject::Triangle));
-    QTest::newRow("wrong") << 2 << toQColor(theme.warning);
+    QTest::addColumn<bool>("isRight");
+    QTest::newRow("right") << 0 << true;
+    QTest::newRow("wrong") << 2 << false;
   }
 
   void verdict_onAChoice_isPaintedInItsInk() {
     QFETCH(int, choice);
-    QFETCH(QColor, ink);
+    QFETCH(bool, isRight);
+    const Theme &theme = themes().front();
+    const Color ink = isRight ? theme.inkOf(Subject::Triangle) : theme.warning;
     ShownBox shown;
     QVERIFY(shown.ready);
-    const auto paints = [&] {
-      const QImage image = shown.box.choices()[choice]->grab().toImage();
-      for (int x = 0; x < 34; ++x)
-        if (image.pixelColor(x, image.height() / 2).rgb() == ink.rgb())
-          return true;
-      return false;
-    };
-    QVERIFY(!paints());
+    QVERIFY(!paintsMark(*shown.box.choices()[choice], ink));
     shown.box.setAnswer(GivenAnswer{"on", "positive"});
-    QVERIFY(paints());
+    QVERIFY(paintsMark(*shown.box.choices()[choice], ink));
   }
 };
 
