@@ -406,7 +406,7 @@ void MainWindow::applyLook() {
   m_frame->setTheme(panels);
   m_contents->setTheme(panels);
   m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
-  m_page->setTheme(panels);
+  showPageLook();
   sharePage();
   // Once all parts have their new sizes: the page may have been wider than it must be now.
   QTimer::singleShot(0, this, &MainWindow::sharePage);

@@ -179,6 +179,8 @@ private:
   [[nodiscard]] bool lacksLines();
   void updateTitle();
   void applyLook();
+  /// The page's looks; where it stands alone its type is larger.
+  void showPageLook();
   void changeSizeBy(int steps);
   [[nodiscard]] StepProgress &progress();
   /// Whether the step asks a question that is not answered yet: then the numbers are hidden.

@@ -11,6 +11,7 @@
 #include "widgets/working/working_practice.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
@@ -158,8 +159,23 @@ void MainWindow::sharePage() {
   m_split->setSizes({whole - page, page});
 }
 
+void MainWindow::showPageLook() {
+  Theme theme = m_theme;
+  theme.textScale *= sizeScale();
+  QFont type = QApplication::font();
+  if (m_sceneColumn->isHidden()) {
+    const double scale = typeScaleAlone(width(), LessonPage::longestLine(QFontMetrics(type)));
+    theme.textScale *= scale;
+    type.setPointSizeF(type.pointSizeF() * scale);
+  }
+  m_page->setFont(type);
+  m_page->setTheme(theme);
+}
+
 void MainWindow::resizeEvent(QResizeEvent *event) {
   QMainWindow::resizeEvent(event);
+  if (m_sceneColumn->isHidden())
+    showPageLook();
   sharePage();
   showLessonTitle();
 }
@@ -175,6 +191,8 @@ void MainWindow::showParts(Parts parts) {
   m_page->setVisible(parts != Parts::SceneOnly);
   m_sceneOnly->setChecked(parts == Parts::SceneOnly);
   m_pageOnly->setChecked(parts == Parts::PageOnly);
+  showPageLook();
+  sharePage(); // it looks at the page's type
 }
 
 void MainWindow::setFullScreen(bool on) {

@@ -46,9 +46,10 @@ private slots:
     QTest::addColumn<int>("pixels");
     QTest::addColumn<double>("mostShare");
     QTest::addColumn<double>("leastLetters");
-    QTest::newRow("usual") << QSize(1280, 800) << usualType << 0.36 << 45.0;
-    QTest::newRow("small") << QSize(1024, 600) << usualType << 0.36 << 40.0;
-    QTest::newRow("large") << QSize(1920, 1080) << usualType << 0.36 << 59.0;
+    QTest::newRow("usual") << QSize(1280, 800) << usualType << 0.40 << 45.0;
+    QTest::newRow("small") << QSize(1024, 600) << usualType << 0.37 << 40.0;
+    QTest::newRow("large") << QSize(1920, 1080) << usualType << 0.40 << 59.0;
+    QTest::newRow("low window, larger type") << QSize(1280, 720) << 16 << 0.40 << 54.0;
     QTest::newRow("usual window, largest type") << QSize(1280, 800) << largestType << 0.5 << 29.0;
     QTest::newRow("large window, largest type") << QSize(1920, 1080) << largestType << 0.5 << 29.0;
     QTest::newRow("small window, largest type") << QSize(1024, 600) << largestType << 0.5 << 20.0;
@@ -62,6 +63,13 @@ private slots:
     QVERIFY2(width <= mostShare * window.width(), qPrintable(QString::number(width)));
     QVERIFY2(letters(width, type(pixels)) >= leastLetters, qPrintable(QString::number(width)));
     QVERIFY(letters(width, type(pixels)) <= usualPageLetters);
+  }
+
+  void page_alone_hasLargerTypeWhereItsLinesLeaveRoom() {
+    QCOMPARE(typeScaleAlone(600, 550), 1.0);
+    QCOMPARE(typeScaleAlone(1280, 550), 1.25);
+    QCOMPARE(typeScaleAlone(1920, 550), 1.5);
+    QCOMPARE(typeScaleAlone(3840, 550), 1.5);
   }
 
   void page_inAVeryLargeWindow_doesNotGrowBeyondItsLines() {

@@ -65,9 +65,11 @@ QPushButton *flatButton(const char *name, const QString &words) {
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
       m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
-      m_others(flatButton("others", tr("More"))),
+      m_others(flatButton("others", tr("More ▾"))), m_all(new QMenu(m_others)),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
-  m_others->setMenu(new QMenu(m_others));
+  // The button has no menu of its own: the style would draw a mark for it beside the words.
+  connect(m_others, &QPushButton::clicked, this,
+          [this] { m_all->popup(m_others->mapToGlobal(m_others->rect().bottomLeft())); });
   m_others->setAccessibleDescription(tr("All special cases near this one"));
   offerAfresh(false);
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
@@ -118,13 +120,12 @@ void CaseLine::setNearby(const QString &words, const std::vector<NearbyCase> &ca
 void CaseLine::offer(const std::vector<NearbyCase> &cases) {
   m_cases = cases;
   m_there->setVisible(!cases.empty() && cases.front().canBeReached);
-  QMenu &menu = *m_others->menu();
-  menu.clear();
+  m_all->clear();
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (cases[i].canBeReached)
-      connect(menu.addAction(cases[i].words), &QAction::triggered, this,
+      connect(m_all->addAction(cases[i].words), &QAction::triggered, this,
               [this, which = static_cast<int>(i)] { emit nearbyChosen(which); });
-  m_others->setVisible(menu.actions().size() > (m_there->isHidden() ? 0 : 1));
+  m_others->setVisible(m_all->actions().size() > (m_there->isHidden() ? 0 : 1));
 }
 
 void CaseLine::offerAfresh(bool offered) {

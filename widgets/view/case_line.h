@@ -8,6 +8,7 @@
 #include <vector>
 
 class QLabel;
+class QMenu;
 class QPushButton;
 class QStackedLayout;
 
@@ -60,7 +61,8 @@ private:
   QLabel *m_message;
   FittedLabel *m_nearby;
   QPushButton *m_there;  ///< leads to the nearest
-  QPushButton *m_others; ///< has a menu of all
+  QPushButton *m_others; ///< opens a menu of all
+  QMenu *m_all;
   QPushButton *m_afresh; ///< leads back to the start
   std::vector<NearbyCase> m_cases;
   QLabel *m_complaint;

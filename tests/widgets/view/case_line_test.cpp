@@ -162,6 +162,17 @@ private slots:
     QCOMPARE(ink(), QColor(Qt::black));
   }
 
+  void buttons_standAlike_withoutAMarkOfTheStyle() {
+    ShownLine shown;
+    shown.line.setNearby("It would be parallel.",
+                         {{"It would be parallel.", true}, {"It would start in the plane.", true}});
+    const auto *there = shown.line.findChild<QPushButton *>("there");
+    const auto *others = shown.line.findChild<QPushButton *>("others");
+    QVERIFY2(!others->menu(), "the style draws a mark for a button's menu");
+    QCOMPARE(others->y(), there->y());
+    QVERIFY(others->text().endsWith("▾"));
+  }
+
   void nearestSpecialCase_isOfferedByAButton_andAllByAMenu() {
     ShownLine shown;
     shown.line.setNearby("It would be parallel.", {{"It would be parallel.", true},
@@ -173,8 +184,12 @@ private slots:
     QSignalSpy chosen(&shown.line, &CaseLine::nearbyChosen);
     QTest::mouseClick(there, Qt::LeftButton);
     QCOMPARE(chosen.last().front().toInt(), 0);
-    QCOMPARE(others->menu()->actions().size(), 2);
-    others->menu()->actions().last()->trigger();
+    QTest::mouseClick(others, Qt::LeftButton);
+    auto *all = others->findChild<QMenu *>();
+    QVERIFY(all->isVisible());
+    QCOMPARE(all->actions().size(), 2);
+    all->actions().last()->trigger();
+    all->hide();
     QCOMPARE(chosen.last().front().toInt(), 2);
     shown.line.setNearby("It would be parallel.", {{"It would be parallel.", true}});
     QVERIFY2(!others->isVisible(), "there are no others");
