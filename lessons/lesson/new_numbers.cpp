@@ -1,12 +1,16 @@
 #include "lessons/lesson/new_numbers.h"
 
+#include "lessons/object/drawing.h"
+#include "lessons/object/line.h"
 #include "lessons/object/plane.h"
 #include "lessons/object/polygon.h"
+#include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
 #include "lessons/scene/short_numbers.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -14,51 +18,85 @@
 namespace halfspace {
 namespace {
 
-/// The sine of the angle below which a plane counts as seen edge-on: about 9 degrees.
-constexpr double leastOpening = 0.15;
+/// How well a scene is to be seen.
+struct View {
+  glm::dvec3 from;     ///< a unit vector
+  double leastOpening; ///< the sine of the angle below which what is flat counts as seen edge-on
+  double leastLength;  ///< the sine of the angle below which a line counts as seen end-on
+  double leastArea;    ///< of a face as it is seen, in units of the scene, where axes are some 12 long
+};
+
+/// What is aimed at, and what is put up with where chance gives nothing better: about 17 and 9 degrees.
+View goodView(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6}; }
+View poorView(const glm::dvec3 &from) { return {from, 0.15, 0, 0}; }
 
 /// Of the scenes of so many seeds one is chosen for its answer.
 constexpr std::uint64_t scenesForAQuestion = 12;
 
-/// Square to what is flat; nothing for other objects.
-std::optional<ExactVec3> normalOf(const Object &object) {
-  if (const auto plane = objectAs<PlaneObject>(object))
-    return plane->normal;
+/// The corners of a flat face; none for other objects.
+std::vector<ExactVec3> cornersOf(const Object &object) {
   if (const auto triangle = objectAs<TriangleObject>(object))
-    return cross(triangle->p1 - triangle->p0, triangle->p2 - triangle->p0);
+    return {triangle->p0, triangle->p1, triangle->p2};
   if (const auto polygon = objectAs<PolygonObject>(object))
-    return cross(polygon->corners[1] - polygon->corners[0], polygon->corners[2] - polygon->corners[0]);
+    return polygon->corners;
   return {};
 }
 
-bool isEdgeOn(const Object &object, const glm::dvec3 &from) {
-  const auto normal = normalOf(object);
-  if (!normal || isZero(*normal))
-    return false;
-  const glm::dvec3 n = toDouble(*normal);
-  return std::abs(glm::dot(n, from)) < leastOpening * glm::length(n) * glm::length(from);
+/// Whether what is square to `normal` is not seen edge-on; anything where there is no normal.
+bool isOpen(const glm::dvec3 &normal, const View &view) {
+  return normal == glm::dvec3(0) ||
+         std::abs(glm::dot(normal, view.from)) >= view.leastOpening * glm::length(normal);
 }
 
-bool showsItsFaces(const Scene &scene, const glm::dvec3 &from) {
-  for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content); object && isEdgeOn(*object, from))
-      return false;
-  return true;
+/// Whether a line is not seen end-on.
+bool isLong(const glm::dvec3 &direction, const View &view) {
+  return glm::length(glm::cross(direction, view.from)) >= view.leastLength * glm::length(direction);
+}
+
+bool isSeenWell(const Object &object, const View &view) {
+  if (const auto plane = objectAs<PlaneObject>(object))
+    return isOpen(toDouble(plane->normal), view);
+  if (const auto ray = objectAs<RayObject>(object))
+    return isLong(toDouble(ray->direction), view);
+  if (const auto line = objectAs<LineObject>(object))
+    return isLong(toDouble(line->direction), view);
+  const std::vector<ExactVec3> corners = cornersOf(object);
+  if (corners.empty())
+    return true;
+  const glm::dvec3 area = toDouble(areaOf(corners)) / 2.0;
+  return isOpen(area, view) && std::abs(glm::dot(area, view.from)) >= view.leastArea;
+}
+
+bool isSeenWell(const Scene &scene, const View &view) {
+  return std::all_of(scene.entries.begin(), scene.entries.end(), [&](const Entry &entry) {
+    const auto *object = std::get_if<Object>(&entry.content);
+    return !object || isSeenWell(*object, view);
+  });
+}
+
+/// The scene with other short numbers that is seen as well as chance allows.
+Scene renewed(const Scene &scene, std::uint64_t seed, const glm::dvec3 &from, bool keepCase) {
+  for (const View &view : {goodView(from), poorView(from)}) {
+    const WantedNumbers wanted{keepCase, [&](const Scene &each) { return isSeenWell(each, view); }};
+    if (Scene found = withShortNumbers(scene, seed, wanted); !(found == scene))
+      return found;
+  }
+  return withShortNumbers(scene, seed, {keepCase, {}});
 }
 
 } // namespace
 
 Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec3 &from, std::uint64_t seed) {
   const Prediction *question = predictionOf(step);
-  const WantedNumbers wanted{!question, [&](const Scene &each) { return showsItsFaces(each, from); }};
+  const glm::dvec3 unit = glm::normalize(from);
   if (!question)
-    return withShortNumbers(scene, seed, wanted);
+    return renewed(scene, seed, unit, true);
   std::map<std::string, Scene> byAnswer;
   for (std::uint64_t i = 0; i < scenesForAQuestion; ++i) {
-    Scene renewed = withShortNumbers(scene, seed + i, wanted);
-    std::string answer = rightChoice(*question, evaluate(renewed));
+    Scene other = renewed(scene, seed + i, unit, false);
+    std::string answer = rightChoice(*question, evaluate(other));
     if (!answer.empty())
-      byAnswer.emplace(std::move(answer), std::move(renewed));
+      byAnswer.emplace(std::move(answer), std::move(other));
   }
   if (byAnswer.empty())
     return withShortNumbers(scene, seed);

@@ -1,7 +1,11 @@
 // New numbers for a step: a repeated question may have another answer, and planes are seen as planes.
 #include "lessons/lesson/new_numbers.h"
 
+#include "lessons/object/drawing.h"
 #include "lessons/object/plane.h"
+#include "lessons/object/ray.h"
+#include "lessons/object/triangle.h"
+#include "tests/effort.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -56,16 +60,33 @@ TEST(NewNumbers, planes_areNotSeenEdgeOn) {
   }
 }
 
+TEST(NewNumbers, raysAndTriangles_areSeenAtAGoodSize) {
+  const Lesson &lesson = *library().find("three-methods");
+  const glm::dvec3 from = glm::normalize(lesson.camera.from);
+  for (const bool asks : {false, true})
+    for (int seed = 0; seed < test::effort(20); ++seed) {
+      const Scene renewed = withNewNumbers(lesson.scene, stepOf(lesson, asks), lesson.camera.from,
+                                           static_cast<std::uint64_t>(seed));
+      const auto triangle = *objectAs<TriangleObject>(*findObject(renewed, "T"));
+      const glm::dvec3 twiceArea = toDouble(areaOf({triangle.p0, triangle.p1, triangle.p2}));
+      EXPECT_GE(std::abs(glm::dot(twiceArea, from)) / 2, 6) << seed;
+      EXPECT_GE(std::abs(glm::dot(glm::normalize(twiceArea), from)), 0.3) << seed;
+      const glm::dvec3 direction = toDouble(objectAs<RayObject>(*findObject(renewed, "L"))->direction);
+      EXPECT_GE(glm::length(glm::cross(glm::normalize(direction), from)), 0.3) << seed;
+    }
+}
+
 /// A button that does nothing looks broken.
 TEST(NewNumbers, inEveryLesson_areOthers) {
-  for (const Lesson &lesson : library().lessons)
+  for (const Lesson &lesson : test::fewer(library().lessons))
     for (const bool asks : {false, true}) {
       const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(), [&](const LessonStep &each) {
         return (predictionOf(each) != nullptr) == asks;
       });
-      for (std::uint64_t seed = 0; step != lesson.steps.end() && seed < 6; ++seed)
+      for (int seed = 0; step != lesson.steps.end() && seed < test::effort(6); ++seed)
         for (const glm::dvec3 &from : {lesson.camera.from, glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0)})
-          EXPECT_FALSE(withNewNumbers(lesson.scene, *step, from, seed) == lesson.scene)
+          EXPECT_FALSE(withNewNumbers(lesson.scene, *step, from, static_cast<std::uint64_t>(seed)) ==
+                       lesson.scene)
               << lesson.id << ", " << step->title << ", " << seed;
     }
 }
