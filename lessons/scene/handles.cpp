@@ -2,6 +2,8 @@
 
 #include "lessons/object/bound_point.h"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -22,6 +24,18 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
   }
 }
 
+/// Of the positions of an object that has a handle as a whole.
+ExactVec3 middleOf(const std::string &object, const std::vector<Handle> &handles) {
+  ExactVec3 sum(0);
+  int count = 0;
+  for (const Handle &handle : handles)
+    if (handle.object == object && handle.motion == Handle::Motion::Coordinate && isZero(handle.base)) {
+      sum += handle.at;
+      ++count;
+    }
+  return sum / Rational(count);
+}
+
 } // namespace
 
 std::vector<Handle> handlesOf(const PlacedScene &placed) {
@@ -37,6 +51,18 @@ std::vector<Handle> handlesOf(const PlacedScene &placed) {
     handles.push_back(
         boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host, bound.point.object[0]));
   return handles;
+}
+
+void keepStill(std::vector<Handle> &handles, const std::vector<Handle> &before) {
+  for (Handle &handle : handles) {
+    const auto old = std::find_if(before.begin(), before.end(),
+                                  [&](const Handle &other) { return other.id == handle.id; });
+    if (handle.motion != Handle::Motion::Whole || old == before.end())
+      continue;
+    const ExactVec3 at = old->at + middleOf(handle.object, handles) - middleOf(handle.object, before);
+    handle.base += at - handle.at;
+    handle.at = at;
+  }
 }
 
 } // namespace halfspace

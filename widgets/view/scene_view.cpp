@@ -272,6 +272,8 @@ void SceneView::takeOutcome() {
   }
   m_figure = staged(m_model.shown().figure);
   const std::vector<Handle> before = std::exchange(m_handles, handlesOf(stagedScene()));
+  if (m_drag)
+    keepStill(m_handles, before);
   glideFrom(std::move(extents));
   noticeTyped(before);
   if (!findHandle(m_selected))

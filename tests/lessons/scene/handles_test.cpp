@@ -3,6 +3,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace halfspace {
 namespace {
 
@@ -49,6 +52,25 @@ TEST(MovedTo, TheWholeTriangle_KeepsItsShape) {
   EXPECT_EQ(whole.at - whole.base, ExactVec3(9, 9, 0)) << "the first corner is snapped";
   EXPECT_EQ(movedTo(*findObject(scene, "T"), whole, whole.at + ExactVec3(1, -1, 2)),
             Object(TriangleObject{{10, 8, 2}, {2, 8, 6}, {6, 1, 11}}));
+}
+
+TEST(KeepStill, OfAWholeThatACornerComesUpon_LeavesItInTheMiddle) {
+  const auto handlesWith = [](const Rational &z) {
+    const Scene scene{{{"T", TriangleObject{{0, 0, z}, {5, 4, 0}, {-5, -4, 0}}}}};
+    return handlesOf(scene);
+  };
+  const auto wholeOf = [](const std::vector<Handle> &handles) {
+    return *std::find_if(handles.begin(), handles.end(),
+                         [](const Handle &handle) { return handle.id == "T.whole"; });
+  };
+  std::vector<Handle> held = handlesWith(2);
+  for (int i = 20; i >= -20; --i) {
+    const std::vector<Handle> before = std::exchange(held, handlesWith(q(i, 10)));
+    keepStill(held, before);
+    EXPECT_EQ(wholeOf(held).at, ExactVec3(0, 0, q(i, 30))) << i;
+    EXPECT_EQ(wholeOf(held).at - wholeOf(held).base, ExactVec3(0, 0, q(i, 10))) << "the corner is snapped";
+  }
+  EXPECT_NE(wholeOf(handlesWith(0)).at.z, 0) << "without a hand it keeps off the corner";
 }
 
 struct WholeOfATriangle : testing::TestWithParam<TriangleObject> {};
