@@ -1,4 +1,5 @@
 // Indices of letters in plain text, which has small forms only for digits: v_d, n_G, P₀_F.
+// They are set so large that they can be read where words are small.
 #pragma once
 
 #include <QFont>

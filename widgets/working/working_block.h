@@ -102,7 +102,7 @@ signals:
   void reached(const QRect &place);
 
   // A number in a formula that is a coordinate is changed, as the signals of NumberField say.
-  /// What is typed in a number's formula has changed, and is not entered yet.
+  /// What is typed in place of a number has changed, and is not entered yet.
   void typing();
   void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
   void coordinateStepped(const halfspace::CoordinateSource &number, int steps);

@@ -23,7 +23,9 @@ private slots:
     QTest::newRow("at both ends") << "n_G = d_G"
                                   << "n[G] = d[G]";
     QTest::newRow("behind a small digit") << "−n_G·P₀_G"
-                                          << "−n[G]·P₀[G]";
+                                          << "−n[G]·P[0,G]";
+    QTest::newRow("small digits alone") << "P₁₂ and P₀"
+                                        << "P₁₂ and P₀";
     QTest::newRow("Greek") << "λ_G"
                            << "λ[G]";
     QTest::newRow("between bars") << "|m_g|"
@@ -47,13 +49,14 @@ private slots:
     QTextCursor cursor(&document);
     cursor.movePosition(QTextCursor::End);
     QCOMPARE(cursor.charFormat().verticalAlignment(), QTextCharFormat::AlignSubScript);
+    QCOMPARE(cursor.charFormat().intProperty(QTextFormat::FontSizeAdjustment), 1); // by 1.2
   }
 
   void index_isSmallerThanItsText_andStandsLower() {
     QFont text;
     text.setPixelSize(20);
-    QVERIFY(indexFont(text).pixelSize() < 16);
-    QVERIFY(indexFont(text).pixelSize() > 10);
+    QVERIFY(indexFont(text).pixelSize() < 18);
+    QVERIFY(indexFont(text).pixelSize() > 14);
     QVERIFY(indexDrop(text) > 2);
   }
 };
