@@ -148,6 +148,19 @@ TEST(Arrows, ThatAreTheSameToTheEye_AreAroundEachOther_SoThatTheyDoNotFlicker) {
         }
 }
 
+TEST(Arrows, ThatAreTheSameToTheEye_HaveATipEach_HoweverShortAndHoweverMany) {
+  for (const std::size_t count : {2U, 3U, 4U}) {
+    Figure figure;
+    for (std::size_t i = 0; i < count; ++i)
+      figure.marks.push_back(upArrow("v" + std::to_string(i), 1));
+    std::set<long> tips; // in hundredths
+    for (const glm::vec3 &position : meshOf(figure, {}, theme(), 1).positions)
+      if (position.x == 0 && position.y == 0 && position.z > 0.8)
+        tips.insert(std::lround(100 * position.z));
+    EXPECT_EQ(tips.size(), count);
+  }
+}
+
 TEST(Arrows, ThatAreDashed_AreAroundWholeOnesThatAreTheSame) {
   ArrowMark dashed = upArrow("a", 8);
   dashed.look = {Hue::Orange, 1};
@@ -183,6 +196,25 @@ TEST(Lines, OfGhosts_ArePaler) {
   EXPECT_EQ(meshOfMark(segmentOf(Role::Helper)).colors.front(), theme().colorOf(Subject::Plane));
   const auto brightness = [](Color color) { return color.red + color.green + color.blue; };
   EXPECT_GT(brightness(ghost), brightness(theme().colorOf(Subject::Plane))) << "on a light background";
+}
+
+TEST(Lines, ThatGoOn_FadeWhereTheirDrawingEnds) {
+  for (const std::size_t rank : {0U, 1U}) {
+    LineMark line = withId(LineMark{}, "g", Subject::Plane);
+    line.direction = {1, 0, 0};
+    line.look.rank = rank;
+    const auto [low, high] = endsOf(line);
+    const Mesh mesh = meshOfMark(line);
+    const Color full = theme().colorOf(Subject::Plane);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const double toEnd = std::min(mesh.positions[i].x - low.x, high.x - mesh.positions[i].x);
+      if (toEnd < 0.1) {
+        EXPECT_GT(mesh.colors[i].red, (full.red + 255) / 2);
+      } else if (toEnd > 4) {
+        EXPECT_EQ(mesh.colors[i], full);
+      }
+    }
+  }
 }
 
 TEST(Lines, OfAPatch_ArePalerThanItsNormal_ButNotWhereItWarns) {
@@ -231,6 +263,18 @@ TEST(Points, BesideASurface_AreAsLargeAsAlways) {
   const PolygonMark small = withId(polygonOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "S", Subject::Neutral);
   const PointMark point = withId(pointAt({2, 2, 0}), "Q", Subject::Point);
   EXPECT_EQ(BallSizes({{small, point}}).radiusOf(point, 3), 3 * freePointRadius);
+}
+
+TEST(Points, InTheBoxAroundASlantedSurface_AreSmallOnlyNearIt) {
+  const PolygonMark slanted = withId(polygonOf({{0, 0, 0}, {2, 0, 2}, {0, 2, 2}}), "S", Subject::Neutral);
+  const auto radiusAt = [&](Place at) {
+    const PointMark point = withId(pointAt(at), "Q", Subject::Point);
+    return BallSizes({{slanted, point}}).radiusOf(point, 3);
+  };
+  EXPECT_EQ(radiusAt({1.9, 1.9, 0.1}), 3 * freePointRadius);
+  const double onIt = radiusAt({0.5, 0.5, 1});
+  EXPECT_LT(onIt, 2 * freePointRadius);
+  EXPECT_NEAR(radiusAt({0.5, 0.5, 1.01}), onIt, 0.02) << "it does not jump";
 }
 
 TEST(Faces, OfPatches_LieUnderThoseOfPolygons) {

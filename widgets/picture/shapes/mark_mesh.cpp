@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace halfspace {
@@ -19,6 +20,12 @@ constexpr double polygonEdgeRadius = 0.05;
 constexpr double patchEdgeRadius = 0.045;
 constexpr double angleRadius = 0.04;
 constexpr double sphereRadius = 0.03;
+
+/// What goes on fades this far before the end of what is drawn at scale 1, but in no more than a part of its
+/// length, to a part of its strength.
+constexpr double fadeLength = 3;
+constexpr double mostFaded = 0.3;
+constexpr double strengthAtEnd = 0.12;
 
 /// More points than this are drawn as coarse balls.
 constexpr int mostFineBalls = 150;
@@ -60,7 +67,7 @@ constexpr double sleeveWidth = 0.7;
 /// role makes it thinner: surfaces in one place would flicker.
 constexpr double twinWidth = 0.4;
 /// Heads would still lie in one cone: each ends so many radii of a shaft before that of the one around it,
-/// but no more than a part of its length.
+/// but all of them within a part of their length.
 constexpr double twinSetback = 1.5;
 constexpr double mostSetback = 0.1;
 /// Directions that differ by less than this (the sine of the angle), and lengths by less than this part, are
@@ -127,11 +134,15 @@ double sleeveOf(const Mark &mark, const ArrowsByStart &arrows) {
                : 1;
 }
 
-/// How far before its tip a mark ends at scale 1, so that its head lies in that of what is the same to the
-/// eye.
-double setbackOf(const Mark &mark, const ArrowsByStart &arrows) {
-  const auto *arrow = std::get_if<ArrowMark>(&mark);
-  return arrow ? twinSetback * arrowRadius * arrows.count(*arrow, isCoveredBy) : 0;
+/// How far before its tip an arrow ends, so that its head lies in those of all around it that are the same to
+/// the eye.
+double setbackOf(const ArrowMark &arrow, const ArrowsByStart &arrows, double thickness) {
+  const double around = arrows.count(arrow, isCoveredBy);
+  if (around == 0)
+    return 0;
+  const double all = around + arrows.count(arrow, covers);
+  return around *
+         std::min(twinSetback * arrowRadius * thickness, mostSetback * glm::length(shownVector(arrow)) / all);
 }
 
 BallDetail ballDetailFor(const Figure &figure) {
@@ -160,6 +171,8 @@ struct Brush {
   double width; ///< what radii are multiplied by
   Rhythm rhythm;
   double setback = 0; ///< of an arrow's tip
+  double fade = 0;    ///< how far what goes on fades …
+  Color ground{};     ///< … into this
 };
 
 void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
@@ -168,6 +181,28 @@ void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush
   else
     for (std::size_t i = 1; i < path.size(); ++i)
       addDashes(mesh, path[i - 1], path[i], radius * brush.width, brush.rhythm, brush.color);
+}
+
+/// A line that goes on beyond its end, or beyond both: it fades there, as a clear end would seem to be where
+/// it stops, or where it meets what is seen behind it.
+void addEndless(Mesh &mesh, const Place &from, const Place &to, bool both, double radius,
+                const Brush &brush) {
+  const double length = glm::distance(from, to);
+  if (!(length > 0))
+    return;
+  const double faded = std::min(brush.fade, mostFaded * length);
+  const Place along = (to - from) / length;
+  const std::size_t first = mesh.positions.size();
+  if (brush.rhythm.empty())
+    addLine(mesh, std::array{from, from + along * faded, to - along * faded, to}, radius, brush);
+  else
+    addLine(mesh, std::array{from, to}, radius, brush);
+  for (std::size_t i = first; i < mesh.positions.size(); ++i) {
+    const double way = glm::dot(Place(mesh.positions[i]) - from, along);
+    const double left = both ? std::min(way, length - way) : length - way;
+    mesh.colors[i] =
+        mix(brush.ground, brush.color, std::lerp(strengthAtEnd, 1.0, std::clamp(left / faded, 0.0, 1.0)));
+  }
 }
 
 void addBorder(Mesh &mesh, std::vector<Place> corners, double radius, const Brush &brush) {
@@ -198,18 +233,21 @@ void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Balls &ball
     return;
   const double radius = strokeRadius(mark);
   const auto line = [&] { addLine(mesh, outline.path, radius, brush); };
+  const auto endless = [&](bool both) {
+    addEndless(mesh, outline.path.front(), outline.path.back(), both, radius, brush);
+  };
   std::visit(
       Overloaded{
           [&](const PointMark &point) {
             addBall(mesh, point.at, balls.sizes.radiusOf(point, brush.width), brush.color, balls.detail);
           },
           [&](const SegmentMark &) { line(); },
-          [&](const RayMark &) { line(); },
-          [&](const LineMark &) { line(); },
+          [&](const RayMark &) { endless(false); },
+          [&](const LineMark &) { endless(true); },
           [&](const ArrowMark &arrow) {
             const Place way = shownVector(arrow);
             const double length = glm::length(way);
-            const double shown = length > 0 ? 1 - std::min(brush.setback / length, mostSetback) : 0;
+            const double shown = length > 0 ? 1 - brush.setback / length : 0;
             addArrow(mesh, arrow.from, way * shown, radius * brush.width, brush.color, brush.rhythm);
           },
           [&](const PlanePatchMark &patch) {
@@ -280,8 +318,14 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
       continue;
     const double width = thicknessOf(base, theme, scale) * (standsOut ? highlightOf(mark) : 1) *
                          sleeveOf(mark, arrows) * presence;
-    const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence), width,
-                      rhythmOf(base, scale), setbackOf(mark, arrows) * thicknessOf(base, theme, scale)};
+    const auto *arrow = std::get_if<ArrowMark>(&mark);
+    const double setback = arrow ? setbackOf(*arrow, arrows, thicknessOf(base, theme, scale)) : 0;
+    const Brush brush{mix(theme.backgroundBottom, solidColor(base, theme, standsOut), presence),
+                      width,
+                      rhythmOf(base, scale),
+                      setback,
+                      fadeLength * scale,
+                      theme.backgroundBottom};
     addMark(mesh, mark, brush, balls, theme, scale);
   }
   return mesh;
