@@ -1,11 +1,13 @@
 // How every step of every lesson begins: nothing lies over anything, and everything can be read and grabbed.
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/handles.h"
+#include "tests/effort.h"
 #include "tests/picture/labels/vectors_only.h"
 #include "tests/test_name.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_page.h"
+#include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/picture/screen_shapes.h"
@@ -50,13 +52,12 @@ struct Page {
   }
 };
 
-void placeLabels(Page &page) {
-  const Theme &theme = page.theme;
-  const AxesReach axes = axesAround(page.content.figure);
+void placeLabels(Page &page, const std::optional<AxesReach> &axes) {
   const double scale = designScale(page.view.camera, page.view.size, page.view.pixelRatio);
-  const auto texts = labelTexts(page.content, axisLabels(axes, page.view.camera, 0, scale), theme, page.view);
+  const auto ofAxes = axes ? axisLabels(*axes, page.view.camera, 0, scale) : std::vector<AxisLabel>();
   page.labels =
-      page.placer.place(texts, obstaclesOf(page.content, axes, theme, page.view), vectorsOnly(), page.view);
+      page.placer.place(labelTexts(page.content, ofAxes, page.theme, page.view),
+                        obstaclesOf(page.content, axes, page.theme, page.view), vectorsOnly(), page.view);
 }
 
 Page pageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme, PixelSize size, double ratio,
@@ -76,8 +77,7 @@ Page pageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme, Pi
   page.places.insert(page.places.end(), tips.begin(), tips.end());
   page.view = {Camera(lesson.camera), size, ratio, covered};
   page.view.camera = fitted(page.view, page.places);
-
-  placeLabels(page);
+  placeLabels(page, axesAround(page.content.figure));
   return page;
 }
 
@@ -128,12 +128,34 @@ std::vector<Stroke> sidesOf(const Page &page) {
   return strokes;
 }
 
+std::vector<Stroke> ticksOf(const Page &page) {
+  const double scale = designScale(page.view.camera, page.view.size, page.view.pixelRatio);
+  std::vector<Stroke> strokes;
+  for (const auto &[low, high] : axisTicks(axesAround(page.content.figure), page.view.camera, scale))
+    strokes.push_back(strokeOf(page, "a tick", low, high));
+  return strokes;
+}
+
+/// Whether a label covers a part of what is seen of a handle.
+bool liesOn(const PixelBox &box, const Grip &grip) {
+  constexpr int pieces = 8; // of a head or of a knob's arrows, each shorter than they are thick
+  return std::any_of(grip.pieces.begin(), grip.pieces.end(), [&](const GripPiece &piece) {
+    const auto &[from, to, fromRadius, toRadius] = piece.stroke;
+    for (int i = 0; i <= pieces; ++i)
+      if (const double part = double(i) / pieces;
+          distanceTo(box, glm::mix(from, to, part)) < std::lerp(fromRadius, toRadius, part))
+        return true;
+    return false;
+  });
+}
+
 /// What is wrong with a page, a sentence each.
 std::vector<std::string> coveredLabels(const Page &page) {
   std::vector<std::string> wrong;
   std::vector<Stroke> strokes = axesOf(page);
   for (Stroke &arrow : arrowsOf(page))
     strokes.push_back(std::move(arrow));
+  const std::vector<Stroke> ticks = ticksOf(page);
   for (const LabelOnPage &label : page.labels) {
     const PixelBox box = boxOf(label);
     for (const LabelOnPage &other : page.labels)
@@ -142,9 +164,12 @@ std::vector<std::string> coveredLabels(const Page &page) {
     for (const Stroke &stroke : strokes)
       if (lengthInside(box, stroke.from, stroke.to) > 0)
         wrong.push_back(label.text.id + " is struck through by " + stroke.name);
-    for (const Handle &handle : page.handles)
-      if (distanceTo(box, page.pixelOf(shownPlace(handle))) < 4 * page.view.pixelRatio)
-        wrong.push_back(label.text.id + " lies on the handle " + handle.id);
+    for (const Stroke &tick : ticks)
+      if (label.text.stand != LabelStand::Pinned && lengthInside(box, tick.from, tick.to) > 0)
+        wrong.push_back(label.text.id + " lies on a tick");
+    for (const Grip &grip : gripsOf(page.handles, {}, page.content.figure, page.theme, page.view))
+      if (liesOn(box, grip))
+        wrong.push_back(label.text.id + " lies on the handle " + grip.handle);
     for (const PixelBox &covered : page.view.covered)
       if (overlapArea(box, covered) > 0)
         wrong.push_back(label.text.id + " is covered");
@@ -191,7 +216,7 @@ std::vector<std::string> labelsThatMove(const Page &page) {
     selected.content.gizmo->at = shownPlace(handle);
     selected.content.gizmo->note = "z = 2\\text{ fixed}";
     selected.content.dropLine = DropLine{toDouble(handle.at)};
-    placeLabels(selected);
+    placeLabels(selected, axesAround(selected.content.figure));
     for (const LabelOnPage &label : page.labels)
       for (const LabelOnPage &after : selected.labels)
         if (label.text.id == after.text.id && label.place.topLeft != after.place.topLeft)
@@ -216,33 +241,25 @@ std::vector<std::string> placesOutOfView(const Page &page) {
   return wrong;
 }
 
+/// How near two handles may be on the screen, in design pixels. Arrows may start in one point, but the handle
+/// of a whole sits on no other.
+double leastDistance(const Handle &a, const Handle &b) {
+  if (a.motion == Handle::Motion::Whole || b.motion == Handle::Motion::Whole)
+    return leastHandleDistance;
+  if (shownPlace(a) == shownPlace(b))
+    return 0;
+  const bool isArrow = a.base == b.at || b.base == a.at;
+  return isArrow ? leastArrowLength : leastHandleDistance;
+}
+
 std::vector<std::string> handlesInTheWay(const Page &page) {
   std::vector<std::string> wrong;
   for (const Handle &handle : page.handles)
     for (const Handle &other : page.handles) {
-      const Place at = shownPlace(handle);
-      const Place otherAt = shownPlace(other);
-      if (handle.id >= other.id || at == otherAt)
-        continue;
-      const double distance = glm::distance(page.pixelOf(at), page.pixelOf(otherAt));
-      const bool isArrow = handle.base == other.at || other.base == handle.at;
-      const double least = isArrow ? leastArrowLength : leastHandleDistance;
-      if (distance < least * page.view.pixelRatio)
+      const double distance =
+          glm::distance(page.pixelOf(shownPlace(handle)), page.pixelOf(shownPlace(other)));
+      if (handle.id < other.id && distance < leastDistance(handle, other) * page.view.pixelRatio)
         wrong.push_back(handle.id + " and " + other.id + " are " + std::to_string(distance) + " apart");
-    }
-  return wrong;
-}
-
-/// Handles of wholes that sit on another handle. What other handles share a place with is another question:
-/// arrows may start in one point.
-std::vector<std::string> wholesInTheWay(const Page &page) {
-  std::vector<std::string> wrong;
-  for (const Handle &whole : page.handles)
-    for (const Handle &other : page.handles) {
-      const double distance = glm::distance(page.pixelOf(shownPlace(whole)), page.pixelOf(shownPlace(other)));
-      if (whole.motion == Handle::Motion::Whole && whole.id != other.id &&
-          distance < leastHandleDistance * page.view.pixelRatio)
-        wrong.push_back(whole.id + " and " + other.id + " are " + std::to_string(distance) + " apart");
     }
   return wrong;
 }
@@ -370,7 +387,6 @@ TEST_P(StartView, NoLabelSeemsToBeAnotherPoints) { expectNothing(mistakenLabels)
 TEST_P(StartView, NoLabelMovesWhenAHandleIsSelected) { expectNothing(labelsThatMove, fitsItsLabels); }
 TEST_P(StartView, AllIsInView) { expectNothing(placesOutOfView); }
 TEST_P(StartView, HandlesCanBeToldApart) { expectNothing(handlesInTheWay); }
-TEST_P(StartView, NoWholeIsOnAnotherHandle) { expectNothing(wholesInTheWay); }
 TEST_P(StartView, NoHandleIsSeenEdgeOn) { expectNothing(handlesSeenEdgeOn); }
 TEST_P(StartView, NoArrowLooksLikeAPartOfAnAxis) { expectNothing(arrowsOnAxes); }
 TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); }
@@ -399,7 +415,7 @@ TEST(DegenerateTriangles, HaveTheHandleOfTheWholeBesideTheirCorners) {
             handles.erase(std::remove_if(handles.begin(), handles.end(),
                                          [&](const Handle &handle) { return handle.object != entry.name; }),
                           handles.end());
-            for (const std::string &sentence : wholesInTheWay(page))
+            for (const std::string &sentence : handlesInTheWay(page))
               ADD_FAILURE() << lesson.id << ", corner " << corner << ": " << sentence;
             ++looks;
           }
@@ -416,9 +432,7 @@ Page flatPageOf(const Lesson &lesson, const LessonStep &step, const Theme &theme
   page.view = {{}, {static_cast<int>(size.x), static_cast<int>(size.y)}, ratio, {}};
   page.view.camera = flatCamera(laidFlat(whole, frame), page.view);
   page.content.figure = clippedTo(page.view, laidFlat(shownIn(step, evaluation, whole).figure, frame));
-  page.labels =
-      page.placer.place(labelTexts(page.content, {}, theme, page.view),
-                        obstaclesOf(page.content, std::nullopt, theme, page.view), vectorsOnly(), page.view);
+  placeLabels(page, std::nullopt);
   return page;
 }
 
@@ -440,7 +454,7 @@ std::vector<Lesson> flatLessons() {
 TEST(FlatPictures, HaveNoLabelThatSeemsToBeAnotherPoints) {
   int looks = 0;
   for (const Lesson &lesson : flatLessons())
-    for (const Theme &theme : themes())
+    for (const Theme &theme : test::fewer(themes()))
       for (const glm::dvec2 room : {glm::dvec2(840, 725), glm::dvec2(600, 480), glm::dvec2(1100, 940)})
         for (const double ratio : {0.64, 0.8})
           for (const LessonStep &step : lesson.steps) {
@@ -450,7 +464,7 @@ TEST(FlatPictures, HaveNoLabelThatSeemsToBeAnotherPoints) {
                             << ": " << sentence;
             ++looks;
           }
-  EXPECT_GT(looks, 100);
+  EXPECT_GE(looks, test::atLeast(101));
 }
 
 /// The first step of a lesson, looked at from another direction.
@@ -481,7 +495,7 @@ std::vector<std::string> lessonNames() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Lessons, StartView, testing::ValuesIn(lessonNames()), test::testName);
+INSTANTIATE_TEST_SUITE_P(Lessons, StartView, testing::ValuesIn(test::fewer(lessonNames())), test::testName);
 
 } // namespace
 } // namespace halfspace

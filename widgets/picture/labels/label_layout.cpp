@@ -316,13 +316,19 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
                                             const LabelObstacles &obstacles, PixelSize size,
                                             double pixelRatio) {
   Board board{size, pixelRatio, obstacles.covered, std::vector<std::optional<Candidate>>(requests.size())};
-  LabelObstacles withTools = obstacles;
-  withTools.segments.insert(withTools.segments.end(), obstacles.tools.begin(), obstacles.tools.end());
+  const auto with = [](LabelObstacles some, const std::vector<LabelObstacles::Segment> &more) {
+    some.segments.insert(some.segments.end(), more.begin(), more.end());
+    return some;
+  };
+  const LabelObstacles withTicks = with(obstacles, obstacles.ticks);
+  const LabelObstacles withTools = with(withTicks, obstacles.tools);
+  const auto obstaclesFor = [&](LabelStand stand) -> const LabelObstacles & {
+    return stand == LabelStand::Pinned ? obstacles : stand == LabelStand::Beside ? withTicks : withTools;
+  };
   std::vector<Options> options;
   options.reserve(requests.size());
   for (const LabelRequest &request : requests)
-    options.emplace_back(candidatesOf(request, board),
-                         request.stand == LabelStand::Passing ? withTools : obstacles);
+    options.emplace_back(candidatesOf(request, board), obstaclesFor(request.stand));
 
   const auto forEach = [&](LabelStand stand, const auto &visit) {
     for (std::size_t label = 0; label < requests.size(); ++label)

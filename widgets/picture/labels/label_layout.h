@@ -45,8 +45,9 @@ struct LabelObstacles {
     glm::dvec2 to{};
     bool isThick = false; ///< an axis or an arrow: crossed by one, a label cannot be read
   };
-  std::vector<Disc> discs;       ///< points and knobs
+  std::vector<Disc> discs;       ///< points, heads of arrows and knobs
   std::vector<Segment> segments; ///< lines: better not crossed
+  std::vector<Segment> ticks;    ///< of the axes, beside which their pinned numbers stand anyway
   std::vector<Segment> tools;    ///< lines of the hand's tools, for which only passing labels make room
   std::vector<PixelBox> covered; ///< what lies over the picture: never reached
 };

@@ -31,6 +31,9 @@ constexpr std::array besideArrowParts{0.5, 0.7, 0.3};
 /// Where along an arc, the best place first.
 constexpr std::array alongArcParts{0.5, 0.3, 0.7};
 
+/// Where along an arrow's head discs are as thick as it is, as parts of the way from its tip to its base.
+constexpr std::array alongHeadParts{0.5, 1.0};
+
 /// Beside a point a label is best to the upper right.
 constexpr glm::dvec2 upperRight{1, -0.8};
 
@@ -175,6 +178,87 @@ std::vector<LabelAnchor> axisNameAnchors(Place tip, const Theme &theme, const Vi
   return anchors.take();
 }
 
+/// Collects what labels should not cover, what is behind the eye left out.
+class Obstacles {
+public:
+  Obstacles(const Theme &theme, const View &view)
+      : m_theme(theme), m_view(view), m_scale(designScale(view.camera, view.size, view.pixelRatio)) {}
+
+  /// The radius is in design pixels.
+  void addDisc(Place at, double radius, bool hasLabel = false) {
+    if (const auto pixel = m_view.camera.project(at, m_view.size))
+      m_found.discs.push_back({glm::dvec2(*pixel), radius * m_view.pixelRatio, hasLabel});
+  }
+
+  void addMark(const Mark &mark) {
+    const MarkOutline outline = outlineOf(mark, rightAngleSize * m_scale);
+    if (outline.path.empty())
+      return;
+    const auto *arrow = std::get_if<ArrowMark>(&mark);
+    switch (outline.kind) {
+    case MarkOutline::Kind::Point:
+      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * m_theme.lineScale,
+              isLabelled(mark));
+      break;
+    case MarkOutline::Kind::Line:
+      addPath(outline.path, arrow != nullptr, m_found.segments);
+      break;
+    case MarkOutline::Kind::Face:
+      addPath(closed(outline.path), false, m_found.segments);
+      break;
+    case MarkOutline::Kind::Body: // its box has edges that nobody sees
+      break;
+    }
+    if (arrow)
+      addHead(*arrow, outline.path.back());
+  }
+
+  void addAxes(const AxesReach &axes) {
+    for (const auto &[low, high] : axisEnds(axes))
+      addPath({low, high}, true, m_found.segments);
+    for (const auto &[low, high] : axisTicks(axes, m_view.camera, m_scale))
+      addPath({low, high}, true, m_found.ticks);
+  }
+
+  void addTool(const std::vector<Place> &outline) { addPath(outline, false, m_found.tools); }
+
+  [[nodiscard]] LabelObstacles take() {
+    m_found.covered = m_view.covered;
+    return std::move(m_found);
+  }
+
+private:
+  using Segments = std::vector<LabelObstacles::Segment>;
+
+  void addPath(const std::vector<Place> &path, bool isThick, Segments &segments) const {
+    std::optional<glm::dvec3> previous;
+    for (const Place &place : path) {
+      const auto pixel = m_view.camera.project(place, m_view.size);
+      if (pixel && previous)
+        segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel), isThick});
+      previous = pixel;
+    }
+  }
+
+  /// The cone of an arrow's head, from its tip to its base.
+  void addHead(const ArrowMark &arrow, Place tip) {
+    const Place way = shownVector(arrow);
+    const double length = glm::length(way);
+    const ArrowHead head = headOfArrow(length, arrowRadius * thicknessOf(arrow, m_theme, m_scale));
+    for (const double part : alongHeadParts) {
+      const Place at = tip - way * (part * head.length / length);
+      if (const double unit = m_view.unitsPerDesignPixel(at); unit > 0)
+        addDisc(at, part * head.radius / unit);
+    }
+    addDisc(tip, tipRadius * m_theme.lineScale);
+  }
+
+  const Theme &m_theme;
+  const View &m_view;
+  double m_scale;
+  LabelObstacles m_found;
+};
+
 } // namespace
 
 std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector<AxisLabel> &axes,
@@ -225,56 +309,18 @@ std::vector<LabelText> labelTexts(const SceneContent &content, const std::vector
 
 LabelObstacles obstaclesOf(const SceneContent &content, const std::optional<AxesReach> &axes,
                            const Theme &theme, const View &view) {
-  const double scale = designScale(view.camera, view.size, view.pixelRatio);
-  LabelObstacles obstacles;
-  const auto addDisc = [&](Place at, double radius, bool hasLabel = false) {
-    if (const auto pixel = view.camera.project(at, view.size))
-      obstacles.discs.push_back({glm::dvec2(*pixel), radius * view.pixelRatio, hasLabel});
-  };
-  using Segments = std::vector<LabelObstacles::Segment>;
-  const auto addPath = [&](const std::vector<Place> &path, bool isThick, Segments &segments) {
-    std::optional<glm::dvec3> previous;
-    for (const Place &place : path) {
-      const auto pixel = view.camera.project(place, view.size);
-      if (pixel && previous)
-        segments.push_back({glm::dvec2(*previous), glm::dvec2(*pixel), isThick});
-      previous = pixel;
-    }
-  };
-  for (const Mark &mark : content.figure.marks) {
-    if (baseOf(mark).passes)
-      continue;
-    const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
-    if (outline.path.empty())
-      continue;
-    const bool isArrow = std::holds_alternative<ArrowMark>(mark);
-    switch (outline.kind) {
-    case MarkOutline::Kind::Point:
-      addDisc(outline.path.front(), clearanceOf(std::get<PointMark>(mark)) * theme.lineScale,
-              isLabelled(mark));
-      break;
-    case MarkOutline::Kind::Line:
-      addPath(outline.path, isArrow, obstacles.segments);
-      break;
-    case MarkOutline::Kind::Face:
-      addPath(closed(outline.path), false, obstacles.segments);
-      break;
-    case MarkOutline::Kind::Body: // its box has edges that nobody sees
-      break;
-    }
-    if (isArrow)
-      addDisc(outline.path.back(), tipRadius * theme.lineScale);
-  }
+  Obstacles obstacles(theme, view);
+  for (const Mark &mark : content.figure.marks)
+    if (!baseOf(mark).passes)
+      obstacles.addMark(mark);
   for (const Knob &knob : content.knobs)
-    addDisc(knob.at, knobClearance);
+    obstacles.addDisc(knob.at, knobClearance);
   if (axes)
-    for (const AxisEnds &axis : axisEnds(*axes))
-      addPath({axis.low, axis.high}, true, obstacles.segments);
+    obstacles.addAxes(*axes);
   if (content.gizmo)
     for (const GizmoPartShape &part : gizmoParts(*content.gizmo, view.camera, view.size, view.pixelRatio))
-      addPath(part.outline, false, obstacles.tools);
-  obstacles.covered = view.covered;
-  return obstacles;
+      obstacles.addTool(part.outline);
+  return obstacles.take();
 }
 
 } // namespace halfspace

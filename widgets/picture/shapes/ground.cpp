@@ -153,18 +153,25 @@ AxesReach axesAround(const Figure &figure) {
   return axesFor(places);
 }
 
+std::vector<AxisEnds> axisTicks(const AxesReach &reach, const Camera &camera, double scale) {
+  std::vector<AxisEnds> ticks;
+  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
+    const auto axis = static_cast<Place::length_type>(i);
+    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
+      const Place at = axisDirections[i] * tick;
+      ticks.push_back({at, at + tickDirection(i, camera) * (tickLength * scale)});
+    }
+  }
+  return ticks;
+}
+
 Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale) {
   Mesh mesh;
   const double width = scale * theme.lineScale;
-  for (std::size_t i = 0; i < axisDirections.size(); ++i) {
-    const auto axis = static_cast<Place::length_type>(i);
-    const auto [low, high] = axisEnds(reach)[i];
+  for (const auto &[low, high] : axisEnds(reach))
     addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
-    for (const double tick : ticksOf(reach.low[axis], reach.high[axis], camera.target[axis], camera.height)) {
-      const Place at = axisDirections[i] * tick;
-      addTube(mesh, at, at + tickDirection(i, camera) * (tickLength * scale), tickRadius * width, theme.axis);
-    }
-  }
+  for (const auto &[low, high] : axisTicks(reach, camera, scale))
+    addTube(mesh, low, high, tickRadius * width, theme.axis);
   addBall(mesh, Place(0), originRadius * width, theme.axis);
   return mesh;
 }

@@ -34,7 +34,7 @@ struct AxesReach {
   bool operator==(const AxesReach &) const = default;
 };
 
-/// The two ends of an axis.
+/// The two ends of an axis or of one of its ticks.
 struct AxisEnds {
   Place low{};
   Place high{};
@@ -47,6 +47,9 @@ struct AxisEnds {
 
 /// The axes of a figure: patches, rays and lines may reach beyond them.
 [[nodiscard]] AxesReach axesAround(const Figure &figure);
+
+/// The ticks of the axes that the camera may see, each from its axis to its tip.
+[[nodiscard]] std::vector<AxisEnds> axisTicks(const AxesReach &reach, const Camera &camera, double scale);
 
 /// A number or a name written at an axis.
 struct AxisLabel {
