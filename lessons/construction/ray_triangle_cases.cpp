@@ -3,6 +3,7 @@
 #include "geometry/point_line.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/shifted_ray.h"
+#include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
@@ -89,6 +90,10 @@ void addFlattened(const TriangleObject &triangle, const Naming &naming, std::vec
       all.push_back({"case = collinear", words("{P0}, {P1} and {P2} would lie on one line.", naming.letters),
                      "T", TriangleObject{flat[0], flat[1], flat[2]}});
   }
+}
+
+ArrowMark wayToHit(const Term &w, const Place &p0) {
+  return inLook({Hue::Red}, arrowOf(w, p0, Role::Derived, Subject::Ray));
 }
 
 std::vector<SpecialCase> rayTriangleNearby(const TriangleObject &triangle, const RayObject &ray,

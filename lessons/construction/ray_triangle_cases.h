@@ -20,6 +20,9 @@ namespace halfspace {
 /// Adds the triangles with one corner moved onto the line of the two others.
 void addFlattened(const TriangleObject &triangle, const Naming &naming, std::vector<SpecialCase> &all);
 
+/// The arrow from P₀ to where the ray meets the triangle's plane, in a hue that no other part has.
+[[nodiscard]] ArrowMark wayToHit(const Term &w, const Place &p0);
+
 /// The special cases near a ray and a triangle, by the values that the eval format has for them.
 [[nodiscard]] std::vector<SpecialCase> rayTriangleNearby(const TriangleObject &triangle, const RayObject &ray,
                                                          const TriangleTerms &corners, const Naming &naming);

@@ -240,7 +240,7 @@ Figure draw(const In &in, const Out &at) {
   Figure figure;
   figure.add(arrowOf(at.a, place(at.P1), Role::Given, Subject::EdgeU));
   figure.add(arrowOf(at.b, place(at.P2), Role::Given, Subject::EdgeV));
-  figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Neutral));
+  figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Point));
   drawProduct(figure, at.p, place(at.P2), Subject::Measure);
   drawProduct(figure, at.q, place(at.P1), Subject::Plane);
   if (!at.meet.crosses())

@@ -351,7 +351,7 @@ Figure draw(const In &in, const Out &at) {
     figure.reaches.push_back({in.L.id, point});
   else
     figure.add(SegmentMark{{at.I->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  figure.add(arrowOf(at.w, place(at.P0), Role::Derived, Subject::Neutral));
+  figure.add(wayToHit(at.w, place(at.P0)));
   drawSimilarTriangles(figure, at);
   const bool hit = at.meet.which == RayTriangleCase::Hit;
   figure.add(pointOf(at.I, hit ? Role::Result : Role::Ghost, Subject::Ray));

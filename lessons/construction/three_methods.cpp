@@ -609,13 +609,13 @@ Figure draw(const In &in, const Out &at) {
   drawEdge(figure, at, 2, Subject::EdgeU);
   figure.add(arrowOf(at.u, place(at.P0), role, Subject::EdgeU));
   figure.add(arrowOf(at.v, place(at.P0), role, Subject::EdgeV));
-  figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Neutral));
+  figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Point));
   if (at.isTriangle())
     drawSpan(figure, at);
   if (!at.crosses())
     return figure;
   const Place point = place(at.I);
-  figure.add(arrowOf(at.first.w, place(at.P0), Role::Derived, Subject::Neutral));
+  figure.add(wayToHit(at.first.w, place(at.P0)));
   if (at.perps.plane.t >= 0)
     figure.reaches.push_back({in.L.id, point});
   else

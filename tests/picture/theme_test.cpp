@@ -53,6 +53,17 @@ TEST(Theme, EverySolidIsSeenOnTheBackground) {
         EXPECT_GE(contrast(theme.colorOf(hue), ground), leastContrast) << theme.name << ", " << nameOf(hue);
 }
 
+/// Of what is told from something beside it by its brightness alone.
+constexpr double leastDifference = 1.8;
+
+TEST(Theme, AxesAreSeenOnTheBackground_AndAreNotTakenForGreyArrows) {
+  for (const Theme &theme : themes()) {
+    for (const Color ground : {theme.backgroundTop, theme.backgroundBottom})
+      EXPECT_GE(contrast(theme.axis, ground), leastContrast) << theme.name;
+    EXPECT_GE(contrast(theme.axis, theme.colorOf(Hue::Grey)), leastDifference) << theme.name;
+  }
+}
+
 TEST(Theme, EveryGhostIsSeenOnTheBackgroundAndBehindAPlane) {
   for (const Theme &theme : themes())
     for (const Hue hue : allHues) {

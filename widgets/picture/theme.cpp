@@ -24,7 +24,7 @@ Theme light() {
   theme.warning = hex(0xb3261e);
   theme.grid = hex(0xdbe2ea);
   theme.gridMajor = hex(0xb4c0cc);
-  theme.axis = hex(0x46525e);
+  theme.axis = hex(0x7d8995);
   theme.shadow = hex(0xd9dee4);
   theme.halo = hex(0xffffff);
   theme.planeFace = hex(0x56b4e9);
@@ -48,7 +48,7 @@ Theme dark() {
   theme.warning = hex(0xff7a70);
   theme.grid = hex(0x2c3743);
   theme.gridMajor = hex(0x4a5a6a);
-  theme.axis = hex(0xaab8c6);
+  theme.axis = hex(0x6f7d8b);
   theme.shadow = hex(0x0e1216);
   theme.halo = hex(0x14191f);
   theme.planeFace = hex(0x56b4e9);
@@ -69,7 +69,7 @@ Theme print() {
   theme.border = hex(0xb0b0b0);
   theme.grid = hex(0xe2e2e2);
   theme.gridMajor = hex(0xbebebe);
-  theme.axis = hex(0x202020);
+  theme.axis = hex(0x707070);
   theme.shadow = hex(0xe0e0e0);
   theme.planeOpacity = 0.24;
   theme.polygonOpacity = 0.30;
@@ -89,7 +89,7 @@ Theme projector() {
   theme.accent = hex(0x0050a0);
   theme.grid = hex(0xcbd4dd);
   theme.gridMajor = hex(0x93a1af);
-  theme.axis = hex(0x1b2530);
+  theme.axis = hex(0x5f6c79);
   theme.shadow = hex(0xccd3da);
   theme.planeOpacity = 0.36;
   theme.polygonOpacity = 0.42;
