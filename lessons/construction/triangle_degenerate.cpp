@@ -8,6 +8,7 @@
 #include "lessons/object/letters.h"
 #include "lessons/object/triangle.h"
 #include "lessons/term/angle.h"
+#include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
@@ -197,7 +198,16 @@ void drawNormal(Figure &figure, const Out &at, const Place &p0) {
   figure.add(arrowOfLength(std::move(normal), p0, at.perps.normal, drawnNormalLength));
 }
 
-Figure draw(const In &, const Out &at) {
+/// Its area is the length of the normal.
+void drawParallelogram(Figure &figure, const In &in, const Out &at) {
+  const auto &[p0, p1, p2] = in.T.object;
+  const Term area = norm(at.n);
+  MarkBase base{at.n->mark + "/area", Role::Helper, Subject::Plane, latexOf(area)};
+  base.numbers = relatedLatex(calculated(area));
+  figure.add(PolygonMark{std::move(base), {place(p0), place(p1), place(ExactVec3(p1 + p2 - p0)), place(p2)}});
+}
+
+Figure draw(const In &in, const Out &at) {
   Figure figure;
   const Place p0 = place(at.P0);
   const Role role = at.isTriangle() ? Role::Given : Role::Warning;
@@ -207,8 +217,10 @@ Figure draw(const In &, const Out &at) {
     figure.add(arrowOf(at.v, p0, role, Subject::EdgeV));
   if (at.hasAngle())
     figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.u), place(at.v)});
-  if (at.isTriangle())
+  if (at.isTriangle()) {
     drawNormal(figure, at, p0);
+    drawParallelogram(figure, in, at);
+  }
   return figure;
 }
 
