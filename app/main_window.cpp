@@ -474,6 +474,21 @@ void MainWindow::restoreSettings() {
   sharePage();
 }
 
+std::optional<double> MainWindow::chosenSizeScale() const {
+  // Another screen may have another usual one.
+  return m_sizeScale == usualSizeScale(*screen()) ? std::nullopt : std::optional(m_sizeScale);
+}
+
+void MainWindow::storeLook() {
+  auto settings = readSettings(settingsFile());
+  if (!settings)
+    return; // it is put aside at the end, and written anew
+  settings->theme = QString::fromStdString(m_theme.name);
+  settings->sizeScale = chosenSizeScale();
+  if (const auto problem = writeSettings(*settings, settingsFile()))
+    printError(problem->text());
+}
+
 void MainWindow::storeSettings() {
   Settings settings;
   settings.theme = QString::fromStdString(m_theme.name);
@@ -482,8 +497,7 @@ void MainWindow::storeSettings() {
   settings.snapping = m_model.isSnapping();
   settings.ownLessons = m_ownLessons;
   settings.flatPicture = m_flat->unfolded().isChecked();
-  if (m_sizeScale != usualSizeScale(*screen())) // another screen may have another usual one
-    settings.sizeScale = m_sizeScale;
+  settings.sizeScale = chosenSizeScale();
   setFullScreen(false); // the next start is a window again
   settings.window = saveGeometry();
   settings.panels = saveState();

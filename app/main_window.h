@@ -241,7 +241,11 @@ private:
   void exportPicture();
   [[nodiscard]] std::optional<LabelPicture> pictureOfScene();
   void restoreSettings();
+  /// Nothing where it is what suits the screen.
+  [[nodiscard]] std::optional<double> chosenSizeScale() const;
   void storeSettings();
+  /// The theme and the size of type are stored as soon as they are chosen.
+  void storeLook();
 
   SessionModel m_model;
   CoordinateEditor m_editor; ///< for the numbers in the working

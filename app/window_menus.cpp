@@ -207,11 +207,13 @@ void MainWindow::createSizeMenu(QMenu &menu) {
   m_smaller->setObjectName("smaller");
   addItem(menu, tr("&Usual Size"), QKeySequence("Ctrl+0"), this, [this] {
     setSizeScale(usualSizeScale(*screen()));
+    storeLook();
   })->setObjectName("usualSize");
 }
 
 void MainWindow::changeSizeBy(int steps) {
   setSizeScale((std::round(sizeScale() / sizeScaleStep) + steps) * sizeScaleStep);
+  storeLook();
   say(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
 }
 
@@ -223,7 +225,10 @@ void MainWindow::createThemeMenu(QMenu &menu) {
     action->setCheckable(true);
     action->setData(name);
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, name] { setThemeNamed(name); });
+    connect(action, &QAction::triggered, this, [this, name] {
+      setThemeNamed(name);
+      storeLook();
+    });
   }
   connect(&menu, &QMenu::aboutToShow, this, [this, group] {
     for (QAction *action : group->actions())

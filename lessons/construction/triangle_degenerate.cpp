@@ -210,11 +210,10 @@ void drawParallelogram(Figure &figure, const In &in, const Out &at) {
 Figure draw(const In &in, const Out &at) {
   Figure figure;
   const Place p0 = place(at.P0);
-  const Role role = at.isTriangle() ? Role::Given : Role::Warning;
   if (at.perps.uu != 0)
-    figure.add(arrowOf(at.u, p0, role, Subject::EdgeU));
+    figure.add(arrowOf(at.u, p0, Role::Given, Subject::EdgeU));
   if (at.perps.vv != 0)
-    figure.add(arrowOf(at.v, p0, role, Subject::EdgeV));
+    figure.add(arrowOf(at.v, p0, Role::Given, Subject::EdgeV));
   if (at.hasAngle())
     figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.u), place(at.v)});
   if (at.isTriangle()) {

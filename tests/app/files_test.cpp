@@ -213,6 +213,24 @@ private slots:
     QCOMPARE(next.model().isSnapping(), snapping);
   }
 
+  void themeAndSize_chosen_areStoredAtOnce_andNothingElseIs() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    Settings before = *readSettings(settingsFile());
+    for (QAction *action : fixture.window.findChildren<QAction *>())
+      if (action->text() == "Dark")
+        action->trigger();
+    fixture.window.findChild<QAction *>("larger")->trigger();
+    const Settings stored = *readSettings(settingsFile());
+    QCOMPARE(stored.theme, QString("dark"));
+    QVERIFY(stored.sizeScale && *stored.sizeScale > 1);
+    before.theme = stored.theme;
+    before.sizeScale = stored.sizeScale;
+    QVERIFY(stored == before);
+    fixture.window.findChild<QAction *>("usualSize")->trigger();
+    QVERIFY(!readSettings(settingsFile())->sizeScale);
+  }
+
   void progressAndSettings_thatAreDamaged_arePutAsideAndTold() {
     {
       WindowFixture fixture("signed-distance");
