@@ -22,11 +22,12 @@ QLabel *wrappedLabel(const char *name) {
   return label;
 }
 
-/// A label with as many letters as there is to be room for; it is never shown.
+/// A label with as many letters as there is to be room for, with indices, which make its rows higher; it is
+/// never shown.
 QLabel *roomFor(int letters, const char *name) {
-  const QString word = QStringLiteral("letters ");
+  const QString word = QStringLiteral("letter_s ");
   QLabel *label = wrappedLabel(name);
-  label->setText(word.repeated(letters / static_cast<int>(word.size())));
+  showWords(*label, word.repeated(letters / static_cast<int>(word.size())).trimmed());
   return label;
 }
 

@@ -1,4 +1,5 @@
 // The line of words below the scene.
+#include "widgets/text/indices.h"
 #include "widgets/view/case_line.h"
 
 #include <QLabel>
@@ -97,6 +98,20 @@ private slots:
     shown.line.setCase(longOne, false);
     QVERIFY(shown.said("case").startsWith("many words") && shown.said("case").endsWith("…"));
     QVERIFY(label->toolTip().contains(longOne));
+  }
+
+  void words_withIndices_areSeenWhole() {
+    for (const int width : {500, 900}) {
+      ShownLine shown;
+      const QString usual = "The six numbers of the line g are v_g = (1, 2, −2) and m_g = (−12, 12, 6).";
+      const QString nearby = "The ray r_Q would go through the corner P_0.";
+      shown.line.setNearby(nearby, {{nearby, true}});
+      shown.line.setCase(usual, false);
+      shown.line.resize(width, shown.line.heightForWidth(width));
+      QCoreApplication::processEvents();
+      QCOMPARE(shown.said("case"), richTextOf(usual));
+      QCOMPARE(shown.said("nearby"), richTextOf(nearby));
+    }
   }
 
   void message_besideTheNearestCase_hasTheWholeRow_andIsWholeAtEverySizeOfType() {
