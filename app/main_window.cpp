@@ -249,7 +249,7 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
-  m_downRay->setEnabled(firstRay(m_model.shown().figure) != nullptr);
+  m_alongCourse->setEnabled(firstCourse(m_model.shown().figure).has_value());
   showStepWords();
   showFlight();
   showCase();

@@ -278,7 +278,7 @@ private:
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
-  QAction *m_downRay = nullptr;
+  QActionGroup *m_alongCourse = nullptr;
   QMenu *m_flightMenu = nullptr;
   QAction *m_home = nullptr;
   QAction *m_fit = nullptr;

@@ -190,8 +190,15 @@ void MainWindow::createCameraItems(QMenu &menu) {
   m_alongPlane =
       addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
   addItem(menu, tr("Fa&ce the Plane"), QKeySequence("7"), this, [this] { m_scene->facePlane(); });
-  m_downRay = addItem(menu, tr("Down the Ra&y"), QKeySequence("5"), this, [this] { m_scene->lookDownRay(); });
-  m_downRay->setObjectName("downRay");
+  m_alongCourse = new QActionGroup(this);
+  const auto addCourse = [&](const QString &text, const char *key, const char *name, AlongCourse way) {
+    QAction *action =
+        addItem(menu, text, QKeySequence(key), this, [this, way] { m_scene->lookAlongCourse(way); });
+    action->setObjectName(name);
+    m_alongCourse->addAction(action);
+  };
+  addCourse(tr("&Down the Ray or Line"), "5", "downCourse", AlongCourse::Down);
+  addCourse(tr("&Against the Ray or Line"), "8", "againstCourse", AlongCourse::Against);
   QAction *orthographic = menu.addAction(tr("&Orthographic"));
   orthographic->setCheckable(true);
   orthographic->setShortcut(QKeySequence("O"));

@@ -143,14 +143,18 @@ private slots:
     fixture.release();
   }
 
-  void viewDownTheRay_isOfferedOnlyWhereThereIsOne() {
+  void viewAlongARayOrLine_isOfferedOnlyWhereThereIsOne() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QTRY_VERIFY(!action(fixture.window, "downRay").isEnabled());
-    fixture.model().openLesson("ray-plane-dot");
-    QTRY_VERIFY(action(fixture.window, "downRay").isEnabled());
-    fixture.model().openLesson("plane-implicit");
-    QTRY_VERIFY(!action(fixture.window, "downRay").isEnabled());
+    for (const char *way : {"downCourse", "againstCourse"}) {
+      QTRY_VERIFY(!action(fixture.window, way).isEnabled());
+      for (const char *lesson : {"ray-plane-dot", "pluecker-lines"}) {
+        fixture.model().openLesson(lesson);
+        QTRY_VERIFY(action(fixture.window, way).isEnabled());
+      }
+      fixture.model().openLesson("plane-implicit");
+      QTRY_VERIFY(!action(fixture.window, way).isEnabled());
+    }
   }
 
   void checkBox_inEveryTheme_standsOutFromThePanel() {

@@ -4,6 +4,7 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/scene/session.h"
 #include "tests/picture/marks.h"
+#include "tests/test_name.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/ground.h"
 
@@ -77,22 +78,28 @@ TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {
   EXPECT_EQ(fitted(view, places), alone) << "what nothing lies under takes no room";
 }
 
-TEST(FirstRay, OfAFigure_IsTheFirstThatHasADirection) {
+TEST(FirstCourse, OfAFigure_IsTheFirstThatHasADirection) {
   Scene scene = library().find("ray-plane-dot")->scene;
-  const Figure figure = figureOf(evaluate(scene));
-  ASSERT_TRUE(firstRay(figure));
-  EXPECT_EQ(firstRay(figure)->id, "L");
+  EXPECT_EQ(firstCourse(figureOf(evaluate(scene))).value().mark, "L");
   coordinate(*findObject(scene, "L"), 1) = ExactVec3(0);
-  EXPECT_FALSE(firstRay(figureOf(evaluate(scene))));
-  EXPECT_FALSE(firstRay(figureOf(evaluate(library().find("signed-distance")->scene))));
+  EXPECT_FALSE(firstCourse(figureOf(evaluate(scene))));
+  EXPECT_FALSE(firstCourse(figureOf(evaluate(library().find("signed-distance")->scene))));
 }
 
-TEST(FirstRay, ThatIsWorkedOut_IsFoundAsWell) {
-  const Figure figure = figureOf(evaluate(library().find("photon-torpedo")->scene));
-  ASSERT_TRUE(firstRay(figure));
-  const Camera down = seenDownRay(figure, Camera());
-  EXPECT_GT(glm::dot(down.viewDirection(), firstRay(figure)->direction), 0.999999);
+struct CourseOfALesson : testing::TestWithParam<std::string> {};
+
+/// One that is worked out as well.
+TEST_P(CourseOfALesson, IsSeenFromBothEnds) {
+  const Figure figure = figureOf(evaluate(library().find(GetParam())->scene));
+  const Place direction = firstCourse(figure).value().direction;
+  const Camera down = seenAlongCourse(AlongCourse::Down, figure, Camera());
+  EXPECT_GT(glm::dot(down.viewDirection(), glm::normalize(direction)), 0.999999);
+  const Camera against = seenAlongCourse(AlongCourse::Against, figure, Camera());
+  EXPECT_LT(glm::dot(against.viewDirection(), glm::normalize(direction)), -0.999999);
 }
+
+INSTANTIATE_TEST_SUITE_P(Lessons, CourseOfALesson, testing::Values("photon-torpedo", "pluecker-lines"),
+                         test::testName);
 
 } // namespace
 } // namespace halfspace

@@ -176,20 +176,24 @@ Place middleInView(const View &view, const std::vector<Place> &places) {
   return box.low.x > box.high.x ? view.camera.target : (box.low + box.high) / 2.0;
 }
 
-const RayMark *firstRay(const Figure &figure) {
-  for (const Mark &mark : figure.marks)
+std::optional<Course> firstCourse(const Figure &figure) {
+  for (const Mark &mark : figure.marks) {
     if (const auto *ray = std::get_if<RayMark>(&mark))
-      return ray;
-  return nullptr;
+      return Course{ray->id, ray->origin, ray->direction};
+    if (const auto *line = std::get_if<LineMark>(&mark))
+      return Course{line->id, line->through, line->direction};
+  }
+  return {};
 }
 
-Camera seenDownRay(const Figure &figure, Camera camera) {
-  const RayMark *ray = firstRay(figure);
-  if (!ray)
+Camera seenAlongCourse(AlongCourse way, const Figure &figure, Camera camera) {
+  const auto course = firstCourse(figure);
+  if (!course)
     return camera;
-  Camera down(CameraView{-ray->direction, ray->origin, camera.height});
-  down.orthographic = camera.orthographic;
-  return down;
+  const Place from = way == AlongCourse::Down ? -course->direction : course->direction;
+  Camera along(CameraView{from, course->start, camera.height});
+  along.orthographic = camera.orthographic;
+  return along;
 }
 
 Camera between(const Camera &from, const Camera &to, double t) {

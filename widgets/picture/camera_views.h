@@ -4,6 +4,9 @@
 #include "lessons/figure/figure.h"
 #include "widgets/picture/view.h"
 
+#include <optional>
+#include <string>
+
 namespace halfspace {
 
 // Figures, scenes and cameras are those of a stage.
@@ -45,11 +48,21 @@ enum class AxisView { Front, Right, Top };
 /// shows none.
 [[nodiscard]] Place middleInView(const View &view, const std::vector<Place> &places);
 
-/// The first ray of a figure, or null; one without a direction is not drawn.
-[[nodiscard]] const RayMark *firstRay(const Figure &figure);
+/// A ray, or a line that is drawn with its direction.
+struct Course {
+  std::string mark;
+  Place start{};
+  Place direction{};
+};
 
-/// From the start of a figure's first ray in its direction; unchanged without one.
-[[nodiscard]] Camera seenDownRay(const Figure &figure, Camera camera);
+/// The first ray or line of a figure; one without a direction is not drawn.
+[[nodiscard]] std::optional<Course> firstCourse(const Figure &figure);
+
+/// Of the two ends that a course can be looked along from: with it, or so that it points at the eye.
+enum class AlongCourse { Down, Against };
+
+/// Along a figure's first ray or line; unchanged without one.
+[[nodiscard]] Camera seenAlongCourse(AlongCourse way, const Figure &figure, Camera camera);
 
 /// A camera between two: t = 0 is the first, t = 1 the second. It turns the short way round.
 [[nodiscard]] Camera between(const Camera &from, const Camera &to, double t);

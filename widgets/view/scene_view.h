@@ -67,8 +67,8 @@ public:
   void lookAlongPlane();
   /// The whole figure from straight in front of its first plane or triangle.
   void facePlane();
-  /// Looks from the start of the first ray in its direction.
-  void lookDownRay();
+  /// Looks along the first ray or line from one of its ends.
+  void lookAlongCourse(AlongCourse way);
   void setOrthographic(bool on);
   /// As before the view was turned, moved or chosen last; step by step further back.
   void showPreviousView();

@@ -165,7 +165,9 @@ void SceneView::facePlane() {
   chooseView(fittedToGiven(seenFacingPlane(staged(m_model.figure()), m_camera)));
 }
 
-void SceneView::lookDownRay() { chooseView(seenDownRay(staged(m_model.shown().figure), m_camera)); }
+void SceneView::lookAlongCourse(AlongCourse way) {
+  chooseView(seenAlongCourse(way, staged(m_model.shown().figure), m_camera));
+}
 
 void SceneView::setOrthographic(bool on) {
   m_glide.stop();

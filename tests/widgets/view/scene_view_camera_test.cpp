@@ -168,7 +168,7 @@ private slots:
     QVERIFY(areNear(glm::dot(fixture.view.camera().viewDirection(), Place(1, 2, 2)), 0) ||
             areNear(glm::dot(fixture.view.camera().right(), glm::normalize(Place(1, 2, 0))), 1) ||
             areNear(glm::dot(fixture.view.camera().right(), glm::normalize(Place(1, 2, 0))), -1));
-    fixture.view.lookDownRay();
+    fixture.view.lookAlongCourse(AlongCourse::Down);
     const Place along = glm::normalize(Place(-1, 3, 2));
     QVERIFY(glm::dot(fixture.view.camera().viewDirection(), along) > 0.999999);
   }
