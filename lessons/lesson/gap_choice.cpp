@@ -85,19 +85,27 @@ Term replaced(const Term &term, const Term &part, const Term &other) {
   return withParts(term, std::move(parts));
 }
 
-/// A number of another magnitude, so that its square is another too.
-Term anotherThan(const Term &number) {
-  const Real *value = numberOf(number);
-  return value && sign(*value) == -1 ? number - 1 : number + 1;
+/// A number of another magnitude, so that its square is another too; or a list in which each number has
+/// become another one, by an amount of its own, so that its products with other lists are others too.
+Term anotherThan(const Term &given, int by = 1) {
+  if (given->kind == TermKind::List) {
+    std::vector<Term> entries;
+    entries.reserve(given->parts.size());
+    for (const Term &entry : given->parts)
+      entries.push_back(anotherThan(entry, by++));
+    return withParts(given, std::move(entries));
+  }
+  const Real *value = numberOf(given);
+  return value && sign(*value) == -1 ? given - by : given + by;
 }
 
 /// Whether the chain tells a wrong answer from the right one.
-bool tries(const Chain &chain, const Term &number) {
-  const Term other = anotherThan(number);
+bool tries(const Chain &chain, const Term &given) {
+  const Term other = anotherThan(given);
   return std::any_of(chain.sides().begin(), chain.sides().end(), [&](const Term &side) {
-    if (!isPartOf(number, side))
+    if (!isPartOf(given, side))
       return false;
-    const auto changed = replaced(side, number, other)->value;
+    const auto changed = replaced(side, given, other)->value;
     return !changed || !side->value || areEqual(*changed, *side->value) != true;
   });
 }
@@ -119,15 +127,16 @@ std::vector<Gap> numberGaps(const Chain &chain) {
   return gaps;
 }
 
-std::optional<Gap> gapAmongNumbers(const WorkingLine &line, const Working &working) {
+GapChoice::GapChoice(const Working &working) : m_working(working), m_written(numbersIn(working)) {}
+
+std::optional<Gap> GapChoice::of(const WorkingLine &line) const {
   if (line.chains.size() > 1)
     return {};
-  const std::vector<Gap> written = numbersIn(working);
   const auto isTold = [&](const Gap &gap) {
-    return std::any_of(written.begin(), written.end(),
-                       [&](const Gap &each) { return tells(each, gap, working); });
+    return std::any_of(m_written.begin(), m_written.end(),
+                       [&](const Gap &each) { return tells(each, gap, m_working); });
   };
-  std::vector<Gap> gaps = numberGaps(line);
+  std::vector<Gap> gaps = numberGaps(askedChain(line));
   std::erase_if(gaps, [&](const Gap &gap) { return !isWorkedOut(gap) || isTold(gap); });
   if (gaps.empty())
     return {};

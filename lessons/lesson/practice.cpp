@@ -1,6 +1,5 @@
 #include "lessons/lesson/practice.h"
 
-#include "lessons/lesson/gap_choice.h"
 #include "lessons/lesson/typed_answer.h"
 #include "lessons/lesson/usual_mistakes.h"
 #include "lessons/term/plain_text.h"
@@ -82,18 +81,24 @@ public:
 
   [[nodiscard]] std::string diagnosis(const TypedAnswer &answer) const {
     if (answer.entries.size() != m_truth.entries.size())
-      return m_truth.isList      ? words("{count} numbers are asked for here: write them as (1, 2, 3).",
-                                         {{"count", std::to_string(m_truth.entries.size())}})
-             : m_letters.empty() ? answer.entries.size() == 2
-                                       ? words("One number is asked for here: a decimal is written as 2.5.")
-                                       : words("One number is asked for here.")
-                                 : words("One equation is asked for here.");
+      return sentenceForAnotherCount(answer);
     for (const WrongTerm &mistake : m_mistakes)
       if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
         return mistake.sentence;
     if (!m_isEquation && answer.means(opposite(m_truth)))
       return words("{answer} has the right size and the wrong sign.");
     return words("{answer} is not right. Put the numbers into the symbols once more.");
+  }
+
+  [[nodiscard]] std::string sentenceForAnotherCount(const TypedAnswer &answer) const {
+    if (m_truth.isList)
+      return words("{count} numbers are asked for here: write them as (1, 2, 3).",
+                   {{"count", std::to_string(m_truth.entries.size())}});
+    if (!m_letters.empty())
+      return words("One equation is asked for here.");
+    const bool hasDecimalComma = answer.entries.size() == 2; // as it seems
+    return hasDecimalComma ? words("One number is asked for here: a decimal is written as 2.5.")
+                           : words("One number is asked for here.");
   }
 
   [[nodiscard]] std::string sentenceForNoAnswer() const {
@@ -172,13 +177,12 @@ std::optional<Fading> fadingNamed(std::string_view word) {
 
 Gap resultGap(const WorkingLine &line) { return {askedChain(line).last()}; }
 
-std::vector<Gap> numberGaps(const WorkingLine &line) { return numberGaps(askedChain(line)); }
-
 Fade fade(const Working &working, Fading fading, const std::set<std::string> &opened) {
   Fade faded;
   if (fading == Fading::Gaps) {
+    const GapChoice choice(working);
     for (const WorkingLine &line : working.lines)
-      if (const auto gap = opened.contains(line.id) ? std::nullopt : gapAmongNumbers(line, working))
+      if (const auto gap = opened.contains(line.id) ? std::nullopt : choice.of(line))
         faded.gaps.emplace(line.id, *gap);
     return faded;
   }

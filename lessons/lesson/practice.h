@@ -1,7 +1,7 @@
 // Worked lines that a learner completes: what is left out of them, and what an answer is worth.
 #pragma once
 
-#include "lessons/construction/working.h"
+#include "lessons/lesson/gap_choice.h"
 
 #include <map>
 #include <optional>
@@ -17,22 +17,10 @@ enum class Fading { None, Gaps, Last, All };
 /// The fading that a lesson's word means: none, gaps, last, all.
 [[nodiscard]] std::optional<Fading> fadingNamed(std::string_view word);
 
-/// What is left out of a line.
-struct Gap {
-  Term hidden; ///< a number or a list in the line's chain; or the chain's last side, see `isResult`
-  /// The chain ends in symbols: everything calculated is hidden along with the result.
-  bool isResult = true;
-  /// Of a number in a list: which one of those that its origin comes to.
-  std::optional<std::size_t> entry{};
-};
-
 // Of lines of one statement:
 
 /// The line's result left out.
 [[nodiscard]] Gap resultGap(const WorkingLine &line);
-
-/// Every number and every list in the sides that are calculated: each can be left out alone.
-[[nodiscard]] std::vector<Gap> numberGaps(const WorkingLine &line);
 
 /// What the lines of a working leave out, by their ids.
 struct Fade {

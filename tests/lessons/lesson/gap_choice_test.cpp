@@ -2,6 +2,7 @@
 #include "lessons/lesson/gap_choice.h"
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/practice.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 
@@ -19,7 +20,7 @@ Working workingOf(const std::string &lesson) {
 TEST(NumberGaps, OfALine_AreAllItsNumbersAndLists) {
   const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
   std::vector<std::string> texts;
-  for (const Gap &gap : numberGaps(*findLine(working, "f")))
+  for (const Gap &gap : numberGaps(askedChain(*findLine(working, "f"))))
     texts.push_back(plainText(gap.hidden));
   EXPECT_EQ(texts,
             (std::vector<std::string>{"(1, 2, 2)", "1", "2", "2", "(6, 11, 1)", "6", "11", "1", "30"}));
@@ -40,21 +41,37 @@ WorkingLine lineOfProduct(const std::string &id, const Vec3<Rational> &b) {
   return {id, {withNumbers(name(letter("x"), Rational(3)) == dot(sum, name(letter("b"), TermValue(b))))}};
 }
 
-TEST(GapAmongNumbers, ThatAZeroMultiplies_IsAnother) {
+TEST(GapChoice, ThatAZeroMultiplies_IsAnother) {
   for (const char *id : {"a", "b", "c", "d", "e", "f"}) {
     const WorkingLine line = lineOfProduct(id, {0, 1, 0});
-    const auto gap = gapAmongNumbers(line, {{line}});
+    const Working working{{line}};
+    const auto gap = GapChoice(working).of(line);
     ASSERT_TRUE(gap);
     EXPECT_EQ(plainText(gap->hidden), "3") << "0·? = 0 takes every number";
   }
 }
 
-TEST(GapAmongNumbers, OfALineWhoseNumberIsWrittenBesideIt_IsAnother) {
+TEST(GapChoice, OfALineThatMultipliesAListByZero_IsNotTheList) {
+  const Term sum = name(letter("u"), TermValue(Vec3<Rational>(1, 2, 3))) +
+                   name(letter("v"), TermValue(Vec3<Rational>(1, 1, 1)));
+  for (const char *id : {"a", "b", "c", "d", "e", "f"}) {
+    const WorkingLine line{id,
+                           {withNumbers(name(letter("x"), TermValue(Vec3<Rational>(0, 0, 0))) ==
+                                        name(letter("t"), Rational(0)) * sum)}};
+    const Working working{{line}};
+    const auto gap = GapChoice(working).of(line);
+    ASSERT_TRUE(gap);
+    EXPECT_TRUE(gap->entry || plainText(gap->hidden) == "(0, 0, 0)") << plainText(gap->hidden);
+    EXPECT_NE(plainText(gap->hidden).find('0'), std::string::npos) << "0·? takes every list";
+  }
+}
+
+TEST(GapChoice, OfALineWhoseNumberIsWrittenBesideIt_IsAnother) {
   const WorkingLine line = lineOfProduct("x", {1, 1, 1});
   const WorkingLine result{
       "y", {withNumbers(name(letter("y"), Rational(6)) == 2 * name(letter("x"), Rational(3)))}};
   const Working both{{line, result}};
-  const auto gap = gapAmongNumbers(line, both);
+  const auto gap = GapChoice(both).of(line);
   ASSERT_TRUE(gap);
   EXPECT_TRUE(gap->entry) << "x stands in the next line: " << plainText(gap->hidden);
 }
@@ -83,7 +100,7 @@ bool isMultipliedByZero(const std::string &text) {
   return true;
 }
 
-TEST(GapAmongNumbers, OfEveryStepOfEveryLesson_AreNotToBeReadElsewhere_AndCount) {
+TEST(GapChoice, OfEveryStepOfEveryLesson_AreNotToBeReadElsewhere_AndCount) {
   for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons) {
     const Evaluation evaluation = evaluate(lesson.scene);
     for (const LessonStep &step : lesson.steps) {

@@ -238,7 +238,7 @@ TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
 TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
   const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
   const WorkingLine &f = *findLine(working, "f");
-  for (const Gap &gap : numberGaps(f))
+  for (const Gap &gap : numberGaps(askedChain(f)))
     if (gap.hidden->kind == TermKind::Number && plainText(gap.hidden) == "11") {
       EXPECT_TRUE(judge(f, gap, "11").right);
       EXPECT_NE(judge(f, gap, "19").sentence.find("adds where Q − P₀ subtracts"), std::string::npos);
