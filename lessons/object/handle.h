@@ -24,6 +24,7 @@ struct Handle {
   ExactVec3 base{};   ///< at − base is what is snapped: 0 for a position, the arrow's start for a direction
   ExactVec3 axis{};   ///< the direction in which alone it moves; 0 where it is free
   ExactVec3 normal{}; ///< perpendicular to the plane in which alone it moves; 0 where it is free
+  ExactVec3 middle{}; ///< of the positions, for Whole
   std::optional<ExactVec3> center{};    ///< of the sphere on which alone it moves
   std::shared_ptr<const Object> host{}; ///< what a bound object lies on
 

@@ -177,6 +177,7 @@ std::vector<Handle> wholeHandle(const std::string &name, const Object &object) {
   handle.id = name + ".whole";
   handle.object = name;
   handle.motion = Handle::Motion::Whole;
+  handle.middle = middle;
   handle.at = middle + ExactVec3(0, 0, liftOver(corners, middle));
   // So the first position is the one that is snapped: parts of a middle would be no short numbers.
   handle.base = handle.at - object[0];

@@ -24,18 +24,6 @@ void addCoordinateHandles(const std::string &name, const Object &object, std::ve
   }
 }
 
-/// Of the positions of an object that has a handle as a whole.
-ExactVec3 middleOf(const std::string &object, const std::vector<Handle> &handles) {
-  ExactVec3 sum(0);
-  int count = 0;
-  for (const Handle &handle : handles)
-    if (handle.object == object && handle.motion == Handle::Motion::Coordinate && isZero(handle.base)) {
-      sum += handle.at;
-      ++count;
-    }
-  return sum / Rational(count);
-}
-
 } // namespace
 
 std::vector<Handle> handlesOf(const PlacedScene &placed) {
@@ -59,7 +47,7 @@ void keepStill(std::vector<Handle> &handles, const std::vector<Handle> &before) 
                                   [&](const Handle &other) { return other.id == handle.id; });
     if (handle.motion != Handle::Motion::Whole || old == before.end())
       continue;
-    const ExactVec3 at = old->at + middleOf(handle.object, handles) - middleOf(handle.object, before);
+    const ExactVec3 at = handle.middle + (old->at - old->middle);
     handle.base += at - handle.at;
     handle.at = at;
   }
