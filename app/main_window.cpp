@@ -474,30 +474,29 @@ void MainWindow::restoreSettings() {
   sharePage();
 }
 
-std::optional<double> MainWindow::chosenSizeScale() const {
-  // Another screen may have another usual one.
-  return m_sizeScale == usualSizeScale(*screen()) ? std::nullopt : std::optional(m_sizeScale);
+void MainWindow::putLook(Settings &settings) const {
+  settings.theme = QString::fromStdString(m_theme.name);
+  const bool suitsTheScreen = m_sizeScale == usualSizeScale(*screen()); // another screen may have another one
+  settings.sizeScale = suitsTheScreen ? std::nullopt : std::optional(m_sizeScale);
 }
 
 void MainWindow::storeLook() {
   auto settings = readSettings(settingsFile());
   if (!settings)
     return; // it is put aside at the end, and written anew
-  settings->theme = QString::fromStdString(m_theme.name);
-  settings->sizeScale = chosenSizeScale();
+  putLook(*settings);
   if (const auto problem = writeSettings(*settings, settingsFile()))
     printError(problem->text());
 }
 
 void MainWindow::storeSettings() {
   Settings settings;
-  settings.theme = QString::fromStdString(m_theme.name);
+  putLook(settings);
   settings.motion = m_motion->isChecked();
   settings.snapStep = m_model.snapStep();
   settings.snapping = m_model.isSnapping();
   settings.ownLessons = m_ownLessons;
   settings.flatPicture = m_flat->unfolded().isChecked();
-  settings.sizeScale = chosenSizeScale();
   setFullScreen(false); // the next start is a window again
   settings.window = saveGeometry();
   settings.panels = saveState();

@@ -179,7 +179,8 @@ private:
   [[nodiscard]] bool lacksLines();
   void updateTitle();
   void applyLook();
-  /// The page's looks; where it stands alone its type is larger.
+  /// How much larger its type is where the page stands alone.
+  [[nodiscard]] double pageTypeScale() const;
   void showPageLook();
   void changeSizeBy(int steps);
   [[nodiscard]] StepProgress &progress();
@@ -241,11 +242,10 @@ private:
   void exportPicture();
   [[nodiscard]] std::optional<LabelPicture> pictureOfScene();
   void restoreSettings();
-  /// Nothing where it is what suits the screen.
-  [[nodiscard]] std::optional<double> chosenSizeScale() const;
   void storeSettings();
   /// The theme and the size of type are stored as soon as they are chosen.
   void storeLook();
+  void putLook(Settings &settings) const;
 
   SessionModel m_model;
   CoordinateEditor m_editor; ///< for the numbers in the working
@@ -266,6 +266,7 @@ private:
   WorkingPractice *m_practice = nullptr;
   StepWorking *m_working = nullptr; ///< in m_practice
   LessonPage *m_page = nullptr;
+  double m_pageTypeScale = 1;   ///< as it is shown
   QSplitter *m_split = nullptr; ///< between the scene and the page
   bool m_isSplitChosen = false; ///< the user has moved it
   QDockWidget *m_numbersDock = nullptr;

@@ -35,6 +35,12 @@ MeshOpener::MeshOpener(QWidget &window, std::function<bool()> isInHand)
   connect(&m_loader, &MeshLoader::cancelled, this, &MeshOpener::endProgress);
 }
 
+void MeshOpener::open(const QString &file) {
+  m_nextLook.stop();
+  m_waiting.reset();
+  m_loader.start(file);
+}
+
 void MeshOpener::leave() {
   m_loader.cancel();
   m_nextLook.stop();

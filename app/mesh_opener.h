@@ -18,8 +18,8 @@ public:
   /// `isInHand` tells whether something in the window is held that a new mesh would change.
   MeshOpener(QWidget &window, std::function<bool()> isInHand);
 
-  /// One after the other: what was to come is given up.
-  void open(const QString &file) { m_loader.start(file); }
+  /// Gives up what was to come.
+  void open(const QString &file);
   /// Neither reads nor hands out the mesh that was to come.
   void leave();
 

@@ -45,8 +45,8 @@ inline constexpr int wideScene = 650;
 }
 
 /// How much larger the type of a page is that stands alone, where its longest lines have this width in usual
-/// type: it fills the window as a book is held nearer, in steps, so that it does not flicker while the window
-/// changes its size.
+/// type. It grows with the window in steps of `sizeScaleStep`, so that lines do not break anew at every
+/// pixel.
 [[nodiscard]] inline double typeScaleAlone(int whole, int longestLine) {
   const double fitting = mostLineShareAlone * whole / longestLine;
   const double stepped = std::floor(fitting / sizeScaleStep) * sizeScaleStep;

@@ -159,22 +159,25 @@ void MainWindow::sharePage() {
   m_split->setSizes({whole - page, page});
 }
 
+double MainWindow::pageTypeScale() const {
+  return m_sceneColumn->isHidden()
+             ? typeScaleAlone(width(), LessonPage::longestLine(QFontMetrics(QApplication::font())))
+             : 1;
+}
+
 void MainWindow::showPageLook() {
+  m_pageTypeScale = pageTypeScale();
   Theme theme = m_theme;
-  theme.textScale *= sizeScale();
+  theme.textScale *= sizeScale() * m_pageTypeScale;
   QFont type = QApplication::font();
-  if (m_sceneColumn->isHidden()) {
-    const double scale = typeScaleAlone(width(), LessonPage::longestLine(QFontMetrics(type)));
-    theme.textScale *= scale;
-    type.setPointSizeF(type.pointSizeF() * scale);
-  }
+  type.setPointSizeF(type.pointSizeF() * m_pageTypeScale);
   m_page->setFont(type);
   m_page->setTheme(theme);
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event) {
   QMainWindow::resizeEvent(event);
-  if (m_sceneColumn->isHidden())
+  if (pageTypeScale() != m_pageTypeScale)
     showPageLook();
   sharePage();
   showLessonTitle();
