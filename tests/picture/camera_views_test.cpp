@@ -80,7 +80,9 @@ TEST(Fitted, BesideWhatCoversTheView_HasNoPlaceUnderIt) {
 
 TEST(FirstCourse, OfAFigure_IsTheFirstThatHasADirection) {
   Scene scene = library().find("ray-plane-dot")->scene;
-  EXPECT_EQ(firstCourse(figureOf(evaluate(scene))).value().mark, "L");
+  const Course course = firstCourse(figureOf(evaluate(scene))).value();
+  EXPECT_EQ(course.start, toDouble(coordinate(*findObject(scene, "L"), 0)));
+  EXPECT_EQ(course.direction, toDouble(coordinate(*findObject(scene, "L"), 1)));
   coordinate(*findObject(scene, "L"), 1) = ExactVec3(0);
   EXPECT_FALSE(firstCourse(figureOf(evaluate(scene))));
   EXPECT_FALSE(firstCourse(figureOf(evaluate(library().find("signed-distance")->scene))));

@@ -179,9 +179,9 @@ Place middleInView(const View &view, const std::vector<Place> &places) {
 std::optional<Course> firstCourse(const Figure &figure) {
   for (const Mark &mark : figure.marks) {
     if (const auto *ray = std::get_if<RayMark>(&mark))
-      return Course{ray->id, ray->origin, ray->direction};
+      return Course{ray->origin, ray->direction};
     if (const auto *line = std::get_if<LineMark>(&mark))
-      return Course{line->id, line->through, line->direction};
+      return Course{line->through, line->direction};
   }
   return {};
 }

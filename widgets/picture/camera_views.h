@@ -5,7 +5,6 @@
 #include "widgets/picture/view.h"
 
 #include <optional>
-#include <string>
 
 namespace halfspace {
 
@@ -50,7 +49,6 @@ enum class AxisView { Front, Right, Top };
 
 /// A ray, or a line that is drawn with its direction.
 struct Course {
-  std::string mark;
   Place start{};
   Place direction{};
 };
@@ -58,8 +56,10 @@ struct Course {
 /// The first ray or line of a figure; one without a direction is not drawn.
 [[nodiscard]] std::optional<Course> firstCourse(const Figure &figure);
 
-/// Of the two ends that a course can be looked along from: with it, or so that it points at the eye.
-enum class AlongCourse { Down, Against };
+enum class AlongCourse {
+  Down,    ///< it leads away from the eye, which looks at its start
+  Against, ///< it points at the eye
+};
 
 /// Along a figure's first ray or line; unchanged without one.
 [[nodiscard]] Camera seenAlongCourse(AlongCourse way, const Figure &figure, Camera camera);

@@ -66,11 +66,12 @@ QPushButton *flatButton(const char *name, const QString &words) {
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
       m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
-      m_others(flatButton("others", tr("More ▾"))), m_all(new QMenu(m_others)),
+      m_others(flatButton("others", tr("More") + QStringLiteral(" ▾"))), m_all(new QMenu(m_others)),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
   // The button has no menu of its own: the style would draw a mark for it beside the words.
   connect(m_others, &QPushButton::clicked, this,
           [this] { m_all->popup(m_others->mapToGlobal(m_others->rect().bottomLeft())); });
+  m_others->setAccessibleName(tr("More"));
   m_others->setAccessibleDescription(tr("All special cases near this one"));
   offerAfresh(false);
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));

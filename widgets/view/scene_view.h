@@ -67,7 +67,7 @@ public:
   void lookAlongPlane();
   /// The whole figure from straight in front of its first plane or triangle.
   void facePlane();
-  /// Looks along the first ray or line from one of its ends.
+  /// Looks along the first ray or line, or at the whole figure against it.
   void lookAlongCourse(AlongCourse way);
   void setOrthographic(bool on);
   /// As before the view was turned, moved or chosen last; step by step further back.

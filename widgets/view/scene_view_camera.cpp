@@ -166,7 +166,9 @@ void SceneView::facePlane() {
 }
 
 void SceneView::lookAlongCourse(AlongCourse way) {
-  chooseView(seenAlongCourse(way, staged(m_model.shown().figure), m_camera));
+  const Camera along = seenAlongCourse(way, staged(m_model.shown().figure), m_camera);
+  // The eye looks back from beyond what the course leads to.
+  chooseView(way == AlongCourse::Against ? fittedToGiven(along) : along);
 }
 
 void SceneView::setOrthographic(bool on) {
