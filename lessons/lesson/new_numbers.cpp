@@ -19,16 +19,16 @@ namespace halfspace {
 namespace {
 
 /// How well a scene is to be seen.
-struct View {
+struct Sight {
   glm::dvec3 from;     ///< a unit vector
   double leastOpening; ///< the sine of the angle below which what is flat counts as seen edge-on
   double leastLength;  ///< the sine of the angle below which a line counts as seen end-on
-  double leastArea;    ///< of a face as it is seen, in units of the scene, where axes are some 12 long
+  double leastArea;    ///< of a face as it is seen, in square units of the scene, where axes are some 12 long
 };
 
 /// What is aimed at, and what is put up with where chance gives nothing better: about 17 and 9 degrees.
-View goodView(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6}; }
-View poorView(const glm::dvec3 &from) { return {from, 0.15, 0, 0}; }
+Sight goodSight(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6}; }
+Sight poorSight(const glm::dvec3 &from) { return {from, 0.15, 0, 0}; }
 
 /// Of the scenes of so many seeds one is chosen for its answer.
 constexpr std::uint64_t scenesForAQuestion = 12;
@@ -43,41 +43,41 @@ std::vector<ExactVec3> cornersOf(const Object &object) {
 }
 
 /// Whether what is square to `normal` is not seen edge-on; anything where there is no normal.
-bool isOpen(const glm::dvec3 &normal, const View &view) {
+bool isOpen(const glm::dvec3 &normal, const Sight &sight) {
   return normal == glm::dvec3(0) ||
-         std::abs(glm::dot(normal, view.from)) >= view.leastOpening * glm::length(normal);
+         std::abs(glm::dot(normal, sight.from)) >= sight.leastOpening * glm::length(normal);
 }
 
 /// Whether a line is not seen end-on.
-bool isLong(const glm::dvec3 &direction, const View &view) {
-  return glm::length(glm::cross(direction, view.from)) >= view.leastLength * glm::length(direction);
+bool isLong(const glm::dvec3 &direction, const Sight &sight) {
+  return glm::length(glm::cross(direction, sight.from)) >= sight.leastLength * glm::length(direction);
 }
 
-bool isSeenWell(const Object &object, const View &view) {
+bool isSeenWell(const Object &object, const Sight &sight) {
   if (const auto plane = objectAs<PlaneObject>(object))
-    return isOpen(toDouble(plane->normal), view);
+    return isOpen(toDouble(plane->normal), sight);
   if (const auto ray = objectAs<RayObject>(object))
-    return isLong(toDouble(ray->direction), view);
+    return isLong(toDouble(ray->direction), sight);
   if (const auto line = objectAs<LineObject>(object))
-    return isLong(toDouble(line->direction), view);
+    return isLong(toDouble(line->direction), sight);
   const std::vector<ExactVec3> corners = cornersOf(object);
   if (corners.empty())
     return true;
   const glm::dvec3 area = toDouble(areaOf(corners)) / 2.0;
-  return isOpen(area, view) && std::abs(glm::dot(area, view.from)) >= view.leastArea;
+  return isOpen(area, sight) && std::abs(glm::dot(area, sight.from)) >= sight.leastArea;
 }
 
-bool isSeenWell(const Scene &scene, const View &view) {
+bool isSeenWell(const Scene &scene, const Sight &sight) {
   return std::all_of(scene.entries.begin(), scene.entries.end(), [&](const Entry &entry) {
     const auto *object = std::get_if<Object>(&entry.content);
-    return !object || isSeenWell(*object, view);
+    return !object || isSeenWell(*object, sight);
   });
 }
 
 /// The scene with other short numbers that is seen as well as chance allows.
 Scene renewed(const Scene &scene, std::uint64_t seed, const glm::dvec3 &from, bool keepCase) {
-  for (const View &view : {goodView(from), poorView(from)}) {
-    const WantedNumbers wanted{keepCase, [&](const Scene &each) { return isSeenWell(each, view); }};
+  for (const Sight &sight : {goodSight(from), poorSight(from)}) {
+    const WantedNumbers wanted{keepCase, [&](const Scene &each) { return isSeenWell(each, sight); }};
     if (Scene found = withShortNumbers(scene, seed, wanted); !(found == scene))
       return found;
   }

@@ -140,31 +140,31 @@ int wholeDigits(double magnitude) {
 }
 
 /// 31.4159, 6.02214e23; for a finite number ≥ 0.
-std::string shortDecimal(double magnitude, int digits) {
+std::string shortDecimal(double magnitude, int most) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), magnitude,
-                                 std::chars_format::general, std::max(digits, wholeDigits(magnitude)))
+                                 std::chars_format::general, std::max(most, wholeDigits(magnitude)))
                        .ptr;
   return {buffer.data(), end};
 }
 
 } // namespace
 
-Term rounded(double value, int digits) {
+Term rounded(double value, int most) {
   const bool negative = value < 0;
   if (!std::isfinite(value))
-    return signedTerm(negative, halfspace::digits("∞"));
-  const std::string text = shortDecimal(std::abs(value), digits);
+    return signedTerm(negative, digits("∞"));
+  const std::string text = shortDecimal(std::abs(value), most);
   const auto e = text.find('e');
   return signedTerm(negative, e == std::string::npos
-                                  ? halfspace::digits(text)
+                                  ? digits(text)
                                   : scientific(text.substr(0, e), std::stoi(text.substr(e + 1))));
 }
 
-WrittenNumber decimalOf(const Surd &number, int digits) {
+WrittenNumber decimalOf(const Surd &number, int most) {
   const double value = toDouble(number);
-  const auto same = std::isfinite(value) ? parseDecimal(shortDecimal(std::abs(value), digits)) : std::nullopt;
-  return {rounded(value, digits), same && number.isRational() && abs(number.rationalPart()) == *same};
+  const auto same = std::isfinite(value) ? parseDecimal(shortDecimal(std::abs(value), most)) : std::nullopt;
+  return {rounded(value, most), same && number.isRational() && abs(number.rationalPart()) == *same};
 }
 
 WrittenNumber written(const Real &number) { return written(number, ownLook(number)); }

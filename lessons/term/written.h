@@ -32,10 +32,10 @@ inline constexpr int digitsAmongWords = 4;
 
 /// The value rounded to so many significant digits, as a term of digits; ∞ beyond all numbers. Digits before
 /// the decimal point stay, up to `shownDigits`.
-[[nodiscard]] Term rounded(double value, int digits = shownDigits);
+[[nodiscard]] Term rounded(double value, int most = shownDigits);
 
-/// The number as a decimal of at most so many significant digits.
-[[nodiscard]] WrittenNumber decimalOf(const Surd &number, int digits = shownDigits);
+/// The number as `rounded` writes it; exact where nothing is lost.
+[[nodiscard]] WrittenNumber decimalOf(const Surd &number, int most = shownDigits);
 
 /// Whether some number in the term is written rounded.
 [[nodiscard]] bool showsRounded(const Term &term);

@@ -11,7 +11,7 @@
 
 namespace halfspace {
 
-/// The names of tests show it by its own.
+/// Tests are named after it.
 struct SearchKind {
   std::string name; ///< of its class
   std::unique_ptr<HitSearch> (*make)(const TriangleMesh &);

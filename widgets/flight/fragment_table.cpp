@@ -49,9 +49,13 @@ QFont bold(QFont font) {
   return font;
 }
 
-/// Too long to stand exactly in a list.
+/// So many letters stand exactly in a list: 0.6875, 12/175.
+constexpr std::size_t longestExact = 6;
+
+/// As wide as they get.
+WrittenNumber widestNumber() { return written(Rational(-88, 875)); }
+
 bool isLong(const WrittenNumber &number) {
-  constexpr std::size_t longestExact = 6; // letters: 0.6875, 12/175
   const std::string text = plainText(number.term);
   return !number.exact ||
          text.size() - (text.starts_with("−") ? std::string_view("−").size() : 0) > longestExact;
@@ -111,7 +115,7 @@ FragmentTable::FragmentTable(const Typesetter &typesetter, QWidget *parent)
       m_start(typesetter.picture(math::row(math::letter('Q')))),
       m_unknown(typesetter.picture(math::row(math::symbol('?')))),
       m_none(typesetter.picture(math::row(math::symbol(U'–')))),
-      m_widest(typesetter.picture(formulaOfNumber(written(Rational(-88, 87))))), m_theme(themes().front()) {
+      m_widest(typesetter.picture(formulaOfNumber(widestNumber()))), m_theme(themes().front()) {
   speakBy<FragmentTable, SpokenTable>();
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

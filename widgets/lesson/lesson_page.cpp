@@ -83,9 +83,8 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   setTheme(m_theme);
 }
 
-LessonPage::~LessonPage() {
-  delete m_scroll;
-} // its words look at the typesetter, its plots at the job of m_flight
+// The words look at the typesetter, and the plots at the job of m_flight.
+LessonPage::~LessonPage() { delete m_scroll; }
 
 void LessonPage::makeHead(QBoxLayout &layout, WorkingPractice &practice) {
   m_stepNumber = plainLabel();

@@ -65,7 +65,7 @@ struct BodyActors::Body {
   void take(const std::shared_ptr<const TriangleMesh> &shown) {
     if (std::exchange(mesh, shown) == shown)
       return;
-    stride = strideFor(meshLayersOf(*mesh), mostMeshLayers);
+    stride = strideFor(meshLayersOf(*mesh));
     halfspace::write(*mesh, stride, data);
   }
 

@@ -140,7 +140,7 @@ template <class Compare> void compareScenes(std::string_view id, const Compare &
       compared += compareWith(objects, explained);
     }
   }
-  EXPECT_GE(compared, atLeast(scenesPerWriting / 2)) << "hardly a figure is the same";
+  EXPECT_GE(compared, scenesPerWriting / 2) << "hardly a figure is the same";
 }
 
 class EveryConstructionWithAQuestion : public testing::TestWithParam<std::string> {};

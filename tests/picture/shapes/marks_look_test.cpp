@@ -206,14 +206,20 @@ TEST(Lines, ThatGoOn_FadeWhereTheirDrawingEnds) {
     const auto [low, high] = endsOf(line);
     const Mesh mesh = meshOfMark(line);
     const Color full = theme().colorOf(Subject::Plane);
+    int atEnds = 0;
+    int between = 0;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const double toEnd = std::min(mesh.positions[i].x - low.x, high.x - mesh.positions[i].x);
       if (toEnd < 0.1) {
+        ++atEnds;
         EXPECT_GT(mesh.colors[i].red, (full.red + 255) / 2);
-      } else if (toEnd > 4) {
+      } else if (toEnd > 2.999) { // a solid line has no corners farther from its ends
+        ++between;
         EXPECT_EQ(mesh.colors[i], full);
       }
     }
+    EXPECT_GT(atEnds, 0);
+    EXPECT_GT(between, 0);
   }
 }
 

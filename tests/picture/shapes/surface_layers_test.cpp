@@ -120,12 +120,12 @@ TEST(MeshLayers, OfTrianglesWithoutArea_AreNone) {
   EXPECT_EQ(meshLayersOf(mesh), 0U);
 }
 
-TEST(SurfaceStride, IsTheLeastPowerOfTwo_ThatLeavesNotTooManyLayers) {
-  EXPECT_EQ(strideFor(0, 40), 1U);
-  EXPECT_EQ(strideFor(40, 40), 1U);
-  EXPECT_EQ(strideFor(41, 40), 2U);
-  EXPECT_EQ(strideFor(81, 40), 4U);
-  EXPECT_EQ(strideFor(40'000, 40), 1024U);
+TEST(MeshStride, IsTheLeastPowerOfTwo_ThatLeavesNotTooManyLayers) {
+  EXPECT_EQ(strideFor(0), 1U);
+  EXPECT_EQ(strideFor(mostMeshLayers), 1U);
+  EXPECT_EQ(strideFor(mostMeshLayers + 1), 2U);
+  EXPECT_EQ(strideFor(2 * mostMeshLayers + 1), 4U);
+  EXPECT_EQ(strideFor(1000 * mostMeshLayers), 1024U);
 }
 
 std::vector<std::string> idsLeft(const Figure &figure, const std::set<std::string> &highlighted = {}) {

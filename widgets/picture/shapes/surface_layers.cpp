@@ -197,8 +197,8 @@ std::size_t meshLayersOf(const TriangleMesh &mesh) {
   });
 }
 
-std::size_t strideFor(std::size_t layers, std::size_t most) {
-  return std::bit_ceil((layers + most - 1) / most);
+std::size_t strideFor(std::size_t meshLayers) {
+  return std::bit_ceil((meshLayers + mostMeshLayers - 1) / mostMeshLayers);
 }
 
 std::optional<Figure> thinned(const Figure &figure, const std::set<std::string> &highlighted) {

@@ -27,8 +27,9 @@ inline constexpr std::size_t mostMeshLayers = 80;
 /// Likewise of a mesh's triangles.
 [[nodiscard]] std::size_t meshLayersOf(const TriangleMesh &mesh);
 
-/// One triangle of a mesh in so many is drawn to leave at most `most` layers: all (1), or a power of two.
-[[nodiscard]] std::size_t strideFor(std::size_t layers, std::size_t most);
+/// One triangle in so many is drawn of a mesh with so many layers, which leaves at most `mostMeshLayers`: all
+/// (1), or a power of two.
+[[nodiscard]] std::size_t strideFor(std::size_t meshLayers);
 
 /// The figure with at most `mostFaceLayers` faces one behind another, and all that stand out; nothing where
 /// no more lie there. Of those that lie one behind another every other one goes, once or more often, so that
