@@ -232,8 +232,25 @@ private:
   [[nodiscard]] Text listOf(const std::vector<Term> &entries) {
     if (std::none_of(entries.begin(), entries.end(), isTall))
       return flatList(small(entries));
-    return std::all_of(entries.begin(), entries.end(), isWrittenInDigits) ? numberList(small(entries))
+    return std::all_of(entries.begin(), entries.end(), isAsHighAsNumbers) ? numberList(small(entries))
                                                                           : list(small(entries));
+  }
+
+  /// Whether nothing in it is higher than a fraction of digits: (−7/9)·(−2) − 28/9.
+  [[nodiscard]] static bool isAsHighAsNumbers(const Term &term) {
+    const Term &looked = shown(term);
+    if (!isTall(looked) || isWrittenInDigits(looked))
+      return true;
+    switch (looked->kind) {
+    case TermKind::Negation:
+    case TermKind::Sum:
+    case TermKind::Product:
+    case TermKind::Dot:
+    case TermKind::Cross:
+      return std::all_of(looked->parts.begin(), looked->parts.end(), isAsHighAsNumbers);
+    default:
+      return false;
+    }
   }
 
   /// 3, −10/3.

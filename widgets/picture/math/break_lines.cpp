@@ -10,7 +10,7 @@ namespace {
 
 /// What it costs to break where one should rather not, counted in widths of a line: a line may be left this
 /// much emptier to be broken at a better place.
-constexpr std::array<double, 7> costs{0, 0.4, 0.9, 1.5, 1.6, 1.9, 2.5};
+constexpr std::array<double, 7> costs{0, 0.4, 0.9, 1.5, 1.6, 2.6, 3.2};
 
 /// A relation that stands further right than this part of the line has no others below it.
 constexpr double furthestRelation = 0.25;
@@ -68,7 +68,7 @@ double LineBreaker::leftOf(std::size_t begin) const {
   const auto &pieces = m_layout.pieces;
   if (pieces[begin].before == Break::Statement)
     return pieces.front().x;
-  const auto relation = std::find_if(pieces.begin() + 1, pieces.end(),
+  const auto relation = std::find_if(pieces.begin(), pieces.end(),
                                      [](const Piece &each) { return each.before == Break::Relation; });
   const bool isBelow =
       m_rules.belowRelation && relation != pieces.end() && relation->x <= furthestRelation * m_rules.width;

@@ -16,8 +16,8 @@ struct LineRules {
 
 /// Breaks between statements that a wide space sets apart (the next begins at the left again), before
 /// relations, else before + and −, else before other operations; inside parentheses only when there is no
-/// other way, rather behind a comma than before a sign, and never inside a fraction or between \left and
-/// \right. What is narrow enough stays as it is.
+/// other way, behind a comma wherever there is one that fits, and never inside a fraction or between \left
+/// and \right. What is narrow enough stays as it is.
 [[nodiscard]] Layout breakLines(Layout layout, const LineRules &rules);
 
 } // namespace halfspace::math
