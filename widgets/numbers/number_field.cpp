@@ -239,11 +239,16 @@ void NumberField::paintEvent(QPaintEvent *event) {
 void NumberField::mousePressEvent(QMouseEvent *event) {
   // In what is being typed, the mouse chooses letters.
   const bool isTyping = text() != ownText();
-  if (event->button() == Qt::LeftButton && !isTyping)
+  if (event->button() == Qt::LeftButton && !isTyping) {
     m_scrub.press(*event);
-  else
-    QLineEdit::mousePressEvent(event);
+    return;
+  }
+  setFocus(Qt::MouseFocusReason); // what was refused waits without it
+  QLineEdit::mousePressEvent(event);
 }
+
+/// All of 1/17, which Qt takes for two words.
+void NumberField::mouseDoubleClickEvent(QMouseEvent *) { selectAll(); }
 
 void NumberField::mouseMoveEvent(QMouseEvent *event) {
   if (m_scrub.isPressed())

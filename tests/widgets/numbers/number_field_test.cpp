@@ -151,6 +151,26 @@ private slots:
     QVERIFY(shown.field.value() == 7);
   }
 
+  void refusedText_clicked_isMendedThere() {
+    ShownField shown;
+    QVERIFY(shown.ready);
+    shown.type("x2");
+    shown.other.setFocus();
+    QVERIFY(!shown.lastRefusal().isEmpty());
+    QTest::mouseClick(&shown.field, Qt::LeftButton);
+    QVERIFY(shown.field.hasFocus());
+    QCOMPARE(shown.field.text(), QString("x2"));
+  }
+
+  void doubleClick_selectsTheWholeFraction() {
+    ShownField shown;
+    QVERIFY(shown.ready);
+    shown.field.setValue(Rational(1, 17), NumberLook::Fraction);
+    QTest::mouseClick(&shown.field, Qt::LeftButton);
+    QTest::mouseDClick(&shown.field, Qt::LeftButton);
+    QCOMPARE(shown.field.selectedText(), QString("1/17"));
+  }
+
   void escape_inAHalfTypedField_showsTheValueAgain() {
     ShownField shown;
     QVERIFY(shown.ready);
