@@ -50,12 +50,21 @@ std::string listed(const std::set<std::string> &letters) {
   return list;
 }
 
+/// Whether a minus stands before the gap of a question, with or without spaces.
+bool isBehindMinus(std::string_view question) {
+  std::string_view before = question.substr(0, question.find('?'));
+  while (before.ends_with(' '))
+    before.remove_suffix(1);
+  return before.ends_with("−");
+}
+
 /// What is asked for in a gap, and how answers are compared with it.
 class Question {
 public:
   Question(const WorkingLine &line, const Gap &gap)
       : m_gap(gap), m_truth(gap.hidden->value.value()),
-        m_isEquation(gap.isResult && line.asked == Asked::Equation) {
+        m_isEquation(gap.isResult && line.asked == Asked::Equation),
+        m_isBehindMinus(!gap.isResult && isBehindMinus(questionText(line, gap))) {
     if (gap.isResult)
       m_mistakes = line.mistakes;
     addLetters(m_truth.entries, m_letters);
@@ -79,15 +88,22 @@ public:
                                : words("Right, rounded: {exact} is exact.", {{"exact", plainText(exact)}});
   }
 
+  [[nodiscard]] bool hasAsManyNumbers(const TypedAnswer &answer) const {
+    return answer.entries.size() == m_truth.entries.size();
+  }
+
+  /// What is wrong with an answer of as many numbers as are asked for.
   [[nodiscard]] std::string diagnosis(const TypedAnswer &answer) const {
-    if (answer.entries.size() != m_truth.entries.size())
-      return sentenceForAnotherCount(answer);
+    const bool isOpposite = !m_isEquation && answer.means(opposite(m_truth));
+    if (isOpposite && m_isBehindMinus)
+      return words("The minus stands before the gap already: leave it out here.");
     for (const WrongTerm &mistake : m_mistakes)
-      if (const auto value = valueOf(mistake); value && isMeant(answer, *value) && !isTruth(*value))
+      if (const auto value = valueOf(mistake); value && isMistake(answer, *value) && !isTruth(*value))
         return mistake.sentence;
-    if (!m_isEquation && answer.means(opposite(m_truth)))
+    if (isOpposite)
       return words("{answer} has the right size and the wrong sign.");
-    return words("{answer} is not right. Put the numbers into the symbols once more.");
+    return m_gap.isResult ? words("{answer} is not right. Put the numbers into the symbols once more.")
+                          : words("{answer} is not right. Work it out once more.");
   }
 
   [[nodiscard]] std::string sentenceForAnotherCount(const TypedAnswer &answer) const {
@@ -123,6 +139,11 @@ private:
     // Either side of an equation may be the one with the zero.
     return answer.means(value) || (answer.isEquation && answer.means(opposite(value)));
   }
+  /// What was typed without an equals sign is compared as it stands: as an equation −2t + 12 = 0 would be
+  /// 2t − 12 = 0, by which another mistake was made.
+  [[nodiscard]] bool isMistake(const TypedAnswer &answer, const TermValue &value) const {
+    return m_isEquation && !answer.isEquation ? answer.means(value) : isMeant(answer, value);
+  }
   [[nodiscard]] bool isTruth(const TermValue &value) const {
     return m_isEquation ? TypedAnswer{{{value.entries.front()}}}.meansEquation(m_truth)
                         : areEqual(value, m_truth) != false;
@@ -147,6 +168,7 @@ private:
   const Gap &m_gap;
   TermValue m_truth;
   bool m_isEquation;
+  bool m_isBehindMinus;            ///< in the line, the gap
   std::set<std::string> m_letters; ///< that the answer may have
   std::vector<WrongTerm> m_mistakes;
 };
@@ -226,6 +248,8 @@ Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed,
     return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
   if (question.isRight(*answer))
     return {true, question.praise(*answer)};
+  if (!question.hasAsManyNumbers(*answer))
+    return {false, withAnswer(question.sentenceForAnotherCount(*answer), typed), false};
   return {false, withAnswer(question.diagnosis(*answer), typed)};
 }
 

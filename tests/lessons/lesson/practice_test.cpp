@@ -235,6 +235,24 @@ TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
   EXPECT_FALSE(gapsOf(fade(working, Fading::Gaps, {"f"})).contains("f"));
 }
 
+TEST(Judge, OfAGapBehindAMinus_TypedWithTheMinus_SaysThatItIsThere) {
+  const WorkingLine line{"x",
+                         {withNumbers(name(letter("x"), Rational(3)) ==
+                                      name(letter("a"), Rational(10)) - name(letter("b"), Rational(7)))}};
+  for (const Gap &gap : numberGaps(askedChain(line))) {
+    const std::string opposite = "-" + plainText(gap.hidden);
+    const bool isBehindMinus = plainText(gap.hidden) == "7";
+    EXPECT_EQ(judge(line, gap, opposite).sentence.starts_with("The minus stands before the gap already"),
+              isBehindMinus)
+        << opposite;
+  }
+}
+
+TEST(Judge, OfAnotherCountOfNumbers_IsNoAnswer) {
+  EXPECT_FALSE(judged(lineTo(10), "1, 2, 3").isAnswer);
+  EXPECT_TRUE(judged(lineTo(10), "11").isAnswer);
+}
+
 TEST(Judge, OfANumberInAList_NamesTheMistakeInItsCoordinate) {
   const Working working = workingOf("signed-distance"); // (1, 2, 2)·(6, 11, 1) = 30
   const WorkingLine &f = *findLine(working, "f");

@@ -33,9 +33,7 @@ std::optional<std::string> typed(const Surd &number) {
   return text && text->size() <= longestAnswer ? text : std::nullopt;
 }
 
-bool isNamed(const std::string &sentence) {
-  return !sentence.ends_with("is not right. Put the numbers into the symbols once more.");
-}
+bool isNamed(const std::string &sentence) { return !sentence.ends_with(" once more."); }
 
 std::vector<const Object *> pointersTo(const std::vector<Object> &objects) {
   std::vector<const Object *> pointers;
