@@ -249,6 +249,7 @@ void MainWindow::showOutcome() {
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
+  m_planeViews->setEnabled(showsPlane(m_model.figure()));
   m_alongCourse->setEnabled(firstCourse(m_model.shown().figure).has_value());
   showStepWords();
   showFlight();
@@ -407,9 +408,6 @@ void MainWindow::applyLook() {
   m_contents->setTheme(panels);
   m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
   showPageLook();
-  sharePage();
-  // Once all parts have their new sizes: the page may have been wider than it must be now.
-  QTimer::singleShot(0, this, &MainWindow::sharePage);
   showLessonTitle();
   m_working->setInkOf(markInk(m_model, panels));
   m_larger->setEnabled(panels.textScale < largestSizeScale);

@@ -279,6 +279,7 @@ private:
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
+  QActionGroup *m_planeViews = nullptr;
   QActionGroup *m_alongCourse = nullptr;
   QMenu *m_flightMenu = nullptr;
   QAction *m_home = nullptr;

@@ -189,7 +189,12 @@ void MainWindow::createCameraItems(QMenu &menu) {
           [this] { m_scene->setAxisView(AxisView::Top); });
   m_alongPlane =
       addItem(menu, tr("Along the &Plane"), QKeySequence("4"), this, [this] { m_scene->lookAlongPlane(); });
-  addItem(menu, tr("Fa&ce the Plane"), QKeySequence("7"), this, [this] { m_scene->facePlane(); });
+  QAction *face =
+      addItem(menu, tr("Fa&ce the Plane"), QKeySequence("7"), this, [this] { m_scene->facePlane(); });
+  face->setObjectName("facePlane");
+  m_planeViews = new QActionGroup(this);
+  m_planeViews->addAction(m_alongPlane);
+  m_planeViews->addAction(face);
   m_alongCourse = new QActionGroup(this);
   const auto addCourse = [&](const QString &text, const char *key, const char *name, AlongCourse way) {
     QAction *action =

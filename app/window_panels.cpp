@@ -173,6 +173,9 @@ void MainWindow::showPageLook() {
   type.setPointSizeF(type.pointSizeF() * m_pageTypeScale);
   m_page->setFont(type);
   m_page->setTheme(theme);
+  sharePage();
+  // Once all parts have their new sizes: the page may have been wider than it must be now.
+  QTimer::singleShot(0, this, &MainWindow::sharePage);
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event) {
@@ -195,7 +198,6 @@ void MainWindow::showParts(Parts parts) {
   m_sceneOnly->setChecked(parts == Parts::SceneOnly);
   m_pageOnly->setChecked(parts == Parts::PageOnly);
   showPageLook();
-  sharePage(); // it looks at the page's type
 }
 
 void MainWindow::setFullScreen(bool on) {

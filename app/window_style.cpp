@@ -66,7 +66,7 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton#flatTitle { color: %2; padding: 0.2em 0.5em; }
     QFrame#card { border: 1px solid transparent; border-radius: 7px; }
     QFrame#card[framed="true"] { background: %3; border-color: %1; }
-    QLabel#hint { color: %2; }
+    QLabel#hint { color: %2; background: %3; border-radius: 4px; }
     QFrame#contents { background: %3; border-right: 1px solid %1; }
     QLabel#contentsHeading { color: %2; padding: 0.7em 0.9em 0.4em 0.9em; }
     QLineEdit#lessonSearch { margin: 0 0.75em 0.4em 0.75em; }

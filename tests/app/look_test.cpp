@@ -2,6 +2,7 @@
 #include "app/help_dialog.h"
 #include "app/panel_style.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/lesson/lesson_page.h"
 
 #include <QAction>
 #include <QApplication>
@@ -141,6 +142,33 @@ private slots:
     QTest::qWait(MarkFade::fadeTime);
     QVERIFY2(drawn.count() <= 2, "only what rests is drawn once more");
     fixture.release();
+  }
+
+  void viewOfThePlane_isOfferedOnlyWhereThereIsOne() {
+    WindowFixture fixture("dot-product-projection");
+    QVERIFY(fixture.ready);
+    QTRY_VERIFY(!action(fixture.window, "facePlane").isEnabled());
+    for (const char *lesson : {"signed-distance", "triangle-degenerate"}) {
+      fixture.model().openLesson(lesson);
+      QTRY_COMPARE(action(fixture.window, "facePlane").isEnabled(), lesson == std::string("signed-distance"));
+    }
+  }
+
+  void pageAlone_andBack_leavesTheWidthAsItWas() {
+    WindowFixture fixture("three-methods");
+    QVERIFY(fixture.ready);
+    fixture.model().setStep(5);
+    const auto &page = *fixture.window.findChild<LessonPage *>();
+    for (const char *size : {"usualSize", "larger"}) {
+      action(fixture.window, size).trigger();
+      QTest::qWait(50);
+      const int width = page.width();
+      QTest::keyClick(&fixture.window, Qt::Key_F8);
+      QTRY_VERIFY(page.width() > width);
+      QTest::qWait(50);
+      QTest::keyClick(&fixture.window, Qt::Key_F8);
+      QTRY_COMPARE(page.width(), width);
+    }
   }
 
   void viewAlongARayOrLine_isOfferedOnlyWhereThereIsOne() {

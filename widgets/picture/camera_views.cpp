@@ -146,6 +146,8 @@ Camera seenAlong(AxisView view, Camera camera) {
   return camera;
 }
 
+bool showsPlane(const Figure &figure) { return firstNormal(figure).has_value(); }
+
 Camera seenAlongPlane(const Figure &figure, Camera camera) {
   if (const auto normal = firstNormal(figure)) {
     camera.azimuth = std::atan2(normal->y, normal->x) + std::numbers::pi / 2;

@@ -35,6 +35,9 @@ enum class AxisView { Front, Right, Top };
 
 [[nodiscard]] Camera seenAlong(AxisView view, Camera camera);
 
+/// Whether a figure has a plane or a triangle to be seen from its side or its front.
+[[nodiscard]] bool showsPlane(const Figure &figure);
+
 /// From the side of the first plane or triangle of a figure, so that it is seen as a line; unchanged without
 /// one.
 [[nodiscard]] Camera seenAlongPlane(const Figure &figure, Camera camera);

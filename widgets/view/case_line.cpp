@@ -48,9 +48,9 @@ template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
 }
 
 // Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
-// each has a row.
-constexpr int lettersOfCase = 112;
-constexpr int lettersOfNearby = 72;
+// the first has two rows and the other one.
+constexpr int lettersOfCase = 168;
+constexpr int lettersOfNearby = 88;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
