@@ -214,14 +214,16 @@ std::vector<MadeObject> make(const In &, const Out &at) {
 WorkingLine rayLine(const Out &at) {
   const Term point = at.Q + unknown("t") * at.r;
   return line(Chain(point).then(namesPutIn(point)).then(calculated(point)),
-              words("The ray's points. Their coordinates x, y and z depend on the one number t."));
+              words("The ray's points: all their coordinates follow from the one number t."));
 }
 
 WorkingLine equationLine(const Meeting &meeting) {
   const Term left = dot(meeting.n, anyPoint()) + meeting.d;
   return line(condition((0 == left).then(calculated(left))),
-              words("The equation of {plane}, with d = −{n}·{P0}.",
-                    {{"plane", meeting.name}, {"n", plainText(meeting.n)}, {"P0", plainText(meeting.P0)}}));
+              words("The equation of {plane}, with {d} = −{n}·{P0}.", {{"plane", meeting.name},
+                                                                       {"d", plainText(meeting.d)},
+                                                                       {"n", plainText(meeting.n)},
+                                                                       {"P0", plainText(meeting.P0)}}));
 }
 
 std::string substituteWords(const Meeting &meeting) {

@@ -104,11 +104,15 @@ std::vector<SpecialCase> rayTriangleNearby(const TriangleObject &triangle, const
   if (isZero(normal) || isZero(direction))
     return all;
   addFlattened(triangle, naming, all);
-  if (dot(direction, normal) == 0)
-    return all;
-  addShifted(triangle, ray, corners, all);
   const ExactVec3 offPlane = projectVector(ExactVec3(origin - triangle.p0), normal).projection;
   const bool startsInPlane = isZero(offPlane);
+  if (dot(direction, normal) == 0) {
+    if (!startsInPlane)
+      all.push_back({"case = in-plane", words("The ray would lie in the triangle's plane."), "L",
+                     RayObject{origin - offPlane, direction}});
+    return all;
+  }
+  addShifted(triangle, ray, corners, all);
   if (!startsInPlane)
     all.push_back({"t = 0", words("{Q} would lie in the triangle's plane.", naming.letters), "L",
                    RayObject{origin - offPlane, direction}});

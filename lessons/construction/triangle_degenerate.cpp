@@ -117,8 +117,8 @@ WorkingLine normalLine(const Out &at) {
 
 WorkingLine lengthsLine(const Out &at) {
   return asked(withNumbers(norm(at.u) * norm(at.v)),
-               at.hasAngle() ? words("The two lengths. The cosine is divided by them.")
-                             : words("0: there is nothing to divide by, so there is no cosine."),
+               at.hasAngle() ? words("The two lengths: for the cosine the dot product is divided by them.")
+                             : words("0: nothing can be divided by it, so there is no cosine."),
                {{norm(at.u) + norm(at.v), words("{answer} is the sum of the two lengths: multiply them.")}});
 }
 

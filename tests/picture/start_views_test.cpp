@@ -7,7 +7,6 @@
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/flat_page.h"
-#include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/picture/labels/label_page.h"
 #include "widgets/picture/screen_shapes.h"
@@ -136,19 +135,6 @@ std::vector<Stroke> ticksOf(const Page &page) {
   return strokes;
 }
 
-/// Whether a label covers a part of what is seen of a handle.
-bool liesOn(const PixelBox &box, const Grip &grip) {
-  constexpr int pieces = 8; // of a head or of a knob's arrows, each shorter than they are thick
-  return std::any_of(grip.pieces.begin(), grip.pieces.end(), [&](const GripPiece &piece) {
-    const auto &[from, to, fromRadius, toRadius] = piece.stroke;
-    for (int i = 0; i <= pieces; ++i)
-      if (const double part = double(i) / pieces;
-          distanceTo(box, glm::mix(from, to, part)) < std::lerp(fromRadius, toRadius, part))
-        return true;
-    return false;
-  });
-}
-
 /// What is wrong with a page, a sentence each.
 std::vector<std::string> coveredLabels(const Page &page) {
   std::vector<std::string> wrong;
@@ -167,9 +153,9 @@ std::vector<std::string> coveredLabels(const Page &page) {
     for (const Stroke &tick : ticks)
       if (label.text.stand != LabelStand::Pinned && lengthInside(box, tick.from, tick.to) > 0)
         wrong.push_back(label.text.id + " lies on a tick");
-    for (const Grip &grip : gripsOf(page.handles, {}, page.content.figure, page.theme, page.view))
-      if (liesOn(box, grip))
-        wrong.push_back(label.text.id + " lies on the handle " + grip.handle);
+    for (const Handle &handle : page.handles)
+      if (distanceTo(box, page.pixelOf(shownPlace(handle))) < 4 * page.view.pixelRatio)
+        wrong.push_back(label.text.id + " lies on the handle " + handle.id);
     for (const PixelBox &covered : page.view.covered)
       if (overlapArea(box, covered) > 0)
         wrong.push_back(label.text.id + " is covered");

@@ -199,8 +199,10 @@ TEST(Obstacles, OfAnArrow_AreItsShaftAndItsHead) {
   const LabelObstacles found = obstaclesOf(content, {}, theme(), usualView());
   ASSERT_EQ(found.segments.size(), 1U);
   EXPECT_TRUE(found.segments[0].isThick);
-  ASSERT_EQ(found.discs.size(), 1U);
-  EXPECT_LT(glm::distance(found.discs[0].center, pixelOf({0, 5, 0})), 1e-6);
+  ASSERT_EQ(found.discs.size(), 3U) << "at its base, halfway to its tip, and there";
+  EXPECT_GT(found.discs[1].radius, found.discs[0].radius);
+  EXPECT_GT(glm::distance(found.discs[1].center, pixelOf({0, 5, 0})), found.discs[1].radius);
+  EXPECT_LT(glm::distance(found.discs[2].center, pixelOf({0, 5, 0})), 1e-6);
 }
 
 TEST(Obstacles, OfAFace_AreAllItsSides) {

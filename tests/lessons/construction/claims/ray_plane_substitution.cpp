@@ -100,9 +100,9 @@ Claims caseClaims() {
 
 Claims lineClaims() {
   return claimsAbout<RayAtPlanes>({
-      {"The ray's points. Their coordinates x, y and z depend on the one number t.",
+      {"The ray's points: all their coordinates follow from the one number t.",
        [](const RayAtPlanes &at) { return at.isRay; }},
-      {"The equation of {plane}, with d = −{n}·{P0}.", [](const RayAtPlanes &at) { return at.arePlanes; }},
+      {"The equation of {plane}, with {d} = −{n}·{P0}.", [](const RayAtPlanes &at) { return at.arePlanes; }},
       {"t drops out, and what is left is wrong for every t: the ray never meets {plane}.",
        [](const RayAtPlanes &at, const Said &said) {
          return at.isSound() && equationOf(at, said).slope == 0 && equationOf(at, said).rest != 0;

@@ -43,8 +43,8 @@ Claims triangle_degenerate() {
       {"{fault}, and u and v point in the same direction: this is no triangle.",
        [](const TriangleCorners &at) { return at.isCollinear() && product(at.u, at.v) > 0; }},
       {"Two sides, both from {P0}.", always},
-      {"The two lengths. The cosine is divided by them.", hasAngle},
-      {"0: there is nothing to divide by, so there is no cosine.",
+      {"The two lengths: for the cosine the dot product is divided by them.", hasAngle},
+      {"0: nothing can be divided by it, so there is no cosine.",
        [](const TriangleCorners &at) { return !hasAngle(at); }},
       {"θ{degrees}°: the angle between u and v.",
        [](const TriangleCorners &at, const Said &said) {
