@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 
 namespace halfspace {
 namespace {
@@ -30,7 +29,7 @@ struct Sight {
 Sight goodSight(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6}; }
 Sight poorSight(const glm::dvec3 &from) { return {from, 0.15, 0, 0}; }
 
-/// Of the scenes of so many seeds one is chosen for its answer.
+/// Of the scenes of so many seeds the first is taken in which the question has an answer.
 constexpr std::uint64_t scenesForAQuestion = 12;
 
 /// The corners of a flat face; none for other objects.
@@ -91,16 +90,10 @@ Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec
   const glm::dvec3 unit = glm::normalize(from);
   if (!question)
     return renewed(scene, seed, unit, true);
-  std::map<std::string, Scene> byAnswer;
-  for (std::uint64_t i = 0; i < scenesForAQuestion; ++i) {
-    Scene other = renewed(scene, seed + i, unit, false);
-    std::string answer = rightChoice(*question, evaluate(other));
-    if (!answer.empty())
-      byAnswer.emplace(std::move(answer), std::move(other));
-  }
-  if (byAnswer.empty())
-    return withShortNumbers(scene, seed);
-  return std::next(byAnswer.begin(), static_cast<std::ptrdiff_t>(seed % byAnswer.size()))->second;
+  for (std::uint64_t i = 0; i < scenesForAQuestion; ++i)
+    if (Scene other = renewed(scene, seed + i, unit, false); !rightChoice(*question, evaluate(other)).empty())
+      return other;
+  return withShortNumbers(scene, seed);
 }
 
 } // namespace halfspace

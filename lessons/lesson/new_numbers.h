@@ -9,8 +9,7 @@ namespace halfspace {
 
 /// The scene with other short numbers, see short_numbers.h, that is seen well from the direction `from` (not
 /// zero), where chance allows: nothing flat edge-on, no line end-on, and no face too small. Where the step
-/// asks a question its answer may become another one: each that the numbers tried come to is as likely as the
-/// others.
+/// asks a question its answer may become another one, as often as chance has it: special cases are rare.
 [[nodiscard]] Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec3 &from,
                                    std::uint64_t seed);
 
