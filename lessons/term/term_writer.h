@@ -357,12 +357,24 @@ private:
     const bool inFractionBefore = std::exchange(m_inFraction, true);
     const Binding leastAbove = !isFlat()             ? Binding::Sum
                                : isNegativeAtom(top) ? Binding::Negation
+                               : isOfRoots(top)      ? Binding::Product
                                                      : Binding::Power;
     Text topText = besideBar(top, leastAbove);
     Text bottomText = besideBar(bottom, isFlat() ? Binding::Power : Binding::Sum);
     m_small = smallBefore;
     m_inFraction = inFractionBefore;
     return fraction(std::move(topText), std::move(bottomText), look);
+  }
+
+  /// √5 or 4√5, which need no parentheses before a slash.
+  [[nodiscard]] static bool isOfRoots(const Term &term) {
+    const Term &looked = shown(term);
+    const auto isDigitsOrRoot = [](const Term &each) {
+      return shown(each)->kind == TermKind::Digits || shown(each)->kind == TermKind::Root;
+    };
+    return looked->kind == TermKind::Root ||
+           (looked->kind == TermKind::Product &&
+            std::all_of(looked->parts.begin(), looked->parts.end(), isDigitsOrRoot));
   }
 
   [[nodiscard]] Text besideBar(const Term &term, Binding least) {
