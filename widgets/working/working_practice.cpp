@@ -23,11 +23,16 @@ QToolButton *tool(const QString &explanation) {
   return button;
 }
 
+bool hasNumbersToFind(const Working &working) {
+  return std::any_of(working.lines.begin(), working.lines.end(), [](const WorkingLine &line) {
+    return line.asked != Asked::Nothing || !numberGaps(askedChain(line)).empty();
+  });
+}
+
 } // namespace
 
 WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_blocks(typesetter),
-      m_chooser(tool(tr("How much of the lines you work out yourself"))), m_choices(new QActionGroup(this)),
+    : QWidget(parent), m_blocks(typesetter), m_chooser(tool({})), m_choices(new QActionGroup(this)),
       m_newNumbers(tool(tr("Work with other short numbers."))), m_score(new QLabel) {
   auto *menu = new QMenu(m_chooser);
   menu->setToolTipsVisible(true);
@@ -43,7 +48,7 @@ WorkingPractice::WorkingPractice(const Typesetter &typesetter, QWidget *parent)
   m_score->setObjectName("score");
   m_score->setForegroundRole(QPalette::PlaceholderText);
   m_score->setToolTip(
-      tr("How many of the blanks that you tried you filled in right at once. One that was shown "
+      tr("How many of the blanks that you tried you filled in right at the first try. One that was shown "
          "counts as tried."));
   m_score->hide();
   auto *row = new FlowLayout(this);
@@ -105,7 +110,10 @@ Fading WorkingPractice::fading() const {
 
 void WorkingPractice::refresh() {
   endRecordsOfOtherNumbers();
-  m_chooser->setEnabled(!m_hidden);
+  const bool isWorkedOut = hasNumbersToFind(m_working);
+  m_chooser->setEnabled(!m_hidden && isWorkedOut);
+  m_chooser->setToolTip(isWorkedOut ? tr("How much of the lines you work out yourself")
+                                    : tr("No number is worked out in this step."));
   m_newNumbers->setEnabled(!m_hidden);
   showChoice();
   m_fade = m_hidden ? withheld(m_working) : fade(m_working, fading(), openedLines());
@@ -134,7 +142,7 @@ void WorkingPractice::count(LineRecord &record, bool right) {
 
 void WorkingPractice::showScore() {
   const Score score = practice().score;
-  m_score->setText(tr("%1 of %n right at once", "blanks that were tried", score.tried).arg(score.right));
+  m_score->setText(tr("%1 of %n at the first try", "blanks that were tried", score.tried).arg(score.right));
   m_score->setVisible(score.tried > 0 && !m_hidden);
   keepRoom(*m_score, fading() != Fading::None); // the first answer moves nothing
 }
