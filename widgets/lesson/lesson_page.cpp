@@ -107,11 +107,16 @@ void LessonPage::makeFoot(QBoxLayout &layout) {
   m_dots = new StepDots;
   auto *foot = new QHBoxLayout;
   m_foot = foot;
+  // No margins: in a page that becomes narrower these may, too.
+  for (QSpacerItem *&side : m_footSides)
+    side = new QSpacerItem(0, 0, QSizePolicy::Preferred);
+  foot->addItem(m_footSides.front());
   foot->addWidget(m_back);
   foot->addStretch(1);
   foot->addWidget(m_dots);
   foot->addStretch(1);
   foot->addWidget(m_next);
+  foot->addItem(m_footSides.back());
   layout.addLayout(foot);
   connect(m_back, &QPushButton::clicked, this, [this] { emit stepRequested(m_step - 1); });
   connect(m_next, &QPushButton::clicked, this, &LessonPage::goOn);
@@ -323,8 +328,10 @@ void LessonPage::setMargins() {
   // The scroll bar stands in the margin: no line breaks anew because it comes or goes.
   const int right = side - (bar.maximum() > 0 ? bar.sizeHint().width() : 0);
   m_page->setContentsMargins(side, scaled(margin) / 2, right, scaled(margin) / 2);
-  const int footSide = std::max(scaled(margin), besideLines);
-  m_foot->setContentsMargins(footSide, scaled(footMargin), footSide, scaled(footMargin));
+  m_foot->setContentsMargins(scaled(margin), scaled(footMargin), scaled(margin), scaled(footMargin));
+  for (QSpacerItem *room : m_footSides)
+    room->changeSize(std::max(besideLines - scaled(margin), 0), 0, QSizePolicy::Preferred);
+  m_foot->invalidate();
 }
 
 } // namespace halfspace

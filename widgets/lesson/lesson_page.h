@@ -8,12 +8,14 @@
 #include "widgets/lesson/task_row.h"
 
 #include <algorithm>
+#include <array>
 
 class QBoxLayout;
 class QLabel;
 class QLayout;
 class QPushButton;
 class QScrollArea;
+class QSpacerItem;
 
 namespace halfspace {
 
@@ -107,6 +109,7 @@ private:
   QBoxLayout *m_head = nullptr;
   QLayout *m_above = nullptr; ///< the title
   QLayout *m_foot = nullptr;
+  std::array<QSpacerItem *, 2> m_footSides{};
   QWidget *m_blocks = nullptr;
   // Of the step that is shown:
   LessonPictures m_pictures;

@@ -22,12 +22,14 @@ QLabel *wrappedLabel(const char *name) {
   return label;
 }
 
-/// A label with as many letters as there is to be room for, with indices, which make its rows higher; it is
-/// never shown.
-QLabel *roomFor(int letters, const char *name) {
+/// A label with as many letters in so many lines as there is to be room for, with indices, which make them
+/// higher; it is never shown.
+QLabel *roomFor(int lines, int letters, const char *name) {
   const QString word = QStringLiteral("letter_s ");
+  const QString line = richTextOf(word.repeated(letters / static_cast<int>(word.size())).trimmed());
   QLabel *label = wrappedLabel(name);
-  showWords(*label, word.repeated(letters / static_cast<int>(word.size())).trimmed());
+  label->setTextFormat(Qt::RichText);
+  label->setText(line + (QStringLiteral("<br>") + line).repeated(lines - 1));
   return label;
 }
 
@@ -47,10 +49,11 @@ template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
   return stack;
 }
 
-// Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
-// the first has two rows and the other one.
-constexpr int lettersOfCase = 168;
-constexpr int lettersOfNearby = 88;
+// Nearly all cases of all lessons, and what is said of what is near, have fewer letters. A case has two rows
+// even in a wide window: it is the one sentence that all should read.
+constexpr int linesOfCase = 2;
+constexpr int lettersOfCaseLine = 63;
+constexpr int lettersOfNearby = 99;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
@@ -73,6 +76,8 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
           [this] { m_all->popup(m_others->mapToGlobal(m_others->rect().bottomLeft())); });
   m_others->setAccessibleName(tr("More"));
   m_others->setAccessibleDescription(tr("All special cases near this one"));
+  m_case->setAlignment(Qt::AlignLeft | Qt::AlignBottom); // beside what is near
+  m_nearby->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   offerAfresh(false);
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
@@ -81,7 +86,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   m_second = stackOf(createNearbyRow(), m_message);
   auto *column = new QVBoxLayout;
   column->setSpacing(0);
-  column->addLayout(stackOf(m_case, roomFor(lettersOfCase, "usualCase")), 1);
+  column->addLayout(stackOf(m_case, roomFor(linesOfCase, lettersOfCaseLine, "usualCase")), 1);
   column->addLayout(m_second);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -99,7 +104,7 @@ QWidget *CaseLine::createNearbyRow() {
   auto *layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(stackOf(m_nearby, roomFor(lettersOfNearby, "usualNearby")), 1);
+  layout->addLayout(stackOf(m_nearby, roomFor(1, lettersOfNearby, "usualNearby")), 1);
   for (QPushButton *button : {m_there, m_others, m_afresh})
     layout->addWidget(button, 0, Qt::AlignTop);
   return row;

@@ -10,6 +10,7 @@ FittedLabel::FittedLabel(const char *name) {
   setObjectName(name);
   setTextFormat(Qt::PlainText);
   setWordWrap(true);
+  setIndent(0); // where it is not centred Qt would leave some room above or below
 }
 
 void FittedLabel::setWords(const QString &words) {
