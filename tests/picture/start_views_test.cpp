@@ -150,8 +150,9 @@ std::vector<std::string> coveredLabels(const Page &page) {
     for (const Stroke &stroke : strokes)
       if (lengthInside(box, stroke.from, stroke.to) > 0)
         wrong.push_back(label.text.id + " is struck through by " + stroke.name);
+    const bool isOfAxes = label.text.stand == LabelStand::Pinned || label.text.id.starts_with("axis ");
     for (const Stroke &tick : ticks)
-      if (label.text.stand != LabelStand::Pinned && lengthInside(box, tick.from, tick.to) > 0)
+      if (!isOfAxes && lengthInside(box, tick.from, tick.to) > 0)
         wrong.push_back(label.text.id + " lies on a tick");
     for (const Handle &handle : page.handles)
       if (distanceTo(box, page.pixelOf(shownPlace(handle))) < 4 * page.view.pixelRatio)
