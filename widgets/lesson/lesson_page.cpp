@@ -77,6 +77,7 @@ LessonPage::LessonPage(const Typesetter &typesetter, WorkingPractice &practice, 
   makeFoot(*layout);
   connect(m_scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &LessonPage::setMargins);
   connect(&practice.working(), &StepWorking::reached, this, [this](WorkingBlock *block, const QRect &place) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it may just have become higher
     const QRect there(block->mapTo(m_scroll->widget(), place.topLeft()), place.size());
     m_scroll->ensureVisible(there.center().x(), there.center().y(), 0, there.height() / 2);
   });

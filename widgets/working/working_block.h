@@ -150,6 +150,7 @@ private:
   /// Makes and removes fields; whether the one that had the focus is gone.
   bool matchFields();
   void followFocus(QWidget *focused);
+  void bringIntoView(const std::string &lineId);
   void moveFields();
   void addField(const WorkingLine &line, const Gap &gap);
   static void dropField(BlankField &field);

@@ -85,10 +85,19 @@ void WorkingBlock::followFocus(QWidget *focused) {
       setCurrentLine(i);
 }
 
+void WorkingBlock::bringIntoView(const std::string &lineId) {
+  for (std::size_t i = 0; i < m_placed.lines.size(); ++i)
+    if (m_lines[i].source.id == lineId)
+      emit reached(m_placed.lines[i].box.toAlignedRect());
+}
+
 void WorkingBlock::addField(const WorkingLine &line, const Gap &gap) {
   auto *field = new BlankField(lettersFor(gap), this);
   const QString id = QString::fromStdString(line.id);
-  connect(field, &BlankField::answered, this, [this, id](const QString &text) { emit answered(id, text); });
+  connect(field, &BlankField::answered, this, [this, id](const QString &text) {
+    emit answered(id, text);
+    bringIntoView(id.toStdString()); // with what is said of the answer
+  });
   connect(field, &BlankField::showRequested, this, [this, id] { emit showRequested(id); });
   m_fields[line.id] = field;
 }

@@ -133,15 +133,25 @@ private slots:
   void wrongAnswerIsToldByItsMistakeAndTheRightOneOpensTheLine() {
     ShownPractice practice(m_typesetter);
     practice.choose("Last blank");
+    QSignalSpy reached(&practice.tools.working(), &StepWorking::reached);
     answer(practice.fields().first(), "30");
     QCOMPARE(text(practice.line(1).remark), QString("30 is f(Q)."));
     QVERIFY(practice.tools.hasBlanks());
+    QCOMPARE(reached.last().at(1).toRect(), practice.line(1).box.toAlignedRect());
     answer(practice.fields().first(), "10");
     QVERIFY(!practice.tools.hasBlanks());
     QVERIFY(practice.fields().isEmpty());
     QCOMPARE(text(practice.line(1).remark), QString("Right."));
     QCOMPARE(text(practice.line(1).sentence), QString("Divided by the length."));
     QVERIFY(practice.block().latexOfAll().contains("= 10"));
+  }
+
+  void practisingIsOfferedOnlyWhereANumberIsWorkedOut() {
+    ShownPractice practice(m_typesetter);
+    QVERIFY(practice.chooser().isEnabled());
+    practice.setWorking({{WorkingLine{"a", {Chain(unknown("x"))}}}});
+    QVERIFY(!practice.chooser().isEnabled());
+    QVERIFY(practice.newNumbers().isEnabled());
   }
 
   void answerIsReadAndToldInTheLanguageOfTheLearner() {
@@ -269,10 +279,10 @@ private slots:
     answer(practice.fields().first(), "abc"); // no answer
     QCOMPARE(practice.score(), QString());
     answer(practice.fields().first(), "30");
-    QCOMPARE(practice.score(), QString("1 of 1 right at once"));
+    QCOMPARE(practice.score(), QString("1 of 1 at the first try"));
     answer(practice.fields().first(), "30"); // wrong
     answer(practice.fields().first(), "10");
-    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
+    QCOMPARE(practice.score(), QString("1 of 2 at the first try"));
     practice.choose("Last blank");
     QCOMPARE(practice.score(), QString());
   }
@@ -282,22 +292,22 @@ private slots:
     practice.choose("All blank");
     answer(practice.fields().first(), "30");
     QTest::mouseClick(button(practice, "Show"), Qt::LeftButton);
-    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
+    QCOMPARE(practice.score(), QString("1 of 2 at the first try"));
     practice.setStep(1, Fading::All);
     practice.setWorking(someWorking());
     QCOMPARE(practice.score(), QString());
     practice.setStep(0);
     practice.setWorking(someWorking());
-    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
+    QCOMPARE(practice.score(), QString("1 of 2 at the first try"));
     practice.setWorking(someWorking(), true);
     QCOMPARE(practice.score(), QString()); // a question goes before
     practice.setWorking(someWorking(60));
-    QCOMPARE(practice.score(), QString("1 of 2 right at once"));
+    QCOMPARE(practice.score(), QString("1 of 2 at the first try"));
     answer(practice.fields().first(), "60");
-    QCOMPARE(practice.score(), QString("2 of 3 right at once"));
+    QCOMPARE(practice.score(), QString("2 of 3 at the first try"));
     QTest::mouseClick(&practice.newNumbers(), Qt::LeftButton);
     answer(practice.fields().first(), "60");
-    QCOMPARE(practice.score(), QString("3 of 4 right at once"));
+    QCOMPARE(practice.score(), QString("3 of 4 at the first try"));
   }
 
   void choiceHoldsInTheStepsOfItsLesson_andInNoOther() {
