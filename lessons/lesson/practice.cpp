@@ -100,6 +100,8 @@ public:
     for (const WrongTerm &mistake : m_mistakes)
       if (const auto value = valueOf(mistake); value && isMistake(answer, *value) && !isTruth(*value))
         return mistake.sentence;
+    if (m_isEquation && answer.meansEquation(withOppositeNumber(m_truth)))
+      return words("{answer} is right but for the sign of the number that stands alone.");
     if (isOpposite)
       return words("{answer} has the right size and the wrong sign.");
     return m_gap.isResult ? words("{answer} is not right. Put the numbers into the symbols once more.")
@@ -157,6 +159,13 @@ private:
     return value->isList && *m_gap.entry < value->entries.size()
                ? std::optional(TermValue(value->entries[*m_gap.entry]))
                : std::nullopt;
+  }
+
+  /// Of one side of an equation: 2t + 12 for 2t − 12.
+  static TermValue withOppositeNumber(TermValue value) {
+    Polynomial &side = value.entries.front();
+    side = side - side.constant() - side.constant();
+    return value;
   }
 
   static TermValue opposite(TermValue value) {

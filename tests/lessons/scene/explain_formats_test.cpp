@@ -70,7 +70,7 @@ TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
   const std::string text = explanationText("A title", sample());
   for (const char *part :
        {"A title\n", "t = a/b = (2/7)/(3/1000000007) = 2000000014/21\n", "It is < 1 & so on.",
-        "\nF = (1, 1/2, −3)\n", "\nλ = −(√3)/3\n", "\nside: on\n", "\nu·u = 80\n", "100% done_ok {now}"})
+        "\nF = (1, 1/2, −3)\n", "\nλ = −√3/3\n", "\nside: on\n", "\nu·u = 80\n", "100% done_ok {now}"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   for (const char *part : {"tenth", "feature", "perp"})
     EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
