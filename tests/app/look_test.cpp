@@ -163,10 +163,10 @@ private slots:
       action(fixture.window, size).trigger();
       QTest::qWait(50);
       const int width = page.width();
-      QTest::keyClick(&fixture.window, Qt::Key_F8);
+      fixture.action(Qt::Key_F8)->trigger();
       QTRY_VERIFY(page.width() > width);
       QTest::qWait(50);
-      QTest::keyClick(&fixture.window, Qt::Key_F8);
+      fixture.action(Qt::Key_F8)->trigger();
       QTRY_COMPARE(page.width(), width);
     }
   }
