@@ -22,14 +22,18 @@ QLabel *wrappedLabel(const char *name) {
   return label;
 }
 
-/// A label with as many letters in so many lines as there is to be room for, with indices, which make them
-/// higher; it is never shown.
-QLabel *roomFor(int lines, int letters, const char *name) {
+/// So many lines of letters, with indices, which make them higher.
+QString lettersFor(int lines, int letters) {
   const QString word = QStringLiteral("letter_s ");
   const QString line = richTextOf(word.repeated(letters / static_cast<int>(word.size())).trimmed());
+  return line + (QStringLiteral("<br>") + line).repeated(lines - 1);
+}
+
+/// A label with words that there is to be room for; it is never shown.
+QLabel *roomFor(const QString &words, const char *name) {
   QLabel *label = wrappedLabel(name);
   label->setTextFormat(Qt::RichText);
-  label->setText(line + (QStringLiteral("<br>") + line).repeated(lines - 1));
+  label->setText(words);
   return label;
 }
 
@@ -49,11 +53,14 @@ template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
   return stack;
 }
 
-// Nearly all cases of all lessons, and what is said of what is near, have fewer letters. A case has two rows
-// even in a wide window: it is the one sentence that all should read.
-constexpr int linesOfCase = 2;
-constexpr int lettersOfCaseLine = 63;
-constexpr int lettersOfNearby = 99;
+// Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
+// each has a row.
+constexpr int lettersOfCase = 112;
+constexpr int lettersOfNearby = 88;
+// In a wide window, which is high as well, a case has two rows: it is the one sentence that all should read.
+constexpr int lettersOfWideRow = 130;
+constexpr int linesOfWideCase = 2;
+constexpr int lettersOfWideLine = lettersOfCase / linesOfWideCase;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
@@ -67,7 +74,8 @@ QPushButton *flatButton(const char *name, const QString &words) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
+    : QWidget(parent), m_case(new FittedLabel("case")),
+      m_roomOfCase(roomFor(lettersFor(1, lettersOfCase), "usualCase")), m_message(wholeLabel("message")),
       m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
       m_others(flatButton("others", tr("More") + QStringLiteral(" ▾"))), m_all(new QMenu(m_others)),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
@@ -86,7 +94,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   m_second = stackOf(createNearbyRow(), m_message);
   auto *column = new QVBoxLayout;
   column->setSpacing(0);
-  column->addLayout(stackOf(m_case, roomFor(linesOfCase, lettersOfCaseLine, "usualCase")), 1);
+  column->addLayout(stackOf(m_case, m_roomOfCase), 1);
   column->addLayout(m_second);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -104,10 +112,17 @@ QWidget *CaseLine::createNearbyRow() {
   auto *layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(stackOf(m_nearby, roomFor(1, lettersOfNearby, "usualNearby")), 1);
+  layout->addLayout(stackOf(m_nearby, roomFor(lettersFor(1, lettersOfNearby), "usualNearby")), 1);
   for (QPushButton *button : {m_there, m_others, m_afresh})
     layout->addWidget(button, 0, Qt::AlignTop);
   return row;
+}
+
+void CaseLine::resizeEvent(QResizeEvent *event) {
+  QWidget::resizeEvent(event);
+  const bool isWide = width() > lettersOfWideRow * fontMetrics().averageCharWidth();
+  m_roomOfCase->setText(isWide ? lettersFor(linesOfWideCase, lettersOfWideLine)
+                               : lettersFor(1, lettersOfCase));
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {

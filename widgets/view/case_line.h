@@ -53,11 +53,15 @@ signals:
   void nearbyChosen(int which); ///< the learner wants to be taken to a special case
   void afreshChosen();          ///< … or back to the start
 
+protected:
+  void resizeEvent(QResizeEvent *event) override;
+
 private:
   [[nodiscard]] QWidget *createNearbyRow();
   void offer(const std::vector<NearbyCase> &cases);
 
   FittedLabel *m_case;
+  QLabel *m_roomOfCase;
   QLabel *m_message;
   FittedLabel *m_nearby;
   QPushButton *m_there;  ///< leads to the nearest
