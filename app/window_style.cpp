@@ -55,10 +55,10 @@ QString styleSheetOf(const Theme &theme) {
     QToolButton#showLine:hover, QToolButton#showLine:focus { color: %6; border-color: %7; }
     QToolButton#fading { padding-right: 1em; }
     QToolButton::menu-indicator { subcontrol-position: right center; }
-    QLabel#case, QLabel#usualCase { background: %3; padding: 0.4em 1.1em 0.1em 1.1em; border-top: 1px solid %1; font-weight: 500; }
+    QLabel#case, QLabel#usualCase { background: %3; padding: 0.3em 1.1em 0.1em 1.1em; border-top: 1px solid %1; font-weight: 500; }
     QLabel#case[degenerate="true"] { color: %4; }
     halfspace--CaseLine { background: %3; }
-    QLabel#nearby, QLabel#usualNearby, QLabel#message { padding: 0 0.4em 0.35em 1.1em; color: %2; }
+    QLabel#nearby, QLabel#usualNearby, QLabel#message { padding: 0 0.4em 0.25em 1.1em; color: %2; }
     QPushButton#there, QPushButton#others, QPushButton#afresh { color: %7; border: none; padding: 0 1.1em 0.35em 0; text-decoration: underline; }
     halfspace--CaseLine QLabel#complaint { padding: 0.5em 1.1em; border-top: 1px solid %1; }
     QLabel#sceneNotice { background: %3; color: %4; border: 1px solid %1; border-radius: 5px; padding: 0.35em 0.6em; }
