@@ -311,7 +311,7 @@ void MainWindow::showNearby() {
   std::vector<NearbyCase> cases;
   for (const NearSpecialCase &near : m_nearby)
     cases.push_back({unbroken(QString::fromStdString(near.sentence)), near.change.has_value()});
-  const QString words = tr("Nearest special case, %1 units away. %2", "%1 a length: 3")
+  const QString words = tr("Nearest special case, distance %1. %2", "%1 a length: 3")
                             .arg(wayText(m_nearby.front().squareOfWay), cases.front().words);
   m_caseLine->setNearby(
       cases.front().canBeReached ? words : tr("%1 There, coordinates have roots.").arg(words), cases);

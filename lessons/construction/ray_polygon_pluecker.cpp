@@ -428,11 +428,10 @@ void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     add(projectVector(ExactVec3(corners[i] - ray.origin), ray.direction).rejection, "vertex", i,
-        words("The line of the ray would go through the corner {corner}.",
-              {{"corner", plainText(at.corner(i))}}));
+        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(at.corner(i))}}));
     if (const auto shift = shiftOntoSegment(ray, corners[i], corners[(i + 1) % corners.size()]))
       add(*shift, "edge", i,
-          words("The line of the ray would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}));
+          words("The ray's line would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}));
   }
 }
 

@@ -579,15 +579,14 @@ void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
       if (at.edges[k].from == i || at.edges[k].to == i)
         edges.push_back(k);
     add(projectVector(ExactVec3(at.mesh.vertices[i] - ray.origin), ray.direction).rejection, edges,
-        words("The line of the ray would go through the corner {corner}.",
+        words("The ray's line would go through the corner {corner}.",
               {{"corner", plainText(withResult(at.corners[i]).last())}}));
   }
   for (std::size_t k = 0; k < at.edges.size(); ++k) {
     const EdgeTerms &edge = at.edges[k];
     if (const auto shift = shiftOntoSegment(ray, at.mesh.vertices[edge.from], at.mesh.vertices[edge.to]))
       add(*shift, {k},
-          words("The line of the ray would go through the edge of {product}.",
-                {{"product", plainText(edge.p)}}));
+          words("The ray's line would go through the edge of {product}.", {{"product", plainText(edge.p)}}));
   }
 }
 

@@ -387,7 +387,7 @@ void addTangent(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   const Rational &radius = in.S.object.radius;
   if (at.meet.contacts == SphereContacts::Tangent || distance == Surd())
     return;
-  SpecialCase tangent{"contacts = tangent", words("The line of the ray would touch the sphere."), "L", {}};
+  SpecialCase tangent{"contacts = tangent", words("The ray's line would touch the sphere."), "L", {}};
   const ExactVec3 aside = at.nearest.foot - in.S.object.center;
   const auto &[origin, direction] = in.L.object;
   if (distance.isRational())
@@ -421,8 +421,8 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
   addStartOnSphere(in, at, all);
   if (at.nearest.which == PointLineCase::Off) {
     const auto &[origin, direction] = in.L.object;
-    all.push_back({"distance = 0", words("The line of the ray would go through the centre {c}.", at.letters),
-                   "L", RayObject{origin + in.S.object.center - at.nearest.foot, direction}});
+    all.push_back({"distance = 0", words("The ray's line would go through the centre {c}.", at.letters), "L",
+                   RayObject{origin + in.S.object.center - at.nearest.foot, direction}});
   }
   return all;
 }

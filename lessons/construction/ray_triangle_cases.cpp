@@ -40,11 +40,10 @@ void addShifted(const TriangleObject &triangle, const RayObject &ray, const Tria
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
     add(projectVector(ExactVec3(corners.at(i) - ray.origin), ray.direction).rejection, "vertex", i,
-        words("The line of the ray would go through the corner {corner}.",
-              {{"corner", plainText(*names.at(i))}}));
+        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(*names.at(i))}}));
     if (const auto shift = shiftOntoSegment(ray, corners.at(i), corners.at(next)))
       add(*shift, "edge", 3 - i - next, // the corner opposite to it
-          words("The line of the ray would go through the edge {edge}.",
+          words("The ray's line would go through the edge {edge}.",
                 {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
   }
 }

@@ -69,7 +69,7 @@ TEST(NearSpecialCases, ThatNoFractionsLeadTo_IsToldAllTheSame_ButNotOffered) {
                      {"meeting", ConstructionUse{"ray-sphere", {{"S", "S"}, {"L", "L"}}}}}};
   const auto nearest = nearestIn(scene, {"meeting"});
   ASSERT_TRUE(nearest);
-  EXPECT_EQ(nearest->sentence, "The line of the ray would touch the sphere.");
+  EXPECT_EQ(nearest->sentence, "The ray's line would touch the sphere.");
   EXPECT_EQ(nearest->squareOfWay, Surd::root(8, -10) + Rational(33)) << "(5 − √8)²";
   EXPECT_FALSE(nearest->change);
 }
