@@ -1,6 +1,7 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
 #include "tests/widgets/working/working_block_fixture.h"
 
+#include "lessons/lesson/new_numbers.h"
 #include "widgets/picture/term_formula.h"
 
 #include <QClipboard>
@@ -60,6 +61,20 @@ private slots:
       QCOMPARE(formula.baseline.y(), placed.lines[0].formulas[0].baseline.y());
     QVERIFY(placed.lines[0].formulas[0].box().right() < placed.lines[0].formulas[1].box().left());
     QVERIFY(placed.lines[0].sentence.front().baseline.y() > placed.lines[0].formulas[0].box().bottom());
+  }
+
+  void linesOfNewNumbersInEveryLesson_fitOnThePage() {
+    constexpr int usualPage = 370; // in pixels, without its margins
+    WorkingBlock block(m_typesetter);
+    for (const Lesson &lesson : readLessons(TEST_LESSONS_FOLDER).lessons)
+      for (const LessonStep &step : lesson.steps)
+        for (const std::uint64_t seed : {1U, 2U}) {
+          const Scene scene = withNewNumbers(lesson.scene, step, lesson.camera.from, seed);
+          block.setWorking(shownIn(step, evaluate(scene)).working);
+          QVERIFY2(block.minimumSizeHint().width() <= usualPage,
+                   (lesson.id + ", " + step.title + ": " + std::to_string(block.minimumSizeHint().width()))
+                       .c_str());
+        }
   }
 
   void narrowLineBreaksBeforeAPieceAndStaysInside() {
