@@ -212,8 +212,11 @@ Figure draw(const In &in, const Out &at) {
   const Place p0 = place(at.P0);
   if (at.perps.uu != 0)
     figure.add(arrowOf(at.u, p0, Role::Given, Subject::EdgeU));
-  if (at.perps.vv != 0)
-    figure.add(arrowOf(at.v, p0, Role::Given, Subject::EdgeV));
+  if (at.perps.vv != 0) {
+    ArrowMark v = arrowOf(at.v, p0, Role::Given, Subject::EdgeV);
+    v.look.rank = at.isTriangle() ? 0 : 1; // dashed, so that u is seen in it
+    figure.add(std::move(v));
+  }
   if (at.hasAngle())
     figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), p0, place(at.u), place(at.v)});
   if (at.isTriangle()) {
