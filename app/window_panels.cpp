@@ -20,6 +20,12 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
+namespace {
+
+/// From here on, in pixels, a window is high enough for a line below the scene with rows to spare.
+constexpr int highWindow = 900;
+
+} // namespace
 
 void MainWindow::createPanels() {
   m_practice = new WorkingPractice(*m_typesetter);
@@ -183,6 +189,7 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
   if (pageTypeScale() != m_pageTypeScale)
     showPageLook();
   sharePage();
+  m_caseLine->setInHighWindow(height() >= highWindow);
   showLessonTitle();
 }
 

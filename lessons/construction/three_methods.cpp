@@ -74,15 +74,14 @@ PerpTerms perpTermsOf(const In &in, const RayTriangle<Rational> &meet) {
           name(in.own(vectorLetter("w")), meet.w).marked(in.mark("w"))};
 }
 
-/// D has the colour of the normal, because it is r·n, and D3 that of c, because it is c·n; the other
-/// numerators have those of the edges whose products they are.
+/// D has the colour of the normal, because it is r·n, and D3 that of c, because it is c·n.
 CramerTerms cramerTermsOf(const In &in, const RayTriangleCramer<Rational> &meet, const ExactVec3 &u,
                           const ExactVec3 &v, const ExactVec3 &c) {
   return {name(in.own(vectorLetter("p")), cross(v, in.L.object.direction)),
           name(in.own(vectorLetter("q")), cross(c, u)),
           name(in.own(letter("D")), meet.det).marked(in.mark("n")),
-          name(in.own(letter("D", "1")), meet.detSigma).marked(in.mark("p1")),
-          name(in.own(letter("D", "2")), meet.detTau).marked(in.mark("p2")),
+          name(in.own(letter("D", "1")), meet.detSigma),
+          name(in.own(letter("D", "2")), meet.detTau),
           name(in.own(letter("D", "3")), meet.detT).marked(in.mark("c"))};
 }
 

@@ -30,10 +30,9 @@ QString lettersFor(int lines, int letters) {
 }
 
 /// A label with words that there is to be room for; it is never shown.
-QLabel *roomFor(const QString &words, const char *name) {
+QLabel *roomFor(const char *name) {
   QLabel *label = wrappedLabel(name);
   label->setTextFormat(Qt::RichText);
-  label->setText(words);
   return label;
 }
 
@@ -54,13 +53,10 @@ template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
 }
 
 // Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
-// each has a row.
+// each has a row, in a high one two.
 constexpr int lettersOfCase = 112;
 constexpr int lettersOfNearby = 88;
-// In a wide window, which is high as well, a case has two rows: it is the one sentence that all should read.
-constexpr int lettersOfWideRow = 130;
-constexpr int linesOfWideCase = 2;
-constexpr int lettersOfWideLine = lettersOfCase / linesOfWideCase;
+constexpr int rowsInHighWindow = 2;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
@@ -74,9 +70,9 @@ QPushButton *flatButton(const char *name, const QString &words) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(new FittedLabel("case")),
-      m_roomOfCase(roomFor(lettersFor(1, lettersOfCase), "usualCase")), m_message(wholeLabel("message")),
-      m_nearby(new FittedLabel("nearby")), m_there(flatButton("there", tr("Take me there"))),
+    : QWidget(parent), m_case(new FittedLabel("case")), m_roomOfCase(roomFor("usualCase")),
+      m_message(wholeLabel("message")), m_nearby(new FittedLabel("nearby")),
+      m_roomOfNearby(roomFor("usualNearby")), m_there(flatButton("there", tr("Take me there"))),
       m_others(flatButton("others", tr("More") + QStringLiteral(" ▾"))), m_all(new QMenu(m_others)),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
   // The button has no menu of its own: the style would draw a mark for it beside the words.
@@ -86,6 +82,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   m_others->setAccessibleDescription(tr("All special cases near this one"));
   m_case->setAlignment(Qt::AlignLeft | Qt::AlignBottom); // beside what is near
   m_nearby->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  setInHighWindow(false);
   offerAfresh(false);
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
@@ -112,17 +109,23 @@ QWidget *CaseLine::createNearbyRow() {
   auto *layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(stackOf(m_nearby, roomFor(lettersFor(1, lettersOfNearby), "usualNearby")), 1);
+  layout->addLayout(stackOf(m_nearby, m_roomOfNearby), 1);
   for (QPushButton *button : {m_there, m_others, m_afresh})
     layout->addWidget(button, 0, Qt::AlignTop);
   return row;
 }
 
-void CaseLine::resizeEvent(QResizeEvent *event) {
-  QWidget::resizeEvent(event);
-  const bool isWide = width() > lettersOfWideRow * fontMetrics().averageCharWidth();
-  m_roomOfCase->setText(isWide ? lettersFor(linesOfWideCase, lettersOfWideLine)
-                               : lettersFor(1, lettersOfCase));
+void CaseLine::setInHighWindow(bool isHigh) {
+  const int rows = isHigh ? rowsInHighWindow : 1;
+  m_roomOfCase->setText(lettersFor(rows, lettersOfCase / rows));
+  m_roomOfNearby->setText(lettersFor(rows, lettersOfNearby / rows));
+}
+
+bool CaseLine::event(QEvent *event) {
+  // Where a button has gone Qt leaves pieces of the words that it had cut.
+  if (event->type() == QEvent::LayoutRequest)
+    update();
+  return QWidget::event(event);
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {

@@ -36,6 +36,8 @@ public:
   /// What it says stands there for `readingTime`.
   explicit CaseLine(std::chrono::milliseconds readingTime = usualReadingTime, QWidget *parent = nullptr);
 
+  /// There, its words have more room: the case is the one sentence that all in a class should read.
+  void setInHighWindow(bool isHigh);
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
   /// What is said of the nearest special case, empty for none, and all that there are, the nearest first.
@@ -54,7 +56,7 @@ signals:
   void afreshChosen();          ///< … or back to the start
 
 protected:
-  void resizeEvent(QResizeEvent *event) override;
+  bool event(QEvent *event) override;
 
 private:
   [[nodiscard]] QWidget *createNearbyRow();
@@ -64,6 +66,7 @@ private:
   QLabel *m_roomOfCase;
   QLabel *m_message;
   FittedLabel *m_nearby;
+  QLabel *m_roomOfNearby;
   QPushButton *m_there;  ///< leads to the nearest
   QPushButton *m_others; ///< opens a menu of all
   QMenu *m_all;

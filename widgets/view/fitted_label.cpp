@@ -4,7 +4,21 @@
 
 #include <QEvent>
 
+#include <vector>
+
 namespace halfspace {
+namespace {
+
+/// Where the first words end: of none, one, two, … but not of all.
+std::vector<int> wordEnds(const QString &words) {
+  std::vector<int> ends{0};
+  for (int i = 1; i < words.size(); ++i)
+    if (words[i] == u' ')
+      ends.push_back(i);
+  return ends;
+}
+
+} // namespace
 
 FittedLabel::FittedLabel(const char *name) {
   setObjectName(name);
@@ -28,15 +42,16 @@ void FittedLabel::fit() {
   if (height() == 0 || fits())
     return;
   setToolTip(richTextOf(m_words)); // rich, so that it is wrapped
-  qsizetype shown = 0;
+  const std::vector<int> ends = wordEnds(m_words);
+  const auto cut = [&](std::size_t words) { return m_words.left(ends[words]) + QStringLiteral("\u00a0…"); };
   // As many words as fit, by halving.
-  for (qsizetype tooMany = m_words.size(); tooMany - shown > 1;) {
-    const qsizetype middle = (shown + tooMany) / 2;
-    showWords(*this, m_words.left(static_cast<int>(middle)).trimmed() + QStringLiteral("…"));
+  std::size_t shown = 0;
+  for (std::size_t tooMany = ends.size(); tooMany - shown > 1;) {
+    const std::size_t middle = (shown + tooMany) / 2;
+    showWords(*this, cut(middle));
     (fits() ? shown : tooMany) = middle;
   }
-  const int end = m_words.lastIndexOf(' ', static_cast<int>(shown));
-  showWords(*this, m_words.left(end < 0 ? static_cast<int>(shown) : end) + QStringLiteral(" …"));
+  showWords(*this, cut(shown));
 }
 
 void FittedLabel::resizeEvent(QResizeEvent *event) {
