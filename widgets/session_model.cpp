@@ -131,7 +131,9 @@ void SessionModel::resetScene() {
 
 void SessionModel::renewNumbers(std::uint64_t seed) {
   const glm::dvec3 from = m_session.view ? m_session.view->view.from : m_lesson->camera.from;
-  replaceScene(withNewNumbers(m_session.scene, step(), from, seed), tr("New numbers"));
+  // From the numbers of the lesson: special cases that were brought about would come again.
+  const Scene scene = withNumbersOf(m_lesson->scene, m_session.scene);
+  replaceScene(withNewNumbers(scene, step(), from, seed), tr("New numbers"));
 }
 
 void SessionModel::replaceScene(Scene scene, const QString &description) {

@@ -85,6 +85,15 @@ Scene renewed(const Scene &scene, std::uint64_t seed, const glm::dvec3 &from, bo
 
 } // namespace
 
+Scene withNumbersOf(const Scene &other, Scene scene) {
+  for (Entry &entry : scene.entries)
+    if (auto *object = std::get_if<Object>(&entry.content))
+      if (const Object *same = findObject(other, entry.name);
+          same && kindOf(*same) == kindOf(*object) && same->size() == object->size())
+        *object = *same;
+  return scene;
+}
+
 Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec3 &from, std::uint64_t seed) {
   const Prediction *question = predictionOf(step);
   const glm::dvec3 unit = glm::normalize(from);

@@ -13,4 +13,8 @@ namespace halfspace {
 [[nodiscard]] Scene withNewNumbers(const Scene &scene, const LessonStep &step, const glm::dvec3 &from,
                                    std::uint64_t seed);
 
+/// The scene with the coordinates that its objects have in another one, wherever they are there and built
+/// alike.
+[[nodiscard]] Scene withNumbersOf(const Scene &other, Scene scene);
+
 } // namespace halfspace

@@ -51,7 +51,7 @@ std::string sentenceOf(const WrongWay &way) {
   case Slip::NotSquared:
     return words("{answer} has {instead} where its square belongs.", {{"instead", instead}});
   case Slip::LostSign:
-    return words("{answer} has lost a minus sign: that of {right}.", {{"right", right}});
+    return words("{answer} leaves out the minus of {right}.", {{"right", right}});
   case Slip::OtherName:
     return words("{answer} has {instead} where {right} belongs.", {{"instead", instead}, {"right", right}});
   }

@@ -5,6 +5,7 @@
 #include "widgets/text/indices.h"
 #include "widgets/view/fitted_label.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QPushButton>

@@ -3,6 +3,7 @@
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/plane.h"
+#include "lessons/object/point.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
 #include "tests/effort.h"
@@ -47,6 +48,16 @@ TEST(NewNumbers, whereTheStepAsksNothing_keepTheCase) {
   const LessonStep &step = stepOf(lesson, false);
   for (std::uint64_t seed = 0; seed < 12; ++seed)
     EXPECT_EQ(caseOf(withNewNumbers(lesson.scene, step, lesson.camera.from, seed)), caseOf(lesson.scene));
+}
+
+TEST(NumbersOf, anotherScene_areThoseOfObjectsThatAreBuiltAlike) {
+  const Scene lesson = library().find("ray-plane-dot")->scene;
+  Scene changed = lesson;
+  coordinate(*findObject(changed, "L"), 1) = ExactVec3(0);
+  changed.entries.push_back({"A", PointObject{{1, 2, 3}}});
+  const Scene renewed = withNumbersOf(lesson, changed);
+  EXPECT_EQ(*findObject(renewed, "L"), *findObject(lesson, "L"));
+  EXPECT_EQ(*findObject(renewed, "A"), Object(PointObject{{1, 2, 3}}));
 }
 
 TEST(NewNumbers, planes_areNotSeenEdgeOn) {
