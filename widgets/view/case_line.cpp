@@ -20,6 +20,7 @@ QLabel *wrappedLabel(const char *name) {
   label->setObjectName(name);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
+  label->setIndent(0); // it begins where the others do
   return label;
 }
 
