@@ -227,7 +227,8 @@ TEST(Markdown, WithTooManyCells_IsRefused) {
     return text;
   };
   EXPECT_TRUE(readMarkdown(table(10, maxMarkdownCells / 10 - 1)));
-  for (const auto &tooLarge : {table(10, maxMarkdownCells / 10), table(3000, 3000)}) {
+  // Newer versions of the parser know no table with more than 128 columns.
+  for (const auto &tooLarge : {table(10, maxMarkdownCells / 10), table(100, 9000)}) {
     const auto refused = readMarkdown(tooLarge);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.problem().sentence.find("tables"), std::string::npos);
