@@ -10,6 +10,8 @@ file(WRITE ${documents}/changelog.Debian
 
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
+file(CHMOD ${documents}/changelog ${documents}/changelog.Debian FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ
+     WORLD_READ)
 file(GLOB_RECURSE pages ${CPACK_TEMPORARY_DIRECTORY}/usr/share/man/*.1)
 execute_process(COMMAND gzip -9 --no-name --force ${pages} ${documents}/changelog ${documents}/changelog.Debian
                         COMMAND_ERROR_IS_FATAL ANY)
