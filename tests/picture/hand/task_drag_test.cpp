@@ -3,6 +3,7 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/task_progress.h"
 #include "lessons/lesson/task_targets.h"
+#include "tests/effort.h"
 #include "tests/lessons/scenes.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/hand/handle_drag.h"
@@ -348,7 +349,7 @@ void doTasksOf(const Lesson &lesson, const LessonStep &step) {
 }
 
 TEST(DragsForTasks, OfEveryHandleThatATaskNames_DoesIt) {
-  for (const Lesson &lesson : readLessons(LESSON_FOLDER).lessons)
+  for (const Lesson &lesson : test::fewer(readLessons(LESSON_FOLDER).lessons))
     for (const LessonStep &step : lesson.steps)
       doTasksOf(lesson, step);
 }
