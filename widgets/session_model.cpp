@@ -103,9 +103,10 @@ void SessionModel::setLibrary(LessonLibrary library) {
 
 void SessionModel::renewLesson(Lesson lesson) {
   LessonLibrary library = m_library;
-  for (Lesson &each : library.lessons)
-    if (each.id == lesson.id)
-      each = std::move(lesson);
+  const auto same = std::find_if(library.lessons.begin(), library.lessons.end(),
+                                 [&](const Lesson &each) { return each.id == lesson.id; });
+  if (same != library.lessons.end())
+    *same = std::move(lesson);
   setLibrary(std::move(library));
 }
 
