@@ -22,6 +22,7 @@
 #include "widgets/working/working_practice.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
