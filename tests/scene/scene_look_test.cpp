@@ -78,10 +78,16 @@ TEST(Look, OnAStageFarFromTheGround_HasNeitherGridNorAxes) {
   request.content.stage.middle = {1000, 1000, 1000};
   const LabelPicture bare = pictureOf(request);
   EXPECT_GT(differences(usual, bare), 500);
-  // The background alone: each row has one colour.
+  // The background alone: each row has one colour, which newer versions of VTK dither by one step.
+  constexpr int ditherStep = 1;
   for (int y = 0; y < bare.height; y += 20)
-    for (int x = 0; x < bare.width; x += 20)
-      EXPECT_EQ(pixelAt(bare, x, y), pixelAt(bare, 0, y));
+    for (int x = 0; x < bare.width; x += 20) {
+      const Rgba pixel = pixelAt(bare, x, y);
+      const Rgba first = pixelAt(bare, 0, y);
+      EXPECT_NEAR(pixel.red, first.red, ditherStep);
+      EXPECT_NEAR(pixel.green, first.green, ditherStep);
+      EXPECT_NEAR(pixel.blue, first.blue, ditherStep);
+    }
 }
 
 TEST(Look, OfEachTheme_HasItsBackgroundFromTopToBottom) {
