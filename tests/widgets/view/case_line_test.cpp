@@ -100,6 +100,20 @@ private slots:
     QVERIFY(label->toolTip().contains(longOne));
   }
 
+  void case_longerThanARow_isSeenWholeInAHighWindow() {
+    const QString sentence = "The ray's line goes through the triangle, inside the triangle. But λ = −3/5 is "
+                             "negative: that is behind the ray's start.";
+    for (const bool isHigh : {false, true}) {
+      ShownLine shown;
+      shown.line.setInHighWindow(isHigh);
+      shown.line.resize(700, shown.line.heightForWidth(700));
+      shown.line.setCase(sentence, false);
+      QCoreApplication::processEvents();
+      QCOMPARE(shown.said("case") == sentence, isHigh);
+      QCOMPARE(shown.said("case").endsWith("\u00a0…"), !isHigh);
+    }
+  }
+
   void words_withIndices_areSeenWhole() {
     for (const int width : {500, 900}) {
       ShownLine shown;
