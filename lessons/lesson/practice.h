@@ -46,7 +46,7 @@ struct Fade {
 struct Judgement {
   bool right = false;
   std::string sentence;
-  bool isAnswer = true; ///< false: what was typed cannot be read as one
+  bool isAnswer = true; ///< false: it cannot be read as one, or has not as many numbers as are asked for
 };
 
 /// Compares a typed answer with what is left out, then with what the usual mistakes come to. A decimal is
