@@ -309,7 +309,11 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
       [](const StepFragments &) {},
       [](const StepCost &) {},
       [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
-      [&](const Task &task) { words.emplace_back(task.instruction, std::vector{task.line}, "do"); },
+      [&](const Task &task) {
+        words.emplace_back(task.instruction, std::vector{task.line}, "do");
+        if (!task.answer.empty())
+          words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
+      },
       [&](const Prediction &prediction) {
         words.emplace_back(prediction.question, std::vector{prediction.questionLine}, "ask");
         for (const Prediction::Choice &choice : prediction.choices)

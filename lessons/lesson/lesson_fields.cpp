@@ -214,7 +214,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"do", "when"});
+  fields.allowOnly({"do", "when", "done"});
   Task task;
   task.instruction = fields.text("do");
   auto conditions = parseConditions(fields.text("when"));
@@ -225,6 +225,10 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   task.conditions = std::move(*conditions);
   task.line = root->find("do")->line;
   task.conditionsLine = root->find("when")->line;
+  if (const DocumentNode *answer = fields.optional("done")) {
+    task.answer = fields.text("done");
+    task.answerLine = answer->line;
+  }
   return task;
 }
 

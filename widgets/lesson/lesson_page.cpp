@@ -212,7 +212,7 @@ QWidget *LessonPage::blockOf(const StepNote &note) {
 }
 
 QWidget *LessonPage::blockOf(const Task &task) {
-  m_tasks.push_back({task.instruction, new TaskRow(m_typesetter, QString::fromStdString(task.instruction))});
+  m_tasks.push_back({task, new TaskRow(m_typesetter)});
   return m_tasks.back().row;
 }
 
@@ -244,8 +244,9 @@ void LessonPage::scrollTo(const QWidget &part) {
 void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
   for (const auto &[markdown, label] : m_words)
     label->setMarkdown(QString::fromStdString(filled(markdown)));
-  for (const auto &[instruction, row] : m_tasks)
-    row->setWords(QString::fromStdString(filled(instruction)));
+  for (const auto &[task, row] : m_tasks)
+    row->setWords(QString::fromStdString(filled(task.instruction)),
+                  QString::fromStdString(filled(task.answer)));
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
@@ -267,7 +268,10 @@ void LessonPage::setTaskStates(const std::vector<TaskState> &states) {
   });
   const TaskRow *now = states.empty() || due == m_tasks.end() ? nullptr : due->row;
   const TaskRow *before = std::exchange(m_dueTask, now);
-  if (before && now && before != now)
+  if (states.empty() || !before || before == now)
+    return;
+  scrollTo(*before); // its answer
+  if (now)
     scrollTo(*now);
 }
 

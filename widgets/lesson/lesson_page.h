@@ -116,7 +116,7 @@ private:
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   struct SetTask {
-    std::string instruction;
+    Task task;
     TaskRow *row;
   };
   std::vector<SetTask> m_tasks;

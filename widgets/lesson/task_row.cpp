@@ -22,28 +22,42 @@ QMargins marginsAt(const Theme &theme) {
 
 } // namespace
 
-TaskRow::TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent)
-    : QWidget(parent), m_words(new RichLabel(typesetter)), m_holdsAlready(new RichLabel(typesetter)),
+TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
+    : QWidget(parent), m_words(new RichLabel(typesetter)), m_remark(new RichLabel(typesetter)),
       m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
-  layout->addWidget(m_holdsAlready);
-  m_holdsAlready->setMarkdown(tr("It is so already. Change that, then bring it about again."));
-  m_holdsAlready->hide();
+  layout->addWidget(m_remark);
+  m_remark->hide();
   setTheme(m_theme);
-  setWords(instruction);
 }
 
-void TaskRow::setWords(const QString &markdown) {
-  m_words->setMarkdown(markdown);
+void TaskRow::setWords(const QString &instruction, const QString &answer) {
+  m_words->setMarkdown(instruction);
+  m_answer = answer;
+  showRemark();
   tellAccessibly();
+}
+
+void TaskRow::setHeld(bool held) {
+  m_words->setHeld(held);
+  m_remark->setHeld(held);
+}
+
+void TaskRow::showRemark() {
+  const QString remark = m_state == TaskState::Done ? m_answer
+                         : m_state == TaskState::HoldsAlready
+                             ? tr("It is so already. Change that, then bring it about again.")
+                             : QString();
+  m_remark->setMarkdown(remark);
+  m_remark->setVisible(!remark.isEmpty());
 }
 
 void TaskRow::setState(TaskState state) {
   if (state == m_state)
     return;
   m_state = state;
-  m_holdsAlready->setVisible(state == TaskState::HoldsAlready);
+  showRemark();
   setInks();
   tellAccessibly();
   update();
@@ -59,15 +73,14 @@ void TaskRow::setTheme(const Theme &theme) {
 void TaskRow::setInks() {
   const bool isDue = m_state == TaskState::Open || m_state == TaskState::HoldsAlready;
   m_words->setInk(isDue ? m_theme.ink : m_theme.mutedInk, m_theme);
-  m_holdsAlready->setInk(m_theme.mutedInk, m_theme);
+  m_remark->setInk(isDue ? m_theme.mutedInk : m_theme.ink, m_theme);
 }
 
 void TaskRow::tellAccessibly() {
   const QString instruction = m_words->accessibleName();
   setAccessibleName((m_state == TaskState::Done ? tr("Done: %1") : tr("To do: %1")).arg(instruction));
-  setAccessibleDescription(m_state == TaskState::HoldsAlready ? m_holdsAlready->accessibleName()
-                           : m_state == TaskState::Waiting    ? tr("after those above")
-                                                              : QString());
+  setAccessibleDescription(m_state == TaskState::Waiting ? tr("after those above")
+                                                         : m_remark->accessibleName());
   setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
 }
 

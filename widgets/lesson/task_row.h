@@ -7,18 +7,18 @@
 
 namespace halfspace {
 
-/// The instruction beside an empty circle, or a check mark once it is done. Of what holds already it says
-/// that it is still to be brought about: else a learner would wait for the mark. One that waits for those
-/// above it is paler.
+/// The instruction beside an empty circle, or a check mark once it is done; then the answer to what it asks
+/// stands below it. Of what holds already it says that it is still to be brought about: else a learner would
+/// wait for the mark. One that waits for those above it is paler.
 class TaskRow : public QWidget {
   Q_OBJECT
 public:
-  TaskRow(const Typesetter &typesetter, const QString &instruction, QWidget *parent = nullptr);
+  explicit TaskRow(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  /// The instruction, in which live values are filled in.
-  void setWords(const QString &markdown);
+  /// Markdown, in which live values are filled in; the answer may be empty.
+  void setWords(const QString &instruction, const QString &answer);
   /// While it is held it becomes no less high.
-  void setHeld(bool held) { m_words->setHeld(held); }
+  void setHeld(bool held);
   void setState(TaskState state);
   [[nodiscard]] TaskState state() const { return m_state; }
   void setTheme(const Theme &theme);
@@ -27,11 +27,14 @@ protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
+  /// What is said below the instruction: the answer, or that it holds already.
+  void showRemark();
   void setInks();
   void tellAccessibly();
 
   RichLabel *m_words;
-  RichLabel *m_holdsAlready;
+  RichLabel *m_remark;
+  QString m_answer;
   TaskState m_state = TaskState::Open;
   Theme m_theme;
 };

@@ -399,6 +399,14 @@ TEST(Content, EveryTask_CanBeDone) {
   }
 }
 
+TEST(Content, WhatATaskAsks_IsAnsweredWhenItIsDone) {
+  for (const Lesson &lesson : library().lessons)
+    for (const LessonStep &step : lesson.steps)
+      for (const Task &task : tasksOf(step))
+        EXPECT_EQ(task.instruction.find('?') != std::string::npos, !task.answer.empty())
+            << lesson.id << ": " << task.instruction;
+}
+
 /// It is not done at the start, or no longer when the task before it is done.
 TEST(Content, EveryTask_IsStillToDoWhenItsTurnComes) {
   for (const Lesson &lesson : library().lessons) {

@@ -236,6 +236,21 @@ private slots:
     QCOMPARE(rows[1]->state(), TaskState::Open);
   }
 
+  void whatATaskAsks_isAnsweredOnceItIsDone() {
+    ShownPage shown(lessonOf({{"Do", {Task{"Turn it. What is it?", {}, "It is %1."}, StepLines()}}}));
+    shown.fill("3");
+    const auto isAnswered = [&] { return shown.words("It is 3."); };
+    for (const TaskState state : {TaskState::Open, TaskState::HoldsAlready, TaskState::Waiting}) {
+      shown.page.setTaskStates({state});
+      QVERIFY(!isAnswered());
+    }
+    shown.page.setTaskStates({TaskState::Done});
+    QVERIFY(isAnswered());
+    QCOMPARE(shown.shown<TaskRow>().first()->accessibleDescription(), QString("It is 3."));
+    shown.page.setTaskStates({}); // a question is open
+    QVERIFY(!isAnswered());
+  }
+
   void liveValues_ofTasks_followTheScene() {
     ShownPage shown(lessonOf({{"Do", {Task{"Make it 3. Now it is %1.", {}}, StepLines()}}}));
     for (const char *now : {"30", "3"}) {
@@ -487,6 +502,23 @@ private slots:
     bar.setValue(0);
     shown.page.setTaskStates({TaskState::Done, TaskState::Open}); // nothing new
     QCOMPARE(bar.value(), 0);
+  }
+
+  void answerOfTheLastTask_comesIntoView() {
+    std::string many;
+    for (int i = 0; i < 60; ++i)
+      many += "Many words stand above it. ";
+    ShownPage shown(lessonOf({{"Tasks", {StepLines(), StepWords{many}, Task{"What?", {}, "This."}}}}), 0,
+                    smallPage);
+    QVERIFY(shown.ready);
+    shown.fill();
+    const QScrollBar &bar = *shown.page.findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar.maximum() > 0);
+    shown.page.setTaskStates({TaskState::Open});
+    QCOMPARE(bar.value(), 0);
+    shown.page.setTaskStates({TaskState::Done});
+    const TaskRow &task = *shown.shown<TaskRow>().first();
+    QVERIFY(shown.topOf(&task) + task.height() <= shown.page.findChild<QScrollArea *>()->height());
   }
 };
 

@@ -55,7 +55,8 @@ private slots:
   }
 
   void row_ofATaskThatIsDone_paintsTheMarkAndSaysSo() {
-    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    TaskRow row(m_typesetter);
+    row.setWords("Make $f(Q) = 0$.", {});
     row.resize(300, 40);
     QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
@@ -67,7 +68,8 @@ private slots:
   }
 
   void row_ofATaskThatHoldsAlready_saysSoInALineOfItsOwn() {
-    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    TaskRow row(m_typesetter);
+    row.setWords("Make $f(Q) = 0$.", {});
     const int alone = row.heightForWidth(400);
     row.setState(TaskState::HoldsAlready);
     QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
@@ -78,8 +80,21 @@ private slots:
     QCOMPARE(row.accessibleDescription(), QString());
   }
 
+  void row_ofATaskThatIsDone_tellsTheAnswerInALineOfItsOwn() {
+    TaskRow row(m_typesetter);
+    row.setWords("Make $f(Q) = 0$. Where is $Q$?", "In the plane.");
+    const int alone = row.heightForWidth(400);
+    QCOMPARE(row.accessibleDescription(), QString());
+    row.setState(TaskState::Done);
+    QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
+    QCOMPARE(row.accessibleDescription(), QString("In the plane."));
+    row.setState(TaskState::Open);
+    QCOMPARE(row.heightForWidth(400), alone);
+  }
+
   void row_ofATaskThatWaits_isPalerAndSaysWhy() {
-    TaskRow row(m_typesetter, "Make $f(Q) = 0$.");
+    TaskRow row(m_typesetter);
+    row.setWords("Make $f(Q) = 0$.", {});
     row.resize(300, 40);
     const QColor ink = toQColor(theme().ink);
     const int before = pixelsOf(row.grab().toImage(), ink);
@@ -93,7 +108,8 @@ private slots:
   }
 
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
-    TaskRow row(m_typesetter, "Drag Q.");
+    TaskRow row(m_typesetter);
+    row.setWords("Drag Q.", {});
     for (const double textScale : {1.0, 2.0}) {
       Theme large = theme();
       large.textScale = textScale;
