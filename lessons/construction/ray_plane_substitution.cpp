@@ -280,31 +280,21 @@ std::string leftOutWords(const Out &at) {
                          : " " + words("There is no t for {planes}.", {{"planes", namesOf(without, at)}});
 }
 
-/// The parameters and 0 in their order, each compared with the next, and each with its number.
+/// The parameters and 0 in their order, by their names and by their numbers.
 WorkingLine orderLine(const Out &at) {
-  std::vector<const Meeting *> crossed;
+  std::vector<std::pair<Rational, Term>> parameters{{0, Term(0)}};
   for (const Meeting &meeting : at.meetings)
     if (meeting.meet.crosses())
-      crossed.push_back(&meeting);
-  std::stable_sort(crossed.begin(), crossed.end(),
-                   [](const Meeting *a, const Meeting *b) { return a->meet.t < b->meet.t; });
-  std::vector<Term> parameters;
-  parameters.reserve(crossed.size() + 1);
-  for (const Meeting *meeting : crossed)
-    parameters.push_back(meeting->t);
-  const auto ahead = std::find_if(crossed.begin(), crossed.end(),
-                                  [](const Meeting *meeting) { return meeting->meet.t >= 0; });
-  const auto zero = static_cast<std::size_t>(ahead - crossed.begin());
-  parameters.insert(parameters.begin() + (ahead - crossed.begin()), Term(0));
-  std::vector<Chain> order;
-  order.reserve(parameters.size());
-  if (zero != 0)
-    order.push_back(withResult(parameters.front()));
-  for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
-    const Chain next = compared(parameters[i], parameters[i + 1]);
-    order.push_back(i + 1 == zero ? next : withResult(next));
+      parameters.emplace_back(meeting.meet.t, meeting.t);
+  std::stable_sort(parameters.begin(), parameters.end(),
+                   [](const auto &a, const auto &b) { return a.first < b.first; });
+  std::vector<Term> names;
+  std::vector<Term> numbers;
+  for (const auto &[value, name] : parameters) {
+    names.push_back(name);
+    numbers.push_back(namesPutIn(name));
   }
-  return line(std::move(order), orderWords(at) + leftOutWords(at));
+  return line({inOrder(std::move(names)), inOrder(std::move(numbers))}, orderWords(at) + leftOutWords(at));
 }
 
 WorkingLine hitLine(const Out &at) {

@@ -38,8 +38,8 @@ std::vector<Relation> Chain::relations() const {
   bool rounded = showsRounded(m_sides[0]);
   for (std::size_t i = 1; i < m_sides.size(); ++i) {
     rounded = rounded || showsRounded(m_sides[i]);
-    if (i == first && m_claim == Claim::Comparison) {
-      relations.push_back(comparisonOf(m_sides[0], m_sides[1]));
+    if (m_claim == Claim::Order || (i == first && m_claim == Claim::Comparison)) {
+      relations.push_back(comparisonOf(m_sides[i - 1], m_sides[i]));
       continue;
     }
     const auto same =
@@ -78,6 +78,13 @@ Chain compared(Term a, Term b) {
   Chain chain = std::move(a) == std::move(b);
   chain.m_claim = Chain::Claim::Comparison;
   chain.m_symbolic = 1; // the relation says what the first side is like
+  return chain;
+}
+
+Chain inOrder(std::vector<Term> terms) {
+  Chain chain = std::move(terms.front());
+  chain.m_sides.insert(chain.m_sides.end(), std::next(terms.begin()), terms.end());
+  chain.m_claim = Chain::Claim::Order;
   return chain;
 }
 

@@ -42,9 +42,10 @@ public:
   [[nodiscard]] Chain then(Term calculated) const;
 
 private:
-  enum class Claim : std::uint8_t { Identity, Condition, Comparison };
+  enum class Claim : std::uint8_t { Identity, Condition, Comparison, Order };
   friend Chain condition(Chain chain);
   friend Chain compared(Term a, Term b);
+  friend Chain inOrder(std::vector<Term> terms);
 
   std::vector<Term> m_sides;
   std::size_t m_symbolic = 1;
@@ -59,6 +60,9 @@ private:
 
 /// a < b, a = b or a > b, whichever holds.
 [[nodiscard]] Chain compared(Term a, Term b);
+
+/// a < b = c < …: terms that stand in the order of their values, at least one.
+[[nodiscard]] Chain inOrder(std::vector<Term> terms);
 
 /// Goes on with the numbers put in, and the result.
 [[nodiscard]] Chain withNumbers(const Chain &chain);

@@ -80,6 +80,10 @@ TEST(Compared, ThatGoesOn_ComparesTheFirstTwoAndEqualsFromThereOn) {
   EXPECT_EQ(compared(at.f, 9).then(8).relations(), (std::vector{Relation::Greater, Relation::Unequal}));
 }
 
+TEST(InOrder, ComparesEachWithTheOneBefore) {
+  EXPECT_EQ(plainText(inOrder({-1, 0, at.f, at.f, 40})), "−1 < 0 < f(Q) = f(Q) < 40");
+}
+
 TEST(ChainThen, OfASideThatReadsTheSame_LeavesItOut) {
   EXPECT_EQ(plainText(withNumbers(name(letter("a"), Rational(2)) == Term(2))), "a = 2");
   EXPECT_EQ(plainText(withProducts(norm(at.n) == root(dot(at.n, at.n)))),
