@@ -312,8 +312,9 @@ void MainWindow::showNearby() {
   std::vector<NearbyCase> cases;
   for (const NearSpecialCase &near : m_nearby)
     cases.push_back({unbroken(QString::fromStdString(near.sentence)), near.change.has_value()});
-  const QString words = tr("Nearest special case, distance %1. %2", "%1 a length: 3")
-                            .arg(wayText(m_nearby.front().squareOfWay), cases.front().words);
+  // The distance stands last: where there is too little room it is what is cut.
+  const QString words = tr("Close by: %1 Distance %2.", "%1 a sentence, %2 a length: 3")
+                            .arg(cases.front().words, wayText(m_nearby.front().squareOfWay));
   m_caseLine->setNearby(
       cases.front().canBeReached ? words : tr("%1 There, coordinates have roots.").arg(words), cases);
 }
