@@ -90,7 +90,7 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
   connect(&m_model, &SessionModel::stepChanged, this, [this] {
-    m_linesAtStart.reset();
+    m_shownAtStart.reset();
     m_page->setStep(m_model.session().step);
     m_scene->selectHandle({}); // its tools would stand in the next step's figure
     progress().tasks.arrive();
@@ -246,7 +246,9 @@ void MainWindow::showContents() {
 
 void MainWindow::showOutcome() {
   m_practice->setStep(m_model.session().lesson, m_model.session().step, m_model.step().blank);
-  m_practice->setWorking(m_model.shown().working, m_model.shown().linesIn, isPredicting());
+  // Which lines there are would tell what is asked: the open question has those of the lesson's own numbers.
+  const Shown &lines = isPredicting() && m_model.isChanged() ? shownAtStart() : m_model.shown();
+  m_practice->setWorking(lines.working, lines.linesIn, isPredicting());
   m_inspector->setResultsHidden(hidesNumbers());
   m_scene->setNumbersHidden(hidesNumbers());
   m_inspector->showSession();
@@ -298,7 +300,7 @@ void MainWindow::showCase() {
     words = tr("Fill in the blank lines: other numbers are hidden until you do.");
   m_caseLine->setCase(words, shown.degenerate && !hidesNumbers());
   m_scene->setAccessibleDescription(words);
-  m_caseLine->offerAfresh(lacksLines());
+  m_caseLine->offerAfresh(!isPredicting() && lacksLines());
   showNearby();
 }
 
@@ -319,14 +321,15 @@ void MainWindow::showNearby() {
       cases.front().canBeReached ? words : tr("%1 There, coordinates have roots.").arg(words), cases);
 }
 
+const Shown &MainWindow::shownAtStart() {
+  if (!m_shownAtStart)
+    m_shownAtStart = shownIn(m_model.step(), evaluate(m_model.lesson().scene));
+  return *m_shownAtStart;
+}
+
 bool MainWindow::lacksLines() {
-  if (!m_model.isChanged())
-    return false; // and nothing is evaluated for it when the window opens or a step is turned to
-  if (!m_linesAtStart) {
-    const Evaluation start = evaluate(m_model.lesson().scene);
-    m_linesAtStart = shownIn(m_model.step(), start, figureOf(start), Question::Answered).working.lines.size();
-  }
-  return m_model.shown().working.lines.size() < *m_linesAtStart;
+  // Unchanged, nothing is evaluated for it: neither when the window opens nor when a step is turned to.
+  return m_model.isChanged() && m_model.shown().working.lines.size() < shownAtStart().working.lines.size();
 }
 
 void MainWindow::startOver() {

@@ -175,6 +175,8 @@ private:
   void goToNearby(int which);
   /// Back to the scene that the lesson begins with.
   void startOver();
+  /// What the step shows of the lesson's own numbers, once its question is answered.
+  [[nodiscard]] const Shown &shownAtStart();
   /// Whether the case is one without lines that the step has at its start.
   [[nodiscard]] bool lacksLines();
   void updateTitle();
@@ -261,7 +263,7 @@ private:
   QStringList m_putAside;   ///< sentences that are to be told
   CaseLine *m_caseLine = nullptr;
   std::vector<NearSpecialCase> m_nearby;     ///< of what the step shows
-  std::optional<std::size_t> m_linesAtStart; ///< so many the step has; nothing: nobody has asked yet
+  std::optional<Shown> m_shownAtStart; ///< nothing: nobody has asked yet
   QWidget *m_sceneColumn = nullptr;
   WorkingPractice *m_practice = nullptr;
   StepWorking *m_working = nullptr; ///< in m_practice

@@ -74,7 +74,8 @@ struct Condition {
 struct Task {
   std::string instruction;
   std::vector<Condition> conditions;
-  std::string answer{}; ///< to what the instruction asks; told once the task is done, empty where it asks nothing
+  std::string
+      answer{}; ///< to what the instruction asks; told once the task is done, empty where it asks nothing
   // In the file:
   int line = 0; ///< of the instruction
   int conditionsLine = 0;

@@ -42,13 +42,21 @@ std::vector<Relation> Chain::relations() const {
       relations.push_back(comparisonOf(m_sides[i - 1], m_sides[i]));
       continue;
     }
-    const auto same =
-        i == first ? canBeTheSame(m_sides[0], m_sides[i]) : comeToTheSame(m_sides[first], m_sides[i]);
+    const auto same = i != first                 ? comeToTheSame(m_sides[first], m_sides[i])
+                      : m_claim == Claim::Demand ? std::optional(true)
+                                                 : canBeTheSame(m_sides[0], m_sides[i]);
     relations.push_back(same == false      ? Relation::Unequal
                         : rounded || !same ? Relation::Approximately
                                            : Relation::Equal);
   }
   return relations;
+}
+
+Chain Chain::asDemand() const {
+  Chain chain = *this;
+  if (isCondition())
+    chain.m_claim = Claim::Demand;
+  return chain;
 }
 
 Chain operator==(Chain chain, Term next) {

@@ -27,10 +27,12 @@ public:
   [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
   /// Whether its sides are the same whatever the unknowns are: neither a condition nor a comparison.
   [[nodiscard]] bool isIdentity() const { return m_claim == Claim::Identity; }
+  /// The chain, and where it is a condition, nothing of whether anything can fulfil it.
+  [[nodiscard]] Chain asDemand() const;
   /// How what it comes to is found: its last side in symbols; of a condition, the first that is demanded to
   /// be equal.
   [[nodiscard]] const Term &formula() const {
-    return m_sides[m_claim == Claim::Condition && m_symbolic == 1 ? 1 : m_symbolic - 1];
+    return m_sides[isCondition() && m_symbolic == 1 ? 1 : m_symbolic - 1];
   }
   /// The relation before each side but the first.
   [[nodiscard]] std::vector<Relation> relations() const;
@@ -42,7 +44,8 @@ public:
   [[nodiscard]] Chain then(Term calculated) const;
 
 private:
-  enum class Claim : std::uint8_t { Identity, Condition, Comparison, Order };
+  enum class Claim : std::uint8_t { Identity, Condition, Demand, Comparison, Order };
+  [[nodiscard]] bool isCondition() const { return m_claim == Claim::Condition || m_claim == Claim::Demand; }
   friend Chain condition(Chain chain);
   friend Chain compared(Term a, Term b);
   friend Chain inOrder(std::vector<Term> terms);

@@ -1,5 +1,6 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
 #include "lessons/object/point.h"
+#include "lessons/scene/near_special_cases.h"
 #include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/task_row.h"
@@ -497,6 +498,42 @@ private slots:
     QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
     fixture.model().undo();
     QVERIFY(fixture.model().session() == before);
+  }
+
+  void lines_whileTheQuestionIsOpen_areTheSameInEverySpecialCase() {
+    WindowFixture fixture("ray-plane-dot");
+    QVERIFY(fixture.ready);
+    SessionModel &model = fixture.model();
+    const auto linesShown = [&] {
+      QStringList lines;
+      for (const WorkingBlock *block : fixture.practice().working().blocks())
+        if (!block->isHidden())
+          lines << block->accessibleDescription();
+      return lines.join('\n');
+    };
+    int cases = 0;
+    for (const Lesson &lesson : model.library().lessons) {
+      model.openLesson(lesson.id);
+      for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+        if (!predictionOf(lesson.steps[step]))
+          continue;
+        model.setStep(static_cast<int>(step));
+        const QString before = linesShown();
+        std::set<std::string> entries;
+        for (const WorkingLine &line : model.shown().working.lines)
+          entries.insert(entryOf(line.id));
+        for (const NearSpecialCase &near : specialCasesNear(lesson.scene, model.evaluation(), entries))
+          if (near.change) {
+            QCOMPARE(model.edit(*near.change, "go there"), QString());
+            QVERIFY2(linesShown() == before,
+                     qPrintable(QString::fromStdString(lesson.id + ": " + near.sentence)));
+            QVERIFY(!fixture.window.findChild<QPushButton *>("afresh")->isVisible());
+            model.undo();
+            ++cases;
+          }
+      }
+    }
+    QVERIFY(cases > 30);
   }
 
   void step_whoseCaseLacksItsLines_offersToStartAfresh() {

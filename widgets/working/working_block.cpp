@@ -53,8 +53,13 @@ void WorkingBlock::setWorking(const Working &working, Fade fade, std::map<std::s
 
 std::vector<WorkingLine> WorkingBlock::ownLines() const {
   const auto first = m_working.lines.begin();
-  return {first + static_cast<std::ptrdiff_t>(m_shown.begin),
-          first + static_cast<std::ptrdiff_t>(m_shown.end)};
+  std::vector<WorkingLine> lines{first + static_cast<std::ptrdiff_t>(m_shown.begin),
+                                 first + static_cast<std::ptrdiff_t>(m_shown.end)};
+  for (WorkingLine &line : lines)
+    if (hides(line.id)) // a crossed sign of equality would tell what is asked
+      for (Chain &chain : line.chains)
+        chain = chain.asDemand();
+  return lines;
 }
 
 void WorkingBlock::showLines(const Working &working) {

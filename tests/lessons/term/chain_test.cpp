@@ -67,6 +67,12 @@ TEST(Condition, WithoutAnUnknownThatCouldFulfilIt_IsShownAsFalse) {
   EXPECT_EQ(condition(Term(0) == t + 18).relations(), std::vector{Relation::Equal});
 }
 
+TEST(Condition, AsADemand_TellsNothingOfWhetherItCanBeFulfilled) {
+  const Chain chain = condition((Term(0) == t * 0 + 18).then(20));
+  EXPECT_EQ(chain.asDemand().relations(), (std::vector{Relation::Equal, Relation::Unequal}));
+  EXPECT_EQ(plainText((at.n == 1).asDemand()), plainText(at.n == 1)) << "no condition";
+}
+
 TEST(Compared, WritesTheRelationThatHolds) {
   EXPECT_EQ(plainText(compared(at.f, 0)), "f(Q) > 0");
   EXPECT_EQ(plainText(compared(-1, 0)), "−1 < 0");
