@@ -85,8 +85,6 @@ Out compute(const In &in) {
   for (std::size_t i = 0; i < in.planes.size(); ++i)
     meetings.push_back(meetingWith(in.planes[i], i, in));
   std::vector<std::size_t> first = firstOf(meetings);
-  for (const std::size_t place : first) // there H is drawn
-    meetings[place].H = meetings[place].H.marked(in.mark("H"));
   const Term H =
       madeName(in, "H", first.empty() ? ExactVec3(in.L.object.origin) : meetings[first.front()].meet.point);
   return {in, termsOf(in.L), std::move(meetings), std::move(first), H};
@@ -323,7 +321,6 @@ Explanation explain(const In &, const Out &at) {
   return lines;
 }
 
-/// The first of all is H; each other has its plane's letter.
 void drawMeeting(Figure &figure, const Meeting &meeting, const In &in, const Out &at) {
   const Place point = place(meeting.H);
   const bool isAhead = meeting.meet.which == RayPlaneCase::Hit;
@@ -332,8 +329,7 @@ void drawMeeting(Figure &figure, const Meeting &meeting, const In &in, const Out
     figure.reaches.push_back({in.L.id, point});
   else
     figure.add(SegmentMark{{meeting.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  if (const Meeting *first = firstMeeting(at); !first || !isAhead || meeting.meet.t != first->meet.t)
-    figure.add(pointOf(meeting.H, isAhead ? Role::Derived : Role::Ghost, Subject::Ray));
+  figure.add(pointOf(meeting.H, isAhead ? Role::Derived : Role::Ghost, Subject::Ray));
 }
 
 Figure draw(const In &in, const Out &at) {
