@@ -63,6 +63,10 @@ bool isSeenWell(const Object &object, const Sight &sight) {
   if (corners.empty())
     return true;
   const glm::dvec3 area = toDouble(areaOf(corners)) / 2.0;
+  if (area == glm::dvec3(0)) // it has no face, but the line of its corners
+    return std::all_of(corners.begin(), corners.end(), [&](const ExactVec3 &corner) {
+      return isLong(toDouble(ExactVec3(corner - corners.front())), sight);
+    });
   return isOpen(area, sight) && std::abs(glm::dot(area, sight.from)) >= sight.leastArea;
 }
 

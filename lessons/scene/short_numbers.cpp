@@ -164,6 +164,10 @@ Net netOf(const LineObject &line) {
   return {line.point, {v}, isZero(across) ? stepAlong(v, 0, 2) : across, 0};
 }
 
+bool isOnALine(const TriangleObject &triangle) {
+  return isZero(cross(ExactVec3(triangle.p1 - triangle.p0), ExactVec3(triangle.p2 - triangle.p0)));
+}
+
 bool isShort(const Object &object) {
   for (std::size_t index = 0; index < coordinatesOf(object).size(); ++index)
     for (int axis = 0; axis < 3; ++axis) // where there is only x the others are 0
@@ -190,7 +194,7 @@ public:
       object = before;
     else if (const auto plane = objectAs<PlaneObject>(object))
       m_nets.push_back(netOf(*plane));
-    else if (const auto triangle = objectAs<TriangleObject>(object))
+    else if (const auto triangle = objectAs<TriangleObject>(object); triangle && !isOnALine(*triangle))
       m_nets.push_back(netOf(*triangle));
     else if (const auto line = objectAs<LineObject>(object))
       m_nets.push_back(netOf(*line));
@@ -377,7 +381,10 @@ private:
       vector.vector = stepAlong(m_vector->vector, 0, 1);
   }
 
+  /// One whose corners are on one line is drawn so again, but for now and then.
   void draw(TriangleObject &triangle) {
+    if (isOnALine(triangle) && !m_dice.once(freelyOnceIn))
+      return drawOnALine(triangle);
     const int size = m_dice.between(smallestTriangle, largestTriangle);
     const int longest = longestSide / size;
     const ExactVec3 first = m_dice.direction(longest);
@@ -386,6 +393,18 @@ private:
       second = m_dice.direction(longest);
     const ExactVec3 corner = m_dice.position();
     triangle = {corner, corner + first * Rational(size), corner + second * Rational(size)};
+  }
+
+  /// Now and then two corners are one point.
+  void drawOnALine(TriangleObject &triangle) {
+    const ExactVec3 step = m_dice.direction(longestStep);
+    const int first = m_dice.between(-longestStep, longestStep);
+    int second = first;
+    while (second == first && (first == 0 || !m_dice.once(alongOnceIn)))
+      second = m_dice.between(-longestStep, longestStep);
+    triangle.p0 = m_dice.position();
+    triangle.p1 = triangle.p0 + step * Rational(first);
+    triangle.p2 = triangle.p0 + step * Rational(second);
   }
 
   /// At random; straight above, in or below what it looks for; in the plane of a triangle.
@@ -578,15 +597,14 @@ private:
   int m_count = 0;
 };
 
-/// The shortest of some new scenes with an ordinary case, and that of `before` if it has one and that is
-/// wanted: of those of which the same is told beside numbers, where there are such.
+/// The shortest of some new scenes, none of which is degenerate unless `before` is, with the case of that if
+/// it is wanted: of those of which the same is told beside numbers, where there are such.
 std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumbers &wanted) {
   const Evaluation start = evaluate(before);
   if (!start.lastConstruction())
     return before; // nothing is shown as the result
   const Outcome &present = *start.lastConstruction()->outcome;
   const std::vector<std::string> lines = present.explanation->ids();
-  const bool isOneOfACase = wanted.keepCase && !present.told->degenerate;
   Shortest alike;
   Shortest others;
   for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
@@ -596,9 +614,13 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumber
       continue;
     const Evaluation evaluation = evaluate(scene);
     const Outcome &outcome = *evaluation.lastConstruction()->outcome;
-    if (outcome.told->degenerate || (isOneOfACase && outcome.told->name != present.told->name))
+    const bool isOfItsCase = outcome.told->name == present.told->name;
+    const bool isAllowed =
+        present.told->degenerate || (!outcome.told->degenerate && (!wanted.keepCase || isOfItsCase));
+    if (!isAllowed)
       continue;
-    Shortest &kept = !isOneOfACase || outcome.explanation->ids() == lines ? alike : others;
+    Shortest &kept =
+        !wanted.keepCase || (isOfItsCase && outcome.explanation->ids() == lines) ? alike : others;
     kept.compare(std::move(scene), lengthOf(*outcome.values));
   }
   return alike.scene() ? alike.scene() : others.scene();

@@ -15,11 +15,10 @@ struct WantedNumbers {
 };
 
 /// The scene with other coordinates: whole numbers of one digit, chosen so that the last construction's case
-/// stays what it was if that is wanted, or is an ordinary one where it was degenerate, and so that its
-/// results are short. It
-/// has the same lines too, where chance allows: what a lesson says of them goes on to hold. What meets does
-/// so at whole points, and normals are as long as whole numbers say. The same seed gives the same numbers
-/// everywhere.
+/// stays what it was if that is wanted, and so that its results are short. It has the same lines too, where
+/// chance allows: what a lesson says of them goes on to hold. What meets does so at whole points, and normals
+/// are as long as whole numbers say. Of degenerate objects only a triangle is drawn so again: whose corners
+/// are on one line has most often new ones on one line. The same seed gives the same numbers everywhere.
 ///
 /// A scene whose constructions allow nothing of that kind keeps its numbers.
 [[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed, const WantedNumbers &wanted = {});

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace halfspace {
@@ -48,6 +49,19 @@ TEST(NewNumbers, whereTheStepAsksNothing_keepTheCase) {
   const LessonStep &step = stepOf(lesson, false);
   for (std::uint64_t seed = 0; seed < 12; ++seed)
     EXPECT_EQ(caseOf(withNewNumbers(lesson.scene, step, lesson.camera.from, seed)), caseOf(lesson.scene));
+}
+
+TEST(NewNumbers, ofCornersOnALine_areMostOftenOnALineToo) {
+  const Lesson &lesson = *library().find("triangle-degenerate");
+  std::map<std::string, int> cases;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    const Scene renewed = withNewNumbers(lesson.scene, stepOf(lesson, true), lesson.camera.from, seed);
+    ++cases[caseOf(renewed)];
+    EXPECT_EQ(caseOf(withNewNumbers(lesson.scene, stepOf(lesson, false), lesson.camera.from, seed)),
+              caseOf(lesson.scene));
+  }
+  EXPECT_GT(cases[caseOf(lesson.scene)], 12);
+  EXPECT_GT(cases["proper"], 0) << "where a question asks for it, the case varies";
 }
 
 TEST(NumbersOf, anotherScene_areThoseOfObjectsThatAreBuiltAlike) {
