@@ -23,6 +23,7 @@ struct Grip {
   std::string handle; ///< its id
   std::vector<GripPiece> pieces;
   bool isSelected = false;
+  bool isWhole = false;       ///< moves all of its object: its parts are taken before it
   std::optional<Stroke> ring; ///< around a selected handle that moves freely; it is grabbed up to there
 };
 
@@ -37,7 +38,7 @@ inline constexpr double missMargin = 12;
                                         const Figure &figure, const Theme &theme, const View &view);
 
 /// The id of the handle that is grabbed at a pixel, or empty. What is seen there wins, the nearest to the eye
-/// first; beside what is seen, within a margin in pixels, the nearest on the screen. Of handles in one place
+/// first, but what moves a whole object last: its cross may reach over a corner; beside what is seen, within a margin in pixels, the nearest on the screen. Of handles in one place
 /// the selected one wins.
 [[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, double margin);
 
