@@ -24,9 +24,9 @@ QToolButton *tool(const QString &explanation) {
 }
 
 bool hasNumbersToFind(const Working &working) {
-  return std::any_of(working.lines.begin(), working.lines.end(), [](const WorkingLine &line) {
-    return line.asked != Asked::Nothing || !numberGaps(askedChain(line)).empty();
-  });
+  const auto isAsked = [](const WorkingLine &line) { return line.asked != Asked::Nothing; };
+  return std::any_of(working.lines.begin(), working.lines.end(), isAsked) ||
+         !fade(working, Fading::Gaps, {}).gaps.empty();
 }
 
 } // namespace
@@ -142,7 +142,8 @@ void WorkingPractice::count(LineRecord &record, bool right) {
 
 void WorkingPractice::showScore() {
   const Score score = practice().score;
-  m_score->setText(tr("%1 of %n at the first try", "blanks that were tried", score.tried).arg(score.right));
+  m_score->setText(
+      tr("First try: %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
   m_score->setVisible(score.tried > 0 && !m_hidden);
   keepRoom(*m_score, fading() != Fading::None); // the first answer moves nothing
 }
