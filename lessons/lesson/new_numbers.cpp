@@ -6,6 +6,7 @@
 #include "lessons/object/polygon.h"
 #include "lessons/object/ray.h"
 #include "lessons/object/triangle.h"
+#include "lessons/object/vector.h"
 #include "lessons/scene/short_numbers.h"
 
 #include <glm/geometric.hpp>
@@ -59,6 +60,8 @@ bool isSeenWell(const Object &object, const Sight &sight) {
     return isLong(toDouble(ray->direction), sight);
   if (const auto line = objectAs<LineObject>(object))
     return isLong(toDouble(line->direction), sight);
+  if (const auto vector = objectAs<VectorObject>(object))
+    return isLong(toDouble(vector->vector), sight);
   const std::vector<ExactVec3> corners = cornersOf(object);
   if (corners.empty())
     return true;

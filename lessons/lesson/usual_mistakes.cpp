@@ -49,11 +49,12 @@ std::string sentenceOf(const WrongWay &way) {
     return words("{answer} is divided by the root of {divisor} only.",
                  {{"divisor", plainText(way.right->parts[1])}});
   case Slip::NotSquared:
-    return words("{answer} has {instead} where its square belongs.", {{"instead", instead}});
+    return words("{answer} comes out with {instead} where its square belongs.", {{"instead", instead}});
   case Slip::LostSign:
     return words("{answer} leaves out the minus of {right}.", {{"right", right}});
   case Slip::OtherName:
-    return words("{answer} has {instead} where {right} belongs.", {{"instead", instead}, {"right", right}});
+    return words("{answer} comes out with {instead} where {right} belongs.",
+                 {{"instead", instead}, {"right", right}});
   }
   return {};
 }

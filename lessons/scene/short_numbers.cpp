@@ -35,6 +35,7 @@ constexpr int mostAttempts = 100;
 // What is left to chance.
 constexpr int freelyOnceIn = 6; ///< regardless of what is looked for
 constexpr int alongOnceIn = 6;
+constexpr int ordinaryOnceIn = 3; ///< a triangle, where there was none
 
 /// Positions that do not follow from others: small, and mostly where the axes are drawn.
 constexpr int lowestPosition = -3;
@@ -179,8 +180,9 @@ bool isShort(const Object &object) {
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  Renewal(Dice &dice, bool hasSeveralPlanes, bool hasSeveralLines)
-      : m_dice(dice), m_hasSeveralPlanes(hasSeveralPlanes), m_hasSeveralLines(hasSeveralLines) {}
+  /// `keepsLines`: a triangle whose corners are on one line is drawn so again.
+  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, bool keepsLines)
+      : m_dice(dice), m_planes(planes), m_lines(lines), m_keepsLines(keepsLines) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
@@ -254,7 +256,7 @@ private:
 
   void draw(PlaneObject &plane) {
     plane.point = m_dice.position();
-    if (!m_hasSeveralPlanes)
+    if (m_planes < 2)
       plane.normal = m_dice.normal();
     else if (m_nets.empty())
       plane.normal = m_dice.shortestNormal();
@@ -263,13 +265,13 @@ private:
   }
 
   /// The line of two planes has long numbers unless both normals are very short. Now and then they are
-  /// parallel, or the same.
+  /// parallel, or the same if there are no others.
   void drawBeside(const Net &other, PlaneObject &plane) {
     plane.normal = m_dice.direction(1);
     if (!m_dice.once(alongOnceIn))
       return;
     plane.normal = other.normal * Rational(m_dice.sign());
-    if (m_dice.once(2))
+    if (m_planes == 2 && m_dice.once(2))
       plane.point = pointOf(other);
   }
 
@@ -311,7 +313,7 @@ private:
 
   /// Now and then it meets what it looks for in a whole point, lies in it, or is parallel to it.
   void draw(LineObject &line) {
-    const bool isAlone = m_nets.empty() && !m_hasSeveralLines;
+    const bool isAlone = m_nets.empty() && m_lines < 2;
     line = {m_dice.position(), isAlone ? m_dice.shortNormal() : m_dice.shortestNormal()};
     if (m_nets.empty())
       return;
@@ -369,21 +371,22 @@ private:
     return true;
   }
 
-  /// Later ones start where the first does. Now and then they lie along it, or at a right angle to it.
+  /// Later ones start where the first does, and are not as long, so that it is seen by whose length is
+  /// divided. Now and then they are at a right angle to it, or lie along it.
   void draw(VectorObject &vector) {
-    vector.vector = m_dice.shortestNormal();
+    vector.vector = m_dice.shortNormal();
     vector.start = m_vector ? m_vector->start : m_dice.position();
     if (!m_vector)
       return;
+    const ExactVec3 &first = m_vector->vector;
+    while (dot(vector.vector, vector.vector) == dot(first, first))
+      vector.vector = m_dice.once(2) ? m_dice.shortNormal() : m_dice.shortestNormal() * Rational(2);
     if (m_dice.once(alongOnceIn))
-      vector.vector = m_vector->vector * Rational(m_dice.sign());
-    else if (m_dice.once(alongOnceIn))
-      vector.vector = stepAlong(m_vector->vector, 0, 1);
+      vector.vector = m_dice.once(2) ? stepAlong(first, 0, 1) : first * Rational(2 * m_dice.sign());
   }
 
-  /// One whose corners are on one line is drawn so again, but for now and then.
   void draw(TriangleObject &triangle) {
-    if (isOnALine(triangle) && !m_dice.once(freelyOnceIn))
+    if (m_keepsLines && isOnALine(triangle))
       return drawOnALine(triangle);
     const int size = m_dice.between(smallestTriangle, largestTriangle);
     const int longest = longestSide / size;
@@ -395,13 +398,13 @@ private:
     triangle = {corner, corner + first * Rational(size), corner + second * Rational(size)};
   }
 
-  /// Now and then two corners are one point.
+  /// Each corner in a place of its own.
   void drawOnALine(TriangleObject &triangle) {
     const ExactVec3 step = m_dice.direction(longestStep);
-    const int first = m_dice.between(-longestStep, longestStep);
+    const int first = m_dice.sign() * m_dice.between(1, longestStep);
     int second = first;
-    while (second == first && (first == 0 || !m_dice.once(alongOnceIn)))
-      second = m_dice.between(-longestStep, longestStep);
+    while (second == first)
+      second = m_dice.sign() * m_dice.between(1, longestStep);
     triangle.p0 = m_dice.position();
     triangle.p1 = triangle.p0 + step * Rational(first);
     triangle.p2 = triangle.p0 + step * Rational(second);
@@ -489,8 +492,10 @@ private:
   }
 
   Dice &m_dice;
-  bool m_hasSeveralPlanes;
-  bool m_hasSeveralLines;
+  // How many there are:
+  std::ptrdiff_t m_planes;
+  std::ptrdiff_t m_lines;
+  bool m_keepsLines;
   std::vector<Net> m_nets;
   Net m_polygon;                        ///< of the last that was drawn
   std::optional<VectorObject> m_vector; ///< the first
@@ -498,12 +503,12 @@ private:
 };
 
 /// What is looked for before what looks for it.
-void renewAll(std::vector<Object *> objects, Dice &dice) {
-  const auto hasSeveral = [&](std::string_view kind) {
+void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsLines = false) {
+  const auto count = [&](std::string_view kind) {
     return std::count_if(objects.begin(), objects.end(),
-                         [&](const Object *object) { return kindOf(*object) == kind; }) > 1;
+                         [&](const Object *object) { return kindOf(*object) == kind; });
   };
-  Renewal renewal(dice, hasSeveral(PlaneObject::kind), hasSeveral(LineObject::kind));
+  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), keepsLines);
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
@@ -605,11 +610,12 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumber
     return before; // nothing is shown as the result
   const Outcome &present = *start.lastConstruction()->outcome;
   const std::vector<std::string> lines = present.explanation->ids();
+  const bool keepsLines = present.told->degenerate && !dice.once(ordinaryOnceIn);
   Shortest alike;
   Shortest others;
   for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
     Scene scene = before;
-    renewAll(objectsOf(scene), dice);
+    renewAll(objectsOf(scene), dice, keepsLines);
     if (!differEverywhere(scene, before) || (wanted.suits && !wanted.suits(scene)))
       continue;
     const Evaluation evaluation = evaluate(scene);
