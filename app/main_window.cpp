@@ -47,22 +47,8 @@ constexpr int keepDelay = 800;
 /// Whoever lives so long after the first picture of a session has not ended for it.
 constexpr int openedDelay = 1500;
 
-/// A way of more letters is told rounded: its line is read in passing.
-constexpr int longestExactWay = 6;
-
 constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
-
-/// How long a move is, in words: "3", "≈ 1.165".
-QString wayText(const Surd &squareOfWay) {
-  const bool isSurd = squareOfWay.isRational(); // a root of a root is none
-  const Surd way =
-      isSurd ? Surd::root(squareOfWay.rationalPart()) : exactly(std::sqrt(toDouble(squareOfWay)));
-  const auto textOf = [](const Term &term) { return QString::fromStdString(plainText(term)); };
-  const bool isShort = isSurd && textOf(number(way)).size() <= longestExactWay;
-  const WrittenNumber shown = isShort ? written(way) : decimalOf(way, digitsAmongWords);
-  return (isSurd && shown.exact ? QString() : QStringLiteral("≈\u00a0")) + textOf(shown.term);
-}
 
 } // namespace
 
@@ -314,9 +300,7 @@ void MainWindow::showNearby() {
   std::vector<NearbyCase> cases;
   for (const NearSpecialCase &near : m_nearby)
     cases.push_back({unbroken(QString::fromStdString(near.sentence)), near.change.has_value()});
-  // The distance stands last: where there is too little room it is what is cut.
-  const QString words = tr("Close by: %1 Distance %2.", "%1 a sentence, %2 a length: 3")
-                            .arg(cases.front().words, wayText(m_nearby.front().squareOfWay));
+  const QString words = tr("Close by: %1").arg(cases.front().words);
   m_caseLine->setNearby(
       cases.front().canBeReached ? words : tr("%1 There, coordinates have roots.").arg(words), cases);
 }

@@ -209,8 +209,9 @@ WorkingLine restLine(const Out &at) {
 }
 
 WorkingLine perpendicularLine(const Out &at) {
-  return asked(withProducts(dot(at.h, at.v)),
-               words("Always 0: the rest is perpendicular to {v}.", at.letters));
+  return line(withProducts(dot(at.h, at.v)),
+              isZero(at.wOntoV.rejection) ? words("0, because nothing is left.")
+                                          : words("Always 0: the rest is perpendicular to {v}.", at.letters));
 }
 
 Explanation explain(const In &, const Out &at) {

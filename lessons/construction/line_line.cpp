@@ -92,15 +92,11 @@ CaseWords tell(const In &in, const Out &at) {
                   "are parallel.",
                   at.letters)};
   case LineLineCase::Intersecting:
-    return {caseName, words("{p}, and the directions differ: {g} and {h} meet.", at.letters, {{"p", p}})};
+    return {caseName,
+            words("The directions differ, and one point lies on both lines: {g} and {h} meet.", at.letters)};
   case LineLineCase::Skew:
-    return {caseName, at.related.product > 0
-                          ? words("{p} is positive: the lines are skew. Seen with {g.v} pointing at you, {h} "
-                                  "passes {g} counterclockwise.",
-                                  at.letters, {{"p", p}})
-                          : words("{p} is negative: the lines are skew. Seen with {g.v} pointing at you, {h} "
-                                  "passes {g} clockwise.",
-                                  at.letters, {{"p", p}})};
+    return {caseName,
+            words("No plane contains both lines: {g} and {h} are skew, they pass each other.", at.letters)};
   case LineLineCase::NotALine:
     break;
   }

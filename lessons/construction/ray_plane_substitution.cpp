@@ -136,19 +136,14 @@ std::string namesOf(const std::vector<std::size_t> &places, const Out &at) {
 
 /// Of a ray that hits one plane or several.
 std::string hitWords(const Out &at) {
-  const std::string t = equation(firstMeeting(at)->t);
-  const std::vector<std::size_t> hit = placesOf(RayPlaneCase::Hit, at);
-  if (hit.size() == 1) {
-    const WordValues only{{"t", t}, {"plane", firstMeeting(at)->name}};
-    return liesInPlane(at) ? words("{t}: the ray hits {plane}, and no other plane at a single point.", only)
-                           : words("{t}: the ray hits {plane} and no other plane.", only);
-  }
+  // Which plane, or which of them first, is the learner's to find.
+  if (placesOf(RayPlaneCase::Hit, at).size() == 1)
+    return liesInPlane(at) ? words("It hits another plane at a single point: one t is 0 or more.")
+                           : words("One plane has a t of 0 or more: the ray hits this one and no other.");
   if (at.first.size() > 1)
-    return words("{planes} have the same parameter, {t}: the ray hits them at one point.",
-                 {{"planes", namesOf(at.first, at)}, {"t", t}});
-  // Which of them first is the learner's to find.
-  return words("The ray hits {planes}. The smallest of their parameters tells which comes first.",
-               {{"planes", namesOf(hit, at)}});
+    return words("{planes} have the same t ({t}): the ray hits them at one point.",
+                 {{"planes", namesOf(at.first, at)}, {"t", equation(firstMeeting(at)->t)}});
+  return words("More than one plane has a t of 0 or more: the smallest of these tells which is hit first.");
 }
 
 CaseWords tell(const In &, const Out &at) {

@@ -108,7 +108,7 @@ TEST(ListRole, Evaluated_LooksAtItsObjectsInTheirOrder) {
     ids.push_back(given->id);
   EXPECT_EQ(ids, (Ids{"E", "F", "G", "L"}));
   EXPECT_EQ(way.outcome->told->description,
-            "The ray hits E, F and G. The smallest of their parameters tells which comes first.");
+            "More than one plane has a t of 0 or more: the smallest of these tells which is hit first.");
 }
 
 TEST(ListRole, OfARenamedObject_FollowsIt) {
@@ -147,7 +147,7 @@ TEST(ListRole, NearASpecialCase_ChangesTheObjectThatIsMeant) {
   EXPECT_EQ(all.front().sentence, "The ray would hit F and E at one point.");
   EXPECT_EQ(all.front().change.value().name, "E");
   EXPECT_EQ(lastOutcome(evaluate(edited(scene, {all.front().change.value()}))).told->description,
-            "E and F have the same parameter, t_E = 1: the ray hits them at one point.");
+            "E and F have the same t (t_E = 1): the ray hits them at one point.");
 }
 
 } // namespace

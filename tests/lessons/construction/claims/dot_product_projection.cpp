@@ -19,6 +19,8 @@ struct TwoVectors {
 
 bool pointSomewhere(const TwoVectors &at) { return at.pointSomewhere(); }
 bool hasFirst(const TwoVectors &at) { return !vanishes(at.v); }
+/// What is left of w, times v·v.
+ExactVec3 rest(const TwoVectors &at) { return at.w * product(at.v, at.v) - at.v * at.vw; }
 bool hasSecond(const TwoVectors &at) { return !vanishes(at.w); }
 
 } // namespace
@@ -52,7 +54,10 @@ Claims dot_product_projection() {
       {"{w} projected onto {v}: the shadow as an arrow.", hasFirst},
       {"{v} projected onto {w}.", hasSecond},
       {"What is left of {w} when its part along {v} is taken away.", hasFirst},
-      {"Always 0: the rest is perpendicular to {v}.", hasFirst},
+      {"Always 0: the rest is perpendicular to {v}.",
+       [](const TwoVectors &at) { return hasFirst(at) && !vanishes(rest(at)); }},
+      {"0, because nothing is left.",
+       [](const TwoVectors &at) { return hasFirst(at) && vanishes(rest(at)); }},
   });
 }
 

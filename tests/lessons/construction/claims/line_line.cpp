@@ -53,12 +53,8 @@ Claims caseClaims() {
       {"The directions are multiples of each other, and no point lies on both lines: {g} and {h} are "
        "parallel.",
        areParallel},
-      {"{p}, and the directions differ: {g} and {h} meet.", meet},
-      {"{p} is positive: the lines are skew. Seen with {g.v} pointing at you, {h} passes {g} "
-       "counterclockwise.",
-       goesCounterclockwise},
-      {"{p} is negative: the lines are skew. Seen with {g.v} pointing at you, {h} passes {g} clockwise.",
-       goesClockwise},
+      {"The directions differ, and one point lies on both lines: {g} and {h} meet.", meet},
+      {"No plane contains both lines: {g} and {h} are skew, they pass each other.", areSkew},
   });
 }
 

@@ -70,18 +70,16 @@ Claims caseClaims() {
        [](const RayAtPlanes &at) { return !at.arePlanes; }},
       {"The direction {r} is the zero vector: the ray goes nowhere.",
        [](const RayAtPlanes &at) { return !at.isRay; }},
-      {"{t}: the ray hits {plane} and no other plane.",
+      {"One plane has a t of 0 or more: the ray hits this one and no other.",
        [](const RayAtPlanes &at) { return at.hits() == 1 && !at.liesInAPlane(); }},
-      {"{t}: the ray hits {plane}, and no other plane at a single point.",
+      {"It hits another plane at a single point: one t is 0 or more.",
        [](const RayAtPlanes &at) { return at.hits() == 1 && at.liesInAPlane(); }},
-      {"{planes} have the same parameter, {t}: the ray hits them at one point.",
+      {"{planes} have the same t ({t}): the ray hits them at one point.",
        [](const RayAtPlanes &at, const Said &said) {
          return at.ties() > 1 && countNames(said.at("planes")) == static_cast<std::size_t>(at.ties());
        }},
-      {"The ray hits {planes}. The smallest of their parameters tells which comes first.",
-       [](const RayAtPlanes &at, const Said &said) {
-         return at.hits() > 1 && at.ties() == 1 && countNames(said.at("planes")) == at.hits();
-       }},
+      {"More than one plane has a t of 0 or more: the smallest of these tells which is hit first.",
+       [](const RayAtPlanes &at) { return at.hits() > 1 && at.ties() == 1; }},
       {"No plane has a t of 0 or more: the ray meets none of them.",
        [](const RayAtPlanes &at) { return at.isSound() && at.hits() == 0 && !at.liesInAPlane(); }},
       {"The whole ray lies in {planes}. It hits no plane at a single point.",
