@@ -311,6 +311,8 @@ std::vector<LessonWords> wordsOf(const LessonStep &step) {
       [&](const StepNote &note) { words.emplace_back(note.words.markdown, note.words.lines, "note"); },
       [&](const Task &task) {
         words.emplace_back(task.instruction, std::vector{task.line}, "do");
+        if (!task.now.empty())
+          words.emplace_back(task.now, std::vector{task.nowLine}, "now");
         if (!task.answer.empty())
           words.emplace_back(task.answer, std::vector{task.answerLine}, "done");
       },

@@ -74,11 +74,12 @@ struct Condition {
 struct Task {
   std::string instruction;
   std::vector<Condition> conditions;
-  std::string
-      answer{}; ///< to what the instruction asks; told once the task is done, empty where it asks nothing
+  std::string now{};    ///< how far the learner is, told until the task is done; may be empty
+  std::string answer{}; ///< to what the instruction asks, told once it is done; empty where it asks nothing
   // In the file:
   int line = 0; ///< of the instruction
   int conditionsLine = 0;
+  int nowLine = 0;
   int answerLine = 0;
 };
 

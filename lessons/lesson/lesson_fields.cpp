@@ -214,7 +214,7 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   if (!root)
     return root.problem();
   FieldReader fields(*root, file, "");
-  fields.allowOnly({"do", "when", "done"});
+  fields.allowOnly({"do", "when", "now", "done"});
   Task task;
   task.instruction = fields.text("do");
   auto conditions = parseConditions(fields.text("when"));
@@ -225,10 +225,14 @@ Result<Task> readTask(const TextBlock &block, const std::string &file) {
   task.conditions = std::move(*conditions);
   task.line = root->find("do")->line;
   task.conditionsLine = root->find("when")->line;
-  if (const DocumentNode *answer = fields.optional("done")) {
-    task.answer = fields.text("done");
-    task.answerLine = answer->line;
-  }
+  const auto takeIfThere = [&](const char *key, std::string &text, int &line) {
+    if (const DocumentNode *field = fields.optional(key)) {
+      text = fields.text(key);
+      line = field->line;
+    }
+  };
+  takeIfThere("now", task.now, task.nowLine);
+  takeIfThere("done", task.answer, task.answerLine);
   return task;
 }
 

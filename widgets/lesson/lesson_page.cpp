@@ -242,11 +242,11 @@ void LessonPage::scrollTo(const QWidget &part) {
 }
 
 void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
+  const auto fill = [&](const std::string &markdown) { return QString::fromStdString(filled(markdown)); };
   for (const auto &[markdown, label] : m_words)
-    label->setMarkdown(QString::fromStdString(filled(markdown)));
+    label->setMarkdown(fill(markdown));
   for (const auto &[task, row] : m_tasks)
-    row->setWords(QString::fromStdString(filled(task.instruction)),
-                  QString::fromStdString(filled(task.answer)));
+    row->setWords(fill(task.instruction), fill(task.now), fill(task.answer));
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }

@@ -32,8 +32,9 @@ TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
   setTheme(m_theme);
 }
 
-void TaskRow::setWords(const QString &instruction, const QString &answer) {
+void TaskRow::setWords(const QString &instruction, const QString &now, const QString &answer) {
   m_words->setMarkdown(instruction);
+  m_now = now;
   m_answer = answer;
   showRemark();
   tellAccessibly();
@@ -48,7 +49,7 @@ void TaskRow::showRemark() {
   const QString remark = m_state == TaskState::Done ? m_answer
                          : m_state == TaskState::HoldsAlready
                              ? tr("It is so already. Change that, then bring it about again.")
-                             : QString();
+                             : m_now;
   m_remark->setMarkdown(remark);
   m_remark->setVisible(!remark.isEmpty());
 }

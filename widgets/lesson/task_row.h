@@ -8,15 +8,15 @@
 namespace halfspace {
 
 /// The instruction beside an empty circle, or a check mark once it is done; then the answer to what it asks
-/// stands below it. Of what holds already it says that it is still to be brought about: else a learner would
+/// stands below it, and until then how far the learner is. Of what holds already it says that it is still to be brought about: else a learner would
 /// wait for the mark. One that waits for those above it is paler.
 class TaskRow : public QWidget {
   Q_OBJECT
 public:
   explicit TaskRow(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  /// Markdown, in which live values are filled in; the answer may be empty.
-  void setWords(const QString &instruction, const QString &answer);
+  /// Markdown, in which live values are filled in; all but the instruction may be empty.
+  void setWords(const QString &instruction, const QString &now, const QString &answer);
   /// While it is held it becomes no less high.
   void setHeld(bool held);
   void setState(TaskState state);
@@ -27,13 +27,14 @@ protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
-  /// What is said below the instruction: the answer, or that it holds already.
+  /// What is said below the instruction.
   void showRemark();
   void setInks();
   void tellAccessibly();
 
   RichLabel *m_words;
   RichLabel *m_remark;
+  QString m_now;
   QString m_answer;
   TaskState m_state = TaskState::Open;
   Theme m_theme;

@@ -154,7 +154,7 @@ const std::vector<Solution> &solutions() {
        {"T", TriangleObject{{6, 5, 3}, {10, 10, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Make $D$ zero", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {10, 13, 3}}}},
       {"triangle-degenerate", "Now bring the", {"T", TriangleObject{{6, 5, 3}, {10, 10, 3}, {5, 3, 3}}}},
-      {"triangle-degenerate", "Drag $P_1$ until $", {"T", TriangleObject{{6, 5, 3}, {10, 9, 3}, {5, 3, 3}}}},
+      {"triangle-degenerate", "Drag $P_1$ until $", {"T", TriangleObject{{6, 5, 3}, {16, 5, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Put the three", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Make a triangle", {"T", TriangleObject{{6, 5, 3}, {10, 10, 3}, {5, 3, 3}}}},
       {"triangle-degenerate", "Put the corners so", {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},

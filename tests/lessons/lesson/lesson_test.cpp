@@ -135,6 +135,7 @@ foot
 ```task
 do: Go there.
 when: side = negative and f < -1/2
+now: $f$ is {f}.
 done: $Q$ is there.
 ```
 More.
@@ -157,6 +158,7 @@ why: So.
   const std::vector<Task> tasks = tasksOf(first);
   ASSERT_EQ(tasks.size(), 1U);
   EXPECT_EQ(tasks[0].instruction, "Go there.");
+  EXPECT_EQ(tasks[0].now, "$f$ is {f}.");
   EXPECT_EQ(tasks[0].answer, "$Q$ is there.");
   ASSERT_EQ(tasks[0].conditions.size(), 2U);
   EXPECT_EQ(tasks[0].conditions[1].relation, Condition::Relation::Less);

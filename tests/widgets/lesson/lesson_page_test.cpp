@@ -237,7 +237,7 @@ private slots:
   }
 
   void whatATaskAsks_isAnsweredOnceItIsDone() {
-    ShownPage shown(lessonOf({{"Do", {Task{"Turn it. What is it?", {}, "It is %1."}, StepLines()}}}));
+    ShownPage shown(lessonOf({{"Do", {Task{"Turn it. What is it?", {}, {}, "It is %1."}, StepLines()}}}));
     shown.fill("3");
     const auto isAnswered = [&] { return shown.words("It is 3."); };
     for (const TaskState state : {TaskState::Open, TaskState::HoldsAlready, TaskState::Waiting}) {
@@ -508,7 +508,7 @@ private slots:
     std::string many;
     for (int i = 0; i < 60; ++i)
       many += "Many words stand above it. ";
-    ShownPage shown(lessonOf({{"Tasks", {StepLines(), StepWords{many}, Task{"What?", {}, "This."}}}}), 0,
+    ShownPage shown(lessonOf({{"Tasks", {StepLines(), StepWords{many}, Task{"What?", {}, {}, "This."}}}}), 0,
                     smallPage);
     QVERIFY(shown.ready);
     shown.fill();
