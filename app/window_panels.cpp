@@ -20,12 +20,7 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
-namespace {
-
-/// From here on, in pixels, a window is high enough for a line below the scene with rows to spare.
-constexpr int highWindow = 900;
-
-} // namespace
+namespace {} // namespace
 
 void MainWindow::createPanels() {
   m_practice = new WorkingPractice(*m_typesetter);
@@ -189,7 +184,7 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
   if (pageTypeScale() != m_pageTypeScale)
     showPageLook();
   sharePage();
-  m_caseLine->setInHighWindow(height() >= highWindow);
+  m_caseLine->setWindowHeight(height());
   showLessonTitle();
 }
 

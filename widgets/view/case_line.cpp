@@ -1,6 +1,5 @@
 #include "widgets/view/case_line.h"
 
-#include "widgets/keep_room.h"
 #include "widgets/repolish.h"
 #include "widgets/text/indices.h"
 #include "widgets/view/fitted_label.h"
@@ -11,6 +10,8 @@
 #include <QPushButton>
 #include <QStackedLayout>
 #include <QVariant>
+
+#include <algorithm>
 
 namespace halfspace {
 namespace {
@@ -24,11 +25,11 @@ QLabel *wrappedLabel(const char *name) {
   return label;
 }
 
-/// So many lines of letters, with indices, which make them higher.
-QString lettersFor(int lines, int letters) {
+/// So many rows of letters, with indices, which make them higher.
+QString lettersFor(int rows, int letters) {
   const QString word = QStringLiteral("letter_s ");
-  const QString line = richTextOf(word.repeated(letters / static_cast<int>(word.size())).trimmed());
-  return line + (QStringLiteral("<br>") + line).repeated(lines - 1);
+  const QString row = richTextOf(word.repeated(letters / rows / static_cast<int>(word.size())).trimmed());
+  return row + (QStringLiteral("<br>") + row).repeated(rows - 1);
 }
 
 /// A label with words that there is to be room for; it is never shown.
@@ -59,6 +60,13 @@ template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
 constexpr int lettersOfCase = 112;
 constexpr int lettersOfNearby = 88;
 constexpr int rowsInHighWindow = 2;
+/// From here on, a window is a high one, in pixels.
+constexpr int highWindow = 900;
+constexpr int usualWindow = 800;
+/// In windows of large type, what the line may take of their height.
+constexpr int windowsInLine = 4;
+/// Beside the ways there, words of fewer letters in a row are no help.
+constexpr int leastLettersOfNearby = 24;
 
 QPushButton *flatButton(const char *name, const QString &words) {
   auto *button = new QPushButton(words);
@@ -72,8 +80,8 @@ QPushButton *flatButton(const char *name, const QString &words) {
 } // namespace
 
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
-    : QWidget(parent), m_case(new FittedLabel("case")), m_roomOfCase(roomFor("usualCase")),
-      m_message(wholeLabel("message")), m_nearby(new FittedLabel("nearby")),
+    : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
+      m_nearby(new FittedLabel("nearby")), m_roomOfCase(roomFor("usualCase")),
       m_roomOfNearby(roomFor("usualNearby")), m_there(flatButton("there", tr("Take me there"))),
       m_others(flatButton("others", tr("More") + QStringLiteral(" ▾"))), m_all(new QMenu(m_others)),
       m_afresh(flatButton("afresh", tr("Start this step afresh"))), m_complaint(wrappedLabel("complaint")) {
@@ -84,23 +92,23 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   m_others->setAccessibleDescription(tr("All special cases near this one"));
   m_case->setAlignment(Qt::AlignLeft | Qt::AlignBottom); // beside what is near
   m_nearby->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  setInHighWindow(false);
-  offerAfresh(false);
+  m_column = createColumn();
   m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
   connect(m_afresh, &QPushButton::clicked, this, &CaseLine::afreshChosen);
   offer({});
-  m_second = stackOf(createNearbyRow(), m_message);
-  auto *column = new QVBoxLayout;
-  column->setSpacing(0);
-  column->addLayout(stackOf(m_case, m_roomOfCase), 1);
-  column->addLayout(m_second);
   auto *layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(column, 3);
+  layout->addWidget(m_column, 3);
   layout->addWidget(m_complaint, 2);
   m_complaint->hide();
+  for (QLabel *room : {m_roomOfCase, m_roomOfNearby}) {
+    room->setParent(this);
+    room->hide();
+  }
+  setWindowHeight(usualWindow);
+  offerAfresh(false);
   m_messageTimer.setSingleShot(true);
   m_messageTimer.setInterval(readingTime);
   connect(&m_messageTimer, &QTimer::timeout, this, &CaseLine::endMessage);
@@ -111,27 +119,69 @@ QWidget *CaseLine::createNearbyRow() {
   auto *layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(stackOf(m_nearby, m_roomOfNearby), 1);
+  layout->addWidget(m_nearby, 1);
+  layout->addStretch();
   for (QPushButton *button : {m_there, m_others, m_afresh})
     layout->addWidget(button, 0, Qt::AlignTop);
   return row;
 }
 
-void CaseLine::setInHighWindow(bool isHigh) {
-  const int rows = isHigh ? rowsInHighWindow : 1;
-  m_roomOfCase->setText(lettersFor(rows, lettersOfCase / rows));
-  m_roomOfNearby->setText(lettersFor(rows, lettersOfNearby / rows));
+QWidget *CaseLine::createColumn() {
+  m_second = new QWidget;
+  m_pages = stackOf(createNearbyRow(), m_message);
+  m_second->setLayout(m_pages);
+  auto *column = new QWidget;
+  auto *layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_case, 1);
+  layout->addWidget(m_second);
+  return column;
+}
+
+void CaseLine::setWindowHeight(int height) {
+  const int rows = height >= highWindow ? rowsInHighWindow : 1;
+  m_roomOfCase->setText(lettersFor(rows, lettersOfCase));
+  m_roomOfNearby->setText(lettersFor(rows, lettersOfNearby));
+  m_most = height / windowsInLine;
+  share();
 }
 
 bool CaseLine::event(QEvent *event) {
+  const bool done = QWidget::event(event);
+  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
+    share();
   // Where a button has gone Qt leaves pieces of the words that it had cut.
   if (event->type() == QEvent::LayoutRequest)
     update();
-  return QWidget::event(event);
+  return done;
+}
+
+bool CaseLine::hasRoomForNearbyWords() const {
+  int room = m_column->width();
+  for (const QPushButton *button : {m_there, m_others, m_afresh})
+    room -= button->isHidden() ? 0 : button->sizeHint().width();
+  return room >= leastLettersOfNearby * m_nearby->fontMetrics().averageCharWidth();
+}
+
+void CaseLine::share() {
+  const int width = m_column->width();
+  const int ofButtons = m_there->sizeHint().height();
+  const int ofNearby = std::max(m_roomOfNearby->heightForWidth(width), ofButtons);
+  const int whole = std::min(m_roomOfCase->heightForWidth(width) + ofNearby, m_most);
+  const bool isTelling = m_pages->currentWidget() == m_message;
+  const int ofSecond = isTelling ? std::max(m_message->heightForWidth(width), ofButtons) : ofButtons;
+  const int ofCase = std::clamp(m_case->heightOfAll(width), std::max(whole - ofNearby, 0), whole);
+  const bool hasRoomForBoth = ofCase + ofSecond <= whole;
+  m_second->setVisible(hasRoomForBoth || isTelling || !m_afresh->isHidden());
+  m_second->setFixedHeight(hasRoomForBoth ? whole - ofCase : ofSecond);
+  m_nearby->setVisible(hasRoomForNearbyWords());
+  m_column->setMinimumHeight(isTelling ? std::max(whole, whole - ofNearby + ofSecond) : whole);
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
   m_case->setWords(words);
+  share();
   if (m_case->property("degenerate") == degenerate)
     return;
   m_case->setProperty("degenerate", degenerate);
@@ -140,6 +190,7 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
 
 void CaseLine::setNearby(const QString &words, const std::vector<NearbyCase> &cases) {
   m_nearby->setWords(words);
+  m_there->setToolTip(richTextOf(words));
   if (cases != m_cases)
     offer(cases);
 }
@@ -153,31 +204,33 @@ void CaseLine::offer(const std::vector<NearbyCase> &cases) {
       connect(m_all->addAction(cases[i].words), &QAction::triggered, this,
               [this, which = static_cast<int>(i)] { emit nearbyChosen(which); });
   m_others->setVisible(m_all->actions().size() > (m_there->isHidden() ? 0 : 1));
+  share();
 }
 
 void CaseLine::offerAfresh(bool offered) {
   m_afresh->setVisible(offered);
-  // Where there is nothing to say the row stays: else the picture would jump. Beside another button there is
-  // no room to spare.
-  keepRoom(*m_there, !offered);
-  keepRoom(*m_others, !offered);
+  share();
 }
 
 void CaseLine::say(const QString &sentence) {
   showWords(*m_message, sentence);
-  m_second->setCurrentWidget(m_message);
+  m_pages->setCurrentWidget(m_message);
+  share();
   m_messageTimer.start();
 }
 
 void CaseLine::endMessage() {
   m_messageTimer.stop();
-  m_second->setCurrentIndex(0);
+  m_pages->setCurrentIndex(0);
+  share();
 }
 
 void CaseLine::complain(const QString &sentence, const QString &details) {
   m_complaint->setText(sentence);
   m_complaint->setToolTip(details.toHtmlEscaped());
   m_complaint->setVisible(!sentence.isEmpty());
+  layout()->activate();
+  share();
 }
 
 } // namespace halfspace

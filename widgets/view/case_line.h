@@ -25,10 +25,10 @@ struct NearbyCase {
 
 /// The case in plain words, and beside it, as long as it holds, what the program has to complain of. Below
 /// them the nearest special case, with a way there and to the others; in its place, for a moment, what the
-/// program has to tell. As long as width and type are the same it keeps its height: the picture above it
-/// would jump with the words. More words than there is room for are cut short, and stand in full where the
-/// pointer rests on them; but a message has the whole row, which becomes as high as it needs and stays so
-/// until the next.
+/// program has to tell. As long as window and type are the same it keeps its height: the picture above it
+/// would jump with the words. The case is what counts: a long one takes the place of what is near, and in a
+/// narrow line the words for that go before the ways there. More words than there is room for are cut short,
+/// and stand in full where the pointer rests on them; but a message is as high as it needs.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
@@ -36,8 +36,9 @@ public:
   /// What it says stands there for `readingTime`.
   explicit CaseLine(std::chrono::milliseconds readingTime = usualReadingTime, QWidget *parent = nullptr);
 
-  /// There, its words have more room: the case is the one sentence that all in a class should read.
-  void setInHighWindow(bool isHigh);
+  /// In a high window its words have more room: the case is the one sentence that all in a class should read.
+  /// It is never higher than a quarter of the window.
+  void setWindowHeight(int height);
   /// `degenerate`: the words are a warning.
   void setCase(const QString &words, bool degenerate);
   /// What is said of the nearest special case, empty for none, and all that there are, the nearest first.
@@ -60,20 +61,28 @@ protected:
 
 private:
   [[nodiscard]] QWidget *createNearbyRow();
+  [[nodiscard]] QWidget *createColumn();
   void offer(const std::vector<NearbyCase> &cases);
+  /// Shares the room between the case and what stands below it.
+  void share();
+  [[nodiscard]] bool hasRoomForNearbyWords() const;
 
   FittedLabel *m_case;
-  QLabel *m_roomOfCase;
   QLabel *m_message;
   FittedLabel *m_nearby;
+  QWidget *m_column = nullptr; ///< of all these
+  // Never seen: as high as the room that there is to be.
+  QLabel *m_roomOfCase;
   QLabel *m_roomOfNearby;
-  QPushButton *m_there;  ///< leads to the nearest
-  QPushButton *m_others; ///< opens a menu of all
+  int m_most; ///< the line's greatest height
+  QPushButton *m_there;      ///< leads to the nearest
+  QPushButton *m_others;     ///< opens a menu of all
   QMenu *m_all;
   QPushButton *m_afresh; ///< leads back to the start
   std::vector<NearbyCase> m_cases;
   QLabel *m_complaint;
-  QStackedLayout *m_second = nullptr; ///< what is near, and a message, one at a time
+  QWidget *m_second = nullptr;       ///< what is near, and a message, one at a time
+  QStackedLayout *m_pages = nullptr; ///< of these two
   QTimer m_messageTimer;
 };
 

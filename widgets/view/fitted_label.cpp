@@ -31,7 +31,17 @@ void FittedLabel::setWords(const QString &words) {
   if (words == m_words)
     return;
   m_words = words;
+  m_whole = {};
   fit();
+}
+
+int FittedLabel::heightOfAll(int width) {
+  if (m_whole.width() != width) {
+    showWords(*this, m_words);
+    m_whole = {width, QLabel::heightForWidth(width)};
+    fit();
+  }
+  return m_whole.height();
 }
 
 bool FittedLabel::fits() const { return QLabel::heightForWidth(width()) <= height(); }
@@ -61,8 +71,10 @@ void FittedLabel::resizeEvent(QResizeEvent *event) {
 
 void FittedLabel::changeEvent(QEvent *event) {
   QLabel::changeEvent(event);
-  if (event->type() == QEvent::FontChange)
-    fit();
+  if (event->type() != QEvent::FontChange && event->type() != QEvent::StyleChange)
+    return;
+  m_whole = {};
+  fit();
 }
 
 } // namespace halfspace

@@ -16,6 +16,8 @@ public:
   void setWords(const QString &words);
   /// All of them, however many are shown.
   [[nodiscard]] const QString &words() const { return m_words; }
+  /// The height that all of them need.
+  [[nodiscard]] int heightOfAll(int width);
 
   [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
@@ -32,6 +34,7 @@ private:
   void fit();
 
   QString m_words;
+  QSize m_whole{-1, -1}; ///< all words have this size; invalid while nobody has asked
 };
 
 } // namespace halfspace

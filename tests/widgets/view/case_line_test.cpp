@@ -25,6 +25,13 @@ struct ShownLine {
     const auto *label = line.findChild<QLabel *>(name);
     return label->isVisible() ? label->text() : QString();
   }
+  /// As wide as that, and as high as it needs.
+  void setWidth(int width) {
+    line.resize(width, 40);
+    QCoreApplication::processEvents();
+    line.resize(width, line.heightForWidth(width));
+    QCoreApplication::processEvents();
+  }
   CaseLine line;
 };
 
@@ -69,7 +76,7 @@ private slots:
       shown.line.resize(width, 40);
       QCoreApplication::processEvents();
       const auto height = [&] {
-        shown.line.layout()->activate();
+        QCoreApplication::processEvents();
         return shown.line.heightForWidth(width);
       };
       shown.line.setCase("t = 3.", false);
@@ -86,7 +93,7 @@ private slots:
 
   void case_ofUsualLength_isSeenWhole_andALongOneWhereThePointerRests() {
     ShownLine shown;
-    shown.line.resize(600, shown.line.heightForWidth(600));
+    shown.setWidth(600);
     QCoreApplication::processEvents();
     auto *label = shown.line.findChild<QLabel *>("case");
     const QString usual =
@@ -100,17 +107,48 @@ private slots:
     QVERIFY(label->toolTip().contains(longOne));
   }
 
-  void case_longerThanARow_isSeenWholeInAHighWindow() {
+  void longCase_isSeenWhole_inThePlaceOfWhatIsNear() {
     const QString sentence = "The ray's line goes through the triangle, inside the triangle. But λ = −3/5 is "
-                             "negative: that is behind the ray's start.";
-    for (const bool isHigh : {false, true}) {
-      ShownLine shown;
-      shown.line.setInHighWindow(isHigh);
-      shown.line.resize(700, shown.line.heightForWidth(700));
-      shown.line.setCase(sentence, false);
+                             "negative: that is behind the ray's start. The Plücker products cannot see it.";
+    ShownLine shown;
+    shown.line.setNearby("It would touch.", {{"It would touch.", true}});
+    shown.setWidth(400);
+    const int height = shown.line.height();
+    shown.line.setCase(sentence, false);
+    QCoreApplication::processEvents();
+    QCOMPARE(shown.said("case"), sentence);
+    QCOMPARE(shown.said("nearby"), QString());
+    shown.line.say("Saved.");
+    QCoreApplication::processEvents();
+    QCOMPARE(shown.said("message"), QString("Saved."));
+    shown.line.setCase("It hits.", false);
+    shown.line.endMessage();
+    QCoreApplication::processEvents();
+    QCOMPARE(shown.said("nearby"), QString("It would touch."));
+    QCOMPARE(shown.line.heightForWidth(400), height);
+  }
+
+  void highWindow_hasRoomForTwoRowsOfTheCase_andALowOneForAQuarter() {
+    ShownLine shown;
+    const auto heightIn = [&](int window, int width) {
+      shown.line.setWindowHeight(window);
+      shown.setWidth(width);
+      return shown.line.height();
+    };
+    QVERIFY(heightIn(1000, 1000) > heightIn(800, 1000));
+    QVERIFY(heightIn(400, 200) <= 100);
+  }
+
+  void narrowLine_offersTheWayThereWithoutWords() {
+    ShownLine shown;
+    const QString near = "The ray would run parallel to the plane.";
+    shown.line.setNearby(near, {{near, true}, {near, true}});
+    for (const int width : {600, 240}) {
+      shown.setWidth(width);
       QCoreApplication::processEvents();
-      QCOMPARE(shown.said("case") == sentence, isHigh);
-      QCOMPARE(shown.said("case").endsWith("\u00a0…"), !isHigh);
+      QCOMPARE(shown.line.findChild<QLabel *>("nearby")->isVisible(), width == 600);
+      QVERIFY(shown.line.findChild<QPushButton *>("there")->isVisible());
+      QCOMPARE(shown.line.findChild<QPushButton *>("there")->toolTip(), near);
     }
   }
 
@@ -121,7 +159,7 @@ private slots:
       const QString nearby = "The ray r_Q would go through the corner P_0.";
       shown.line.setNearby(nearby, {{nearby, true}});
       shown.line.setCase(usual, false);
-      shown.line.resize(width, shown.line.heightForWidth(width));
+      shown.setWidth(width);
       QCoreApplication::processEvents();
       QCOMPARE(shown.said("case"), richTextOf(usual));
       QCOMPARE(shown.said("nearby"), richTextOf(nearby));
@@ -139,7 +177,7 @@ private slots:
       shown.line.setNearby("It would be parallel.",
                            {{"It would be parallel.", true}, {"It would touch.", true}});
       shown.line.say(sentence);
-      shown.line.resize(600, shown.line.heightForWidth(600));
+      shown.setWidth(600);
       QCoreApplication::processEvents();
       const auto &message = *shown.line.findChild<QLabel *>("message");
       QCOMPARE(message.text(), sentence);
