@@ -164,6 +164,12 @@ void LessonPage::showNextButton() {
   m_next->setText(endsLesson ? tr("Next lesson") : tr("Next"));
   m_next->setToolTip(endsLesson ? m_nextLesson : QString());
   m_next->setEnabled(!isLast || endsLesson);
+  keepButtonsWhole();
+}
+
+void LessonPage::keepButtonsWhole() {
+  for (QPushButton *button : {m_back, m_next})
+    button->setMinimumSize((smallestButton * m_theme.textScale).expandedTo({button->sizeHint().width(), 0}));
 }
 
 void LessonPage::goOn() {
@@ -321,8 +327,7 @@ void LessonPage::setGaps() {
     column->setSpacing(scaled(blockGap));
   m_above->setSpacing(scaled(headSpacing));
   m_head->setSpacing(scaled(headGap));
-  for (QPushButton *button : {m_back, m_next})
-    button->setMinimumSize(smallestButton * m_theme.textScale);
+  keepButtonsWhole();
   setMargins();
 }
 

@@ -84,6 +84,7 @@ private:
   /// So that no line of words gets too long.
   void setMargins();
   void showNextButton();
+  void keepButtonsWhole();
   void goOn();
   void scrollTo(const QWidget &part);
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }

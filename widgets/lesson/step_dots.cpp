@@ -15,6 +15,7 @@ namespace {
 
 // At a text scale of 1.
 constexpr double usualSpacing = 16;
+constexpr double leastSpacing = 9;
 constexpr double usualRadius = 3.5;
 constexpr double usualCurrentRadius = 5;
 constexpr double usualHeight = 22;
@@ -22,7 +23,7 @@ constexpr double usualHeight = 22;
 } // namespace
 
 StepDots::StepDots(QWidget *parent) : QWidget(parent), m_theme(themes().front()) {
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 }
 
 void StepDots::setSteps(const QStringList &titles) {
@@ -48,11 +49,18 @@ void StepDots::tellAccessibly() {
   setAccessibleName(tr("Step %1 of %2").arg(m_current + 1).arg(m_titles.size()));
 }
 
-double StepDots::spacing() const { return usualSpacing * m_theme.textScale; }
+double StepDots::spacing() const {
+  return std::min(usualSpacing * m_theme.textScale, width() / std::max(1.0, double(m_titles.size())));
+}
 
-QSize StepDots::sizeHint() const {
-  return {static_cast<int>(std::ceil(spacing() * m_titles.size())),
-          static_cast<int>(std::ceil(usualHeight * m_theme.textScale))};
+QSize StepDots::sizeHint() const { return sizeWith(usualSpacing); }
+
+QSize StepDots::minimumSizeHint() const { return sizeWith(leastSpacing); }
+
+QSize StepDots::sizeWith(double spacing) const {
+  const double scale = m_theme.textScale;
+  return {static_cast<int>(std::ceil(spacing * scale * m_titles.size())),
+          static_cast<int>(std::ceil(usualHeight * scale))};
 }
 
 QPointF StepDots::center(int step) const { return {spacing() * (step + 0.5), height() / 2.0}; }

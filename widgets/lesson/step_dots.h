@@ -21,6 +21,8 @@ public:
   void setTheme(const Theme &theme);
 
   [[nodiscard]] QSize sizeHint() const override;
+  /// Where there is little room the dots stand closer.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
   void clicked(int step);
@@ -32,6 +34,7 @@ protected:
 
 private:
   [[nodiscard]] double spacing() const;
+  [[nodiscard]] QSize sizeWith(double spacing) const;
   [[nodiscard]] QPointF center(int step) const;
   /// The step whose dot is nearest to a place; −1 without steps.
   [[nodiscard]] int stepAt(QPoint position) const;

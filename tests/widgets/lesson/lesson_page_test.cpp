@@ -504,6 +504,23 @@ private slots:
     QCOMPARE(bar.value(), 0);
   }
 
+  void buttonsOfTheFoot_areWholeBesideManySteps() {
+    Lesson lesson = lessonOf(std::vector<LessonStep>(12, {"Step", {StepLines()}}));
+    ShownPage shown(lesson, 11, {460, 600});
+    shown.page.setNextLesson("What does a dot product tell?");
+    for (const double scale : {1.0, 1.5}) {
+      Theme theme = themes().front();
+      theme.textScale = scale;
+      QFont type = shown.page.font();
+      type.setPointSizeF(10 * scale);
+      shown.page.setFont(type);
+      shown.page.setTheme(theme);
+      QCoreApplication::processEvents();
+      QVERIFY(shown.next()->width() >= shown.next()->sizeHint().width());
+      QVERIFY(!shown.next()->geometry().intersects(shown.page.findChild<StepDots *>()->geometry()));
+    }
+  }
+
   void answerOfTheLastTask_comesIntoView() {
     std::string many;
     for (int i = 0; i < 60; ++i)
