@@ -271,10 +271,12 @@ void MainWindow::judgeStep() {
 
 void MainWindow::followGesture() {
   m_page->setHeld(m_model.inGesture());
-  if (m_model.inGesture())
-    m_caseLine->endMessage();
-  else
-    judgeStep();
+  if (!m_model.inGesture())
+    return judgeStep();
+  m_caseLine->endMessage();
+  // What was refused before is not what the hand is about now.
+  m_inspector->given().dropTyped();
+  m_card->given().dropTyped();
 }
 
 void MainWindow::showCase() {
@@ -318,6 +320,8 @@ bool MainWindow::lacksLines() {
 
 void MainWindow::startOver() {
   dropTyped(); // what was refused is gone too
+  if (predictionOf(m_model.step()))
+    reopenQuestion(); // the next group in class begins anew
   m_model.resetScene();
 }
 

@@ -536,6 +536,15 @@ private slots:
     QVERIFY(cases > 30);
   }
 
+  void startOver_asksTheQuestionOfTheStepAgain() {
+    WindowFixture fixture("signed-distance");
+    QVERIFY(fixture.ready);
+    fixture.answer(0);
+    QVERIFY(!fixture.questionIsOpen());
+    fixture.action(QKeySequence("Ctrl+R"))->trigger();
+    QVERIFY(fixture.questionIsOpen());
+  }
+
   void step_whoseCaseLacksItsLines_offersToStartAfresh() {
     WindowFixture fixture("ray-plane-dot");
     QVERIFY(fixture.ready);
