@@ -143,7 +143,7 @@ private slots:
     NumberField *field = fixture.field("Q", 0);
     QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
     for (int x = 20; x <= 60; x += 8) {
-      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
+      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal(QPoint(x, 8)), Qt::NoButton,
                        Qt::LeftButton, {});
       QCoreApplication::sendEvent(field, &move);
     }
@@ -159,7 +159,7 @@ private slots:
     field->setFocus();
     const auto drag = [&] {
       QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
-      QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal({60, 8}), Qt::NoButton,
+      QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal(QPoint(60, 8)), Qt::NoButton,
                        Qt::LeftButton, {});
       QCoreApplication::sendEvent(field, &move);
       QTest::mouseRelease(field, Qt::LeftButton, {}, {60, 8});
@@ -193,7 +193,7 @@ private slots:
     QPointer<NumberField> field = fixture.field("L.r", 0);
     QTRY_COMPARE(field->text(), QString("-2"));
     const auto moveTo = [&](int x) {
-      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal({x, 8}), Qt::NoButton,
+      QMouseEvent move(QEvent::MouseMove, QPoint(x, 8), field->mapToGlobal(QPoint(x, 8)), Qt::NoButton,
                        Qt::LeftButton, {});
       QCoreApplication::sendEvent(field, &move);
       QTest::qWait(60);
@@ -214,7 +214,7 @@ private slots:
     QVERIFY(fixture.ready);
     NumberField *field = fixture.field("Q", 0);
     QTest::mousePress(field, Qt::LeftButton, {}, {20, 8});
-    QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal({60, 8}), Qt::NoButton,
+    QMouseEvent move(QEvent::MouseMove, QPoint(60, 8), field->mapToGlobal(QPoint(60, 8)), Qt::NoButton,
                      Qt::LeftButton, {});
     QCoreApplication::sendEvent(field, &move);
     QVERIFY(fixture.value("Q").x != 11);
