@@ -16,7 +16,7 @@ inline constexpr int usualPageLetters = 59;
 inline constexpr int leastPageLetters = 30;
 // Of the window.
 inline constexpr double mostPageShare = 0.36;      ///< of a page with the usual letters
-inline constexpr double mostWidePageShare = 0.40;  ///< the same where the scene stays wide beside it
+inline constexpr double mostWidePageShare = 0.42;  ///< the same where the scene stays wide beside it
 inline constexpr double mostNarrowPageShare = 0.5; ///< of one with the least: large type in a small window
 inline constexpr double pageShareBelow = 0.46;     ///< of its height, where the page goes below the scene
 /// Of a page that stands alone: its longest lines take no more.
