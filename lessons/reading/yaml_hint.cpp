@@ -148,7 +148,8 @@ YamlHint yamlHint(std::string_view text, std::string_view reason, int line) {
   const std::string_view wrong = lineIn(text, line);
   if (wrong.starts_with('\t'))
     return {words("Perhaps spaces are meant: this line is indented by a tab."), line};
-  if (speaksOf("end of") && wrong.find_first_of("'\"") != std::string_view::npos)
+  // Newer libraries speak of a scalar.
+  if ((speaksOf("end of") || speaksOf("scalar")) && wrong.find_first_of("'\"") != std::string_view::npos)
     return {words("Perhaps a text in quotes has such a quote in it: write that twice."), line};
   if (speaksOf("end of"))
     return {words("Perhaps this line is indented too much or too little."), line};

@@ -99,32 +99,32 @@ const std::vector<Mistake> &mistakes() {
       {"sources: []", "sources: " + std::string(100, '[') + std::string(100, ']'), 5,
        "Lists and maps are nested too deeply"},
       {"sources: []", "sources: [", 5,
-       "This is not YAML as it should be: illegal block entry. Perhaps a ] is missing: this [ is never "
+       "This is not YAML as it should be: …. Perhaps a ] is missing: this [ is never "
        "closed."},
       {"title: My first lesson", "title: Roof: how far", 3,
-       "This is not YAML as it should be: illegal map value. A text with a colon in it needs quotes. Perhaps "
+       "This is not YAML as it should be: …. A text with a colon in it needs quotes. Perhaps "
        "“title: 'Roof: how far'” is meant."},
       {"title: My first lesson", "title: Half-open, [0, 1)\ntitle: Again", 4, "“title” stands here twice"},
       {"P0: [5, 4, 7],", "P0: [5, 4, 7,", 7,
-       "This is not YAML as it should be: illegal flow end. Perhaps a ] is missing: this [ is never closed."},
+       "This is not YAML as it should be: …. Perhaps a ] is missing: this [ is never closed."},
       {"title: My first lesson", "title: 'It's mine'", 3,
-       "This is not YAML as it should be: end of map not found. Perhaps a text in quotes has such a quote in "
+       "This is not YAML as it should be: …. Perhaps a text in quotes has such a quote in "
        "it: "
        "write that twice."},
       {"  - {name: Q", "\t- {name: Q", 8,
-       "This is not YAML as it should be: illegal block entry. Perhaps spaces are meant: this line is "
+       "This is not YAML as it should be: …. Perhaps spaces are meant: this line is "
        "indented "
        "by a tab."},
       {"  - {name: Q", " - {name: Q", 8,
-       "This is not YAML as it should be: end of map not found. Perhaps this line is indented too much or "
+       "This is not YAML as it should be: …. Perhaps this line is indented too much or "
        "too "
        "little."},
       {"n: [1, 2, 2]", "n:[1, 2, 2]", 7,
-       "This is not YAML as it should be: end of map flow not found. Perhaps a comma is missing, or the "
+       "This is not YAML as it should be: …. Perhaps a comma is missing, or the "
        "space "
        "behind a colon."},
       {"[11, 15, 8]}", "[11, 15, 8]]}", 8,
-       "This is not YAML as it should be: illegal flow end. Perhaps there is a ] too many."},
+       "This is not YAML as it should be: …. Perhaps there is a ] too many."},
       {"of: {E: E, Q: Q}}", "of: {E: E, Q: Q}", 9,
        "A list or a map cannot be a name. Names are plain words. Perhaps a } is missing: this { is never "
        "closed."},
@@ -208,6 +208,14 @@ TEST_F(Program, Lines_NamedNone_AreNone_AndPassTheCheck) {
   EXPECT_EQ(ran.status, 0) << ran.out;
 }
 
+/// Whether it begins so; `…` stands for what the library of YAML says, which is not the same everywhere.
+bool tells(const std::string &out, const std::string &beginning) {
+  const std::string reason = "…";
+  const auto at = beginning.find(reason);
+  return out.starts_with(beginning.substr(0, at)) &&
+         (at == std::string::npos || out.find(beginning.substr(at + reason.size()), at) != std::string::npos);
+}
+
 TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) {
   ASSERT_EQ(run("new-lesson base").status, 0);
   const std::string base = contentOf(inFolder("base.md"));
@@ -217,8 +225,7 @@ TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) 
     write("base.md", std::string(base).replace(place, mistake.right.size(), mistake.wrong));
     const Ran ran = run("check base.md");
     EXPECT_EQ(ran.status, 1) << mistake.wrong;
-    EXPECT_TRUE(ran.out.starts_with("base.md:" + std::to_string(mistake.line) + ": " + mistake.told))
-        << ran.out;
+    EXPECT_TRUE(tells(ran.out, "base.md:" + std::to_string(mistake.line) + ": " + mistake.told)) << ran.out;
     EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
   }
 }
