@@ -87,7 +87,7 @@ QTextDocument &RichLabel::layOut(double width) const {
 }
 
 int RichLabel::heightForWidth(int width) const {
-  const double belowLastLine = (richLineSpacing - 1) * fontMetrics().height();
+  const double belowLastLine = (richLineSpacing - 1) * QFontMetricsF(font()).height();
   return static_cast<int>(std::ceil(std::max(0.0, layOut(width).size().height() - belowLastLine)));
 }
 
