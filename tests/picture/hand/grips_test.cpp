@@ -65,6 +65,17 @@ TEST(Grips, OfTwoBallsAtAPixel_TheOneInFrontWins) {
   }
 }
 
+/// Seen from above, the cross, which is lifted over the corner in its middle, reaches over it.
+TEST(Grips, OfACornerUnderTheCrossOfItsTriangle_TheCornerWins) {
+  Seen seen{{{{"T", TriangleObject{{0, 0, 0}, {0, 4, 0}, {0, -4, 0}}}}}};
+  seen.view.camera.elevation = 1.2;
+  const glm::dvec2 away = seen.pixelOf("T.whole") - seen.pixelOf("T.P0");
+  ASSERT_LT(glm::length(away), 20);
+  EXPECT_EQ(seen.beside("T.P0", {0, 0}), "T.P0");
+  EXPECT_EQ(seen.beside("T.P0", away / 2.0), "T.P0");
+  EXPECT_EQ(seen.beside("T.whole", away / 2.0), "T.whole");
+}
+
 TEST(Grips, OfTwoBallsInOnePlace_TheSelectedOneWins) {
   for (const std::string selected : {"first", "second"})
     EXPECT_EQ(

@@ -33,7 +33,7 @@ public:
   }
 
   [[nodiscard]] Grip gripOf(const Handle &handle, bool isSelected) const {
-    Grip grip{handle.id, {}, isSelected, handle.motion == Handle::Motion::Whole, {}};
+    Grip grip{handle.id, handle.object, handle.motion == Handle::Motion::Whole, isSelected};
     if (const auto knob = knobOf(handle, isSelected))
       addKnob(grip, *knob);
     else if (const auto mark = m_marks.find(handle.id); mark != m_marks.end())
@@ -128,17 +128,17 @@ double surfaceDepth(const GripPiece &piece, glm::dvec2 pixel) {
 struct Claim {
   bool isBeside = true; ///< beside what is seen, not on it
   double measure = 0;   ///< the distance on the screen beside it, the depth on it
-  bool isSelected = false;
-  bool isWhole = false;
+  const Grip *grip = nullptr;
 
   /// Of two that are as good the selected one wins, which was perhaps just brought there, else the later one:
   /// a bound point lies on a handle of its host.
   [[nodiscard]] bool winsOver(const std::optional<Claim> &earlier) const {
     if (!earlier || isBeside != earlier->isBeside)
       return !earlier || !isBeside;
-    if (!isBeside && isWhole != earlier->isWhole)
-      return !isWhole;
-    return measure < earlier->measure || (measure == earlier->measure && !earlier->isSelected);
+    const Grip &other = *earlier->grip;
+    if (!isBeside && grip->object == other.object && grip->isWhole != other.isWhole)
+      return !grip->isWhole;
+    return measure < earlier->measure || (measure == earlier->measure && !other.isSelected);
   }
 };
 
@@ -149,9 +149,8 @@ std::optional<Claim> claimOf(const Grip &grip, glm::dvec2 pixel, double margin) 
     const double distance = distanceTo(piece.stroke, pixel);
     if (distance > margin && !isInRing)
       continue;
-    const Claim claim = distance <= 0
-                            ? Claim{false, surfaceDepth(piece, pixel), grip.isSelected, grip.isWhole}
-                            : Claim{true, distance, grip.isSelected, grip.isWhole};
+    const Claim claim =
+        distance <= 0 ? Claim{false, surfaceDepth(piece, pixel), &grip} : Claim{true, distance, &grip};
     if (claim.winsOver(best))
       best = claim;
   }

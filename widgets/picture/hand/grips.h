@@ -20,11 +20,12 @@ struct GripPiece {
 /// What is seen of a handle: the ball of a point, the head of an arrow, a knob. Where nothing is drawn, as of
 /// an arrow without length, a small disc in front of everything.
 struct Grip {
-  std::string handle; ///< its id
-  std::vector<GripPiece> pieces;
+  std::string handle;   ///< its id
+  std::string object;   ///< whose it is
+  bool isWhole = false; ///< moves all of the object
   bool isSelected = false;
-  bool isWhole = false;       ///< moves all of its object: its parts are taken before it
-  std::optional<Stroke> ring; ///< around a selected handle that moves freely; it is grabbed up to there
+  std::vector<GripPiece> pieces{};
+  std::optional<Stroke> ring{}; ///< around a selected handle that moves freely; it is grabbed up to there
 };
 
 /// Beside what is seen of a handle it is grabbed within this many design pixels …
@@ -38,8 +39,9 @@ inline constexpr double missMargin = 12;
                                         const Figure &figure, const Theme &theme, const View &view);
 
 /// The id of the handle that is grabbed at a pixel, or empty. What is seen there wins, the nearest to the eye
-/// first, but what moves a whole object last: its cross may reach over a corner; beside what is seen, within a margin in pixels, the nearest on the screen. Of handles in one place
-/// the selected one wins.
+/// first; but what moves a whole object, whose cross may reach over a corner, comes behind the object's
+/// parts. Beside what is seen, within a margin in pixels, the nearest on the screen wins. Of handles in one
+/// place the selected one wins.
 [[nodiscard]] std::string handleGrabbedAt(glm::dvec2 pixel, const std::vector<Grip> &grips, double margin);
 
 /// All that is seen of handles.
