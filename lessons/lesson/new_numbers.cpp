@@ -24,11 +24,12 @@ struct Sight {
   double leastOpening; ///< the sine of the angle below which what is flat counts as seen edge-on
   double leastLength;  ///< the sine of the angle below which a line counts as seen end-on
   double leastArea;    ///< of a face as it is seen, in square units of the scene, where axes are some 12 long
+  double leastReach; ///< between the farthest of corners on one line as they are seen, in units of the scene
 };
 
 /// What is aimed at, and what is put up with where chance gives nothing better: about 17 and 9 degrees.
-Sight goodSight(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6}; }
-Sight poorSight(const glm::dvec3 &from) { return {from, 0.15, 0, 0}; }
+Sight goodSight(const glm::dvec3 &from) { return {from, 0.3, 0.3, 6, 4}; }
+Sight poorSight(const glm::dvec3 &from) { return {from, 0.15, 0, 0, 2}; }
 
 /// Of the scenes of so many seeds the first is taken in which the question has an answer.
 constexpr std::uint64_t scenesForAQuestion = 12;
@@ -67,8 +68,9 @@ bool isSeenWell(const Object &object, const Sight &sight) {
     return true;
   const glm::dvec3 area = toDouble(areaOf(corners)) / 2.0;
   if (area == glm::dvec3(0)) // it has no face, but the line of its corners
-    return std::all_of(corners.begin(), corners.end(), [&](const ExactVec3 &corner) {
-      return isLong(toDouble(ExactVec3(corner - corners.front())), sight);
+    return std::any_of(corners.begin(), corners.end(), [&](const ExactVec3 &corner) {
+      const glm::dvec3 way = toDouble(ExactVec3(corner - corners.front()));
+      return glm::length(glm::cross(way, sight.from)) >= sight.leastReach;
     });
   return isOpen(area, sight) && std::abs(glm::dot(area, sight.from)) >= sight.leastArea;
 }

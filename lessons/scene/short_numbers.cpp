@@ -180,9 +180,9 @@ bool isShort(const Object &object) {
 /// Gives objects new numbers, one after the other: what looks for another object comes after it.
 class Renewal {
 public:
-  /// `keepsLines`: a triangle whose corners are on one line is drawn so again.
-  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, bool keepsLines)
-      : m_dice(dice), m_planes(planes), m_lines(lines), m_keepsLines(keepsLines) {}
+  /// `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
+  Renewal(Dice &dice, std::ptrdiff_t planes, std::ptrdiff_t lines, bool keepsCornersOnALine)
+      : m_dice(dice), m_planes(planes), m_lines(lines), m_keepsCornersOnALine(keepsCornersOnALine) {}
 
   /// Whole and short ones that it did not have; it keeps those that it has where there is no luck.
   void renew(Object &object) {
@@ -371,8 +371,8 @@ private:
     return true;
   }
 
-  /// Later ones start where the first does, and are not as long, so that it is seen by whose length is
-  /// divided. Now and then they are at a right angle to it, or lie along it.
+  /// Later ones start where the first does. Most have another length, so that it is seen by whose length is
+  /// divided; now and then they are at a right angle to it, or lie along it.
   void draw(VectorObject &vector) {
     vector.vector = m_dice.shortNormal();
     vector.start = m_vector ? m_vector->start : m_dice.position();
@@ -386,7 +386,7 @@ private:
   }
 
   void draw(TriangleObject &triangle) {
-    if (m_keepsLines && isOnALine(triangle))
+    if (m_keepsCornersOnALine && isOnALine(triangle))
       return drawOnALine(triangle);
     const int size = m_dice.between(smallestTriangle, largestTriangle);
     const int longest = longestSide / size;
@@ -495,7 +495,7 @@ private:
   // How many there are:
   std::ptrdiff_t m_planes;
   std::ptrdiff_t m_lines;
-  bool m_keepsLines;
+  bool m_keepsCornersOnALine;
   std::vector<Net> m_nets;
   Net m_polygon;                        ///< of the last that was drawn
   std::optional<VectorObject> m_vector; ///< the first
@@ -503,12 +503,12 @@ private:
 };
 
 /// What is looked for before what looks for it.
-void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsLines = false) {
+void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsCornersOnALine = false) {
   const auto count = [&](std::string_view kind) {
     return std::count_if(objects.begin(), objects.end(),
                          [&](const Object *object) { return kindOf(*object) == kind; });
   };
-  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), keepsLines);
+  Renewal renewal(dice, count(PlaneObject::kind), count(LineObject::kind), keepsCornersOnALine);
   const auto isLine = [](const Object *object) { return kindOf(*object) == LineObject::kind; };
   const auto others = std::stable_partition(objects.begin(), objects.end(), [&](const Object *object) {
     const std::string_view kind = kindOf(*object);
@@ -602,20 +602,21 @@ private:
   int m_count = 0;
 };
 
-/// The shortest of some new scenes, none of which is degenerate unless `before` is, with the case of that if
-/// it is wanted: of those of which the same is told beside numbers, where there are such.
+/// The shortest of some new scenes. With the case of `before` if that is wanted and no degenerate one; no new
+/// scene is degenerate where `before` is not. Those of which the same is told beside numbers come first.
 std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumbers &wanted) {
   const Evaluation start = evaluate(before);
   if (!start.lastConstruction())
     return before; // nothing is shown as the result
   const Outcome &present = *start.lastConstruction()->outcome;
   const std::vector<std::string> lines = present.explanation->ids();
-  const bool keepsLines = present.told->degenerate && !dice.once(ordinaryOnceIn);
+  const bool keepsCornersOnALine =
+      present.told->degenerate && !(wanted.keepCase && dice.once(ordinaryOnceIn));
   Shortest alike;
   Shortest others;
   for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
     Scene scene = before;
-    renewAll(objectsOf(scene), dice, keepsLines);
+    renewAll(objectsOf(scene), dice, keepsCornersOnALine);
     if (!differEverywhere(scene, before) || (wanted.suits && !wanted.suits(scene)))
       continue;
     const Evaluation evaluation = evaluate(scene);
