@@ -198,6 +198,16 @@ bool says(const WorkingLine &line, const Term &term) {
                      [&](const Chain &chain) { return readAlike(chain.sides().front(), term); });
 }
 
+/// Whether the line begins with what a line with a gap is about: cos θ < 1 beside cos θ = 1/2.
+bool repeatsOneOf(const WorkingLine &line, const std::map<std::string, Gap> &gaps, const Working &working) {
+  return std::any_of(gaps.begin(), gaps.end(), [&](const auto &each) {
+    const Chain &asking = askedChain(*findLine(working, each.first));
+    const auto symbolsEnd = asking.sides().begin() + static_cast<std::ptrdiff_t>(asking.symbolic());
+    return std::any_of(asking.sides().begin(), symbolsEnd,
+                       [&](const Term &side) { return says(line, side); });
+  });
+}
+
 } // namespace
 
 std::optional<Fading> fadingNamed(std::string_view word) {
@@ -215,6 +225,10 @@ Fade fade(const Working &working, Fading fading, const std::set<std::string> &op
     for (const WorkingLine &line : working.lines)
       if (const auto gap = opened.contains(line.id) ? std::nullopt : choice.of(line))
         faded.gaps.emplace(line.id, *gap);
+    for (const WorkingLine &line : working.lines)
+      if (line.asked == Asked::Nothing && !faded.gaps.contains(line.id) &&
+          repeatsOneOf(line, faded.gaps, working))
+        faded.waiting.insert(line.id);
     return faded;
   }
   const auto &lines = working.lines;

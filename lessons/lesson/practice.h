@@ -25,8 +25,8 @@ enum class Fading { None, Gaps, Last, All };
 /// What the lines of a working leave out, by their ids.
 struct Fade {
   std::map<std::string, Gap> gaps;
-  /// Lines that ask for nothing but would give a result above them away: they show symbols only, until those
-  /// are found.
+  /// Lines that ask for nothing but would give away what is left out elsewhere: they show symbols only, until
+  /// that is found.
   std::set<std::string> waiting;
 };
 

@@ -186,6 +186,17 @@ Working fourLines() {
            {"c", {withNumbers(c == 1 + 2 * b)}}}};
 }
 
+TEST(Fade, OfAGapInALine_LetsWhatComparesItsResultWait) {
+  const Term a = name(letter("a"), Rational(2));
+  const Term b = name(letter("b"), Rational(3));
+  const Working lines{{{"product", {withNumbers(a * b)}, "", Asked::Value},
+                       {"same", {compared(a * b, 6)}},
+                       {"other", {compared(a, b)}}}};
+  const Fade faded = fade(lines, Fading::Gaps, {});
+  ASSERT_TRUE(faded.gaps.contains("product"));
+  EXPECT_EQ(faded.waiting, Ids{"same"});
+}
+
 Ids gapsOf(const Fade &fade) {
   Ids ids;
   for (const auto &[line, gap] : fade.gaps)
@@ -222,7 +233,7 @@ TEST(Fade, WhereNoLineAsks_LeavesNothingOut) {
 TEST(Fade, ByGaps_LeavesOneCalculatedNumberOfALineOut) {
   const Working working = workingOf("signed-distance");
   const Fade faded = fade(working, Fading::Gaps, {});
-  EXPECT_TRUE(faded.waiting.empty());
+  EXPECT_EQ(faded.waiting, Ids{"side"}) << "it compares what another line calculates";
   for (const auto &[id, gap] : faded.gaps) {
     const WorkingLine &line = *findLine(working, id);
     EXPECT_FALSE(gap.isResult);
