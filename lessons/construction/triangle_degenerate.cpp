@@ -214,7 +214,8 @@ Figure draw(const In &in, const Out &at) {
     figure.add(arrowOf(at.u, p0, Role::Given, Subject::EdgeU));
   if (at.perps.vv != 0) {
     ArrowMark v = arrowOf(at.v, p0, Role::Given, Subject::EdgeV);
-    v.look.rank = at.isTriangle() ? 0 : 1; // dashed, so that u is seen in it
+    const bool isAlongU = !at.isTriangle() && at.perps.uv > 0;
+    v.look.rank = isAlongU ? 1 : 0; // dashed, so that u is seen in it
     figure.add(std::move(v));
   }
   if (at.hasAngle())
