@@ -80,7 +80,6 @@ std::string notALineWords(const In &in, const Out &at) {
 
 CaseWords tell(const In &in, const Out &at) {
   const std::string caseName(nameOf(at.related.which));
-  const std::string p = equation(at.p);
   switch (at.related.which) {
   case LineLineCase::Same:
     return {caseName, words("{g} and {h} are the same line, with directions that agree.", at.letters)};

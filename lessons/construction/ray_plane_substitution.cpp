@@ -320,11 +320,14 @@ void drawMeeting(Figure &figure, const Meeting &meeting, const In &in, const Out
   const Place point = place(meeting.H);
   const bool isAhead = meeting.meet.which == RayPlaneCase::Hit;
   figure.reaches.push_back({meeting.id, point});
-  if (isAhead)
-    figure.reaches.push_back({in.L.id, point});
-  else
+  if (!isAhead)
     figure.add(SegmentMark{{meeting.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  figure.add(pointOf(meeting.H, isAhead ? Role::Derived : Role::Ghost, Subject::Ray));
+  else if (meeting.meet.t > 0) // a ray that meets a plane in its start runs on
+    figure.reaches.push_back({in.L.id, point});
+  PointMark met = pointOf(meeting.H, isAhead ? Role::Derived : Role::Ghost, Subject::Ray);
+  if (&meeting == firstMeeting(at))
+    met.label.clear(); // it is called H there
+  figure.add(std::move(met));
 }
 
 Figure draw(const In &in, const Out &at) {
