@@ -138,8 +138,8 @@ void PredictionBox::showReason(const GivenAnswer &answer) {
   const QString verdict = answer.right.empty()            ? QString()
                           : answer.chosen == answer.right ? tr("**Right.** ")
                                                           : tr("**Not quite.** ");
-  m_reason->setMarkdown(verdict + (answer.isOfNow ? QString::fromStdString(m_prediction.reason)
-                                                  : tr("That was about the scene before it was changed.")));
+  const QString about = answer.isOfNow ? QString() : tr("That was about the scene before it was changed. ");
+  m_reason->setMarkdown(verdict + about + QString::fromStdString(m_prediction.reason));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {
