@@ -16,11 +16,12 @@ namespace {
 /// In pixels.
 constexpr int gapBeforeShow = 6;
 /// In less room the field keeps so many letters, and the button all of its word.
-constexpr int leastLetters = 5;
+constexpr int leastLetters = 7;
 
-/// Ctrl+Right and its like.
-bool movesByWord(const QKeyEvent &key) {
-  return key.matches(QKeySequence::MoveToNextWord) || key.matches(QKeySequence::MoveToPreviousWord);
+/// Ctrl+Right and its like, and the key for a picture, which Qt takes for the end of the line.
+bool isOfWindow(const QKeyEvent &key) {
+  return key.matches(QKeySequence::MoveToNextWord) || key.matches(QKeySequence::MoveToPreviousWord) ||
+         (key.key() == Qt::Key_E && key.modifiers() == Qt::ControlModifier);
 }
 
 } // namespace
@@ -64,7 +65,7 @@ void BlankField::changeEvent(QEvent *event) {
 }
 
 bool BlankField::eventFilter(QObject *watched, QEvent *event) {
-  if (event->type() == QEvent::ShortcutOverride && movesByWord(static_cast<const QKeyEvent &>(*event))) {
+  if (event->type() == QEvent::ShortcutOverride && isOfWindow(static_cast<const QKeyEvent &>(*event))) {
     event->ignore(); // a number is one word: the keys are the window's shortcuts
     return true;
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// The width of a gap's field.
 int lettersFor(const Gap &gap) {
-  constexpr int partOfFormula = 7;
+  constexpr int partOfFormula = 9;
   constexpr int number = 12;
   constexpr int list = 20;
   constexpr int equation = 26;
