@@ -68,8 +68,7 @@ SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
     if (!m_model.inGesture())
       m_extents.release(m_motion && isVisible());
   });
-  connect(&m_model, &SessionModel::sceneReplaced, this,
-          [this] { m_atHome ? goHome() : chooseView(fittedToGiven(m_camera)); });
+  connect(&m_model, &SessionModel::sceneReplaced, this, &SceneView::showAnother);
   takeOutcome();
 }
 

@@ -62,7 +62,7 @@ public:
   void setAxisView(AxisView view);
   void fit();
   /// Another figure: as the lesson begins, or fitted where the learner had looked around.
-  void showAnother() { m_atHome ? goHome() : fit(); }
+  void showAnother();
   /// The whole figure along its first plane or triangle, so that it is seen as a line.
   void lookAlongPlane();
   /// The whole figure from straight in front of its first plane or triangle.

@@ -180,4 +180,6 @@ void SceneView::setOrthographic(bool on) {
 
 void SceneView::fit() { chooseView(fittedTo(m_camera, staged(m_model.shown().figure), false)); }
 
+void SceneView::showAnother() { m_atHome ? goHome() : chooseView(fittedToGiven(m_camera)); }
+
 } // namespace halfspace
