@@ -20,8 +20,6 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
-namespace {} // namespace
-
 void MainWindow::createPanels() {
   m_practice = new WorkingPractice(*m_typesetter);
   m_working = &m_practice->working();

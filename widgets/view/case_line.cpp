@@ -48,13 +48,6 @@ QLabel *wholeLabel(const char *name) {
   return label;
 }
 
-/// Shows the first of these, in a room that is enough for each.
-template <class... Pages> QStackedLayout *stackOf(Pages *...pages) {
-  auto *stack = new QStackedLayout;
-  (stack->addWidget(pages), ...);
-  return stack;
-}
-
 // Nearly all cases of all lessons, and what is said of what is near, have fewer; in a window of usual size
 // each has a row, in a high one two.
 constexpr int lettersOfCase = 112;
@@ -63,8 +56,8 @@ constexpr int rowsInHighWindow = 2;
 /// From here on, a window is a high one, in pixels.
 constexpr int highWindow = 900;
 constexpr int usualWindow = 800;
-/// In windows of large type, what the line may take of their height.
-constexpr int windowsInLine = 4;
+/// The line takes at most one such part of the window's height.
+constexpr int linesInWindow = 4;
 /// Beside the ways there, words of fewer letters in a row are no help.
 constexpr int leastLettersOfNearby = 24;
 
@@ -90,10 +83,11 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
           [this] { m_all->popup(m_others->mapToGlobal(m_others->rect().bottomLeft())); });
   m_others->setAccessibleName(tr("More"));
   m_others->setAccessibleDescription(tr("All special cases near this one"));
-  m_case->setAlignment(Qt::AlignLeft | Qt::AlignBottom); // beside what is near
-  m_nearby->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_case->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_nearby->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
   m_column = createColumn();
-  m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with. Undo takes it back."));
+  m_afresh->setToolTip(tr("Back to the numbers that the lesson begins with; its question is asked again. "
+                          "Undo brings the numbers back."));
   connect(m_there, &QPushButton::clicked, this, [this] { emit nearbyChosen(0); });
   connect(m_afresh, &QPushButton::clicked, this, &CaseLine::afreshChosen);
   offer({});
@@ -106,6 +100,7 @@ CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
   for (QLabel *room : {m_roomOfCase, m_roomOfNearby}) {
     room->setParent(this);
     room->hide();
+    room->ensurePolished(); // what is never shown has no style else
   }
   setWindowHeight(usualWindow);
   offerAfresh(false);
@@ -122,13 +117,15 @@ QWidget *CaseLine::createNearbyRow() {
   layout->addWidget(m_nearby, 1);
   layout->addStretch();
   for (QPushButton *button : {m_there, m_others, m_afresh})
-    layout->addWidget(button, 0, Qt::AlignTop);
+    layout->addWidget(button, 0, Qt::AlignBottom); // however many rows the words have
   return row;
 }
 
 QWidget *CaseLine::createColumn() {
   m_second = new QWidget;
-  m_pages = stackOf(createNearbyRow(), m_message);
+  m_pages = new QStackedLayout;
+  m_pages->addWidget(createNearbyRow());
+  m_pages->addWidget(m_message);
   m_second->setLayout(m_pages);
   auto *column = new QWidget;
   auto *layout = new QVBoxLayout(column);
@@ -143,7 +140,7 @@ void CaseLine::setWindowHeight(int height) {
   const int rows = height >= highWindow ? rowsInHighWindow : 1;
   m_roomOfCase->setText(lettersFor(rows, lettersOfCase));
   m_roomOfNearby->setText(lettersFor(rows, lettersOfNearby));
-  m_most = height / windowsInLine;
+  m_most = height / linesInWindow;
   share();
 }
 
@@ -171,12 +168,13 @@ void CaseLine::share() {
   const int whole = std::min(m_roomOfCase->heightForWidth(width) + ofNearby, m_most);
   const bool isTelling = m_pages->currentWidget() == m_message;
   const int ofSecond = isTelling ? std::max(m_message->heightForWidth(width), ofButtons) : ofButtons;
-  const int ofCase = std::clamp(m_case->heightOfAll(width), std::max(whole - ofNearby, 0), whole);
+  const int ofCase = std::min(std::max(m_case->heightOfAll(width), m_case->fontMetrics().height()), whole);
   const bool hasRoomForBoth = ofCase + ofSecond <= whole;
   m_second->setVisible(hasRoomForBoth || isTelling || !m_afresh->isHidden());
   m_second->setFixedHeight(hasRoomForBoth ? whole - ofCase : ofSecond);
   m_nearby->setVisible(hasRoomForNearbyWords());
   m_column->setMinimumHeight(isTelling ? std::max(whole, whole - ofNearby + ofSecond) : whole);
+  m_column->layout()->activate(); // words are cut to the room that they have now
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {

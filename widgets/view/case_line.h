@@ -26,8 +26,9 @@ struct NearbyCase {
 /// The case in plain words, and beside it, as long as it holds, what the program has to complain of. Below
 /// them the nearest special case, with a way there and to the others; in its place, for a moment, what the
 /// program has to tell. As long as window and type are the same it keeps its height: the picture above it
-/// would jump with the words. The case is what counts: a long one takes the place of what is near, and in a
-/// narrow line the words for that go before the ways there. More words than there is room for are cut short,
+/// would jump with the words. Only a message of several rows, or a complaint, makes it higher. The case is
+/// what counts: a long one takes the place of what is near, and a narrow line has the buttons of that without
+/// its words. More words than there is room for are cut short,
 /// and stand in full where the pointer rests on them; but a message is as high as it needs.
 class CaseLine : public QWidget {
   Q_OBJECT
@@ -74,9 +75,9 @@ private:
   // Never seen: as high as the room that there is to be.
   QLabel *m_roomOfCase;
   QLabel *m_roomOfNearby;
-  int m_most; ///< the line's greatest height
-  QPushButton *m_there;      ///< leads to the nearest
-  QPushButton *m_others;     ///< opens a menu of all
+  int m_most = 0;        ///< in pixels, but for messages
+  QPushButton *m_there;  ///< leads to the nearest
+  QPushButton *m_others; ///< opens a menu of all
   QMenu *m_all;
   QPushButton *m_afresh; ///< leads back to the start
   std::vector<NearbyCase> m_cases;

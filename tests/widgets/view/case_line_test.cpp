@@ -99,10 +99,12 @@ private slots:
     const QString usual =
         "t = −10/3 is negative: the plane is behind the ray's start, so it does not hit it.";
     shown.line.setCase(usual, false);
+    QCoreApplication::processEvents(); // it gets its room
     QCOMPARE(shown.said("case"), usual);
     QVERIFY(label->toolTip().isEmpty());
     const QString longOne = QString("many words ").repeated(60).trimmed();
     shown.line.setCase(longOne, false);
+    QCoreApplication::processEvents();
     QVERIFY(shown.said("case").startsWith("many words") && shown.said("case").endsWith("…"));
     QVERIFY(label->toolTip().contains(longOne));
   }
