@@ -25,7 +25,7 @@ constexpr int margin = 20;
 constexpr int footMargin = 10;
 constexpr int blockGap = 10;
 constexpr int headGap = 4;
-constexpr int headSpacing = 10;
+constexpr int headSpacing = 6;
 constexpr QSize usualSize(430, 600);
 /// The title's size, in sizes of the words.
 constexpr double titleSize = 1.4;
@@ -141,7 +141,7 @@ void LessonPage::setStep(int step) {
 }
 
 void LessonPage::showStep() {
-  m_stepNumber->setText(stepCount() > 0 ? tr("Step %1 of %2").arg(m_step + 1).arg(stepCount()) : QString());
+  m_stepNumber->setText(stepCount() > 0 ? tr("Step %1/%2").arg(m_step + 1).arg(stepCount()) : QString());
   m_stepTitle->setText(QString::fromStdString(stepOf(m_lesson, m_step).title));
   m_dots->setCurrent(m_step);
   // What is disabled or goes would hand its focus to a number field, and the next key would change the scene.

@@ -109,11 +109,12 @@ Fading WorkingPractice::fading() const {
 }
 
 void WorkingPractice::refresh() {
-  endRecordsOfOtherNumbers();
+  if (!m_hidden) // else these may not be the numbers of the scene
+    endRecordsOfOtherNumbers();
   const bool isWorkedOut = hasNumbersToFind(m_working);
   m_chooser->setEnabled(!m_hidden && isWorkedOut);
   m_chooser->setToolTip(isWorkedOut ? tr("How much of the lines you work out yourself")
-                                    : tr("No number is worked out in this step."));
+                                    : tr("No number is worked out here now."));
   m_newNumbers->setEnabled(!m_hidden);
   showChoice();
   m_fade = m_hidden ? withheld(m_working) : fade(m_working, fading(), openedLines());
@@ -143,7 +144,7 @@ void WorkingPractice::count(LineRecord &record, bool right) {
 void WorkingPractice::showScore() {
   const Score score = practice().score;
   m_score->setText(
-      tr("First try: %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
+      tr("First try %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
   m_score->setVisible(score.tried > 0 && !m_hidden);
   keepRoom(*m_score, fading() != Fading::None); // the first answer moves nothing
 }
