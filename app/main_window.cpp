@@ -7,7 +7,6 @@
 #include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "lessons/lesson/short_move.h"
-#include "lessons/term/plain_text.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
@@ -271,12 +270,10 @@ void MainWindow::judgeStep() {
 
 void MainWindow::followGesture() {
   m_page->setHeld(m_model.inGesture());
-  if (!m_model.inGesture())
-    return judgeStep();
-  m_caseLine->endMessage();
-  // What was refused before is not what the hand is about now.
-  m_inspector->given().dropTyped();
-  m_card->given().dropTyped();
+  if (m_model.inGesture())
+    m_caseLine->endMessage();
+  else
+    judgeStep();
 }
 
 void MainWindow::showCase() {

@@ -262,8 +262,8 @@ private:
   QStringList m_ownLessons; ///< the folders of the settings
   QStringList m_putAside;   ///< sentences that are to be told
   CaseLine *m_caseLine = nullptr;
-  std::vector<NearSpecialCase> m_nearby;     ///< of what the step shows
-  std::optional<Shown> m_shownAtStart; ///< nothing: nobody has asked yet
+  std::vector<NearSpecialCase> m_nearby; ///< of what the step shows
+  std::optional<Shown> m_shownAtStart;   ///< nothing: nobody has asked yet
   QWidget *m_sceneColumn = nullptr;
   WorkingPractice *m_practice = nullptr;
   StepWorking *m_working = nullptr; ///< in m_practice
