@@ -74,7 +74,7 @@ void TaskRow::setTheme(const Theme &theme) {
 void TaskRow::setInks() {
   const bool isDue = m_state == TaskState::Open || m_state == TaskState::HoldsAlready;
   m_words->setInk(isDue ? m_theme.ink : m_theme.mutedInk, m_theme);
-  m_remark->setInk(isDue ? m_theme.mutedInk : m_theme.ink, m_theme);
+  m_remark->setInk(m_state == TaskState::Done ? m_theme.ink : m_theme.mutedInk, m_theme);
 }
 
 void TaskRow::tellAccessibly() {

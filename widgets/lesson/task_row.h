@@ -8,8 +8,8 @@
 namespace halfspace {
 
 /// The instruction beside an empty circle, or a check mark once it is done; then the answer to what it asks
-/// stands below it, and until then how far the learner is. Of what holds already it says that it is still to be brought about: else a learner would
-/// wait for the mark. One that waits for those above it is paler.
+/// stands below it, and until then how far the learner is. Of what holds already it says that it is still to
+/// be brought about: else a learner would wait for the mark. One that waits for those above it is paler.
 class TaskRow : public QWidget {
   Q_OBJECT
 public:

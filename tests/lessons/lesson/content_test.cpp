@@ -147,7 +147,7 @@ const std::vector<Solution> &solutions() {
        "Drag $P_1$ onto $P_0$. What",
        {"T", TriangleObject{{6, 5, 3}, {6, 5, 3}, {5, 3, 3}}}},
       {"triangle-degenerate",
-       "Bring $P_1$ back, so",
+       "Bring $P_1$ to the other",
        {"T", TriangleObject{{6, 5, 3}, {10, 13, 3}, {5, 3, 3}}}},
       {"triangle-degenerate",
        "Drag $P_1$ until the",
