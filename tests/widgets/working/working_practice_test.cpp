@@ -246,6 +246,16 @@ private slots:
     QVERIFY(!practice.tools.hasBlanks());
   }
 
+  void questionThatIsOpenedAgainKeepsWhatIsFilledIn() {
+    ShownPractice practice(m_typesetter);
+    practice.choose("Last blank");
+    answer(practice.fields().first(), "10");
+    QVERIFY(!practice.tools.hasBlanks());
+    practice.setWorking(someWorking(60), true); // it shows the lines of other numbers
+    practice.setWorking(someWorking());
+    QVERIFY(!practice.tools.hasBlanks());
+  }
+
   void newNumbersBlankAllLinesAgainAndGiveTheFocusToTheFirst() {
     ShownPractice practice(m_typesetter);
     practice.activateWindow();
