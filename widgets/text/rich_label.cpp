@@ -87,7 +87,8 @@ QTextDocument &RichLabel::layOut(double width) const {
 }
 
 int RichLabel::heightForWidth(int width) const {
-  const double belowLastLine = (richLineSpacing - 1) * QFontMetricsF(font()).height();
+  // Whole pixels of it: where lines have parts of pixels the last one may reach into the rest.
+  const double belowLastLine = std::floor((richLineSpacing - 1) * fontMetrics().height());
   return static_cast<int>(std::ceil(std::max(0.0, layOut(width).size().height() - belowLastLine)));
 }
 
