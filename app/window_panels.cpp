@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 namespace halfspace {
+
 void MainWindow::createPanels() {
   m_practice = new WorkingPractice(*m_typesetter);
   m_working = &m_practice->working();

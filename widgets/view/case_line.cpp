@@ -173,13 +173,15 @@ void CaseLine::share() {
   m_second->setVisible(hasRoomForBoth || isTelling || !m_afresh->isHidden());
   m_second->setFixedHeight(hasRoomForBoth ? whole - ofCase : ofSecond);
   m_nearby->setVisible(hasRoomForNearbyWords());
-  m_column->setMinimumHeight(isTelling ? std::max(whole, whole - ofNearby + ofSecond) : whole);
+  m_column->setMinimumHeight(whole + std::max(ofSecond - ofNearby, 0)); // a long message makes it higher
   m_column->layout()->activate(); // words are cut to the room that they have now
 }
 
 void CaseLine::setCase(const QString &words, bool degenerate) {
-  m_case->setWords(words);
-  share();
+  if (words != m_case->words()) {
+    m_case->setWords(words);
+    share();
+  }
   if (m_case->property("degenerate") == degenerate)
     return;
   m_case->setProperty("degenerate", degenerate);
@@ -187,8 +189,10 @@ void CaseLine::setCase(const QString &words, bool degenerate) {
 }
 
 void CaseLine::setNearby(const QString &words, const std::vector<NearbyCase> &cases) {
-  m_nearby->setWords(words);
-  m_there->setToolTip(richTextOf(words));
+  if (words != m_nearby->words()) {
+    m_nearby->setWords(words);
+    m_there->setToolTip(richTextOf(words));
+  }
   if (cases != m_cases)
     offer(cases);
 }
@@ -206,8 +210,10 @@ void CaseLine::offer(const std::vector<NearbyCase> &cases) {
 }
 
 void CaseLine::offerAfresh(bool offered) {
+  const bool isOther = offered == m_afresh->isHidden();
   m_afresh->setVisible(offered);
-  share();
+  if (isOther)
+    share();
 }
 
 void CaseLine::say(const QString &sentence) {

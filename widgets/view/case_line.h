@@ -28,8 +28,8 @@ struct NearbyCase {
 /// program has to tell. As long as window and type are the same it keeps its height: the picture above it
 /// would jump with the words. Only a message of several rows, or a complaint, makes it higher. The case is
 /// what counts: a long one takes the place of what is near, and a narrow line has the buttons of that without
-/// its words. More words than there is room for are cut short,
-/// and stand in full where the pointer rests on them; but a message is as high as it needs.
+/// its words. More words than there is room for are cut short, and stand in full where the pointer rests on
+/// them; but a message is as high as it needs.
 class CaseLine : public QWidget {
   Q_OBJECT
 public:
