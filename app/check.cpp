@@ -6,7 +6,7 @@
 #include "lessons/reading/markdown.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
-#include "widgets/picture/math/read_latex.h"
+#include "widgets/formula/read_latex.h"
 #include "widgets/text/picture_object.h"
 
 #include <algorithm>

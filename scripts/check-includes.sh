@@ -18,12 +18,13 @@ lessons/object       : geometry lessons lessons/term lessons/figure
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
 lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
-widgets/picture      : geometry lessons/* : HarfBuzz
-widgets/scene        : geometry lessons/* widgets/picture : VTK OpenGL
+widgets/formula      : geometry lessons/* : HarfBuzz
+widgets/picture      : geometry lessons/* widgets/formula
+widgets/scene        : geometry lessons/* widgets/formula widgets/picture : VTK OpenGL
 widgets/mesh_files   : geometry lessons/*
-widgets              : geometry lessons/* widgets/picture widgets/mesh_files : Qt
-widgets/view         : geometry lessons/* widgets/picture widgets/scene widgets : Qt VTK
-app                  : geometry eval lessons/* widgets/picture widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
+widgets              : geometry lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
+widgets/view         : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets : Qt VTK
+app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
 '
 
 grep --recursive --only-matching --extended-regexp '^ *# *include *[<"][^>"]+' \

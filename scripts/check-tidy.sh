@@ -12,7 +12,7 @@ if [[ $(clang-tidy --version) != *' version 14.'* ]]; then
   exit 0
 fi
 
-[[ $# != 0 ]] || set -- geometry eval lessons widgets/picture
+[[ $# != 0 ]] || set -- geometry eval lessons widgets/formula widgets/picture
 checked=build/release/checked
 outdated=()
 for folder in "$@"; do

@@ -1,7 +1,7 @@
 // Whatever the bytes: a formula that can be laid out and broken, or an error with a column and a sentence.
-#include "widgets/picture/math/break_lines.h"
-#include "widgets/picture/math/lay_out.h"
-#include "widgets/picture/math/read_latex.h"
+#include "widgets/formula/break_lines.h"
+#include "widgets/formula/lay_out.h"
+#include "widgets/formula/read_latex.h"
 
 #include <array>
 #include <cmath>

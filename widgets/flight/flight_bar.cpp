@@ -3,7 +3,7 @@
 #include "lessons/lesson/lesson.h"
 #include "widgets/colors.h"
 #include "widgets/flow_layout.h"
-#include "widgets/picture/term_formula.h"
+#include "widgets/formula/term_formula.h"
 
 #include <QActionGroup>
 #include <QEvent>

@@ -4,7 +4,7 @@
 #include "widgets/colors.h"
 #include "widgets/flight/short_decimal.h"
 #include "widgets/flight/speak_by.h"
-#include "widgets/picture/term_formula.h"
+#include "widgets/formula/term_formula.h"
 #include "widgets/text/figures.h"
 
 #include <QAccessibleWidget>

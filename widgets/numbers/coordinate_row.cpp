@@ -2,9 +2,9 @@
 
 #include "lessons/object/number.h"
 #include "lessons/term/plain_text.h"
+#include "widgets/formula/term_formula.h"
 #include "widgets/mark_ink.h"
 #include "widgets/numbers/number_field.h"
-#include "widgets/picture/term_formula.h"
 
 #include <QSignalBlocker>
 #include <QSlider>

@@ -2,10 +2,10 @@
 
 #include "lessons/term/plain_text.h"
 #include "lessons/term/written.h"
+#include "widgets/formula/term_formula.h"
 #include "widgets/mark_ink.h"
 #include "widgets/numbers/named_value_row.h"
 #include "widgets/numbers/number_field.h"
-#include "widgets/picture/term_formula.h"
 
 #include <QGridLayout>
 #include <QLabel>

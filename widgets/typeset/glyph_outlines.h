@@ -1,7 +1,7 @@
 // The outlines of a font's glyphs as Qt's paths.
 #pragma once
 
-#include "widgets/picture/math/math_font.h"
+#include "widgets/formula/math_font.h"
 
 #include <QPainterPath>
 

@@ -1,6 +1,6 @@
 #include "widgets/typeset/math_picture.h"
 
-#include "widgets/picture/math/break_lines.h"
+#include "widgets/formula/break_lines.h"
 #include "widgets/typeset/paint_formula.h"
 
 namespace halfspace {

@@ -1,7 +1,7 @@
 // A formula that is set, ready to be painted: sharp at every size, on screens, in images and in PDF files.
 #pragma once
 
-#include "widgets/picture/math/set_formula.h"
+#include "widgets/formula/set_formula.h"
 
 #include <QColor>
 #include <QRectF>

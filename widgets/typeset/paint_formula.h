@@ -1,7 +1,7 @@
 // Draws formulas that are laid out.
 #pragma once
 
-#include "widgets/picture/math/layout.h"
+#include "widgets/formula/layout.h"
 #include "widgets/typeset/math_typeface.h"
 
 #include <QColor>

@@ -1,9 +1,9 @@
 #include "widgets/working/working_block.h"
 
 #include "widgets/colors.h"
+#include "widgets/formula/term_formula.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_words.h"
-#include "widgets/picture/term_formula.h"
 #include "widgets/working/blank_field.h"
 
 #include <QApplication>

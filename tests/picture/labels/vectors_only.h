@@ -1,9 +1,9 @@
 // Labels set without a screen.
 #pragma once
 
-#include "tests/picture/laid_out.h"
+#include "tests/formula/laid_out.h"
+#include "widgets/formula/set_formula.h"
 #include "widgets/picture/labels/label_picture.h"
-#include "widgets/picture/math/set_formula.h"
 
 namespace halfspace {
 

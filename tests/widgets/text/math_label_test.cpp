@@ -1,7 +1,7 @@
 // One formula as a label: how large it wants to be, and what is seen of it.
 #include "widgets/text/math_label.h"
 
-#include "widgets/picture/math/read_latex.h"
+#include "widgets/formula/read_latex.h"
 
 #include "tests/widgets/ink.h"
 

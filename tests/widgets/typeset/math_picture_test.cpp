@@ -1,5 +1,5 @@
 // Formulas as pictures: their sizes, their marks, and how they are painted.
-#include "widgets/picture/math/read_latex.h"
+#include "widgets/formula/read_latex.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QElapsedTimer>

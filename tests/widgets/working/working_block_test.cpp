@@ -2,7 +2,7 @@
 #include "tests/widgets/working/working_block_fixture.h"
 
 #include "lessons/lesson/new_numbers.h"
-#include "widgets/picture/term_formula.h"
+#include "widgets/formula/term_formula.h"
 
 #include <QClipboard>
 #include <QSignalSpy>

@@ -2,7 +2,7 @@
 // that it is handed.
 #pragma once
 
-#include "widgets/picture/math/layout.h"
+#include "widgets/formula/layout.h"
 #include "widgets/picture/theme.h"
 
 #include <functional>

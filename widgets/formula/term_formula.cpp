@@ -1,0 +1,286 @@
+#include "widgets/formula/term_formula.h"
+
+#include "lessons/scene/provenance.h"
+#include "lessons/term/prime.h"
+#include "lessons/term/term_writer.h"
+#include "lessons/text.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace halfspace {
+namespace {
+
+using math::AtomClass;
+using math::Row;
+
+constexpr char32_t minus = 0x2212;
+constexpr char32_t primeCharacter = 0x2032;
+constexpr char32_t centredDot = 0x22C5;
+constexpr char32_t perpendicular = 0x22A5;
+constexpr char32_t infinity = 0x221E;
+/// Of parentheses around small fractions, in em: as tall as those that stretch are there.
+constexpr double fenceOfFractions = 1.1;
+/// TeX's thin space, in em.
+constexpr double thinSpace = 3 / 18.0;
+
+/// The first character of a text in UTF-8; 0 for none.
+char32_t characterOf(std::string_view text) {
+  const std::size_t length = characterLength(text);
+  if (length <= 1)
+    return length == 0 ? 0 : static_cast<unsigned char>(text.front());
+  char32_t character = static_cast<unsigned char>(text.front()) & (0xFFU >> (length + 1));
+  for (const char next : text.substr(1, length - 1))
+    character = (character << 6) | (static_cast<unsigned char>(next) & 0x3FU);
+  return character;
+}
+
+bool areDigits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+Row subscript(const std::string &text) {
+  if (areDigits(text))
+    return math::number(text);
+  return math::row(math::letter(characterOf(text)));
+}
+
+/// Digits with the decimal mark; it is no punctuation, behind which a space would stand.
+Row decimalOf(const std::string &digits, char decimalMark) {
+  const auto point = digits.find('.');
+  if (decimalMark == '.' || point == std::string::npos)
+    return math::number(digits);
+  return math::row(math::number(digits.substr(0, point)),
+                   math::symbol(static_cast<unsigned char>(decimalMark), AtomClass::Ord),
+                   math::number(digits.substr(point + 1)));
+}
+
+char32_t signOf(Relation relation) {
+  switch (relation) {
+  case Relation::Equal:
+    return '=';
+  case Relation::Approximately:
+    return 0x2248;
+  case Relation::Less:
+    return '<';
+  case Relation::Greater:
+    return '>';
+  case Relation::Unequal:
+    break;
+  }
+  return 0x2260;
+}
+
+Row leftOut(const math::Room &room) { return {math::tagged(math::LeftOut{}, Row{math::Node{room}})}; }
+
+class FormulaWriter : public TermWriter<Row> {
+public:
+  /// The numbers that can be traced are tagged and put behind `numbers`, unless that is null.
+  explicit FormulaWriter(Notation notation, std::vector<Term> *numbers = nullptr,
+                         const math::Room &roomOfBlank = {})
+      : m_notation(notation), m_numbers(numbers), m_roomOfBlank(roomOfBlank) {}
+
+protected:
+  Row row(std::vector<Row> parts) override {
+    Row all;
+    for (Row &part : parts)
+      all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+    return all;
+  }
+
+  Row digits(const std::string &decimal) override {
+    return areDigits(decimal.substr(0, 1)) ? decimalOf(decimal, m_notation.decimalMark)
+                                           : math::row(math::symbol(infinity));
+  }
+
+  Row symbol(const Symbol &symbol) override {
+    Row base{symbol.isWord ? math::function(symbol.letter) : math::letter(characterOf(symbol.letter))};
+    if (symbol.isVector)
+      base = {math::vector(std::move(base))};
+    Row below = symbol.subscript.empty() ? Row() : subscript(symbol.subscript);
+    if (!symbol.owner.empty()) {
+      if (!below.empty())
+        below.push_back(math::symbol(',', AtomClass::Ord));
+      const Row owner = this->symbol(symbolOf(symbol.owner));
+      below.insert(below.end(), owner.begin(), owner.end());
+    }
+    Row above = symbol.isPerp ? math::row(math::symbol(perpendicular)) : Row();
+    if (isPrimed(symbol.letter))
+      above.insert(above.begin(), math::symbol(primeCharacter));
+    return below.empty() && above.empty()
+               ? base
+               : math::row(math::scripts(std::move(base), std::move(above), std::move(below)));
+  }
+
+  Row sign(TermSign sign) override {
+    switch (sign) {
+    case TermSign::Plus:
+      return {math::symbol('+', AtomClass::Bin)};
+    case TermSign::Minus:
+    case TermSign::Negative:
+      return {math::symbol(minus, AtomClass::Bin)};
+    case TermSign::Dot:
+    case TermSign::Times:
+      return {math::symbol(centredDot, AtomClass::Bin)};
+    case TermSign::Cross:
+      return {math::symbol(0xD7, AtomClass::Bin)};
+    case TermSign::Permuted:
+      return {math::symbol(0x2217, AtomClass::Bin)};
+    case TermSign::Gap:
+      return {math::space(thinSpace)};
+    case TermSign::Joint:
+      break;
+    }
+    return {};
+  }
+
+  Row relation(Relation relation) override { return {math::symbol(signOf(relation), AtomClass::Rel)}; }
+
+  Row parenthesized(Row inside, const Term &term) override {
+    if (isTall(term))
+      return math::row(math::fenced('(', std::move(inside), ')'));
+    return math::row(math::symbol('(', AtomClass::Open), std::move(inside),
+                     math::symbol(')', AtomClass::Close));
+  }
+
+  Row fraction(Row top, Row bottom, FractionLook look) override {
+    if (look.flat || m_notation.flatFractions)
+      return math::row(std::move(top), math::symbol('/'), std::move(bottom));
+    return math::row(math::fraction(std::move(top), std::move(bottom),
+                                    look.small ? std::optional(math::Style::Text) : std::nullopt));
+  }
+
+  Row root(Row square) override { return math::row(math::root(std::move(square))); }
+
+  Row norm(Row vector) override {
+    return math::row(math::symbol('|', AtomClass::Open), std::move(vector),
+                     math::symbol('|', AtomClass::Close));
+  }
+
+  Row normOf(Row inside, const Term &term) override {
+    return isTall(term) ? math::row(math::fenced('|', std::move(inside), '|')) : norm(std::move(inside));
+  }
+
+  Row power(Row base, Row exponent) override {
+    return math::row(math::scripts(std::move(base), std::move(exponent), {}));
+  }
+
+  Row list(std::vector<Row> entries) override {
+    return math::row(math::fenced('(', separated(std::move(entries)), ')'));
+  }
+
+  // With parentheses between which a line can be broken.
+
+  Row flatList(std::vector<Row> entries) override {
+    return between(math::symbol('(', AtomClass::Open), std::move(entries),
+                   math::symbol(')', AtomClass::Close));
+  }
+
+  Row numberList(std::vector<Row> entries) override {
+    return between(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open}, std::move(entries),
+                   math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
+  }
+
+  Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {
+    std::vector<std::vector<Row>> rows;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (i % columns == 0)
+        rows.emplace_back();
+      rows.back().push_back(std::move(entries[i]));
+    }
+    return math::row(isDeterminant ? math::matrix('|', std::move(rows), '|')
+                                   : math::matrix('(', std::move(rows), ')'));
+  }
+
+  Row applied(Row function, Row argument, bool inParentheses) override {
+    return inParentheses ? math::row(std::move(function), math::symbol('(', AtomClass::Open),
+                                     std::move(argument), math::symbol(')', AtomClass::Close))
+                         : math::row(std::move(function), std::move(argument));
+  }
+
+  Row touchable(const Term &term, Row text) override {
+    if (m_numbers && isTraceable(term)) {
+      text = math::row(math::tagged(m_numbers->size(), std::move(text)));
+      m_numbers->push_back(term);
+    }
+    if (!term->mark.empty())
+      text = math::row(math::tagged(term->mark, std::move(text)));
+    return text;
+  }
+
+  Row blank() override { return leftOut(m_roomOfBlank); }
+
+  [[nodiscard]] bool isFlat() const override { return m_notation.flatFractions; }
+
+private:
+  [[nodiscard]] Row separated(std::vector<Row> entries) const {
+    const char32_t separator = m_notation.decimalMark == ',' ? ';' : ',';
+    Row content;
+    for (Row &entry : entries)
+      content = content.empty() ? std::move(entry)
+                                : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
+                                            math::space(thinSpace), std::move(entry));
+    return content;
+  }
+
+  [[nodiscard]] Row between(math::Node open, std::vector<Row> entries, math::Node close) const {
+    return math::row(std::move(open), separated(std::move(entries)), std::move(close));
+  }
+
+  Notation m_notation;
+  std::vector<Term> *m_numbers;
+  math::Room m_roomOfBlank;
+};
+
+Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
+  Row row;
+  for (const ChainPart &part : parts) {
+    if (!row.empty())
+      row = math::row(std::move(row), math::symbol(',', AtomClass::Punct), math::space(1));
+    row = math::row(std::move(row), writer.write(*part.chain, part.begin, part.end));
+  }
+  return row;
+}
+
+} // namespace
+
+math::Row formulaOf(const Term &term, Notation notation) { return FormulaWriter(notation).write(term); }
+
+math::Row relatedFormula(const Term &value, Notation notation) {
+  const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
+  return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, notation));
+}
+
+math::Row formulaOf(const Symbol &symbol) { return FormulaWriter({}).write(name(symbol, std::nullopt)); }
+
+TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece) {
+  TraceableFormula formula;
+  FormulaWriter writer({}, &formula.numbers);
+  formula.row = written(partsOf(line, piece), writer);
+  return formula;
+}
+
+TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &gap, const math::Room &room) {
+  if (gap.isResult && piece != LinePiece::Symbols)
+    return {piece == LinePiece::Result ? math::row(math::symbol('=', AtomClass::Rel), leftOut(room)) : Row()};
+  TraceableFormula formula;
+  FormulaWriter writer({}, &formula.numbers, room);
+  writer.leaveOut(gap.hidden);
+  formula.row = written(partsOf(line, piece), writer);
+  return formula;
+}
+
+math::Row formulaOf(const std::vector<Chain> &statements) {
+  std::vector<ChainPart> parts;
+  parts.reserve(statements.size());
+  for (const Chain &chain : statements)
+    parts.push_back({&chain, 0, chain.sides().size()});
+  return formulaOf(parts);
+}
+
+math::Row formulaOf(const std::vector<ChainPart> &parts) {
+  FormulaWriter writer({});
+  return written(parts, writer);
+}
+
+} // namespace halfspace
