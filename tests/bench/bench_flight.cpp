@@ -2,7 +2,7 @@
 // also drawn by bare VTK, one after the other, so that what else the machine does slows both alike. Then the
 // flight alone: how often it is drawn, and whether it keeps to the clock. And before: for how long the window
 // stands still while the mesh is opened.
-#include "lessons/construction/shots.h"
+#include "lessons/construction/parts/shots.h"
 #include "lessons/scene/target_mesh.h"
 #include "tests/app/window_fixture.h"
 #include "tests/bench/bare_window.h"

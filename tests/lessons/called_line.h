@@ -1,7 +1,7 @@
 // Worked lines with ids, without a construction.
 #pragma once
 
-#include "lessons/construction/worked_lines.h"
+#include "lessons/construction/parts/worked_lines.h"
 
 namespace halfspace::test {
 

@@ -1,7 +1,7 @@
 // The clock of a torpedo's flight.
 #pragma once
 
-#include "lessons/construction/shots.h"
+#include "lessons/construction/parts/shots.h"
 #include "lessons/object/number.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/session_model.h"

@@ -3,7 +3,7 @@
 #include "tests/lessons/construction/torpedoes.h"
 
 #include "geometry/hit_all.h"
-#include "lessons/construction/shots.h"
+#include "lessons/construction/parts/shots.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/object/mesh.h"
 #include "lessons/object/ray.h"

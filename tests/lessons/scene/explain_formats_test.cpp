@@ -1,6 +1,6 @@
 #include "lessons/scene/explain_formats.h"
 
-#include "lessons/construction/worked_lines.h"
+#include "lessons/construction/parts/worked_lines.h"
 #include "lessons/lesson/lesson.h"
 #include "tests/lessons/scenes.h"
 

@@ -1,0 +1,330 @@
+// A point of a triangle's plane by its weights at the corners, as shares of the area (note CG).
+#include "geometry/barycentric.h"
+#include "geometry/case_names.h"
+#include "geometry/point_line.h"
+#include "geometry/project_vector.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/parts/ray_triangle_cases.h"
+#include "lessons/construction/parts/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
+#include "lessons/object/point.h"
+#include "lessons/object/triangle.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+struct In : Naming {
+  Given<TriangleObject> T;
+  Given<PointObject> Q;
+};
+
+struct Out : Naming, TriangleTerms {
+  Barycentric<Rational> weighed;
+  Term Q;
+  Term n, A;                 ///< of the whole triangle
+  Term n0, n1;               ///< of the small triangles opposite to P0 and P1
+  std::array<Term, 3> parts; ///< the signed areas of the small triangles
+  Term rho, sigma, tau, B;   ///< B: where the parallel to the edge P1P2 meets the edge P0P1
+
+  [[nodiscard]] bool hasWeights() const { return weighed.which == BarycentricCase::InPlane; }
+};
+
+Out compute(const In &in) {
+  const auto &[p0, p1, p2] = in.T.object;
+  const auto weighed = barycentricOf(in.Q.object.at, Triangle<Rational>{p0, p1, p2});
+  const auto &[rho, sigma, tau] = weighed.weights;
+  const Term n = name(in.own(vectorLetter("n")), weighed.normal).marked(in.mark("n"));
+  const auto area = [&](const char *index, std::size_t i) {
+    return name(in.own(letter("A", index)), weighed.areas.at(i)).marked(in.mark("A" + std::string(index)));
+  };
+  return {in,
+          termsOf(in.T),
+          weighed,
+          termOf(in.Q),
+          n,
+          name(in.own(letter("A")), weighed.area).standingFor(norm(n) / 2).marked(in.T.id), // the triangle
+
+          name(in.own(vectorLetter("n", "0")), weighed.normals[0]).marked(in.mark("n0")),
+          name(in.own(vectorLetter("n", "1")), weighed.normals[1]).marked(in.mark("n1")),
+          {area("0", 0), area("1", 1), area("2", 2)},
+          name(in.own(letter("ρ")), rho).marked(in.mark("A0")),
+          name(in.own(letter("σ")), sigma).marked(in.mark("A1")),
+          name(in.own(letter("τ")), tau).marked(in.mark("A2")),
+          name(in.own(letter("B")), ExactVec3(p0 * rho + p1 * Rational(1 - rho))).marked(in.mark("B"))};
+}
+
+/// ρ = 1/3, σ = 1/6, τ = 1/2
+WordValues weightWords(const Out &at) {
+  return {{"rho", equation(at.rho)}, {"sigma", equation(at.sigma)}, {"tau", equation(at.tau)}};
+}
+
+std::string locationSentence(const In &in, const Out &at) {
+  const WordValues weights = weightWords(at);
+  const std::pair<std::string_view, std::string> Q{"Q", plainText(in.Q.symbol)};
+  const std::pair<std::string_view, std::string> place{"place", placeWords(at.weighed.location, at)};
+  switch (at.weighed.location.part) {
+  case FacePart::Interior:
+    return words("All three weights are positive: {Q} is {place}. {rho}, {sigma}, {tau}.", weights,
+                 {Q, place});
+  case FacePart::Edge:
+    return words("One weight is 0 and the others are positive: {Q} is {place}. {rho}, {sigma}, {tau}.",
+                 weights, {Q, place});
+  case FacePart::Vertex:
+    return words("One weight is 1 and the others are 0: {Q} is {place}. {rho}, {sigma}, {tau}.", weights,
+                 {Q, place});
+  case FacePart::Outside:
+    break;
+  }
+  const auto &all = at.weighed.weights;
+  return std::count_if(all.begin(), all.end(), [](const Rational &weight) { return weight < 0; }) == 1
+             ? words("One weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place})
+             : words("Two weights are negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place});
+}
+
+CaseWords tell(const In &in, const Out &at) {
+  switch (at.weighed.which) {
+  case BarycentricCase::InPlane:
+    return {std::string(nameOf(at.weighed.location.part)), locationSentence(in, at)};
+  case BarycentricCase::OffPlane:
+    return {"off-plane",
+            words("{Q} does not lie in the triangle's plane, so no weights of the three corners lead to it.",
+                  at.letters)};
+  case BarycentricCase::Coincident:
+    return {"coincident",
+            words("{same}: this is no triangle, and there is no area to share.",
+                  {{"same", coincidentWords(in.T.object, at)}}),
+            true};
+  case BarycentricCase::Collinear:
+    break;
+  }
+  return {"collinear",
+          words("{P0}, {P1} and {P2} lie on one line: the triangle has no area to share.", at.letters), true};
+}
+
+/// The corner of the largest weight, or several.
+std::string heaviest(const std::array<Rational, 3> &weights) {
+  static constexpr std::array corners{"P0", "P1", "P2"};
+  const auto largest = std::max_element(weights.begin(), weights.end());
+  return std::count(weights.begin(), weights.end(), *largest) > 1
+             ? "several"
+             : corners.at(static_cast<std::size_t>(largest - weights.begin()));
+}
+
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
+  std::vector<NamedValue> values{listed("area", at.A)};
+  if (!at.hasWeights())
+    return values;
+  if (at.weighed.location.feature >= 0)
+    values.push_back({"feature", {}, at.weighed.location.feature});
+  values.push_back(listed("areas", list({at.parts[0], at.parts[1], at.parts[2]})));
+  values.push_back(listed("barycentric", list({at.rho, at.sigma, at.tau})));
+  values.push_back({"heaviest", {}, heaviest(at.weighed.weights)});
+  return values;
+}
+
+std::vector<MadeObject> make(const In &, const Out &) { return {}; }
+
+WorkingLine normalLine(const Out &at) {
+  return asked(
+      withNumbers(at.n == cross(at.P1 - at.P0, at.P2 - at.P0)),
+      words("It is as long as twice the triangle's area."),
+      {{cross(at.P2 - at.P0, at.P1 - at.P0), words("{answer} is the cross product the other way round.")}});
+}
+
+WorkingLine wholeLine(const Out &at) {
+  return asked(withNumbers(at.A == norm(at.n) / 2), words("A triangle is half of a parallelogram."),
+               {{norm(at.n), words("{answer} is |n|, the area of a parallelogram: the triangle is half.")}});
+}
+
+/// The normal of a small triangle, of {Q} and the edge between two corners.
+WorkingLine smallNormalLine(const Out &at, const Term &normal, const Term &from, const Term &to) {
+  return asked(
+      withNumbers(normal == cross(from - at.Q, to - at.Q)),
+      words("The same for the small triangle of {Q} and the edge {edge}.", at.letters,
+            {{"edge", edgeName(from->symbol, to->symbol)}}),
+      {{cross(to - at.Q, from - at.Q), words("{answer} is the cross product the other way round.")}});
+}
+
+/// The signed area of a small triangle by its normal.
+WorkingLine smallAreaLine(const Out &at, const Term &area, const Term &normal, const Rational &weight) {
+  const Term size = norm(normal) / 2;
+  if (weight < 0)
+    return asked(
+        withNumbers(area == -size),
+        words("{normal} points against n: {Q} is beyond this edge, and the area counts as negative.",
+              at.letters, {{"normal", plainText(normal)}}),
+        {{size, words("{answer} has lost its sign: the two normals point in opposite directions.")}});
+  return asked(withNumbers(area == size),
+               weight == 0 ? words("No area is left: {Q} is on the line of this edge.", at.letters)
+                           : words("{normal} points the same way as n, so the area counts as positive.",
+                                   {{"normal", plainText(normal)}}));
+}
+
+WorkingLine restLine(const Out &at) {
+  return asked(withNumbers(at.parts[2] == at.A - at.parts[0] - at.parts[1]),
+               words("The three small areas together are the whole: so the third is what is left."));
+}
+
+WorkingLine weightLine(const Out &at, const Term &weight, const Term &area, const Term &corner) {
+  return asked(withNumbers(weight == area / at.A),
+               words("The weight of {corner}: the share of the small triangle opposite to it.",
+                     {{"corner", plainText(corner)}}));
+}
+
+WorkingLine lastWeightLine(const Out &at) {
+  return asked(withNumbers(at.tau == 1 - at.rho - at.sigma),
+               words("The three weights add up to 1, so the last one is what is left."),
+               {{at.rho + at.sigma, words("{answer} is the sum of the other two: take it from 1.")}});
+}
+
+WorkingLine mixLine(const Out &at) {
+  return asked(withNumbers(at.Q == at.rho * at.P0 + at.sigma * at.P1 + at.tau * at.P2),
+               words("The corners mixed with these weights give the point {Q} again.", at.letters));
+}
+
+WorkingLine cutLine(const Out &at) {
+  return asked(withNumbers(at.B == at.rho * at.P0 + (1 - at.rho) * at.P1),
+               words("Here the line through {Q}, parallel to the edge {edge}, meets the line {other}.",
+                     at.letters,
+                     {{"edge", edgeName(at.P1->symbol, at.P2->symbol)},
+                      {"other", edgeName(at.P0->symbol, at.P1->symbol)}}));
+}
+
+WorkingLine placeLine(const Out &at) {
+  return line({withResult(at.rho), withResult(at.sigma), withResult(at.tau)},
+              words("{Q} is {place}.", at.letters, {{"place", placeWords(at.weighed.location, at)}}));
+}
+
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  lines.add("n", [&at] { return normalLine(at); });
+  lines.add("area", [&at] { return wholeLine(at); });
+  if (!at.hasWeights())
+    return lines;
+  const auto &weights = at.weighed.weights;
+  lines.add("n0", [&at] { return smallNormalLine(at, at.n0, at.P1, at.P2); });
+  lines.add("area0", [&at, &weights] { return smallAreaLine(at, at.parts[0], at.n0, weights[0]); });
+  lines.add("n1", [&at] { return smallNormalLine(at, at.n1, at.P2, at.P0); });
+  lines.add("area1", [&at, &weights] { return smallAreaLine(at, at.parts[1], at.n1, weights[1]); });
+  lines.add("area2", [&at] { return restLine(at); });
+  lines.add("rho", [&at] { return weightLine(at, at.rho, at.parts[0], at.P0); });
+  lines.add("sigma", [&at] { return weightLine(at, at.sigma, at.parts[1], at.P1); });
+  lines.add("tau", [&at] { return lastWeightLine(at); });
+  lines.add("mix", [&at] { return mixLine(at); });
+  lines.add("cut", [&at] { return cutLine(at); });
+  lines.add("place", [&at] { return placeLine(at); });
+  return lines;
+}
+
+/// The normals are drawn this long in every picture: only their directions matter here.
+constexpr double drawnNormalLength = 2.5;
+constexpr std::array smallSubjects{Subject::Ray, Subject::Plane, Subject::Measure};
+
+void drawNormal(Figure &figure, const Term &normal, const Place &from, Subject subject) {
+  if (const ExactVec3 direction = vectorOf(normal); !isZero(direction))
+    figure.add(arrowOfLength(drawn(normal, Role::Derived, subject), from, direction, drawnNormalLength));
+}
+
+/// The line through Q on which the weight of a corner stays the same: parallel to the edge opposite, from the
+/// line of one of the other edges to that of the other, and to Q.
+void drawParallel(Figure &figure, const In &in, const Out &at, std::size_t corner) {
+  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+  const std::size_t next = (corner + 1) % 3;
+  const std::size_t last = (corner + 2) % 3;
+  const auto &weights = at.weighed.weights;
+  const Rational rest = 1 - weights.at(corner);
+  const Rational low = std::min({Rational(0), rest, weights.at(last)});
+  const Rational high = std::max({Rational(0), rest, weights.at(last)});
+  if (low == high)
+    return;
+  const ExactVec3 start = corners.at(corner) * weights.at(corner) + corners.at(next) * rest;
+  const ExactVec3 edge = corners.at(last) - corners.at(next);
+  figure.add(
+      SegmentMark{{in.mark("parallel" + std::to_string(corner)), Role::Helper, smallSubjects.at(corner)},
+                  place(ExactVec3(start + edge * low)),
+                  place(ExactVec3(start + edge * high))});
+}
+
+void drawSmall(Figure &figure, const Out &at, std::size_t corner) {
+  if (at.weighed.weights.at(corner) == 0)
+    return;
+  const std::array corners{place(at.P0), place(at.P1), place(at.P2)};
+  const Role role = at.weighed.weights.at(corner) < 0 ? Role::Ghost : Role::Derived;
+  figure.add(PolygonMark{drawn(at.parts.at(corner), role, smallSubjects.at(corner)),
+                         {place(at.Q), corners.at((corner + 1) % 3), corners.at((corner + 2) % 3)}});
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  drawNormal(figure, at.n, place(at.P0), Subject::Triangle);
+  if (!at.hasWeights())
+    return figure;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    drawSmall(figure, at, corner);
+    drawParallel(figure, in, at, corner);
+  }
+  drawNormal(figure, at.n0, (place(at.P1) + place(at.P2)) / 2.0, smallSubjects[0]);
+  drawNormal(figure, at.n1, (place(at.P2) + place(at.P0)) / 2.0, smallSubjects[1]);
+  figure.add(pointOf(at.B, Role::Derived, smallSubjects[0]));
+  return figure;
+}
+
+/// The point moved to each corner, and to the nearest place of each edge: where it is not yet.
+void addMoved(const In &in, const Out &at, std::vector<SpecialCase> &all) {
+  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+  const std::array<const Term *, 3> names{&at.P0, &at.P1, &at.P2};
+  const ExactVec3 &point = in.Q.object.at;
+  const auto add = [&](const ExactVec3 &to, const std::string &part, std::size_t feature,
+                       std::string sentence) {
+    if (to != point)
+      all.push_back({"case = " + part + " and feature = " + std::to_string(feature), std::move(sentence), "Q",
+                     PointObject{to}});
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    add(corners.at(i), "vertex", i,
+        words("{Q} would be at the corner {corner}.", at.letters, {{"corner", plainText(*names.at(i))}}));
+    const auto edge = measurePointLine(point, corners.at(i), ExactVec3(corners.at(next) - corners.at(i)));
+    if (edge.t > 0 && edge.t < 1)
+      add(edge.foot, "edge", 3 - i - next, // the corner opposite to it
+          words("{Q} would lie on the edge {edge}.", at.letters,
+                {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
+  }
+}
+
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  if (isZero(at.weighed.normal))
+    return all;
+  if (at.hasWeights()) {
+    addMoved(in, at, all);
+    return all;
+  }
+  const ExactVec3 &point = in.Q.object.at;
+  const ExactVec3 height = projectVector(ExactVec3(point - in.T.object.p0), at.weighed.normal).projection;
+  all.push_back({"case != off-plane", words("{Q} would lie in the triangle's plane.", at.letters), "Q",
+                 PointObject{ExactVec3(point - height)}});
+  return all;
+}
+
+} // namespace
+
+Construction barycentric() {
+  return makeConstruction<In, Out, TriangleObject, PointObject>(
+      "barycentric", {"T", "Q"}, {}, {"n", "A", "n0", "n1", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
+      {.cases = {"interior", "edge", "vertex", "outside", "off-plane", "coincident", "collinear"},
+       .values = {named::number("area"), named::index("feature"), named::list("areas", 3),
+                  named::list("barycentric", 3), named::word("heaviest", {"P0", "P1", "P2", "several"})},
+       .lines = {"n", "area", "n0", "area0", "n1", "area1", "area2", "rho", "sigma", "tau", "mix", "cut",
+                 "place"},
+       .marks = {"n", "n0", "n1", "A0", "A1", "A2", "parallel0", "parallel1", "parallel2", "B"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
+}
+
+} // namespace halfspace

@@ -1,0 +1,220 @@
+// The implicit equation of a plane: 0 = n·(P − P0), numbers put in, expanded, collected, normalized (note PG
+// 1 and 3).
+#include "geometry/point_plane.h"
+#include "geometry/project_vector.h"
+#include "lessons/construction/construction.h"
+#include "lessons/construction/parts/worked_lines.h"
+#include "lessons/object/drawing.h"
+#include "lessons/object/letters.h"
+#include "lessons/object/plane.h"
+#include "lessons/object/point.h"
+#include "lessons/term/latex.h"
+#include "lessons/term/plain_text.h"
+#include "lessons/term/rewrite.h"
+#include "lessons/words.h"
+
+#include <array>
+
+namespace halfspace {
+namespace {
+
+struct In : Naming {
+  Given<PlaneObject> E;
+};
+
+struct Out : Naming, PlaneTerms {
+  std::string plane; ///< the mark
+  Plane<Rational> equation;
+  bool zeroNormal;
+  Term P, P1; ///< any point of space, a second one of the plane
+  Term left;  ///< of the equation: n·(P − P0)
+};
+
+/// A vector in the plane with short coordinates, for n ≠ 0.
+Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
+  if (normal.y == 0 && normal.z == 0)
+    return list({0, 2, 0});
+  return cross(n, list({1, 0, 0}));
+}
+
+Out compute(const In &in) {
+  const PlaneTerms E = termsOf(in.E);
+  const auto &[point, normal] = in.E.object;
+  const Term second = E.P0 + vectorInPlane(normal, E.n);
+  return {in,
+          E,
+          in.E.id,
+          planeThrough(point, normal),
+          isZero(normal),
+          anyPoint(),
+          madeName(in, "P1", second->value).standingFor(second),
+          dot(E.n, anyPoint() - E.P0)};
+}
+
+CaseWords tell(const In &, const Out &at) {
+  if (at.zeroNormal)
+    return zeroNormalWords(at);
+  return {"plane", words("A point P lies in the plane exactly when {equation}.",
+                         {{"equation", plainText(equationOf(at))}})};
+}
+
+std::vector<NamedValue> valuesOf(const In &, const Out &at) {
+  const auto &plane = at.equation;
+  std::vector<NamedValue> values{
+      {"coefficients", list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
+       std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
+  if (at.zeroNormal)
+    return values;
+  const auto primitive = primitiveCoefficients(plane);
+  const auto normalized = normalizedCoefficients(plane);
+  values.push_back(
+      {"primitive", words("in lowest integers"), std::vector<Surd>(primitive.begin(), primitive.end())});
+  values.push_back({"normalized", words("normalized"), std::vector(normalized.begin(), normalized.end())});
+  values.push_back({"origin_distance", words("signed distance of the origin"),
+                    measurePointPlane(ExactVec3(0), plane).signedDistance});
+  return values;
+}
+
+std::vector<MadeObject> make(const In &, const Out &at) {
+  if (at.zeroNormal)
+    return {};
+  return {{"P1", PointObject{vectorOf(at.P1)}}};
+}
+
+WorkingLine implicitLine(const Out &at) {
+  return line(condition(0 == at.left),
+              at.zeroNormal ? words("This dot product is zero for every P, so it tells no plane.")
+                            : words("P lies in the plane exactly when this dot product is zero."));
+}
+
+WorkingLine insertLine(const Out &at) {
+  return line(condition(Chain(0).then(namesPutIn(at.left)).then(numbersPutIn(at.left))),
+              words("The numbers put in, with P = (x, y, z)."));
+}
+
+WorkingLine expandLine(const Out &at) {
+  return askedEquation(condition((0 == at.left).then(multipliedOut(at.left))),
+                       words("Multiplied out, coordinate by coordinate."));
+}
+
+WorkingLine collectLine(const Out &at) {
+  const Chain collected = (0 == at.left)
+                              .then(calculated(dot(at.n, at.P)) - multipliedOut(dot(at.n, at.P0)))
+                              .then(calculated(at.left).marked(at.plane));
+  const Term onlyAdded = sum(calculated(at.P0)->parts);
+  return askedEquation(
+      condition(collected),
+      words("Collected: the numbers before x, y and z are the coordinates of {n}, and the constant is "
+            "−{n}·{P0}.",
+            at.letters),
+      {{dot(at.n, at.P) + dot(at.n, at.P0),
+        words("In {answer} the constant is {n}·{P0}: the minus sign of P − {P0} is lost.", at.letters)},
+       {dot(at.n, at.P) - onlyAdded, words("In {answer} the coordinates of {P0} are only added up: each is "
+                                           "multiplied by that of {n} first.",
+                                           at.letters)}});
+}
+
+WorkingLine constantLine(const Out &at) {
+  return asked(withProducts(dot(at.n, at.P1)),
+               words("{point}, another point of the plane, gives the same number as {P0}.", at.letters,
+                     {{"point", equation(at.P1)}}));
+}
+
+std::string normalizedWords(const Out &at) {
+  if (isUnit(at.n))
+    return words("|{n}| is 1: the equation is normalized already, so its right side gives distances.",
+                 at.letters);
+  return words(
+      "Divided by the length of the normal, {length}: the normalized form. The plane is the same, and "
+      "the right side now gives distances.",
+      {{"length", equation(norm(at.n))}});
+}
+
+WorkingLine normalizedLine(const Out &at) {
+  const Term unit = at.left / norm(at.n);
+  return asked(
+      condition((0 == unit).then(calculated(at.left) / calculated(norm(at.n))).then(calculated(unit))),
+      normalizedWords(at),
+      {{at.left, words("{answer} is not normalized: every number is divided by |{n}|.", at.letters)},
+       {at.left / dot(at.n, at.n),
+        words("{answer} is divided by {n}·{n}: divide by its root, |{n}|.", at.letters)}});
+}
+
+WorkingLine scaledLine(const Out &at) {
+  const Term twice = dot((2 * at.n).marked(at.mark("kn")), at.P - at.P0);
+  return line(
+      condition((0 == twice).then(calculated(twice))),
+      words("Twice the normal doubles every number and changes nothing: the same points make it zero."));
+}
+
+Explanation explain(const In &, const Out &at) {
+  Explanation lines;
+  lines.add("implicit", [&at] { return implicitLine(at); });
+  lines.add("insert", [&at] { return insertLine(at); });
+  if (at.zeroNormal)
+    return lines;
+  lines.add("expand", [&at] { return expandLine(at); });
+  lines.add("collect", [&at] { return collectLine(at); });
+  lines.add("constant", [&at] { return constantLine(at); });
+  lines.add("normalized", [&at] { return normalizedLine(at); });
+  lines.add("scaled", [&at] { return scaledLine(at); });
+  return lines;
+}
+
+Figure draw(const In &in, const Out &at) {
+  Figure figure;
+  const Place point = place(at.P0);
+  const Place normal = place(at.n);
+  const Place other = place(at.P1);
+  if (at.zeroNormal)
+    return figure;
+  figure.reaches.push_back({in.E.id, other});
+  figure.add(SegmentMark{{at.P1->mark + "/way", Role::Helper}, point, other});
+  figure.add(inLook(in.E.look, pointOf(at.P1, Role::Derived, Subject::Plane)));
+  figure.add(RightAngleMark{{at.P1->mark + "/angle", Role::Helper}, point, normal, other - point});
+  // Not from P0, where it would lie on n: a normal may stand on any point of its plane.
+  MarkBase twice{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)};
+  figure.add(inLook(in.E.look, ArrowMark{std::move(twice), other, 2.0 * normal}));
+  return figure;
+}
+
+/// What the plane would be that runs parallel to an axis.
+SpecialCase parallelToAxis(const In &in, int axis) {
+  PlaneObject tilted = in.E.object;
+  tilted.normal[axis] = 0;
+  const std::array<std::string, 3> sentences{words("The plane would run parallel to the x-axis."),
+                                             words("The plane would run parallel to the y-axis."),
+                                             words("The plane would run parallel to the z-axis.")};
+  return {"coefficients." + std::to_string(axis) + " = 0", sentences.at(static_cast<std::size_t>(axis)), "E",
+          tilted};
+}
+
+std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+  std::vector<SpecialCase> all;
+  if (at.zeroNormal)
+    return all;
+  const auto &[point, normal] = in.E.object;
+  if (at.equation.offset != 0)
+    all.push_back({"origin_distance = 0", words("The plane would go through the origin."), "E",
+                   PlaneObject{projectVector(point, normal).rejection, normal}});
+  for (int axis = 0; axis < 3; ++axis)
+    if (SpecialCase tilted = parallelToAxis(in, axis);
+        normal[axis] != 0 && !isZero(objectAs<PlaneObject>(*tilted.object)->normal))
+      all.push_back(std::move(tilted));
+  return all;
+}
+
+} // namespace
+
+Construction plane_implicit() {
+  return makeConstruction<In, Out, PlaneObject>(
+      "plane-implicit", {"E"}, {{"P1", "point"}}, {},
+      {.cases = {"plane", "zero-normal"},
+       .values = {named::list("coefficients", 4), named::list("primitive", 4), named::list("normalized", 4),
+                  named::number("origin_distance")},
+       .lines = {"implicit", "insert", "expand", "collect", "constant", "normalized", "scaled"},
+       .marks = {"P1", "kn"}},
+      {compute, tell, valuesOf, make, explain, draw, nearby});
+}
+
+} // namespace halfspace
