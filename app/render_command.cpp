@@ -3,7 +3,7 @@
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"

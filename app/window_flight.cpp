@@ -1,8 +1,8 @@
 // The torpedo's flight on the page, and the triangles that it may hit.
 #include "app/main_window.h"
-#include "lessons/object/mesh.h"
-#include "lessons/object/number.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ray.h"
 #include "widgets/lesson/lesson_page.h"
 
 #include <QMenu>

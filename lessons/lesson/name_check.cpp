@@ -4,7 +4,7 @@
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson_lines.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/words.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 #include "lessons/lesson/new_numbers.h"
 
 #include "lessons/object/drawing.h"
-#include "lessons/object/line.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/polygon.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/line.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/polygon.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
+#include "lessons/object/kinds/vector.h"
 #include "lessons/scene/short_numbers.h"
 
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 #include "lessons/object/object.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/object/mesh_shape.h"
-#include "lessons/object/point.h"
 #include "lessons/object/solid.h"
 
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "lessons/object/point_by_sides.h"
 
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/triangle.h"
 
 #include <algorithm>
 

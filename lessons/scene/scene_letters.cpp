@@ -1,7 +1,7 @@
 #include "lessons/scene/scene_letters.h"
 
 #include "lessons/construction/construction.h"
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 
 namespace halfspace {
 

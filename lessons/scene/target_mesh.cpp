@@ -3,7 +3,7 @@
 #include "geometry/decide.h"
 #include "lessons/construction/construction.h"
 #include "lessons/object/coordinate_limits.h"
-#include "lessons/object/mesh.h"
+#include "lessons/object/kinds/mesh.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // Every handle of every lesson, dragged with the mouse in a real window.
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 #include "tests/app/window_fixture.h"
 
 #include "lessons/construction/working.h"

@@ -1,7 +1,7 @@
 // Objects that slide on others, and corners that come and go, by hand in a real window.
-#include "lessons/object/line.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/line.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/app/window_fixture.h"
 #include "tests/lessons/objects.h"
 

@@ -1,6 +1,6 @@
 // Unsaved work of programs that live, that were killed, and that ended.
 #include "app/recovery.h"
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 
 #include <gtest/gtest.h>
 

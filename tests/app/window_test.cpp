@@ -1,5 +1,5 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/scene/near_special_cases.h"
 #include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"

@@ -1,7 +1,7 @@
 // The numbers in the worked lines, in the window: where they come from, and how they change the scene.
 #include "tests/app/window_fixture.h"
 
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 #include "lessons/term/plain_text.h"
 
 using namespace halfspace;

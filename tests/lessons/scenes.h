@@ -2,11 +2,11 @@
 #pragma once
 
 #include "lessons/object/kind.h"
-#include "lessons/object/line.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/line.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 #include "lessons/scene/evaluation.h"
 #include "lessons/scene/handles.h"
 #include "lessons/scene/session.h"

@@ -3,7 +3,7 @@
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "lessons/files/write_file.h"
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/scene/session_file.h"
 #include "widgets/scene/png.h"
 

@@ -2,10 +2,10 @@
 // picture in which its objects can be seen, in bounded time and memory.
 #include "lessons/construction/construction.h"
 #include "lessons/object/coordinate_limits.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 #include "lessons/object/solid.h"
-#include "lessons/object/triangle.h"
 #include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
 #include "tests/scene/pictures.h"

@@ -1,7 +1,7 @@
 // The history of a session: edits of every sort, undone and done again.
 #include "widgets/session_model.h"
 
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 #include "tests/lessons/scene/random_edits.h"
 
 #include <QtTest>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/construction/parts/shots.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/session_model.h"
 

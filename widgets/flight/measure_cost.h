@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/hit_search.h"
-#include "lessons/object/mesh.h"
+#include "lessons/object/kinds/mesh.h"
 
 #include <atomic>
 #include <cstddef>

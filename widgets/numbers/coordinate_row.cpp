@@ -1,6 +1,6 @@
 #include "widgets/numbers/coordinate_row.h"
 
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/term/plain_text.h"
 #include "widgets/formula/term_formula.h"
 #include "widgets/mark_ink.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/intersect_ray_triangle.h"
-#include "lessons/object/mesh.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/ray.h"
 
 #include <optional>
 #include <vector>

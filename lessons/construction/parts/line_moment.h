@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/figure/mark.h"
-#include "lessons/object/line.h"
+#include "lessons/object/kinds/line.h"
 
 namespace halfspace {
 

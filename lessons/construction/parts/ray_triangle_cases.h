@@ -5,8 +5,8 @@
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction/naming.h"
 #include "lessons/construction/outcome.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 
 namespace halfspace {
 

@@ -1,7 +1,7 @@
 // Rays moved sideways.
 #pragma once
 
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 
 #include <optional>
 

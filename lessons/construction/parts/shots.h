@@ -1,8 +1,8 @@
 // When and where a flying saucer fires, by the number of the frame.
 #pragma once
 
-#include "lessons/object/number.h"
-#include "lessons/object/ufo.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ufo.h"
 
 namespace halfspace {
 

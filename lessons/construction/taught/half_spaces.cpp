@@ -5,9 +5,9 @@
 #include "lessons/construction/construction.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 

@@ -1,5 +1,5 @@
 // How two lines lie to each other, by Plücker coordinates: their permuted inner product (note PL).
-#include "lessons/object/line.h"
+#include "lessons/object/kinds/line.h"
 #include "geometry/case_names.h"
 #include "geometry/point_line.h"
 #include "geometry/project_vector.h"
@@ -8,8 +8,8 @@
 #include "lessons/construction/parts/line_moment.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/point.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"

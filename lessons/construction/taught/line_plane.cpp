@@ -6,10 +6,10 @@
 #include "lessons/construction/parts/line_moment.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/line.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/line.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 

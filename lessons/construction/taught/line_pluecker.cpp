@@ -5,8 +5,8 @@
 #include "lessons/construction/parts/line_moment.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/line.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/line.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 

@@ -6,10 +6,10 @@
 #include "lessons/construction/parts/fragments.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/triangle.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/number.h"
-#include "lessons/object/point.h"
-#include "lessons/object/triangle.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 

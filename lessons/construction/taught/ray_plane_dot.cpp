@@ -6,10 +6,10 @@
 #include "lessons/construction/construction.h"
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/object/drawing.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/ray.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
-#include "lessons/object/ray.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/words.h"
 

@@ -5,8 +5,8 @@
 #include "geometry/hit_all.h"
 #include "lessons/construction/parts/shots.h"
 #include "lessons/lesson/lesson.h"
-#include "lessons/object/mesh.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

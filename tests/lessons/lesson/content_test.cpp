@@ -1,11 +1,11 @@
 // The lessons that come with the program, checked as their readers will meet them.
 #include "lessons/lesson/condition.h"
-#include "lessons/object/mesh.h"
-#include "lessons/object/number.h"
-#include "lessons/object/polygon.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/ufo.h"
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/polygon.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/ufo.h"
+#include "lessons/object/kinds/vector.h"
 #include "lessons/scene/session.h"
 
 #include "tests/lessons/objects.h"

@@ -2,10 +2,10 @@
 #include "lessons/lesson/new_numbers.h"
 
 #include "lessons/object/drawing.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/effort.h"
 
 #include <glm/geometric.hpp>

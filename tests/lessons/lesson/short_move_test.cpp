@@ -2,7 +2,7 @@
 #include "lessons/lesson/short_move.h"
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

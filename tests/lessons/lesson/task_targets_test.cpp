@@ -2,7 +2,7 @@
 #include "lessons/lesson/task_targets.h"
 
 #include "lessons/lesson/condition.h"
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/vector.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "lessons/object/coordinate_limits.h"
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 
 #include <gtest/gtest.h>
 

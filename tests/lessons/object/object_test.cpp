@@ -1,6 +1,6 @@
 // Objects as values: by their kind's words, by its struct, and by their letters.
+#include "lessons/object/kinds/number.h"
 #include "lessons/object/letters.h"
-#include "lessons/object/number.h"
 
 #include "tests/lessons/object/spelled_objects.h"
 

@@ -1,4 +1,4 @@
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 #include "lessons/reading/typed_number.h"
 
 #include "lessons/lesson/typed_answer.h"

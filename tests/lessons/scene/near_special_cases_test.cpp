@@ -1,11 +1,11 @@
 #include "lessons/scene/near_special_cases.h"
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/sphere.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/sphere.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "lessons/scene/scene_looks.h"
 
-#include "lessons/object/number.h"
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/vector.h"
 #include "lessons/scene/edit.h"
 #include "tests/lessons/scenes.h"
 

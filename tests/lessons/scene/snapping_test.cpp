@@ -1,7 +1,7 @@
 #include "lessons/scene/snapping.h"
 
 #include "geometry/intersect_ray_sphere.h"
-#include "lessons/object/sphere.h"
+#include "lessons/object/kinds/sphere.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // A learner's own mesh, put into a scene that has constructions which look at meshes.
 #include "lessons/scene/target_mesh.h"
 
-#include "lessons/object/mesh.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/number.h"
 #include "lessons/scene/scene_checker.h"
 #include "tests/lessons/scenes.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/lessons/term/term_samples.h"
 
-#include "lessons/object/sphere.h"
+#include "lessons/object/kinds/sphere.h"
 #include "lessons/term/plain_text.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "widgets/numbers/coordinate_editor.h"
 
 #include "lessons/object/coordinate_limits.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "tests/lessons/scenes.h"
 #include "widgets/numbers/number_field.h"
 

@@ -3,7 +3,7 @@
 #include "widgets/numbers/inspector.h"
 
 #include "lessons/object/kind.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 #include "tests/lessons/scenes.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/numbers/named_value_row.h"

@@ -1,8 +1,8 @@
 // The flat picture: in the lesson that has one, live, and absent everywhere else.
 #include "widgets/view/flat_view.h"
 
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/typeset/typesetter.h"
 

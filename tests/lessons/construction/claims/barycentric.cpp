@@ -1,4 +1,4 @@
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 #include "tests/lessons/construction/claims/triangle_words.h"
 
 namespace halfspace::test {

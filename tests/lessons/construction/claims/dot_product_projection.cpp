@@ -1,4 +1,4 @@
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/vector.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/claims/said_angle.h"
 

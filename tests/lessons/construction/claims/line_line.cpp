@@ -1,4 +1,4 @@
-#include "lessons/object/line.h"
+#include "lessons/object/kinds/line.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 

@@ -1,5 +1,5 @@
-#include "lessons/object/line.h"
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/line.h"
+#include "lessons/object/kinds/plane.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 

@@ -1,5 +1,5 @@
-#include "lessons/object/mesh.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/number.h"
 #include "tests/lessons/construction/claims/ray_at_triangle.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/claims/said_angle.h"
 

@@ -1,7 +1,7 @@
 // What claims about polygons and about solids compute alike: faces are given by their corners in order.
 #pragma once
 
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A plane and a ray, as several constructions look at them.
 #pragma once
 
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 

@@ -1,8 +1,8 @@
 // A triangle and a ray, as several constructions look at them.
 #pragma once
 
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/construction/claims/triangle_words.h"
 
 namespace halfspace::test {

@@ -1,4 +1,4 @@
-#include "lessons/object/polygon.h"
+#include "lessons/object/kinds/polygon.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/claims/corner_letters.h"
 #include "tests/lessons/construction/claims/ray_at_faces.h"

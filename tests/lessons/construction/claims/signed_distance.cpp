@@ -1,5 +1,5 @@
-#include "lessons/object/plane.h"
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/point.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/claims/said_angle.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"

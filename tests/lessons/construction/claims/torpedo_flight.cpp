@@ -1,5 +1,5 @@
-#include "lessons/object/number.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/torpedo_tools.h"
 

@@ -1,5 +1,5 @@
-#include "lessons/object/number.h"
-#include "lessons/object/ufo.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ufo.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/torpedo_tools.h"
 

@@ -1,6 +1,6 @@
 #include "tests/lessons/construction/claims/triangle_words.h"
 
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/claims/corner_letters.h"
 
 namespace halfspace::test {

@@ -1,7 +1,7 @@
 // What several constructions say of a triangle and of a place in it.
 #pragma once
 
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/construction/claims/claims.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 

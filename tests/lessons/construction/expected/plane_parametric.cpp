@@ -1,5 +1,5 @@
-#include "lessons/object/point.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/point.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 

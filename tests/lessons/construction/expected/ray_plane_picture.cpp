@@ -1,5 +1,5 @@
-#include "lessons/object/plane.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/plane.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 

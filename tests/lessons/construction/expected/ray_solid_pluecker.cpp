@@ -1,6 +1,6 @@
 #include "lessons/object/corners.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 

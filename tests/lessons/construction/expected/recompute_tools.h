@@ -3,7 +3,7 @@
 
 #include "tests/lessons/construction/expected/expected.h"
 
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 
 #include <algorithm>
 #include <array>

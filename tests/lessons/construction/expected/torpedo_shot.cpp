@@ -1,6 +1,6 @@
-#include "lessons/object/number.h"
-#include "lessons/object/ray.h"
-#include "lessons/object/ufo.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/ufo.h"
 #include "tests/lessons/construction/expected/torpedo_tools.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 

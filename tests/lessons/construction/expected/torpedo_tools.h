@@ -3,7 +3,7 @@
 
 #include "geometry/ray.h"
 #include "geometry/triangle.h"
-#include "lessons/object/mesh.h"
+#include "lessons/object/kinds/mesh.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 
 #include <random>

@@ -1,4 +1,4 @@
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/construction/expected/recompute_tools.h"
 #include "tests/lessons/construction/expected/wrong_answer_tools.h"
 

@@ -3,7 +3,7 @@
 
 #include "tests/lessons/construction/expected/expected.h"
 
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 
 #include <array>
 #include <map>

@@ -1,6 +1,6 @@
 // What is said of a ray that lies in the plane of one of many triangles.
-#include "lessons/object/mesh.h"
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/mesh.h"
+#include "lessons/object/kinds/number.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

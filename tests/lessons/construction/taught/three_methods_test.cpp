@@ -1,6 +1,6 @@
 // What stays of the three ways where there is nothing to divide by.
-#include "lessons/object/ray.h"
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/ray.h"
+#include "lessons/object/kinds/triangle.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // so a point of it is told by a place: it is the foot of that place, wherever the plane turns.
 #include "lessons/object/bound_point.h"
 #include "lessons/object/flat.h"
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 
 namespace halfspace {
 namespace {

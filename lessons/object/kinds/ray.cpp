@@ -1,4 +1,4 @@
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

@@ -1,4 +1,4 @@
-#include "lessons/object/vector.h"
+#include "lessons/object/kinds/vector.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

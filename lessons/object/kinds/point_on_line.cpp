@@ -1,6 +1,6 @@
 // Points that slide on a line.
 #include "lessons/object/bound_point.h"
-#include "lessons/object/line.h"
+#include "lessons/object/kinds/line.h"
 
 namespace halfspace::object_kinds {
 

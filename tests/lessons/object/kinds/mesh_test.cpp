@@ -1,13 +1,13 @@
 // Meshes: what files say of them, where they stand, and what they share.
-#include "lessons/object/mesh.h"
+#include "lessons/object/kinds/mesh.h"
 #include "lessons/scene/shape_text.h"
 
 #include "geometry/decide.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/lesson/lesson.h"
 #include "lessons/object/kind.h"
-#include "lessons/object/number.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/number.h"
+#include "lessons/object/kinds/ray.h"
 #include "lessons/scene/large_meshes.h"
 #include "lessons/scene/session_file.h"
 #include "tests/lessons/scenes.h"

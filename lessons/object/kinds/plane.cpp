@@ -1,4 +1,4 @@
-#include "lessons/object/plane.h"
+#include "lessons/object/kinds/plane.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

@@ -1,6 +1,6 @@
 // Points that slide on a ray, from its start on.
 #include "lessons/object/bound_point.h"
-#include "lessons/object/ray.h"
+#include "lessons/object/kinds/ray.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lessons/object/sphere.h"
+#include "lessons/object/kinds/sphere.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

@@ -1,4 +1,4 @@
-#include "lessons/object/ufo.h"
+#include "lessons/object/kinds/ufo.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

@@ -1,4 +1,4 @@
-#include "lessons/object/triangle.h"
+#include "lessons/object/kinds/triangle.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"

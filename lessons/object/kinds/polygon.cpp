@@ -1,5 +1,5 @@
 // Polygons: flat and convex ones are filled, others only outlined.
-#include "lessons/object/polygon.h"
+#include "lessons/object/kinds/polygon.h"
 
 #include "lessons/object/corners.h"
 #include "lessons/object/drawing.h"

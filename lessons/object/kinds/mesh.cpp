@@ -1,4 +1,4 @@
-#include "lessons/object/mesh.h"
+#include "lessons/object/kinds/mesh.h"
 
 #include "geometry/decide.h"
 #include "geometry/surd.h"

@@ -1,4 +1,4 @@
-#include "lessons/object/number.h"
+#include "lessons/object/kinds/number.h"
 
 #include "lessons/object/kind.h"
 

@@ -1,4 +1,4 @@
-#include "lessons/object/point.h"
+#include "lessons/object/kinds/point.h"
 
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"

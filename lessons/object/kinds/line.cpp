@@ -1,4 +1,4 @@
-#include "lessons/object/line.h"
+#include "lessons/object/kinds/line.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
