@@ -1,7 +1,7 @@
 // Folders of the user's own data and settings.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <QString>
 

@@ -6,6 +6,7 @@
 #include "app/put_aside.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/short_move.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"

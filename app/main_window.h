@@ -7,6 +7,7 @@
 #include "app/settings.h"
 #include "app/size_scale.h"
 #include "lessons/lesson/lesson_progress.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/scene/near_special_cases.h"
 #include "widgets/flight/flight_player.h"
 #include "widgets/numbers/coordinate_editor.h"

@@ -1,7 +1,7 @@
 // A lesson to begin with.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/open_session.h"
 
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // Files of the program's own that cannot be read any more.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <QString>
 

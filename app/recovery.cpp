@@ -4,7 +4,7 @@
 #include "lessons/files/descriptor.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
 
 #include <QDir>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/known_file.h"
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "lessons/scene/session.h"
 
 #include <QDateTime>

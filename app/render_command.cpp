@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/rational.h"
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <QByteArray>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // What the program says to whoever started it.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <string_view>
 

@@ -1,5 +1,6 @@
 // The torpedo's flight on the page, and the triangles that it may hit.
 #include "app/main_window.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/ray.h"

@@ -3,7 +3,7 @@
 #include "app/main_window.h"
 #include "app/progress_file.h"
 #include "app/standard_streams.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "widgets/numbers/inspector.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/view/case_line.h"

@@ -1,7 +1,7 @@
 // A learner's own meshes: opened, dropped on the window, and put into the scene.
 #include "app/main_window.h"
 #include "lessons/object/kinds/mesh.h"
-#include "lessons/scene/large_meshes.h"
+#include "lessons/scene/file/large_meshes.h"
 #include "lessons/scene/target_mesh.h"
 #include "widgets/text/figures.h"
 

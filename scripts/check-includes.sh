@@ -12,9 +12,9 @@ eval                 : geometry
 lessons              :
 lessons/term         : geometry lessons
 lessons/figure       : lessons
-lessons/reading      : geometry lessons : JSON YAML MD4C
+lessons/reading      : geometry lessons lessons/term : JSON YAML MD4C
 lessons/files        : lessons lessons/reading
-lessons/object       : geometry lessons lessons/term lessons/figure
+lessons/object       : geometry lessons lessons/term lessons/figure lessons/reading
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
 lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files

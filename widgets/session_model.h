@@ -2,8 +2,9 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/shown.h"
+#include "lessons/scene/hand/snap_targets.h"
 #include "lessons/scene/session.h"
-#include "lessons/scene/snap_targets.h"
 #include "widgets/picture/stage.h"
 
 #include <QObject>

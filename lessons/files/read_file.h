@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/files/descriptor.h"
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <cstdint>
 #include <filesystem>

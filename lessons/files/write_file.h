@@ -1,7 +1,7 @@
 // The one writer of files: sessions, unsaved work, settings, pictures and all that is exported.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <filesystem>
 #include <optional>

@@ -53,7 +53,7 @@
 
 #include "lessons/lesson/macros.h"
 #include "lessons/lesson/practice.h"
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "lessons/scene/camera_view.h"
 #include "lessons/scene/evaluation.h"
 
@@ -250,45 +250,5 @@ void addOwnLessons(LessonLibrary &library, const std::filesystem::path &folder);
 
 /// The word of the choice that is right for what a scene comes to; empty where none is.
 [[nodiscard]] std::string rightChoice(const Prediction &prediction, const Evaluation &evaluation);
-
-/// Whether the learner sees what constructions come to, or is still to find it.
-enum class LiveValues { Shown, Hidden };
-
-/// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers; by a
-/// question mark where values are hidden. `{Q}` and `{E.n}` name the scene's coordinates.
-[[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
-                                         const Evaluation &evaluation, LiveValues values = LiveValues::Shown);
-
-/// A `{name}` in Markdown, outside formulas and code, with its place in the text.
-struct LiveName {
-  std::string name;
-  std::size_t place; ///< of the brace
-};
-[[nodiscard]] std::vector<LiveName> liveNamesIn(std::string_view markdown);
-
-/// What a step shows of a scene.
-struct Shown {
-  Working working; ///< all lines, in the order of the page
-  /// How many of them stand in each of the step's StepLines. A line that several name stands in the first.
-  std::vector<std::size_t> linesIn;
-  Figure figure;
-  std::string description; ///< the cases of the constructions whose lines are shown, in plain words
-  bool degenerate = false; ///< one of them is a warning
-};
-
-/// Whether the question of a step, if it has one, is answered. While it is not, the figure has what is given
-/// alone: the rest would give the answer away.
-enum class Question { Open, Answered };
-
-/// The step's lines and, of the figure, which is that of the evaluation, the given marks, those that these
-/// lines and the step name, and what accompanies them. Where a step names no lines, all marks and the lines
-/// of the last `mostWorkings` constructions.
-[[nodiscard]] Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure,
-                            Question question = Question::Answered);
-[[nodiscard]] inline Shown shownIn(const LessonStep &step, const Evaluation &evaluation,
-                                   Question question = Question::Answered) {
-  return shownIn(step, evaluation, figureOf(evaluation), question);
-}
-inline constexpr std::size_t mostWorkings = 4;
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 // The pictures that a lesson's words name.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <filesystem>
 #include <string>

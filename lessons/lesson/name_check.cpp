@@ -3,6 +3,7 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson_lines.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/words.h"

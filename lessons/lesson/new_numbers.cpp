@@ -1,5 +1,6 @@
 #include "lessons/lesson/new_numbers.h"
 
+#include "lessons/lesson/short_numbers.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/object/kinds/plane.h"
@@ -7,7 +8,6 @@
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/object/kinds/vector.h"
-#include "lessons/scene/short_numbers.h"
 
 #include <glm/geometric.hpp>
 

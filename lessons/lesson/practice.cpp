@@ -1,7 +1,7 @@
 #include "lessons/lesson/practice.h"
 
-#include "lessons/lesson/typed_answer.h"
 #include "lessons/lesson/usual_mistakes.h"
+#include "lessons/reading/typed_answer.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"

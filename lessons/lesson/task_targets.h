@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/scene/snap_targets.h"
+#include "lessons/scene/hand/snap_targets.h"
 
 namespace halfspace {
 

@@ -2,7 +2,7 @@
 // every node with its line. Neither library's types nor its exceptions come past this file.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <optional>
 #include <string_view>

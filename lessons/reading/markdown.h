@@ -2,7 +2,7 @@
 // followed here: links and pictures are named. HTML stands as it is written.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "lessons/reading/typed_number.h"
 
 #include "lessons/text.h"
+#include "lessons/words.h"
 
 #include <algorithm>
 
@@ -20,6 +21,21 @@ bool areDigits(std::string_view text) {
 std::string withoutSpaces(std::string text) {
   text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
   return text;
+}
+
+bool hasTooManyDigits(const Rational &whole) {
+  static const Rational shortestTooLong = powerOfTen(coordinateDigits);
+  return abs(whole) >= shortestTooLong;
+}
+
+std::string sentenceForTooLarge() {
+  return words("This number is too large: coordinates go from −{limit} to {limit}.",
+               {{"limit", toText(coordinateLimit)}});
+}
+
+std::string sentenceForTooLong() {
+  return words("This number is too long: as a fraction it may have {digits} digits above and below the line.",
+               {{"digits", std::to_string(coordinateDigits)}});
 }
 
 } // namespace
@@ -60,6 +76,35 @@ std::string plainSpelling(std::string_view typed, char decimalMark) {
   if (text.starts_with('.') || text.starts_with("-."))
     text.insert(text.find('.'), "0");
   return text;
+}
+
+std::optional<std::string> refuseCoordinate(const Rational &value) {
+  if (abs(value) > coordinateLimit)
+    return sentenceForTooLarge();
+  if (hasTooManyDigits(value.numerator()) || hasTooManyDigits(value.denominator()))
+    return sentenceForTooLong();
+  return {};
+}
+
+std::string sentenceForNotRead(std::string_view text) {
+  switch (whyNotRead(text)) {
+  case NotRead::TooLarge:
+    return sentenceForTooLarge();
+  case NotRead::TooLong:
+    return sentenceForTooLong();
+  case NotRead::NoNumber:
+    break;
+  }
+  return words("“{text}” is not a number: write it as 3, -1.5 or -10/3.", {{"text", shortened(text)}});
+}
+
+Result<Rational> readCoordinate(std::string_view text) {
+  const auto value = parseRational(text);
+  if (!value)
+    return Problem{sentenceForNotRead(text), "", 0, ""};
+  if (const auto refused = refuseCoordinate(*value))
+    return Problem{*refused, "", 0, ""};
+  return *value;
 }
 
 } // namespace halfspace

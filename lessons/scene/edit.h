@@ -1,7 +1,7 @@
 // What can be done to a scene: a closed set of edits.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "lessons/scene/scene.h"
 
 namespace halfspace {

@@ -1,7 +1,7 @@
 // Whether a scene can be evaluated.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "lessons/scene/scene.h"
 
 #include <unordered_map>

@@ -2,7 +2,7 @@
 
 #include "geometry/decide.h"
 #include "lessons/construction/construction.h"
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/mesh.h"
 
 #include <algorithm>

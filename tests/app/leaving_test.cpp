@@ -1,7 +1,7 @@
 // Nothing is lost when the window closes, is told to end, or finds its file changed.
 #include "app/termination.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/mesh_files/mesh_texts.h"
 #include "widgets/numbers/inspector.h"

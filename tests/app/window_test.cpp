@@ -1,7 +1,7 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
 #include "lessons/object/kinds/point.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/scene/near_special_cases.h"
-#include "lessons/scene/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/task_row.h"
 #include "widgets/numbers/inspector.h"

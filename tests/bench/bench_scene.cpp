@@ -1,9 +1,10 @@
 // Scenes that grow: what an edit, saving and opening cost in scenes of 10, 100 and 500 constructions, and the
 // list of 5, 20 and 1,000 lessons. Each should be flat or linear.
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/bench/durations.h"
 
 #include <cstdio>

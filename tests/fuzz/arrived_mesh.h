@@ -1,7 +1,7 @@
 // What must hold of bytes that were sent as a mesh, whoever sent them.
 #pragma once
 
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 #include "widgets/mesh_files/make_shape.h"
 #include "widgets/mesh_files/mesh_wire.h"
 

@@ -1,6 +1,8 @@
 // Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/prose.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/scene/session.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Whatever the bytes: a session that can be evaluated and written again as it is, or a problem with a
 // sentence.
 #include "lessons/scene/evaluation.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/scene/evaluation.h"
-#include "lessons/scene/handles.h"
+#include "lessons/scene/hand/handles.h"
 #include "lessons/scene/session.h"
 
 #include <ostream>

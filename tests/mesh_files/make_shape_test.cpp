@@ -1,7 +1,7 @@
 #include "widgets/mesh_files/make_shape.h"
 
 #include "geometry/decide.h"
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 #include "widgets/mesh_files/numbering.h"
 
 #include <glm/common.hpp>

@@ -1,6 +1,7 @@
 // How every step of every lesson begins: nothing lies over anything, and everything can be read and grabbed.
 #include "lessons/lesson/lesson.h"
-#include "lessons/scene/handles.h"
+#include "lessons/lesson/shown.h"
+#include "lessons/scene/hand/handles.h"
 #include "tests/effort.h"
 #include "tests/picture/labels/vectors_only.h"
 #include "tests/test_name.h"

@@ -4,7 +4,7 @@
 #include "app/settings.h"
 #include "lessons/files/write_file.h"
 #include "lessons/object/kinds/point.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 #include "widgets/scene/png.h"
 
 #include <QFile>

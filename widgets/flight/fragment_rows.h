@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/live_values.h"
 #include "widgets/flight/crossing_look.h"
 
 #include <vector>

@@ -1,6 +1,7 @@
 // The fragments that a ray is held against, with its crossings of their planes.
 #pragma once
 
+#include "lessons/lesson/live_values.h"
 #include "widgets/flight/fragment_columns.h"
 #include "widgets/flight/fragment_rows.h"
 #include "widgets/typeset/typesetter.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/live_values.h"
 #include "widgets/flight/cost_plot.h"
 #include "widgets/flight/flight_bar.h"
 #include "widgets/flight/fragment_table.h"

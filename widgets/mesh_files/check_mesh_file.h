@@ -1,7 +1,7 @@
 // What a mesh file is, and whether it can be what it says: looked at before a reader is let near it.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <cstdint>
 #include <filesystem>

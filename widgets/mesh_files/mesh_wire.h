@@ -1,7 +1,7 @@
 // A mesh on its way from the process that reads it to the one that shows it.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/mesh_files/raw_mesh.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What a PLY file says about itself at its beginning.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 // Meshes out of files.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/mesh_files/raw_mesh.h"
 
 #include <filesystem>

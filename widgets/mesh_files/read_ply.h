@@ -1,7 +1,7 @@
 // PLY files: texts, and binary ones with either byte first.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/mesh_files/raw_mesh.h"
 
 #include <filesystem>

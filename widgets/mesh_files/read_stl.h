@@ -1,7 +1,7 @@
 // STL files, binary ones and texts.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/mesh_files/raw_mesh.h"
 
 #include <cstddef>

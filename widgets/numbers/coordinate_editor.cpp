@@ -1,6 +1,6 @@
 #include "widgets/numbers/coordinate_editor.h"
 
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/scene/change_words.h"
 

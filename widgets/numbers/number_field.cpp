@@ -1,8 +1,7 @@
 #include "widgets/numbers/number_field.h"
 
-#include "lessons/object/coordinate_limits.h"
 #include "lessons/reading/typed_number.h"
-#include "lessons/scene/scene_reader.h"
+#include "lessons/scene/file/scene_reader.h"
 #include "widgets/repolish.h"
 
 #include <QKeyEvent>

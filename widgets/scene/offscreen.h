@@ -1,7 +1,7 @@
 // Pictures without a window: EGL without a display server.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/scene/figure_scene.h"
 
 #include <optional>

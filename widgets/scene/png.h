@@ -1,7 +1,7 @@
 // Pictures as PNG files.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/picture/labels/label_picture.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Pictures as characters of a document.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "widgets/text/lesson_pictures.h"
 
 #include <QImage>

@@ -1,8 +1,8 @@
 #include "widgets/view/flat_view.h"
 
 #include "lessons/scene/change_words.h"
+#include "lessons/scene/hand/snapping.h"
 #include "lessons/scene/scene_letters.h"
-#include "lessons/scene/snapping.h"
 #include "widgets/colors.h"
 #include "widgets/mouse_place.h"
 #include "widgets/picture/hand/grips.h"

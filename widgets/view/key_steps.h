@@ -1,7 +1,7 @@
 // Moving a handle with the keys.
 #pragma once
 
-#include "lessons/scene/handles.h"
+#include "lessons/scene/hand/handles.h"
 #include "widgets/picture/camera.h"
 
 #include <Qt>

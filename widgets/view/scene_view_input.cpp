@@ -1,7 +1,7 @@
 // The scene view's mouse and keys.
 #include "lessons/object/corners.h"
 #include "lessons/scene/change_words.h"
-#include "lessons/scene/snapping.h"
+#include "lessons/scene/hand/snapping.h"
 #include "widgets/mouse_place.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/view/key_steps.h"

@@ -4,7 +4,7 @@
 #include "tests/test_name.h"
 
 #include "eval/evaluate.h"
-#include "lessons/scene/explain_formats.h"
+#include "lessons/scene/file/explain_formats.h"
 #include "tests/effort.h"
 #include "tests/lessons/scenes.h"
 

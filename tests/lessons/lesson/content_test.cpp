@@ -8,6 +8,8 @@
 #include "lessons/object/kinds/vector.h"
 #include "lessons/scene/session.h"
 
+#include "lessons/lesson/live_values.h"
+#include "lessons/lesson/shown.h"
 #include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 

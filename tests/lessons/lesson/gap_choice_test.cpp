@@ -6,6 +6,7 @@
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
 
+#include "lessons/lesson/shown.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

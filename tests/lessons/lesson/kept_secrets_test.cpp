@@ -1,5 +1,7 @@
 // What a learner is to find in a blank stands nowhere else on the page or in the figure.
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/live_values.h"
+#include "lessons/lesson/shown.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"

@@ -1,5 +1,6 @@
 #include "lessons/lesson/lesson.h"
 
+#include "lessons/lesson/shown.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

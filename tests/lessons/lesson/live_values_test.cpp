@@ -1,6 +1,7 @@
 #include "tests/lessons/scenes.h"
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/live_values.h"
 
 #include <gtest/gtest.h>
 

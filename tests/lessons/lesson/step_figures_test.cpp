@@ -1,5 +1,6 @@
 // The figures of our lessons' steps: what a step speaks of is drawn.
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/shown.h"
 
 #include <gtest/gtest.h>
 

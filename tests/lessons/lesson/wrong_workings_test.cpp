@@ -8,7 +8,7 @@
 #include "tests/test_name.h"
 
 #include "lessons/lesson/practice.h"
-#include "lessons/lesson/typed_answer.h"
+#include "lessons/reading/typed_answer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "lessons/object/bound_point.h"
 
 #include "lessons/scene/edit.h"
-#include "lessons/scene/session_file.h"
-#include "lessons/scene/snapping.h"
+#include "lessons/scene/file/session_file.h"
+#include "lessons/scene/hand/snapping.h"
 #include "lessons/term/plain_text.h"
 #include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"

@@ -1,5 +1,5 @@
 // What the handles of others snap to on each kind of object, and what its own handles snap to.
-#include "lessons/scene/snap_targets.h"
+#include "lessons/scene/hand/snap_targets.h"
 
 #include "lessons/object/solid.h"
 #include "tests/lessons/object/spelled_objects.h"

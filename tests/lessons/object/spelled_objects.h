@@ -1,7 +1,7 @@
 // Scenes of objects as lesson files spell them.
 #pragma once
 
-#include "lessons/scene/scene_reader.h"
+#include "lessons/scene/file/scene_reader.h"
 #include "tests/lessons/scenes.h"
 
 #include <stdexcept>

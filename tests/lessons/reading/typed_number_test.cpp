@@ -1,8 +1,8 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/reading/typed_number.h"
 
-#include "lessons/lesson/typed_answer.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/reading/typed_answer.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/geometry/random_numbers.h"
 
 #include <gtest/gtest.h>

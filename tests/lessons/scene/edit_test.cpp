@@ -1,8 +1,8 @@
 #include "lessons/scene/edit.h"
 
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/scene/session_file.h"
 #include "tests/lessons/scene/random_edits.h"
 #include "tests/lessons/scenes.h"
 
@@ -46,7 +46,7 @@ TEST(ChangeObject, OfAnotherKindNoObjectOrATooLargeNumber_IsRefusedWithASentence
   EXPECT_EQ(refusal(distanceScene(), ChangeObject{"X", PointObject{}}), "There is no “X” in the scene.");
   EXPECT_NE(refusal(distanceScene(), ChangeObject{"distance", PointObject{}}), "");
   EXPECT_EQ(refusal(distanceScene(), ChangeObject{"Q", PointObject{{coordinateLimit + 1, 0, 0}}}),
-            sentenceForTooLarge());
+            refuseCoordinate(coordinateLimit + 1).value());
 }
 
 TEST(AddEntry, InTheMiddleOrAtTheEnd_StandsThere) {

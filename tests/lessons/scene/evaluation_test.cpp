@@ -1,7 +1,7 @@
 #include "lessons/scene/evaluation.h"
 
 #include "lessons/lesson/condition.h"
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/term/plain_text.h"
 #include "tests/lessons/scenes.h"
 

@@ -1,9 +1,9 @@
 // Roles that are a list of objects: as they are written, checked, evaluated and edited.
+#include "lessons/scene/file/scene_writer.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/scene/near_special_cases.h"
 #include "lessons/scene/scene_checker.h"
 #include "lessons/scene/scene_letters.h"
-#include "lessons/scene/scene_writer.h"
-#include "lessons/scene/session_file.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

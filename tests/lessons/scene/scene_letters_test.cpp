@@ -2,8 +2,8 @@
 #include "lessons/scene/scene_letters.h"
 
 #include "lessons/scene/edit.h"
+#include "lessons/scene/hand/snap_targets.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/scene/snap_targets.h"
 #include "lessons/term/plain_text.h"
 #include "tests/lessons/scene/random_edits.h"
 #include "tests/lessons/scenes.h"

@@ -109,3 +109,4 @@ private slots:
 
 QTEST_APPLESS_MAIN(FragmentRowsTest)
 #include "fragment_rows_test.moc"
+#include "lessons/lesson/live_values.h"

@@ -210,3 +210,4 @@ private slots:
 
 QTEST_MAIN(FragmentTableTest)
 #include "fragment_table_test.moc"
+#include "lessons/lesson/live_values.h"

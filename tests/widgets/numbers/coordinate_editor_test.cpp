@@ -1,7 +1,7 @@
 // One number of a coordinate, typed, stepped and scrubbed into a session.
 #include "widgets/numbers/coordinate_editor.h"
 
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/number.h"
 #include "tests/lessons/scenes.h"
 #include "widgets/numbers/number_field.h"

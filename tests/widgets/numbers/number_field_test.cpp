@@ -1,7 +1,7 @@
 // A field for one exact number, typed in with real keys and scrubbed with a real mouse.
 #include "widgets/numbers/number_field.h"
 
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "tests/widgets/pointer.h"
 
 #include <QSignalSpy>

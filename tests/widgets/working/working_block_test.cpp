@@ -260,4 +260,5 @@ private slots:
 };
 
 QTEST_MAIN(WorkingBlockTest)
+#include "lessons/lesson/shown.h"
 #include "working_block_test.moc"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/figure/figure.h"
-#include "lessons/scene/handles.h"
+#include "lessons/scene/hand/handles.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"

@@ -1,6 +1,6 @@
 #include "widgets/picture/hand/handle_drag.h"
 
-#include "lessons/scene/snapping.h"
+#include "lessons/scene/hand/snapping.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 // One drag of a handle, from press to release: pixels in, exact objects out. Free of Qt and of VTK.
 #pragma once
 
-#include "lessons/scene/snap_targets.h"
+#include "lessons/scene/hand/snap_targets.h"
 #include "widgets/picture/hand/drag.h"
 #include "widgets/picture/scene_content.h"
 #include "widgets/picture/view.h"

@@ -1,6 +1,6 @@
 // Meshes: what files say of them, where they stand, and what they share.
 #include "lessons/object/kinds/mesh.h"
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 
 #include "geometry/decide.h"
 #include "geometry/intersect_ray_triangle.h"
@@ -8,8 +8,8 @@
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/ray.h"
-#include "lessons/scene/large_meshes.h"
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/large_meshes.h"
+#include "lessons/scene/file/session_file.h"
 #include "tests/lessons/scenes.h"
 
 #include <gtest/gtest.h>

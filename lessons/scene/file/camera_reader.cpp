@@ -1,6 +1,6 @@
-#include "lessons/scene/camera_reader.h"
+#include "lessons/scene/file/camera_reader.h"
 
-#include "lessons/scene/scene_reader.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/words.h"
 
 namespace halfspace {

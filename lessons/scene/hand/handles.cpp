@@ -1,4 +1,4 @@
-#include "lessons/scene/handles.h"
+#include "lessons/scene/hand/handles.h"
 
 #include "lessons/object/bound_point.h"
 

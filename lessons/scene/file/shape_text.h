@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/object/mesh_shape.h"
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 
 #include <string>
 #include <string_view>

@@ -4,7 +4,7 @@
 
 #include "lessons/figure/mark.h"
 #include "lessons/object/flat.h"
-#include "lessons/scene/snap_targets.h"
+#include "lessons/scene/hand/snap_targets.h"
 
 #include <functional>
 

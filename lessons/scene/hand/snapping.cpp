@@ -1,8 +1,8 @@
-#include "lessons/scene/snapping.h"
+#include "lessons/scene/hand/snapping.h"
 
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/drawing.h"
-#include "lessons/scene/quadric_places.h"
+#include "lessons/scene/hand/quadric_places.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "lessons/scene/snap_targets.h"
+#include "lessons/scene/hand/snap_targets.h"
 
 #include "lessons/object/kind.h"
 #include "lessons/scene/edit.h"

@@ -1,6 +1,6 @@
 // What is exported as LaTeX, through pdflatex where that is installed.
 #include "lessons/lesson/lesson.h"
-#include "lessons/scene/explain_formats.h"
+#include "lessons/scene/file/explain_formats.h"
 #include "lessons/scene/session.h"
 #include "tests/lessons/construction/random_objects.h"
 #include "tests/program_test.h"

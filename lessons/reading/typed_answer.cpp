@@ -1,4 +1,4 @@
-#include "lessons/lesson/typed_answer.h"
+#include "lessons/reading/typed_answer.h"
 
 #include "lessons/reading/typed_number.h"
 #include "lessons/text.h"

@@ -1,4 +1,4 @@
-#include "lessons/scene/quadric_places.h"
+#include "lessons/scene/hand/quadric_places.h"
 
 #include "geometry/exact_root.h"
 #include "lessons/object/drawing.h"

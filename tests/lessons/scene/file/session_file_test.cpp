@@ -1,5 +1,5 @@
+#include "lessons/scene/file/session_file.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/scene/session_file.h"
 
 #include "tests/lessons/scenes.h"
 

@@ -1,5 +1,5 @@
 // New numbers for a scene: the same case, short results, and never what was there.
-#include "lessons/scene/short_numbers.h"
+#include "lessons/lesson/short_numbers.h"
 
 #include "lessons/lesson/lesson.h"
 #include "tests/effort.h"

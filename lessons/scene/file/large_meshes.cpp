@@ -1,7 +1,7 @@
-#include "lessons/scene/large_meshes.h"
+#include "lessons/scene/file/large_meshes.h"
 
 #include "lessons/scene/edit.h"
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 
 namespace halfspace {
 bool isTooLargeToWrite(const Object &object) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/object/surroundings.h"
-#include "lessons/scene/handles.h"
+#include "lessons/scene/hand/handles.h"
 
 namespace halfspace {
 

@@ -1,10 +1,10 @@
-#include "lessons/scene/scene_reader.h"
+#include "lessons/scene/file/scene_reader.h"
 
 #include "lessons/guess.h"
-#include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
+#include "lessons/scene/file/shape_text.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/scene/shape_text.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -188,27 +188,6 @@ Entry readEntry(const DocumentNode &node, FieldReader &fields) {
 }
 
 } // namespace
-
-std::string sentenceForNotRead(std::string_view text) {
-  switch (whyNotRead(text)) {
-  case NotRead::TooLarge:
-    return sentenceForTooLarge();
-  case NotRead::TooLong:
-    return sentenceForTooLong();
-  case NotRead::NoNumber:
-    break;
-  }
-  return words("“{text}” is not a number: write it as 3, -1.5 or -10/3.", {{"text", shortened(text)}});
-}
-
-Result<Rational> readCoordinate(std::string_view text) {
-  const auto value = parseRational(text);
-  if (!value)
-    return Problem{sentenceForNotRead(text), "", 0, ""};
-  if (const auto refused = refuseCoordinate(*value))
-    return Problem{*refused, "", 0, ""};
-  return *value;
-}
 
 Result<Scene> readScene(const DocumentNode &list, const std::string &file, const std::string &path) {
   if (list.kind != DocumentNode::Kind::List)

@@ -1,7 +1,7 @@
 // Sessions as text: the .halfspace format (JSON), and values given on the command line.
 #pragma once
 
-#include "lessons/reading/problem.h"
+#include "lessons/result.h"
 #include "lessons/scene/session.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
-#include "lessons/scene/explain_formats.h"
+#include "lessons/scene/file/explain_formats.h"
 
 #include "eval/answer.h"
-#include "lessons/scene/scene_writer.h"
+#include "lessons/scene/file/scene_writer.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/spoken.h"

@@ -1,12 +1,12 @@
-#include "lessons/scene/session_file.h"
+#include "lessons/scene/file/session_file.h"
 
 #include "lessons/files/read_file.h"
 #include "lessons/reading/typed_number.h"
-#include "lessons/scene/camera_reader.h"
-#include "lessons/scene/large_meshes.h"
+#include "lessons/scene/file/camera_reader.h"
+#include "lessons/scene/file/large_meshes.h"
+#include "lessons/scene/file/scene_reader.h"
+#include "lessons/scene/file/scene_writer.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/scene/scene_reader.h"
-#include "lessons/scene/scene_writer.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 

@@ -1,4 +1,4 @@
-#include "lessons/scene/explain_formats.h"
+#include "lessons/scene/file/explain_formats.h"
 
 #include "lessons/construction/parts/worked_lines.h"
 #include "lessons/lesson/lesson.h"

@@ -1,6 +1,6 @@
-#include "lessons/scene/scene_writer.h"
+#include "lessons/scene/file/scene_writer.h"
 
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "lessons/scene/short_numbers.h"
+#include "lessons/lesson/short_numbers.h"
 
 #include "lessons/object/corners.h"
 #include "lessons/object/kind.h"

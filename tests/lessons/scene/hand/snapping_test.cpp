@@ -1,4 +1,4 @@
-#include "lessons/scene/snapping.h"
+#include "lessons/scene/hand/snapping.h"
 
 #include "geometry/intersect_ray_sphere.h"
 #include "lessons/object/kinds/sphere.h"

@@ -17,11 +17,4 @@ namespace halfspace {
 [[nodiscard]] Result<Scene> readScene(const DocumentNode &list, const std::string &file,
                                       const std::string &path);
 
-/// A coordinate as it is typed or written: a number that parseRational reads and refuseCoordinate takes.
-[[nodiscard]] Result<Rational> readCoordinate(std::string_view text);
-
-/// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
-/// limits.
-[[nodiscard]] std::string sentenceForNotRead(std::string_view text);
-
 } // namespace halfspace

@@ -1,7 +1,7 @@
-#include "lessons/scene/shape_text.h"
+#include "lessons/scene/file/shape_text.h"
 
 #include "geometry/decide.h"
-#include "lessons/object/coordinate_limits.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/object/drawing.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
