@@ -7,22 +7,23 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # A room, the rooms that it may include besides itself (`lessons/*`: all of them), and the libraries that are not
 # everyone's.
 rooms='
-geometry             : : Embree GMP
+geometry             : : GMP
+geometry/search      : geometry : Embree
 eval                 : geometry
 lessons              :
 lessons/term         : geometry lessons
 lessons/figure       : lessons
 lessons/reading      : geometry lessons lessons/term : JSON YAML MD4C
 lessons/files        : lessons lessons/reading
-lessons/object       : geometry lessons lessons/term lessons/figure lessons/reading
+lessons/object       : geometry geometry/search lessons lessons/term lessons/figure lessons/reading
 lessons/construction : geometry lessons lessons/term lessons/figure lessons/object
 lessons/scene        : geometry eval lessons lessons/term lessons/figure lessons/object lessons/construction lessons/reading lessons/files : JSON
 lessons/lesson       : geometry lessons lessons/term lessons/figure lessons/object lessons/construction lessons/scene lessons/reading lessons/files
 widgets/formula      : geometry lessons/* : HarfBuzz
-widgets/picture      : geometry lessons/* widgets/formula
+widgets/picture      : geometry geometry/search lessons/* widgets/formula
 widgets/scene        : geometry lessons/* widgets/formula widgets/picture : VTK OpenGL
-widgets/mesh_files   : geometry lessons/*
-widgets              : geometry lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
+widgets/mesh_files   : geometry geometry/search lessons/*
+widgets              : geometry geometry/search lessons/* widgets/formula widgets/picture widgets/mesh_files : Qt
 widgets/view         : geometry lessons/* widgets/formula widgets/picture widgets/scene widgets : Qt VTK
 app                  : geometry eval lessons/* widgets/formula widgets/picture widgets/scene widgets/mesh_files widgets/view widgets : Qt JSON CLI11
 '

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bounding_box.h"
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 
 #include <cstdint>
 #include <memory>

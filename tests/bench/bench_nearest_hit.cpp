@@ -1,7 +1,7 @@
 // The nearest hit among 10^2 to 10^6 triangles: time to make ready, and for a ray, beside the libraries that
 // do it.
-#include "geometry/embree.h"
-#include "geometry/hit_finder.h"
+#include "geometry/search/embree.h"
+#include "geometry/search/hit_finder.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/vtk_segment.h"
 

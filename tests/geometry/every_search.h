@@ -1,7 +1,7 @@
 // The ways to find a ray's first hit, each of which is held against the same laws.
 #pragma once
 
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 
 #include <gtest/gtest.h>
 

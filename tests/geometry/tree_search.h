@@ -1,7 +1,7 @@
 // The way to find a ray's first hit by a tree of boxes, which needs Embree.
 #pragma once
 
-#include "geometry/hit_finder.h"
+#include "geometry/search/hit_finder.h"
 #include "tests/geometry/every_search.h"
 
 namespace halfspace {

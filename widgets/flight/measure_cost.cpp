@@ -1,7 +1,7 @@
 #include "widgets/flight/measure_cost.h"
 
 #include "geometry/decide.h"
-#include "geometry/hit_finder.h"
+#include "geometry/search/hit_finder.h"
 
 #include <algorithm>
 #include <array>

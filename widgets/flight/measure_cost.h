@@ -1,7 +1,7 @@
 // What it costs to find the nearest hit among ever more triangles.
 #pragma once
 
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 #include "lessons/object/kinds/mesh.h"
 
 #include <atomic>

@@ -2,7 +2,7 @@
 
 #include "geometry/bounding_box.h"
 #include "geometry/decide.h"
-#include "geometry/make_hit_search.h"
+#include "geometry/search/make_hit_search.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/numbering.h"
 

@@ -2,8 +2,8 @@
 #include "widgets/flight/measure_cost.h"
 
 #include "geometry/decide.h"
-#include "geometry/hit_finder.h"
-#include "geometry/rounded_ray.h"
+#include "geometry/search/hit_finder.h"
+#include "geometry/search/rounded_ray.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 #include "widgets/picture/hand/mark_picker.h"
 
 #include "geometry/decide.h"
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/screen_shapes.h"
 #include "widgets/picture/shapes/mark_mesh.h"

@@ -1,7 +1,7 @@
-#include "geometry/make_hit_search.h"
+#include "geometry/search/make_hit_search.h"
 
 #ifdef HALFSPACE_EMBREE
-#include "geometry/hit_finder.h"
+#include "geometry/search/hit_finder.h"
 #endif
 
 namespace halfspace {

@@ -3,8 +3,8 @@
 
 #include "geometry/decide.h"
 #include "geometry/filter.h"
-#include "geometry/hit_search.h"
-#include "geometry/rounded_ray.h"
+#include "geometry/search/hit_search.h"
+#include "geometry/search/rounded_ray.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "geometry/approach_ball.h"
+#include "geometry/search/approach_ball.h"
 
 #include "geometry/decide.h"
 #include "tests/geometry/random_numbers.h"

@@ -1,5 +1,5 @@
-#include "geometry/hit_finder.h"
-#include "geometry/make_hit_search.h"
+#include "geometry/search/hit_finder.h"
+#include "geometry/search/make_hit_search.h"
 
 #include "geometry/decide.h"
 #include "geometry/hit_all.h"

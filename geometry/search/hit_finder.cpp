@@ -1,7 +1,7 @@
-#include "geometry/hit_finder.h"
+#include "geometry/search/hit_finder.h"
 
-#include "geometry/nearest_so_far.h"
-#include "geometry/triangle_tree.h"
+#include "geometry/search/nearest_so_far.h"
+#include "geometry/search/triangle_tree.h"
 
 #include <cassert>
 #include <utility>

@@ -1,7 +1,7 @@
 // The first of very many triangles that a ray hits.
 #pragma once
 
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 
 #include <atomic>
 #include <memory>

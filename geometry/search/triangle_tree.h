@@ -1,7 +1,7 @@
 // Very many triangles in nested boxes.
 #pragma once
 
-#include "geometry/nearest_so_far.h"
+#include "geometry/search/nearest_so_far.h"
 
 #include <atomic>
 #include <cstddef>

@@ -1,12 +1,12 @@
-#include "geometry/triangle_tree.h"
+#include "geometry/search/triangle_tree.h"
 
-#include "geometry/approach_ball.h"
 #include "geometry/bounding_box.h"
 #include "geometry/decide.h"
-#include "geometry/embree.h"
 #include "geometry/filter.h"
-#include "geometry/lanes.h"
-#include "geometry/large_pages.h"
+#include "geometry/search/approach_ball.h"
+#include "geometry/search/embree.h"
+#include "geometry/search/lanes.h"
+#include "geometry/search/large_pages.h"
 
 #include <algorithm>
 #include <array>

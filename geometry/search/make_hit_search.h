@@ -1,7 +1,7 @@
 // A search of a mesh that can be given up while it is being made.
 #pragma once
 
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 
 #include <atomic>
 

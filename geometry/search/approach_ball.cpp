@@ -1,4 +1,4 @@
-#include "geometry/approach_ball.h"
+#include "geometry/search/approach_ball.h"
 
 #include "geometry/decide.h"
 #include "geometry/filter.h"

@@ -1,7 +1,7 @@
-#include "geometry/hit_search.h"
+#include "geometry/search/hit_search.h"
 
-#include "geometry/large_pages.h"
-#include "geometry/nearest_so_far.h"
+#include "geometry/search/large_pages.h"
+#include "geometry/search/nearest_so_far.h"
 
 #include <algorithm>
 #include <cassert>

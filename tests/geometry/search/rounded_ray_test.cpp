@@ -1,4 +1,4 @@
-#include "geometry/rounded_ray.h"
+#include "geometry/search/rounded_ray.h"
 
 #include "tests/geometry/random_numbers.h"
 
