@@ -12,7 +12,7 @@
 #include "lessons/scene/target_mesh.h"
 #include "widgets/flight/flight_axis.h"
 #include "widgets/flight/flight_bar.h"
-#include "widgets/flight/fragment_table.h"
+#include "widgets/hit_table/fragment_table.h"
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/mesh_loader.h"
 

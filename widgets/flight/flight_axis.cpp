@@ -4,8 +4,8 @@
 #include "widgets/colors.h"
 #include "widgets/flight/flight_icons.h"
 #include "widgets/flight/short_decimal.h"
-#include "widgets/flight/speak_by.h"
 #include "widgets/flight/spoken_axis.h"
+#include "widgets/speak_by.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -3,9 +3,9 @@
 
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/live_values.h"
-#include "widgets/flight/cost_plot.h"
+#include "widgets/cost_plot/cost_plot.h"
 #include "widgets/flight/flight_bar.h"
-#include "widgets/flight/fragment_table.h"
+#include "widgets/hit_table/fragment_table.h"
 
 #include <functional>
 

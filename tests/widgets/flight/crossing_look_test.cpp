@@ -1,5 +1,5 @@
 // How a crossing stands, in words and as a mark.
-#include "some_crossings.h"
+#include "tests/widgets/flight/some_crossings.h"
 #include "widgets/flight/crossing_look.h"
 
 #include <QImage>

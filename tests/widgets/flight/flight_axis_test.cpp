@@ -1,7 +1,7 @@
 // The axis of the ray's parameter under the pointer and the keys.
 #include "widgets/flight/flight_axis.h"
 
-#include "some_crossings.h"
+#include "tests/widgets/flight/some_crossings.h"
 #include "tests/widgets/pointer.h"
 
 #include <QAccessible>

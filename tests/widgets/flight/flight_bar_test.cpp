@@ -1,7 +1,7 @@
 // The controls of a flight: what they ask for, and what they show.
 #include "widgets/flight/flight_bar.h"
 
-#include "some_crossings.h"
+#include "tests/widgets/flight/some_crossings.h"
 
 #include <QMenu>
 #include <QSignalSpy>

@@ -1,10 +1,10 @@
-#include "widgets/flight/fragment_table.h"
+#include "widgets/hit_table/fragment_table.h"
 
 #include "lessons/term/plain_text.h"
 #include "widgets/colors.h"
 #include "widgets/flight/short_decimal.h"
-#include "widgets/flight/speak_by.h"
 #include "widgets/formula/term_formula.h"
+#include "widgets/speak_by.h"
 #include "widgets/text/figures.h"
 
 #include <QAccessibleWidget>

@@ -1,7 +1,7 @@
 // The table of fragments: what it shows, how high it is, and what is chosen in it.
-#include "widgets/flight/fragment_table.h"
+#include "widgets/hit_table/fragment_table.h"
 
-#include "some_crossings.h"
+#include "tests/widgets/flight/some_crossings.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/colors.h"
 

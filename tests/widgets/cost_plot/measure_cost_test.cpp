@@ -1,5 +1,5 @@
 // What it costs to find the nearest hit among ever more triangles.
-#include "widgets/flight/measure_cost.h"
+#include "widgets/cost_plot/measure_cost.h"
 
 #include "geometry/decide.h"
 #include "geometry/search/hit_finder.h"

@@ -1,4 +1,4 @@
-#include "widgets/flight/cost_curves.h"
+#include "widgets/cost_plot/cost_curves.h"
 
 #include "widgets/colors.h"
 

@@ -1,6 +1,6 @@
 // Which fragments have a row, and in which order.
-#include "some_crossings.h"
-#include "widgets/flight/fragment_rows.h"
+#include "tests/widgets/flight/some_crossings.h"
+#include "widgets/hit_table/fragment_rows.h"
 
 #include <QtTest>
 

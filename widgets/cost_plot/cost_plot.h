@@ -1,7 +1,7 @@
 // What it costs to find the nearest hit, measured on the spot.
 #pragma once
 
-#include "widgets/flight/cost_curves.h"
+#include "widgets/cost_plot/cost_curves.h"
 #include "widgets/latest_job.h"
 
 #include <QString>

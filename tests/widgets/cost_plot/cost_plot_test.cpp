@@ -1,5 +1,5 @@
 // The plot of what a search costs: measured when it is asked for, and stopped.
-#include "widgets/flight/cost_plot.h"
+#include "widgets/cost_plot/cost_plot.h"
 
 #include <QPushButton>
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "widgets/flight/measure_cost.h"
+#include "widgets/cost_plot/measure_cost.h"
 
 #include "geometry/decide.h"
 #include "geometry/search/hit_finder.h"

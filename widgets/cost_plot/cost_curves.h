@@ -1,7 +1,7 @@
 // The plot of what it costs to find the nearest hit, against the number of triangles.
 #pragma once
 
-#include "widgets/flight/measure_cost.h"
+#include "widgets/cost_plot/measure_cost.h"
 #include "widgets/picture/theme.h"
 
 #include <QWidget>

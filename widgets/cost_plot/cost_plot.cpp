@@ -1,4 +1,4 @@
-#include "widgets/flight/cost_plot.h"
+#include "widgets/cost_plot/cost_plot.h"
 
 #include "widgets/colors.h"
 #include "widgets/flow_layout.h"

@@ -1,4 +1,4 @@
-#include "widgets/flight/fragment_rows.h"
+#include "widgets/hit_table/fragment_rows.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "lessons/lesson/live_values.h"
-#include "widgets/flight/fragment_columns.h"
-#include "widgets/flight/fragment_rows.h"
+#include "widgets/hit_table/fragment_columns.h"
+#include "widgets/hit_table/fragment_rows.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QWidget>

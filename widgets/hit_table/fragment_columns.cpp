@@ -1,4 +1,4 @@
-#include "widgets/flight/fragment_columns.h"
+#include "widgets/hit_table/fragment_columns.h"
 
 #include <algorithm>
 
