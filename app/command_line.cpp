@@ -216,15 +216,32 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   return command;
 }
 
+OptionDescription descriptionOf(const CLI::Option &option) {
+  return {option.get_snames(),      option.get_lnames(),      option.get_type_name(),
+          option.get_description(), option.get_default_str(), option.get_items_expected_max(),
+          option.get_positional(),  option.get_required()};
+}
+
+CommandDescription descriptionOf(const CLI::App &app) {
+  CommandDescription command{app.get_name(), app.get_description(), !app.get_group().empty(), {}, {}};
+  if (const std::string footer = app.get_footer(); !footer.empty())
+    command.description += " " + footer;
+  for (const CLI::Option *option : app.get_options())
+    command.options.push_back(descriptionOf(*option));
+  for (const CLI::App *subcommand : app.get_subcommands({}))
+    command.commands.push_back(descriptionOf(*subcommand));
+  return command;
+}
+
 /// What a shell or the build asks about the command line itself: it is not read as arguments.
 std::optional<Command> aboutItself(const CLI::App &app, int argc, const char *const *argv) {
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (words.empty())
     return {};
   if (words.front() == completeCommand)
-    return completionOf(app, {words.begin() + 1, words.end()});
+    return completionOf(descriptionOf(app), {words.begin() + 1, words.end()});
   if (words.front() == manualPageCommand)
-    return PrintCommand{manualPage(app, summary)};
+    return PrintCommand{manualPage(descriptionOf(app), summary, app.version())};
   return {};
 }
 

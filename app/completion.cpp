@@ -10,21 +10,31 @@ namespace {
 
 bool isOption(std::string_view word) { return word.starts_with('-'); }
 
-const CLI::App *commandAmong(const CLI::App &app, const std::vector<std::string> &words) {
-  for (const CLI::App *command : app.get_subcommands({}))
-    if (std::find(words.begin(), words.end(), command->get_name()) != words.end())
-      return command;
+const CommandDescription *commandAmong(const CommandDescription &program,
+                                       const std::vector<std::string> &words) {
+  for (const CommandDescription &command : program.commands)
+    if (std::find(words.begin(), words.end(), command.name) != words.end())
+      return &command;
   return nullptr;
 }
 
+bool isCalled(const OptionDescription &option, std::string_view word) {
+  const auto isWord = [word](std::string_view hyphens) {
+    return [word, hyphens](const std::string &name) { return word == std::string(hyphens) + name; };
+  };
+  return std::any_of(option.shortNames.begin(), option.shortNames.end(), isWord("-")) ||
+         std::any_of(option.longNames.begin(), option.longNames.end(), isWord("--"));
+}
+
 /// The option that the next word is a value of: the last word is its name.
-const CLI::Option *openOption(const CLI::App &app, const CLI::App &command,
-                              const std::vector<std::string> &words) {
+const OptionDescription *openOption(const CommandDescription &program, const CommandDescription &command,
+                                    const std::vector<std::string> &words) {
   if (words.empty() || !isOption(words.back()))
     return nullptr;
-  for (const CLI::App *each : {&command, &app})
-    if (const CLI::Option *option = each->get_option_no_throw(words.back()))
-      return option->get_items_expected_max() > 0 ? option : nullptr;
+  for (const CommandDescription *each : {&command, &program})
+    for (const OptionDescription &option : each->options)
+      if (isCalled(option, words.back()))
+        return option.takesValue() ? &option : nullptr;
   return nullptr;
 }
 
@@ -53,27 +63,27 @@ void addType(CompleteCommand &complete, const std::string &typeName) {
       complete.words.emplace_back(part);
 }
 
-void addOptions(CompleteCommand &complete, const CLI::App &app) {
-  for (const CLI::Option *option : app.get_options())
-    for (const std::string &name : option->get_lnames())
+void addOptions(CompleteCommand &complete, const CommandDescription &command) {
+  for (const OptionDescription &option : command.options)
+    for (const std::string &name : option.longNames)
       complete.words.push_back("--" + name);
 }
 
-void addArguments(CompleteCommand &complete, const CLI::App &app) {
-  for (const CLI::Option *option : app.get_options())
-    if (option->get_positional())
-      addType(complete, option->get_type_name());
+void addArguments(CompleteCommand &complete, const CommandDescription &command) {
+  for (const OptionDescription &option : command.options)
+    if (option.isArgument)
+      addType(complete, option.typeName);
 }
 
-void addCommands(CompleteCommand &complete, const CLI::App &app) {
-  for (const CLI::App *command : app.get_subcommands({}))
-    if (!command->get_group().empty())
-      complete.words.push_back(command->get_name());
+void addCommands(CompleteCommand &complete, const CommandDescription &program) {
+  for (const CommandDescription &command : program.commands)
+    if (command.isListed)
+      complete.words.push_back(command.name);
 }
 
 } // namespace
 
-CompleteCommand completionOf(const CLI::App &app, std::vector<std::string> words) {
+CompleteCommand completionOf(const CommandDescription &program, std::vector<std::string> words) {
   if (words.empty() || words.back() == "=")
     words.emplace_back();
   std::erase(words, "=");
@@ -82,16 +92,16 @@ CompleteCommand completionOf(const CLI::App &app, std::vector<std::string> words
   words.pop_back();
   complete.ownLessons = ownLessonsAmong(words);
 
-  const CLI::App *named = commandAmong(app, words);
-  const CLI::App &command = named ? *named : app;
-  if (const CLI::Option *option = openOption(app, command, words)) {
-    addType(complete, option->get_type_name());
+  const CommandDescription *named = commandAmong(program, words);
+  const CommandDescription &command = named ? *named : program;
+  if (const OptionDescription *option = openOption(program, command, words)) {
+    addType(complete, option->typeName);
   } else if (isOption(complete.typed)) {
     addOptions(complete, command);
   } else {
     addArguments(complete, command);
     if (!named)
-      addCommands(complete, app);
+      addCommands(complete, program);
   }
   std::erase_if(complete.words, [&](const std::string &word) { return !word.starts_with(complete.typed); });
   return complete;

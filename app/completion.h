@@ -1,9 +1,8 @@
 // What a shell may put in the place of the word that is being typed.
 #pragma once
 
+#include "app/command_description.h"
 #include "app/command_line.h"
-
-#include <CLI/CLI.hpp>
 
 namespace halfspace {
 
@@ -15,6 +14,6 @@ inline constexpr const char *completeCommand = "complete-words";
 ///
 /// Options say what they take by the name of their type: words in small letters stand for themselves, LESSON
 /// for a lesson's id, FILE and FOLDER for those.
-[[nodiscard]] CompleteCommand completionOf(const CLI::App &app, std::vector<std::string> words);
+[[nodiscard]] CompleteCommand completionOf(const CommandDescription &program, std::vector<std::string> words);
 
 } // namespace halfspace

@@ -14,31 +14,31 @@ std::string bold(const std::string &text) { return "\\fB" + roff(text) + "\\fR";
 std::string italic(const std::string &text) { return "\\fI" + roff(text) + "\\fR"; }
 
 /// LESSON, [FILE] or [FILE]...
-std::string argument(const CLI::Option &option) {
-  const std::string name = italic(option.get_type_name());
-  const std::string many = option.get_items_expected_max() > 1 ? "..." : "";
-  return (option.get_required() ? name : "[" + name + "]") + many;
+std::string argument(const OptionDescription &option) {
+  const std::string name = italic(option.typeName);
+  const std::string many = option.mostValues > 1 ? "..." : "";
+  return (option.isRequired ? name : "[" + name + "]") + many;
 }
 
-std::string arguments(const CLI::App &app) {
+std::string arguments(const CommandDescription &command) {
   std::string all;
-  for (const CLI::Option *option : app.get_options())
-    if (option->get_positional())
-      all += " " + argument(*option);
+  for (const OptionDescription &option : command.options)
+    if (option.isArgument)
+      all += " " + argument(option);
   return all;
 }
 
 /// -o FILE, --output FILE
-std::string optionNames(const CLI::Option &option) {
+std::string optionNames(const OptionDescription &option) {
   std::string names;
   const auto add = [&](const std::string &name) {
     names += (names.empty() ? "" : ", ") + bold(name);
-    if (option.get_items_expected_max() > 0)
-      names += " " + italic(option.get_type_name());
+    if (option.takesValue())
+      names += " " + italic(option.typeName);
   };
-  for (const std::string &name : option.get_snames())
+  for (const std::string &name : option.shortNames)
     add("-" + name);
-  for (const std::string &name : option.get_lnames())
+  for (const std::string &name : option.longNames)
     add("--" + name);
   return names;
 }
@@ -48,36 +48,36 @@ std::string paragraph(const std::string &title, const std::string &text) {
 }
 
 /// Arguments first, as they are written.
-std::string optionParagraphs(const CLI::App &app) {
+std::string optionParagraphs(const CommandDescription &command) {
   std::string positional;
   std::string named;
-  for (const CLI::Option *option : app.get_options()) {
-    std::string text = roff(option->get_description() + ".");
-    if (const std::string usual = option->get_default_str(); !usual.empty())
-      text += " Without it: " + roff(usual) + ".";
-    if (option->get_positional())
-      positional += paragraph(argument(*option), text);
+  for (const OptionDescription &option : command.options) {
+    std::string text = roff(option.description + ".");
+    if (!option.usual.empty())
+      text += " Without it: " + roff(option.usual) + ".";
+    if (option.isArgument)
+      positional += paragraph(argument(option), text);
     else
-      named += paragraph(optionNames(*option), text);
+      named += paragraph(optionNames(option), text);
   }
   return positional + named;
 }
 
 } // namespace
 
-std::string manualPage(const CLI::App &app, const std::string &summary) {
-  const std::string name = app.get_name();
+std::string manualPage(const CommandDescription &program, const std::string &summary,
+                       const std::string &version) {
   std::string commands;
-  for (const CLI::App *command : app.get_subcommands({}))
-    if (!command->get_group().empty())
-      commands += ".SS " + bold(command->get_name()) + arguments(*command) + "\n" +
-                  roff(command->get_description() + ".") + "\n" + optionParagraphs(*command);
-  return ".TH HALFSPACE 1 \"\" \"" + app.version() + "\" \"User Commands\"\n" +                        //
-         ".SH NAME\n" + name + " \\- " + summary + "\n" +                                              //
-         ".SH SYNOPSIS\n" + bold(name) + " [" + italic("OPTIONS") + "]" + arguments(app) + "\n.br\n" + //
-         bold(name) + " " + italic("COMMAND") + " ...\n" +                                             //
-         ".SH DESCRIPTION\n" + roff(app.get_description() + " " + app.get_footer()) + "\n" +           //
-         ".SH OPTIONS\n" + optionParagraphs(app) +                                                     //
+  for (const CommandDescription &command : program.commands)
+    if (command.isListed)
+      commands += ".SS " + bold(command.name) + arguments(command) + "\n" + roff(command.description + ".") +
+                  "\n" + optionParagraphs(command);
+  return ".TH HALFSPACE 1 \"\" \"" + version + "\" \"User Commands\"\n" +                              //
+         ".SH NAME\n" + program.name + " \\- " + summary + "\n" +                                      //
+         ".SH SYNOPSIS\n" + bold(program.name) + " [" + italic("OPTIONS") + "]" + arguments(program) + //
+         "\n.br\n" + bold(program.name) + " " + italic("COMMAND") + " ...\n" +                         //
+         ".SH DESCRIPTION\n" + roff(program.description) + "\n" +                                      //
+         ".SH OPTIONS\n" + optionParagraphs(program) +                                                 //
          ".SH COMMANDS\n" + commands;
 }
 

@@ -1,9 +1,7 @@
 // The manual page, out of what the command line itself knows.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include <string>
+#include "app/command_description.h"
 
 namespace halfspace {
 
@@ -11,7 +9,8 @@ namespace halfspace {
 inline constexpr const char *manualPageCommand = "manual-page";
 
 /// The page's beginning, up to the commands, in roff. `summary`: what the program is for, in a line that
-/// begins with a small letter.
-[[nodiscard]] std::string manualPage(const CLI::App &app, const std::string &summary);
+/// begins with a small letter. `version`: as `--version` says it.
+[[nodiscard]] std::string manualPage(const CommandDescription &program, const std::string &summary,
+                                     const std::string &version);
 
 } // namespace halfspace
