@@ -14,6 +14,9 @@ fi
 
 [[ $# != 0 ]] || set -- geometry eval lessons widgets/formula widgets/picture
 checked=build/release/checked
+mkdir -p "$checked"
+# The compiler's precompiled headers are not clang's.
+sed -E 's/ -Winvalid-pch -include [^ ]+cmake_pch\.hxx//' build/release/compile_commands.json >"$checked/compile_commands.json"
 outdated=()
 for folder in "$@"; do
   [[ -d build/release/$folder ]] || continue
@@ -28,6 +31,6 @@ done
 
 # shellcheck disable=SC2016 # the inner shell expands
 printf '%s\0' "${outdated[@]}" | xargs -0 --max-args=1 --max-procs="$(nproc)" bash -c '
-  findings=$(clang-tidy --quiet -p build/release "$1" 2>&1) || { echo "$findings" >&2; exit 1; }
+  findings=$(clang-tidy --quiet -p "$0" "$1" 2>&1) || { echo "$findings" >&2; exit 1; }
   mkdir -p "$0/${1%/*}"
   touch "$0/$1"' "$checked"

@@ -74,7 +74,7 @@ std::string plainSpelling(std::string_view typed, char decimalMark) {
     std::replace(text.begin(), text.end(), decimalMark, '.');
   text = withoutSpaces(std::move(text));
   if (text.starts_with('.') || text.starts_with("-."))
-    text.insert(text.find('.'), "0");
+    text.insert(text.find('.'), 1, '0');
   return text;
 }
 

@@ -17,7 +17,9 @@
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include <algorithm>
 #include <cstdlib>
 
 using namespace halfspace;
@@ -357,8 +359,10 @@ private slots:
 
   void anotherStep_isSeenFromItsTop_withoutTheExercisesOfTheLast() {
     Lesson lesson = someLesson();
-    for (LessonStep &step : lesson.steps)
-      step.blocks.insert(step.blocks.begin(), StepWords{QString("Words. ").repeated(200).toStdString()});
+    for (LessonStep &step : lesson.steps) {
+      step.blocks.emplace_back(StepWords{QString("Words. ").repeated(200).toStdString()});
+      std::rotate(step.blocks.begin(), step.blocks.end() - 1, step.blocks.end());
+    }
     ShownPage shown(lesson, 2, smallPage);
     QScrollBar *bar = shown.page.findChild<QScrollArea *>()->verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 100); // layouts take their time
