@@ -59,3 +59,19 @@ build() {
       stop "Halfspace could not be built: see the message above."
   ) 9>"$buildDir.lock"
 }
+
+# Starts a command that fills the cores which what follows leaves idle. Its words are kept for `joined`; it ends with us.
+beside() {
+  besideWords=$(mktemp)
+  setsid nice -n 19 "$@" >"$besideWords" 2>&1 &
+  beside=$!
+  trap 'kill -- -$beside 2>/dev/null || true; rm -f "$besideWords"' EXIT
+}
+
+# Waits for what was started beside us, and says what it said. Fails where it did.
+joined() {
+  local status=0
+  wait "$beside" || status=$?
+  cat "$besideWords" >&2
+  return $status
+}
