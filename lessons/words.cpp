@@ -1,16 +1,8 @@
 #include "lessons/words.h"
 
+#include "lessons/language.h"
+
 namespace halfspace {
-namespace {
-
-Catalogue &catalogue() {
-  static Catalogue plugged;
-  return plugged;
-}
-
-} // namespace
-
-void setCatalogue(Catalogue newCatalogue) { catalogue() = std::move(newCatalogue); }
 
 std::string words(const char *english,
                   std::initializer_list<std::pair<std::string_view, std::string>> values) {
@@ -19,7 +11,7 @@ std::string words(const char *english,
 
 std::string words(const char *english, const WordValues &common,
                   std::initializer_list<std::pair<std::string_view, std::string>> values) {
-  const std::string sentence = catalogue() ? catalogue()(english) : english;
+  const std::string sentence = language().catalogue ? language().catalogue(english) : english;
   const auto textFor = [&](std::string_view place) -> const std::string * {
     for (const auto &[name, text] : values)
       if (name == place)

@@ -1,7 +1,6 @@
-// Sentences for users, with a place to plug in translations.
+// Sentences for users, in their language.
 #pragma once
 
-#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -9,12 +8,6 @@
 #include <vector>
 
 namespace halfspace {
-
-/// Gives the translation of an English sentence, or the sentence itself.
-using Catalogue = std::function<std::string(const char *english)>;
-
-/// Plugs in the translations; until then all is English.
-void setCatalogue(Catalogue catalogue);
 
 /// Texts for places in sentences, by the places' names.
 using WordValues = std::vector<std::pair<std::string, std::string>>;

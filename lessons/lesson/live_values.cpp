@@ -19,9 +19,7 @@ constexpr std::string_view hiddenValue = "?";
 constexpr std::size_t longestName = 80;
 
 std::string latexAmongWords(const Term &term) {
-  Notation flat;
-  flat.flatFractions = true;
-  return latexOf(amongWords(term), LatexMarks::Without, flat);
+  return latexOf(amongWords(term), LatexMarks::Without, Fractions::Flat);
 }
 
 /// How large a root is, which nobody sees by looking at it: ≈ 7.348; empty behind other values.

@@ -1,5 +1,6 @@
 #include "lessons/term/latex.h"
 
+#include "lessons/language.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
@@ -41,7 +42,7 @@ std::string wordLatex(const std::string &word) {
 
 class LatexWriter : public TermWriter<std::string> {
 public:
-  LatexWriter(LatexMarks marks, Notation notation) : m_marks(marks), m_notation(notation) {}
+  LatexWriter(LatexMarks marks, Fractions fractions) : m_marks(marks), m_fractions(fractions) {}
 
 protected:
   std::string row(std::vector<std::string> parts) override {
@@ -54,7 +55,7 @@ protected:
   std::string digits(const std::string &decimal) override {
     const std::string text = letterLatex(decimal);
     const auto point = text.find('.');
-    return point == std::string::npos || m_notation.decimalMark == '.'
+    return point == std::string::npos || language().decimalMark == '.'
                ? text
                : text.substr(0, point) + "{,}" + text.substr(point + 1);
   }
@@ -119,7 +120,7 @@ protected:
   std::string list(std::vector<std::string> entries) override {
     std::string text;
     for (const std::string &entry : entries)
-      text += (text.empty() ? "" : m_notation.decimalMark == ',' ? ";\\," : ",\\,") + entry;
+      text += (text.empty() ? "" : listSeparator() + std::string("\\,")) + entry;
     return "\\left(" + text + "\\right)";
   }
 
@@ -140,7 +141,7 @@ protected:
                                                               : text;
   }
 
-  [[nodiscard]] bool isFlat() const override { return m_notation.flatFractions; }
+  [[nodiscard]] bool isFlat() const override { return m_fractions == Fractions::Flat; }
   [[nodiscard]] bool hasBareRoots() const override { return false; }
 
 private:
@@ -152,7 +153,7 @@ private:
   }
 
   LatexMarks m_marks;
-  Notation m_notation;
+  Fractions m_fractions;
 };
 
 /// What stands in a subscript: the symbol's own, and whose it is.
@@ -175,21 +176,21 @@ std::string latexOf(const Symbol &symbol) {
   return symbol.isPerp ? text + "^{\\perp}" : text;
 }
 
-std::string latexOf(const Term &term, LatexMarks marks, Notation notation) {
-  return LatexWriter(marks, notation).write(term);
+std::string latexOf(const Term &term, LatexMarks marks, Fractions fractions) {
+  return LatexWriter(marks, fractions).write(term);
 }
 
-std::string relatedLatex(const Term &value, Notation notation) {
-  return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, LatexMarks::Without, notation);
+std::string relatedLatex(const Term &value, Fractions fractions) {
+  return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, LatexMarks::Without, fractions);
 }
 
-std::string latexOf(const Chain &chain, LatexMarks marks, Notation notation) {
-  return LatexWriter(marks, notation).write(chain);
+std::string latexOf(const Chain &chain, LatexMarks marks, Fractions fractions) {
+  return LatexWriter(marks, fractions).write(chain);
 }
 
 std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end, LatexMarks marks,
-                    Notation notation) {
-  return LatexWriter(marks, notation).write(chain, begin, end);
+                    Fractions fractions) {
+  return LatexWriter(marks, fractions).write(chain, begin, end);
 }
 
 } // namespace halfspace

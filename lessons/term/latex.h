@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/term/chain.h"
-#include "lessons/term/notation.h"
+#include "lessons/term/fractions.h"
 
 #include <string>
 
@@ -12,15 +12,16 @@ namespace halfspace {
 enum class LatexMarks : std::uint8_t { Without, With };
 
 [[nodiscard]] std::string latexOf(const Term &term, LatexMarks marks = LatexMarks::Without,
-                                  Notation notation = {});
+                                  Fractions fractions = Fractions::Stacked);
 [[nodiscard]] std::string latexOf(const Chain &chain, LatexMarks marks = LatexMarks::Without,
-                                  Notation notation = {});
+                                  Fractions fractions = Fractions::Stacked);
 /// The sides from `begin` on, each but the chain's first with the relation before it.
 [[nodiscard]] std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end,
-                                  LatexMarks marks = LatexMarks::Without, Notation notation = {});
+                                  LatexMarks marks = LatexMarks::Without,
+                                  Fractions fractions = Fractions::Stacked);
 [[nodiscard]] std::string latexOf(const Symbol &symbol);
 
 /// The value behind the relation that it allows: ` = 10`, ` \approx 3.16228`.
-[[nodiscard]] std::string relatedLatex(const Term &value, Notation notation = {});
+[[nodiscard]] std::string relatedLatex(const Term &value, Fractions fractions = Fractions::Stacked);
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "lessons/term/mathml.h"
 
+#include "lessons/language.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 
@@ -39,8 +40,6 @@ std::string operation(std::string_view sign) { return element("mo", escaped(sign
 
 class MathMlWriter : public TermWriter<std::string> {
 public:
-  explicit MathMlWriter(Notation notation) : m_notation(notation) {}
-
 protected:
   std::string row(std::vector<std::string> parts) override {
     std::string content;
@@ -50,9 +49,7 @@ protected:
   }
 
   std::string digits(const std::string &decimal) override {
-    std::string text = decimal;
-    std::replace(text.begin(), text.end(), '.', m_notation.decimalMark);
-    return element("mn", escaped(text));
+    return element("mn", escaped(withDecimalMark(decimal)));
   }
 
   std::string symbol(const Symbol &symbol) override {
@@ -124,7 +121,7 @@ protected:
   std::string list(std::vector<std::string> entries) override {
     std::string content;
     for (const std::string &entry : entries)
-      content += (content.empty() ? "" : operation(m_notation.decimalMark == ',' ? ";" : ",")) + entry;
+      content += (content.empty() ? "" : operation(std::string(1, listSeparator()))) + entry;
     return fenced("(", content, ")");
   }
 
@@ -160,8 +157,6 @@ private:
   static std::string fenced(std::string_view open, const std::string &inside, std::string_view close) {
     return element("mrow", operation(open) + inside + operation(close));
   }
-
-  Notation m_notation;
 };
 
 std::string document(const std::string &content) {
@@ -170,12 +165,8 @@ std::string document(const std::string &content) {
 
 } // namespace
 
-std::string mathMl(const Term &term, Notation notation) {
-  return document(MathMlWriter(notation).write(term));
-}
+std::string mathMl(const Term &term) { return document(MathMlWriter().write(term)); }
 
-std::string mathMl(const Chain &chain, Notation notation) {
-  return document(MathMlWriter(notation).write(chain));
-}
+std::string mathMl(const Chain &chain) { return document(MathMlWriter().write(chain)); }
 
 } // namespace halfspace

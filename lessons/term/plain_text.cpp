@@ -1,5 +1,6 @@
 #include "lessons/term/plain_text.h"
 
+#include "lessons/language.h"
 #include "lessons/term/term_writer.h"
 
 #include <algorithm>
@@ -25,8 +26,6 @@ std::string inForm(const std::array<std::string_view, 10> &forms, std::string_vi
 
 class PlainWriter : public TermWriter<std::string> {
 public:
-  explicit PlainWriter(Notation notation) : m_notation(notation) {}
-
 protected:
   std::string row(std::vector<std::string> parts) override {
     std::string text;
@@ -35,11 +34,7 @@ protected:
     return text;
   }
 
-  std::string digits(const std::string &decimal) override {
-    std::string text = decimal;
-    std::replace(text.begin(), text.end(), '.', m_notation.decimalMark);
-    return text;
-  }
+  std::string digits(const std::string &decimal) override { return withDecimalMark(decimal); }
 
   std::string symbol(const Symbol &symbol) override { return plainText(symbol); }
 
@@ -98,7 +93,7 @@ protected:
   }
 
   std::string list(std::vector<std::string> entries) override {
-    return "(" + joined(entries, m_notation.decimalMark == ',' ? "; " : ", ") + ")";
+    return "(" + joined(entries, listSeparator() + std::string(" ")) + ")";
   }
 
   std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
@@ -121,8 +116,6 @@ private:
       text += (text.empty() ? "" : std::string(separator)) + part;
     return text;
   }
-
-  Notation m_notation;
 };
 
 } // namespace
@@ -138,20 +131,20 @@ std::string plainText(const Symbol &symbol) {
   return symbol.isPerp ? text + "⊥" : text;
 }
 
-std::string relatedText(const Term &value, Notation notation) {
-  return (showsRounded(value) ? " ≈ " : " = ") + plainText(value, notation);
+std::string relatedText(const Term &value) {
+  return (showsRounded(value) ? " ≈ " : " = ") + plainText(value);
 }
 
 std::string relatedText(const WrittenNumber &number) {
   return (number.exact ? " = " : " ≈ ") + plainText(number.term);
 }
 
-std::string plainText(const Term &term, Notation notation) { return PlainWriter(notation).write(term); }
+std::string plainText(const Term &term) { return PlainWriter().write(term); }
 
-std::string plainText(const Chain &chain, Notation notation) { return PlainWriter(notation).write(chain); }
+std::string plainText(const Chain &chain) { return PlainWriter().write(chain); }
 
-std::string plainText(const Chain &chain, std::size_t begin, std::size_t end, Notation notation) {
-  return PlainWriter(notation).write(chain, begin, end);
+std::string plainText(const Chain &chain, std::size_t begin, std::size_t end) {
+  return PlainWriter().write(chain, begin, end);
 }
 
 std::string plainTextWithout(const Term &part, const Chain &chain) {

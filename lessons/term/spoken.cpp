@@ -1,5 +1,6 @@
 #include "lessons/term/spoken.h"
 
+#include "lessons/language.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/words.h"
@@ -43,8 +44,6 @@ std::string wordName(const std::string &word) {
 
 class SpokenWriter : public TermWriter<std::string> {
 public:
-  explicit SpokenWriter(Notation notation) : m_notation(notation) {}
-
 protected:
   std::string row(std::vector<std::string> parts) override {
     std::string text;
@@ -53,11 +52,7 @@ protected:
     return text;
   }
 
-  std::string digits(const std::string &decimal) override {
-    std::string text = letterName(decimal);
-    std::replace(text.begin(), text.end(), '.', m_notation.decimalMark);
-    return text;
-  }
+  std::string digits(const std::string &decimal) override { return withDecimalMark(letterName(decimal)); }
 
   std::string symbol(const Symbol &symbol) override {
     const std::string letter =
@@ -166,13 +161,12 @@ protected:
   [[nodiscard]] bool isFlat() const override { return false; }
 
 private:
-  Notation m_notation;
 };
 
 } // namespace
 
-std::string spoken(const Term &term, Notation notation) { return SpokenWriter(notation).write(term); }
+std::string spoken(const Term &term) { return SpokenWriter().write(term); }
 
-std::string spoken(const Chain &chain, Notation notation) { return SpokenWriter(notation).write(chain); }
+std::string spoken(const Chain &chain) { return SpokenWriter().write(chain); }
 
 } // namespace halfspace

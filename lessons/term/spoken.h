@@ -2,13 +2,12 @@
 #pragma once
 
 #include "lessons/term/chain.h"
-#include "lessons/term/notation.h"
 
 #include <string>
 
 namespace halfspace {
 
-[[nodiscard]] std::string spoken(const Term &term, Notation notation = {});
-[[nodiscard]] std::string spoken(const Chain &chain, Notation notation = {});
+[[nodiscard]] std::string spoken(const Term &term);
+[[nodiscard]] std::string spoken(const Chain &chain);
 
 } // namespace halfspace

@@ -30,9 +30,7 @@ TEST(TermFormula, ParenthesesAroundFractions_AreAsTallAsThoseThatStretch) {
 }
 
 TEST(TermFormula, FractionAmongWords_HasASlash_AndDigitsOfUsualSize) {
-  Notation flat;
-  flat.flatFractions = true;
-  const Layout layout = layOut(formulaOf(Term(Rational(-12, 7)), flat), fonts());
+  const Layout layout = layOut(formulaOf(Term(Rational(-12, 7)), Fractions::Flat), fonts());
   EXPECT_EQ(glyphsOf(layout, U'/').size(), 1U);
   EXPECT_TRUE(layout.rules.empty());
   for (const auto &glyph : layout.glyphs)

@@ -1,5 +1,6 @@
 #include "widgets/formula/term_formula.h"
 
+#include "lessons/language.h"
 #include "lessons/scene/provenance.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
@@ -46,7 +47,8 @@ Row subscript(const std::string &text) {
 }
 
 /// Digits with the decimal mark; it is no punctuation, behind which a space would stand.
-Row decimalOf(const std::string &digits, char decimalMark) {
+Row decimalOf(const std::string &digits) {
+  const char decimalMark = language().decimalMark;
   const auto point = digits.find('.');
   if (decimalMark == '.' || point == std::string::npos)
     return math::number(digits);
@@ -76,9 +78,9 @@ Row leftOut(const math::Room &room) { return {math::tagged(math::LeftOut{}, Row{
 class FormulaWriter : public TermWriter<Row> {
 public:
   /// The numbers that can be traced are tagged and put behind `numbers`, unless that is null.
-  explicit FormulaWriter(Notation notation, std::vector<Term> *numbers = nullptr,
+  explicit FormulaWriter(Fractions fractions = Fractions::Stacked, std::vector<Term> *numbers = nullptr,
                          const math::Room &roomOfBlank = {})
-      : m_notation(notation), m_numbers(numbers), m_roomOfBlank(roomOfBlank) {}
+      : m_fractions(fractions), m_numbers(numbers), m_roomOfBlank(roomOfBlank) {}
 
 protected:
   Row row(std::vector<Row> parts) override {
@@ -89,8 +91,7 @@ protected:
   }
 
   Row digits(const std::string &decimal) override {
-    return areDigits(decimal.substr(0, 1)) ? decimalOf(decimal, m_notation.decimalMark)
-                                           : math::row(math::symbol(infinity));
+    return areDigits(decimal.substr(0, 1)) ? decimalOf(decimal) : math::row(math::symbol(infinity));
   }
 
   Row symbol(const Symbol &symbol) override {
@@ -144,7 +145,7 @@ protected:
   }
 
   Row fraction(Row top, Row bottom, FractionLook look) override {
-    if (look.flat || m_notation.flatFractions)
+    if (look.flat || m_fractions == Fractions::Flat)
       return math::row(std::move(top), math::symbol('/'), std::move(bottom));
     return math::row(math::fraction(std::move(top), std::move(bottom),
                                     look.small ? std::optional(math::Style::Text) : std::nullopt));
@@ -210,16 +211,17 @@ protected:
 
   Row blank() override { return leftOut(m_roomOfBlank); }
 
-  [[nodiscard]] bool isFlat() const override { return m_notation.flatFractions; }
+  [[nodiscard]] bool isFlat() const override { return m_fractions == Fractions::Flat; }
 
 private:
   [[nodiscard]] Row separated(std::vector<Row> entries) const {
-    const char32_t separator = m_notation.decimalMark == ',' ? ';' : ',';
     Row content;
     for (Row &entry : entries)
-      content = content.empty() ? std::move(entry)
-                                : math::row(std::move(content), math::symbol(separator, AtomClass::Punct),
-                                            math::space(thinSpace), std::move(entry));
+      content = content.empty()
+                    ? std::move(entry)
+                    : math::row(std::move(content),
+                                math::symbol(static_cast<unsigned char>(listSeparator()), AtomClass::Punct),
+                                math::space(thinSpace), std::move(entry));
     return content;
   }
 
@@ -227,7 +229,7 @@ private:
     return math::row(std::move(open), separated(std::move(entries)), std::move(close));
   }
 
-  Notation m_notation;
+  Fractions m_fractions;
   std::vector<Term> *m_numbers;
   math::Room m_roomOfBlank;
 };
@@ -244,18 +246,18 @@ Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
 
 } // namespace
 
-math::Row formulaOf(const Term &term, Notation notation) { return FormulaWriter(notation).write(term); }
+math::Row formulaOf(const Term &term, Fractions fractions) { return FormulaWriter(fractions).write(term); }
 
-math::Row relatedFormula(const Term &value, Notation notation) {
+math::Row relatedFormula(const Term &value, Fractions fractions) {
   const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
-  return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, notation));
+  return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, fractions));
 }
 
-math::Row formulaOf(const Symbol &symbol) { return FormulaWriter({}).write(name(symbol, std::nullopt)); }
+math::Row formulaOf(const Symbol &symbol) { return FormulaWriter().write(name(symbol, std::nullopt)); }
 
 TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece) {
   TraceableFormula formula;
-  FormulaWriter writer({}, &formula.numbers);
+  FormulaWriter writer(Fractions::Stacked, &formula.numbers);
   formula.row = written(partsOf(line, piece), writer);
   return formula;
 }
@@ -264,7 +266,7 @@ TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &
   if (gap.isResult && piece != LinePiece::Symbols)
     return {piece == LinePiece::Result ? math::row(math::symbol('=', AtomClass::Rel), leftOut(room)) : Row()};
   TraceableFormula formula;
-  FormulaWriter writer({}, &formula.numbers, room);
+  FormulaWriter writer(Fractions::Stacked, &formula.numbers, room);
   writer.leaveOut(gap.hidden);
   formula.row = written(partsOf(line, piece), writer);
   return formula;

@@ -3,16 +3,16 @@
 
 #include "lessons/lesson/practice.h"
 #include "lessons/term/chain.h"
-#include "lessons/term/notation.h"
+#include "lessons/term/fractions.h"
 #include "widgets/formula/math_tree.h"
 
 namespace halfspace {
 
 /// A term that is a mark of the figure is tagged with the mark's id.
-[[nodiscard]] math::Row formulaOf(const Term &term, Notation notation = {});
+[[nodiscard]] math::Row formulaOf(const Term &term, Fractions fractions = Fractions::Stacked);
 
 /// The value behind the relation that it allows: = 10, ≈ 3.16228.
-[[nodiscard]] math::Row relatedFormula(const Term &value, Notation notation = {});
+[[nodiscard]] math::Row relatedFormula(const Term &value, Fractions fractions = Fractions::Stacked);
 
 [[nodiscard]] math::Row formulaOf(const Symbol &symbol);
 

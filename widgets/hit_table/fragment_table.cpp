@@ -62,11 +62,7 @@ bool isLong(const WrittenNumber &number) {
 }
 
 /// As it stands among words: a fraction has a slash, and its digits are as large as others.
-math::Row formulaOfNumber(const WrittenNumber &number) {
-  Notation flat;
-  flat.flatFractions = true;
-  return formulaOf(number.term, flat);
-}
+math::Row formulaOfNumber(const WrittenNumber &number) { return formulaOf(number.term, Fractions::Flat); }
 
 /// In a column whose head says that its numbers are rounded.
 WrittenNumber roundedInColumn(const Rational &number) {

@@ -26,8 +26,8 @@ QString componentOf(const Term &number, const QString &name) {
       .arg(name);
 }
 
-QString nameOf(const Term &number, std::string (*write)(const Term &, Notation)) {
-  return QString::fromStdString(number->origin ? write(*number->origin, {}) : number->source->object);
+QString nameOf(const Term &number, std::string (*write)(const Term &)) {
+  return QString::fromStdString(number->origin ? write(*number->origin) : number->source->object);
 }
 
 } // namespace

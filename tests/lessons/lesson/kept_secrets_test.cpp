@@ -29,10 +29,8 @@ bool tells(const std::string &text, const std::string &answer) {
 }
 
 bool tells(const std::string &text, const Term &answer) {
-  Notation amongWords;
-  amongWords.flatFractions = true;
   return tells(text, plainText(answer)) || tells(text, latexOf(answer)) ||
-         tells(text, latexOf(answer, LatexMarks::Without, amongWords));
+         tells(text, latexOf(answer, LatexMarks::Without, Fractions::Flat));
 }
 
 /// A lesson at one of its steps, with one of its lines left to the learner.

@@ -5,6 +5,7 @@
 #include "lessons/term/rewrite.h"
 #include "lessons/term/written.h"
 #include "tests/lessons/construction/precise.h"
+#include "tests/lessons/spoken_to_in.h"
 #include "tests/lessons/term/term_samples.h"
 #include "tests/lessons/term/truth.h"
 
@@ -87,9 +88,7 @@ TEST(Latex, OfFractions_NeedsNoParentheses) {
 }
 
 TEST(Latex, OfFlatFractions_HasParenthesesWhereTheyAreNeeded) {
-  const auto flat = [](const Term &term) {
-    return latexOf(term, LatexMarks::Without, {.flatFractions = true});
-  };
+  const auto flat = [](const Term &term) { return latexOf(term, LatexMarks::Without, Fractions::Flat); };
   EXPECT_EQ(flat(a / b), "a/b");
   EXPECT_EQ(flat(list({Rational(-1, 2), 3})), "\\left(-1/2,\\,3\\right)");
   EXPECT_EQ(flat(written(Real(Surd::root(6, Rational(1, 6)))).term), "\\sqrt{6}/6");
@@ -116,9 +115,9 @@ TEST(Latex, OfDeterminantsAndPermutedProducts_KeepsRowsAndPairs) {
 }
 
 TEST(Latex, WithADecimalComma_PartsListsBySemicolons) {
-  const Notation comma{.decimalMark = ','};
-  EXPECT_EQ(latexOf(list({Rational(637, 100), 2}), LatexMarks::Without, comma), "\\left(6{,}37;\\,2\\right)");
-  EXPECT_EQ(relatedLatex(Rational(637, 100), comma), " = 6{,}37");
+  const test::SpokenToIn language(test::withDecimalComma());
+  EXPECT_EQ(latexOf(list({Rational(637, 100), 2}), LatexMarks::Without), "\\left(6{,}37;\\,2\\right)");
+  EXPECT_EQ(relatedLatex(Rational(637, 100)), " = 6{,}37");
 }
 
 TEST(Latex, WithMarks_NamesThoseOfTheFigure) {

@@ -5,6 +5,7 @@
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
+#include "tests/lessons/spoken_to_in.h"
 
 #include <gtest/gtest.h>
 
@@ -136,7 +137,8 @@ TEST(MathMl, OfComparisons_EscapesTheirSigns) {
 }
 
 TEST(MathMl, WithADecimalComma_PartsListsBySemicolons) {
-  EXPECT_EQ(inside(mathMl(list({Rational(637, 100), 2}), {.decimalMark = ','})),
+  const test::SpokenToIn language(test::withDecimalComma());
+  EXPECT_EQ(inside(mathMl(list({Rational(637, 100), 2}))),
             "<mrow><mo>(</mo><mn>6,37</mn><mo>;</mo><mn>2</mn><mo>)</mo></mrow>");
 }
 

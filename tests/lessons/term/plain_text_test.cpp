@@ -5,6 +5,7 @@
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
+#include "tests/lessons/spoken_to_in.h"
 
 #include <gtest/gtest.h>
 
@@ -76,8 +77,9 @@ TEST(PlainText, OfRowsOfNumbers_PartsThem) {
 }
 
 TEST(PlainText, WithADecimalComma_PartsListsBySemicolons) {
-  EXPECT_EQ(plainText(list({Rational(637, 100), 2}), {.decimalMark = ','}), "(6,37; 2)");
-  EXPECT_EQ(relatedText(Rational(1'000'000'007, 3'000'000'019), {.decimalMark = ','}), " ≈ 0,333333");
+  const test::SpokenToIn language(test::withDecimalComma());
+  EXPECT_EQ(plainText(list({Rational(637, 100), 2})), "(6,37; 2)");
+  EXPECT_EQ(relatedText(Rational(1'000'000'007, 3'000'000'019)), " ≈ 0,333333");
 }
 
 TEST(PlainText, OfPartOfAChain_BeginsWithItsRelation) {

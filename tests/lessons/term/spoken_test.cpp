@@ -5,6 +5,7 @@
 #include "tests/lessons/term/term_samples.h"
 
 #include "lessons/term/rewrite.h"
+#include "tests/lessons/spoken_to_in.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,8 @@ TEST(Spoken, OfRowsOfNumbers_CountsThem) {
 }
 
 TEST(Spoken, WithADecimalComma_SaysTheComma) {
-  EXPECT_EQ(spoken(Rational(637, 100), {.decimalMark = ','}), "6,37");
+  const test::SpokenToIn language(test::withDecimalComma());
+  EXPECT_EQ(spoken(Rational(637, 100)), "6,37");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "tests/lessons/construction/claims/said.h"
+#include "lessons/language.h"
 
 #include <stdexcept>
 #include <utility>
@@ -104,9 +105,9 @@ std::string Said::at(const std::string &place) const {
   return found == texts.end() ? std::string() : found->second;
 }
 
-MarkedSentences::MarkedSentences() { setCatalogue(marked); }
+MarkedSentences::MarkedSentences() { setLanguage({marked}); }
 
-MarkedSentences::~MarkedSentences() { setCatalogue({}); }
+MarkedSentences::~MarkedSentences() { setLanguage({}); }
 
 std::vector<Said> sentencesIn(std::string_view marked) {
   Reader reader(marked);
