@@ -1,6 +1,6 @@
 #include "widgets/session_model.h"
 
-#include "lessons/lesson/new_numbers.h"
+#include "lessons/lesson/new_numbers/new_numbers.h"
 #include "lessons/lesson/task_targets.h"
 
 #include <QUndoCommand>

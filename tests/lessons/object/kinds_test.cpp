@@ -2,7 +2,7 @@
 #include "lessons/object/kind.h"
 
 #include "lessons/files/read_file.h"
-#include "lessons/lesson/short_numbers.h"
+#include "lessons/lesson/new_numbers/short_numbers.h"
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/scene/file/scene_reader.h"
 #include "lessons/scene/file/scene_writer.h"

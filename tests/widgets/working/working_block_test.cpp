@@ -1,7 +1,7 @@
 // The worked lines: where their formulas stand, and what the pointer finds there.
 #include "tests/widgets/working/working_block_fixture.h"
 
-#include "lessons/lesson/new_numbers.h"
+#include "lessons/lesson/new_numbers/new_numbers.h"
 #include "widgets/formula/term_formula.h"
 
 #include <QClipboard>

@@ -1,7 +1,8 @@
 // New numbers for a scene: the same case, short results, and never what was there.
-#include "lessons/lesson/short_numbers.h"
+#include "lessons/lesson/new_numbers/short_numbers.h"
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/lesson/new_numbers/renewal.h"
 #include "tests/effort.h"
 #include "tests/lessons/construction/construction_ids.h"
 #include "tests/lessons/construction/random_objects.h"

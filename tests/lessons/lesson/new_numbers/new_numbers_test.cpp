@@ -1,5 +1,5 @@
 // New numbers for a step: a repeated question may have another answer, and planes are seen as planes.
-#include "lessons/lesson/new_numbers.h"
+#include "lessons/lesson/new_numbers/new_numbers.h"
 
 #include "lessons/object/drawing.h"
 #include "lessons/object/kinds/plane.h"

@@ -1,6 +1,6 @@
-#include "lessons/lesson/new_numbers.h"
+#include "lessons/lesson/new_numbers/new_numbers.h"
 
-#include "lessons/lesson/short_numbers.h"
+#include "lessons/lesson/new_numbers/short_numbers.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/kinds/line.h"
 #include "lessons/object/kinds/plane.h"

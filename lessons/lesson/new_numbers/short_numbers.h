@@ -25,8 +25,6 @@ struct WantedNumbers {
 /// A scene whose constructions allow nothing of that kind keeps its numbers.
 [[nodiscard]] Scene withShortNumbers(Scene scene, std::uint64_t seed, const WantedNumbers &wanted = {});
 
-/// No new coordinate is larger, either way.
-inline constexpr int largestShortNumber = 9;
 /// The work is bounded by this many evaluations of the last construction and what it follows from.
 inline constexpr int mostNumbersTried = 200;
 
