@@ -3,6 +3,7 @@
 #include "app/completion.h"
 #include "app/manual_page.h"
 #include "lessons/guess.h"
+#include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
 #include "widgets/picture/theme.h"
 #include "widgets/scene/offscreen.h"
@@ -23,7 +24,9 @@ constexpr int highestFrame = 999'999;
 /// Of a number in a file's name.
 constexpr int mostDigits = 9;
 
-constexpr const char *summary = "drag planes, points, rays and triangles, and read the exact working live";
+std::string summary() {
+  return words("drag planes, points, rays and triangles, and read the exact working live");
+}
 
 PrintCommand complaint(const std::string &sentence) { return {sentence, true}; }
 
@@ -112,17 +115,18 @@ struct Arguments {
 };
 
 void addOwnLessons(CLI::App &app, OwnLessons &folders) {
-  app.add_option(ownLessonsOption, folders, "A folder of lessons of your own (can be repeated)")
+  app.add_option(ownLessonsOption, folders, words("A folder of lessons of your own (can be repeated)"))
       ->type_name("FOLDER")
       ->allow_extra_args(false)
       ->take_all();
 }
 
 void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &assignments) {
-  app.add_option("subject", subject, "A lesson's id, its .md file or a .halfspace file")
+  app.add_option("subject", subject, words("A lesson's id, its .md file or a .halfspace file"))
       ->type_name("LESSON|FILE")
       ->required();
-  app.add_option("--set", assignments, "Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)")
+  app.add_option("--set", assignments,
+                 words("Give a coordinate a value: Q=11,15,8 or E.n=0,0,1 (can be repeated)"))
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false) // one value each time: what follows it is another word
       ->take_all();
@@ -131,15 +135,17 @@ void addSubject(CLI::App &app, std::string &subject, std::vector<std::string> &a
 /// What stands without a command.
 void addWindow(CLI::App &app, WindowCommand &command) {
   app.add_option("subject", command.subject,
-                 "A lesson's id, its .md file or a .halfspace file to open in the window")
+                 words("A lesson's id, its .md file or a .halfspace file to open in the window"))
       ->type_name("LESSON|FILE");
-  app.add_option("--mesh", command.mesh, "A mesh to aim at: an STL, OBJ or PLY file")->type_name("FILE");
+  app.add_option("--mesh", command.mesh, words("A mesh to aim at: an STL, OBJ or PLY file"))
+      ->type_name("FILE");
 }
 
 CLI::App *addExplain(CLI::App &app, ExplainCommand &command) {
-  auto *explain = app.add_subcommand("explain", "Print values, worked lines and the case in plain words");
+  auto *explain =
+      app.add_subcommand("explain", words("Print values, worked lines and the case in plain words"));
   addSubject(*explain, command.subject, command.assignments);
-  explain->add_option("--format", command.format, "How it is written")
+  explain->add_option("--format", command.format, words("How it is written"))
       ->type_name("text|latex|json")
       ->check(CLI::IsMember({"text", "latex", "json"}).description(""))
       ->capture_default_str();
@@ -154,29 +160,32 @@ CLI::App *addReadMesh(CLI::App &app, ReadMeshCommand &command) {
 }
 
 CLI::App *addRender(CLI::App &app, Arguments &arguments) {
-  auto *render = app.add_subcommand("render", "Draw the figure as a PNG picture; needs no display");
+  auto *render = app.add_subcommand("render", words("Draw the figure as a PNG picture; needs no display"));
   RenderCommand &command = arguments.render;
   addSubject(*render, command.subject, command.assignments);
-  render->add_option("-o,--output", command.output, "The PNG file to write")->type_name("FILE")->required();
-  render->add_option("--size", arguments.size, "Its sides in pixels")
+  render->add_option("-o,--output", command.output, words("The PNG file to write"))
+      ->type_name("FILE")
+      ->required();
+  render->add_option("--size", arguments.size, words("Its sides in pixels"))
       ->type_name("WIDTHxHEIGHT")
       ->capture_default_str();
-  render->add_flag("--transparent", command.transparent, "No background");
-  render->add_flag("--flat", command.flat, "The lesson's flat picture, seen from the side");
-  render->add_option("--theme", command.theme, "The picture's colours")
+  render->add_flag("--transparent", command.transparent, words("No background"));
+  render->add_flag("--flat", command.flat, words("The lesson's flat picture, seen from the side"));
+  render->add_option("--theme", command.theme, words("The picture's colours"))
       ->type_name(themeNames("|"))
       ->capture_default_str();
   render
-      ->add_option("--step", arguments.step,
-                   "The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
-                   "whole figure of a lesson, or, for frames, the last step with the flight")
+      ->add_option(
+          "--step", arguments.step,
+          words("The lesson's step to show, counted from 1; without it that of a .halfspace file, the "
+                "whole figure of a lesson, or, for frames, the last step with the flight"))
       ->type_name("NUMBER");
   auto *frame =
-      render->add_option("--frame", arguments.frame, "A frame of the lesson's flight, counted from 0")
+      render->add_option("--frame", arguments.frame, words("A frame of the lesson's flight, counted from 0"))
           ->type_name("NUMBER");
   render
       ->add_option("--frames", arguments.frames,
-                   "Its frames from A to B, each in a file of its own: -o frames/%04d.png")
+                   words("Its frames from A to B, each in a file of its own: -o frames/%04d.png"))
       ->type_name("A:B")
       ->excludes(frame);
   return render;
@@ -189,26 +198,27 @@ Command finishRender(const Arguments &arguments, const CLI::App &render) {
   RenderCommand command = arguments.render;
   const auto size = parseSize(arguments.size);
   if (!size)
-    return complaint("--size takes WIDTHxHEIGHT with sides from 1 to " + std::to_string(maxPictureSide) +
-                     ", not “" + arguments.size + "”.");
+    return complaint(words("--size takes WIDTHxHEIGHT with sides from 1 to {largest}, not “{size}”.",
+                           {{"largest", std::to_string(maxPictureSide)}, {"size", arguments.size}}));
   if (!namesPng(command.output))
-    return complaint("Pictures are written as PNG: let the name end in .png, not as “" + command.output +
-                     "” does.");
+    return complaint(words("Pictures are written as PNG: let the name end in .png, not as “{file}” does.",
+                           {{"file", command.output}}));
   if (!findTheme(command.theme))
-    return complaint("There is no theme “" + command.theme + "”. The themes are " + themeNames(", ") + ".");
+    return complaint(words("There is no theme “{theme}”. The themes are {themes}.",
+                           {{"theme", command.theme}, {"themes", themeNames(", ")}}));
   if (stepGiven && arguments.step < 1)
-    return complaint("--step counts from 1.");
+    return complaint(words("--step counts from 1."));
   if (framesGiven || render.count("--frame") > 0) {
     const std::string &frames = framesGiven ? arguments.frames : arguments.frame;
     command.frames = parseFrames(frames);
     if (!command.frames || (!framesGiven && command.frames->first != command.frames->second))
-      return complaint(
-          "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “" + frames +
-          "”.");
+      return complaint(words(
+          "--frame takes a number of a frame, and --frames the first and the last: 0:120, not “{frames}”.",
+          {{"frames", frames}}));
     command.numbered = parseNumberedFile(command.output);
     if (!command.numbered && command.frames->first != command.frames->second)
       return complaint(
-          "Several frames need a place for their number in the file's name: -o frames/%04d.png.");
+          words("Several frames need a place for their number in the file's name: -o frames/%04d.png."));
   }
   command.size = *size;
   if (stepGiven)
@@ -224,8 +234,8 @@ OptionDescription descriptionOf(const CLI::Option &option) {
 
 CommandDescription descriptionOf(const CLI::App &app) {
   CommandDescription command{app.get_name(), app.get_description(), !app.get_group().empty(), {}, {}};
-  if (const std::string footer = app.get_footer(); !footer.empty())
-    command.description += " " + footer;
+  if (!app.get_parent()) // CLI11 hands the footer on to all commands
+    command.description += " " + app.get_footer();
   for (const CLI::Option *option : app.get_options())
     command.options.push_back(descriptionOf(*option));
   for (const CLI::App *subcommand : app.get_subcommands({}))
@@ -241,7 +251,7 @@ std::optional<Command> aboutItself(const CLI::App &app, int argc, const char *co
   if (words.front() == completeCommand)
     return completionOf(descriptionOf(app), {words.begin() + 1, words.end()});
   if (words.front() == manualPageCommand)
-    return PrintCommand{manualPage(descriptionOf(app), summary, app.version())};
+    return PrintCommand{manualPage(descriptionOf(app), summary(), app.version())};
   return {};
 }
 
@@ -252,39 +262,71 @@ std::string commandMeant(const CLI::App &app, const std::optional<std::string> &
     if (!command->get_group().empty())
       names.push_back(command->get_name());
   const std::string meant = subject ? nearestOf(*subject, names) : std::string();
-  return meant.empty() ? std::string() : " Perhaps the command “" + meant + "” is meant.";
+  return meant.empty() ? std::string()
+                       : words("Perhaps the command “{command}” is meant.", {{"command", meant}});
+}
+
+/// What CLI11 says of an error is English.
+std::string refusalOf(const CLI::ParseError &error, const std::string &guess) {
+  const std::string problem = error.what();
+  return guess.empty()
+             ? words("{problem}. Try halfspace --help.", {{"problem", problem}})
+             : words("{problem}. {guess} Try halfspace --help.", {{"problem", problem}, {"guess", guess}});
+}
+
+/// What CLI11 would say of itself.
+void translateHelp(CLI::App &app) {
+  app.option_defaults()->group(words("Options"));
+  app.set_help_flag("-h,--help", words("Print this help message and exit"));
+  app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION,
+                       words("Display program version information and exit"));
+  const auto formatter = std::make_shared<CLI::Formatter>();
+  for (const auto &[label, text] : {std::pair("Usage", words("Usage")),
+                                    {"OPTIONS", words("OPTIONS")},
+                                    {"SUBCOMMAND", words("SUBCOMMAND")},
+                                    {"SUBCOMMANDS", words("SUBCOMMANDS")},
+                                    {"Positionals", words("Positionals")},
+                                    {"REQUIRED", words("REQUIRED")},
+                                    {"Excludes", words("Excludes")}})
+    formatter->label(label, text);
+  app.formatter(formatter);
 }
 
 } // namespace
 
 Command parseCommandLine(int argc, const char *const *argv) {
   Arguments arguments;
-  CLI::App app("Halfspace: " + std::string(summary) + ".", "halfspace");
-  app.set_version_flag("--version", "halfspace " HALFSPACE_VERSION);
-  app.footer("Without a command, `halfspace [LESSON|FILE]` opens the window.");
+  CLI::App app(words("Halfspace: {summary}.", {{"summary", summary()}}), "halfspace");
+  translateHelp(app);
+  app.footer(words("Without a command, `halfspace [LESSON|FILE]` opens the window."));
   addWindow(app, arguments.window);
-  auto *lessons = app.add_subcommand("lessons", "List the lessons: id and title");
-  lessons->add_flag("--json", arguments.lessons.json, "As JSON");
+  auto *lessons = app.add_subcommand("lessons", words("List the lessons: id and title"));
+  lessons->add_flag("--json", arguments.lessons.json, words("As JSON"));
   addOwnLessons(app, arguments.ownLessons);
   addOwnLessons(*lessons, arguments.ownLessons); // what it is called itself does not fall through
   app.fallthrough();                             // it may stand behind the other commands
-  auto *newLesson = app.add_subcommand("new-lesson", "Write a lesson to begin with: ID.md in this folder");
-  newLesson->add_option("id", arguments.newLesson.id, "Small letters, digits and hyphens")
+  auto *newLesson =
+      app.add_subcommand("new-lesson", words("Write a lesson to begin with: ID.md in this folder"));
+  newLesson->add_option("id", arguments.newLesson.id, words("Small letters, digits and hyphens"))
       ->type_name("ID")
       ->required();
   auto *constructionList = app.add_subcommand(
-      "constructions", "Print the names that lessons can use: cases, values, lines and marks");
-  auto *check = app.add_subcommand("check", "Say what is wrong in lesson files, and where");
+      "constructions", words("Print the names that lessons can use: cases, values, lines and marks"));
+  auto *check = app.add_subcommand("check", words("Say what is wrong in lesson files, and where"));
   check
       ->add_option("paths", arguments.check.paths,
-                   "Files, or folders of them; without any, the lessons of this program")
+                   words("Files, or folders of them; without any, the lessons of this program"))
       ->type_name("FILE|FOLDER");
   auto *explain = addExplain(app, arguments.explain);
   auto *render = addRender(app, arguments);
-  auto *eval = app.add_subcommand("eval", "Answer geometry questions, one JSON object a line");
-  eval->add_option("file", arguments.eval.file, "The file with the questions; standard input without one")
+  auto *eval = app.add_subcommand("eval", words("Answer geometry questions, one JSON object a line"));
+  eval->add_option("file", arguments.eval.file,
+                   words("The file with the questions; standard input without one"))
       ->type_name("FILE");
   auto *readMesh = addReadMesh(app, arguments.readMesh);
+  for (CLI::App *command : app.get_subcommands({}))
+    if (!command->get_group().empty())
+      command->group(words("Subcommands"));
   app.require_subcommand(0, 1);
   if (auto asked = aboutItself(app, argc, argv))
     return *asked;
@@ -293,18 +335,17 @@ Command parseCommandLine(int argc, const char *const *argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {
     if (error.get_exit_code() != 0)
-      return complaint(std::string(error.what()) + "." + commandMeant(app, arguments.window.subject) +
-                       " Try halfspace --help.");
+      return complaint(refusalOf(error, commandMeant(app, arguments.window.subject)));
     std::ostringstream out;
     std::ostringstream unused;
     app.exit(error, out, unused);
     return PrintCommand{out.str()};
   }
   if (arguments.window.subject && !app.get_subcommands().empty())
-    return complaint("“" + *arguments.window.subject +
-                     "” stands before a command: the lesson or file comes after it.");
+    return complaint(words("“{subject}” stands before a command: the lesson or file comes after it.",
+                           {{"subject", *arguments.window.subject}}));
   if (arguments.window.mesh && !app.get_subcommands().empty())
-    return complaint("--mesh is for the window: no command draws or explains a mesh of yours.");
+    return complaint(words("--mesh is for the window: no command draws or explains a mesh of yours."));
   arguments.window.ownLessons = arguments.lessons.ownLessons = arguments.ownLessons;
   arguments.explain.ownLessons = arguments.render.ownLessons = arguments.ownLessons;
   if (lessons->parsed())

@@ -2,6 +2,7 @@
 #include "app/eval_command.h"
 #include "app/last_words.h"
 #include "app/standard_streams.h"
+#include "app/user_language.h"
 #include "app/window_command.h"
 
 #include <csignal>
@@ -31,6 +32,7 @@ int run(const Command &command, int argc, char **argv) {
 
 int main(int argc, char **argv) {
   halfspace::holdStandardStreams();
+  halfspace::setUserLanguage();
   std::signal(SIGXFSZ, SIG_IGN); // a file that would be larger than it may be is a failure to be told
   try {
     return run(halfspace::parseCommandLine(argc, argv), argc, argv);

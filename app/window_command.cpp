@@ -8,6 +8,7 @@
 #include "app/settings.h"
 #include "app/standard_streams.h"
 #include "app/termination.h"
+#include "app/user_language.h"
 #include "lessons/words.h"
 
 #include <QIcon>
@@ -146,6 +147,7 @@ int runWindow(const WindowCommand &command, int argc, char **argv) {
   const auto usualHandler = qInstallMessageHandler(sayWhyQtGivesUp);
   Application application(argc, argv);
   qInstallMessageHandler(usualHandler);
+  translateWindows(application);
   QApplication::setWindowIcon(programIcon());
   QGuiApplication::setDesktopFileName("halfspace");
   if (const auto missing = checkOpenGL())

@@ -1,5 +1,6 @@
 #include "widgets/formula/latex_tokens.h"
 
+#include "lessons/words.h"
 #include "widgets/formula/read_latex.h"
 
 namespace halfspace::math {
@@ -64,7 +65,7 @@ private:
   }
 
   [[noreturn]] void failHere() const {
-    throw ReadError{m_column, "This byte is no character: the text is not UTF-8."};
+    throw ReadError{m_column, halfspace::words("This byte is no character: the text is not UTF-8.")};
   }
 
   std::string_view m_source;
@@ -90,7 +91,7 @@ Token takeCommand(Cursor &cursor, std::string_view source) {
   Token token{Token::Kind::Command, 0, {}, cursor.column()};
   cursor.advance();
   if (cursor.atEnd())
-    throw ReadError{token.column, "A command's name is missing behind the `\\`."};
+    throw ReadError{token.column, halfspace::words("A command's name is missing behind the `\\`.")};
   const std::size_t begin = cursor.offset();
   const bool isWord = isAsciiLetter(cursor.character());
   do

@@ -1,3 +1,4 @@
+#include "lessons/words.h"
 #include "widgets/formula/latex_symbols.h"
 #include "widgets/formula/nesting.h"
 
@@ -46,7 +47,7 @@ bool isNoAtom(const Node &node) {
 
 std::variant<Row, ReadError> readLatex(std::string_view latex, const Macros &macros) {
   if (latex.size() > longestLatex)
-    return ReadError{1, "This formula is too long."};
+    return ReadError{1, halfspace::words("This formula is too long.")};
   try {
     return LatexReader(latex, macros).formula();
   } catch (ReadError &error) {
@@ -75,16 +76,17 @@ Row LatexReader::formula() {
 
 void LatexReader::failStray(const Token &token) const {
   if (token.is('}'))
-    throw ReadError{token.column, "This `}` has no `{`."};
+    throw ReadError{token.column, halfspace::words("This `}` has no `{`.")};
   if (token.is('&'))
-    throw ReadError{token.column, "`&` can stand only in a table."};
+    throw ReadError{token.column, halfspace::words("`&` can stand only in a table.")};
   if (token.is('$'))
-    throw ReadError{token.column, "`$` cannot stand inside a formula."};
+    throw ReadError{token.column, halfspace::words("`$` cannot stand inside a formula.")};
   if (token.isCommand("right"))
-    throw ReadError{token.column, "This `\\right` has no `\\left`."};
+    throw ReadError{token.column, halfspace::words("This `\\right` has no `\\left`.")};
   if (token.isCommand("end"))
-    throw ReadError{token.column, "This `\\end` has no `\\begin`."};
-  throw ReadError{token.column, "`" + sourceOf(token) + "` cannot stand here."};
+    throw ReadError{token.column, halfspace::words("This `\\end` has no `\\begin`.")};
+  throw ReadError{token.column,
+                  halfspace::words("`{command}` cannot stand here.", {{"command", sourceOf(token)}})};
 }
 
 void LatexReader::failUnclosed(std::size_t column, std::string_view opener, std::string_view closer) {
@@ -92,13 +94,14 @@ void LatexReader::failUnclosed(std::size_t column, std::string_view opener, std:
   const bool closesOther = here.is('}') || here.isCommand("right") || here.isCommand("end");
   if (here.isEnd() || closesOther)
     throw ReadError{column,
-                    "A `" + std::string(closer) + "` is missing for this `" + std::string(opener) + "`."};
+                    halfspace::words("A `{closer}` is missing for this `{opener}`.",
+                                     {{"closer", std::string(closer)}, {"opener", std::string(opener)}})};
   failStray(here);
 }
 
 void LatexReader::countNode() {
   if (++m_nodes > mostNodes)
-    throw ReadError{m_tokens.peek().column, "This formula is too long."};
+    throw ReadError{m_tokens.peek().column, halfspace::words("This formula is too long.")};
 }
 
 void LatexReader::add(Row &row, Node node) {
@@ -141,7 +144,7 @@ Row LatexReader::readArgument() {
   if (m_tokens.peekMath().is('{'))
     return readGroup(m_tokens.take().column);
   if (atRowEnd())
-    throw ReadError{m_tokens.peek().column, "An argument is missing here."};
+    throw ReadError{m_tokens.peek().column, halfspace::words("An argument is missing here.")};
   Row one;
   readAtom(one);
   return one;
@@ -176,7 +179,8 @@ void LatexReader::readScripts(Row &row) {
   while (m_tokens.peekMath().isCommand("limits") || m_tokens.peekMath().isCommand("nolimits")) {
     const Token token = m_tokens.take();
     if (row.empty())
-      throw ReadError{token.column, "`" + sourceOf(token) + "` has nothing to stand behind."};
+      throw ReadError{token.column, halfspace::words("`{command}` has nothing to stand behind.",
+                                                     {{"command", sourceOf(token)}})};
     row.back().scriptPlace = token.name == "limits" ? ScriptPlace::Limits : ScriptPlace::Beside;
   }
   if (!atScript())
@@ -197,9 +201,10 @@ void LatexReader::readScript(Row &above, Row &below) {
   const bool isBelow = token.is('_') || (typed && !typed->isAbove);
   Row &script = isBelow ? below : above;
   if (!script.empty() && !token.is('\''))
-    throw ReadError{token.column, isBelow
-                                      ? "There are two subscripts: put the first with its base into `{}`."
-                                      : "There are two superscripts: put the first with its base into `{}`."};
+    throw ReadError{
+        token.column,
+        isBelow ? halfspace::words("There are two subscripts: put the first with its base into `{}`.")
+                : halfspace::words("There are two superscripts: put the first with its base into `{}`.")};
   if (token.is('\'')) {
     detail::append(script, readPrimes());
     if (m_tokens.takeIf('^'))
@@ -268,7 +273,8 @@ void LatexReader::readCommand(Row &row, const Token &token) {
   }
   const SymbolCommand *found = symbolNamed(token.name);
   if (!found)
-    throw ReadError{token.column, "`" + sourceOf(token) + "` is unknown."};
+    throw ReadError{token.column,
+                    halfspace::words("`{command}` is unknown.", {{"command", sourceOf(token)}})};
   add(row, symbol(isGreek(found->character) ? inCurrentAlphabet(found->character) : found->character,
                   found->atomClass));
 }
@@ -290,7 +296,7 @@ void LatexReader::readCharacter(Row &row, const Token &token) {
   if (token.is('#') || token.is('&') || token.is('$') || token.is('}') || token.is('^') || token.is('_'))
     failStray(token);
   if (isControl(character))
-    throw ReadError{token.column, "This character cannot be shown."};
+    throw ReadError{token.column, halfspace::words("This character cannot be shown.")};
   if (const Command *command = largeOperatorOf(character)) {
     readLargeOperator(row, *command);
   } else if (isCombining(character) && !row.empty()) {

@@ -1,3 +1,4 @@
+#include "lessons/words.h"
 #include "widgets/formula/latex_symbols.h"
 #include "widgets/formula/nesting.h"
 
@@ -90,7 +91,7 @@ bool isBetweenTerms(const Token &token) {
 std::string LatexReader::readName() {
   const Token here = m_tokens.peekMath();
   if (!here.is('{'))
-    throw ReadError{m_column, "A `{` is missing behind this command."};
+    throw ReadError{m_column, halfspace::words("A `{` is missing behind this command.")};
   std::string name;
   for (const Token &token : m_tokens.takeBetween('{', '}'))
     name += sourceOf(token);
@@ -108,7 +109,8 @@ double LatexReader::lengthOf(const std::string &text, std::size_t column) const 
   const auto found =
       std::find_if(units.begin(), units.end(), [unit](const Unit &each) { return each.name == unit; });
   if (error != std::errc() || found == units.end() || !(std::abs(number * found->em) <= longestLength))
-    throw ReadError{column, "`" + text + "` is no length: write it as `2em` or `5pt`."};
+    throw ReadError{column,
+                    halfspace::words("`{text}` is no length: write it as `2em` or `5pt`.", {{"text", text}})};
   return number * found->em;
 }
 
@@ -131,7 +133,7 @@ char32_t LatexReader::readFence() {
   const std::size_t column = m_column;
   const Token token = m_tokens.takeMath();
   if (token.isEnd())
-    throw ReadError{column, "A bracket is missing behind this command."};
+    throw ReadError{column, halfspace::words("A bracket is missing behind this command.")};
   if (token.is('.'))
     return 0;
   char32_t fence = token.is('<') ? U'⟨' : token.is('>') ? U'⟩' : token.character;
@@ -140,7 +142,8 @@ char32_t LatexReader::readFence() {
   if (const SymbolCommand *found = token.kind == Token::Kind::Command ? symbolNamed(token.name) : nullptr)
     fence = found->character;
   if (!isFence(fence))
-    throw ReadError{token.column, "`" + sourceOf(token) + "` is no bracket."};
+    throw ReadError{token.column,
+                    halfspace::words("`{command}` is no bracket.", {{"command", sourceOf(token)}})};
   return fence;
 }
 
@@ -254,7 +257,7 @@ void LatexReader::readFenced(Row &row, const Command & /*command*/) {
 
 void LatexReader::readMiddle(Row &row, const Command & /*command*/) {
   if (m_fences == 0)
-    throw ReadError{m_column, "`\\middle` can stand only between `\\left` and `\\right`."};
+    throw ReadError{m_column, halfspace::words("`\\middle` can stand only between `\\left` and `\\right`.")};
   add(row, {MiddleFence{readFence()}, AtomClass::Rel});
 }
 
@@ -324,7 +327,7 @@ void LatexReader::readBlock(Row &row, const Command & /*command*/) {
   const double width = lengthOf(readName(), column);
   const double height = lengthOf(readName(), column);
   if (width < 0 || height < 0)
-    throw ReadError{column, "A box cannot be smaller than nothing."};
+    throw ReadError{column, halfspace::words("A box cannot be smaller than nothing.")};
   add(row, {Block{width, height}});
 }
 
@@ -346,7 +349,9 @@ void LatexReader::readMark(Row &row, const Command & /*command*/) {
   const std::size_t column = m_column;
   std::string tag = readName();
   if (tag.empty() || !std::all_of(tag.begin(), tag.end(), isTagCharacter))
-    throw ReadError{column, "The mark `" + tag + "` is not made of letters, digits, `.`, `-` and `_`."};
+    throw ReadError{column,
+                    halfspace::words("The mark `{mark}` is not made of letters, digits, `.`, `-` and `_`.",
+                                     {{"mark", tag}})};
   add(row, tagged(std::move(tag), readArgument()));
 }
 
@@ -358,7 +363,8 @@ Color LatexReader::readColorValue() {
   const auto found = std::find_if(namedColors.begin(), namedColors.end(),
                                   [&name](const NamedColor &each) { return each.name == name; });
   if (found == namedColors.end())
-    throw ReadError{column, "The colour `" + name + "` is unknown: write it as `#rrggbb`."};
+    throw ReadError{column, halfspace::words("The colour `{colour}` is unknown: write it as `#rrggbb`.",
+                                             {{"colour", name}})};
   return found->color;
 }
 
@@ -372,7 +378,8 @@ void LatexReader::readNothing(Row & /*row*/, const Command & /*command*/) {}
 void LatexReader::readLabel(Row & /*row*/, const Command & /*command*/) { (void)readName(); }
 
 void LatexReader::readMisplaced(Row & /*row*/, const Command &command) {
-  throw ReadError{m_column, "`\\" + std::string(command.name) + "` cannot stand here."};
+  throw ReadError{m_column, halfspace::words("`\\{command}` cannot stand here.",
+                                             {{"command", std::string(command.name)}})};
 }
 
 } // namespace halfspace::math

@@ -1,3 +1,4 @@
+#include "lessons/words.h"
 #include "widgets/formula/latex_symbols.h"
 #include "widgets/formula/nesting.h"
 
@@ -51,7 +52,7 @@ void LatexReader::readTag(Row &row, const Command &command) {
 Row LatexReader::readWords(Alphabet alphabet) {
   const std::size_t column = m_column;
   if (!m_tokens.peekMath().is('{'))
-    throw ReadError{column, "The words are missing: put them into `{}`."};
+    throw ReadError{column, halfspace::words("The words are missing: put them into `{}`.")};
   const Token open = m_tokens.take();
   const bool inOption = std::exchange(m_inOption, false);
   Row row;
@@ -72,7 +73,7 @@ void LatexReader::readWordsInto(Row &row, std::string &words, Alphabet alphabet,
   while (!m_tokens.peek().is('}')) {
     const Token &next = m_tokens.peek();
     if (next.isEnd())
-      throw ReadError{column, "A `}` is missing for this `{`."};
+      throw ReadError{column, halfspace::words("A `}` is missing for this `{`.")};
     if (next.kind == Token::Kind::Command) {
       readTextCommand(row, words, alphabet);
       continue;

@@ -1,5 +1,7 @@
 #include "widgets/formula/token_stream.h"
 
+#include "lessons/words.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -65,9 +67,10 @@ std::vector<Token> TokenStream::takeBetween(char32_t open, char32_t close) {
   int braces = 0;
   for (Token token = takeRaw();; token = takeRaw()) {
     if (token.isEnd())
-      throw ReadError{first.column, "A `" + sourceOf({Token::Kind::Character, close, {}, 0}) +
-                                        "` is missing for this `" +
-                                        sourceOf({Token::Kind::Character, open, {}, 0}) + "`."};
+      throw ReadError{first.column,
+                      halfspace::words("A `{closer}` is missing for this `{opener}`.",
+                                       {{"closer", sourceOf({Token::Kind::Character, close, {}, 0})},
+                                        {"opener", sourceOf({Token::Kind::Character, open, {}, 0})}})};
     if (braces == 0 && token.is(close))
       return inside;
     braces += token.is('{') ? 1 : token.is('}') ? -1 : 0;
@@ -93,7 +96,9 @@ const std::vector<Token> &TokenStream::bodyOf(const Token &call, std::string_vie
     try {
       body->second = tokenize(m_macros.find(name)->second.body);
     } catch (const ReadError &error) {
-      throw ReadError{call.column, "In the macro `\\" + std::string(name) + "`: " + error.sentence};
+      throw ReadError{call.column,
+                      halfspace::words("In the macro `\\{name}`: {sentence}",
+                                       {{"name", std::string(name)}, {"sentence", error.sentence}})};
     }
   }
   return body->second;
@@ -107,7 +112,8 @@ void TokenStream::expand(const Token &call) {
   // An empty body counts too, so that the work of many is bounded, and of one that uses itself.
   m_expanded += tokens.size() + 1;
   if (m_expanded > mostExpandedTokens)
-    throw ReadError{call.column, "`" + sourceOf(call) + "` becomes too long."};
+    throw ReadError{call.column,
+                    halfspace::words("`{command}` becomes too long.", {{"command", sourceOf(call)}})};
   prepend(tokens);
 }
 
@@ -132,7 +138,8 @@ std::vector<Token> TokenStream::takeMacroArgument(const Token &call) {
   while (!m_upcoming.empty() && m_upcoming.back().kind == Token::Kind::Space)
     m_upcoming.pop_back();
   if (m_upcoming.empty() || m_upcoming.back().is('}'))
-    throw ReadError{call.column, "`" + sourceOf(call) + "` lacks an argument."};
+    throw ReadError{call.column,
+                    halfspace::words("`{command}` lacks an argument.", {{"command", sourceOf(call)}})};
   if (m_upcoming.back().is('{'))
     return takeBetween('{', '}');
   return {takeRaw()};
