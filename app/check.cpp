@@ -32,13 +32,13 @@ LessonLibrary libraryOf(const std::filesystem::path &fileOrFolder) {
   return {{std::move(*lesson)}, {}};
 }
 
-void addIfUnreadable(const MarkdownFormula::Source &formula, const LessonWords &piece, const Lesson &lesson,
+void addIfUnreadable(const MarkdownFormula::Side &formula, const LessonWords &piece, const Lesson &lesson,
                      std::vector<Problem> &problems) {
-  const auto read = math::readLatex(formula.latex, lesson.macros);
+  const auto read = math::readLatex(formula.text, lesson.macros);
   const auto *error = std::get_if<math::ReadError>(&read);
   if (error)
     problems.push_back(
-        {words("In “{formula}”, column {column}: {sentence}", {{"formula", shortened(formula.latex)},
+        {words("In “{formula}”, column {column}: {sentence}", {{"formula", shortened(formula.text)},
                                                                {"column", std::to_string(error->column)},
                                                                {"sentence", error->sentence}}),
          lesson.file, piece.lineAt(formula.place), piece.field});
@@ -72,8 +72,9 @@ void addUnreadable(const LessonWords &piece, const Lesson &lesson, const LessonP
   if (!markdown)
     return; // such a lesson is not read
   for (const MarkdownFormula &formula : markdown->formulas)
-    for (const MarkdownFormula::Source &source : formula.sources)
-      addIfUnreadable(source, piece, lesson, problems);
+    for (const MarkdownFormula::Side &side : formula.sides)
+      if (!side.isLive)
+        addIfUnreadable(side, piece, lesson, problems);
   std::vector<std::string> pictures;
   if (showsPictures(piece))
     addPictures(markdown->blocks, pictures);

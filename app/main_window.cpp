@@ -247,8 +247,8 @@ void MainWindow::showOutcome() {
 
 void MainWindow::showStepWords() {
   const LiveValues shown = hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
-  m_page->showWords([&](const std::string &markdown) {
-    return withLiveValues(markdown, m_model.session().scene, m_model.evaluation(), shown);
+  m_page->showWords([&](const std::string &name) {
+    return liveValue(name, m_model.session().scene, m_model.evaluation(), shown);
   });
   if (!m_model.inGesture()) // what is only passed in a drag does not count
     judgeStep();

@@ -1,6 +1,7 @@
 #include "lessons/lesson/condition.h"
 
 #include "lessons/reading/document.h"
+#include "lessons/reading/value_name.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
@@ -170,13 +171,6 @@ std::optional<std::size_t> componentIndex(std::string_view name) {
                        (name.size() == 1 || name.front() != '0') &&
                        name.find_first_not_of("0123456789") == std::string_view::npos;
   return isIndex ? std::optional<std::size_t>(std::stoul(std::string(name))) : std::nullopt;
-}
-
-bool isValueName(std::string_view text) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  constexpr std::string_view characters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-  return !text.empty() && letters.find(text.front()) != std::string_view::npos &&
-         text.find_first_not_of(characters) == std::string_view::npos;
 }
 
 Result<std::vector<Condition>> parseConditions(std::string_view text) {

@@ -16,7 +16,4 @@ namespace halfspace {
 /// x, y, z or a digit, as the place in a list; nothing for other names.
 [[nodiscard]] std::optional<std::size_t> componentIndex(std::string_view name);
 
-/// Whether the text is shaped like a value's name: letters, digits, `_`, `-`, parts joined by dots.
-[[nodiscard]] bool isValueName(std::string_view text);
-
 } // namespace halfspace

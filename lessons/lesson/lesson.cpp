@@ -200,7 +200,7 @@ Problem tooLarge(const std::string &file) {
 std::size_t bytesFromMacros(const Markdown &markdown, const Macros &macros) {
   std::size_t bytes = 0;
   for (const MarkdownFormula &formula : markdown.formulas)
-    bytes += bytesFromMacros(formula.latex, macros);
+    bytes += bytesFromMacros(writtenIn(formula), macros);
   return bytes;
 }
 

@@ -1,23 +1,41 @@
 // Values among the words of a lesson: `{f}` stands for what f comes to.
 #pragma once
 
-#include "lessons/lesson/lesson.h"
+#include "lessons/scene/evaluation.h"
+#include "lessons/term/term.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
 
 namespace halfspace {
 
 /// Whether the learner sees what constructions come to, or is still to find it.
 enum class LiveValues { Shown, Hidden };
 
-/// The markdown with each `{name}` of a value replaced by the value, as `$…$` LaTeX for numbers; by a
-/// question mark where values are hidden. `{Q}` and `{E.n}` name the scene's coordinates.
-[[nodiscard]] std::string withLiveValues(const std::string &markdown, const Scene &scene,
-                                         const Evaluation &evaluation, LiveValues values = LiveValues::Shown);
+/// A number or a list as sentences have it. A rounded one is written with ≈ before it.
+struct LiveNumber {
+  Term term;
+  std::optional<Term> size{}; ///< how large a root is, which nobody sees by looking at it: ≈ 7.348
 
-/// A `{name}` in Markdown, outside formulas and code, with its place in the text.
-struct LiveName {
-  std::string name;
-  std::size_t place; ///< of the brace
+  /// Whether both look the same on the page.
+  bool operator==(const LiveNumber &other) const;
 };
-[[nodiscard]] std::vector<LiveName> liveNamesIn(std::string_view markdown);
+
+/// A word stands for what is no number.
+using LiveValue = std::variant<std::string, LiveNumber>;
+
+/// What a name stands for: a value, or coordinates of the scene as `Q` and `E.n`; a question mark for a value
+/// while those are hidden, and a dash for one that the case does not have.
+[[nodiscard]] LiveValue liveValue(const std::string &name, const Scene &scene, const Evaluation &evaluation,
+                                  LiveValues values = LiveValues::Shown);
+
+/// What each name stands for at present.
+using LiveValueOf = std::function<LiveValue(const std::string &name)>;
+
+/// 10, or ≈ 3.142, or √2 ≈ 1.414.
+[[nodiscard]] std::string plainText(const LiveNumber &number);
+[[nodiscard]] std::string latexOf(const LiveNumber &number);
 
 } // namespace halfspace

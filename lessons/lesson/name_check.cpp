@@ -3,9 +3,9 @@
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
 #include "lessons/lesson/lesson_lines.h"
-#include "lessons/lesson/live_values.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/reading/markdown_formulas.h"
 #include "lessons/words.h"
 
 #include <algorithm>
@@ -136,8 +136,10 @@ public:
         complain(whyNoMark(step.drawn[i]), step.drawnLines[i], "draw");
     }
     for (const LessonWords &piece : wordsOf(m_lesson))
-      for (const LiveName &live : liveNamesIn(piece.text))
-        complain(whyNotLive(live.name), piece.lineAt(live.place), piece.field);
+      for (const MarkdownFormula &formula : takeFormulas(piece.text).formulas)
+        for (const MarkdownFormula::Side &side : formula.sides)
+          if (side.isLive)
+            complain(whyNotLive(side.text), piece.lineAt(side.place), piece.field);
     return std::move(m_problems);
   }
 

@@ -306,6 +306,21 @@ MD_PARSER parserOfOurDialect() {
 
 } // namespace
 
+std::string writtenIn(const MarkdownFormula &formula) {
+  std::string written;
+  for (const MarkdownFormula::Side &side : formula.sides) {
+    if (!written.empty())
+      written += ' ' + formula.relation + ' ';
+    written += side.isLive ? '{' + side.text + '}' : side.text;
+  }
+  return written;
+}
+
+bool hasLiveValue(const MarkdownFormula &formula) {
+  return std::any_of(formula.sides.begin(), formula.sides.end(),
+                     [](const MarkdownFormula::Side &side) { return side.isLive; });
+}
+
 bool isOpenable(std::string_view address) {
   constexpr std::array<std::string_view, 3> schemes{"https://", "http://", "mailto:"};
   return std::any_of(schemes.begin(), schemes.end(),

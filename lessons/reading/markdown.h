@@ -1,5 +1,6 @@
-// Markdown with `$…$` formulas as a tree of blocks, for whatever shows a lesson's words. Nothing is loaded or
-// followed here: links and pictures are named. HTML stands as it is written.
+// Markdown with `$…$` formulas and live values as a tree of blocks, for whatever shows a lesson's words.
+// Nothing is loaded, followed or filled in here: links, pictures and values are named. HTML stands as it is
+// written.
 #pragma once
 
 #include "lessons/result.h"
@@ -12,20 +13,28 @@
 
 namespace halfspace {
 
-/// What stands between dollars. A `$` between marks of code or after a backslash is no formula, nor is one
-/// without a partner in its paragraph.
+/// What stands between dollars, or a live value: `{name}`. A `$` between marks of code or after a backslash
+/// is no formula, nor is one without a partner in its paragraph. Braces are a live value where neither code
+/// nor a formula nor the address of a link has them, and they hold the name of a value.
 struct MarkdownFormula {
-  /// As it was written, without spaces at its ends.
-  struct Source {
-    std::size_t place; ///< in bytes of the text that was read
-    std::string latex;
+  /// What stands before a relation, or behind it.
+  struct Side {
+    std::size_t place;   ///< in bytes of the text that was read
+    std::string text;    ///< LaTeX as it was written, without spaces at its ends; of a live value its name
+    bool isLive = false; ///< its value is filled in when it is shown
+    bool operator==(const Side &) const = default;
   };
 
-  std::string latex;         ///< `t = 3` where `$t$ = $3$` was written, as no line shall end between them
+  std::vector<Side> sides{}; ///< one, or two as in `$t$ = $3$` or `$t$ = {t}`: no line shall end between them
+  std::string relation{};    ///< of two sides: =, < or >; empty where the second begins with its own, or may
   bool large = false;        ///< it was in `$$…$$` or alone in its paragraph; else it is set as in a line
   std::string punctuation{}; ///< what follows and no line shall begin with, of , . ; : ! ? and )
-  std::vector<Source> sources{}; ///< one, or the two that `latex` was made of
 };
+
+/// The sides with their relation, each as it was written, a live value in braces.
+[[nodiscard]] std::string writtenIn(const MarkdownFormula &formula);
+
+[[nodiscard]] bool hasLiveValue(const MarkdownFormula &formula);
 
 /// A piece of a line.
 struct MarkdownSpan {

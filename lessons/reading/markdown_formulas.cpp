@@ -1,5 +1,7 @@
 #include "lessons/reading/markdown_formulas.h"
 
+#include "lessons/reading/value_name.h"
+
 #include <algorithm>
 #include <array>
 
@@ -12,6 +14,9 @@ constexpr char planeByte = '\xF3';
 constexpr unsigned firstPlaneByte2 = 0xB0;
 constexpr std::size_t standInSize = 4;
 constexpr unsigned continuation = 0x80;
+
+/// Braces further apart than this hold no name.
+constexpr std::size_t longestName = 80;
 
 std::string standInFor(std::size_t formula) {
   const auto sixBits = [&](unsigned shift) { return static_cast<unsigned>(formula >> shift) & 0x3FU; };
@@ -75,7 +80,7 @@ bool leavesParagraph(std::string_view space, std::string_view text) {
   return space.size() == text.size() || space.find("\n\n") != std::string_view::npos;
 }
 
-/// Finds the formulas of a Markdown text.
+/// Finds the formulas and live values of a Markdown text.
 class FormulaScanner {
 public:
   explicit FormulaScanner(std::string_view text) : m_own(withoutStandIns(text)), m_text(m_own) {}
@@ -87,7 +92,10 @@ public:
         copy(2);
       else if (character == '`' || beginsTildeFence())
         passCode();
-      else if (character != '$')
+      else if (character == '{') {
+        if (!takeLiveValue())
+          copy(1);
+      } else if (character != '$')
         copy(1);
       else if (!takeFormula())
         copyLoneDollar();
@@ -120,30 +128,62 @@ private:
 
   /// Puts the character for a formula that begins here; false if none does.
   bool takeFormula() {
-    const std::size_t dollars = m_text.substr(m_next).starts_with("$$") ? 2 : 1;
-    const std::size_t begin = m_next + dollars;
-    const auto end = closingDollar(begin, dollars);
-    if (!end || *end == begin)
+    const bool isDisplayed = m_text.substr(m_next).starts_with("$$");
+    auto found = latexAt(m_next, isDisplayed ? 2 : 1);
+    if (found)
+      add(std::move(*found), isDisplayed);
+    return found.has_value();
+  }
+
+  /// The same for a live value.
+  bool takeLiveValue() {
+    auto found = liveValueAt(m_next);
+    if (!found || isInAddress())
       return false;
-    MarkdownFormula formula;
-    formula.large = dollars == 2 || isAlone(m_next, *end + dollars);
-    formula.latex = takeSource(begin, *end, formula);
-    m_next = *end + dollars;
+    add(std::move(*found), false);
+    return true;
+  }
+
+  /// A side of a formula, and where the text goes on behind it.
+  struct FoundSide {
+    MarkdownFormula::Side side;
+    std::size_t end;
+  };
+
+  /// Adds the formula that begins here with a side.
+  void add(FoundSide found, bool isDisplayed) {
+    MarkdownFormula formula{{std::move(found.side)}};
+    formula.large = isDisplayed || isAlone(m_next, found.end);
+    m_next = found.end;
     if (!formula.large)
       takeAttached(formula);
     m_found.markdown += standInFor(m_found.formulas.size());
     m_found.formulas.push_back(std::move(formula));
-    return true;
   }
 
-  /// The LaTeX between two places, which is kept as a source of the formula.
-  std::string takeSource(std::size_t begin, std::size_t end, MarkdownFormula &formula) const {
-    std::string_view latex = m_text.substr(begin, end - begin);
+  /// The LaTeX that so many dollars at a place enclose.
+  [[nodiscard]] std::optional<FoundSide> latexAt(std::size_t place, std::size_t dollars) const {
+    const std::size_t begin = place + dollars;
+    const auto end = closingDollar(begin, dollars);
+    if (!end || *end == begin)
+      return {};
+    std::string_view latex = m_text.substr(begin, *end - begin);
     latex.remove_suffix(trailingSpace(latex).size());
     const std::size_t space = leadingSpace(latex).size();
     latex.remove_prefix(space);
-    formula.sources.push_back({begin + space, std::string(latex)});
-    return std::string(latex);
+    return FoundSide{{begin + space, std::string(latex)}, *end + dollars};
+  }
+
+  /// The live value whose braces begin at a place.
+  [[nodiscard]] std::optional<FoundSide> liveValueAt(std::size_t place) const {
+    const std::string_view braces = m_text.substr(place, longestName);
+    const auto close = braces.starts_with('{') ? braces.find('}') : std::string_view::npos;
+    if (close == std::string_view::npos)
+      return {};
+    const std::string_view name = braces.substr(1, close - 1);
+    return isValueName(name)
+               ? std::optional(FoundSide{{place + 1, std::string(name), true}, place + close + 1})
+               : std::nullopt;
   }
 
   /// What the end of a line would tear off a formula, as lines may break behind every one: the rest of
@@ -171,24 +211,23 @@ private:
     return true;
   }
 
-  /// The other side of ` = $b$`, or ` $\approx b$`.
+  /// The other side of ` = $b$` or ` = {b}`; or of ` $\approx b$`, or of ` {b}` behind LaTeX, which may be
+  /// rounded.
   void takeRelated(MarkdownFormula &formula) {
     constexpr std::string_view relations = "=<>";
     const std::string_view rest = m_text.substr(m_next);
-    const bool named = rest.size() > 3 && rest[0] == ' ' &&
-                       relations.find(rest[1]) != std::string_view::npos &&
-                       rest.substr(2).starts_with(" $") && !rest.substr(4).starts_with('$');
-    if (!named && !rest.starts_with(" $\\approx"))
+    const bool isNamed = rest.size() > 3 && rest[0] == ' ' &&
+                         relations.find(rest[1]) != std::string_view::npos && rest[2] == ' ';
+    if (!isNamed && !rest.starts_with(" $\\approx") && (!rest.starts_with(" {") || formula.sides[0].isLive))
       return;
-    const std::size_t begin = m_next + (named ? 4 : 2);
-    const auto end = closingDollar(begin, 1);
-    if (!end || *end == begin)
+    const std::size_t place = m_next + (isNamed ? 3 : 1);
+    auto found = m_text[place] == '$' ? latexAt(place, 1) : liveValueAt(place);
+    if (!found)
       return;
-    formula.latex += ' ';
-    if (named)
-      formula.latex += rest[1];
-    formula.latex += ' ' + takeSource(begin, *end, formula);
-    m_next = *end + 1;
+    if (isNamed)
+      formula.relation = rest[1];
+    formula.sides.push_back(std::move(found->side));
+    m_next = found->end;
   }
 
   /// Where the partner of the dollars before `begin` stands; nothing if they have none in their paragraph.

@@ -1,4 +1,4 @@
-// Takes the formulas out of Markdown, as their letters mean something else there.
+// Takes the formulas and live values out of Markdown, as their letters mean something else there.
 #pragma once
 
 #include "lessons/reading/markdown.h"

@@ -1,7 +1,9 @@
 // Terms as formulas that are laid out.
 #include "tests/formula/laid_out.h"
 
+#include "lessons/term/among_words.h"
 #include "lessons/term/term.h"
+#include "lessons/term/written.h"
 #include "widgets/formula/break_lines.h"
 #include "widgets/formula/term_formula.h"
 
@@ -43,6 +45,44 @@ TEST(TermFormula, FractionAboveABar_HasASlash) {
   EXPECT_EQ(glyphsOf(layout, U'/').size(), 2U);
   EXPECT_EQ(layout.rules.size(), 1U) << "one bar";
 }
+
+class LiveNumbers : public testing::TestWithParam<LiveNumber> {};
+
+/// The glyphs from left to right: parentheses that stretch are placed last.
+std::vector<PlacedGlyph> fromLeft(const Layout &layout) {
+  std::vector<PlacedGlyph> glyphs = layout.glyphs;
+  std::sort(glyphs.begin(), glyphs.end(),
+            [](const PlacedGlyph &a, const PlacedGlyph &b) { return a.x < b.x; });
+  return glyphs;
+}
+
+TEST_P(LiveNumbers, AmongWords_AreSetAsTheirLatex) {
+  const Layout set = layOut(formulaOf(GetParam()), fonts());
+  const Layout read = laidOut(latexOf(GetParam()));
+  EXPECT_NEAR(set.width, read.width, rounding);
+  ASSERT_EQ(set.glyphs.size(), read.glyphs.size());
+  for (std::size_t i = 0; i < read.glyphs.size(); ++i) {
+    const PlacedGlyph glyph = fromLeft(set)[i];
+    const PlacedGlyph wanted = fromLeft(read)[i];
+    EXPECT_EQ(glyph.glyph, wanted.glyph) << i;
+    EXPECT_NEAR(glyph.x, wanted.x, rounding) << i;
+    EXPECT_NEAR(glyph.y, wanted.y, rounding) << i;
+  }
+}
+
+Term aboutAnEighth() { return amongWords(halfspace::number(Rational(1234567890123, 9876543210987))); }
+
+LiveNumber withSize(const Surd &root) {
+  return {halfspace::number(root), halfspace::decimalOf(root, digitsAmongWords).term};
+}
+
+INSTANTIATE_TEST_SUITE_P(OfAllSorts, LiveNumbers,
+                         testing::Values(LiveNumber{Term(-30)}, LiveNumber{Term(Rational(-10, 3))},
+                                         LiveNumber{Term(Rational(5, 4))}, LiveNumber{aboutAnEighth()},
+                                         LiveNumber{list({11, -15, 8})},
+                                         LiveNumber{list({Rational(-10, 3), Rational(43, 3), 1})},
+                                         LiveNumber{list({aboutAnEighth(), 2})}, withSize(Surd::root(6, 3)),
+                                         withSize(Surd::root(5, Rational(-1, 2)))));
 
 } // namespace
 } // namespace halfspace::math

@@ -1,6 +1,6 @@
 // Whatever the bytes: a lesson whose every step can be shown, or a problem with a sentence.
+#include "lessons/lesson/filled_markdown.h"
 #include "lessons/lesson/lesson.h"
-#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/prose.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/session.h"
@@ -21,7 +21,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     std::abort();
   const Evaluation outcome = evaluate(lesson->scene);
   for (const LessonWords &words : wordsOf(*lesson)) {
-    (void)withLiveValues(words.text, lesson->scene, outcome);
+    const FilledMarkdown filled = filledIn(*readMarkdown(words.text), [&](const std::string &name) {
+      return liveValue(name, lesson->scene, outcome);
+    });
+    for (const FilledFormula &formula : filled.formulas)
+      (void)plainText(formula, lesson->macros);
     (void)plainProse(words.text, lesson->macros);
   }
   for (const LessonStep &step : lesson->steps) {

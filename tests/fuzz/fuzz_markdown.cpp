@@ -28,10 +28,10 @@ void demandSound(const MarkdownBlock &block, const Markdown &markdown, std::size
 }
 
 void demandSound(const MarkdownFormula &formula, std::string_view text) {
-  demand(!formula.sources.empty() && formula.sources.size() <= 2);
-  for (const MarkdownFormula::Source &source : formula.sources)
-    demand(source.place + source.latex.size() <= text.size() &&
-           formula.latex.find(source.latex) != std::string::npos);
+  demand(!formula.sides.empty() && formula.sides.size() <= 2);
+  for (const MarkdownFormula::Side &side : formula.sides)
+    demand(side.place + side.text.size() <= text.size() &&
+           writtenIn(formula).find(side.text) != std::string::npos);
 }
 
 } // namespace

@@ -178,6 +178,8 @@ protected:
   }
 
   Row numberList(std::vector<Row> entries) override {
+    if (isFlat()) // which are no higher than other numbers
+      return flatList(std::move(entries));
     return between(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open}, std::move(entries),
                    math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
   }
@@ -251,6 +253,14 @@ math::Row formulaOf(const Term &term, Fractions fractions) { return FormulaWrite
 math::Row relatedFormula(const Term &value, Fractions fractions) {
   const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
   return math::row(math::symbol(signOf(relation), AtomClass::Rel), formulaOf(value, fractions));
+}
+
+math::Row formulaOf(const LiveNumber &number) {
+  const math::Node about = math::symbol(signOf(Relation::Approximately), AtomClass::Rel);
+  Row row = formulaOf(number.term, Fractions::Flat);
+  if (showsRounded(number.term))
+    row.insert(row.begin(), about);
+  return number.size ? math::row(std::move(row), about, formulaOf(*number.size, Fractions::Flat)) : row;
 }
 
 math::Row formulaOf(const Symbol &symbol) { return FormulaWriter().write(name(symbol, std::nullopt)); }

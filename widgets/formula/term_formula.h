@@ -1,6 +1,7 @@
 // Terms as formulas to be laid out.
 #pragma once
 
+#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/term/chain.h"
 #include "lessons/term/fractions.h"
@@ -13,6 +14,9 @@ namespace halfspace {
 
 /// The value behind the relation that it allows: = 10, ≈ 3.16228.
 [[nodiscard]] math::Row relatedFormula(const Term &value, Fractions fractions = Fractions::Stacked);
+
+/// 10, or ≈ 3.142, or √2 ≈ 1.414.
+[[nodiscard]] math::Row formulaOf(const LiveNumber &number);
 
 [[nodiscard]] math::Row formulaOf(const Symbol &symbol);
 

@@ -202,23 +202,23 @@ void LessonPage::makeBlocks() {
 }
 
 QWidget *LessonPage::blockOf(const StepWords &words) {
-  m_words.push_back({words.markdown, new RichLabel(m_typesetter)});
-  m_words.back().label->setPictures(m_pictures);
-  return m_words.back().label;
+  auto *label = new RichLabel(m_typesetter);
+  add(words, *label);
+  return label;
 }
 
 QWidget *LessonPage::blockOf(const StepLines &) { return m_practice.working().addBlock(); }
 
 QWidget *LessonPage::blockOf(const StepNote &note) {
   m_notes.push_back(new NoteFold(m_typesetter, QString::fromStdString(note.title)));
-  m_words.push_back({note.words.markdown, &m_notes.back()->words()});
-  m_words.back().label->setPictures(m_pictures);
+  add(note.words, m_notes.back()->words());
   connect(m_notes.back(), &NoteFold::opened, this, [this, fold = m_notes.back()] { scrollTo(*fold); });
   return m_notes.back();
 }
 
 QWidget *LessonPage::blockOf(const Task &task) {
-  m_tasks.push_back({task, new TaskRow(m_typesetter)});
+  m_tasks.push_back(
+      {readWords(task.instruction), readWords(task.now), readWords(task.answer), new TaskRow(m_typesetter)});
   return m_tasks.back().row;
 }
 
@@ -240,6 +240,11 @@ QWidget *LessonPage::blockOf(const Prediction &prediction) {
   return m_prediction;
 }
 
+void LessonPage::add(const StepWords &words, RichLabel &label) {
+  m_words.push_back({readWords(words.markdown), &label});
+  label.setPictures(m_pictures);
+}
+
 void LessonPage::scrollTo(const QWidget &part) {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // it gets its place
   const QRect place(part.mapTo(m_scroll->widget(), QPoint()), part.size());
@@ -247,12 +252,11 @@ void LessonPage::scrollTo(const QWidget &part) {
   m_scroll->ensureVisible(0, place.top(), 0, 0); // of what is higher than the page the beginning
 }
 
-void LessonPage::showWords(const std::function<std::string(const std::string &)> &filled) {
-  const auto fill = [&](const std::string &markdown) { return QString::fromStdString(filled(markdown)); };
-  for (const auto &[markdown, label] : m_words)
-    label->setMarkdown(fill(markdown));
-  for (const auto &[task, row] : m_tasks)
-    row->setWords(fill(task.instruction), fill(task.now), fill(task.answer));
+void LessonPage::showWords(const LiveValueOf &valueOf) {
+  for (const auto &[words, label] : m_words)
+    label->setWords(filledIn(words, valueOf));
+  for (const auto &[instruction, now, answer, row] : m_tasks)
+    row->setWords(filledIn(instruction, valueOf), filledIn(now, valueOf), filledIn(answer, valueOf));
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }

@@ -38,9 +38,8 @@ public:
   void setStep(int step);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title);
-  /// Sets the step's words, each piece as `filled` makes it of what stands in the lesson. Keeps the place
-  /// that was scrolled to.
-  void showWords(const std::function<std::string(const std::string &)> &filled);
+  /// Sets the step's words with what their live values are now. Keeps the place that was scrolled to.
+  void showWords(const LiveValueOf &valueOf);
   /// The blocks about a flight, of the step that is shown.
   [[nodiscard]] FlightBlocks &flight() { return m_flight; }
   /// Of the step's tasks in their order; of those behind them nothing is known. The task that is due once
@@ -78,6 +77,8 @@ private:
   template <class Block> [[nodiscard]] QWidget *blockOf(const Block &ofFlight) {
     return m_flight.addBlock(ofFlight);
   }
+  /// A label is to show these words.
+  void add(const StepWords &words, RichLabel &label);
   void showStep();
   [[nodiscard]] int scaled(int pixels) const;
   void setGaps();
@@ -90,9 +91,9 @@ private:
   [[nodiscard]] int stepCount() const { return static_cast<int>(m_lesson.steps.size()); }
   [[nodiscard]] int lastStep() const { return std::max(0, stepCount() - 1); }
 
-  /// Words with the label that they are set in.
+  /// Words as they were read, with the label that they are set in.
   struct SetWords {
-    std::string markdown;
+    Markdown words;
     RichLabel *label;
   };
 
@@ -117,7 +118,9 @@ private:
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   struct SetTask {
-    Task task;
+    Markdown instruction;
+    Markdown now;
+    Markdown answer;
     TaskRow *row;
   };
   std::vector<SetTask> m_tasks;

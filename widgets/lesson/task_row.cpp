@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace halfspace {
 
 namespace {
@@ -24,6 +26,8 @@ QMargins marginsAt(const Theme &theme) {
 
 TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_words(new RichLabel(typesetter)), m_remark(new RichLabel(typesetter)),
+      m_holdsAlready(withNames(
+          readWords(tr("It is so already. Change that, then bring it about again.").toStdString()))),
       m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
@@ -32,10 +36,10 @@ TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
   setTheme(m_theme);
 }
 
-void TaskRow::setWords(const QString &instruction, const QString &now, const QString &answer) {
-  m_words->setMarkdown(instruction);
-  m_now = now;
-  m_answer = answer;
+void TaskRow::setWords(FilledMarkdown instruction, FilledMarkdown now, FilledMarkdown answer) {
+  m_words->setWords(std::move(instruction));
+  m_now = std::move(now);
+  m_answer = std::move(answer);
   showRemark();
   tellAccessibly();
 }
@@ -46,12 +50,11 @@ void TaskRow::setHeld(bool held) {
 }
 
 void TaskRow::showRemark() {
-  const QString remark = m_state == TaskState::Done ? m_answer
-                         : m_state == TaskState::HoldsAlready
-                             ? tr("It is so already. Change that, then bring it about again.")
-                             : m_now;
-  m_remark->setMarkdown(remark);
-  m_remark->setVisible(!remark.isEmpty());
+  const FilledMarkdown &remark = m_state == TaskState::Done           ? m_answer
+                                 : m_state == TaskState::HoldsAlready ? m_holdsAlready
+                                                                      : m_now;
+  m_remark->setWords(remark);
+  m_remark->setVisible(!remark.blocks.empty());
 }
 
 void TaskRow::setState(TaskState state) {

@@ -15,8 +15,8 @@ class TaskRow : public QWidget {
 public:
   explicit TaskRow(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  /// Markdown, in which live values are filled in; all but the instruction may be empty.
-  void setWords(const QString &instruction, const QString &now, const QString &answer);
+  /// All but the instruction may be empty.
+  void setWords(FilledMarkdown instruction, FilledMarkdown now, FilledMarkdown answer);
   /// While it is held it becomes no less high.
   void setHeld(bool held);
   void setState(TaskState state);
@@ -34,8 +34,9 @@ private:
 
   RichLabel *m_words;
   RichLabel *m_remark;
-  QString m_now;
-  QString m_answer;
+  FilledMarkdown m_now;
+  FilledMarkdown m_answer;
+  FilledMarkdown m_holdsAlready; ///< the sentence that says so
   TaskState m_state = TaskState::Open;
   Theme m_theme;
 };

@@ -25,7 +25,7 @@ constexpr int fewestLetters = 16;
 
 RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_style{font(), palette().color(QPalette::WindowText)},
-      m_text({}, typesetter, m_style) {
+      m_text(FilledMarkdown(), typesetter, m_style) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -33,12 +33,11 @@ RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
 
 RichLabel::~RichLabel() = default;
 
-void RichLabel::setMarkdown(const QString &markdown) {
-  if (markdown == m_markdown)
+void RichLabel::setWords(FilledMarkdown words) {
+  if (words == m_text.words())
     return;
   const int before = heightForWidth(width());
-  m_markdown = markdown;
-  m_text.setMarkdown(markdown);
+  m_text.setWords(std::move(words));
   lookForLinks();
   setAccessibleName(m_text.plain());
   if (heightForWidth(width()) != before)

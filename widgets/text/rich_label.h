@@ -18,7 +18,9 @@ public:
   explicit RichLabel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~RichLabel() override;
 
-  void setMarkdown(const QString &markdown);
+  void setWords(FilledMarkdown words);
+  /// The same of Markdown in which live values stand as they are written.
+  void setMarkdown(const QString &markdown) { setWords(withNames(readWords(markdown.toStdString()))); }
   /// While it is held it becomes no less high, whatever its words are.
   void setHeld(bool held);
   /// The colour of words; the theme tells that of links and of what cannot be read.
@@ -55,7 +57,6 @@ private:
 
   const Typesetter &m_typesetter;
   RichTextStyle m_style; ///< but for the font, which is the label's
-  QString m_markdown;
   bool m_held = false;
   RichText m_text;
   std::vector<QTextCursor> m_links;

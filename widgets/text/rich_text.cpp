@@ -1,6 +1,6 @@
 #include "widgets/text/rich_text.h"
 
-#include "lessons/lesson/prose.h"
+#include "widgets/text/formula_among_words.h"
 #include "widgets/text/markdown_writer.h"
 #include "widgets/text/math_object.h"
 #include "widgets/text/picture_object.h"
@@ -18,28 +18,6 @@ namespace halfspace {
 namespace {
 
 constexpr QChar formulaCharacter(QChar::ObjectReplacementCharacter);
-
-Markdown markdownOf(const QString &text) {
-  auto markdown = readMarkdown(text.toStdString());
-  if (markdown)
-    return std::move(*markdown);
-  MarkdownBlock paragraph;
-  paragraph.spans.push_back({MarkdownSpan::Kind::Text, text.simplified().toStdString()});
-  return {{paragraph}, {}};
-}
-
-/// A formula as it is said: as it was written, with what follows it.
-std::string writtenLatex(const MarkdownFormula &formula) { return formula.latex + formula.punctuation; }
-
-/// A formula as it is typeset.
-QString typesetLatex(const MarkdownFormula &formula) {
-  if (formula.large)
-    return QString::fromStdString(formula.latex);
-  // What follows has no space before it, even behind \right).
-  const std::string behind =
-      formula.punctuation.empty() ? "" : "\\mathclose{\\text{" + formula.punctuation + "}}";
-  return QString::fromStdString("\\textstyle " + formula.latex + behind);
-}
 
 /// The character under a place of the document; −1: none.
 int characterAt(const QTextDocument &document, QPointF place) {
@@ -77,8 +55,18 @@ QString textWithDescriptions(const QTextDocument &document) {
 
 } // namespace
 
-RichText::RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style)
-    : m_typesetter(&typesetter), m_style(std::move(style)), m_markdown(markdownOf(markdown)) {
+Markdown readWords(const std::string &markdown) {
+  auto read = readMarkdown(markdown);
+  if (read)
+    return std::move(*read);
+  MarkdownBlock paragraph;
+  paragraph.spans.push_back(
+      {MarkdownSpan::Kind::Text, QString::fromStdString(markdown).simplified().toStdString()});
+  return {{paragraph}, {}};
+}
+
+RichText::RichText(FilledMarkdown words, const Typesetter &typesetter, RichTextStyle style)
+    : m_typesetter(&typesetter), m_style(std::move(style)), m_words(std::move(words)) {
   makeDocument();
 }
 
@@ -86,9 +74,9 @@ RichText::RichText(RichText &&) noexcept = default;
 RichText &RichText::operator=(RichText &&) noexcept = default;
 RichText::~RichText() = default;
 
-void RichText::setMarkdown(const QString &markdown) {
-  const Markdown before = std::exchange(m_markdown, markdownOf(markdown));
-  if (m_markdown.blocks == before.blocks)
+void RichText::setWords(FilledMarkdown words) {
+  const FilledMarkdown before = std::exchange(m_words, std::move(words));
+  if (m_words.blocks == before.blocks)
     replaceFormulas(before.formulas);
   else
     makeDocument();
@@ -112,8 +100,7 @@ QString RichText::plain() const {
 }
 
 QString RichText::plainFormula(std::size_t formula) const {
-  const QString plain =
-      QString::fromStdString(plainProse(writtenLatex(m_markdown.formulas[formula]), m_typesetter->macros()));
+  const QString plain = QString::fromStdString(plainText(m_words.formulas[formula], m_typesetter->macros()));
   return m_failed.count(formula) == 0
              ? plain
              : tr("%1 (a formula that cannot be read: %2)").arg(plain, problemOf(formula));
@@ -173,7 +160,7 @@ void RichText::makeDocument() {
   enablePictureObjects(*m_document);
   m_failed.clear();
   m_shown = writeMarkdown(
-      m_markdown.blocks, m_style,
+      m_words.blocks, m_style,
       [this](std::size_t formula, const QTextCharFormat &text) { return formulaFormat(formula, text); },
       *m_document);
   m_pixelsTaken = pixelsBefore - *m_style.pictures.pixelsLeft;
@@ -181,9 +168,7 @@ void RichText::makeDocument() {
 }
 
 QTextCharFormat RichText::formulaFormat(std::size_t formula, QTextCharFormat text) {
-  Typesetter::Picture picture = m_typesetter->picture(typesetLatex(m_markdown.formulas[formula]));
-  if (!picture->error().isEmpty()) // columns are counted, and the source is shown, as they were written
-    picture = m_typesetter->picture(QString::fromStdString(writtenLatex(m_markdown.formulas[formula])));
+  const Typesetter::Picture picture = pictureOf(m_words.formulas[formula], *m_typesetter);
   const bool failed = !picture->error().isEmpty();
   m_failed.erase(formula);
   if (failed)
@@ -194,7 +179,7 @@ QTextCharFormat RichText::formulaFormat(std::size_t formula, QTextCharFormat tex
 }
 
 /// Sets those that are not as they were.
-void RichText::replaceFormulas(const std::vector<MarkdownFormula> &before) {
+void RichText::replaceFormulas(const std::vector<FilledFormula> &before) {
   QTextCursor place(m_document.get());
   place.beginEditBlock();
   for (int at = 0; at < m_document->characterCount(); ++at) {
@@ -205,7 +190,7 @@ void RichText::replaceFormulas(const std::vector<MarkdownFormula> &before) {
     if (isPictureObject(place.charFormat()))
       continue;
     const std::size_t formula = mathObjectNumber(place.charFormat());
-    if (typesetLatex(m_markdown.formulas[formula]) != typesetLatex(before[formula]))
+    if (m_words.formulas[formula] != before[formula])
       place.insertText(formulaCharacter, formulaFormat(formula, place.charFormat()));
   }
   place.endEditBlock();

@@ -1,7 +1,7 @@
 // Lesson words: Markdown with `$…$` formulas as a document that can be laid out and painted.
 #pragma once
 
-#include "lessons/reading/markdown.h"
+#include "lessons/lesson/filled_markdown.h"
 #include "widgets/text/rich_text_style.h"
 #include "widgets/typeset/typesetter.h"
 
@@ -15,21 +15,27 @@
 
 namespace halfspace {
 
-/// A text ready to be painted, and to be read out. One that is too large to be read as Markdown stands as it
-/// is written.
+/// Reads Markdown. What is too large for that stands as it is written.
+[[nodiscard]] Markdown readWords(const std::string &markdown);
+
+/// A text ready to be painted, and to be read out.
 class RichText {
   Q_DECLARE_TR_FUNCTIONS(RichText)
 
 public:
   /// The typesetter must outlive the text.
-  RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style);
+  RichText(FilledMarkdown words, const Typesetter &typesetter, RichTextStyle style);
+  /// The same of Markdown in which live values stand as they are written.
+  RichText(const QString &markdown, const Typesetter &typesetter, RichTextStyle style)
+      : RichText(withNames(readWords(markdown.toStdString())), typesetter, std::move(style)) {}
   RichText(RichText &&) noexcept;
   RichText &operator=(RichText &&) noexcept;
   ~RichText();
 
   /// Becomes another text. Where only formulas differ, as with new values of the same words, all else stays
   /// laid out as it is.
-  void setMarkdown(const QString &markdown);
+  void setWords(FilledMarkdown words);
+  [[nodiscard]] const FilledMarkdown &words() const { return m_words; }
 
   void setStyle(RichTextStyle style);
 
@@ -48,13 +54,13 @@ private:
   void makeDocument();
   void dropDocument();
   [[nodiscard]] QTextCharFormat formulaFormat(std::size_t formula, QTextCharFormat text);
-  void replaceFormulas(const std::vector<MarkdownFormula> &before);
+  void replaceFormulas(const std::vector<FilledFormula> &before);
   [[nodiscard]] QString problemOf(std::size_t formula) const;
   [[nodiscard]] QString plainFormula(std::size_t formula) const;
 
   const Typesetter *m_typesetter;
   RichTextStyle m_style;
-  Markdown m_markdown;
+  FilledMarkdown m_words;
   QString m_plain;                                     ///< with a character for each formula
   std::vector<std::size_t> m_shown;                    ///< the formulas, in the order of the document
   std::map<std::size_t, Typesetter::Picture> m_failed; ///< formulas that cannot be read

@@ -8,8 +8,8 @@
 #include "lessons/object/kinds/vector.h"
 #include "lessons/scene/session.h"
 
-#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/shown.h"
+#include "tests/lessons/lesson/filled_text.h"
 #include "tests/lessons/objects.h"
 #include "tests/lessons/scenes.h"
 
@@ -329,7 +329,7 @@ TEST(Content, EveryLineThatAStepNames_IsWorkedAtTheStart) {
 TEST(Content, EveryLiveValue_HasAValueAtTheStart) {
   for (const Lesson &lesson : library().lessons)
     for (const LessonWords &words : wordsOf(lesson)) {
-      const std::string filled = withLiveValues(words.text, lesson.scene, evaluate(lesson.scene));
+      const std::string filled = test::filledText(words.text, lesson.scene, evaluate(lesson.scene));
       EXPECT_EQ(filled.find("—"), std::string::npos) << lesson.id << ":\n" << filled;
     }
 }

@@ -1,10 +1,10 @@
 // What a learner is to find in a blank stands nowhere else on the page or in the figure.
 #include "lessons/lesson/lesson.h"
-#include "lessons/lesson/live_values.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "tests/lessons/lesson/filled_text.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ public:
 private:
   void expectSecret(const Term &answer) {
     for (const LessonWords &words : wordsOf(m_step)) {
-      const std::string filled = withLiveValues(words.text, m_scene, m_evaluation, LiveValues::Hidden);
+      const std::string filled = test::filledText(words.text, m_scene, m_evaluation, LiveValues::Hidden);
       // What the author has written is no live value: the 0 of “it is 0 in the plane”.
       EXPECT_TRUE(tells(words.text, answer) || !tells(filled, answer)) << filled;
     }

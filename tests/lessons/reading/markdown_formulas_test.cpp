@@ -51,8 +51,9 @@ TEST(NextFormula, InATextWithoutOne_IsAtItsEnd) {
 }
 
 TEST(TakenFormulas, OfRandomTexts_StandWhereTheirPlacesSay) {
-  static const std::vector<std::string> pieces{"$a_1$", "$ \\frac12$", "$$b*c$$",   " words ", "\n\n", "ö",
-                                               "`$c$`", "\\$",         "$x$ = $3$", ",",       "*so*", "\n"};
+  static const std::vector<std::string> pieces{"$a_1$", "$ \\frac12$", "$$b*c$$", " words ",   "\n\n",
+                                               "ö",     "`$c$`",       "\\$",     "$x$ = $3$", ",",
+                                               "*so*",  "\n",          "{f}",     "$x$ = {f}"};
   RandomNumbers random(5);
   for (int i = 0; i < 300; ++i) {
     std::string text;
@@ -62,11 +63,11 @@ TEST(TakenFormulas, OfRandomTexts_StandWhereTheirPlacesSay) {
     EXPECT_EQ(foundIn(taken.markdown).size(), taken.formulas.size()) << text;
     std::size_t last = 0;
     for (const MarkdownFormula &formula : taken.formulas)
-      for (const MarkdownFormula::Source &source : formula.sources) {
-        EXPECT_EQ(text.substr(source.place, source.latex.size()), source.latex) << text;
-        EXPECT_GT(source.place, last) << text;
-        EXPECT_NE(formula.latex.find(source.latex), std::string::npos) << text;
-        last = source.place;
+      for (const MarkdownFormula::Side &side : formula.sides) {
+        EXPECT_EQ(text.substr(side.place, side.text.size()), side.text) << text;
+        EXPECT_GT(side.place, last) << text;
+        EXPECT_NE(writtenIn(formula).find(side.text), std::string::npos) << text;
+        last = side.place;
       }
   }
 }
@@ -77,7 +78,7 @@ TEST_P(Relations, BetweenTwoFormulas_MakeThemOne) {
   const std::string relation(1, GetParam());
   const MarkdownWithoutFormulas taken = takeFormulas("so $a$ " + relation + " $b$?");
   ASSERT_EQ(taken.formulas.size(), 1U);
-  EXPECT_EQ(taken.formulas[0].latex, "a " + relation + " b");
+  EXPECT_EQ(writtenIn(taken.formulas[0]), "a " + relation + " b");
   EXPECT_EQ(taken.formulas[0].punctuation, "?");
 }
 

@@ -18,7 +18,7 @@ Markdown read(std::string_view text) {
 std::vector<std::string> formulasIn(std::string_view text) {
   std::vector<std::string> all;
   for (const MarkdownFormula &formula : read(text).formulas)
-    all.push_back((formula.large ? "large " : "") + formula.latex +
+    all.push_back((formula.large ? "large " : "") + writtenIn(formula) +
                   (formula.punctuation.empty() ? "" : " then " + formula.punctuation));
   return all;
 }
@@ -90,6 +90,22 @@ TEST(Markdown, WithWhatBelongsToAFormula_DoesNotLetALineTearItOff) {
   EXPECT_EQ(formulasIn("a $t$ = $3 and"), Formulas{"t"});
 }
 
+TEST(Markdown, WithLiveValues_NamesThemWhereFormulasWouldStand) {
+  EXPECT_EQ(formulasIn("Now *{f}* and {distance.f}, so $t$ = {t}, {a} = {b}. {c} < $x$"),
+            (Formulas{"{f}", "{distance.f} then ,", "t = {t} then ,", "{a} = {b} then .", "{c} < x"}));
+  EXPECT_EQ(blocksIn("Now *{f}* [{t}](https://a.b)"), "Paragraph(Now |*$0$*| |[$1$](https://a.b))");
+  EXPECT_EQ(blocksIn("| a |\n|---|\n| {f} |"), "Table(Row^(Cell(a)) Row(Cell($0$)))");
+  EXPECT_EQ(formulasIn("Words\n\n{f}\n\nmore"), Formulas{"large {f}"});
+  EXPECT_EQ(formulasIn("{a} {b}, $Q$ {Q}"), (Formulas{"{a}", "{b} then ,", "Q  {Q}"})) << "Q may be rounded";
+}
+
+TEST(Markdown, WithBracesThatAreNoLiveValue_LeavesThem) {
+  EXPECT_EQ(formulasIn("{1} {} {a b} { \\{f} `{f}` [a](https://b.c/{f}) ![a]({f}.png)\n\n~~~\n{f}\n~~~"),
+            Formulas());
+  EXPECT_EQ(formulasIn("$\\frac{f}{2}$"), Formulas{"large \\frac{f}{2}"});
+  EXPECT_EQ(formulasIn("5$ one\n\nand {f} 6$"), Formulas{"{f}"});
+}
+
 TEST(Markdown, WithDollarsThatAreNoFormula_LeavesThem) {
   for (const auto &[text, blocks] : std::vector<std::pair<const char *, const char *>>{
            {"It costs 5\\$ or 6\\$.", "Paragraph(It costs 5$ or 6$.)"},
@@ -114,12 +130,12 @@ TEST(Markdown, WithASpaceBeforeTheClosingDollar_TakesItForNone) {
 TEST(Markdown, WithFormulas_KeepsThemAndTheirPlacesAsTheyWereWritten) {
   const auto formulas = read("nöw $ t$ = $\\frac{1}$, $$b$$").formulas;
   ASSERT_EQ(formulas.size(), 2U);
-  ASSERT_EQ(formulas[0].sources.size(), 2U);
-  EXPECT_EQ(formulas[0].sources[0].place, 7U);
-  EXPECT_EQ(formulas[0].sources[0].latex, "t");
-  EXPECT_EQ(formulas[0].sources[1].place, 13U);
-  EXPECT_EQ(formulas[0].sources[1].latex, "\\frac{1}");
-  EXPECT_EQ(formulas[1].sources.at(0).latex, "b");
+  ASSERT_EQ(formulas[0].sides.size(), 2U);
+  EXPECT_EQ(formulas[0].sides[0].place, 7U);
+  EXPECT_EQ(formulas[0].sides[0].text, "t");
+  EXPECT_EQ(formulas[0].sides[1].place, 13U);
+  EXPECT_EQ(formulas[0].sides[1].text, "\\frac{1}");
+  EXPECT_EQ(formulas[1].sides.at(0).text, "b");
 }
 
 TEST(Markdown, WithAFormulaThatIsNotShown_StillTellsIt) {

@@ -62,11 +62,9 @@ public:
     fill();
   }
 
-  /// Words as they stand in the lesson, with %1 replaced.
-  void fill(const std::string &value = {}) {
-    page.showWords([&](const std::string &markdown) {
-      return QString::fromStdString(markdown).replace("%1", QString::fromStdString(value)).toStdString();
-    });
+  /// Words with a value in place of each live one.
+  void fill(const LiveValue &value = {}) {
+    page.showWords([&](const std::string &) { return value; });
     QCoreApplication::processEvents(); // new blocks are shown by their layout
   }
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn) {
@@ -239,7 +237,7 @@ private slots:
   }
 
   void whatATaskAsks_isAnsweredOnceItIsDone() {
-    ShownPage shown(lessonOf({{"Do", {Task{"Turn it. What is it?", {}, {}, "It is %1."}, StepLines()}}}));
+    ShownPage shown(lessonOf({{"Do", {Task{"Turn it. What is it?", {}, {}, "It is {t}."}, StepLines()}}}));
     shown.fill("3");
     const auto isAnswered = [&] { return shown.words("It is 3."); };
     for (const TaskState state : {TaskState::Open, TaskState::HoldsAlready, TaskState::Waiting}) {
@@ -254,7 +252,7 @@ private slots:
   }
 
   void liveValues_ofTasks_followTheScene() {
-    ShownPage shown(lessonOf({{"Do", {Task{"Make it 3. Now it is %1.", {}}, StepLines()}}}));
+    ShownPage shown(lessonOf({{"Do", {Task{"Make it 3. Now it is {t}.", {}}, StepLines()}}}));
     for (const char *now : {"30", "3"}) {
       shown.fill(now);
       QCOMPARE(shown.shown<TaskRow>().first()->accessibleName(),
@@ -427,19 +425,19 @@ private slots:
   }
 
   void newValues_keepThePlaceThatWasScrolledTo() {
-    const QString words = QString("Some words with $Q = %1$ in them, and again. ").repeated(30);
+    const QString words = QString("Some words with $Q$ = {t} in them, and again. ").repeated(30);
     ShownPage shown(lessonOf({{"All", {StepWords{words.toStdString()}, StepLines()}}}), 0, smallPage);
-    shown.fill("1");
+    shown.fill(LiveNumber{number(1)});
     QScrollBar *bar = shown.page.findChild<QScrollArea *>()->verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 100); // layouts take their time
     bar->setValue(90);
-    shown.fill("2");
+    shown.fill(LiveNumber{number(2)});
     QTest::qWait(200);
     QCOMPARE(bar->value(), 90);
   }
 
   void heldPage_becomesHigherButNeverLessHigh_untilItIsLetGo() {
-    ShownPage shown(lessonOf({{"All", {StepWords{"Words: %1."}, StepLines()}}}));
+    ShownPage shown(lessonOf({{"All", {StepWords{"Words: {t}."}, StepLines()}}}));
     const auto lines = [&] { return shown.topOf(shown.practice.working().blocks().front()); };
     const auto fill = [&](int words) {
       shown.fill(QString("so many words ").repeated(words).toStdString());

@@ -15,6 +15,8 @@ namespace {
 const Theme &theme() { return themes().front(); }
 QColor rightInk() { return toQColor(theme().inkOf(Subject::Triangle)); }
 
+FilledMarkdown filled(const char *markdown) { return withNames(readWords(markdown)); }
+
 QImage painted(Verdict verdict) {
   QImage image(40, 40, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -56,7 +58,7 @@ private slots:
 
   void row_ofATaskThatIsDone_paintsTheMarkAndSaysSo() {
     TaskRow row(m_typesetter);
-    row.setWords("Make $f(Q) = 0$.", {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
     row.resize(300, 40);
     QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
@@ -69,7 +71,7 @@ private slots:
 
   void row_ofATaskThatHoldsAlready_saysSoInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords("Make $f(Q) = 0$.", {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
     const int alone = row.heightForWidth(400);
     row.setState(TaskState::HoldsAlready);
     QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
@@ -82,7 +84,7 @@ private slots:
 
   void row_ofATaskThatIsDone_tellsTheAnswerInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords("Make $f(Q) = 0$. Where is $Q$?", {}, "In the plane.");
+    row.setWords(filled("Make $f(Q) = 0$. Where is $Q$?"), {}, filled("In the plane."));
     const int alone = row.heightForWidth(400);
     QCOMPARE(row.accessibleDescription(), QString());
     row.setState(TaskState::Done);
@@ -94,7 +96,7 @@ private slots:
 
   void row_tellsHowFarTheLearnerIs_untilItIsDone() {
     TaskRow row(m_typesetter);
-    row.setWords("Make it 3.", "Now it is 2.", {});
+    row.setWords(filled("Make it 3."), filled("Now it is 2."), {});
     QCOMPARE(row.accessibleDescription(), QString("Now it is 2."));
     const int withNow = row.heightForWidth(400);
     row.setState(TaskState::Done);
@@ -104,7 +106,7 @@ private slots:
 
   void row_ofATaskThatWaits_isPalerAndSaysWhy() {
     TaskRow row(m_typesetter);
-    row.setWords("Make $f(Q) = 0$.", {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
     row.resize(300, 40);
     const QColor ink = toQColor(theme().ink);
     const int before = pixelsOf(row.grab().toImage(), ink);
@@ -119,7 +121,7 @@ private slots:
 
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
     TaskRow row(m_typesetter);
-    row.setWords("Drag Q.", {}, {});
+    row.setWords(filled("Drag Q."), {}, {});
     for (const double textScale : {1.0, 2.0}) {
       Theme large = theme();
       large.textScale = textScale;

@@ -241,7 +241,7 @@ private slots:
           QVERIFY2(problem.isEmpty(), qPrintable(QString("black at %1, %2").arg(x).arg(y)));
       }
     QVERIFY(told > 50);
-    rich.setMarkdown("Words, $x$ and $y$.");
+    rich.setWords(withNames(readWords("Words, $x$ and $y$.")));
     QCOMPARE(rich.plain(), QString("Words, x and y."));
     QVERIFY(rich.problemAt(QPointF(120, 10)).isEmpty());
   }
@@ -252,14 +252,52 @@ private slots:
     RichText changed(words.arg("3", "1"), typesetter, {QFont(), Qt::black});
     for (const char *value : {"\\frac{10}{3}", "4", "\\sqrt{\\frac{1}{\\frac{2}{3}}}"}) {
       const QString markdown = words.arg("-2", value);
-      changed.setMarkdown(markdown);
+      changed.setWords(withNames(readWords(markdown.toStdString())));
       const RichText fresh(markdown, typesetter, {QFont(), Qt::black});
       QCOMPARE(changed.plain(), fresh.plain());
       QCOMPARE(changed.document().size(), fresh.document().size());
       QCOMPARE(painted(changed), painted(fresh));
     }
-    changed.setMarkdown("Other words");
+    changed.setWords(withNames(readWords("Other words")));
     QCOMPARE(changed.plain(), QString("Other words"));
+  }
+
+  void liveNumbers_arePaintedAndReadOutAsFormulas() {
+    const Typesetter typesetter;
+    const QString words("Now $t$ = %1, and **so** %1.\n\n| a |\n|---|\n| [%1](https://b.c) |\n\n%1");
+    const auto half = [](const std::string &) { return LiveNumber{number(Rational(-1, 2))}; };
+    const RichText live(filledIn(readWords(words.arg("{t}").toStdString()), half), typesetter,
+                        {QFont(), Qt::black});
+    const RichText written(words.arg("$-1/2$"), typesetter, {QFont(), Qt::black});
+    QCOMPARE(painted(live), painted(written));
+    QCOMPARE(live.plain(), written.plain());
+    QVERIFY2(live.plain().startsWith("Now t = −1/2, and so −1/2.\n"), qPrintable(live.plain()));
+  }
+
+  void liveNumbers_besideAFormulaThatCannotBeRead_stillTellWhy() {
+    const Typesetter typesetter;
+    const auto three = [](const std::string &) { return LiveNumber{number(3)}; };
+    const RichText live(filledIn(readWords("So $\\foo$ = {t}."), three), typesetter, {QFont(), Qt::black});
+    QCOMPARE(live.plain(),
+             QString("So foo = 3. (a formula that cannot be read: Column 1: `\\foo` is unknown.)"));
+  }
+
+  void newValues_setAnewOnlyTheNumbersThatChanged() {
+    const Typesetter typesetter;
+    const Markdown words = readWords("So $t$ = {t}, and $u$ = {u}.");
+    const auto with = [&](int t, int u) {
+      return filledIn(words,
+                      [=](const std::string &name) { return LiveNumber{number(name == "t" ? t : u)}; });
+    };
+    RichText text(with(1, 2), typesetter, {QFont(), Qt::black});
+    const QSignalSpy changes(&text.document(), &QTextDocument::contentsChange);
+    text.setWords(with(1, 2));
+    QCOMPARE(changes.size(), 0);
+    text.setWords(with(1, 3));
+    QCOMPARE(changes.size(), 1);
+    const int secondFormula = QStringLiteral("So ?? and ").size(); // behind each an invisible character
+    QCOMPARE(changes.first(), (QList<QVariant>{secondFormula, 1, 1}));
+    QCOMPARE(text.plain(), QString("So t = 1, and u = 3."));
   }
 
   void pictureOfTheLessonsFolder_isDrawnNoWiderThanTheLines_andReadOut() {
@@ -400,7 +438,7 @@ private slots:
     first.setStyle(style);
     QCOMPARE(first.plain(), QString("first"));
     QVERIFY(redWidth(first, 290) == 10);
-    first.setMarkdown("words");
+    first.setWords(withNames(readWords("words")));
     second.setStyle(style);
     QCOMPARE(second.plain(), QString("second"));
   }
