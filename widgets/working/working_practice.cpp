@@ -9,9 +9,6 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include <algorithm>
-#include <utility>
-
 namespace halfspace {
 namespace {
 
@@ -23,10 +20,11 @@ QToolButton *tool(const QString &explanation) {
   return button;
 }
 
-bool hasNumbersToFind(const Working &working) {
-  const auto isAsked = [](const WorkingLine &line) { return line.asked != Asked::Nothing; };
-  return std::any_of(working.lines.begin(), working.lines.end(), isAsked) ||
-         !fade(working, Fading::Gaps, {}).gaps.empty();
+std::map<std::string, LineRemark> shown(const std::map<std::string, AnswerRemark> &remarks) {
+  std::map<std::string, LineRemark> shown;
+  for (const auto &[line, remark] : remarks)
+    shown[line] = {QString::fromStdString(remark.text), remark.right, remark.isOfNow};
+  return shown;
 }
 
 } // namespace
@@ -76,109 +74,48 @@ void WorkingPractice::addChoice(QMenu &menu, Fading fading, const QString &text,
 
 void WorkingPractice::showChoice() {
   for (QAction *choice : m_choices->actions())
-    if (choice->data().toInt() == static_cast<int>(fading())) {
+    if (choice->data().toInt() == static_cast<int>(m_practice.fading())) {
       choice->setChecked(true);
       // Who sees all lines learns here that they can be practised.
-      m_chooser->setText(fading() == Fading::None ? tr("Practise") : choice->text());
+      m_chooser->setText(m_practice.fading() == Fading::None ? tr("Practise") : choice->text());
     }
 }
 
 void WorkingPractice::setStep(const std::string &lesson, int step, std::optional<Fading> asked) {
-  if (m_step != std::pair(lesson, step)) {
-    m_blocks.forgetAnswers(); // what was typed elsewhere does not come along
-    m_blocks.endTrace();
-  }
-  m_step = {lesson, step};
-  m_asked = asked;
+  if (!m_practice.setStep(lesson, step, asked))
+    return;
+  m_blocks.forgetAnswers(); // what was typed elsewhere does not come along
+  m_blocks.endTrace();
 }
 
 void WorkingPractice::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,
                                  bool hidden) {
-  m_working = working;
   m_linesIn = linesIn;
-  m_hidden = hidden;
+  m_practice.setWorking(working, hidden);
   refresh();
 }
 
-Fading WorkingPractice::fading() const {
-  const auto here = m_practice.find(m_step);
-  if (here != m_practice.end() && here->second.fading)
-    return *here->second.fading;
-  const auto chosen = m_chosen.find(m_step.first);
-  return m_asked.value_or(chosen == m_chosen.end() ? Fading::None : chosen->second);
-}
-
 void WorkingPractice::refresh() {
-  if (!m_hidden) // else these may not be the numbers of the scene
-    endRecordsOfOtherNumbers();
-  const bool isWorkedOut = hasNumbersToFind(m_working);
-  m_chooser->setEnabled(!m_hidden && isWorkedOut);
+  const bool isWorkedOut = m_practice.hasNumbersToFind();
+  m_chooser->setEnabled(!m_practice.isHidden() && isWorkedOut);
   m_chooser->setToolTip(isWorkedOut ? tr("How much of the lines you work out yourself")
                                     : tr("No number is worked out here now."));
-  m_newNumbers->setEnabled(!m_hidden);
+  m_newNumbers->setEnabled(!m_practice.isHidden());
   showChoice();
-  m_fade = m_hidden ? withheld(m_working) : fade(m_working, fading(), openedLines());
-  m_blocks.setWorking(m_working, m_linesIn, m_fade,
-                      m_hidden ? std::map<std::string, LineRemark>() : remarks());
+  m_blocks.setWorking(m_practice.working(), m_linesIn, m_practice.fade(), shown(m_practice.remarks()));
   showScore();
 }
 
-void WorkingPractice::endRecordsOfOtherNumbers() {
-  for (auto &[line, record] : practice().lines) {
-    if (textOf(line) == record.text)
-      continue;
-    LineRemark said = std::move(record.remark);
-    said.isOfNow = false;
-    record = {textOf(line), false, std::move(said)};
-  }
-}
-
-void WorkingPractice::count(LineRecord &record, bool right) {
-  if (std::exchange(record.isCounted, true))
-    return;
-  Score &score = practice().score;
-  ++score.tried;
-  score.right += right ? 1 : 0;
-}
-
 void WorkingPractice::showScore() {
-  const Score score = practice().score;
+  const LinePractice::Score score = m_practice.score();
   m_score->setText(
       tr("First try %1/%2", "blanks filled in right, of those tried").arg(score.right).arg(score.tried));
-  m_score->setVisible(score.tried > 0 && !m_hidden);
-  keepRoom(*m_score, fading() != Fading::None); // the first answer moves nothing
-}
-
-std::map<std::string, LineRemark> WorkingPractice::remarks() {
-  std::map<std::string, LineRemark> remarks;
-  for (const auto &[line, record] : practice().lines)
-    if (!record.remark.text.isEmpty())
-      remarks[line] = record.remark;
-  return remarks;
-}
-
-std::set<std::string> WorkingPractice::openedLines() {
-  std::set<std::string> lines;
-  for (const auto &[line, record] : practice().lines)
-    if (record.isOpen)
-      lines.insert(line);
-  return lines;
-}
-
-WorkingPractice::LineRecord &WorkingPractice::recordOf(const std::string &lineId) {
-  LineRecord &record = practice().lines[lineId];
-  record.text = textOf(lineId);
-  return record;
-}
-
-std::string WorkingPractice::textOf(const std::string &lineId) const {
-  const WorkingLine *line = findLine(m_working, lineId);
-  return line ? plainText(*line) : std::string();
+  m_score->setVisible(score.tried > 0 && !m_practice.isHidden());
+  keepRoom(*m_score, m_practice.fading() != Fading::None); // the first answer moves nothing
 }
 
 void WorkingPractice::choose(Fading fading) {
-  m_chosen[m_step.first] = fading;
-  practice() = {fading, {}, {}};
+  m_practice.choose(fading);
   m_blocks.forgetAnswers(); // they were to other questions
   refresh();
   m_blocks.focusField();
@@ -186,7 +123,7 @@ void WorkingPractice::choose(Fading fading) {
 }
 
 void WorkingPractice::renewNumbers() {
-  practice().lines.clear();
+  m_practice.forgetLines();
   m_blocks.forgetAnswers(); // they were about the other numbers
   emit newNumbersRequested();
   refresh();
@@ -194,29 +131,16 @@ void WorkingPractice::renewNumbers() {
     m_blocks.focusField();
 }
 
-void WorkingPractice::answer(const QString &lineId, const QString &text) {
-  const std::string line = lineId.toStdString();
-  const WorkingLine *asking = findLine(m_working, line);
-  const auto gap = m_fade.gaps.find(line);
-  if (!asking || gap == m_fade.gaps.end())
-    return;
+void WorkingPractice::answer(const QString &line, const QString &text) {
   const char decimalMark = QString(locale().decimalPoint()).at(0).toLatin1();
-  const Judgement judgement = judge(*asking, gap->second, text.toStdString(), decimalMark);
-  LineRecord &record = recordOf(line);
-  record.remark = {QString::fromStdString(judgement.sentence), judgement.right};
-  record.isOpen = judgement.right;
-  if (judgement.isAnswer)
-    count(record, judgement.right);
+  if (!m_practice.answer(line.toStdString(), text.toStdString(), decimalMark))
+    return;
   refresh();
   emit blanksChanged();
 }
 
-void WorkingPractice::open(const QString &lineId) {
-  const std::string line = lineId.toStdString();
-  LineRecord &record = recordOf(line);
-  record.isOpen = true;
-  record.remark = {};
-  count(record, false);
+void WorkingPractice::open(const QString &line) {
+  m_practice.open(line.toStdString());
   refresh();
   emit blanksChanged();
 }
