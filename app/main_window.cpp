@@ -14,7 +14,6 @@
 #include "widgets/numbers/inspector.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/text/unbroken.h"
-#include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -57,7 +56,7 @@ MainWindow::MainWindow(LessonLibrary library)
       m_meshes(*this, [this] { return m_model.inGesture() && !m_player.state().isPlaying; }),
       m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
   setObjectName("main");
-  m_scene = new SceneView(m_model, labelPainter(*m_typesetter));
+  m_scene = new SceneView(m_model, *m_typesetter);
   createPanels();
   createMenus();
   createHeader();

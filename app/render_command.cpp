@@ -108,7 +108,7 @@ Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSessi
                       typesetter);
   if (!setting.beginning)
     tellWhereOverfull(request.content.figure);
-  return drawOffscreen(request, labelPainter(typesetter));
+  return OffscreenPainter(labelSetter(typesetter.fonts()), labelPainter(typesetter)).draw(request);
 }
 
 /// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.

@@ -136,7 +136,8 @@ std::optional<LabelPicture> MainWindow::pictureOfScene() {
   request.size = {static_cast<int>(size.width * fitting), static_cast<int>(size.height * fitting)};
   // The picture is drawn in a context of its own; two current ones in a thread clash.
   m_scene->doneCurrent();
-  auto picture = drawOffscreen(request, labelPainter(*m_typesetter));
+  auto picture =
+      OffscreenPainter(labelSetter(m_typesetter->fonts()), labelPainter(*m_typesetter)).draw(request);
   returnFreeMemory(); // the context that has ended leaves a hundred megabytes
   if (!picture) {
     complain(QString::fromStdString(picture.problem().text()));

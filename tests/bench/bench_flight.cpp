@@ -91,7 +91,8 @@ private:
 class Flight {
 public:
   explicit Flight(TimedApplication &application)
-      : m_application(application), m_fixture("photon-torpedo"), m_painter(labelPainter(m_typesetter)) {
+      : m_application(application), m_fixture("photon-torpedo"), m_set(labelSetter(m_typesetter.fonts())),
+        m_paint(labelPainter(m_typesetter)) {
     m_fixture.model().setStep(stepToMove);
     openMesh();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the bar of the step before
@@ -116,7 +117,7 @@ public:
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
       quiet();
       const BarePicture picture = bareOf(view().pictureContent(), themes().front(),
-                                         {view().camera(), view().pixelSize(), 1}, m_painter);
+                                         {view().camera(), view().pixelSize(), 1}, m_set, m_paint);
       const double bare = m_bare->draw(picture);
       quiet();
       if (i < 0)
@@ -222,7 +223,8 @@ private:
   FlightBar *m_bar = nullptr;
   bool m_hasMesh = false;
   Typesetter m_typesetter;
-  LabelPainter m_painter;
+  LabelSetter m_set;
+  LabelPainter m_paint;
   std::unique_ptr<BareWindow> m_bare;
   Frames m_flight, m_explosion;
   int m_frames = 0;

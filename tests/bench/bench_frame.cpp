@@ -69,7 +69,8 @@ struct Measured {
 class Drag {
 public:
   Drag(const std::string &lesson, TimedApplication &application)
-      : m_application(application), m_fixture(lesson), m_painter(labelPainter(m_typesetter)) {
+      : m_application(application), m_fixture(lesson), m_set(labelSetter(m_typesetter.fonts())),
+        m_paint(labelPainter(m_typesetter)) {
     showMost();
     waitForQuiet();
     m_bare = std::make_unique<BareWindow>(view());
@@ -180,7 +181,7 @@ private:
     while (m_application.paint.all.size() == shownBefore && millisecondsSince(m_moved) < patience)
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
     const BarePicture picture =
-        bareOf(content(), themes().front(), {view().camera(), view().pixelSize(), 1}, m_painter);
+        bareOf(content(), themes().front(), {view().camera(), view().pixelSize(), 1}, m_set, m_paint);
     m_measured.bare.add(m_bare->draw(picture));
     if (!m_measured.frame.all.empty())
       m_measured.ratio.add(m_measured.frame.all.back() / m_measured.bare.all.back());
@@ -232,7 +233,8 @@ private:
   WindowFixture m_fixture;
   WorkingBlock *m_lines = nullptr;
   Typesetter m_typesetter;
-  LabelPainter m_painter;
+  LabelSetter m_set;
+  LabelPainter m_paint;
   std::unique_ptr<BareWindow> m_bare;
   Handle m_handle;
   Measured m_measured;

@@ -3,8 +3,8 @@
 #include "geometry/triangle_mesh.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/label_requests.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
 #include <glm/geometric.hpp>
@@ -119,10 +119,10 @@ void addTools(BarePicture &picture, const SceneContent &content, const Theme &th
 }
 
 void addLabels(BarePicture &picture, const SceneContent &content, const Theme &theme, const View &view,
-               const LabelPainter &painter, double scale) {
+               const LabelSetter &set, const LabelPainter &paint, double scale) {
   const auto axes = axisLabels(axesFor({}), view.camera, 0, scale);
   for (const LabelText &text : labelTexts(content, axes, theme, view)) {
-    const auto image = painter.paint(painter.set(text.latex), text.style);
+    const auto image = paint(set(text.latex), text.style);
     if (image && image->width > 0 && !text.anchors.empty())
       picture.labels.push_back(
           {{image->width, image->height, image->rgba.data(), image},
@@ -132,8 +132,8 @@ void addLabels(BarePicture &picture, const SceneContent &content, const Theme &t
 
 } // namespace
 
-BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &view,
-                   const LabelPainter &painter) {
+BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &view, const LabelSetter &set,
+                   const LabelPainter &paint) {
   const double scale = designScale(view.camera, view.size, view.pixelRatio);
   BarePicture picture;
   addGround(picture, content, theme, view, scale);
@@ -151,7 +151,7 @@ BarePicture bareOf(const SceneContent &content, const Theme &theme, const View &
     picture.things["face " + std::to_string(face++)] =
         BareFace{polygon.corners, rgb(polygon.color), polygon.opacity};
   addTools(picture, content, theme, view);
-  addLabels(picture, content, theme, view, painter, scale);
+  addLabels(picture, content, theme, view, set, paint, scale);
   return picture;
 }
 

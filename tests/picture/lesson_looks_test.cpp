@@ -1,7 +1,8 @@
 // In the scenes of all lessons objects are told apart by their colours, and without colours by their dashes.
 #include "lessons/lesson/lesson.h"
 #include "widgets/picture/shapes/ball_sizes.h"
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

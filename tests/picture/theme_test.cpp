@@ -1,6 +1,6 @@
 #include "widgets/picture/theme.h"
 
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include <gtest/gtest.h>
 

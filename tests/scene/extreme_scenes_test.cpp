@@ -1,11 +1,11 @@
 // Scenes of every size that coordinates allow, near-parallel ones and those with far results: each has a
 // picture in which its objects can be seen, in bounded time and memory.
 #include "lessons/construction/construction.h"
-#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/object/solid.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
 #include "tests/scene/pictures.h"
@@ -14,8 +14,9 @@
 #include "widgets/picture/labels/label_layout.h"
 #include "widgets/picture/labels/label_requests.h"
 #include "widgets/picture/shapes/ground.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/shape_mesh.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
 #include <gtest/gtest.h>
@@ -181,12 +182,12 @@ void expectAllIsBounded(const Prepared &made) {
   for (const Mark &mark : figure.marks)
     for (const Place &place : outlineOf(mark, rightAngleSize * scale).path)
       ASSERT_TRUE(isWithinReach(place)) << baseOf(mark).id;
-  expectFiniteAndBounded(meshOf(figure, {}, theme, scale));
+  expectFiniteAndBounded(meshOf(solidsOf(figure, {}, theme, scale)));
   const FaceOrder faces(facesOf(figure, {}, theme));
   EXPECT_LE(faces.backToFront(glm::dvec4(view.camera.eye(), 1)).size(), mostFacesOf(figure));
   EXPECT_LE(gridAround(view.camera).lines.size(), mostGridLines);
   const AxesReach axes = axesAround(figure);
-  expectFiniteAndBounded(axesMesh(axes, view.camera, theme, scale));
+  expectFiniteAndBounded(meshOf(axesOf(axes, view.camera, theme, scale)));
   const auto labels = labelTexts(
       made.content, axisLabels(axes, view.camera, made.content.stage.exponent, scale), theme, view);
   EXPECT_LE(labels.size(), mostLabels);

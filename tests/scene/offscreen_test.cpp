@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <thread>
 
 namespace halfspace {
 namespace {
@@ -48,6 +50,69 @@ TEST(OffscreenPicture, IsTheSameWhenDrawnAgain) {
   const auto second = drawOffscreen(request, noLabels);
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->rgba, second->rgba);
+}
+
+TEST(OffscreenPainter, DrawsEachPictureAsIfItWereItsFirst) {
+  PictureRequest point = requestFor({{withId(pointAt({11, 15, 8}), "Q", Subject::Point)}});
+  PictureRequest clear = requestFor({{withId(patchAt({6, 8, 4}, {1, 2, 2}), "E", Subject::Plane)}});
+  clear.transparent = true;
+  clear.size = {300, 500};
+  clear.theme = *findTheme("dark");
+  PictureRequest large = requestFor({{withId(pointAt({2, 3, 4}), "R")}});
+  large.size = {6000, 3000};
+  OffscreenPainter painter(noLabels.set, noLabels.paint);
+  for (const PictureRequest &request : {point, clear, point, large, clear, point}) {
+    const auto picture = painter.draw(request);
+    const auto alone = drawOffscreen(request, noLabels);
+    ASSERT_TRUE(picture && alone);
+    EXPECT_EQ(picture->rgba, alone->rgba) << request.size.width;
+  }
+}
+
+TEST(OffscreenPainter, AfterAPictureThatIsRefused_DrawsTheNext) {
+  OffscreenPainter painter(noLabels.set, noLabels.paint);
+  PictureRequest request = requestFor({});
+  request.size = {0, 0};
+  EXPECT_FALSE(painter.draw(request));
+  EXPECT_TRUE(painter.draw(requestFor({})));
+}
+
+TEST(OffscreenPainter, ThatRanOutOfMemory_BeginsAnew) {
+  bool isFull = true;
+  const LabelSetter set = [&](const std::string &) -> LabelFormula {
+    if (isFull)
+      throw std::bad_alloc();
+    return std::make_shared<const math::Layout>();
+  };
+  OffscreenPainter painter(set, {});
+  const PictureRequest request = requestFor({});
+  const auto refused = painter.draw(request);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.problem().sentence.find("not enough memory"), std::string::npos);
+  isFull = false;
+  const auto picture = painter.draw(request);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->rgba, drawOffscreen(request, noLabels)->rgba);
+}
+
+TEST(JobThread, DoesAllJobsInOneThreadThatIsNotTheCallers) {
+  JobThread thread;
+  std::thread::id first;
+  thread.run([&] { first = std::this_thread::get_id(); });
+  EXPECT_NE(first, std::this_thread::get_id());
+  for (int i = 0; i < 1000; ++i) {
+    std::thread::id later;
+    thread.run([&] { later = std::this_thread::get_id(); });
+    ASSERT_EQ(later, first);
+  }
+}
+
+TEST(JobThread, WhatAJobThrows_IsThrownAtTheCaller_AndTheNextIsDone) {
+  JobThread thread;
+  EXPECT_THROW(thread.run([] { throw std::bad_alloc(); }), std::bad_alloc);
+  bool isDone = false;
+  thread.run([&] { isDone = true; });
+  EXPECT_TRUE(isDone);
 }
 
 /// A rectangle, 4 long and 1 wide, in the plane z = 0 of its own space.

@@ -25,9 +25,19 @@ inline Rgba pixelAt(const LabelPicture &picture, glm::dvec3 pixel) {
   return pixelAt(picture, static_cast<int>(std::floor(pixel.x)), static_cast<int>(std::floor(pixel.y)));
 }
 
+/// Who makes the labels of a picture.
+struct Labels {
+  LabelSetter set;
+  LabelPainter paint;
+};
+
 /// Labels are off in these pictures.
-inline const LabelPainter noLabels{[](const std::string &) { return std::make_shared<const math::Layout>(); },
-                                   {}};
+inline const Labels noLabels{[](const std::string &) { return std::make_shared<const math::Layout>(); }, {}};
+
+/// By a painter of its own.
+inline Result<LabelPicture> drawOffscreen(const PictureRequest &request, const Labels &labels) {
+  return OffscreenPainter(labels.set, labels.paint).draw(request);
+}
 
 inline PictureRequest requestFor(Figure figure) {
   PictureRequest request;

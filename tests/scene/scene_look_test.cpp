@@ -1,6 +1,8 @@
 // What is seen of a scene: its tools, its ground, what stands out, and that nothing is cut off.
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
+#include "widgets/picture/composer.h"
+#include "widgets/scene/shape_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +122,13 @@ TEST(Look, AtTwiceThePixelRatio_HasThickerLinesInTheSamePlaces) {
   EXPECT_NEAR(double(orangePixels(2)) / orangePixels(1), 4, 0.6) << "the ball's area";
 }
 
+void show(const PictureRequest &request, ShapeScene &scene) {
+  Composer composer(noLabels.set);
+  composer.setContent(request.content);
+  composer.setView({request.camera, request.size, 1});
+  scene.show(composer.compose());
+}
+
 struct Views : testing::TestWithParam<double> {};
 
 TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
@@ -131,10 +140,8 @@ TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
     PictureRequest request = requestFor(figure);
     request.camera.height = GetParam();
     request.camera.orthographic = orthographic;
-    FigureScene scene(noLabels);
-    scene.setContent(request.content);
-    scene.setView({request.camera, request.size, 1});
-    scene.prepare();
+    ShapeScene scene(noLabels.paint);
+    show(request, scene);
     double range[2] = {0, 0};
     scene.renderer()->GetActiveCamera()->GetClippingRange(range);
     EXPECT_GT(range[0], 0);
@@ -156,10 +163,8 @@ TEST(HighPlaces, FromTheSide_CutOffNothingThatStandsHigh) {
   request.content.stage.middle = {1000, 1000, 0}; // without axes, which would reach as far
   request.camera.elevation = 1.2;
   request.camera.height = 400;
-  FigureScene scene(noLabels);
-  scene.setContent(request.content);
-  scene.setView({request.camera, request.size, 1});
-  scene.prepare();
+  ShapeScene scene(noLabels.paint);
+  show(request, scene);
   double range[2] = {0, 0};
   scene.renderer()->GetActiveCamera()->GetClippingRange(range);
   EXPECT_GT(glm::dot(high - request.camera.eye(), request.camera.viewDirection()), range[0]);
@@ -167,10 +172,8 @@ TEST(HighPlaces, FromTheSide_CutOffNothingThatStandsHigh) {
 
 TEST(Strips, OfAView_LookWhereTheirPartOfItIs) {
   const PictureRequest request = requestFor(pointQ());
-  FigureScene scene(noLabels);
-  scene.setContent(request.content);
-  scene.setView({request.camera, request.size, 1});
-  scene.prepare();
+  ShapeScene scene(noLabels.paint);
+  show(request, scene);
   vtkCamera *camera = scene.renderer()->GetActiveCamera();
   const double whole = camera->GetParallelScale();
   scene.showStrip(0, 100);
@@ -178,7 +181,7 @@ TEST(Strips, OfAView_LookWhereTheirPartOfItIs) {
   EXPECT_GT(camera->GetWindowCenter()[1], 0) << "the upper strip";
   scene.showStrip(300, 100);
   EXPECT_LT(camera->GetWindowCenter()[1], 0);
-  scene.prepare();
+  show(request, scene);
   EXPECT_NEAR(camera->GetParallelScale(), whole, 1e-9) << "all of it again";
   EXPECT_EQ(camera->GetWindowCenter()[1], 0);
 }

@@ -27,8 +27,8 @@ Mesh squareMesh() {
   return mesh;
 }
 
-Face squareFace(Color color, double opacity) {
-  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, color, opacity};
+Shape squareFace(Color color, double opacity) {
+  return {"", color, FaceShape{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, opacity}};
 }
 
 std::array<int, 4> colorAt(vtkPolyData *data, vtkIdType point) {
@@ -79,28 +79,24 @@ TEST(VtkMesh, WrittenAgain_HoldsOnlyWhatIsNew) {
 }
 
 TEST(VtkFaces, InTheirOrder_HaveTheirColoursAndOpacities) {
-  const Face back = squareFace(red, 0.5);
-  const Face front = squareFace(blue, 2); // denser than can be
+  const Shape back = squareFace(red, 0.5);
+  const Shape front = squareFace(blue, 2); // denser than can be
   vtkNew<vtkPolyData> data;
-  write(std::vector<const Face *>{&back, &front}, data);
+  writeFaces({back, front}, data);
   ASSERT_EQ(data->GetNumberOfCells(), 2);
   ASSERT_EQ(data->GetNumberOfPoints(), 8) << "each face has corners of its own";
   EXPECT_EQ(data->GetCell(0)->GetNumberOfPoints(), 4);
   EXPECT_EQ(colorAt(data, data->GetCell(0)->GetPointId(0)), (std::array{255, 0, 0, 128}));
   EXPECT_EQ(colorAt(data, data->GetCell(1)->GetPointId(0)), (std::array{0, 0, 255, 255}));
-  write(std::vector<const Face *>{&front, &back}, data);
+  writeFaces({front, back}, data);
   EXPECT_EQ(colorAt(data, data->GetCell(0)->GetPointId(0)), (std::array{0, 0, 255, 255}));
 }
 
-TEST(VtkGrid, OfLines_FadesByItsStrengths) {
-  Grid grid;
-  grid.lines.push_back({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 0.5}, false});
-  grid.lines.push_back({{{0, 5, 0}, {1, 5, 0}}, {1, 1}, true});
-  Theme theme = themes().front();
-  theme.grid = red;
-  theme.gridMajor = blue;
+TEST(VtkHairlines, FadeByTheirStrengths) {
   vtkNew<vtkPolyData> data;
-  write(grid, theme, data);
+  writeHairlines({{"", red, HairlineShape{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 0.5}}},
+                  {"", blue, HairlineShape{{{0, 5, 0}, {1, 5, 0}}, {1, 1}}}},
+                 data);
   ASSERT_EQ(data->GetNumberOfCells(), 2);
   EXPECT_EQ(data->GetCell(0)->GetNumberOfPoints(), 3);
   EXPECT_EQ(colorAt(data, 0), (std::array{255, 0, 0, 0}));

@@ -1,8 +1,6 @@
 #include "widgets/scene/body_actors.h"
 
 #include "geometry/triangle_mesh.h"
-#include "widgets/picture/shapes/mark_mesh.h"
-#include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/depthless_mapper.h"
 #include "widgets/scene/vtk_mesh.h"
 
@@ -20,15 +18,12 @@
 namespace halfspace {
 namespace {
 
-/// Whole surfaces in the colour of lines would be too dark: they take so much of it.
-constexpr double bodyInk = 0.55;
-
-void write(const MeshMark &mark, vtkMatrix4x4 *matrix) {
+void writePlacement(const BodyShape &body, vtkMatrix4x4 *matrix) {
   for (glm::length_t column = 0; column < 3; ++column)
     for (glm::length_t row = 0; row < 3; ++row)
-      matrix->SetElement(row, column, mark.axes[column][row]);
+      matrix->SetElement(row, column, body.axes[column][row]);
   for (glm::length_t row = 0; row < 3; ++row)
-    matrix->SetElement(row, 3, mark.place[row]);
+    matrix->SetElement(row, 3, body.origin[row]);
 }
 
 void setColor(vtkActor *actor, Color color) {
@@ -62,15 +57,17 @@ struct BodyActors::Body {
     shadow->ForceOpaqueOn();
   }
 
-  void take(const std::shared_ptr<const TriangleMesh> &shown) {
-    if (std::exchange(mesh, shown) == shown)
-      return;
-    stride = strideFor(meshLayersOf(*mesh));
-    halfspace::write(*mesh, stride, data);
+  void take(const BodyShape &body) {
+    if (std::exchange(mesh, body.mesh) != body.mesh)
+      write(*mesh, body.stride, data);
+  }
+  void showShadow(const std::optional<Color> &color) {
+    shadow->SetVisibility(color.has_value());
+    if (color)
+      setColor(shadow, *color);
   }
 
-  std::shared_ptr<const TriangleMesh> mesh;
-  std::size_t stride = 1; ///< one triangle in so many is drawn
+  std::shared_ptr<const TriangleMesh> mesh; ///< the stride follows from it
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
@@ -84,30 +81,23 @@ BodyActors::BodyActors(vtkRenderer &renderer, vtkMatrix4x4 &ontoGround, vtkProp 
     : m_renderer(renderer), m_ontoGround(ontoGround), m_aboveShadows(aboveShadows) {}
 BodyActors::~BodyActors() = default;
 
-void BodyActors::show(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
-                      const Arrival &arrival) {
+void BodyActors::show(const std::vector<Shape> &shapes) {
   std::map<std::string, std::unique_ptr<Body>> shown;
-  for (const Mark &mark : figure.marks) {
-    const auto *body = std::get_if<MeshMark>(&mark);
-    if (!body || arrival.presenceOf(*body) <= 0)
-      continue;
-    std::unique_ptr<Body> &actors = shown[body->id];
-    actors = std::exchange(m_bodies[body->id], nullptr);
+  forEach<BodyShape>(shapes, [&](const Shape &shape, const BodyShape &body) {
+    std::unique_ptr<Body> &actors = shown[shape.mark];
+    actors = std::exchange(m_bodies[shape.mark], nullptr);
     if (!actors) {
       actors = std::make_unique<Body>();
       addBefore(m_aboveShadows, actors->shadow, m_renderer);
       m_renderer.AddActor(actors->actor);
     }
-    actors->take(body->mesh);
-    write(*body, actors->placement);
+    actors->take(body);
+    writePlacement(body, actors->placement);
     vtkMatrix4x4::Multiply4x4(&m_ontoGround, actors->placement, actors->shadowPlacement);
     actors->shadowPlacement->Modified(); // which Multiply4x4 does not tell
-    setColor(actors->actor,
-             mix(theme.backgroundBottom, solidColor(*body, theme, highlighted.contains(body->id)),
-                 bodyInk * arrival.presenceOf(*body)));
-    setColor(actors->shadow, theme.shadow);
-    actors->shadow->SetVisibility(m_shadowsVisible);
-  }
+    setColor(actors->actor, shape.color);
+    actors->showShadow(m_shadow);
+  });
   for (const auto &[id, gone] : m_bodies)
     if (gone) {
       m_renderer.RemoveActor(gone->actor);
@@ -116,15 +106,10 @@ void BodyActors::show(const Figure &figure, const std::set<std::string> &highlig
   m_bodies = std::move(shown);
 }
 
-bool BodyActors::leaveOutTriangles() const {
-  return std::any_of(m_bodies.begin(), m_bodies.end(),
-                     [](const auto &body) { return body.second->stride > 1; });
-}
-
-void BodyActors::setShadowsVisible(bool visible) {
-  m_shadowsVisible = visible;
+void BodyActors::showShadows(const std::optional<Color> &color) {
+  m_shadow = color;
   for (const auto &[id, body] : m_bodies)
-    body->shadow->SetVisibility(visible);
+    body->showShadow(color);
 }
 
 } // namespace halfspace

@@ -1,15 +1,12 @@
-// The surfaces of very many triangles in a figure, one VTK object each.
+// The surfaces of very many triangles in a picture, one VTK object each.
 #pragma once
 
-#include "lessons/figure/figure.h"
-#include "widgets/picture/shapes/arrival.h"
-#include "widgets/picture/theme.h"
+#include "widgets/picture/shapes/shape_list.h"
 
 #include <vtkNew.h>
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 
 class vtkMatrix4x4;
@@ -18,7 +15,7 @@ class vtkRenderer;
 
 namespace halfspace {
 
-/// Keeps an actor, and one for its shadow, for each body of a figure. The triangles are handed to VTK when a
+/// Keeps an actor, and one for its shadow, for each body of a picture. The triangles are handed to VTK when a
 /// mesh comes first, and stay there while it is shown: a body that moves costs a matrix.
 class BodyActors {
 public:
@@ -29,11 +26,9 @@ public:
   BodyActors(const BodyActors &) = delete;
   BodyActors &operator=(const BodyActors &) = delete;
 
-  void show(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
-            const Arrival &arrival);
-  /// Whether of a body only some triangles are drawn: more than `mostMeshLayers` lie one behind another.
-  [[nodiscard]] bool leaveOutTriangles() const;
-  void setShadowsVisible(bool visible);
+  void show(const std::vector<Shape> &shapes);
+  /// In their colour; nothing: not at all.
+  void showShadows(const std::optional<Color> &color);
 
 private:
   struct Body;
@@ -41,7 +36,7 @@ private:
   vtkMatrix4x4 &m_ontoGround;
   vtkProp &m_aboveShadows;
   std::map<std::string, std::unique_ptr<Body>> m_bodies; ///< by the ids of their marks
-  bool m_shadowsVisible = true;
+  std::optional<Color> m_shadow;
 };
 
 } // namespace halfspace

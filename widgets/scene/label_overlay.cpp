@@ -16,12 +16,6 @@
 #include <vtkTexturedActor2D.h>
 
 namespace halfspace {
-namespace {
-
-/// Of leader lines, in design pixels.
-constexpr double leaderWidth = 1;
-
-} // namespace
 
 /// A rectangle of the screen with a picture on it.
 struct LabelOverlay::Sprite {
@@ -92,35 +86,36 @@ LabelOverlay::Sprite &LabelOverlay::sprite(std::size_t number) {
   return *m_sprites[number];
 }
 
-void LabelOverlay::show(const std::vector<LabelText> &texts, const LabelObstacles &obstacles,
-                        const Theme &theme, const View &view) {
-  m_labels = m_page.place(texts, obstacles, m_painter, view);
-  for (std::size_t i = 0; i < m_labels.size(); ++i) {
-    const LabelOnPage &label = m_labels[i];
-    sprite(i).show(m_painter.paint(label.formula, label.text.style), label.place.topLeft, view.size,
-                   label.text.opacity);
-  }
-  for (std::size_t i = m_labels.size(); i < m_sprites.size(); ++i)
+void LabelOverlay::show(const ShapeLayer &labels, PixelSize size) {
+  if (labels == m_shown && size == m_size)
+    return;
+  m_shown = labels;
+  m_size = size;
+  std::size_t count = 0;
+  forEach<LabelShape>(*labels, [&](const Shape &, const LabelShape &label) {
+    sprite(count++).show(m_painter(label.formula, label.style), label.box.low, size, label.opacity);
+  });
+  for (std::size_t i = count; i < m_sprites.size(); ++i)
     m_sprites[i]->actor->VisibilityOff();
-  showLeaders(theme, view);
+  showLeaders(*labels, size);
 }
 
-void LabelOverlay::showLeaders(const Theme &theme, const View &view) {
+void LabelOverlay::showLeaders(const std::vector<Shape> &shapes, PixelSize size) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   const auto insert = [&](glm::dvec2 pixel) {
-    return points->InsertNextPoint(pixel.x, view.size.height - pixel.y, 0);
+    return points->InsertNextPoint(pixel.x, size.height - pixel.y, 0);
   };
-  for (const LabelOnPage &label : m_labels)
-    if (const auto leader = leaderOf(label.place)) {
-      const vtkIdType from = insert(leader->from);
-      lines->InsertNextCell({from, insert(leader->to)});
-    }
+  forEach<LeaderShape>(shapes, [&](const Shape &shape, const LeaderShape &leader) {
+    const vtkIdType from = insert(leader.from);
+    lines->InsertNextCell({from, insert(leader.to)});
+    // They all look the same.
+    m_leaders->GetProperty()->SetColor(shape.color.red / 255.0, shape.color.green / 255.0,
+                                       shape.color.blue / 255.0);
+    m_leaders->GetProperty()->SetLineWidth(static_cast<float>(leader.width));
+  });
   m_leaderLines->SetPoints(points);
   m_leaderLines->SetLines(lines);
-  const Color color = theme.mutedInk;
-  m_leaders->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
-  m_leaders->GetProperty()->SetLineWidth(static_cast<float>(leaderWidth * view.pixelRatio));
   m_leaders->SetVisibility(points->GetNumberOfPoints() > 0);
 }
 
@@ -128,16 +123,6 @@ void LabelOverlay::lowerBy(int pixels) {
   for (const std::unique_ptr<Sprite> &sprite : m_sprites)
     sprite->actor->SetPosition(0, -pixels);
   m_leaders->SetPosition(0, -pixels);
-}
-
-std::string LabelOverlay::markAt(glm::dvec2 pixel) const {
-  for (const auto &[text, formula, place] : m_labels) {
-    const glm::dvec2 inside = pixel - place.topLeft;
-    if (text.isMark && inside.x >= 0 && inside.y >= 0 && inside.x < place.extent.x &&
-        inside.y < place.extent.y)
-      return text.id;
-  }
-  return {};
 }
 
 } // namespace halfspace

@@ -1,9 +1,11 @@
 #include "widgets/scene/offscreen.h"
 
 #include "lessons/words.h"
+#include "widgets/picture/composer.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/scene/egl_context.h"
 #include "widgets/scene/render_window.h"
+#include "widgets/scene/shape_scene.h"
 #include "widgets/scene/vtk_image.h"
 
 #include <vtkNew.h>
@@ -13,7 +15,7 @@
 
 #include <algorithm>
 #include <new>
-#include <thread>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -56,66 +58,107 @@ void finishAlpha(std::vector<std::uint8_t> &rgba, bool transparent) {
     rgba[i] = 255;
 }
 
-/// Draws a scene strip by strip, in a context of its own that is current in this thread.
-Result<LabelPicture> render(FigureScene &scene, const PictureRequest &request) {
-  EglContext context;
-  if (!context.failure().empty())
-    return problem(context.failure());
-  vtkNew<RenderWindow> window;
-  context.serve(window);
-  if (!window->isReady())
-    return problem(words("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2."));
-  window->GetState()->Reset();
-  window->SetAlphaBitPlanes(1);
-  window->SetMultiSamples(samplesPerPixel);
-  window->AddRenderer(scene.renderer());
-
-  const auto [width, height] = request.size;
-  LabelPicture picture{width, height, {}};
-  picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  const int highestStrip = std::max(1, mostPixelsAtOnce / width);
-  for (int top = 0; top < height; top += highestStrip) {
-    const int stripHeight = std::min(highestStrip, height - top);
-    scene.showStrip(top, stripHeight);
-    window->SetSize(width, stripHeight);
-    window->Render();
-    readStrip(window, picture, top, stripHeight);
-  }
-  window->RemoveRenderer(scene.renderer());
-  window->Finalize();
-  finishAlpha(picture.rgba, request.transparent);
-  return picture;
-}
-
 } // namespace
 
-Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels) {
+/// What draws, with the context that it draws in: current in the thread that made it.
+class OffscreenPainter::Studio {
+public:
+  Studio(LabelSetter set, LabelPainter labels) : m_composer(std::move(set)), m_scene(std::move(labels)) {
+    if (!m_context.failure().empty())
+      return;
+    m_context.serve(m_window);
+    if (!m_window->isReady())
+      return;
+    m_window->GetState()->Reset();
+    m_window->SetAlphaBitPlanes(1);
+    m_window->SetMultiSamples(samplesPerPixel);
+    m_window->AddRenderer(m_scene.renderer());
+  }
+  ~Studio() {
+    if (!failure().empty())
+      return; // nothing was opened
+    m_window->RemoveRenderer(m_scene.renderer());
+    m_window->Finalize();
+  }
+  Studio(const Studio &) = delete;
+  Studio &operator=(const Studio &) = delete;
+
+  /// A sentence that says why nothing can be drawn; empty where it can.
+  [[nodiscard]] std::string failure() const {
+    if (!m_context.failure().empty() || m_window->isReady())
+      return m_context.failure();
+    return words("Pictures cannot be drawn here: the graphics driver offers less than OpenGL 3.2.");
+  }
+
+  [[nodiscard]] LabelPicture draw(const PictureRequest &request) {
+    m_scene.show(compose(request));
+    const auto [width, height] = request.size;
+    LabelPicture picture{width, height, {}};
+    picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    const int highestStrip = std::max(1, mostPixelsAtOnce / width);
+    for (int top = 0; top < height; top += highestStrip) {
+      const int stripHeight = std::min(highestStrip, height - top);
+      m_scene.showStrip(top, stripHeight);
+      m_window->SetSize(width, stripHeight);
+      m_window->Render();
+      readStrip(m_window, picture, top, stripHeight);
+    }
+    finishAlpha(picture.rgba, request.transparent);
+    return picture;
+  }
+
+private:
+  const ShapeList &compose(const PictureRequest &request) {
+    const double usualRatio = request.size.height / designHeight;
+    m_composer.forgetLabels();
+    m_composer.setTheme(request.theme);
+    m_composer.setBackgroundVisible(!request.transparent);
+    m_composer.setView({request.camera, request.size, request.pixelRatio.value_or(usualRatio)});
+    if (request.labelledLike) {
+      m_composer.setContent(*request.labelledLike);
+      m_composer.compose();
+    }
+    m_composer.setContent(request.content);
+    return m_composer.compose();
+  }
+
+  EglContext m_context; // the first: the others end in it
+  vtkNew<RenderWindow> m_window;
+  Composer m_composer;
+  ShapeScene m_scene;
+};
+
+OffscreenPainter::OffscreenPainter(LabelSetter set, LabelPainter labels)
+    : m_set(std::move(set)), m_labels(std::move(labels)) {}
+
+OffscreenPainter::~OffscreenPainter() {
+  m_thread.run([this] { m_studio.reset(); });
+}
+
+Result<LabelPicture> OffscreenPainter::draw(const PictureRequest &request) {
   const auto [width, height] = request.size;
   if (width < 1 || height < 1 || width > maxPictureSide || height > maxPictureSide)
     return problem(words("A picture of {size} pixels cannot be drawn: each side must be 1 to {most} pixels.",
                          {{"size", inWords(request.size)}, {"most", std::to_string(maxPictureSide)}}));
-  FigureScene scene(labels);
-  scene.setTheme(request.theme);
-  scene.setBackgroundVisible(!request.transparent);
-  scene.setView({request.camera, request.size, request.pixelRatio.value_or(height / designHeight)});
-  if (request.labelledLike) {
-    scene.setContent(*request.labelledLike);
-    scene.prepare();
-  }
-  scene.setContent(request.content);
-  scene.prepare();
-
-  // A thread of its own: a context that a live window has current in this one would be in the way.
   Result<LabelPicture> result = problem("");
-  std::thread([&] {
-    try {
-      result = render(scene, request);
-    } catch (const std::bad_alloc &) {
-      result = problem(words("There is not enough memory for a picture of {size} pixels.",
-                             {{"size", inWords(request.size)}}));
-    }
-  }).join();
+  try {
+    m_thread.run([&] { result = drawInThread(request); });
+  } catch (const std::bad_alloc &) {
+    m_thread.run([this] { m_studio.reset(); });
+    return problem(words("There is not enough memory for a picture of {size} pixels.",
+                         {{"size", inWords(request.size)}}));
+  }
   return result;
+}
+
+Result<LabelPicture> OffscreenPainter::drawInThread(const PictureRequest &request) {
+  if (!m_studio) {
+    auto studio = std::make_unique<Studio>(m_set, m_labels);
+    if (const std::string failure = studio->failure(); !failure.empty())
+      return problem(failure);
+    m_studio = std::move(studio);
+  }
+  return m_studio->draw(request);
 }
 
 } // namespace halfspace

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "lessons/result.h"
-#include "widgets/scene/figure_scene.h"
+#include "widgets/picture/labels/label_setter.h"
+#include "widgets/picture/scene_content.h"
+#include "widgets/scene/job_thread.h"
 
+#include <memory>
 #include <optional>
 
 namespace halfspace {
@@ -24,8 +27,30 @@ struct PictureRequest {
 /// The widest and highest picture that is drawn.
 inline constexpr int maxPictureSide = 16384;
 
-/// Draws a picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence
-/// where no OpenGL 3.2 is to be had.
-[[nodiscard]] Result<LabelPicture> drawOffscreen(const PictureRequest &request, const LabelPainter &labels);
+/// Draws pictures, one after the other, in a thread of its own: a context that a live window has current in
+/// the caller's would be in the way. What takes time to be opened (the context, its programs) serves for all
+/// of them, and what two that follow one another have in common is made once. No picture depends on those
+/// before it.
+class OffscreenPainter {
+public:
+  /// Both work in the painter's thread, while the caller waits.
+  OffscreenPainter(LabelSetter set, LabelPainter labels);
+  ~OffscreenPainter();
+  OffscreenPainter(const OffscreenPainter &) = delete;
+  OffscreenPainter &operator=(const OffscreenPainter &) = delete;
+
+  /// A picture as large as asked with straight alpha, rows from top to bottom. Fails with a sentence where no
+  /// OpenGL 3.2 is to be had, and where there is not enough memory: then the next begins anew.
+  [[nodiscard]] Result<LabelPicture> draw(const PictureRequest &request);
+
+private:
+  class Studio;
+  [[nodiscard]] Result<LabelPicture> drawInThread(const PictureRequest &request);
+
+  LabelSetter m_set;
+  LabelPainter m_labels;
+  std::unique_ptr<Studio> m_studio; ///< made and ended in the thread
+  JobThread m_thread;
+};
 
 } // namespace halfspace

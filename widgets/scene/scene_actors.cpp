@@ -1,6 +1,8 @@
 #include "widgets/scene/scene_actors.h"
 
+#include "widgets/picture/shapes/shape_mesh.h"
 #include "widgets/scene/depthless_mapper.h"
+#include "widgets/scene/vtk_mesh.h"
 
 #include <vtkActor.h>
 #include <vtkCameraPass.h>
@@ -19,14 +21,10 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
-
-/// Where the light that casts the shadows comes from.
-const Place shadowLight{0.25, -0.35, 1.0};
-
-constexpr double faceShadowPaleness = 0.55;
 
 void setColor(vtkActor *actor, Color color) {
   actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
@@ -77,13 +75,13 @@ void flattenOntoGround(vtkMatrix4x4 *matrix) {
 
 } // namespace
 
-template <class Mapper> SceneActors::LayerOf<Mapper>::LayerOf() {
+template <class Mapper> SceneActors::MeshActorOf<Mapper>::MeshActorOf() {
   mapper->SetInputData(data);
   actor->SetMapper(mapper);
 }
 
-SceneActors::Shadow::Shadow(const Layer &layer, vtkMatrix4x4 *ontoGround) {
-  mapper->SetInputData(layer.data);
+SceneActors::Shadow::Shadow(const MeshActor &drawn, vtkMatrix4x4 *ontoGround) {
+  mapper->SetInputData(drawn.data);
   mapper->ScalarVisibilityOff();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
@@ -95,7 +93,7 @@ SceneActors::SceneActors()
     : m_solidShadow(m_solids, m_ontoGround), m_faceShadow(m_faces, m_ontoGround),
       m_bodies(std::make_unique<BodyActors>(*m_renderer, *m_ontoGround, *m_grid.actor)) {
   flattenOntoGround(m_ontoGround);
-  for (const Layer *solid : {&m_solids, &m_axes, &m_tools})
+  for (const MeshActor *solid : {&m_solids, &m_axes, &m_tools})
     useSolidMaterial(solid->actor);
   m_faces.actor->GetProperty()->LightingOff();
   m_faces.actor->ForceTranslucentOn();
@@ -117,35 +115,56 @@ SceneActors::SceneActors()
 
 SceneActors::~SceneActors() = default;
 
-void SceneActors::applyTheme(const Theme &theme) {
-  setColor(m_solidShadow.actor, theme.shadow);
-  setColor(m_faceShadow.actor, mix(theme.shadow, theme.backgroundBottom, faceShadowPaleness));
+void SceneActors::show(const ShapeList &list) {
+  const auto isNew = [&](Layer layer) {
+    return m_shown[static_cast<std::size_t>(layer)] != list.layer(layer);
+  };
+  const std::pair<Layer, vtkPolyData *> meshes[] = {
+      {Layer::Solids, m_solids.data}, {Layer::Axes, m_axes.data}, {Layer::Tools, m_tools.data}};
+  for (const auto &[layer, data] : meshes)
+    if (isNew(layer))
+      write(meshOf(*list.layer(layer)), data);
+  if (isNew(Layer::Ground))
+    showGrid(*list.layer(Layer::Ground));
+  if (isNew(Layer::Bodies))
+    m_bodies->show(*list.layer(Layer::Bodies));
+  if (isNew(Layer::Faces))
+    writeFaces(*list.layer(Layer::Faces), m_faces.data);
+  m_shown = list.layers;
+  showShadows(list.shadows);
 }
 
-void SceneActors::showBackground(const Theme &theme, bool visible, double from, double to) {
+void SceneActors::showGrid(const std::vector<Shape> &lines) {
+  writeHairlines(lines, m_grid.data);
+  // VTK has one width for all lines of an actor, and so has the grid.
+  forEach<HairlineShape>(lines, [&](const Shape &, const HairlineShape &line) {
+    m_grid.actor->GetProperty()->SetLineWidth(static_cast<float>(line.width));
+  });
+}
+
+void SceneActors::showShadows(const std::optional<Shadows> &shadows) {
+  m_solidShadow.actor->SetVisibility(shadows.has_value());
+  m_faceShadow.actor->SetVisibility(shadows.has_value());
+  m_bodies->showShadows(shadows ? std::optional(shadows->ofSolids) : std::nullopt);
+  if (!shadows)
+    return;
+  setColor(m_solidShadow.actor, shadows->ofSolids);
+  setColor(m_faceShadow.actor, shadows->ofFaces);
+}
+
+void SceneActors::showBackground(const Background &background, double from, double to) {
   const auto colorAt = [&](double height) {
     const auto channel = [&](std::uint8_t bottom, std::uint8_t top) {
-      return visible ? std::lerp(bottom, top, height) / 255 : 0;
+      return background.isVisible ? std::lerp(bottom, top, height) / 255 : 0;
     };
-    const Color bottom = theme.backgroundBottom;
-    const Color top = theme.backgroundTop;
+    const auto &[bottom, top, isVisible] = background;
     return std::array{channel(bottom.red, top.red), channel(bottom.green, top.green),
                       channel(bottom.blue, top.blue)};
   };
   m_renderer->SetBackground(colorAt(from).data());
   m_renderer->SetBackground2(colorAt(to).data());
-  m_renderer->SetGradientBackground(visible);
-  m_renderer->SetBackgroundAlpha(visible ? 1 : 0);
-}
-
-void SceneActors::setGridLineWidth(double pixels) {
-  m_grid.actor->GetProperty()->SetLineWidth(static_cast<float>(pixels));
-}
-
-void SceneActors::setShadowsVisible(bool visible) {
-  m_solidShadow.actor->SetVisibility(visible);
-  m_faceShadow.actor->SetVisibility(visible);
-  m_bodies->setShadowsVisible(visible);
+  m_renderer->SetGradientBackground(background.isVisible);
+  m_renderer->SetBackgroundAlpha(background.isVisible ? 1 : 0);
 }
 
 } // namespace halfspace

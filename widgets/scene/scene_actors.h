@@ -1,11 +1,11 @@
-// The few VTK objects that draw a scene, and how they are lit.
+// The few VTK objects that draw shapes in space, and how they are lit.
 #pragma once
 
-#include "widgets/picture/theme.h"
 #include "widgets/scene/body_actors.h"
 
 #include <vtkNew.h>
 
+#include <array>
 #include <memory>
 
 class vtkActor;
@@ -28,49 +28,44 @@ public:
 
   [[nodiscard]] vtkRenderer *renderer() const { return m_renderer; }
 
-  [[nodiscard]] BodyActors &bodies() { return *m_bodies; }
-  [[nodiscard]] const BodyActors &bodies() const { return *m_bodies; }
-  [[nodiscard]] vtkPolyData *solids() const { return m_solids.data; }
-  [[nodiscard]] vtkPolyData *faces() const { return m_faces.data; }
-  [[nodiscard]] vtkPolyData *axes() const { return m_axes.data; }
-  [[nodiscard]] vtkPolyData *grid() const { return m_grid.data; }
-  [[nodiscard]] vtkPolyData *tools() const { return m_tools.data; }
-
-  void applyTheme(const Theme &theme);
+  /// Brings the objects of those layers up to date that are not the ones that are shown.
+  void show(const ShapeList &list);
   /// Shows the part of the background gradient from one height (0 the bottom of the view, 1 its top) to
   /// another; or, not visible, black with alpha 0.
-  void showBackground(const Theme &theme, bool visible, double from, double to);
-  void setGridLineWidth(double pixels);
-  void setShadowsVisible(bool visible);
+  void showBackground(const Background &background, double from, double to);
 
 private:
   /// A mesh and the actor that shows it.
-  template <class Mapper> struct LayerOf {
+  template <class Mapper> struct MeshActorOf {
     vtkNew<vtkPolyData> data;
     vtkNew<Mapper> mapper;
     vtkNew<vtkActor> actor;
-    LayerOf();
+    MeshActorOf();
   };
-  using Layer = LayerOf<vtkPolyDataMapper>;
+  using MeshActor = MeshActorOf<vtkPolyDataMapper>;
   /// Painted on the ground: whatever else there is, is drawn over it.
-  using GroundLayer = LayerOf<DepthlessMapper>;
-  /// Another actor for the mesh of a layer, flattened onto the ground in one colour.
+  using GroundActor = MeshActorOf<DepthlessMapper>;
+  /// Another actor for the mesh of one, flattened onto the ground in one colour.
   struct Shadow {
     vtkNew<DepthlessMapper> mapper;
     vtkNew<vtkActor> actor;
-    Shadow(const Layer &layer, vtkMatrix4x4 *ontoGround);
+    Shadow(const MeshActor &drawn, vtkMatrix4x4 *ontoGround);
   };
+
+  void showGrid(const std::vector<Shape> &lines);
+  void showShadows(const std::optional<Shadows> &shadows);
 
   vtkNew<vtkRenderer> m_renderer;
   vtkNew<vtkMatrix4x4> m_ontoGround; ///< projects along the light onto the ground
-  Layer m_solids;
-  Layer m_faces;
-  Layer m_axes;
-  GroundLayer m_grid;
-  Layer m_tools;
+  MeshActor m_solids;
+  MeshActor m_faces;
+  MeshActor m_axes;
+  GroundActor m_grid;
+  MeshActor m_tools;
   Shadow m_solidShadow;
   Shadow m_faceShadow;
   std::unique_ptr<BodyActors> m_bodies; ///< their shadows lie below the grid
+  std::array<ShapeLayer, layerCount> m_shown;
 };
 
 } // namespace halfspace

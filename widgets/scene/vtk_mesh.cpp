@@ -88,28 +88,27 @@ void write(const TriangleMesh &mesh, std::size_t stride, vtkPolyData *data) {
   data->SetPolys(triangleArray(mesh.triangles, stride));
 }
 
-void write(const std::vector<const Face *> &faces, vtkPolyData *data) {
+void writeFaces(const std::vector<Shape> &shapes, vtkPolyData *data) {
   ColoredPoints corners;
   vtkNew<vtkCellArray> polygons;
-  for (const Face *face : faces) {
-    polygons->InsertNextCell(static_cast<int>(face->corners.size()));
-    for (const Place &corner : face->corners)
-      polygons->InsertCellPoint(corners.add(corner, face->color, face->opacity));
-  }
+  forEach<FaceShape>(shapes, [&](const Shape &shape, const FaceShape &face) {
+    polygons->InsertNextCell(static_cast<int>(face.corners.size()));
+    for (const Place &corner : face.corners)
+      polygons->InsertCellPoint(corners.add(corner, shape.color, face.opacity));
+  });
   data->SetPoints(corners.points);
   data->SetPolys(polygons);
   data->GetPointData()->SetScalars(corners.colors);
 }
 
-void write(const Grid &grid, const Theme &theme, vtkPolyData *data) {
+void writeHairlines(const std::vector<Shape> &shapes, vtkPolyData *data) {
   ColoredPoints points;
   vtkNew<vtkCellArray> lines;
-  for (const Grid::Line &line : grid.lines) {
-    lines->InsertNextCell(static_cast<int>(line.points.size()));
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-      lines->InsertCellPoint(
-          points.add(line.points[i], line.isMajor ? theme.gridMajor : theme.grid, line.strengths[i]));
-  }
+  forEach<HairlineShape>(shapes, [&](const Shape &shape, const HairlineShape &line) {
+    lines->InsertNextCell(static_cast<int>(line.path.size()));
+    for (std::size_t i = 0; i < line.path.size(); ++i)
+      lines->InsertCellPoint(points.add(line.path[i], shape.color, line.strengths[i]));
+  });
   data->SetPoints(points.points);
   data->SetLines(lines);
   data->GetPointData()->SetScalars(points.colors);

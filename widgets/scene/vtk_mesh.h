@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
-#include "widgets/picture/shapes/ground.h"
-#include "widgets/picture/shapes/translucent_faces.h"
+#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/shape.h"
 
 class vtkPolyData;
 
@@ -16,11 +16,11 @@ void write(const Mesh &mesh, vtkPolyData *data);
 /// face that it is.
 void write(const TriangleMesh &mesh, std::size_t stride, vtkPolyData *data);
 
-/// The faces in this order, each corner with the face's colour and opacity.
-void write(const std::vector<const Face *> &faces, vtkPolyData *data);
+/// The faces among shapes in this order, each corner with the face's colour and opacity.
+void writeFaces(const std::vector<Shape> &shapes, vtkPolyData *data);
 
-/// The grid's lines, paler where they are weak: by their opacity, so that they fade into whatever lies
-/// behind.
-void write(const Grid &grid, const Theme &theme, vtkPolyData *data);
+/// The hairlines among shapes, paler where they are weak: by their opacity, so that they fade into whatever
+/// lies behind.
+void writeHairlines(const std::vector<Shape> &shapes, vtkPolyData *data);
 
 } // namespace halfspace

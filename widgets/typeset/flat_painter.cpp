@@ -62,7 +62,7 @@ void paintLabel(QPainter &painter, const LabelOnPage &label, const MathPicture &
 } // namespace
 
 FlatPainter::FlatPainter(const Typesetter &typesetter)
-    : m_typesetter(typesetter), m_labels(labelPainter(typesetter)) {}
+    : m_typesetter(typesetter), m_set(labelSetter(typesetter.fonts())) {}
 
 void FlatPainter::paint(QPainter &painter, const SceneContent &content, const Theme &theme,
                         const View &view) {
@@ -71,7 +71,7 @@ void FlatPainter::paint(QPainter &painter, const SceneContent &content, const Th
     paintShape(painter, shape);
   const auto texts = labelTexts(content, {}, theme, view);
   for (const LabelOnPage &label :
-       m_page.place(texts, obstaclesOf(content, std::nullopt, theme, view), m_labels, view))
+       m_page.place(texts, obstaclesOf(content, std::nullopt, theme, view), m_set, view))
     paintLabel(painter, label, *m_typesetter.picture(label.formula));
   painter.setOpacity(1);
 }

@@ -20,7 +20,7 @@ public:
 
 private:
   const Typesetter &m_typesetter;
-  LabelPainter m_labels;
+  LabelSetter m_set;
   LabelPage m_page;
 };
 

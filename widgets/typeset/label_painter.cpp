@@ -17,10 +17,8 @@ namespace {
 /// How many labels are kept.
 constexpr int mostKept = 400;
 
-using Formula = LabelPainter::Formula;
-
 struct Label {
-  Formula formula;
+  LabelFormula formula;
   LabelStyle style;
   bool operator==(const Label &) const = default;
 };
@@ -55,18 +53,9 @@ LabelPicture paintLabel(const MathPicture &formula, const LabelStyle &style) {
 }
 
 LabelPainter labelPainter(const Typesetter &typesetter) {
-  const auto set = [&typesetter, kept = std::make_shared<QCache<QString, Formula>>(mostKept)](
-                       const std::string &latex) -> Formula {
-    const QString source = QString::fromStdString(latex);
-    if (const Formula *formula = kept->object(source))
-      return *formula;
-    Formula formula = typesetter.picture(source)->layout();
-    kept->insert(source, new Formula(formula));
-    return formula;
-  };
   using Picture = std::shared_ptr<const LabelPicture>;
-  const auto paint = [&typesetter, kept = std::make_shared<QCache<Label, Picture>>(mostKept)](
-                         const Formula &formula, const LabelStyle &style) -> Picture {
+  return [&typesetter, kept = std::make_shared<QCache<Label, Picture>>(mostKept)](
+             const LabelFormula &formula, const LabelStyle &style) -> Picture {
     const Label label{formula, style};
     if (const Picture *picture = kept->object(label))
       return *picture;
@@ -74,7 +63,6 @@ LabelPainter labelPainter(const Typesetter &typesetter) {
     kept->insert(label, new Picture(picture));
     return picture;
   };
-  return {set, paint};
 }
 
 } // namespace halfspace

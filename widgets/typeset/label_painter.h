@@ -10,7 +10,8 @@ namespace halfspace {
 class MathPicture;
 class Typesetter;
 
-/// Sets and paints labels, and keeps the latest of them. The typesetter must outlive the painter.
+/// Paints labels that were set in the typesetter's fonts, and keeps the latest of them. The typesetter must
+/// outlive the painter.
 [[nodiscard]] LabelPainter labelPainter(const Typesetter &typesetter);
 
 /// The picture of a formula in the style's ink on its halo.

@@ -12,6 +12,8 @@ Typesetter Typesetter::with(Macros macros) const {
   return other;
 }
 
+const math::MathFonts &Typesetter::fonts() const { return m_typeface->fonts(); }
+
 Typesetter::Picture Typesetter::picture(const QString &latex) const {
   return std::make_shared<const MathPicture>(
       math::setLatex(latex.toStdString(), m_typeface->fonts(), m_macros), m_typeface);

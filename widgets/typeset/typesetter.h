@@ -16,6 +16,8 @@ public:
   /// The same for LaTeX with abbreviations.
   [[nodiscard]] Typesetter with(Macros macros) const;
   [[nodiscard]] const Macros &macros() const { return m_macros; }
+  /// Those that formulas are set in, for as long as it or one of its pictures lives.
+  [[nodiscard]] const math::MathFonts &fonts() const;
 
   /// The formula, never null: LaTeX that cannot be read gives a picture of its source, with an error.
   [[nodiscard]] Picture picture(const QString &latex) const;

@@ -6,6 +6,8 @@
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/surface_layers.h"
 #include "widgets/scene/render_window.h"
+#include "widgets/typeset/label_painter.h"
+#include "widgets/typeset/typesetter.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
@@ -29,9 +31,9 @@ constexpr int restSamples = 4;
 
 } // namespace
 
-SceneView::SceneView(SessionModel &model, LabelPainter labels, QWidget *parent)
-    : QVTKOpenGLNativeWidget(parent), m_model(model), m_scene(std::move(labels)), m_theme(themes().front()),
-      m_camera(model.lesson().camera) {
+SceneView::SceneView(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
+    : QVTKOpenGLNativeWidget(parent), m_model(model), m_composer(labelSetter(typesetter.fonts())),
+      m_scene(labelPainter(typesetter)), m_theme(themes().front()), m_camera(model.lesson().camera) {
   vtkNew<halfspace::RenderWindow> window;
   setRenderWindow(window);
   window->AddRenderer(m_scene.renderer());
@@ -86,7 +88,7 @@ SceneView::~SceneView() {
 
 void SceneView::setTheme(const Theme &theme) {
   m_theme = theme;
-  m_scene.setTheme(theme);
+  m_composer.setTheme(theme);
   m_frames.request();
 }
 
@@ -382,17 +384,18 @@ void SceneView::paintGL() {
 
 void SceneView::prepare() {
   if (m_contentStale)
-    m_scene.setContent(interactiveContent());
+    m_composer.setContent(interactiveContent());
   else
-    m_scene.setTools(gizmo(), knobs()); // how a handle can be moved depends on the camera
+    m_composer.setTools(gizmo(), knobs()); // how a handle can be moved depends on the camera
   m_contentStale = false;
-  m_scene.setView(screen());
-  m_scene.prepare();
-  tellNotice();
+  m_composer.setView(screen());
+  const ShapeList &shapes = m_composer.compose();
+  m_scene.show(shapes);
+  tellNotice(shapes.leavesOutSurfaces);
 }
 
-void SceneView::tellNotice() {
-  const QString notice = m_scene.leavesOutSurfaces() ? QString::fromStdString(overfullWords()) : QString();
+void SceneView::tellNotice(bool leavesOutSurfaces) {
+  const QString notice = leavesOutSurfaces ? QString::fromStdString(overfullWords()) : QString();
   if (std::exchange(m_notice, notice) != notice)
     emit noticeChanged(notice);
 }

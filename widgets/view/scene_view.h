@@ -2,9 +2,10 @@
 #pragma once
 
 #include "widgets/picture/camera_views.h"
+#include "widgets/picture/composer.h"
 #include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/handle_drag.h"
-#include "widgets/scene/figure_scene.h"
+#include "widgets/scene/shape_scene.h"
 #include "widgets/session_model.h"
 #include "widgets/view/extent_glide.h"
 #include "widgets/view/frame_pacer.h"
@@ -21,6 +22,8 @@
 
 namespace halfspace {
 
+class Typesetter;
+
 /// How long the parts of one frame took on the user-interface thread.
 struct FrameTimes {
   std::chrono::nanoseconds evaluate{}; ///< pointer to new outcome; zero where the scene did not change
@@ -35,7 +38,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
 public:
-  SceneView(SessionModel &model, LabelPainter labels, QWidget *parent = nullptr);
+  /// The typesetter must outlive it.
+  SceneView(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
   ~SceneView() override;
 
   /// What the surfaces of a program with such a view must be like: the default format, before the first.
@@ -158,7 +162,7 @@ private:
   }
   [[nodiscard]] Figure staged(const Figure &figure) const { return toStage(figure, m_stage); }
   void prepare();
-  void tellNotice();
+  void tellNotice(bool leavesOutSurfaces);
   /// Takes the content anew, and draws it.
   void updateContent();
   /// Draws what is there from where the camera is now.
@@ -227,7 +231,8 @@ private:
   void showHint();
 
   SessionModel &m_model;
-  FigureScene m_scene;
+  Composer m_composer;
+  ShapeScene m_scene;
   QString m_notice; ///< as it was told
   Theme m_theme;
   Stage m_stage; ///< the model's, that the camera is on

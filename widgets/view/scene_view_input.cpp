@@ -129,7 +129,7 @@ bool SceneView::pressTool(glm::dvec2 pixel, Qt::KeyboardModifiers modifiers) {
   if (handle && handle->id == m_selected)
     vertical = m_vertical != shifted;
   else if (!handle)
-    handle = handleOfBody(m_scene.markAt(pixel), m_figure, m_handles);
+    handle = handleOfBody(m_composer.markAt(pixel), m_figure, m_handles);
   const auto mode = handle ? grabMode(*handle, vertical, m_camera) : std::nullopt;
   if (!mode)
     return false;
@@ -281,7 +281,7 @@ std::optional<Gizmo::Part> SceneView::gizmoPartUnder(glm::dvec2 pixel) const {
 void SceneView::hover(glm::dvec2 pixel) {
   const auto [handle, part] = holdAt(pixel);
   const std::string handleId = handle ? handle->id : std::string();
-  const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_scene.markAt(pixel);
+  const std::string mark = handle ? markOf(*handle) : part ? std::string() : m_composer.markAt(pixel);
   if (part == m_hotPart && handleId == m_hovered && mark == m_hoveredMark)
     return;
   m_hotPart = part;

@@ -47,6 +47,44 @@ TEST(LabelPage, WithEmptyLabelsOrSomeOffTheScreen_LeavesThemOut) {
   EXPECT_EQ(page.front().text.id, "c");
 }
 
+TEST(LabelSetter, OfTheSameLatex_GivesTheSameFormula_ForAsLongAsItIsInUse) {
+  const LabelSetter set = vectorsOnly();
+  const LabelFormula first = set("P_0");
+  EXPECT_EQ(set("P_0"), first);
+  EXPECT_NE(set("P_1"), first);
+  for (int frame = 0; frame < 20; ++frame) {
+    for (int i = 0; i < 100; ++i)
+      static_cast<void>(set(std::to_string(100 * frame + i)));
+    ASSERT_EQ(set("P_0"), first) << frame;
+  }
+}
+
+TEST(LabelSetter, OfWhatIsNoLatex_SetsItsSource) { EXPECT_FALSE(vectorsOnly()("\\frac{a")->glyphs.empty()); }
+
+TEST(LabelShapes, AreLeadersUnderLabels_AndNameTheirMarks) {
+  LabelText mark = labelAt("Q", "Q", {400, 300});
+  mark.isMark = true;
+  std::vector<LabelOnPage> page =
+      LabelPage().place({mark, labelAt("tick", "5", {100, 500})}, {}, vectorsOnly(), view);
+  ASSERT_EQ(page.size(), 2U);
+  page.back().place.needsLeader = true;
+  const Color gray{9, 9, 9};
+  const std::vector<Shape> shapes = shapesOf(page, gray, 2);
+  ASSERT_EQ(shapes.size(), 3U);
+  const auto *leader = std::get_if<LeaderShape>(&shapes[0].form);
+  ASSERT_TRUE(leader);
+  EXPECT_EQ(shapes[0].color, gray);
+  EXPECT_EQ(leader->from, page.back().place.anchor);
+  EXPECT_EQ(leader->width, 2);
+  const auto *label = std::get_if<LabelShape>(&shapes[1].form);
+  ASSERT_TRUE(label);
+  EXPECT_EQ(shapes[1].mark, "Q");
+  EXPECT_EQ(label->formula, page.front().formula);
+  EXPECT_EQ(label->box.low, page.front().place.topLeft);
+  EXPECT_EQ(label->box.extent(), page.front().place.extent);
+  EXPECT_EQ(shapes[2].mark, "") << "a number at an axis is no mark";
+}
+
 TEST(Leader, LeadsFromTheAnchorToTheNearestPlaceOfTheLabel) {
   PlacedLabel label{"Q", {100, 100}, {40, 20}, {50, 110}, true};
   const auto leader = leaderOf(label);

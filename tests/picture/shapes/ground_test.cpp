@@ -2,6 +2,7 @@
 
 #include "tests/picture/marks.h"
 #include "widgets/picture/labels/number_text.h"
+#include "widgets/picture/shapes/shape_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -71,7 +72,7 @@ TEST(Ground, GridLinesStandAtWholeStepsWithTheMajorOnesOnTop) {
 
 TEST(Ground, AxesGoFromTheirLowEndsToTheirHighOnesWithATickForEachNumber) {
   const AxesReach reach{{-3.2, 0, 0}, {12.2, 16.2, 11.2}};
-  const Mesh mesh = axesMesh(reach, Camera(), themes().front(), 1);
+  const Mesh mesh = meshOf(axesOf(reach, Camera(), themes().front(), 1));
   glm::vec3 low(0);
   glm::vec3 high(0);
   for (const glm::vec3 &position : mesh.positions) {

@@ -1,7 +1,7 @@
 // How the role of a mark, and what is done with it, show in lines and faces.
 #include "tests/picture/marks.h"
+#include "tests/picture/shapes/solid_mesh.h"
 #include "widgets/picture/shapes/ball_sizes.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
 #include <glm/geometric.hpp>
@@ -24,7 +24,7 @@ SegmentMark segmentOf(Role role) {
   return segment;
 }
 
-Mesh meshOfMark(const Mark &mark, double scale = 1) { return meshOf({{mark}}, {}, theme(), scale); }
+Mesh meshOfMark(const Mark &mark, double scale = 1) { return solidMesh({{mark}}, {}, theme(), scale); }
 
 double thicknessOf(const Mesh &mesh) {
   double most = 0;
@@ -125,10 +125,10 @@ double thicknessAt(const Mesh &mesh, double height) {
 
 TEST(Arrows, ThatLieInOthers_AreThicker_SoThatBothAreSeen) {
   const Figure both{{upArrow("v", 8), upArrow("w", 3)}};
-  const double alone = thicknessAt(meshOf({{upArrow("w", 3)}}, {}, theme(), 1), 0);
-  EXPECT_GT(thicknessAt(meshOf(both, {}, theme(), 1), 0), 1.5 * alone);
+  const double alone = thicknessAt(solidMesh({{upArrow("w", 3)}}, {}, theme(), 1), 0);
+  EXPECT_GT(thicknessAt(solidMesh(both, {}, theme(), 1), 0), 1.5 * alone);
   const Figure opposite{{upArrow("v", 8), upArrow("w", -3)}};
-  EXPECT_DOUBLE_EQ(thicknessAt(meshOf(opposite, {}, theme(), 1), 0), alone);
+  EXPECT_DOUBLE_EQ(thicknessAt(solidMesh(opposite, {}, theme(), 1), 0), alone);
 }
 
 TEST(Arrows, ThatAreTheSameToTheEye_AreAroundEachOther_SoThatTheyDoNotFlicker) {
@@ -142,7 +142,7 @@ TEST(Arrows, ThatAreTheSameToTheEye_AreAroundEachOther_SoThatTheyDoNotFlicker) {
           v.role = one;
           w.role = other;
           w.look.rank = rank;
-          const std::set<long> radii = radiiAt(meshOf({{v, w}}, {}, theme(), 1), 0);
+          const std::set<long> radii = radiiAt(solidMesh({{v, w}}, {}, theme(), 1), 0);
           ASSERT_EQ(radii.size(), 2U);
           EXPECT_GT(*radii.rbegin() - *radii.begin(), 40);
         }
@@ -154,7 +154,7 @@ TEST(Arrows, ThatAreTheSameToTheEye_HaveATipEach_HoweverShortAndHoweverMany) {
     for (std::size_t i = 0; i < count; ++i)
       figure.marks.push_back(upArrow("v" + std::to_string(i), 1));
     std::set<long> tips; // in hundredths
-    for (const glm::vec3 &position : meshOf(figure, {}, theme(), 1).positions)
+    for (const glm::vec3 &position : solidMesh(figure, {}, theme(), 1).positions)
       if (position.x == 0 && position.y == 0 && position.z > 0.8)
         tips.insert(std::lround(100 * position.z));
     EXPECT_EQ(tips.size(), count);
@@ -166,7 +166,7 @@ TEST(Arrows, ThatAreDashed_AreAroundWholeOnesThatAreTheSame) {
   dashed.look = {Hue::Orange, 1};
   ArrowMark whole = upArrow("b", 8);
   whole.look = {Hue::Blue, 0};
-  const Mesh mesh = meshOf({{dashed, whole}}, {}, theme(), 1);
+  const Mesh mesh = solidMesh({{dashed, whole}}, {}, theme(), 1);
   const auto ofColor = [&](Hue hue) {
     Mesh part;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)

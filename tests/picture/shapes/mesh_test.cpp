@@ -1,7 +1,7 @@
 #include "widgets/picture/shapes/mesh.h"
 
 #include "tests/picture/marks.h"
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "tests/picture/shapes/solid_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(Solids, OfEveryKindOfMarkAreSound) {
   figure.marks.emplace_back(withId(arc, "arc"));
   figure.marks.emplace_back(withId(corner, "corner"));
   for (const Mark &mark : figure.marks) {
-    const Mesh mesh = meshOf({{mark}}, {}, themes().front(), 1);
+    const Mesh mesh = solidMesh({{mark}}, {}, themes().front(), 1);
     EXPECT_FALSE(mesh.positions.empty()) << baseOf(mark).id;
     expectSound(mesh);
   }
@@ -108,13 +108,13 @@ TEST(Solids, NotFiniteMarksAreLeftOut) {
   const double endless = std::numeric_limits<double>::infinity();
   const Figure figure{
       {withId(pointAt({0, endless, 0}), "p"), withId(segmentBetween({0, 0, 0}, {std::nan(""), 0, 0}), "s")}};
-  EXPECT_TRUE(meshOf(figure, {}, themes().front(), 1).positions.empty());
+  EXPECT_TRUE(solidMesh(figure, {}, themes().front(), 1).positions.empty());
 }
 
 TEST(Solids, HighlightedMarksAreThicker_ButBallsDoNotSwell) {
   const auto growth = [](const Figure &figure, int axis) {
-    return spanOf(meshOf(figure, {"p"}, themes().front(), 1), axis).second /
-           spanOf(meshOf(figure, {}, themes().front(), 1), axis).second;
+    return spanOf(solidMesh(figure, {"p"}, themes().front(), 1), axis).second /
+           spanOf(solidMesh(figure, {}, themes().front(), 1), axis).second;
   };
   EXPECT_GT(growth({{withId(segmentBetween({0, 0, 0}, {0, 0, 4}), "p")}}, 0), 1.3);
   const double ofBall = growth({{withId(pointAt({0, 0, 0}), "p")}}, 0);
@@ -125,15 +125,15 @@ TEST(Solids, HighlightedMarksAreThicker_ButBallsDoNotSwell) {
 TEST(Solids, WarningsHaveTheWarningColour) {
   PointMark point = withId(pointAt({0, 0, 0}), "p", Subject::Ray);
   point.role = Role::Warning;
-  EXPECT_EQ(meshOf({{point}}, {}, themes().front(), 1).colors.front(), themes().front().warning);
+  EXPECT_EQ(solidMesh({{point}}, {}, themes().front(), 1).colors.front(), themes().front().warning);
 }
 
 TEST(Solids, ArrivingGrowOutOfThinPaleLines) {
   const Figure figure{
       {withId(pointAt({1, 2, 3}), "p", Subject::Point), withId(pointAt({9, 9, 9}), "q", Subject::Point)}};
   const Theme &theme = themes().front();
-  const auto at = [&](double presence) { return meshOf(figure, {}, theme, 1, {{"p"}, presence}); };
-  const Mesh all = meshOf(figure, {}, theme, 1);
+  const auto at = [&](double presence) { return solidMesh(figure, {}, theme, 1, {{"p"}, presence}); };
+  const Mesh all = solidMesh(figure, {}, theme, 1);
   EXPECT_EQ(at(0).positions.size(), all.positions.size() / 2);
   EXPECT_NE(at(0.5).colors.front(), all.colors.front());
   EXPECT_LT(at(0.5).positions.front().z, 3);
@@ -147,7 +147,7 @@ TEST(Solids, OfVeryManyPoints_AreCoarser) {
     Figure figure;
     for (int i = 0; i < count; ++i)
       figure.marks.push_back(pointAt({double(i), 0, 0}));
-    return meshOf(figure, {}, themes().front(), 1).positions.size();
+    return solidMesh(figure, {}, themes().front(), 1).positions.size();
   };
   EXPECT_EQ(cornersOfPoints(100), 100 * cornersOfPoints(1));
   EXPECT_LT(cornersOfPoints(1000), 300 * cornersOfPoints(1));

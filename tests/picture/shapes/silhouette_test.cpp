@@ -1,5 +1,7 @@
 #include "widgets/picture/shapes/silhouette.h"
 
+#include "widgets/picture/shapes/shape_mesh.h"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -50,9 +52,7 @@ TEST(Silhouette, FromWithin_IsNone) {
 TEST(Silhouette, OfAFigure_IsDrawnForEachBallThatIsThere) {
   const View view{cameraFrom({1, -2, 0.5}), {800, 600}, 1};
   const auto corners = [&](const Figure &figure) {
-    Mesh mesh;
-    addSilhouettes(mesh, figure, {}, {}, themes().front(), view);
-    return mesh.positions.size();
+    return meshOf(silhouettesOf(figure, {}, {}, themes().front(), view)).positions.size();
   };
   EXPECT_EQ(corners({{PointMark{{"Q"}, {0, 0, 0}}}}), 0U);
   const std::size_t one = corners({{ball}});

@@ -1,5 +1,7 @@
 // Labels as images with a halo.
 #include "widgets/typeset/label_painter.h"
+
+#include "widgets/picture/labels/label_setter.h"
 #include "widgets/typeset/typesetter.h"
 
 #include <QtTest>
@@ -27,8 +29,9 @@ class LabelPainterTest : public QObject {
 private slots:
   void labelHasInkHaloAndAClearRim() {
     Typesetter typesetter;
-    const LabelPainter painter = labelPainter(typesetter);
-    const auto label = painter.paint(painter.set("\\mark{n}{\\rule{2em}{1em}}"), style);
+    const LabelSetter set = labelSetter(typesetter.fonts());
+    const LabelPainter paint = labelPainter(typesetter);
+    const auto label = paint(set("\\mark{n}{\\rule{2em}{1em}}"), style);
     QVERIFY(label);
     QCOMPARE(label->rgba.size(), static_cast<std::size_t>(4 * label->width * label->height));
     const Texel center = at(*label, label->width / 2, label->height / 2);
@@ -43,24 +46,25 @@ private slots:
 
   void twiceTheTypeGivesTwiceThePicture() {
     Typesetter typesetter;
-    const LabelPainter painter = labelPainter(typesetter);
+    const LabelSetter set = labelSetter(typesetter.fonts());
+    const LabelPainter paint = labelPainter(typesetter);
     LabelStyle large = style;
     large.pixelSize *= 2;
-    const auto one = painter.paint(painter.set("P_0"), style);
-    const auto two = painter.paint(painter.set("P_0"), large);
+    const auto one = paint(set("P_0"), style);
+    const auto two = paint(set("P_0"), large);
     QVERIFY(std::abs(two->width - 2 * one->width) <= 6);
     QVERIFY(std::abs(two->height - 2 * one->height) <= 6);
   }
 
   void sameRequestGivesTheSamePicture() {
     Typesetter typesetter;
-    const LabelPainter painter = labelPainter(typesetter);
-    QCOMPARE(painter.set("P_1"), painter.set("P_1"));
-    const auto formula = painter.set("P_1");
-    QCOMPARE(painter.paint(formula, style), painter.paint(formula, style));
+    const LabelSetter set = labelSetter(typesetter.fonts());
+    const LabelPainter paint = labelPainter(typesetter);
+    const auto formula = set("P_1");
+    QCOMPARE(paint(formula, style), paint(formula, style));
     LabelStyle other = style;
     other.ink = {0, 0, 1};
-    QVERIFY(painter.paint(formula, style) != painter.paint(formula, other));
+    QVERIFY(paint(formula, style) != paint(formula, other));
   }
 };
 

@@ -3,7 +3,7 @@
 #include "tests/widgets/view/view_fixture.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

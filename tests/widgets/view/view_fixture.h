@@ -3,7 +3,6 @@
 
 #include "tests/lessons/scenes.h"
 #include "tests/widgets/pointer.h"
-#include "widgets/typeset/label_painter.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/view/scene_view.h"
 
@@ -27,8 +26,7 @@ class ViewFixture {
 public:
   explicit ViewFixture(const Scene &scene = distanceScene())
       : ViewFixture(libraryOf({scene, Scene{{pointQ()}}})) {}
-  explicit ViewFixture(LessonLibrary library)
-      : model(std::move(library)), view(model, labelPainter(m_typesetter)) {
+  explicit ViewFixture(LessonLibrary library) : model(std::move(library)), view(model, m_typesetter) {
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(&view);
     layout->addWidget(&other);

@@ -4,7 +4,8 @@
 #include "widgets/picture/hand/handle_drag.h"
 #include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/geometric.hpp>
 

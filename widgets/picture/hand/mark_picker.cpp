@@ -4,8 +4,8 @@
 #include "geometry/search/hit_search.h"
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/screen_shapes.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

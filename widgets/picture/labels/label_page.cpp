@@ -25,12 +25,12 @@ LabelRoom roomOf(const math::Layout &formula, const LabelStyle &style) {
 }
 
 std::vector<LabelOnPage> LabelPage::place(const std::vector<LabelText> &texts,
-                                          const LabelObstacles &obstacles, const LabelPainter &painter,
+                                          const LabelObstacles &obstacles, const LabelSetter &set,
                                           const View &view) {
   std::vector<LabelRequest> requests;
   std::unordered_map<std::string, LabelOnPage> byId;
   for (const LabelText &text : texts) {
-    LabelPainter::Formula formula = painter.set(text.latex);
+    LabelFormula formula = set(text.latex);
     if (formula->glyphs.empty() && formula->rules.empty())
       continue;
     const LabelRoom room = roomOf(*formula, text.style);
@@ -51,6 +51,22 @@ std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label) {
     return {};
   return LabelObstacles::Segment{label.anchor,
                                  glm::clamp(label.anchor, label.topLeft, label.topLeft + label.extent)};
+}
+
+std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders, double leaderWidth) {
+  std::vector<Shape> shapes;
+  const auto markOf = [](const LabelOnPage &label) {
+    return label.text.isMark ? label.text.id : std::string();
+  };
+  for (const LabelOnPage &label : labels)
+    if (const auto leader = leaderOf(label.place))
+      shapes.push_back({markOf(label), leaders, LeaderShape{leader->from, leader->to, leaderWidth}});
+  for (const LabelOnPage &label : labels) {
+    const PixelBox box{label.place.topLeft, label.place.topLeft + label.place.extent};
+    shapes.push_back({markOf(label), label.text.style.ink,
+                      LabelShape{label.formula, label.text.style, box, label.text.opacity}});
+  }
+  return shapes;
 }
 
 } // namespace halfspace

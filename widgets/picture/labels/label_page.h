@@ -2,13 +2,15 @@
 #pragma once
 
 #include "widgets/picture/labels/label_requests.h"
+#include "widgets/picture/labels/label_setter.h"
+#include "widgets/picture/shapes/shape.h"
 
 namespace halfspace {
 
 /// A label that has its place.
 struct LabelOnPage {
   LabelText text;
-  LabelPainter::Formula formula;
+  LabelFormula formula;
   PlacedLabel place;
 };
 
@@ -17,7 +19,7 @@ struct LabelOnPage {
 class LabelPage {
 public:
   [[nodiscard]] std::vector<LabelOnPage> place(const std::vector<LabelText> &texts,
-                                               const LabelObstacles &obstacles, const LabelPainter &painter,
+                                               const LabelObstacles &obstacles, const LabelSetter &set,
                                                const View &view);
 
 private:
@@ -26,5 +28,9 @@ private:
 
 /// The leader from a label's anchor to the label; nothing for one that stands beside it.
 [[nodiscard]] std::optional<LabelObstacles::Segment> leaderOf(const PlacedLabel &label);
+
+/// What labels look like on the page: leaders, so many pixels wide, and before them the formulas.
+[[nodiscard]] std::vector<Shape> shapesOf(const std::vector<LabelOnPage> &labels, Color leaders,
+                                          double leaderWidth);
 
 } // namespace halfspace

@@ -1,5 +1,5 @@
-// What labels look like: their type as vectors, and their pictures, which the scene gets through functions
-// that it is handed.
+// What labels look like: their type as vectors, and their pictures. Setting a label in type needs no screen;
+// whoever paints its picture is handed to those that show it.
 #pragma once
 
 #include "widgets/formula/layout.h"
@@ -11,6 +11,9 @@
 #include <vector>
 
 namespace halfspace {
+
+/// A label set in type.
+using LabelFormula = std::shared_ptr<const math::Layout>;
 
 /// What a label looks like.
 struct LabelStyle {
@@ -42,15 +45,9 @@ struct LabelPicture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// What makes labels; of each kind never null. The same request gives the same object again for as long as
-/// it is in use from frame to frame.
-struct LabelPainter {
-  using Formula = std::shared_ptr<const math::Layout>;
-
-  /// Sets a piece of LaTeX in type.
-  std::function<Formula(const std::string &latex)> set;
-  /// The picture of what was set, as large as its room.
-  std::function<std::shared_ptr<const LabelPicture>(const Formula &formula, const LabelStyle &style)> paint;
-};
+/// Paints what was set, as large as its room; never null. The same request gives the same object again for as
+/// long as it is in use from frame to frame.
+using LabelPainter =
+    std::function<std::shared_ptr<const LabelPicture>(const LabelFormula &formula, const LabelStyle &style)>;
 
 } // namespace halfspace

@@ -3,8 +3,9 @@
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/labels/number_text.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/geometric.hpp>
 

@@ -4,7 +4,7 @@
 #include "widgets/picture/labels/label_layout.h"
 #include "widgets/picture/labels/label_picture.h"
 #include "widgets/picture/shapes/ground.h"
-#include "widgets/picture/shapes/tools_mesh.h"
+#include "widgets/picture/shapes/tool_shapes.h"
 
 namespace halfspace {
 

@@ -1,6 +1,6 @@
 #include "widgets/picture/shapes/ball_sizes.h"
 
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,8 +2,9 @@
 
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/screen_shapes.h"
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/picture/scene_content.h"
-#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/rhythm.h"
 #include "widgets/picture/theme.h"
 #include "widgets/picture/view.h"
 

@@ -123,6 +123,16 @@ Grid gridAround(const Camera &camera) {
   return grid;
 }
 
+std::vector<Shape> shapesOf(Grid grid, const Theme &theme, double width) {
+  std::vector<Shape> shapes;
+  shapes.reserve(grid.lines.size());
+  for (Grid::Line &line : grid.lines)
+    shapes.push_back({{},
+                      line.isMajor ? theme.gridMajor : theme.grid,
+                      HairlineShape{std::move(line.points), std::move(line.strengths), width}});
+  return shapes;
+}
+
 std::array<AxisEnds, 3> axisEnds(const AxesReach &reach) {
   std::array<AxisEnds, 3> ends;
   for (std::size_t i = 0; i < ends.size(); ++i)
@@ -165,15 +175,15 @@ std::vector<AxisEnds> axisTicks(const AxesReach &reach, const Camera &camera, do
   return ticks;
 }
 
-Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale) {
-  Mesh mesh;
+std::vector<Shape> axesOf(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale) {
+  std::vector<Shape> shapes;
   const double width = scale * theme.lineScale;
   for (const auto &[low, high] : axisEnds(reach))
-    addArrow(mesh, low, high - low, axisRadius * width, theme.axis);
+    shapes.push_back({{}, theme.axis, ArrowShape{low, high - low, axisRadius * width}});
   for (const auto &[low, high] : axisTicks(reach, camera, scale))
-    addTube(mesh, low, high, tickRadius * width, theme.axis);
-  addBall(mesh, Place(0), originRadius * width, theme.axis);
-  return mesh;
+    shapes.push_back({{}, theme.axis, LineShape{{low, high}, tickRadius * width}});
+  shapes.push_back({{}, theme.axis, BallShape{Place(0), originRadius * width}});
+  return shapes;
 }
 
 AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale) {

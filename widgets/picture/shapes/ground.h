@@ -3,7 +3,7 @@
 
 #include "lessons/figure/figure.h"
 #include "widgets/picture/camera.h"
-#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/shape.h"
 
 #include <array>
 
@@ -26,6 +26,8 @@ struct Grid {
 
 /// The grid on z = 0 around what the camera looks at.
 [[nodiscard]] Grid gridAround(const Camera &camera);
+/// Its lines, so many pixels wide.
+[[nodiscard]] std::vector<Shape> shapesOf(Grid grid, const Theme &theme, double width);
 
 /// How far the axes reach from the origin, to both sides.
 struct AxesReach {
@@ -63,7 +65,8 @@ struct AxisLabel {
 [[nodiscard]] AxisLabel axisNumber(int axis, double number, const Camera &camera, int exponent, double scale);
 
 /// The axes with ticks, those that the camera may see.
-[[nodiscard]] Mesh axesMesh(const AxesReach &reach, const Camera &camera, const Theme &theme, double scale);
+[[nodiscard]] std::vector<Shape> axesOf(const AxesReach &reach, const Camera &camera, const Theme &theme,
+                                        double scale);
 [[nodiscard]] std::vector<AxisLabel> axisLabels(const AxesReach &reach, const Camera &camera, int exponent,
                                                 double scale);
 

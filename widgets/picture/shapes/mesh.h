@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/figure/mark.h"
+#include "widgets/picture/shapes/rhythm.h"
 #include "widgets/picture/theme.h"
 
 #include <glm/ext/vector_int3.hpp>
@@ -33,10 +34,6 @@ void addRing(Mesh &mesh, std::span<const Place> corners, double radius, Color co
 
 /// The corners of a circle around a unit axis.
 [[nodiscard]] std::vector<Place> circleAround(Place center, Place axis, double radius, int corners);
-
-/// How a line is cut into dashes: the lengths that are drawn and left out in turn, one left out at last;
-/// empty for a line that is whole.
-using Rhythm = std::vector<double>;
 
 /// Short tubes with gaps between, in a rhythm that is not empty, stretched or shrunk as it takes for a dash
 /// to begin and one to end at the ends.

@@ -1,6 +1,7 @@
 #include "widgets/picture/shapes/silhouette.h"
 
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/geometric.hpp>
 
@@ -29,8 +30,9 @@ std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &cam
                     ball.radius * std::sqrt(1 - cosine * cosine)};
 }
 
-void addSilhouettes(Mesh &mesh, const Figure &figure, const std::set<std::string> &highlighted,
-                    const Arrival &arrival, const Theme &theme, const View &view) {
+std::vector<Shape> silhouettesOf(const Figure &figure, const std::set<std::string> &highlighted,
+                                 const Arrival &arrival, const Theme &theme, const View &view) {
+  std::vector<Shape> outlines;
   for (const Mark &mark : figure.marks) {
     const auto *ball = std::get_if<SphereMark>(&mark);
     const auto circle = ball ? silhouetteOf(*ball, view.camera) : std::nullopt;
@@ -39,10 +41,12 @@ void addSilhouettes(Mesh &mesh, const Figure &figure, const std::set<std::string
     if (!(unit > 0 && presence > 0))
       continue;
     const bool standsOut = highlighted.contains(ball->id);
-    addRing(mesh, circleAround(circle->center, circle->axis, circle->radius, corners),
-            lineRadius * theme.lineScale * (standsOut ? highlightedWidth : 1) * unit * presence,
-            mix(theme.backgroundBottom, solidColor(*ball, theme, standsOut), presence));
+    const double width = lineRadius * theme.lineScale * (standsOut ? highlightedWidth : 1) * unit * presence;
+    outlines.push_back(
+        {ball->id, mix(theme.backgroundBottom, solidColor(*ball, theme, standsOut), presence),
+         LineShape{circleAround(circle->center, circle->axis, circle->radius, corners), width, {}, true}});
   }
+  return outlines;
 }
 
 } // namespace halfspace

@@ -3,7 +3,7 @@
 
 #include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
-#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/shape.h"
 #include "widgets/picture/view.h"
 
 #include <optional>
@@ -21,8 +21,8 @@ struct Silhouette {
 /// Of a ball around a centre; nothing for an eye inside of it, or on it.
 [[nodiscard]] std::optional<Silhouette> silhouetteOf(const SphereMark &ball, const Camera &camera);
 
-/// Adds the outlines of the figure's balls.
-void addSilhouettes(Mesh &mesh, const Figure &figure, const std::set<std::string> &highlighted,
-                    const Arrival &arrival, const Theme &theme, const View &view);
+/// The outlines of the figure's balls.
+[[nodiscard]] std::vector<Shape> silhouettesOf(const Figure &figure, const std::set<std::string> &highlighted,
+                                               const Arrival &arrival, const Theme &theme, const View &view);
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 #include "widgets/picture/shapes/translucent_faces.h"
 
-#include "widgets/picture/shapes/mark_mesh.h"
 #include "widgets/picture/shapes/mark_outline.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include <glm/geometric.hpp>
 
@@ -44,7 +44,8 @@ struct Halves {
 
 /// Cuts a face along a plane; `sides` are its corners' distances from it.
 Halves cut(const Face &face, const std::vector<double> &sides) {
-  Halves halves{{{}, face.color, face.opacity}, {{}, face.color, face.opacity}};
+  const Face empty{{}, face.color, face.opacity, face.mark};
+  Halves halves{empty, empty};
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const std::size_t next = (i + 1) % face.corners.size();
     if (sides[i] >= -onPlaneTolerance)
@@ -67,6 +68,7 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
   const MarkBase &base = baseOf(mark);
   const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
   Face face;
+  face.mark = base.id;
   face.corners = outlineOf(mark, rightAngleSize).path;
   face.color = base.role == Role::Warning                  ? theme.warning
                : isPatch && base.subject == Subject::Plane ? theme.patchFaceOf(hueOf(base))
@@ -94,7 +96,7 @@ void addSurface(const SphereMark &sphere, const Face &like, std::vector<Face> &f
       corners.push_back(at(meridian + 1, parallel + 1));
       if (parallel + 1 < ballParallels)
         corners.push_back(at(meridian, parallel + 1));
-      faces.push_back({std::move(corners), like.color, like.opacity / 2});
+      faces.push_back({std::move(corners), like.color, like.opacity / 2, like.mark});
     }
 }
 

@@ -1,7 +1,8 @@
-#include "widgets/scene/figure_scene.h"
+#include "widgets/scene/shape_scene.h"
 
 #include "tests/picture/marks.h"
 #include "tests/scene/pictures.h"
+#include "widgets/picture/composer.h"
 #include "widgets/picture/shapes/surface_layers.h"
 
 #include <glm/geometric.hpp>
@@ -31,8 +32,7 @@ math::Layout smallFormula() {
   return formula;
 }
 
-std::shared_ptr<const LabelPicture> paintMagenta(const LabelPainter::Formula &formula,
-                                                 const LabelStyle &style) {
+std::shared_ptr<const LabelPicture> paintMagenta(const LabelFormula &formula, const LabelStyle &style) {
   const LabelRoom room = roomOf(*formula, style);
   auto picture = std::make_shared<LabelPicture>();
   picture->width = room.width;
@@ -43,11 +43,11 @@ std::shared_ptr<const LabelPicture> paintMagenta(const LabelPainter::Formula &fo
 }
 
 /// Only the mark's label is not empty: a plain rectangle.
-const LabelPainter magentaForQ{[](const std::string &latex) {
-                                 return std::make_shared<const math::Layout>(latex == "Q" ? smallFormula()
-                                                                                          : math::Layout());
-                               },
-                               paintMagenta};
+const Labels magentaForQ{[](const std::string &latex) {
+                           return std::make_shared<const math::Layout>(latex == "Q" ? smallFormula()
+                                                                                    : math::Layout());
+                         },
+                         paintMagenta};
 
 Figure labelledPoint() {
   PointMark point = withId(pointAt({11, 15, 8}), "point.Q", Subject::Point);
@@ -55,7 +55,7 @@ Figure labelledPoint() {
   return {{point}};
 }
 
-TEST(FigureScene, DrawsALabelTexelForPixel) {
+TEST(ShapeScene, DrawsALabelTexelForPixel) {
   const auto picture = drawOffscreen(requestFor(labelledPoint()), magentaForQ);
   ASSERT_TRUE(picture);
   int count = 0;
@@ -81,7 +81,7 @@ glm::dvec2 middleOfLabel(const PictureRequest &request) {
   return sum / double(count);
 }
 
-TEST(FigureScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
+TEST(ShapeScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
   PictureRequest request = requestFor(labelledPoint());
   const glm::dvec2 alone = middleOfLabel(request);
   PictureRequest crowded = request;
@@ -94,56 +94,21 @@ TEST(FigureScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
   EXPECT_EQ(middleOfLabel(request), aside);
 }
 
-TEST(FigureScene, ALabelIsPartOfItsMark) {
+TEST(ShapeScene, OfAPainterThatLives_HasItsLabelsWhereAFirstPictureHasThem) {
   const PictureRequest request = requestFor(labelledPoint());
-  FigureScene scene(magentaForQ);
-  scene.setContent(request.content);
-  scene.setView({request.camera, request.size, 1});
-  scene.prepare();
-  const auto point = request.camera.project({11, 15, 8}, request.size);
-  ASSERT_TRUE(point);
-  EXPECT_EQ(scene.markAt(glm::dvec2(*point)), "point.Q");
-  EXPECT_EQ(scene.markAt(glm::dvec2(*point) + glm::dvec2(30, -14)), "point.Q");
-  EXPECT_EQ(scene.markAt(glm::dvec2(*point) + glm::dvec2(-60, 40)), "");
-}
-
-TEST(FigureScene, ShowsOfALabelWhatItWasGivenLast) {
-  PictureRequest request = requestFor(labelledPoint());
-  FigureScene scene(magentaForQ);
-  const auto point = request.camera.project({11, 15, 8}, request.size);
-  ASSERT_TRUE(point);
-  const auto markAtLabel = [&](const std::string &latex) {
-    std::get<PointMark>(request.content.figure.marks.front()).label = latex;
-    scene.setContent(request.content);
-    scene.setView({request.camera, request.size, 1});
-    scene.prepare();
-    return scene.markAt(glm::dvec2(*point) + glm::dvec2(30, -14));
-  };
-  EXPECT_EQ(markAtLabel("Q"), "point.Q");
-  EXPECT_EQ(markAtLabel("R"), ""); // is empty
-  EXPECT_EQ(markAtLabel("Q"), "point.Q");
-}
-
-TEST(FigureScene, AsksForTypeInProportionToPixelRatioAndTheme) {
-  const PictureRequest request = requestFor(labelledPoint());
-  double asked = 0;
-  LabelPainter painter = magentaForQ;
-  painter.paint = [&](const LabelPainter::Formula &formula, const LabelStyle &style) {
-    asked = style.pixelSize;
-    return paintMagenta(formula, style);
-  };
-  FigureScene scene(painter);
-  Theme theme = *findTheme("light");
-  theme.textScale = 1.5;
-  scene.setTheme(theme);
-  scene.setContent(request.content);
-  scene.setView({request.camera, request.size, 2});
-  scene.prepare();
-  EXPECT_DOUBLE_EQ(asked, 22 * 2 * 1.5);
+  PictureRequest moved = request;
+  std::get<PointMark>(moved.content.figure.marks.front()).at = {11, 14, 2};
+  OffscreenPainter painter(magentaForQ.set, magentaForQ.paint);
+  for (const PictureRequest &each : {moved, requestFor({}), request}) {
+    const auto picture = painter.draw(each);
+    const auto alone = drawOffscreen(each, magentaForQ);
+    ASSERT_TRUE(picture && alone);
+    EXPECT_EQ(picture->rgba, alone->rgba);
+  }
 }
 
 /// When the meshes that a scene draws were last made.
-std::vector<vtkMTimeType> meshTimes(const FigureScene &scene) {
+std::vector<vtkMTimeType> meshTimes(const ShapeScene &scene) {
   std::vector<vtkMTimeType> times;
   vtkActorCollection *actors = scene.renderer()->GetActors();
   actors->InitTraversal();
@@ -157,23 +122,24 @@ int differences(const std::vector<vtkMTimeType> &a, const std::vector<vtkMTimeTy
          std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::equal_to<>());
 }
 
-TEST(FigureScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
+TEST(ShapeScene, TurnedOrWithAnotherGizmo_KeepsTheMeshesOfTheFigure) {
   PictureRequest request = requestFor(labelledPoint());
-  FigureScene scene(noLabels);
-  scene.setContent(request.content);
-  scene.setView({request.camera, request.size, 1});
-  scene.prepare();
+  Composer composer(noLabels.set);
+  ShapeScene scene(noLabels.paint);
+  composer.setContent(request.content);
+  composer.setView({request.camera, request.size, 1});
+  scene.show(composer.compose());
   const auto start = meshTimes(scene);
-  scene.setTools(Gizmo{}, {});
-  scene.prepare();
+  composer.setTools(Gizmo{}, {});
+  scene.show(composer.compose());
   const auto withGizmo = meshTimes(scene);
   EXPECT_EQ(differences(start, withGizmo), 1); // the tools
-  scene.setTools(Gizmo{}, {});
-  scene.prepare();
+  composer.setTools(Gizmo{}, {});
+  scene.show(composer.compose());
   EXPECT_EQ(meshTimes(scene), withGizmo);
   request.camera.turn(0.3, 0.1);
-  scene.setView({request.camera, request.size, 1});
-  scene.prepare();
+  composer.setView({request.camera, request.size, 1});
+  scene.show(composer.compose());
   EXPECT_LE(differences(withGizmo, meshTimes(scene)), 4); // the tools, the axes, the faces and their shadow
 }
 
@@ -204,10 +170,11 @@ MeshMark meshOfFloors(std::uint32_t count) {
 
 /// How many polygons all actors together draw.
 vtkIdType polygonsDrawn(const SceneContent &content, bool leavesOut) {
-  FigureScene scene(noLabels);
-  scene.setContent(content);
-  scene.prepare();
-  EXPECT_EQ(scene.leavesOutSurfaces(), leavesOut);
+  Composer composer(noLabels.set);
+  composer.setContent(content);
+  ShapeScene scene(noLabels.paint);
+  scene.show(composer.compose());
+  EXPECT_EQ(composer.compose().leavesOutSurfaces, leavesOut);
   EXPECT_EQ(isOverfull(content.figure), leavesOut);
   vtkIdType count = 0;
   vtkActorCollection *actors = scene.renderer()->GetActors();
@@ -217,7 +184,7 @@ vtkIdType polygonsDrawn(const SceneContent &content, bool leavesOut) {
   return count;
 }
 
-TEST(FigureScene, OfVeryManyFacesOneBehindAnother_DrawsSome_AndThoseThatStandOut) {
+TEST(ShapeScene, OfVeryManyFacesOneBehindAnother_DrawsSome_AndThoseThatStandOut) {
   SceneContent content;
   content.figure = wallsOneBehindAnother(40);
   const vtkIdType ofForty = polygonsDrawn(content, false);
@@ -229,7 +196,7 @@ TEST(FigureScene, OfVeryManyFacesOneBehindAnother_DrawsSome_AndThoseThatStandOut
   EXPECT_GT(polygonsDrawn(content, true), ofForty);
 }
 
-TEST(FigureScene, OfAMeshOfVeryManyTrianglesOneBehindAnother_DrawsOneInSoMany) {
+TEST(ShapeScene, OfAMeshOfVeryManyTrianglesOneBehindAnother_DrawsOneInSoMany) {
   SceneContent content;
   content.figure = {{meshOfFloors(80)}};
   const vtkIdType ofEighty = polygonsDrawn(content, false);
@@ -237,7 +204,7 @@ TEST(FigureScene, OfAMeshOfVeryManyTrianglesOneBehindAnother_DrawsOneInSoMany) {
   EXPECT_EQ(polygonsDrawn(content, true), ofEighty);
 }
 
-TEST(FigureScene, WritesALabelThatArrivesPaler) {
+TEST(ShapeScene, WritesALabelThatArrivesPaler) {
   PictureRequest request = requestFor(labelledPoint());
   request.content.arrival = {{"point.Q"}, 0.5};
   const auto picture = drawOffscreen(request, magentaForQ);

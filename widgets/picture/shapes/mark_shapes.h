@@ -1,9 +1,11 @@
-// The opaque parts of a figure: tubes, balls, arrows, dashes.
+// The shapes of a figure but for its translucent faces: lines, arrows, points, bodies.
 #pragma once
 
 #include "lessons/figure/figure.h"
 #include "widgets/picture/shapes/arrival.h"
-#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/shape.h"
+
+#include <set>
 
 namespace halfspace {
 
@@ -34,9 +36,14 @@ inline constexpr double arrowRadius = 0.11;
 /// The colour of a mark's solid parts, by its subject, its role and whether it stands out.
 [[nodiscard]] Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted);
 
-/// The meshes of all marks. Thicknesses, dashes and corners are multiplied by `scale`, so that they measure
-/// the same on the screen however near the camera is. What arrives grows out of thin, pale lines.
-[[nodiscard]] Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme,
-                          double scale, const Arrival &arrival = {});
+/// The lines, arrows and points of all marks, in their order. Thicknesses, dashes and corners are multiplied
+/// by `scale`, so that they measure the same on the screen however near the camera is. What arrives grows out
+/// of thin, pale lines.
+[[nodiscard]] std::vector<Shape> solidsOf(const Figure &figure, const std::set<std::string> &highlighted,
+                                          const Theme &theme, double scale, const Arrival &arrival = {});
+
+/// The surfaces of very many triangles, all of which are drawn.
+[[nodiscard]] std::vector<Shape> bodiesOf(const Figure &figure, const std::set<std::string> &highlighted,
+                                          const Theme &theme, const Arrival &arrival = {});
 
 } // namespace halfspace

@@ -1,7 +1,8 @@
 // What is drawn for the hand: as large on the screen however near the camera is, and where it belongs.
-#include "widgets/picture/shapes/tools_mesh.h"
+#include "widgets/picture/shapes/tool_shapes.h"
 
 #include "widgets/picture/shapes/gizmo_shape.h"
+#include "widgets/picture/shapes/shape_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -42,6 +43,10 @@ SceneContent withKnob(std::optional<Place> axis, bool hot = false) {
   return content;
 }
 
+Mesh toolsMesh(const SceneContent &content, const View &view = viewAtHeight(21)) {
+  return meshOf(toolsOf(content, theme(), view));
+}
+
 /// How far a mesh reaches from the tool's place along each axis, both ways together.
 Place reachOf(const Mesh &mesh) {
   Place low(std::numeric_limits<double>::infinity());
@@ -54,7 +59,7 @@ Place reachOf(const Mesh &mesh) {
 }
 
 Place reachOf(const SceneContent &content, const View &view = viewAtHeight(21)) {
-  return reachOf(toolsMesh(content, theme(), view));
+  return reachOf(toolsMesh(content, view));
 }
 
 bool hasColor(const Mesh &mesh, Color color) {
@@ -86,13 +91,13 @@ INSTANTIATE_TEST_SUITE_P(Gizmo, EveryMode,
 
 TEST(Tools, OfAHandleWithAnAxis_AreDrawnAlongIt) {
   SceneContent content = withGizmo(Gizmo::Mode::AlongAxis);
-  EXPECT_TRUE(toolsMesh(content, theme(), viewAtHeight(21)).positions.empty()) << "there is no axis yet";
+  EXPECT_TRUE(toolsMesh(content).positions.empty()) << "there is no axis yet";
   content.gizmo->axis = Place(0, 50, 0);
   const Place reach = reachOf(content);
   EXPECT_GT(reach.y, 3 * reach.x);
   content.gizmo->mode = Gizmo::Mode::None; // it cannot be grabbed from here, but is told of
   EXPECT_EQ(reachOf(content), reach);
-  EXPECT_FALSE(hasColor(toolsMesh(content, theme(), viewAtHeight(21)), theme().accent));
+  EXPECT_FALSE(hasColor(toolsMesh(content), theme().accent));
 }
 
 TEST(Tools, WhereverTheCameraIs_HaveOneSizeOnTheScreen) {
@@ -116,10 +121,10 @@ TEST(Tools, OfAGizmoWithAxes_ReachAsFarAsTheyAreHit) {
 
 TEST(Tools, ThePartUnderThePointer_IsInTheAccentsColour) {
   SceneContent content = withGizmo(Gizmo::Mode::None, true);
-  EXPECT_FALSE(hasColor(toolsMesh(content, theme(), viewAtHeight(21)), theme().accent));
+  EXPECT_FALSE(hasColor(toolsMesh(content), theme().accent));
   for (const Gizmo::Part part : {Gizmo::Part::AxisX, Gizmo::Part::PlaneYZ}) {
     content.gizmo->hot = part;
-    EXPECT_TRUE(hasColor(toolsMesh(content, theme(), viewAtHeight(21)), theme().accent));
+    EXPECT_TRUE(hasColor(toolsMesh(content), theme().accent));
   }
 }
 
@@ -127,7 +132,7 @@ TEST(Tools, OfAKnob_AreADoubleArrowOrACrossOnTheScreen) {
   const Place along = reachOf(withKnob(Place(0, 0, 3)));
   EXPECT_GT(along.z, 2 * along.x);
   const View view = viewAtHeight(21);
-  const Mesh cross = toolsMesh(withKnob({}), theme(), view);
+  const Mesh cross = toolsMesh(withKnob({}), view);
   double sideways = 0;
   double upward = 0;
   double toEye = 0;
@@ -147,20 +152,20 @@ TEST(Tools, OfAKnobOfAnObjectInALook_HaveItsColour) {
   whole.id = content.knobs.front().id.substr(0, content.knobs.front().id.find('.'));
   whole.look.hue = Hue::Green;
   content.figure.add(std::move(whole));
-  EXPECT_TRUE(hasColor(toolsMesh(content, theme(), viewAtHeight(21)), theme().colorOf(Hue::Green)));
+  EXPECT_TRUE(hasColor(toolsMesh(content), theme().colorOf(Hue::Green)));
 }
 
 TEST(Tools, OfAHotKnob_AreLargerAndInTheAccentsColour) {
   EXPECT_GT(reachOf(withKnob({}, true)).z, 1.3 * reachOf(withKnob({})).z);
-  EXPECT_TRUE(hasColor(toolsMesh(withKnob({}, true), theme(), viewAtHeight(21)), theme().accent));
-  EXPECT_TRUE(hasColor(toolsMesh(withKnob({}), theme(), viewAtHeight(21)), theme().colorOf(Subject::Plane)));
+  EXPECT_TRUE(hasColor(toolsMesh(withKnob({}, true)), theme().accent));
+  EXPECT_TRUE(hasColor(toolsMesh(withKnob({})), theme().colorOf(Subject::Plane)));
 }
 
 TEST(Tools, OfADropLine_GoDownToTheGroundAndOnToTheAxes) {
   SceneContent content;
   content.dropLine = DropLine{at};
   const auto touches = [&](const Place &place) {
-    const Mesh mesh = toolsMesh(content, theme(), viewAtHeight(21));
+    const Mesh mesh = toolsMesh(content);
     return std::any_of(mesh.positions.begin(), mesh.positions.end(),
                        [&](const glm::vec3 &p) { return glm::distance(Place(p), place) < 0.1; });
   };
@@ -176,7 +181,7 @@ TEST(Tools, BehindTheEye_AreNotDrawn) {
   const Place behind = viewAtHeight(21).camera.eye() - viewAtHeight(21).camera.viewDirection() * 5.0;
   content.gizmo->at = behind;
   content.knobs.push_back({"k", behind, {}, Subject::Plane, false});
-  EXPECT_TRUE(toolsMesh(content, theme(), viewAtHeight(21)).positions.empty());
+  EXPECT_TRUE(toolsMesh(content).positions.empty());
 }
 
 } // namespace

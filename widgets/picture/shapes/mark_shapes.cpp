@@ -1,4 +1,4 @@
-#include "widgets/picture/shapes/mark_mesh.h"
+#include "widgets/picture/shapes/mark_shapes.h"
 
 #include "widgets/picture/shapes/ball_sizes.h"
 #include "widgets/picture/shapes/mark_outline.h"
@@ -22,16 +22,12 @@ constexpr double angleRadius = 0.04;
 constexpr double sphereRadius = 0.03;
 
 /// What goes on fades this far before the end of what is drawn at scale 1, but in no more than a part of its
-/// length, to a part of its strength.
+/// length.
 constexpr double fadeLength = 3;
 constexpr double mostFaded = 0.3;
-constexpr double strengthAtEnd = 0.12;
 
 /// More points than this are drawn as coarse balls.
 constexpr int mostFineBalls = 150;
-
-/// About what a mark has: more in a ball or a dashed line, fewer in a tube.
-constexpr std::size_t usualCorners = 400;
 
 constexpr double highlightWidth = 1.55;
 /// A ball is thick as it is: much thicker, it would cover what lies beside it.
@@ -40,6 +36,8 @@ constexpr double highlightInk = 0.22;
 /// Dashes tell a ghost from the rest as well: paler than this it would be lost behind a plane.
 constexpr double ghostPaleness = 0.3;
 constexpr double patchBorderDepth = 0.35;
+/// Whole surfaces in the colour of lines would be too dark: they take so much of it.
+constexpr double bodyInk = 0.55;
 
 double widthOf(Role role) {
   switch (role) {
@@ -145,10 +143,10 @@ double setbackOf(const ArrowMark &arrow, const ArrowsByStart &arrows, double thi
          std::min(twinSetback * arrowRadius * thickness, mostSetback * glm::length(shownVector(arrow)) / all);
 }
 
-BallDetail ballDetailFor(const Figure &figure) {
-  const auto points = std::count_if(figure.marks.begin(), figure.marks.end(),
-                                    [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
-  return points <= mostFineBalls ? BallDetail::Fine : BallDetail::Coarse;
+bool hasVeryManyPoints(const Figure &figure) {
+  return mostFineBalls < std::count_if(
+                             figure.marks.begin(), figure.marks.end(),
+                             [](const Mark &mark) { return std::holds_alternative<PointMark>(mark); });
 }
 
 /// The length of a dash at scale 1, in scene units, and what a rhythm has in lengths of a dash.
@@ -175,43 +173,26 @@ struct Brush {
   Color ground{};     ///< … into this
 };
 
-void addLine(Mesh &mesh, std::span<const Place> path, double radius, const Brush &brush) {
-  if (brush.rhythm.empty())
-    addTube(mesh, path, radius * brush.width, brush.color);
-  else
-    for (std::size_t i = 1; i < path.size(); ++i)
-      addDashes(mesh, path[i - 1], path[i], radius * brush.width, brush.rhythm, brush.color);
+LineShape lineOf(std::vector<Place> path, double radius, const Brush &brush) {
+  return {std::move(path), radius * brush.width, brush.rhythm};
 }
 
 /// A line that goes on beyond its end, or beyond both: it fades there, as a clear end would seem to be where
-/// it stops, or where it meets what is seen behind it.
-void addEndless(Mesh &mesh, const Place &from, const Place &to, bool both, double radius,
-                const Brush &brush) {
-  const double length = glm::distance(from, to);
+/// it stops, or where it meets what is seen behind it. Nothing for one without length.
+std::optional<LineShape> endlessLine(const std::vector<Place> &ends, bool both, double radius,
+                                     const Brush &brush) {
+  const double length = glm::distance(ends.front(), ends.back());
   if (!(length > 0))
-    return;
-  const double faded = std::min(brush.fade, mostFaded * length);
-  const Place along = (to - from) / length;
-  const std::size_t first = mesh.positions.size();
-  if (brush.rhythm.empty())
-    addLine(mesh, std::array{from, from + along * faded, to - along * faded, to}, radius, brush);
-  else
-    addLine(mesh, std::array{from, to}, radius, brush);
-  for (std::size_t i = first; i < mesh.positions.size(); ++i) {
-    const double way = glm::dot(Place(mesh.positions[i]) - from, along);
-    const double left = both ? std::min(way, length - way) : length - way;
-    mesh.colors[i] =
-        mix(brush.ground, brush.color, std::lerp(strengthAtEnd, 1.0, std::clamp(left / faded, 0.0, 1.0)));
-  }
+    return {};
+  LineShape line = lineOf({ends.front(), ends.back()}, radius, brush);
+  line.fade = LineFade{brush.ground, std::min(brush.fade, mostFaded * length), both};
+  return line;
 }
 
-void addBorder(Mesh &mesh, std::vector<Place> corners, double radius, const Brush &brush) {
-  if (!brush.rhythm.empty() && !corners.empty()) {
-    corners.push_back(corners.front());
-    addLine(mesh, corners, radius, brush);
-  } else {
-    addRing(mesh, corners, radius * brush.width, brush.color);
-  }
+LineShape borderOf(std::vector<Place> corners, double radius, const Brush &brush) {
+  LineShape border = lineOf(std::move(corners), radius, brush);
+  border.isClosed = true;
+  return border;
 }
 
 Color patchBorderColor(const PlanePatchMark &patch, const Brush &brush, const Theme &theme) {
@@ -223,44 +204,47 @@ Color patchBorderColor(const PlanePatchMark &patch, const Brush &brush, const Th
 /// How the points of a figure are drawn.
 struct Balls {
   BallSizes sizes;
-  BallDetail detail;
+  bool areVeryMany;
 };
 
-void addMark(Mesh &mesh, const Mark &mark, const Brush &brush, const Balls &balls, const Theme &theme,
-             double scale) {
-  const MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
-  if (outline.path.empty())
-    return;
+/// What is solid of a mark; nothing for one without.
+std::optional<ShapeForm> solidForm(const Mark &mark, const Brush &brush, const Balls &balls, double scale) {
+  using Form = std::optional<ShapeForm>;
+  MarkOutline outline = outlineOf(mark, rightAngleSize * scale);
+  std::vector<Place> &path = outline.path;
+  if (path.empty())
+    return {};
   const double radius = strokeRadius(mark);
-  const auto line = [&] { addLine(mesh, outline.path, radius, brush); };
-  const auto endless = [&](bool both) {
-    addEndless(mesh, outline.path.front(), outline.path.back(), both, radius, brush);
-  };
-  std::visit(
+  const auto line = [&] { return lineOf(std::move(path), radius, brush); };
+  const auto border = [&] { return borderOf(std::move(path), radius, brush); };
+  const auto whole = [&] { return LineShape{std::move(path), radius * brush.width}; };
+  return std::visit(
       Overloaded{
-          [&](const PointMark &point) {
-            addBall(mesh, point.at, balls.sizes.radiusOf(point, brush.width), brush.color, balls.detail);
+          [&](const PointMark &point) -> Form {
+            return BallShape{point.at, balls.sizes.radiusOf(point, brush.width), balls.areVeryMany};
           },
-          [&](const SegmentMark &) { line(); },
-          [&](const RayMark &) { endless(false); },
-          [&](const LineMark &) { endless(true); },
-          [&](const ArrowMark &arrow) {
+          [&](const SegmentMark &) -> Form { return line(); },
+          [&](const RayMark &) -> Form { return endlessLine(path, false, radius, brush); },
+          [&](const LineMark &) -> Form { return endlessLine(path, true, radius, brush); },
+          [&](const ArrowMark &arrow) -> Form {
             const Place way = shownVector(arrow);
             const double length = glm::length(way);
             const double shown = length > 0 ? 1 - brush.setback / length : 0;
-            addArrow(mesh, arrow.from, way * shown, radius * brush.width, brush.color, brush.rhythm);
+            return ArrowShape{arrow.from, way * shown, radius * brush.width, brush.rhythm};
           },
-          [&](const PlanePatchMark &patch) {
-            const Brush border{patchBorderColor(patch, brush, theme), brush.width, brush.rhythm};
-            addBorder(mesh, outline.path, radius, border);
-          },
-          [&](const PolygonMark &) { addBorder(mesh, outline.path, radius, brush); },
-          [&](const SphereMark &) { line(); },
-          [](const MeshMark &) {}, // a surface of its own, without lines
-          [&](const ArcMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
-          [&](const RightAngleMark &) { addTube(mesh, outline.path, radius * brush.width, brush.color); },
+          [&](const PlanePatchMark &) -> Form { return border(); },
+          [&](const PolygonMark &) -> Form { return border(); },
+          [&](const SphereMark &) -> Form { return line(); },
+          [](const MeshMark &) -> Form { return {}; }, // a body, without lines
+          [&](const ArcMark &) -> Form { return whole(); },
+          [&](const RightAngleMark &) -> Form { return whole(); },
       },
       mark);
+}
+
+Color solidColorOf(const Mark &mark, const Brush &brush, const Theme &theme) {
+  const auto *patch = std::get_if<PlanePatchMark>(&mark);
+  return patch ? patchBorderColor(*patch, brush, theme) : brush.color;
 }
 
 } // namespace
@@ -304,11 +288,11 @@ Color solidColor(const MarkBase &mark, const Theme &theme, bool highlighted) {
   return highlighted ? mix(color, theme.ink, highlightInk) : color;
 }
 
-Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, const Theme &theme, double scale,
-            const Arrival &arrival) {
-  Mesh mesh;
-  makeRoom(mesh, figure.marks.size() * usualCorners);
-  const Balls balls{BallSizes(figure), ballDetailFor(figure)};
+std::vector<Shape> solidsOf(const Figure &figure, const std::set<std::string> &highlighted,
+                            const Theme &theme, double scale, const Arrival &arrival) {
+  std::vector<Shape> solids;
+  solids.reserve(figure.marks.size());
+  const Balls balls{BallSizes(figure), hasVeryManyPoints(figure)};
   const ArrowsByStart arrows(figure);
   for (const Mark &mark : figure.marks) {
     const MarkBase &base = baseOf(mark);
@@ -326,9 +310,25 @@ Mesh meshOf(const Figure &figure, const std::set<std::string> &highlighted, cons
                       setback,
                       fadeLength * scale,
                       theme.backgroundBottom};
-    addMark(mesh, mark, brush, balls, theme, scale);
+    if (auto form = solidForm(mark, brush, balls, scale))
+      solids.push_back({base.id, solidColorOf(mark, brush, theme), std::move(*form)});
   }
-  return mesh;
+  return solids;
+}
+
+std::vector<Shape> bodiesOf(const Figure &figure, const std::set<std::string> &highlighted,
+                            const Theme &theme, const Arrival &arrival) {
+  std::vector<Shape> bodies;
+  for (const Mark &mark : figure.marks) {
+    const auto *body = std::get_if<MeshMark>(&mark);
+    const double presence = body ? arrival.presenceOf(*body) : 0;
+    if (presence <= 0)
+      continue;
+    const Color color = mix(theme.backgroundBottom, solidColor(*body, theme, highlighted.contains(body->id)),
+                            bodyInk * presence);
+    bodies.push_back({body->id, color, BodyShape{body->mesh, body->axes, body->place}});
+  }
+  return bodies;
 }
 
 } // namespace halfspace

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "widgets/picture/scene_content.h"
-#include "widgets/picture/shapes/mesh.h"
+#include "widgets/picture/shapes/shape.h"
 #include "widgets/picture/view.h"
 
 namespace halfspace {
 
-[[nodiscard]] Mesh toolsMesh(const SceneContent &content, const Theme &theme, const View &view);
+[[nodiscard]] std::vector<Shape> toolsOf(const SceneContent &content, const Theme &theme, const View &view);
 
 } // namespace halfspace
