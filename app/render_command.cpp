@@ -1,10 +1,12 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
+#include "app/lessons_folder.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
@@ -18,9 +20,39 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace halfspace {
 namespace {
+
+/// The lesson of this program with an id: its file is named by it. Nothing where there is none, or where it
+/// cannot be read.
+std::optional<Lesson> lessonOfOurs(const std::string &id) {
+  if (id.empty() || id.find('/') != std::string::npos)
+    return {};
+  auto lesson = readLesson(lessonsFolder() / (id + ".md"));
+  return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
+}
+
+/// The id of the lesson that a session's file belongs to; empty for what is none.
+std::string lessonOfFile(const std::string &name) {
+  if (name.ends_with(".md") || !namesFile({}, name))
+    return {};
+  const auto file = readSessionFile(name);
+  return file ? file->session.lesson : std::string();
+}
+
+/// The one lesson that a picture needs, where it is one of ours; else all that there are.
+LessonLibrary lessonsFor(const std::string &subject, const OwnLessons &own) {
+  auto lesson = lessonOfOurs(subject);
+  if (!lesson)
+    lesson = lessonOfOurs(lessonOfFile(subject));
+  if (!lesson)
+    return openLibrary(own);
+  LessonLibrary library;
+  library.lessons.push_back(std::move(*lesson));
+  return library;
+}
 
 const LessonStep &stepAt(const OpenedSession &opened, int counted) {
   return opened.lesson->steps[static_cast<std::size_t>(counted - 1)];
@@ -56,9 +88,8 @@ struct Setting {
   std::optional<SceneContent> beginning;
 };
 
-Setting settingOf(const RenderCommand &command, const OpenedSession &opened) {
+Setting settingOf(const RenderCommand &command, const OpenedSession &opened, const Evaluation &evaluation) {
   const Scene &scene = opened.session.scene;
-  const Evaluation evaluation = evaluate(scene);
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
   if (opened.session.view)
@@ -93,23 +124,42 @@ void tellWhereOverfull(const Figure &figure) {
     printError(overfullWords());
 }
 
-Result<LabelPicture> drawPicture(const RenderCommand &command, const OpenedSession &opened,
-                                 const Setting &setting, const Typesetter &typesetter) {
-  const Evaluation evaluation = evaluate(opened.session.scene);
-  PictureRequest request;
-  request.content = contentOf(command, opened, evaluation, setting.stage);
-  request.labelledLike = setting.beginning;
-  request.camera = setting.camera;
-  request.theme = *findTheme(command.theme);
-  request.size = command.size;
-  request.transparent = command.transparent;
-  if (command.flat)
-    return drawFlatly(command, opened, toStage(figureOf(evaluation), setting.stage), request.content,
-                      typesetter);
-  if (!setting.beginning)
-    tellWhereOverfull(request.content.figure);
-  return OffscreenPainter(labelSetter(typesetter.fonts()), labelPainter(typesetter)).draw(request);
-}
+/// Draws the pictures of a command.
+class CommandPainter {
+public:
+  CommandPainter(const RenderCommand &command, const OpenedSession &opened, Setting setting)
+      : m_command(command), m_opened(opened), m_setting(std::move(setting)) {}
+
+  /// From now on pictures show what came after this: their labels stand where they stand in it.
+  void begin(const Evaluation &evaluation) {
+    m_setting.beginning = contentOf(m_command, m_opened, evaluation, m_setting.stage);
+    if (!m_command.flat)
+      tellWhereOverfull(m_setting.beginning->figure);
+  }
+
+  [[nodiscard]] Result<LabelPicture> draw(const Evaluation &evaluation) {
+    PictureRequest request;
+    request.content = contentOf(m_command, m_opened, evaluation, m_setting.stage);
+    request.labelledLike = m_setting.beginning;
+    request.camera = m_setting.camera;
+    request.theme = *findTheme(m_command.theme);
+    request.size = m_command.size;
+    request.transparent = m_command.transparent;
+    if (m_command.flat)
+      return drawFlatly(m_command, m_opened, toStage(figureOf(evaluation), m_setting.stage), request.content,
+                        m_typesetter);
+    if (!m_setting.beginning)
+      tellWhereOverfull(request.content.figure);
+    return m_painter.draw(request);
+  }
+
+private:
+  const RenderCommand &m_command;
+  const OpenedSession &m_opened;
+  Setting m_setting;
+  Typesetter m_typesetter;
+  OffscreenPainter m_painter{labelSetter(m_typesetter.fonts()), labelPainter(m_typesetter)};
+};
 
 /// Counted from 1: the last step that shows the lesson's flight; nothing where it has none.
 std::optional<int> stepOfFlight(const OpenedSession &opened) {
@@ -142,8 +192,8 @@ std::string fileOf(const NumberedFile &file, int frame) {
 }
 
 /// Draws and writes one frame after the other.
-std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Setting setting,
-                                   const Typesetter &typesetter) {
+std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Evaluation evaluation,
+                                   CommandPainter &painter) {
   Object *number = frameNumberOf(opened);
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
@@ -159,12 +209,12 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
                            {{"frame", std::to_string(frame)}, {"nearest", toText((*number)[0].x)}}),
                      "", 0, "--frame"};
   goTo(objectAs<NumberObject>(*number)->from);
-  setting.beginning = contentOf(command, opened, evaluate(opened.session.scene), setting.stage);
-  if (!command.flat)
-    tellWhereOverfull(setting.beginning->figure);
+  evaluation = evaluate(opened.session.scene, evaluation);
+  painter.begin(evaluation);
   for (int frame = first; frame <= last; ++frame) {
     goTo(frame);
-    const auto picture = drawPicture(command, opened, setting, typesetter);
+    evaluation = evaluate(opened.session.scene, evaluation);
+    const auto picture = painter.draw(evaluation);
     if (!picture)
       return picture.problem();
     const std::string file = command.numbered ? fileOf(*command.numbered, frame) : command.output;
@@ -174,10 +224,16 @@ std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &
   return {};
 }
 
+std::optional<Problem> writePicture(const RenderCommand &command, const Evaluation &evaluation,
+                                    CommandPainter &painter) {
+  const auto picture = painter.draw(evaluation);
+  return picture ? writePng(*picture, command.output) : picture.problem();
+}
+
 } // namespace
 
 int runRender(RenderCommand command) {
-  LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = lessonsFor(command.subject, command.ownLessons);
   auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());
@@ -187,16 +243,10 @@ int runRender(RenderCommand command) {
     command.step = stepOfFlight(*opened);
   if (!command.step)
     command.step = stepOfFile(*opened);
-  const Typesetter typesetter;
-  const Setting setting = settingOf(command, *opened);
-  if (command.frames) {
-    const auto problem = writeFrames(command, *opened, setting, typesetter);
-    return problem ? fail(*problem) : 0;
-  }
-  const auto picture = drawPicture(command, *opened, setting, typesetter);
-  if (!picture)
-    return fail(picture.problem());
-  const auto problem = writePng(*picture, command.output);
+  Evaluation evaluation = evaluate(opened->session.scene);
+  CommandPainter painter(command, *opened, settingOf(command, *opened, evaluation));
+  const auto problem = command.frames ? writeFrames(command, *opened, std::move(evaluation), painter)
+                                      : writePicture(command, evaluation, painter);
   return problem ? fail(*problem) : 0;
 }
 
