@@ -1,5 +1,6 @@
 #include "lessons/lesson/prose.h"
 
+#include "lessons/term/greek.h"
 #include "lessons/text.h"
 
 #include <algorithm>
@@ -24,9 +25,6 @@ constexpr std::array commands{Replacement{"cdot", "·"},       Replacement{"time
                               Replacement{"le", " ≤ "},       Replacement{"geq", " ≥ "},
                               Replacement{"ge", " ≥ "},       Replacement{"neq", " ≠ "},
                               Replacement{"ne", " ≠ "},       Replacement{"pm", " ± "},
-                              Replacement{"theta", "θ"},      Replacement{"lambda", "λ"},
-                              Replacement{"alpha", "α"},      Replacement{"beta", "β"},
-                              Replacement{"pi", "π"},         Replacement{"infty", "∞"},
                               Replacement{"lvert", "|"},      Replacement{"rvert", "|"},
                               Replacement{"lVert", "‖"},      Replacement{"rVert", "‖"},
                               Replacement{"cos", "cos "},     Replacement{"sin", "sin "},
@@ -197,6 +195,8 @@ private:
       m_text += converted(argument()).append(combiningCircumflex);
     } else if (const Replacement *replacement = find(commands, name)) {
       m_text += replacement->to;
+    } else if (const GreekLetter *greek = greekCommand(name)) {
+      m_text += greek->letter;
     } else if (name != "vec" && name != "mathbf") {
       m_text += name;
     }

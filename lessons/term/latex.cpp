@@ -1,6 +1,7 @@
 #include "lessons/term/latex.h"
 
 #include "lessons/language.h"
+#include "lessons/term/greek.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/text.h"
@@ -12,23 +13,9 @@
 namespace halfspace {
 namespace {
 
-struct GreekLetter {
-  std::string_view letter;
-  std::string_view command;
-};
-
-constexpr std::array greekLetters{
-    GreekLetter{"α", "\\alpha"},  GreekLetter{"β", "\\beta"},       GreekLetter{"γ", "\\gamma"},
-    GreekLetter{"δ", "\\delta"},  GreekLetter{"ε", "\\varepsilon"}, GreekLetter{"θ", "\\theta"},
-    GreekLetter{"λ", "\\lambda"}, GreekLetter{"μ", "\\mu"},         GreekLetter{"π", "\\pi"},
-    GreekLetter{"ρ", "\\rho"},    GreekLetter{"σ", "\\sigma"},      GreekLetter{"τ", "\\tau"},
-    GreekLetter{"φ", "\\varphi"}, GreekLetter{"ω", "\\omega"},      GreekLetter{"Δ", "\\Delta"},
-    GreekLetter{"∞", "\\infty"}};
-
 std::string letterLatex(const std::string &letter) {
-  const auto greek = std::find_if(greekLetters.begin(), greekLetters.end(),
-                                  [&](const GreekLetter &each) { return each.letter == letter; });
-  return greek == greekLetters.end() ? letter : std::string(greek->command);
+  const GreekLetter *greek = greekLetter(letter);
+  return greek ? "\\" + std::string(greek->latex) : letter;
 }
 
 std::string wordLatex(const std::string &word) {

@@ -1,38 +1,18 @@
 #include "lessons/term/spoken.h"
 
 #include "lessons/language.h"
+#include "lessons/term/greek.h"
 #include "lessons/term/prime.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/words.h"
-
-#include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace halfspace {
 namespace {
 
 /// The names of Greek letters, and of letters that would not be heard.
 std::string letterName(const std::string &letter) {
-  constexpr std::array<std::pair<std::string_view, const char *>, 16> names{{{"α", "alpha"},
-                                                                             {"β", "beta"},
-                                                                             {"γ", "gamma"},
-                                                                             {"δ", "delta"},
-                                                                             {"ε", "epsilon"},
-                                                                             {"θ", "theta"},
-                                                                             {"λ", "lambda"},
-                                                                             {"μ", "mu"},
-                                                                             {"π", "pi"},
-                                                                             {"ρ", "rho"},
-                                                                             {"σ", "sigma"},
-                                                                             {"τ", "tau"},
-                                                                             {"φ", "phi"},
-                                                                             {"ω", "omega"},
-                                                                             {"Δ", "Delta"},
-                                                                             {"∞", "infinity"}}};
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const auto &each) { return each.first == letter; });
-  return found == names.end() ? letter : words(found->second);
+  const GreekLetter *greek = greekLetter(letter);
+  return greek ? words(greek->name) : letter;
 }
 
 /// What an abbreviated word stands for.

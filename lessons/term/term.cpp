@@ -1,5 +1,6 @@
 #include "lessons/term/term.h"
 
+#include "lessons/term/greek.h"
 #include "lessons/term/operate.h"
 #include "lessons/term/written.h"
 #include "lessons/text.h"
@@ -93,14 +94,9 @@ Symbol perpLetter(std::string letter) {
 Symbol word(std::string word) { return {.letter = std::move(word), .isWord = true}; }
 
 std::string_view spelledLetter(std::string_view name) {
-  static constexpr std::pair<std::string_view, std::string_view> letters[] = {
-      {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"},
-      {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},    {"rho", "ρ"},   {"sigma", "σ"},
-      {"tau", "τ"},   {"phi", "φ"},    {"omega", "ω"}};
-  for (const auto &[spelled, letter] : letters)
-    if (spelled == name)
-      return letter;
-  return name;
+  const GreekLetter *greek =
+      greekWhere([name](const GreekLetter &each) { return each.isSpelled && each.name == name; });
+  return greek ? greek->letter : name;
 }
 
 Symbol symbolOf(std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include "eval/answer.h"
 #include "lessons/scene/file/scene_writer.h"
+#include "lessons/term/greek.h"
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/spoken.h"
@@ -99,39 +100,7 @@ constexpr std::array textCharacters{TextLatex{"\\", "\\textbackslash{}"},
                                     TextLatex{"≠", "$\\neq$"},
                                     TextLatex{"≤", "$\\leq$"},
                                     TextLatex{"≥", "$\\geq$"},
-                                    TextLatex{"∞", "$\\infty$"},
                                     TextLatex{"°", "$^{\\circ}$"},
-                                    TextLatex{"λ", "$\\lambda$"},
-                                    TextLatex{"θ", "$\\theta$"},
-                                    TextLatex{"α", "$\\alpha$"},
-                                    TextLatex{"β", "$\\beta$"},
-                                    TextLatex{"γ", "$\\gamma$"},
-                                    TextLatex{"δ", "$\\delta$"},
-                                    TextLatex{"ε", "$\\varepsilon$"},
-                                    TextLatex{"ζ", "$\\zeta$"},
-                                    TextLatex{"η", "$\\eta$"},
-                                    TextLatex{"ι", "$\\iota$"},
-                                    TextLatex{"κ", "$\\kappa$"},
-                                    TextLatex{"μ", "$\\mu$"},
-                                    TextLatex{"ν", "$\\nu$"},
-                                    TextLatex{"ξ", "$\\xi$"},
-                                    TextLatex{"π", "$\\pi$"},
-                                    TextLatex{"ρ", "$\\rho$"},
-                                    TextLatex{"σ", "$\\sigma$"},
-                                    TextLatex{"τ", "$\\tau$"},
-                                    TextLatex{"φ", "$\\varphi$"},
-                                    TextLatex{"χ", "$\\chi$"},
-                                    TextLatex{"ψ", "$\\psi$"},
-                                    TextLatex{"ω", "$\\omega$"},
-                                    TextLatex{"Γ", "$\\Gamma$"},
-                                    TextLatex{"Δ", "$\\Delta$"},
-                                    TextLatex{"Θ", "$\\Theta$"},
-                                    TextLatex{"Λ", "$\\Lambda$"},
-                                    TextLatex{"Π", "$\\Pi$"},
-                                    TextLatex{"Σ", "$\\Sigma$"},
-                                    TextLatex{"Φ", "$\\Phi$"},
-                                    TextLatex{"Ψ", "$\\Psi$"},
-                                    TextLatex{"Ω", "$\\Omega$"},
                                     TextLatex{"∈", "$\\in$"},
                                     TextLatex{"⇒", "$\\Rightarrow$"},
                                     TextLatex{"→", "$\\to$"},
@@ -171,6 +140,8 @@ std::string escaped(std::string_view text) {
                                     [&](const TextLatex &each) { return each.text == character; });
     if (known != textCharacters.end())
       latex += known->latex;
+    else if (const GreekLetter *greek = greekLetter(character))
+      latex += "$\\" + std::string(greek->latex) + "$";
     else
       latex += isKnownToPdflatex(character) ? character : "?";
     text.remove_prefix(character.size());
