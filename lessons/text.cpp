@@ -7,25 +7,30 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
 unsigned byteAt(std::string_view text, std::size_t index) { return static_cast<unsigned char>(text[index]); }
 
-bool continues(std::string_view text, std::size_t index) {
-  return index < text.size() && (byteAt(text, index) & 0xC0U) == 0x80U;
+/// How many bytes a character takes that begins with this one; 0: none begins so.
+std::size_t lengthFrom(unsigned first) {
+  if (first < 0x80)
+    return 1;
+  if (first >= 0xC2 && first < 0xE0)
+    return 2;
+  if (first >= 0xE0 && first < 0xF0)
+    return 3;
+  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// The number of the character that a text begins with. Requires characterLength(text) > 0.
-unsigned codePoint(std::string_view text) {
-  const std::size_t length = characterLength(text);
-  unsigned code = length == 1 ? byteAt(text, 0) : byteAt(text, 0) & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i)
-    code = code << 6U | (byteAt(text, i) & 0x3FU);
-  return code;
+/// Whether Unicode has this character, and needs so many bytes for it.
+bool isWellFormed(const Character &character) {
+  const auto &[code, length] = character;
+  const bool isHalfAPair = code >= 0xD800 && code < 0xE000;
+  return !isHalfAPair && (length < 3 || code >= 0x800) && (length < 4 || code >= 0x10000) && code < 0x110000;
 }
 
-bool isControl(unsigned code) {
+bool isControl(char32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0);
 }
 
 /// Marks that turn the direction of what follows: a sentence could be made to read as another.
-bool turnsDirection(unsigned code) {
+bool turnsDirection(char32_t code) {
   return code == 0x200E || code == 0x200F || code == 0x061C || (code >= 0x202A && code <= 0x202E) ||
          (code >= 0x2066 && code <= 0x2069);
 }
@@ -49,24 +54,17 @@ std::string replacedAll(std::string text, std::string_view from, std::string_vie
   return text;
 }
 
-std::size_t characterLength(std::string_view text) {
-  if (text.empty())
-    return 0;
-  const unsigned first = byteAt(text, 0);
-  if (first < 0x80)
-    return 1;
-  const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
-                             : first >= 0xE0 && first < 0xF0 ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (!continues(text, i))
-      return 0;
-  const unsigned second = length > 2 ? byteAt(text, 1) : 0;
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool halfAPair = first == 0xED && second >= 0xA0;
-  const bool beyondUnicode = first == 0xF4 && second >= 0x90;
-  return overlong || halfAPair || beyondUnicode ? 0 : length;
+Character firstCharacter(std::string_view text) {
+  const std::size_t length = text.empty() ? 0 : lengthFrom(byteAt(text, 0));
+  if (length == 0 || length > text.size())
+    return {};
+  Character character{length == 1 ? byteAt(text, 0) : byteAt(text, 0) & (0x7FU >> length), length};
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!continuesCharacter(text[i]))
+      return {};
+    character.code = character.code << 6U | (byteAt(text, i) & 0x3FU);
+  }
+  return isWellFormed(character) ? character : Character{};
 }
 
 std::string utf8(unsigned code) {
@@ -85,9 +83,8 @@ std::string utf8(unsigned code) {
 
 std::optional<std::size_t> firstNoText(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
-    const std::string_view rest = bytes.substr(at);
-    const std::size_t length = characterLength(rest);
-    if (length == 0 || (rest.front() != '\r' && isControl(codePoint(rest))))
+    const auto [code, length] = firstCharacter(bytes.substr(at));
+    if (length == 0 || (code != '\r' && isControl(code)))
       return at;
     at += length;
   }
@@ -97,8 +94,7 @@ std::optional<std::size_t> firstNoText(std::string_view bytes) {
 std::string printable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
-    const std::size_t length = characterLength(text);
-    const unsigned code = length == 0 ? 0 : codePoint(text);
+    const auto [code, length] = firstCharacter(text);
     if (isControl(code) || turnsDirection(code))
       shown += replacement;
     else
@@ -114,7 +110,7 @@ std::string shortened(std::string_view text) {
     return std::string(text);
   std::size_t end = longest;
   // Never in the middle of a UTF-8 character.
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+  while (end > 0 && continuesCharacter(text[end]))
     --end;
   return std::string(text.substr(0, end)) + "…";
 }

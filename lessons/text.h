@@ -28,9 +28,23 @@ namespace halfspace {
 /// The text with `to` in every place of `from`, which is not empty.
 [[nodiscard]] std::string replacedAll(std::string text, std::string_view from, std::string_view to);
 
-/// How many bytes the character takes that a text begins with: 1 to 4, or 0 where it is not UTF-8 (overlong
-/// forms and halves of surrogate pairs are not).
-[[nodiscard]] std::size_t characterLength(std::string_view text);
+/// A character of a text, and how many bytes it takes there: 1 to 4.
+struct Character {
+  char32_t code = 0;
+  std::size_t length = 0;
+};
+
+/// The character that a text begins with; of no bytes where it is not UTF-8 (overlong forms and halves of
+/// surrogate pairs are not), and where there is none.
+[[nodiscard]] Character firstCharacter(std::string_view text);
+[[nodiscard]] inline std::size_t characterLength(std::string_view text) {
+  return firstCharacter(text).length;
+}
+
+/// Whether a byte goes on with a character that began before it.
+[[nodiscard]] constexpr bool continuesCharacter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
 
 /// The character of a number as text; empty where the number is no character's.
 [[nodiscard]] std::string utf8(unsigned code);

@@ -159,13 +159,7 @@ private:
       depth += one == "{" ? 1 : one == "}" ? -1 : 0;
       argument += one;
     }
-    constexpr int firstContinuation = 0x80;
-    constexpr int pastContinuation = 0xC0;
-    const auto continues = [](char byte) {
-      const auto value = static_cast<unsigned char>(byte);
-      return value >= firstContinuation && value < pastContinuation;
-    };
-    while (argument.front() != '{' && !m_upcoming.empty() && continues(m_upcoming.back()))
+    while (argument.front() != '{' && !m_upcoming.empty() && continuesCharacter(m_upcoming.back()))
       argument += takeByte();
     return argument;
   }

@@ -60,18 +60,15 @@ const Replacement *find(const std::array<Replacement, size> &table, std::string_
   return found == table.end() ? nullptr : &*found;
 }
 
-/// The bytes of the UTF-8 character that begins with this byte.
-std::size_t characterLength(char first) {
-  const auto byte = static_cast<unsigned char>(first);
-  return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-}
+/// The bytes of the character that a text ≠ "" begins with; one of what is none.
+std::size_t lengthOfFirst(std::string_view text) { return std::max<std::size_t>(characterLength(text), 1); }
 
 /// Each character raised or lowered; nothing when one has no such form.
 template <std::size_t size>
 std::string inSmall(const std::array<Replacement, size> &table, std::string_view text) {
   std::string small;
   while (!text.empty()) {
-    const std::size_t length = std::min(characterLength(text.front()), text.size());
+    const std::size_t length = lengthOfFirst(text);
     const Replacement *replacement = find(table, text.substr(0, length));
     if (!replacement)
       return {};
@@ -124,7 +121,7 @@ private:
       m_text += converted(argument());
       return;
     }
-    const std::size_t length = std::min(characterLength(c), m_rest.size());
+    const std::size_t length = lengthOfFirst(m_rest);
     const std::string_view character = m_rest.substr(0, length);
     m_rest.remove_prefix(length);
     if (c == '_' || c == '^')
@@ -244,7 +241,7 @@ private:
     m_rest.remove_prefix(std::min(m_rest.find_first_not_of(' '), m_rest.size()));
     if (m_rest.empty())
       return {};
-    std::size_t length = std::min(characterLength(m_rest.front()), m_rest.size());
+    std::size_t length = lengthOfFirst(m_rest);
     if (m_rest.front() == '\\')
       while (length < m_rest.size() && isLetter(m_rest[length]))
         ++length;

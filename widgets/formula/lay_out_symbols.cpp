@@ -1,4 +1,5 @@
 // Single symbols, words and the simplest boxes.
+#include "lessons/text.h"
 #include "widgets/formula/latex_tokens.h"
 #include "widgets/formula/set.h"
 
@@ -82,23 +83,11 @@ Box setLargeOperator(Sheet &sheet, char32_t character, SetStyle style) {
   return box;
 }
 
-/// The next character of a text, which is taken from it.
-std::string_view takeCharacter(std::string_view &text) {
-  std::size_t length = 1;
-  while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U)
-    ++length;
-  const std::string_view taken = text.substr(0, length);
-  text.remove_prefix(length);
-  return taken;
-}
-
-/// The code point of a character in UTF-8.
-char32_t codePoint(std::string_view character) {
-  const auto first = static_cast<unsigned char>(character.front());
-  char32_t code = character.size() == 1 ? first : first & (0xFFU >> (character.size() + 1));
-  for (const char byte : character.substr(1))
-    code = (code << 6U) | (static_cast<unsigned char>(byte) & 0x3FU);
-  return code;
+/// The next character of a text ≠ "", which is taken from it.
+char32_t takeCharacter(std::string_view &text) {
+  const Character taken = firstCharacter(text);
+  text.remove_prefix(std::max<std::size_t>(taken.length, 1));
+  return taken.code;
 }
 
 /// A piece of text that one face has all characters of.
@@ -110,7 +99,7 @@ struct Run {
 std::vector<Run> runsOf(const MathFonts &fonts, const Words &words) {
   std::vector<Run> runs;
   for (std::string_view rest = words.text; !rest.empty();) {
-    const char32_t character = inFonts(fonts, inAlphabet(codePoint(takeCharacter(rest)), words.alphabet));
+    const char32_t character = inFonts(fonts, inAlphabet(takeCharacter(rest), words.alphabet));
     const bool isInMath = fonts.math.face().glyph(character) != 0;
     const FontIndex font = !isInMath && has(fonts.text, character) ? FontIndex::Text : FontIndex::Math;
     if (runs.empty() || runs.back().font != font)

@@ -25,17 +25,6 @@ constexpr double fenceOfFractions = 1.1;
 /// TeX's thin space, in em.
 constexpr double thinSpace = 3 / 18.0;
 
-/// The first character of a text in UTF-8; 0 for none.
-char32_t characterOf(std::string_view text) {
-  const std::size_t length = characterLength(text);
-  if (length <= 1)
-    return length == 0 ? 0 : static_cast<unsigned char>(text.front());
-  char32_t character = static_cast<unsigned char>(text.front()) & (0xFFU >> (length + 1));
-  for (const char next : text.substr(1, length - 1))
-    character = (character << 6) | (static_cast<unsigned char>(next) & 0x3FU);
-  return character;
-}
-
 bool areDigits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -43,7 +32,7 @@ bool areDigits(std::string_view text) {
 Row subscript(const std::string &text) {
   if (areDigits(text))
     return math::number(text);
-  return math::row(math::letter(characterOf(text)));
+  return math::row(math::letter(firstCharacter(text).code));
 }
 
 /// Digits with the decimal mark; it is no punctuation, behind which a space would stand.
@@ -95,7 +84,8 @@ protected:
   }
 
   Row symbol(const Symbol &symbol) override {
-    Row base{symbol.isWord ? math::function(symbol.letter) : math::letter(characterOf(symbol.letter))};
+    Row base{symbol.isWord ? math::function(symbol.letter)
+                           : math::letter(firstCharacter(symbol.letter).code)};
     if (symbol.isVector)
       base = {math::vector(std::move(base))};
     Row below = symbol.subscript.empty() ? Row() : subscript(symbol.subscript);
