@@ -1,25 +1,10 @@
 #include "lessons/construction/construction.h"
 
-#include "geometry/case_names.h"
-#include "geometry/intersect_ray_plane.h"
-#include "geometry/point_plane.h"
 #include "lessons/term/plain_text.h"
 
 #include <algorithm>
 
 namespace halfspace {
-
-CaseWords zeroNormalWords(const Naming &naming) {
-  return {
-      std::string(nameOf(PointPlaneCase::ZeroNormal)),
-      words("The normal {n} is the zero vector: it points nowhere, so there is no plane.", naming.letters),
-      true};
-}
-
-CaseWords zeroDirectionWords(const Naming &naming) {
-  return {std::string(nameOf(RayPlaneCase::ZeroDirection)),
-          words("The direction {r} is the zero vector: the ray goes nowhere.", naming.letters), true};
-}
 
 Naming withLetters(Naming naming, const std::vector<ConstructionRole> &roles, GivenObjects objects) {
   WordValues &letters = naming.letters;

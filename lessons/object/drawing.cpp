@@ -1,5 +1,6 @@
 #include "lessons/object/drawing.h"
 
+#include "lessons/object/letters.h"
 #include "lessons/term/latex.h"
 
 #include <glm/geometric.hpp>
@@ -61,6 +62,16 @@ Place unitOf(const ExactVec3 &direction) {
 
 ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction, double length) {
   return {std::move(base), from, unitOf(direction) * length};
+}
+
+ArrowMark arrowInPicture(MarkBase base, const Place &from, const Place &unit, double length) {
+  return {std::move(base), from, unit, false, length};
+}
+
+void addDirection(Figure &figure, const Term &vector, const Place &from, double length, Role role,
+                  Subject subject) {
+  if (const ExactVec3 direction = vectorOf(vector); !isZero(direction))
+    figure.add(arrowOfLength(drawn(vector, role, subject), from, direction, length));
 }
 
 } // namespace halfspace

@@ -1,7 +1,7 @@
 // What the figures of all constructions are made with.
 #pragma once
 
-#include "lessons/figure/mark.h"
+#include "lessons/figure/figure.h"
 #include "lessons/object/object.h"
 #include "lessons/term/term.h"
 
@@ -19,6 +19,15 @@ namespace halfspace {
 [[nodiscard]] PointMark pointOf(const Term &letter, Role role, Subject subject);
 [[nodiscard]] ArrowMark arrowOf(const Term &letter, const Place &from, Role role, Subject subject);
 
+/// A vector ≠ 0 that is drawn at another length, of which only the direction matters: so long in scene units,
+/// and so long in every picture.
+[[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
+                                      double length);
+[[nodiscard]] ArrowMark arrowInPicture(MarkBase base, const Place &from, const Place &unit, double length);
+/// The letter of a vector as such an arrow in scene units; nothing of the zero vector.
+void addDirection(Figure &figure, const Term &vector, const Place &from, double length, Role role,
+                  Subject subject);
+
 /// Normal to the face that the corners go around, twice as long as its area; zero where there is none.
 [[nodiscard]] ExactVec3 areaOf(const std::vector<ExactVec3> &corners);
 
@@ -27,9 +36,5 @@ namespace halfspace {
 
 /// The unit vector of a direction ≠ 0, however short it is.
 [[nodiscard]] Place unitOf(const ExactVec3 &direction);
-
-/// The arrow of a direction ≠ 0 drawn at another length, in scene units.
-[[nodiscard]] ArrowMark arrowOfLength(MarkBase base, const Place &from, const ExactVec3 &direction,
-                                      double length);
 
 } // namespace halfspace

@@ -18,9 +18,10 @@ namespace halfspace {
   return names;
 }
 
-[[nodiscard]] inline std::vector<std::string> joined(std::vector<std::vector<std::string>> rows) {
-  std::vector<std::string> all;
-  for (std::vector<std::string> &each : rows)
+template <class Name = std::string>
+[[nodiscard]] std::vector<Name> joined(std::vector<std::vector<Name>> rows) {
+  std::vector<Name> all;
+  for (std::vector<Name> &each : rows)
     std::move(each.begin(), each.end(), std::back_inserter(all));
   return all;
 }

@@ -25,6 +25,14 @@ WorkingLine line(std::vector<Chain> chains, std::string sentence) {
   return {.chains = std::move(chains), .sentence = std::move(sentence)};
 }
 
+WorkingLine resultsLine(const std::vector<Term> &terms, std::string sentence) {
+  std::vector<Chain> chains;
+  chains.reserve(terms.size());
+  for (const Term &term : terms)
+    chains.push_back(withResult(term));
+  return line(std::move(chains), std::move(sentence));
+}
+
 WorkingLine asked(const Chain &chain, std::string sentence, std::vector<WrongTerm> mistakes) {
   return asking(Asked::Value, chain, std::move(sentence), std::move(mistakes));
 }

@@ -12,6 +12,9 @@ namespace halfspace {
 /// Statements beside each other: s = 1/4, t = 1/2.
 [[nodiscard]] WorkingLine line(std::vector<Chain> chains, std::string sentence = {});
 
+/// Terms beside each other, each with its result.
+[[nodiscard]] WorkingLine resultsLine(const std::vector<Term> &terms, std::string sentence);
+
 /// A line whose result a learner is to find: the last side, a number or a list of them, or an expression in
 /// unknowns. `mistakes` say more than those that follow from the formula by themselves, and go before them.
 [[nodiscard]] WorkingLine asked(const Chain &chain, std::string sentence = {},

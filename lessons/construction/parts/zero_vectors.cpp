@@ -1,5 +1,8 @@
 #include "lessons/construction/parts/zero_vectors.h"
 
+#include "geometry/case_names.h"
+#include "geometry/intersect_ray_plane.h"
+#include "geometry/point_plane.h"
 #include "lessons/object/letters.h"
 #include "lessons/term/plain_text.h"
 
@@ -11,6 +14,37 @@ namespace {
 bool isZeroVector(const Term &vector) { return isZero(vectorOf(vector)); }
 
 } // namespace
+
+CaseWords zeroNormalWords(const Naming &naming) {
+  return {
+      std::string(nameOf(PointPlaneCase::ZeroNormal)),
+      words("The normal {n} is the zero vector: it points nowhere, so there is no plane.", naming.letters),
+      true};
+}
+
+CaseWords zeroDirectionWords(const Naming &naming) {
+  return {std::string(nameOf(RayPlaneCase::ZeroDirection)),
+          words("The direction {r} is the zero vector: the ray goes nowhere.", naming.letters), true};
+}
+
+CaseWords zeroLineWords(const Naming &naming, std::string_view caseName) {
+  return {
+      std::string(caseName),
+      words("The direction {v} is the zero vector: it points nowhere, so there is no line.", naming.letters),
+      true};
+}
+
+std::string zeroWithoutPlane(const Naming &naming) {
+  return words("Zero, because {n} is the zero vector: there is no plane.", naming.letters);
+}
+
+std::string zeroWithoutRay(const Naming &naming) {
+  return words("Zero, because {r} is the zero vector: there is no ray.", naming.letters);
+}
+
+std::string allZeroWithoutRay(const Naming &naming) {
+  return words("All are 0, because {r} is the zero vector: there is no line.", naming.letters);
+}
 
 std::string crossProductWords(const Term &normal) {
   return isZeroVector(normal) ? words("The zero vector: u and v lie along one line and have no normal.")

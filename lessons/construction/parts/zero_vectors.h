@@ -2,10 +2,23 @@
 #pragma once
 
 #include "lessons/construction/naming.h"
+#include "lessons/construction/outcome.h"
 
 #include <string>
+#include <string_view>
 
 namespace halfspace {
+
+/// Cases: a plane without a normal, a ray without a direction, a line {v} without one.
+[[nodiscard]] CaseWords zeroNormalWords(const Naming &naming);
+[[nodiscard]] CaseWords zeroDirectionWords(const Naming &naming);
+[[nodiscard]] CaseWords zeroLineWords(const Naming &naming, std::string_view caseName);
+
+/// Why a product is 0 that says nothing of where things lie: {n}, or {r}, is zero.
+[[nodiscard]] std::string zeroWithoutPlane(const Naming &naming);
+[[nodiscard]] std::string zeroWithoutRay(const Naming &naming);
+/// The same of all products with the edges of a face.
+[[nodiscard]] std::string allZeroWithoutRay(const Naming &naming);
 
 /// Of the cross product of a triangle's sides u and v.
 [[nodiscard]] std::string crossProductWords(const Term &normal);

@@ -1,15 +1,9 @@
 // The dot product of two vectors, and what each is along the other and across it (notes PG 6.1 and RP).
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/vector.h"
-#include "lessons/object/letters.h"
 #include "lessons/term/angle.h"
-#include "lessons/term/plain_text.h"
 #include "lessons/term/prime.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 #include <tuple>
 
@@ -21,20 +15,16 @@ struct In : Naming {
   Given<VectorObject> w;
 };
 
-struct Out : Naming {
-  ProjectedVector<Rational> wOntoV, vOntoW;
-  int sign; ///< of v·w: −1, 0, 1
-  bool areParallel;
-  Term v, w;
-  Term product;       ///< v·w
-  Term theta, cosine; ///< of the angle between them
-  Term e;             ///< the unit vector of v
-  Term vPrime;        ///< w projected onto v: a multiple of v
-  Term wPrime;        ///< v projected onto w
-  Term h;             ///< what is left of w: across v
+/// What becomes of a vector's letter when another is projected onto it.
+Term primeOf(const Given<VectorObject> &onto, const ExactVec3 &projection, const std::string &mark) {
+  return name(primed(onto.letters[1]), projection).marked(mark);
+}
 
-  [[nodiscard]] bool hasZero() const { return isZero(vectorOf(v)) || isZero(vectorOf(w)); }
-};
+/// 0 where there is no angle.
+Surd cosineBetween(const ExactVec3 &v, const ExactVec3 &w) {
+  const Rational squares = dot(v, v) * dot(w, w);
+  return squares == 0 ? Surd() : overRoot(dot(v, w), squares);
+}
 
 /// The unit vector of a direction; the zero vector has none.
 std::vector<Surd> unitCoordinates(const ExactVec3 &direction) {
@@ -46,42 +36,31 @@ std::vector<Surd> unitCoordinates(const ExactVec3 &direction) {
   return unit;
 }
 
-/// 0 where there is no angle.
-Surd cosineBetween(const ExactVec3 &v, const ExactVec3 &w) {
-  const Rational squares = dot(v, v) * dot(w, w);
-  return squares == 0 ? Surd() : overRoot(dot(v, w), squares);
-}
+struct Out : Computed<In> {
+  explicit Out(const In &objects) : Computed(objects) {}
 
-/// What becomes of a vector's letter when another is projected onto it.
-Term primeOf(const Given<VectorObject> &onto, const ExactVec3 &projection, const std::string &mark) {
-  return name(primed(onto.letters[1]), projection).marked(mark);
-}
+  ProjectedVector<Rational> wOntoV = projectVector(in.w.object.vector, in.v.object.vector);
+  ProjectedVector<Rational> vOntoW = projectVector(in.v.object.vector, in.w.object.vector);
+  int sign = dot(in.v.object.vector, in.w.object.vector).sign(); ///< of v·w: −1, 0, 1
+  bool areParallel = isZero(cross(in.v.object.vector, in.w.object.vector));
+  bool hasV = !isZero(in.v.object.vector);
+  bool hasW = !isZero(in.w.object.vector);
+  bool hasAngle = hasV && hasW;
 
-Out compute(const In &in) {
-  const ExactVec3 &v = in.v.object.vector;
-  const ExactVec3 &w = in.w.object.vector;
-  const auto wOntoV = projectVector(w, v);
-  const auto vOntoW = projectVector(v, w);
-  const Term theta = name(in.own(letter("θ")), std::nullopt).marked(in.mark("theta"));
-  return {in,
-          wOntoV,
-          vOntoW,
-          dot(v, w).sign(),
-          isZero(cross(v, w)),
-          termOf(in.v),
-          termOf(in.w),
-          dot(termOf(in.v), termOf(in.w)),
-          theta,
-          applied(word("cos"), theta, cosineBetween(v, w)),
-          name(in.own(vectorLetter("e")), unitCoordinates(v)).marked(in.mark("e")),
-          primeOf(in.v, wOntoV.projection, in.mark("vprime")),
-          primeOf(in.w, vOntoW.projection, in.mark("wprime")),
-          name(in.own(vectorLetter("h")), wOntoV.rejection).marked(in.mark("h"))};
-}
+  Term v = termOf(in.v);
+  Term w = termOf(in.w);
+  Term product = dot(v, w);
+  Term theta = ownName(letter("θ"), std::nullopt).marked(mark("theta"));
+  Term cosine = applied(word("cos"), theta, cosineBetween(in.v.object.vector, in.w.object.vector));
+  Term e = drawnName(vectorLetter("e"), unitCoordinates(in.v.object.vector));
+  Term vPrime = primeOf(in.v, wOntoV.projection, mark("vprime")); ///< w projected onto v: a multiple of v
+  Term wPrime = primeOf(in.w, vOntoW.projection, mark("wprime")); ///< v projected onto w
+  Term h = drawnName(vectorLetter("h"), wOntoV.rejection);        ///< what is left of w: across v
+};
 
-CaseWords tell(const In &, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string product = equation(at.product);
-  if (at.hasZero())
+  if (!at.hasAngle)
     return {"zero-vector",
             words("{zero} is the zero vector: it points nowhere, so it makes no angle, and nothing can be "
                   "projected onto it.",
@@ -105,53 +84,20 @@ CaseWords tell(const In &, const Out &at) {
                                          {{"product", product}})};
 }
 
-/// The numbers of one projection, as the query has them.
-NamedValue projectionValues(std::string name, const ProjectedVector<Rational> &parts) {
-  const auto coordinates = [](const ExactVec3 &vector) {
-    return std::vector<Surd>{vector.x, vector.y, vector.z};
-  };
-  return {std::move(name),
-          {},
-          std::vector<NamedValue>{{"scalar", {}, parts.scalar},
-                                  {"projection", {}, coordinates(parts.projection)},
-                                  {"rejection", {}, coordinates(parts.rejection)}}};
-}
-
 const char *signName(int sign) { return sign > 0 ? "positive" : sign < 0 ? "negative" : "zero"; }
-
-std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
-  const ExactVec3 &v = in.v.object.vector;
-  const ExactVec3 &w = in.w.object.vector;
-  std::vector<NamedValue> values{listed("dot", at.product),
-                                 {"sign", words("sign of the dot product"), signName(at.sign)},
-                                 {"length_v", norm(at.v), Surd::root(dot(v, v))},
-                                 {"length_w", norm(at.w), Surd::root(dot(w, w))}};
-  if (!isZero(v)) {
-    values.push_back(listed("unit_v", at.e));
-    values.push_back(projectionValues("onto_v", at.wOntoV));
-  }
-  if (!isZero(w))
-    values.push_back(projectionValues("onto_w", at.vOntoW));
-  if (!at.hasZero())
-    values.push_back(listed("cos_angle", at.cosine));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &) { return {}; }
-
-WorkingLine productLine(const Out &at) {
-  return asked(withProducts(at.product),
-               words("Multiply x by x, y by y and z by z, and add the three products."));
-}
 
 WorkingLine lengthLine(const Term &vector) {
   return asked(withProducts(norm(vector) == root(dot(vector, vector))));
 }
 
-WorkingLine cosineLine(const Out &at) {
+std::string angleWords(const Out &at) {
   const std::string degrees = relatedText(degreesOf(at.cosine)); // with its relation
-  return asked(withNumbers(at.cosine == at.product / (norm(at.v) * norm(at.w))),
-               words("θ{degrees}°: the angle between {v} and {w}.", at.letters, {{"degrees", degrees}}));
+  return words("θ{degrees}°: the angle between {v} and {w}.", at.letters, {{"degrees", degrees}});
+}
+
+std::string unitProductWords(const Out &at) {
+  return at.hasAngle ? words("The same number once more: with a unit vector there is nothing to divide by.")
+                     : words("With a unit vector there is nothing to divide by.");
 }
 
 WorkingLine reachLine(const Out &at) {
@@ -170,13 +116,6 @@ WorkingLine unitLine(const Out &at) {
                words("The arrow of length 1 in the direction of {v}.", at.letters),
                {{at.v / dot(at.v, at.v),
                  words("{answer} is divided by {v}·{v}: divide by its root, |{v}|.", at.letters)}});
-}
-
-WorkingLine unitProductLine(const Out &at) {
-  return asked(withNumbers(dot(at.w, at.e)),
-               at.hasZero()
-                   ? words("With a unit vector there is nothing to divide by.")
-                   : words("The same number once more: with a unit vector there is nothing to divide by."));
 }
 
 WorkingLine projectionLine(const Out &at) {
@@ -203,36 +142,29 @@ WorkingLine otherProjectionLine(const Out &at) {
        {at.vPrime, words("{answer} is the projection of {w} onto {v}.", at.letters)}});
 }
 
-WorkingLine restLine(const Out &at) {
-  return asked(withNumbers(at.h == at.w - at.vPrime),
-               words("What is left of {w} when its part along {v} is taken away.", at.letters));
-}
-
 WorkingLine perpendicularLine(const Out &at) {
   return line(withProducts(dot(at.h, at.v)),
               isZero(at.wOntoV.rejection) ? words("0, because nothing is left.")
                                           : words("Always 0: the rest is perpendicular to {v}.", at.letters));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("dot", [&at] { return productLine(at); });
-  lines.add("length-v", [&at] { return lengthLine(at.v); });
-  lines.add("length-w", [&at] { return lengthLine(at.w); });
-  if (!at.hasZero())
-    lines.add("cosine", [&at] { return cosineLine(at); });
-  if (!at.hasZero())
-    lines.add("reach", [&at] { return reachLine(at); });
-  if (!isZero(vectorOf(at.v))) {
-    lines.add("unit", [&at] { return unitLine(at); });
-    lines.add("unit-dot", [&at] { return unitProductLine(at); });
-    lines.add("projection", [&at] { return projectionLine(at); });
-    lines.add("rest", [&at] { return restLine(at); });
-    lines.add("perpendicular", [&at] { return perpendicularLine(at); });
-  }
-  if (!isZero(vectorOf(at.w)))
-    lines.add("other-projection", [&at] { return otherProjectionLine(at); });
-  return lines;
+LineTable<Out> lines() {
+  return {
+      {"dot", always, [](const Out &at) { return withProducts(at.product); },
+       says("Multiply x by x, y by y and z by z, and add the three products.")},
+      {"length-v", always, [](const Out &at) { return lengthLine(at.v); }},
+      {"length-w", always, [](const Out &at) { return lengthLine(at.w); }},
+      {"cosine", &Out::hasAngle,
+       [](const Out &at) { return withNumbers(at.cosine == at.product / (norm(at.v) * norm(at.w))); },
+       angleWords},
+      {"reach", &Out::hasAngle, reachLine},
+      {"unit", &Out::hasV, unitLine},
+      {"unit-dot", &Out::hasV, [](const Out &at) { return withNumbers(dot(at.w, at.e)); }, unitProductWords},
+      {"projection", &Out::hasV, projectionLine},
+      {"rest", &Out::hasV, [](const Out &at) { return withNumbers(at.h == at.w - at.vPrime); },
+       says("What is left of {w} when its part along {v} is taken away.")},
+      {"perpendicular", &Out::hasV, perpendicularLine},
+      {"other-projection", &Out::hasW, otherProjectionLine}};
 }
 
 /// A vector drawn once more from where the other starts, so that both start from one point: it is the same
@@ -260,61 +192,75 @@ void drawProjection(Figure &figure, const Term &prime, const Given<VectorObject>
       {prime->mark + "/angle", Role::Helper, Subject::Measure}, foot, place(onto.object.vector), across});
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  const VectorObject &v = in.v.object;
-  const VectorObject &w = in.w.object;
-  const Place from = place(v.start);
-  if (!at.hasZero()) {
-    drawMoved(figure, at.theta->mark, from, in.w);
-    figure.add(
-        ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), from, place(v.vector), place(w.vector)});
+  const auto &[v, w] = std::tie(at.in.v, at.in.w);
+  const Place from = place(v.object.start);
+  if (at.hasAngle) {
+    drawMoved(figure, at.theta->mark, from, w);
+    figure.add(ArcMark{drawn(at.theta, Role::Derived, Subject::Neutral), from, place(at.v), place(at.w)});
   }
-  if (!isZero(v.vector)) {
-    figure.add(
-        inLook(in.v.look, ArrowMark{drawn(at.e, Role::Derived, Subject::Neutral), from, unitOf(v.vector)}));
-    drawProjection(figure, at.vPrime, in.w, in.v);
+  if (at.hasV) {
+    const MarkBase unit = drawn(at.e, Role::Derived, Subject::Neutral);
+    figure.add(inLook(v.look, ArrowMark{unit, from, unitOf(v.object.vector)}));
+    drawProjection(figure, at.vPrime, w, v);
     if (!isZero(at.wOntoV.rejection))
       figure.add(arrowOf(at.h, from + place(at.vPrime), Role::Result, Subject::Measure));
   }
-  if (!isZero(w.vector))
-    drawProjection(figure, at.wPrime, in.v, in.w);
+  if (at.hasW)
+    drawProjection(figure, at.wPrime, v, w);
   return figure;
 }
 
-/// What w would be, turned or stretched, for which something special holds.
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  std::vector<SpecialCase> all;
-  if (at.hasZero() || at.sign == 0)
-    return all;
-  const auto add = [&](const char *when, std::string sentence, const ExactVec3 &w) {
-    all.push_back({when, std::move(sentence), "w", VectorObject{in.w.object.start, w}});
+std::vector<SpecialCase> nearby(const Out &at) {
+  if (!at.hasAngle || at.sign == 0 || at.areParallel)
+    return {};
+  const ExactVec3 &start = at.in.w.object.start;
+  return {{"case = right", words("{v} and {w} would be perpendicular.", at.letters), "w",
+           VectorObject{start, at.wOntoV.rejection}},
+          {at.sign > 0 ? "case = same-direction" : "case = opposite",
+           words("{v} and {w} would lie along one line.", at.letters), "w",
+           VectorObject{start, at.wOntoV.projection}}};
+}
+
+/// The numbers of one projection, as the query has them.
+ValueRow<Out> projectionRow(const char *name, When<Out> stands, ProjectedVector<Rational> Out::*parts) {
+  const auto coordinates = [](const ExactVec3 &vector) {
+    return Value(std::vector<Surd>{vector.x, vector.y, vector.z});
   };
-  if (at.areParallel)
-    return all;
-  add("case = right", words("{v} and {w} would be perpendicular.", at.letters), at.wOntoV.rejection);
-  add(at.sign > 0 ? "case = same-direction" : "case = opposite",
-      words("{v} and {w} would lie along one line.", at.letters), at.wOntoV.projection);
-  return all;
+  return valueGroup<Out>(
+      name, std::move(stands),
+      {{named::number("scalar"), always, [=](const Out &at) { return Value((at.*parts).scalar); }},
+       {named::vector("projection"), always,
+        [=](const Out &at) { return coordinates((at.*parts).projection); }},
+       {named::vector("rejection"), always,
+        [=](const Out &at) { return coordinates((at.*parts).rejection); }}});
 }
 
 } // namespace
 
 Construction dot_product_projection() {
-  const auto projection = [](const char *name) {
-    return named::group(name,
-                        {named::number("scalar"), named::vector("projection"), named::vector("rejection")});
-  };
-  return makeConstruction<In, Out, VectorObject, VectorObject>(
-      "dot-product-projection", {"v", "w"}, {}, {"θ", "e", "h"},
-      {.cases = {"acute", "right", "obtuse", "same-direction", "opposite", "zero-vector"},
-       .values = {named::number("dot"), named::word("sign", {"positive", "zero", "negative"}),
-                  named::number("length_v"), named::number("length_w"), named::vector("unit_v"),
-                  projection("onto_v"), projection("onto_w"), named::number("cos_angle")},
-       .lines = {"dot", "length-v", "length-w", "cosine", "reach", "unit", "unit-dot", "projection", "rest",
-                 "perpendicular", "other-projection"},
-       .marks = {"theta", "e", "vprime", "h", "wprime"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, VectorObject, VectorObject>(
+      {.id = "dot-product-projection",
+       .roles = {"v", "w"},
+       .letters = {"θ", "e", "h"},
+       .cases = {"acute", "right", "obtuse", "same-direction", "opposite", "zero-vector"},
+       .values = {{named::number("dot"), always, &Out::product},
+                  {named::word("sign", {"positive", "zero", "negative"}), always,
+                   [](const Out &at) {
+                     return ToldValue(words("sign of the dot product"), signName(at.sign));
+                   }},
+                  {named::number("length_v"), always, [](const Out &at) { return norm(at.v); }},
+                  {named::number("length_w"), always, [](const Out &at) { return norm(at.w); }},
+                  {named::vector("unit_v"), &Out::hasV, &Out::e},
+                  projectionRow("onto_v", &Out::hasV, &Out::wOntoV),
+                  projectionRow("onto_w", &Out::hasW, &Out::vOntoW),
+                  {named::number("cos_angle"), &Out::hasAngle, &Out::cosine}},
+       .lines = lines(),
+       .marks = {"theta", "e", "vprime", "h", "wprime"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

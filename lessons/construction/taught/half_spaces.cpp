@@ -1,19 +1,11 @@
 // On which sides of a plane points lie: the signs of f tell (note PG 3.4).
 #include "geometry/case_names.h"
 #include "geometry/point_plane.h"
-#include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/words.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace halfspace {
@@ -35,11 +27,6 @@ struct Sided {
   PointPlane<Rational> measured;
 };
 
-struct Out : Naming, PlaneTerms {
-  bool zeroNormal;
-  std::array<Sided, 4> points;
-};
-
 Sided sidedOf(const In &in, const std::string &role, const Given<PointObject> &given) {
   const auto &[through, normal] = in.E.object;
   const auto measured = measurePointPlane(given.object.at, planeThrough(through, normal));
@@ -48,12 +35,13 @@ Sided sidedOf(const In &in, const std::string &role, const Given<PointObject> &g
           measured};
 }
 
-Out compute(const In &in) {
-  return {in,
-          termsOf(in.E),
-          isZero(in.E.object.normal),
-          {sidedOf(in, "A", in.A), sidedOf(in, "B", in.B), sidedOf(in, "C", in.C), sidedOf(in, "D", in.D)}};
-}
+struct Out : Computed<In>, PlaneTerms {
+  explicit Out(const In &objects) : Computed(objects), PlaneTerms(termsOf(objects.E)) {}
+
+  bool hasPlane = !isZero(in.E.object.normal);
+  std::array<Sided, 4> points{sidedOf(in, "A", in.A), sidedOf(in, "B", in.B), sidedOf(in, "C", in.C),
+                              sidedOf(in, "D", in.D)};
+};
 
 std::vector<const Sided *> pointsOn(const Out &at, PointPlaneCase side) {
   std::vector<const Sided *> found;
@@ -96,40 +84,20 @@ std::string sidesWords(const Out &at) {
   return all;
 }
 
-CaseWords tell(const In &, const Out &at) {
-  if (at.zeroNormal)
+CaseWords tell(const Out &at) {
+  if (!at.hasPlane)
     return zeroNormalWords(at);
   const bool isSplit =
       !pointsOn(at, PointPlaneCase::Positive).empty() && !pointsOn(at, PointPlaneCase::Negative).empty();
   return {isSplit ? "split" : "one-side", sidesWords(at)};
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values;
-  for (const Sided &each : at.points)
-    values.push_back(listed("f_" + each.role, each.f));
-  if (at.zeroNormal)
-    return values;
-  for (const Sided &each : at.points)
-    values.push_back({"side_" + each.role, words("side of {point}", {{"point", plainText(each.point)}}),
-                      std::string(nameOf(each.measured.which))});
-  const auto addCount = [&](PointPlaneCase side, std::string label) {
-    values.push_back(
-        {std::string(nameOf(side)), std::move(label), Surd(static_cast<int>(pointsOn(at, side).size()))});
-  };
-  addCount(PointPlaneCase::Positive, words("points on the positive side"));
-  addCount(PointPlaneCase::Negative, words("points on the negative side"));
-  addCount(PointPlaneCase::On, words("points in the plane"));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &) { return {}; }
-
-WorkingLine valueLine(const Out &at, const Sided &each) {
+WorkingLine valueLine(const Out &at, std::size_t index) {
+  const auto &[role, point, f, measured] = at.points.at(index);
   return asked(
-      withNumbers(each.f == dot(at.n, each.point - at.P0)), {},
-      {{dot(at.n, each.point), words("{answer} is {n}·{point}: {P0} is to be subtracted from {point} first.",
-                                     at.letters, {{"point", plainText(each.point)}})}});
+      withNumbers(f == dot(at.n, point - at.P0)), {},
+      {{dot(at.n, point), words("{answer} is {n}·{point}: {P0} is to be subtracted from {point} first.",
+                                at.letters, {{"point", plainText(point)}})}});
 }
 
 WorkingLine sidesLine(const Out &at) {
@@ -153,17 +121,6 @@ WorkingLine flippedLine(const Out &at) {
   return asked(withNumbers(dot(-at.n, first.point - at.P0)), flippedWords(at, first),
                {{first.f, words("{answer} is f({point}): with −{n} every product changes its sign.",
                                 at.letters, {{"point", plainText(first.point)}})}});
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  for (const Sided &each : at.points)
-    lines.add("f-" + each.role, [&at, &each] { return valueLine(at, each); });
-  if (at.zeroNormal)
-    return lines;
-  lines.add("sides", [&at] { return sidesLine(at); });
-  lines.add("flipped", [&at] { return flippedLine(at); });
-  return lines;
 }
 
 /// A ring that lies in the plane around a point of it: three thirds of a circle.
@@ -211,18 +168,18 @@ void drawSide(Figure &figure, const In &in, const Sided &each) {
   figure.reaches.push_back({in.E.id, foot});
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   for (const Sided &each : at.points)
-    drawSide(figure, in, each);
+    drawSide(figure, at.in, each);
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (at.zeroNormal)
+  if (!at.hasPlane)
     return all;
-  const auto &[through, normal] = in.E.object;
+  const auto &[through, normal] = at.in.E.object;
   for (const Sided &each : at.points) {
     if (each.measured.which == PointPlaneCase::On)
       continue;
@@ -237,41 +194,63 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
   return all;
 }
 
+constexpr std::array roles{"A", "B", "C", "D"};
+
 /// Of the four points: f_A, f_B …
 std::vector<std::string> forEachPoint(const std::string &before) {
   std::vector<std::string> names;
-  for (const char *role : {"A", "B", "C", "D"})
+  for (const char *role : roles)
     names.push_back(before + role);
   return names;
 }
 
-std::vector<ValueName> valueNames() {
-  std::vector<ValueName> names;
-  for (std::string &name : forEachPoint("f_"))
-    names.push_back(named::number(std::move(name)));
-  for (std::string &name : forEachPoint("side_"))
-    names.push_back(named::word(std::move(name), {"positive", "negative", "on"}));
-  for (const char *count : {"positive", "negative", "on"})
-    names.push_back(named::number(count));
-  return names;
+LineTable<Out> lines() {
+  LineTable<Out> table;
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    table.push_back(
+        {"f-" + std::string(roles.at(i)), always, [i](const Out &at) { return valueLine(at, i); }});
+  table.push_back({"sides", &Out::hasPlane, sidesLine});
+  table.push_back({"flipped", &Out::hasPlane, flippedLine});
+  return table;
 }
 
-std::vector<std::string> lineNames() {
-  std::vector<std::string> names = forEachPoint("f-");
-  names.insert(names.end(), {"sides", "flipped"});
-  return names;
+ValueRow<Out> valueRow(std::size_t index) {
+  return {named::number("f_" + std::string(roles.at(index))), always,
+          [index](const Out &at) { return at.points.at(index).f; }};
+}
+
+ValueRow<Out> sideRow(std::size_t index) {
+  return {named::word("side_" + std::string(roles.at(index)), {"positive", "negative", "on"}), &Out::hasPlane,
+          [index](const Out &at) {
+            const Sided &each = at.points.at(index);
+            return ToldValue(words("side of {point}", {{"point", plainText(each.point)}}),
+                             nameOf(each.measured.which));
+          }};
+}
+
+ValueRow<Out> countRow(PointPlaneCase side, Sentence label) {
+  return {named::number(std::string(nameOf(side))), &Out::hasPlane, [=](const Out &at) {
+            return ToldValue(words(label.english), Surd(static_cast<int>(pointsOn(at, side).size())));
+          }};
 }
 
 } // namespace
 
 Construction half_spaces() {
-  return makeConstruction<In, Out, PlaneObject, PointObject, PointObject, PointObject, PointObject>(
-      "half-spaces", {"E", "A", "B", "C", "D"}, {}, {"f"},
-      {.cases = {"split", "one-side", "zero-normal"},
-       .values = valueNames(),
-       .lines = lineNames(),
-       .marks = forEachPoint("side-")},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject, PointObject, PointObject, PointObject, PointObject>(
+      {.id = "half-spaces",
+       .roles = {"E", "A", "B", "C", "D"},
+       .letters = {"f"},
+       .cases = {"split", "one-side", "zero-normal"},
+       .values = {valueRow(0), valueRow(1), valueRow(2), valueRow(3), sideRow(0), sideRow(1), sideRow(2),
+                  sideRow(3), countRow(PointPlaneCase::Positive, says("points on the positive side")),
+                  countRow(PointPlaneCase::Negative, says("points on the negative side")),
+                  countRow(PointPlaneCase::On, says("points in the plane"))},
+       .lines = lines(),
+       .marks = forEachPoint("side-"),
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

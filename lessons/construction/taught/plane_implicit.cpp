@@ -2,16 +2,8 @@
 // 1 and 3).
 #include "geometry/point_plane.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 #include <array>
 
@@ -22,14 +14,6 @@ struct In : Naming {
   Given<PlaneObject> E;
 };
 
-struct Out : Naming, PlaneTerms {
-  std::string plane; ///< the mark
-  Plane<Rational> equation;
-  bool zeroNormal;
-  Term P, P1; ///< any point of space, a second one of the plane
-  Term left;  ///< of the equation: n·(P − P0)
-};
-
 /// A vector in the plane with short coordinates, for n ≠ 0.
 Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
   if (normal.y == 0 && normal.z == 0)
@@ -37,54 +21,29 @@ Term vectorInPlane(const ExactVec3 &normal, const Term &n) {
   return cross(n, list({1, 0, 0}));
 }
 
-Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E);
-  const auto &[point, normal] = in.E.object;
-  const Term second = E.P0 + vectorInPlane(normal, E.n);
-  return {in,
-          E,
-          in.E.id,
-          planeThrough(point, normal),
-          isZero(normal),
-          anyPoint(),
-          madeName(in, "P1", second->value).standingFor(second),
-          dot(E.n, anyPoint() - E.P0)};
-}
+struct Out : Computed<In>, PlaneTerms {
+  explicit Out(const In &objects) : Computed(objects), PlaneTerms(termsOf(objects.E)) {}
 
-CaseWords tell(const In &, const Out &at) {
-  if (at.zeroNormal)
+  Plane<Rational> equation = planeThrough(in.E.object.point, in.E.object.normal);
+  bool hasPlane = !isZero(in.E.object.normal);
+
+  Term P = anyPoint(); ///< of space
+  Term second = P0 + vectorInPlane(in.E.object.normal, n);
+  Term P1 = madeName("P1", second->value).standingFor(second); ///< a second point of the plane
+  Term left = dot(n, P - P0);                                  ///< of the equation
+};
+
+CaseWords tell(const Out &at) {
+  if (!at.hasPlane)
     return zeroNormalWords(at);
   return {"plane", words("A point P lies in the plane exactly when {equation}.",
                          {{"equation", plainText(equationOf(at))}})};
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  const auto &plane = at.equation;
-  std::vector<NamedValue> values{
-      {"coefficients", list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
-       std::vector<Surd>{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset}}};
-  if (at.zeroNormal)
-    return values;
-  const auto primitive = primitiveCoefficients(plane);
-  const auto normalized = normalizedCoefficients(plane);
-  values.push_back(
-      {"primitive", words("in lowest integers"), std::vector<Surd>(primitive.begin(), primitive.end())});
-  values.push_back({"normalized", words("normalized"), std::vector(normalized.begin(), normalized.end())});
-  values.push_back({"origin_distance", words("signed distance of the origin"),
-                    measurePointPlane(ExactVec3(0), plane).signedDistance});
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (at.zeroNormal)
-    return {};
-  return {{"P1", PointObject{vectorOf(at.P1)}}};
-}
-
 WorkingLine implicitLine(const Out &at) {
   return line(condition(0 == at.left),
-              at.zeroNormal ? words("This dot product is zero for every P, so it tells no plane.")
-                            : words("P lies in the plane exactly when this dot product is zero."));
+              at.hasPlane ? words("P lies in the plane exactly when this dot product is zero.")
+                          : words("This dot product is zero for every P, so it tells no plane."));
 }
 
 WorkingLine insertLine(const Out &at) {
@@ -100,7 +59,7 @@ WorkingLine expandLine(const Out &at) {
 WorkingLine collectLine(const Out &at) {
   const Chain collected = (0 == at.left)
                               .then(calculated(dot(at.n, at.P)) - multipliedOut(dot(at.n, at.P0)))
-                              .then(calculated(at.left).marked(at.plane));
+                              .then(calculated(at.left).marked(at.in.E.id));
   const Term onlyAdded = sum(calculated(at.P0)->parts);
   return askedEquation(
       condition(collected),
@@ -114,10 +73,9 @@ WorkingLine collectLine(const Out &at) {
                                            at.letters)}});
 }
 
-WorkingLine constantLine(const Out &at) {
-  return asked(withProducts(dot(at.n, at.P1)),
-               words("{point}, another point of the plane, gives the same number as {P0}.", at.letters,
-                     {{"point", equation(at.P1)}}));
+std::string constantWords(const Out &at) {
+  return words("{point}, another point of the plane, gives the same number as {P0}.", at.letters,
+               {{"point", equation(at.P1)}});
 }
 
 std::string normalizedWords(const Out &at) {
@@ -147,34 +105,20 @@ WorkingLine scaledLine(const Out &at) {
       words("Twice the normal doubles every number and changes nothing: the same points make it zero."));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("implicit", [&at] { return implicitLine(at); });
-  lines.add("insert", [&at] { return insertLine(at); });
-  if (at.zeroNormal)
-    return lines;
-  lines.add("expand", [&at] { return expandLine(at); });
-  lines.add("collect", [&at] { return collectLine(at); });
-  lines.add("constant", [&at] { return constantLine(at); });
-  lines.add("normalized", [&at] { return normalizedLine(at); });
-  lines.add("scaled", [&at] { return scaledLine(at); });
-  return lines;
-}
-
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   const Place point = place(at.P0);
   const Place normal = place(at.n);
   const Place other = place(at.P1);
-  if (at.zeroNormal)
+  if (!at.hasPlane)
     return figure;
-  figure.reaches.push_back({in.E.id, other});
+  figure.reaches.push_back({at.in.E.id, other});
   figure.add(SegmentMark{{at.P1->mark + "/way", Role::Helper}, point, other});
-  figure.add(inLook(in.E.look, pointOf(at.P1, Role::Derived, Subject::Plane)));
+  figure.add(inLook(at.in.E.look, pointOf(at.P1, Role::Derived, Subject::Plane)));
   figure.add(RightAngleMark{{at.P1->mark + "/angle", Role::Helper}, point, normal, other - point});
   // Not from P0, where it would lie on n: a normal may stand on any point of its plane.
   MarkBase twice{at.mark("kn"), Role::Ghost, Subject::Plane, latexOf(2 * at.n)};
-  figure.add(inLook(in.E.look, ArrowMark{std::move(twice), other, 2.0 * normal}));
+  figure.add(inLook(at.in.E.look, ArrowMark{std::move(twice), other, 2.0 * normal}));
   return figure;
 }
 
@@ -189,32 +133,69 @@ SpecialCase parallelToAxis(const In &in, int axis) {
           tilted};
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (at.zeroNormal)
+  if (!at.hasPlane)
     return all;
-  const auto &[point, normal] = in.E.object;
+  const auto &[point, normal] = at.in.E.object;
   if (at.equation.offset != 0)
     all.push_back({"origin_distance = 0", words("The plane would go through the origin."), "E",
                    PlaneObject{projectVector(point, normal).rejection, normal}});
   for (int axis = 0; axis < 3; ++axis)
-    if (SpecialCase tilted = parallelToAxis(in, axis);
+    if (SpecialCase tilted = parallelToAxis(at.in, axis);
         normal[axis] != 0 && !isZero(objectAs<PlaneObject>(*tilted.object)->normal))
       all.push_back(std::move(tilted));
   return all;
 }
 
+/// Four coefficients.
+template <class Four> Value rowOf(const Four &numbers) {
+  return std::vector<Surd>(numbers.begin(), numbers.end());
+}
+
+ToldValue coefficientsValue(const Out &at) {
+  const auto &[normal, offset] = at.equation;
+  return {list({unknown("a"), unknown("b"), unknown("c"), unknown("d")}),
+          std::vector<Surd>{normal.x, normal.y, normal.z, offset}};
+}
+
+ToldValue primitiveValue(const Out &at) {
+  return {words("in lowest integers"), rowOf(primitiveCoefficients(at.equation))};
+}
+
+ToldValue normalizedValue(const Out &at) {
+  return {words("normalized"), rowOf(normalizedCoefficients(at.equation))};
+}
+
+ToldValue distanceValue(const Out &at) {
+  return {words("signed distance of the origin"),
+          measurePointPlane(ExactVec3(0), at.equation).signedDistance};
+}
+
 } // namespace
 
 Construction plane_implicit() {
-  return makeConstruction<In, Out, PlaneObject>(
-      "plane-implicit", {"E"}, {{"P1", "point"}}, {},
-      {.cases = {"plane", "zero-normal"},
-       .values = {named::list("coefficients", 4), named::list("primitive", 4), named::list("normalized", 4),
-                  named::number("origin_distance")},
-       .lines = {"implicit", "insert", "expand", "collect", "constant", "normalized", "scaled"},
-       .marks = {"P1", "kn"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject>(
+      {.id = "plane-implicit",
+       .roles = {"E"},
+       .makes = {{"P1", &Out::hasPlane, &Out::P1}},
+       .cases = {"plane", "zero-normal"},
+       .values = {{named::list("coefficients", 4), always, coefficientsValue},
+                  {named::list("primitive", 4), &Out::hasPlane, primitiveValue},
+                  {named::list("normalized", 4), &Out::hasPlane, normalizedValue},
+                  {named::number("origin_distance"), &Out::hasPlane, distanceValue}},
+       .lines = {{"implicit", always, implicitLine},
+                 {"insert", always, insertLine},
+                 {"expand", &Out::hasPlane, expandLine},
+                 {"collect", &Out::hasPlane, collectLine},
+                 {"constant", &Out::hasPlane, [](const Out &at) { return withProducts(dot(at.n, at.P1)); },
+                  constantWords},
+                 {"normalized", &Out::hasPlane, normalizedLine},
+                 {"scaled", &Out::hasPlane, scaledLine}},
+       .marks = {"P1", "kn"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

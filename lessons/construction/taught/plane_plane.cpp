@@ -3,16 +3,9 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_planes.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/line.h"
-#include "lessons/object/letters.h"
 #include "lessons/term/angle.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -22,15 +15,6 @@ struct In : Naming {
   Given<PlaneObject> F;
 };
 
-struct Out : Naming {
-  PlanePlane<Rational> meet;
-  PlaneTerms E, F;
-  Term d1, d2;      ///< the planes' constants
-  Term v, m;        ///< direction and moment of the line
-  Term A;           ///< its point nearest to the origin
-  Term phi, cosine; ///< of the angle between the normals
-};
-
 /// d of a plane: −n·P0.
 Term constantOf(const PlaneTerms &plane, const std::string &owner, const Rational &value) {
   Symbol d = letter("d");
@@ -38,27 +22,27 @@ Term constantOf(const PlaneTerms &plane, const std::string &owner, const Rationa
   return name(std::move(d), value).standingFor(-dot(plane.n, plane.P0));
 }
 
-Out compute(const In &in) {
-  const auto first = planeThrough(in.E.object.point, in.E.object.normal);
-  const auto second = planeThrough(in.F.object.point, in.F.object.normal);
-  const auto meet = intersectPlanes(first, second);
-  const PlaneTerms E = termsOf(in.E);
-  const PlaneTerms F = termsOf(in.F);
-  const Term phi = name(in.own(letter("φ")), std::nullopt).marked(in.mark("phi"));
-  return {in,
-          meet,
-          E,
-          F,
-          constantOf(E, in.E.id, first.offset),
-          constantOf(F, in.F.id, second.offset),
-          madeName(in, "g", "v", meet.line.direction),
-          name(in.own(vectorLetter("m")), meet.line.moment),
-          madeName(in, "g", "A", meet.nearest),
-          phi,
-          applied(word("cos"), phi, meet.cosine)};
-}
+struct Out : Computed<In> {
+  explicit Out(const In &objects) : Computed(objects) {}
 
-CaseWords tell(const In &, const Out &at) {
+  Plane<Rational> first = planeThrough(in.E.object.point, in.E.object.normal);
+  Plane<Rational> second = planeThrough(in.F.object.point, in.F.object.normal);
+  PlanePlane<Rational> meet = intersectPlanes(first, second);
+  bool hasPlanes = meet.which != PlanePlaneCase::ZeroNormal;
+  bool hasLine = meet.which == PlanePlaneCase::Line;
+
+  PlaneTerms E = termsOf(in.E);
+  PlaneTerms F = termsOf(in.F);
+  Term d1 = constantOf(E, in.E.id, first.offset);
+  Term d2 = constantOf(F, in.F.id, second.offset);
+  Term v = madeName("g", "v", meet.line.direction);
+  Term m = ownName(vectorLetter("m"), meet.line.moment);
+  Term A = madeName("g", "A", meet.nearest); ///< the line's point nearest to the origin
+  Term phi = ownName(letter("φ"), std::nullopt).marked(mark("phi")); ///< the angle between the normals
+  Term cosine = applied(word("cos"), phi, meet.cosine);
+};
+
+CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
   case PlanePlaneCase::Line:
@@ -80,58 +64,32 @@ CaseWords tell(const In &, const Out &at) {
           true};
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (at.meet.which == PlanePlaneCase::ZeroNormal)
-    return {};
-  std::vector<NamedValue> values;
-  if (at.meet.which == PlanePlaneCase::Line)
-    values = {listed("direction", at.v), listed("moment", at.m), listed("point", at.A)};
-  values.push_back(listed("cos_angle", at.cosine));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (at.meet.which != PlanePlaneCase::Line)
-    return {};
-  return {{"g", LineObject{at.meet.nearest, at.meet.line.direction}}};
-}
-
-/// `sentence` says which plane's it is.
-WorkingLine constantLine(const Term &d, const PlaneTerms &plane, std::string sentence) {
-  return asked(withProducts(d == -dot(plane.n, plane.P0)), std::move(sentence));
-}
-
 WorkingLine directionLine(const Out &at) {
   return asked(
       withProducts(at.v == cross(at.E.n, at.F.n)),
-      at.meet.which == PlanePlaneCase::Line
-          ? words("The line lies in both planes, so it is perpendicular to both normals.")
-          : words("The cross product is the zero vector: the normals lie along the same line, and the "
-                  "planes share no single line."),
+      at.hasLine ? words("The line lies in both planes, so it is perpendicular to both normals.")
+                 : words("The cross product is the zero vector: the normals lie along the same line, and the "
+                         "planes share no single line."),
       {{cross(at.F.n, at.E.n),
         words("{answer} is the cross product the other way round: {F.n} × {E.n}.", at.letters)}});
 }
 
-WorkingLine momentLine(const Out &at) {
-  return asked(
-      withNumbers(at.m == at.d1 * at.F.n - at.d2 * at.E.n),
-      words("The moment P × {v} is the same for every point P of the line. The two equations give it "
-            "without knowing any point.",
-            at.letters, {{"v", plainText(at.v)}}));
+std::string momentWords(const Out &at) {
+  return words("The moment P × {v} is the same for every point P of the line. The two equations give it "
+               "without knowing any point.",
+               at.letters, {{"v", plainText(at.v)}});
 }
 
-WorkingLine pointLine(const Out &at) {
-  return asked(
-      withNumbers(at.A == cross(at.v, at.m) / dot(at.v, at.v)),
-      isZero(vectorOf(at.m))
-          ? words("The moment is zero: the line goes through the origin, which is its nearest point.")
-          : words("The point of the line that is nearest to the origin."));
+std::string pointWords(const Out &at) {
+  return isZero(vectorOf(at.m))
+             ? words("The moment is zero: the line goes through the origin, which is its nearest point.")
+             : words("The point of the line that is nearest to the origin.");
 }
 
 WorkingLine angleLine(const Out &at) {
   const std::string degrees = relatedText(degreesOf(at.cosine)); // with its relation
   return asked(withNumbers(at.cosine == dot(at.E.n, at.F.n) / (norm(at.E.n) * norm(at.F.n))),
-               at.meet.which != PlanePlaneCase::Line
+               !at.hasLine
                    ? words("φ{degrees}°: the normals lie along the same line.", {{"degrees", degrees}})
                : sign(*numberOf(at.cosine)) >= 0
                    ? words("φ{degrees}° is the angle between the normals, and so between the planes.",
@@ -140,29 +98,8 @@ WorkingLine angleLine(const Out &at) {
                            {{"degrees", degrees}}));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  if (at.meet.which == PlanePlaneCase::ZeroNormal)
-    return lines;
-  lines.add("d1", [&at] {
-    return constantLine(at.d1, at.E,
-                        words("The constant d of {E}: its equation is n·P + d = 0.", at.letters));
-  });
-  lines.add("d2", [&at] {
-    return constantLine(at.d2, at.F,
-                        words("The constant d of {F}: its equation is n·P + d = 0.", at.letters));
-  });
-  lines.add("direction", [&at] { return directionLine(at); });
-  if (at.meet.which == PlanePlaneCase::Line) {
-    lines.add("moment", [&at] { return momentLine(at); });
-    lines.add("point", [&at] { return pointLine(at); });
-  }
-  lines.add("angle", [&at] { return angleLine(at); });
-  return lines;
-}
-
 /// The angle between the normals, both drawn once more from a point of the line.
-void drawAngle(Figure &figure, const In &in, const Out &at, const Place &point) {
+void drawAngle(Figure &figure, const Out &at, const Place &point) {
   const Place first = place(at.E.n);
   const Place second = place(at.F.n);
   figure.add(ArcMark{drawn(at.phi, Role::Derived, Subject::Neutral), point, first, second});
@@ -170,32 +107,32 @@ void drawAngle(Figure &figure, const In &in, const Out &at, const Place &point) 
     const MarkBase base{at.phi->mark + which, Role::Ghost, Subject::Plane};
     figure.add(inLook(look, ArrowMark{base, point, normal, true}));
   };
-  addNormal("/first", first, in.E.look);
-  addNormal("/second", second, in.F.look);
+  addNormal("/first", first, at.in.E.look);
+  addNormal("/second", second, at.in.F.look);
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  if (at.meet.which != PlanePlaneCase::Line)
+  if (!at.hasLine)
     return figure;
   const Place point = place(at.A);
-  MarkBase line{in.mark("g"), Role::Result, Subject::Ray, latexOf(in.made.at("g").symbol)};
+  MarkBase line{at.mark("g"), Role::Result, Subject::Ray, latexOf(at.made.at("g").symbol)};
   figure.add(LineMark{std::move(line), point, unitOf(at.meet.line.direction)});
   ArrowMark direction = arrowOf(at.v, point, Role::Derived, Subject::Ray);
   direction.isFree = true;
   figure.add(std::move(direction));
   figure.add(pointOf(at.A, Role::Derived, Subject::Ray));
-  drawAngle(figure, in, at, point);
-  figure.reaches = {{in.E.id, point}, {in.F.id, point}};
+  drawAngle(figure, at, point);
+  figure.reaches = {{at.in.E.id, point}, {at.in.F.id, point}};
   return figure;
 }
 
 /// The plane E turned about its point, until its normal is a multiple of the other's or perpendicular to it.
-std::vector<SpecialCase> turned(const In &in, const Out &at) {
+std::vector<SpecialCase> turned(const Out &at) {
   std::vector<SpecialCase> all;
-  const auto parts = projectVector(in.E.object.normal, in.F.object.normal);
-  const ExactVec3 &point = in.E.object.point;
-  const bool isInBoth = evaluate(planeThrough(in.F.object.point, in.F.object.normal), point) == 0;
+  const auto parts = projectVector(at.in.E.object.normal, at.in.F.object.normal);
+  const ExactVec3 &point = at.in.E.object.point;
+  const bool isInBoth = evaluate(planeThrough(at.in.F.object.point, at.in.F.object.normal), point) == 0;
   if (!isZero(parts.projection))
     all.push_back({isInBoth ? "case = coincident" : "case = parallel",
                    isInBoth ? words("{E} and {F} would be the same plane.", at.letters)
@@ -207,14 +144,14 @@ std::vector<SpecialCase> turned(const In &in, const Out &at) {
   return all;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  const auto &[point, normal] = in.E.object;
+std::vector<SpecialCase> nearby(const Out &at) {
+  const auto &[point, normal] = at.in.E.object;
   switch (at.meet.which) {
   case PlanePlaneCase::Line:
-    return turned(in, at);
+    return turned(at);
   case PlanePlaneCase::Parallel:
     return {{"case = coincident", words("{E} and {F} would be the same plane.", at.letters), "E",
-             PlaneObject{point - projectVector(ExactVec3(point - in.F.object.point), normal).projection,
+             PlaneObject{point - projectVector(ExactVec3(point - at.in.F.object.point), normal).projection,
                          normal}}};
   case PlanePlaneCase::Coincident:
   case PlanePlaneCase::ZeroNormal:
@@ -226,14 +163,37 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
 } // namespace
 
 Construction plane_plane() {
-  return makeConstruction<In, Out, PlaneObject, PlaneObject>(
-      "plane-plane", {"E", "F"}, {{"g", "line"}}, {"m", "φ"},
-      {.cases = {"line", "parallel", "coincident", "zero-normal"},
-       .values = {named::vector("direction"), named::vector("moment"), named::vector("point"),
-                  named::number("cos_angle")},
-       .lines = {"d1", "d2", "direction", "moment", "point", "angle"},
-       .marks = {"g", "g.v", "g.A", "phi"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject, PlaneObject>(
+      {.id = "plane-plane",
+       .roles = {"E", "F"},
+       .makes = {{"g", LineObject::kind, &Out::hasLine,
+                  [](const Out &at) {
+                    return LineObject{at.meet.nearest, at.meet.line.direction};
+                  }}},
+       .letters = {"m", "φ"},
+       .cases = {"line", "parallel", "coincident", "zero-normal"},
+       .values = {{named::vector("direction"), &Out::hasLine, &Out::v},
+                  {named::vector("moment"), &Out::hasLine, &Out::m},
+                  {named::vector("point"), &Out::hasLine, &Out::A},
+                  {named::number("cos_angle"), &Out::hasPlanes, &Out::cosine}},
+       .lines = {{"d1", &Out::hasPlanes,
+                  [](const Out &at) { return withProducts(at.d1 == -dot(at.E.n, at.E.P0)); },
+                  says("The constant d of {E}: its equation is n·P + d = 0.")},
+                 {"d2", &Out::hasPlanes,
+                  [](const Out &at) { return withProducts(at.d2 == -dot(at.F.n, at.F.P0)); },
+                  says("The constant d of {F}: its equation is n·P + d = 0.")},
+                 {"direction", &Out::hasPlanes, directionLine},
+                 {"moment", &Out::hasLine,
+                  [](const Out &at) { return withNumbers(at.m == at.d1 * at.F.n - at.d2 * at.E.n); },
+                  momentWords},
+                 {"point", &Out::hasLine,
+                  [](const Out &at) { return withNumbers(at.A == cross(at.v, at.m) / dot(at.v, at.v)); },
+                  pointWords},
+                 {"angle", &Out::hasPlanes, angleLine}},
+       .marks = {"g", "g.v", "g.A", "phi"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

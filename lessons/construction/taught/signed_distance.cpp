@@ -1,17 +1,9 @@
 // How far a point is from a plane, and on which side (notes PG 3.4 and 3.5, figure 1).
 #include "geometry/case_names.h"
 #include "geometry/point_plane.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/letters.h"
 #include "lessons/term/angle.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -21,38 +13,31 @@ struct In : Naming {
   Given<PointObject> Q;
 };
 
-struct Out : Naming, PlaneTerms {
-  PointPlaneCase which;
-  ExactVec3 foot;
-  bool atP0; ///< w is zero: there is no angle
-  Term Q, f, w, dist, F;
-  Term theta, cosine; ///< of the angle between n and w, where there is one
-};
-
-Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E);
-  const Term Q = termOf(in.Q);
-  const auto &[point, normal] = in.E.object;
-  const auto measured = measurePointPlane(in.Q.object.at, planeThrough(point, normal));
-  const ExactVec3 w = in.Q.object.at - point;
-  const bool hasAngle = measured.which != PointPlaneCase::ZeroNormal && !isZero(w);
-  const Term theta = name(in.own(letter("θ")), std::nullopt).marked(in.mark("theta"));
-  return {in,
-          E,
-          measured.which,
-          measured.foot,
-          isZero(w),
-          Q,
-          applied(in.own(letter("f")), Q, measured.f),
-          name(in.own(vectorLetter("w")), w).standingFor(Q - E.P0).marked(in.mark("w")),
-          name(in.own(word("dist")), measured.signedDistance).marked(in.mark("distance")),
-          madeName(in, "F", measured.foot),
-          theta,
-          applied(word("cos"), theta,
-                  hasAngle ? overRoot(measured.f, Rational(measured.normalSquared * dot(w, w))) : Surd())};
+/// Of the angle between the plane's normal and the way to the point.
+Surd cosineOf(const PointPlane<Rational> &measured, const ExactVec3 &way) {
+  return overRoot(measured.f, Rational(measured.normalSquared * dot(way, way)));
 }
 
-CaseWords tell(const In &, const Out &at) {
+struct Out : Computed<In>, PlaneTerms {
+  explicit Out(const In &objects) : Computed(objects), PlaneTerms(termsOf(objects.E)) {}
+
+  PointPlane<Rational> measured =
+      measurePointPlane(in.Q.object.at, planeThrough(in.E.object.point, in.E.object.normal));
+  PointPlaneCase which = measured.which;
+  bool hasPlane = which != PointPlaneCase::ZeroNormal;
+  ExactVec3 way = in.Q.object.at - in.E.object.point;
+  bool hasAngle = hasPlane && !isZero(way);
+
+  Term Q = termOf(in.Q);
+  Term f = applied(own(letter("f")), Q, measured.f);
+  Term w = drawnName(vectorLetter("w"), way).standingFor(Q - P0);
+  Term dist = ownName(word("dist"), measured.signedDistance).marked(mark("distance"));
+  Term F = madeName("F", measured.foot);
+  Term theta = ownName(letter("θ"), std::nullopt).marked(mark("theta"));
+  Term cosine = applied(word("cos"), theta, hasAngle ? cosineOf(measured, way) : Surd());
+};
+
+CaseWords tell(const Out &at) {
   const std::string f = equation(at.f);
   const std::string distance = equation(name(word("signed distance"), at.dist->value));
   const std::string caseName(nameOf(at.which));
@@ -71,24 +56,6 @@ CaseWords tell(const In &, const Out &at) {
   return zeroNormalWords(at);
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values{listed("f", at.f)};
-  if (at.which == PointPlaneCase::ZeroNormal)
-    return values;
-  values.push_back(listed("signed_distance", at.dist));
-  values.push_back({"side", words("side"), std::string(nameOf(at.which))});
-  values.push_back(listed("foot", at.F));
-  if (!at.atP0)
-    values.push_back(listed("cos_angle", at.cosine));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (at.which == PointPlaneCase::ZeroNormal)
-    return {};
-  return {{"F", PointObject{at.foot}}};
-}
-
 std::string sideWords(const Out &at) {
   switch (at.which) {
   case PointPlaneCase::Positive:
@@ -99,6 +66,8 @@ std::string sideWords(const Out &at) {
     return words("Zero: {Q} satisfies the plane's equation, so it lies in the plane.", at.letters);
   }
 }
+
+WorkingLine sideLine(const Out &at) { return line(compared(at.f, 0), sideWords(at)); }
 
 std::string distanceWords(const Out &at) {
   if (at.which == PointPlaneCase::On)
@@ -132,9 +101,8 @@ WorkingLine cosineLine(const Out &at) {
 
 WorkingLine valueLine(const Out &at) {
   return asked(withNumbers(at.f == dot(at.n, at.Q - at.P0)),
-               at.which == PointPlaneCase::ZeroNormal
-                   ? words("Zero, because {n} is the zero vector: there is no plane.", at.letters)
-                   : words("Zero in the plane, positive on the side that {n} points to.", at.letters),
+               at.hasPlane ? words("Zero in the plane, positive on the side that {n} points to.", at.letters)
+                           : zeroWithoutPlane(at),
                {{dot(at.n, at.Q),
                  words("{answer} is {n}·{Q}: {P0} is to be subtracted from {Q} first.", at.letters)}});
 }
@@ -142,25 +110,6 @@ WorkingLine valueLine(const Out &at) {
 WorkingLine lengthLine(const Out &at) {
   return asked(withProducts(norm(at.n) == root(dot(at.n, at.n))), words("The length of the normal."),
                {{dot(at.n, at.n), words("{answer} is {n}·{n}: its root is still to be taken.", at.letters)}});
-}
-
-WorkingLine footLine(const Out &at) {
-  return asked(withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n),
-               words("The foot: from {Q} straight along {n} to the plane, its nearest point.", at.letters));
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("f", [&at] { return valueLine(at); });
-  if (at.which == PointPlaneCase::ZeroNormal)
-    return lines;
-  lines.add("side", [&at] { return line(compared(at.f, 0), sideWords(at)); });
-  lines.add("length", [&at] { return lengthLine(at); });
-  lines.add("distance", [&at] { return distanceLine(at); });
-  if (!at.atP0)
-    lines.add("cosine", [&at] { return cosineLine(at); });
-  lines.add("foot", [&at] { return footLine(at); });
-  return lines;
 }
 
 /// The angle between n and w, with the corner of a right one.
@@ -173,18 +122,17 @@ void drawAngle(Figure &figure, const Out &at, const Place &corner, const Place &
     figure.add(ArcMark{std::move(angle), corner, normal, way});
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   const Place q = place(at.Q);
   const Place p0 = place(at.P0);
-  const bool hasPlane = at.which != PointPlaneCase::ZeroNormal;
-  const Place foot = hasPlane ? place(at.F) : p0;
-  figure.reaches.push_back({in.E.id, foot});
-  if (!at.atP0)
+  const Place foot = at.hasPlane ? place(at.F) : p0;
+  figure.reaches.push_back({at.in.E.id, foot});
+  if (!isZero(at.way))
     figure.add(arrowOf(at.w, p0, Role::Derived, Subject::Point));
-  if (!hasPlane)
+  if (!at.hasPlane)
     return figure;
-  if (!at.atP0)
+  if (at.hasAngle)
     drawAngle(figure, at, p0, q - p0);
   figure.add(pointOf(at.F, Role::Result, Subject::Measure));
   if (at.which == PointPlaneCase::On)
@@ -197,24 +145,40 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &, const Out &at) {
-  if (at.which == PointPlaneCase::ZeroNormal || at.which == PointPlaneCase::On)
+std::vector<SpecialCase> nearby(const Out &at) {
+  if (!at.hasPlane || at.which == PointPlaneCase::On)
     return {};
-  return {{"side = on", words("{Q} would lie in the plane.", at.letters), "Q", PointObject{at.foot}}};
+  return {
+      {"side = on", words("{Q} would lie in the plane.", at.letters), "Q", PointObject{at.measured.foot}}};
 }
 
 } // namespace
 
 Construction signed_distance() {
-  return makeConstruction<In, Out, PlaneObject, PointObject>(
-      "signed-distance", {"E", "Q"}, {{"F", "point"}}, {"f", "w", "dist", "θ"},
-      {.cases = {"positive", "negative", "on", "zero-normal"},
-       .values = {named::number("f"), named::number("signed_distance"),
-                  named::word("side", {"positive", "negative", "on"}), named::vector("foot"),
-                  named::number("cos_angle")},
-       .lines = {"f", "side", "length", "distance", "cosine", "foot"},
-       .marks = {"w", "theta", "F", "distance"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject, PointObject>(
+      {.id = "signed-distance",
+       .roles = {"E", "Q"},
+       .makes = {{"F", &Out::hasPlane, &Out::F}},
+       .letters = {"f", "w", "dist", "θ"},
+       .cases = {"positive", "negative", "on", "zero-normal"},
+       .values = {{named::number("f"), always, &Out::f},
+                  {named::number("signed_distance"), &Out::hasPlane, &Out::dist},
+                  {named::word("side", {"positive", "negative", "on"}), &Out::hasPlane,
+                   [](const Out &at) { return ToldValue(words("side"), nameOf(at.which)); }},
+                  {named::vector("foot"), &Out::hasPlane, &Out::F},
+                  {named::number("cos_angle"), &Out::hasAngle, &Out::cosine}},
+       .lines = {{"f", always, valueLine},
+                 {"side", &Out::hasPlane, sideLine},
+                 {"length", &Out::hasPlane, lengthLine},
+                 {"distance", &Out::hasPlane, distanceLine},
+                 {"cosine", &Out::hasAngle, cosineLine},
+                 {"foot", &Out::hasPlane,
+                  [](const Out &at) { return withNumbers(at.F == at.Q - at.f / dot(at.n, at.n) * at.n); },
+                  says("The foot: from {Q} straight along {n} to the plane, its nearest point.")}},
+       .marks = {"w", "theta", "F", "distance"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace
