@@ -11,11 +11,6 @@ constexpr double drawnMomentLength = 3;
 
 } // namespace
 
-Symbol besideLettersOf(const Given<LineObject> &line, Symbol letter) {
-  letter.owner = line.letters.back().owner;
-  return letter;
-}
-
 Term momentOf(const Given<LineObject> &line) {
   const auto &[point, direction] = line.object;
   const LineTerms g = termsOf(line);

@@ -6,9 +6,12 @@
 
 namespace halfspace {
 
-/// A letter that says whose it is where the line's own letters do: m beside v, m with the index g beside v
+/// A letter that says whose it is where the object's own letters do: m beside v, m with the index g beside v
 /// with the index g.
-[[nodiscard]] Symbol besideLettersOf(const Given<LineObject> &line, Symbol letter);
+template <class Kind> [[nodiscard]] Symbol besideLettersOf(const Given<Kind> &object, Symbol letter) {
+  letter.owner = object.letters.back().owner;
+  return letter;
+}
 
 /// m = A×v.
 [[nodiscard]] Term momentOf(const Given<LineObject> &line);

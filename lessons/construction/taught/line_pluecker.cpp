@@ -1,14 +1,9 @@
 // The six numbers of a line, its Plücker coordinates: direction and moment (note PL).
 #include "geometry/line.h"
 #include "geometry/point_line.h"
-#include "lessons/construction/construction.h"
 #include "lessons/construction/parts/line_moment.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/line.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/words.h"
+#include "lessons/construction/parts/plucker_edges.h"
+#include "lessons/construction/taught.h"
 
 namespace halfspace {
 namespace {
@@ -17,65 +12,41 @@ struct In : Naming {
   Given<LineObject> g;
 };
 
-struct Out : Naming, LineTerms {
-  Line<Rational> line;
-  bool isReal;
-  Term m;
-  Term N, dist; ///< the line's point nearest to the origin, and how far from it that is
-};
-
 Symbol distanceLetter(const In &in) {
   Symbol letter = word("dist");
   letter.owner = in.g.id;
   return letter;
 }
 
-Out compute(const In &in) {
-  const auto &[point, direction] = in.g.object;
-  const auto line = lineAlong(point, direction);
-  const bool isReal = halfspace::isReal(line);
-  const auto origin = measurePointLine(ExactVec3(0), point, direction);
-  return {in,
-          termsOf(in.g),
-          line,
-          isReal,
-          momentOf(in.g).marked(in.mark("m")),
-          name(besideLettersOf(in.g, letter("N")), isReal ? nearestToOrigin(line) : ExactVec3(0))
-              .marked(in.mark("N")),
-          name(distanceLetter(in), origin.distance).marked(in.mark("dist"))};
-}
+struct Out : Computed<In>, LineTerms {
+  explicit Out(const In &objects) : Computed(objects), LineTerms(termsOf(objects.g)) {}
 
-CaseWords tell(const In &, const Out &at) {
+  Line<Rational> line = lineAlong(in.g.object.point, in.g.object.direction);
+  bool isReal = halfspace::isReal(line);
+  bool meetsOrigin = passesThroughOrigin(line);
+
+  Term m = momentOf(in.g).marked(mark("m"));
+  /// The line's point nearest to the origin.
+  Term N = name(besideLettersOf(in.g, letter("N")), isReal ? nearestToOrigin(line) : ExactVec3(0))
+               .marked(mark("N"));
+  Term dist = name(distanceLetter(in),
+                   measurePointLine(ExactVec3(0), in.g.object.point, in.g.object.direction).distance)
+                  .marked(mark("dist"));
+};
+
+CaseWords tell(const Out &at) {
   if (!at.isReal)
-    return {
-        "zero-direction",
-        words("The direction {v} is the zero vector: it points nowhere, so there is no line.", at.letters),
-        true};
-  if (passesThroughOrigin(at.line))
+    return zeroLineWords(at, "zero-direction");
+  if (at.meetsOrigin)
     return {"line",
             words("The moment is the zero vector: the line {g} goes through the origin.", at.letters)};
   return {"line", words("The six numbers of the line {g} are {direction} and {moment}.", at.letters,
                         {{"direction", equation(at.v)}, {"moment", equation(at.m)}})};
 }
 
-std::string truth(bool holds) { return holds ? "true" : "false"; }
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (!at.isReal)
-    return {};
-  return {listed("direction", at.v),
-          listed("moment", at.m),
-          listed("relation", dot(at.v, at.m)),
-          {"through_origin", words("through the origin"), truth(passesThroughOrigin(at.line))},
-          listed("nearest_to_origin", at.N),
-          listed("origin_distance", at.dist)};
-}
-
-std::vector<MadeObject> make(const In &, const Out &) { return {}; }
-
-WorkingLine momentLine(const Out &at) {
+WorkingLine ownMomentLine(const Out &at) {
   return asked(withProducts(at.m == cross(at.A, at.v)),
-               passesThroughOrigin(at.line)
+               at.meetsOrigin
                    ? words("The moment: the zero vector, because the line goes through the origin.")
                    : words("The moment: perpendicular to the line, and to the way from the origin to {A}.",
                            at.letters),
@@ -99,11 +70,10 @@ WorkingLine scaledLine(const Out &at) {
               words("Twice the direction gives twice the moment: six other numbers for the same line."));
 }
 
-WorkingLine relationLine(const Out &at) {
-  return asked(withProducts(dot(at.v, at.m)),
-               passesThroughOrigin(at.line)
-                   ? words("Always 0, and here the cross product {A} × {v} is the zero vector.", at.letters)
-                   : words("Always 0: the cross product {A} × {v} is perpendicular to {v}.", at.letters));
+std::string relationWords(const Out &at) {
+  return at.meetsOrigin
+             ? words("Always 0, and here the cross product {A} × {v} is the zero vector.", at.letters)
+             : words("Always 0: the cross product {A} × {v} is perpendicular to {v}.", at.letters);
 }
 
 WorkingLine nearestLine(const Out &at) {
@@ -115,7 +85,7 @@ WorkingLine nearestLine(const Out &at) {
 
 WorkingLine distanceLine(const Out &at) {
   return asked(withNumbers(at.dist == norm(at.m) / norm(at.v)),
-               passesThroughOrigin(at.line)
+               at.meetsOrigin
                    ? words("A moment of zero: the line goes through the origin.")
                    : words("How far the line is from the origin. |{m}| alone says it only when |{v}| = 1.",
                            at.letters, {{"m", plainText(at.m)}}),
@@ -123,24 +93,11 @@ WorkingLine distanceLine(const Out &at) {
                  words("{answer} is divided by {v}·{v}: divide by its root, |{v}|.", at.letters)}});
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  if (!at.isReal)
-    return lines;
-  lines.add("moment", [&at] { return momentLine(at); });
-  lines.add("scaled", [&at] { return scaledLine(at); });
-  lines.add("relation", [&at] { return relationLine(at); });
-  lines.add("nearest", [&at] { return nearestLine(at); });
-  lines.add("same", [&at] { return sameLine(at); });
-  lines.add("distance", [&at] { return distanceLine(at); });
-  return lines;
-}
-
 /// The moment stands on the plane through the origin and the line: the triangle from the origin to v.
-void drawMoment(Figure &figure, const In &in, const Out &at) {
+void drawMoment(Figure &figure, const Out &at) {
   const Place start = place(at.A);
   const Place tip = start + place(at.v);
-  figure.add(momentArrow(at.m, in.g.look));
+  figure.add(momentArrow(at.m, at.in.g.look));
   PolygonMark triangle{{at.m->mark + "/triangle", Role::Helper, Subject::Measure}, {}};
   triangle.corners = {Place(0), start, tip};
   figure.add(std::move(triangle));
@@ -156,23 +113,23 @@ void drawDistance(Figure &figure, const Out &at) {
       {at.dist->mark + "/angle", Role::Helper, Subject::Measure}, nearest, -nearest, place(at.v)});
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   if (!at.isReal)
     return figure;
-  figure.reaches = {{in.g.id, place(at.N)}};
-  if (!passesThroughOrigin(at.line)) {
-    drawMoment(figure, in, at);
+  figure.reaches = {{at.in.g.id, place(at.N)}};
+  if (!at.meetsOrigin) {
+    drawMoment(figure, at);
     drawDistance(figure, at);
   }
   figure.add(pointOf(at.N, Role::Result, Subject::Measure));
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  if (!at.isReal || passesThroughOrigin(at.line))
+std::vector<SpecialCase> nearby(const Out &at) {
+  if (!at.isReal || at.meetsOrigin)
     return {};
-  const auto &[point, direction] = in.g.object;
+  const auto &[point, direction] = at.in.g.object;
   return {{"through_origin = true", words("The line would go through the origin."), "g",
            LineObject{point - nearestToOrigin(at.line), direction}}};
 }
@@ -180,15 +137,30 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
 } // namespace
 
 Construction line_pluecker() {
-  return makeConstruction<In, Out, LineObject>(
-      "line-pluecker", {"g"}, {}, {},
-      {.cases = {"line", "zero-direction"},
-       .values = {named::vector("direction"), named::vector("moment"), named::number("relation"),
-                  named::word("through_origin", {"true", "false"}), named::vector("nearest_to_origin"),
-                  named::number("origin_distance")},
-       .lines = {"moment", "scaled", "relation", "nearest", "same", "distance"},
-       .marks = {"m", "dist", "N"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, LineObject>(
+      {.id = "line-pluecker",
+       .roles = {"g"},
+       .cases = {"line", "zero-direction"},
+       .values = {{named::vector("direction"), &Out::isReal, [](const Out &at) { return at.v; }},
+                  {named::vector("moment"), &Out::isReal, &Out::m},
+                  {named::number("relation"), &Out::isReal, [](const Out &at) { return dot(at.v, at.m); }},
+                  {named::word("through_origin", {"true", "false"}), &Out::isReal,
+                   [](const Out &at) {
+                     return ToldValue(words("through the origin"), at.meetsOrigin ? "true" : "false");
+                   }},
+                  {named::vector("nearest_to_origin"), &Out::isReal, &Out::N},
+                  {named::number("origin_distance"), &Out::isReal, &Out::dist}},
+       .lines = {{"moment", &Out::isReal, ownMomentLine},
+                 {"scaled", &Out::isReal, scaledLine},
+                 {"relation", &Out::isReal, [](const Out &at) { return withProducts(dot(at.v, at.m)); },
+                  relationWords},
+                 {"nearest", &Out::isReal, nearestLine},
+                 {"same", &Out::isReal, sameLine},
+                 {"distance", &Out::isReal, distanceLine}},
+       .marks = {"m", "dist", "N"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

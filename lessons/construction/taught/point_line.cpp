@@ -1,15 +1,8 @@
 // How far a point is from a line, by its foot (note PG 6.1: the part of a vector along another).
 #include "geometry/point_line.h"
 #include "geometry/case_names.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/line.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -19,31 +12,21 @@ struct In : Naming {
   Given<LineObject> g;
 };
 
-struct Out : Naming, LineTerms {
-  PointLine<Rational> measured;
-  Term Q, w;
-  Term t, F;
-  Term h, dist; ///< from the foot to Q, and its length
+struct Out : Computed<In>, LineTerms {
+  explicit Out(const In &objects) : Computed(objects), LineTerms(termsOf(objects.g)) {}
+
+  PointLine<Rational> measured = measurePointLine(in.Q.object.at, in.g.object.point, in.g.object.direction);
+  bool hasLine = measured.which != PointLineCase::ZeroDirection;
+
+  Term Q = termOf(in.Q);
+  Term w = drawnName(vectorLetter("w"), ExactVec3(in.Q.object.at - in.g.object.point));
+  Term t = ownName(letter("t"), measured.t);
+  Term F = madeName("F", measured.foot);
+  Term h = drawnName(vectorLetter("h"), ExactVec3(in.Q.object.at - measured.foot));
+  Term dist = ownName(word("dist"), measured.distance).marked(mark("h")); ///< the length of h
 };
 
-Out compute(const In &in) {
-  const LineTerms g = termsOf(in.g);
-  const Term Q = termOf(in.Q);
-  const auto &[through, direction] = in.g.object;
-  const ExactVec3 &point = in.Q.object.at;
-  const auto measured = measurePointLine(point, through, direction);
-  return {in,
-          g,
-          measured,
-          Q,
-          name(in.own(vectorLetter("w")), ExactVec3(point - through)).marked(in.mark("w")),
-          name(in.own(letter("t")), measured.t),
-          madeName(in, "F", measured.foot),
-          name(in.own(vectorLetter("h")), ExactVec3(point - measured.foot)).marked(in.mark("h")),
-          name(in.own(word("dist")), measured.distance).marked(in.mark("h"))};
-}
-
-CaseWords tell(const In &, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.measured.which));
   switch (at.measured.which) {
   case PointLineCase::Off:
@@ -54,25 +37,7 @@ CaseWords tell(const In &, const Out &at) {
   case PointLineCase::ZeroDirection:
     break;
   }
-  return {caseName,
-          words("The direction {v} is the zero vector: it points nowhere, so there is no line.", at.letters),
-          true};
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (at.measured.which == PointLineCase::ZeroDirection)
-    return {};
-  return {listed("t", at.t), listed("foot", at.F), listed("distance", at.dist)};
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (at.measured.which == PointLineCase::ZeroDirection)
-    return {};
-  return {{"F", PointObject{at.measured.foot}}};
-}
-
-WorkingLine wayLine(const Out &at) {
-  return asked(withNumbers(at.w == at.Q - at.A), words("From {A} to {Q}.", at.letters));
+  return zeroLineWords(at, caseName);
 }
 
 WorkingLine parameterLine(const Out &at) {
@@ -84,46 +49,23 @@ WorkingLine parameterLine(const Out &at) {
                 {wv / norm(at.v), words("{answer} is divided by |{v}|: divide by {v}·{v}.", at.letters)}});
 }
 
-WorkingLine footLine(const Out &at) {
-  return asked(withNumbers(at.F == at.A + at.t * at.v),
-               words("The foot: the line's point nearest to {Q}.", at.letters));
-}
-
-WorkingLine perpendicularLine(const Out &at) {
-  return asked(withNumbers(at.h == at.Q - at.F),
-               words("From the foot to {Q}. It is perpendicular to the line: its dot product with {v} is 0.",
-                     at.letters));
-}
-
 WorkingLine distanceLine(const Out &at) {
   return asked(withProducts((at.dist == norm(at.h)) == root(dot(at.h, at.h))),
                words("The distance is the length of this arrow."),
                {{dot(at.h, at.h), words("{answer} is h·h: its root is still to be taken.")}});
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("w", [&at] { return wayLine(at); });
-  if (at.measured.which == PointLineCase::ZeroDirection)
-    return lines;
-  lines.add("t", [&at] { return parameterLine(at); });
-  lines.add("foot", [&at] { return footLine(at); });
-  lines.add("h", [&at] { return perpendicularLine(at); });
-  lines.add("distance", [&at] { return distanceLine(at); });
-  return lines;
-}
-
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   const Place q = place(at.Q);
   const Place through = place(at.A);
   if (q != through)
     figure.add(arrowOf(at.w, through, Role::Derived, Subject::Point));
-  if (at.measured.which == PointLineCase::ZeroDirection)
+  if (!at.hasLine)
     return figure;
   const Place foot = place(at.F);
   figure.add(pointOf(at.F, Role::Result, Subject::Measure));
-  figure.reaches = {{in.g.id, foot}};
+  figure.reaches = {{at.in.g.id, foot}};
   if (at.measured.which == PointLineCase::On)
     return figure;
   figure.add(SegmentMark{{at.F->mark + "/way", Role::Helper, Subject::Measure}, foot, q});
@@ -134,12 +76,12 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (at.measured.which == PointLineCase::ZeroDirection)
+  if (!at.hasLine)
     return all;
-  const auto &[through, direction] = in.g.object;
-  const ExactVec3 &point = in.Q.object.at;
+  const auto &[through, direction] = at.in.g.object;
+  const ExactVec3 &point = at.in.Q.object.at;
   if (at.measured.which == PointLineCase::Off)
     all.push_back(
         {"case = on", words("{Q} would lie on the line.", at.letters), "Q", PointObject{at.measured.foot}});
@@ -152,13 +94,28 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
 } // namespace
 
 Construction point_line() {
-  return makeConstruction<In, Out, PointObject, LineObject>(
-      "point-line", {"Q", "g"}, {{"F", "point"}}, {"w", "t", "h", "dist"},
-      {.cases = {"off", "on", "zero-direction"},
-       .values = {named::number("t"), named::vector("foot"), named::number("distance")},
-       .lines = {"w", "t", "foot", "h", "distance"},
-       .marks = {"w", "F", "h"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PointObject, LineObject>(
+      {.id = "point-line",
+       .roles = {"Q", "g"},
+       .makes = {{"F", &Out::hasLine, &Out::F}},
+       .letters = {"w", "t", "h", "dist"},
+       .cases = {"off", "on", "zero-direction"},
+       .values = {{named::number("t"), &Out::hasLine, &Out::t},
+                  {named::vector("foot"), &Out::hasLine, &Out::F},
+                  {named::number("distance"), &Out::hasLine, &Out::dist}},
+       .lines =
+           {{"w", always, [](const Out &at) { return withNumbers(at.w == at.Q - at.A); },
+             says("From {A} to {Q}.")},
+            {"t", &Out::hasLine, parameterLine},
+            {"foot", &Out::hasLine, [](const Out &at) { return withNumbers(at.F == at.A + at.t * at.v); },
+             says("The foot: the line's point nearest to {Q}.")},
+            {"h", &Out::hasLine, [](const Out &at) { return withNumbers(at.h == at.Q - at.F); },
+             says("From the foot to {Q}. It is perpendicular to the line: its dot product with {v} is 0.")},
+            {"distance", &Out::hasLine, distanceLine}},
+       .marks = {"w", "F", "h"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace
