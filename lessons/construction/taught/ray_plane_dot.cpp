@@ -1,17 +1,8 @@
 // Where a ray meets a plane, by substitution and by dot products (notes PG 4 and 5; facing normal: note RP
 // 28).
 #include "geometry/case_names.h"
-#include "geometry/intersect_ray_plane.h"
-#include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
+#include "lessons/construction/parts/ray_at_plane.h"
+#include "lessons/construction/taught.h"
 
 namespace halfspace {
 namespace {
@@ -21,39 +12,25 @@ struct In : Naming {
   Given<RayObject> L;
 };
 
-struct Out : Naming, PlaneTerms, RayTerms {
-  RayPlane<Rational> meet;
-  Term d, f, t, H;
-  Term facing;      ///< the unit normal towards where the ray comes from, where it crosses the plane
-  Term numerator;   ///< of t: (P0 − Q)·n
-  Term denominator; ///< r·n
+struct Out : Computed<In>, PlaneTerms, RayTerms {
+  explicit Out(const In &objects)
+      : Computed(objects), PlaneTerms(termsOf(objects.E)), RayTerms(termsOf(objects.L)) {}
+
+  Plane<Rational> plane = planeThrough(in.E.object.point, in.E.object.normal);
+  RayPlane<Rational> meet = meetingOf(in.L.object, in.E.object);
+  bool crosses = meet.crosses();
+
+  Term d = ownName(letter("d"), plane.offset).standingFor(-dot(n, P0));
+  Term f = applied(own(letter("f")), Q, evaluate(plane, in.L.object.origin)).standingFor(dot(n, Q - P0));
+  Term numerator = dot(P0 - Q, n); ///< of t
+  Term denominator = dot(r, n);
+  Term t = ownName(letter("t"), meet.t);
+  Term H = madeName("H", meet.point);
+  /// The unit normal towards where the ray comes from, where it crosses the plane.
+  Term facing = ownName(vectorLetter("n", "f"), facingOf(in.E.object, in.L.object)).marked(mark("facing"));
 };
 
-Out compute(const In &in) {
-  const PlaneTerms E = termsOf(in.E);
-  const RayTerms L = termsOf(in.L);
-  const auto &[point, normal] = in.E.object;
-  const auto &[origin, direction] = in.L.object;
-  const auto plane = planeThrough(point, normal);
-  const auto meet = intersectRayPlane(Ray<Rational>{origin, direction}, plane);
-  std::vector<Surd> facing;
-  if (meet.crosses())
-    for (const Surd &coordinate : facingNormal(normal, direction))
-      facing.push_back(coordinate);
-  return {in,
-          E,
-          L,
-          meet,
-          name(in.own(letter("d")), plane.offset).standingFor(-dot(E.n, E.P0)),
-          applied(in.own(letter("f")), L.Q, evaluate(plane, origin)).standingFor(dot(E.n, L.Q - E.P0)),
-          name(in.own(letter("t")), meet.t),
-          madeName(in, "H", meet.point),
-          name(in.own(vectorLetter("n", "f")), facing).marked(in.mark("facing")),
-          dot(E.P0 - L.Q, E.n),
-          dot(L.r, E.n)};
-}
-
-CaseWords tell(const In &, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string t = equation(at.t);
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
@@ -82,22 +59,6 @@ CaseWords tell(const In &, const Out &at) {
     break;
   }
   return zeroNormalWords(at);
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values{listed("numerator", at.numerator), listed("denominator", at.denominator)};
-  if (!at.meet.crosses())
-    return values;
-  values.push_back(listed("t", at.t));
-  values.push_back(listed("point", at.H));
-  values.push_back(listed("facing_normal", at.facing));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!at.meet.crosses())
-    return {};
-  return {{"H", PointObject{at.meet.point}}};
 }
 
 /// The sentence, where there are a plane and a ray that it can speak of; else which of them is missing.
@@ -145,12 +106,11 @@ WorkingLine numeratorLine(const Out &at) {
                     at.letters)}});
 }
 
-WorkingLine denominatorLine(const Out &at) {
-  return asked(
-      withNumbers(at.denominator),
-      wordsOfBoth(at, words("How far one step {r} goes along {n}, times |{n}|. Zero means that no step comes "
-                            "nearer to the plane.",
-                            at.letters)));
+std::string denominatorWords(const Out &at) {
+  return wordsOfBoth(at,
+                     words("How far one step {r} goes along {n}, times |{n}|. Zero means that no step comes "
+                           "nearer to the plane.",
+                           at.letters));
 }
 
 WorkingLine parameterLine(const Out &at) {
@@ -160,12 +120,11 @@ WorkingLine parameterLine(const Out &at) {
                {wrongSignOf(at.t, at)});
 }
 
-WorkingLine hitLine(const Out &at) {
-  return asked(withNumbers(at.H == at.Q + at.t * at.r),
-               at.meet.which == RayPlaneCase::Hit
-                   ? words("The point where the ray meets the plane.")
-                   : words("Here the line through the ray meets the plane, behind the start: the ray "
-                           "itself never gets there."));
+std::string hitWords(const Out &at) {
+  return at.meet.which == RayPlaneCase::Hit
+             ? words("The point where the ray meets the plane.")
+             : words("Here the line through the ray meets the plane, behind the start: the ray itself never "
+                     "gets there.");
 }
 
 WorkingLine facingLine(const Out &at) {
@@ -183,77 +142,57 @@ WorkingLine facingLine(const Out &at) {
                          at.letters));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("substitute", [&at] { return substituteLine(at); });
-  lines.add("collect", [&at] { return collectLine(at); });
-  lines.add("numerator", [&at] { return numeratorLine(at); });
-  lines.add("denominator", [&at] { return denominatorLine(at); });
-  if (!at.meet.crosses())
-    return lines;
-  lines.add("t", [&at] { return parameterLine(at); });
-  lines.add("hit", [&at] { return hitLine(at); });
-  lines.add("facing", [&at] { return facingLine(at); });
-  return lines;
-}
-
 /// The unit normal is drawn this long in every picture.
 constexpr double drawnNormalLength = 1;
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  const bool hit = at.meet.which == RayPlaneCase::Hit;
-  const Place meeting = place(at.H);
-  if (at.meet.which == RayPlaneCase::InPlane)
-    figure.reachWithin(in.E.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
-  if (!at.meet.crosses())
-    return figure;
-  figure.reaches.push_back({in.E.id, meeting});
-  if (hit)
-    figure.reaches.push_back({in.L.id, meeting});
-  else
-    figure.add(SegmentMark{{at.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), meeting});
-  figure.add(pointOf(at.H, hit ? Role::Result : Role::Ghost, Subject::Ray));
-  figure.add(ArrowMark{drawn(at.facing, Role::Derived, Subject::Measure), meeting, place(at.facing), false,
-                       drawnNormalLength});
+  addMeeting(figure, at.in.L, at.in.E, at.meet, at.H);
+  if (at.crosses)
+    figure.add(arrowInPicture(drawn(at.facing, Role::Derived, Subject::Measure), place(at.H),
+                              place(at.facing), drawnNormalLength));
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  const auto &[point, normal] = in.E.object;
-  const auto &[origin, direction] = in.L.object;
-  if (isZero(normal) || isZero(direction))
+  if (isZero(vectorOf(at.n)) || isZero(vectorOf(at.r)))
     return all;
-  const bool crosses = at.meet.crosses();
-  const bool startsInPlane = at.meet.numerator == 0;
-  if (!startsInPlane) {
-    const ExactVec3 foot = origin - projectVector(ExactVec3(origin - point), normal).projection;
-    all.push_back(
-        {crosses ? "t = 0" : "case = in-plane",
-         crosses ? words("{Q} would lie in the plane, and the ray would hit it at its own start.", at.letters)
-                 : words("The ray would lie in the plane."),
-         "L", RayObject{foot, direction}});
-  }
-  if (const ExactVec3 turned = projectVector(direction, normal).rejection; crosses && !isZero(turned))
-    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
-                   startsInPlane ? words("The ray would lie in the plane.")
-                                 : words("The ray would run parallel to the plane."),
-                   "L", RayObject{origin, turned}});
+  addRaysAtPlane(at.in.L.object, at.in.E.object,
+                 {words("{Q} would lie in the plane, and the ray would hit it at its own start.", at.letters),
+                  words("The ray would lie in the plane."),
+                  words("The ray would run parallel to the plane.")},
+                 all);
   return all;
 }
 
 } // namespace
 
 Construction ray_plane_dot() {
-  return makeConstruction<In, Out, PlaneObject, RayObject>(
-      "ray-plane-dot", {"E", "L"}, {{"H", "point"}}, {"d", "f", "t", "nf"},
-      {.cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
-       .values = {named::number("numerator"), named::number("denominator"), named::number("t"),
-                  named::vector("point"), named::vector("facing_normal")},
-       .lines = {"substitute", "collect", "numerator", "denominator", "t", "hit", "facing"},
-       .marks = {"H", "facing"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject, RayObject>(
+      {.id = "ray-plane-dot",
+       .roles = {"E", "L"},
+       .makes = {{"H", &Out::crosses, &Out::H}},
+       .letters = {"d", "f", "t", "nf"},
+       .cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
+       .values = {{named::number("numerator"), always, &Out::numerator},
+                  {named::number("denominator"), always, &Out::denominator},
+                  {named::number("t"), &Out::crosses, &Out::t},
+                  {named::vector("point"), &Out::crosses, &Out::H},
+                  {named::vector("facing_normal"), &Out::crosses, &Out::facing}},
+       .lines = {{"substitute", always, substituteLine},
+                 {"collect", always, collectLine},
+                 {"numerator", always, numeratorLine},
+                 {"denominator", always, [](const Out &at) { return withNumbers(at.denominator); },
+                  denominatorWords},
+                 {"t", &Out::crosses, parameterLine},
+                 {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.H == at.Q + at.t * at.r); },
+                  hitWords},
+                 {"facing", &Out::crosses, facingLine}},
+       .marks = {"H", "facing"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -2,20 +2,9 @@
 // and the similar triangles from which t follows. The note's R_0 is Q here, its R_d is r, its r_i is H; its
 // normal is one unit long, and here of any length.
 #include "geometry/case_names.h"
-#include "geometry/intersect_ray_plane.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
-
-#include <utility>
+#include "lessons/construction/parts/ray_at_plane.h"
+#include "lessons/construction/taught.h"
 
 namespace halfspace {
 namespace {
@@ -25,57 +14,37 @@ struct In : Naming {
   Given<RayObject> L;
 };
 
-struct Out : Naming, PlaneTerms, RayTerms {
-  RayPlane<Rational> meet;
-  ExactVec3 across; ///< the part of r that lies in the plane's direction
-  Term D, vd, v0, t, H;
-  Term O, A, B; ///< the origin, and the feet of Q and of the plane on the line through it along n
-  Term C, E, F; ///< the foot of Q in the plane, that of F on QC, and the tip of r
-  Term facing;  ///< the unit normal towards where the ray comes from, where it crosses the plane
+struct Out : Computed<In>, PlaneTerms, RayTerms {
+  explicit Out(const In &objects)
+      : Computed(objects), PlaneTerms(termsOf(objects.G)), RayTerms(termsOf(objects.L)) {}
 
-  [[nodiscard]] bool hasPlane() const { return meet.which != RayPlaneCase::ZeroNormal; }
+  RayPlane<Rational> meet = meetingOf(in.L.object, in.G.object);
+  bool hasPlane = meet.which != RayPlaneCase::ZeroNormal;
+  bool crosses = meet.crosses();
+  ExactVec3 toPlane = projectVector(in.G.object.point, in.G.object.normal).projection;
+  ExactVec3 toStart = projectVector(in.L.object.origin, in.G.object.normal).projection;
+  ExactVec3 along = projectVector(in.L.object.direction, in.G.object.normal).projection;
+  ExactVec3 across = in.L.object.direction - along; ///< the part of r that lies in the plane's direction
+
+  Term D = ownName(letter("D"), dot(in.G.object.point, in.G.object.normal)).marked(mark("OB"));
+  Term vd = ownName(letter("v", "d"), meet.denominator).marked(mark("QE"));
+  Term v0 = ownName(letter("v", "0"), meet.numerator).marked(mark("QC"));
+  Term t = ownName(letter("t"), meet.t);
+  Term H = madeName("H", meet.point);
+
+  // The origin, and the feet of Q and of the plane on the line through it along n.
+  Term O = drawnName(letter("O"), ExactVec3(0));
+  Term A = drawnName(letter("A"), toStart);
+  Term B = drawnName(letter("B"), toPlane);
+  // The foot of Q in the plane, that of F on QC, and the tip of r.
+  Term C = drawnName(letter("C"), ExactVec3(in.L.object.origin + toPlane - toStart));
+  Term E = drawnName(letter("E"), ExactVec3(in.L.object.origin + along));
+  Term F = drawnName(letter("F"), ExactVec3(in.L.object.origin + in.L.object.direction));
+  /// The unit normal towards where the ray comes from, where it crosses the plane.
+  Term facing = ownName(vectorLetter("n", "f"), facingOf(in.G.object, in.L.object)).marked(mark("facing"));
 };
 
-/// Of the letter of a point of the figure.
-Term pointName(const In &in, const char *point, const ExactVec3 &at) {
-  return name(in.own(letter(point)), at).marked(in.mark(point));
-}
-
-std::vector<Surd> facingOf(const PlaneObject &plane, const RayObject &ray, const RayPlane<Rational> &meet) {
-  if (!meet.crosses())
-    return {};
-  const auto facing = facingNormal(plane.normal, ray.direction);
-  return {facing.begin(), facing.end()};
-}
-
-Out compute(const In &in) {
-  const auto &[point, normal] = in.G.object;
-  const auto &[origin, direction] = in.L.object;
-  const auto meet = intersectRayPlane(Ray<Rational>{origin, direction}, planeThrough(point, normal));
-  const ExactVec3 toPlane = projectVector(point, normal).projection;
-  const ExactVec3 toStart = projectVector(origin, normal).projection;
-  const auto parts = projectVector(direction, normal);
-  return {in,
-          termsOf(in.G),
-          termsOf(in.L),
-          meet,
-          parts.rejection,
-          name(in.own(letter("D")), dot(point, normal)).marked(in.mark("OB")),
-          name(in.own(letter("v", "d")), meet.denominator).marked(in.mark("QE")),
-          name(in.own(letter("v", "0")), meet.numerator).marked(in.mark("QC")),
-          name(in.own(letter("t")), meet.t),
-          madeName(in, "H", meet.point),
-          pointName(in, "O", ExactVec3(0)),
-          pointName(in, "A", toStart),
-          pointName(in, "B", toPlane),
-          pointName(in, "C", origin + toPlane - toStart),
-          pointName(in, "E", origin + parts.projection),
-          pointName(in, "F", origin + direction),
-          name(in.own(vectorLetter("n", "f")), facingOf(in.G.object, in.L.object, meet))
-              .marked(in.mark("facing"))};
-}
-
-CaseWords tell(const In &, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
   const std::string t = equation(at.t);
   const std::string v0 = equation(at.v0);
@@ -115,109 +84,46 @@ const char *wayOf(const Out &at) {
 
 /// What becomes of n in the facing normal.
 const char *turnOf(const Out &at) {
-  if (!at.meet.crosses())
+  if (!at.crosses)
     return "none";
   return at.meet.denominator > 0 ? "turned" : "kept";
-}
-
-std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
-  std::vector<NamedValue> values{
-      listed("D", at.D),
-      listed("numerator", at.v0),
-      listed("denominator", at.vd),
-      {"length_n", norm(at.n), Surd::root(dot(in.G.object.normal, in.G.object.normal))},
-      {"origin_way", words("from the origin to the plane"), wayOf(at)},
-      {"normal", words("the facing normal"), turnOf(at)}};
-  if (!at.meet.crosses())
-    return values;
-  values.push_back(listed("t", at.t));
-  values.push_back(listed("point", at.H));
-  values.push_back(listed("facing_normal", at.facing));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!at.meet.crosses())
-    return {};
-  return {{"H", PointObject{at.meet.point}}};
 }
 
 /// What belongs to n as a whole: how far a product with it reaches, as a vector.
 Term alongNormal(const Out &at, const Term &product) { return product / dot(at.n, at.n) * at.n; }
 
-WorkingLine originLine(const Out &at) {
+std::string originWords(const Out &at) {
   const int sign = signOf(at.D);
-  const std::string way =
-      sign > 0 ? words("Positive: the plane lies on that side of the origin to which {n} points.", at.letters)
-      : sign < 0      ? words("Negative: from the origin to the plane you go against {n}.", at.letters)
-      : at.hasPlane() ? words("Zero: the plane passes through the origin.")
-                      : words("Zero, because {n} is the zero vector: there is no plane.", at.letters);
-  return asked(withProducts(at.D == dot(at.P0, at.n)), way);
-}
-
-void addOriginLines(const Out &at, Explanation &lines) {
-  lines.add("D", [&at] { return originLine(at); });
-  if (!at.hasPlane())
-    return;
-  lines.add("B", [&at] {
-    return asked(
-        withNumbers(at.B == alongNormal(at, at.D)),
-        words("The point of the plane that is nearest to the origin. When |{n}| = 1, the denominator is "
-              "1, and it is D·{n}.",
-              at.letters));
-  });
+  return sign > 0
+             ? words("Positive: the plane lies on that side of the origin to which {n} points.", at.letters)
+         : sign < 0    ? words("Negative: from the origin to the plane you go against {n}.", at.letters)
+         : at.hasPlane ? words("Zero: the plane passes through the origin.")
+                       : zeroWithoutPlane(at);
 }
 
 std::string stepWords(const Out &at) {
   const int sign = at.meet.denominator.sign();
-  return sign > 0        ? words("Positive: each step {r} goes as {n} points.", at.letters)
-         : sign < 0      ? words("Negative: each step {r} goes against {n}.", at.letters)
-         : at.hasPlane() ? words("Zero: no step gains anything along {n}.", at.letters)
-                         : words("Zero, because {n} is the zero vector: there is no plane.", at.letters);
+  return sign > 0      ? words("Positive: each step {r} goes as {n} points.", at.letters)
+         : sign < 0    ? words("Negative: each step {r} goes against {n}.", at.letters)
+         : at.hasPlane ? words("Zero: no step gains anything along {n}.", at.letters)
+                       : zeroWithoutPlane(at);
 }
 
-void addStepLines(const Out &at, Explanation &lines) {
-  lines.add("vd", [&at] { return asked(withProducts(at.vd == dot(at.n, at.r)), stepWords(at)); });
-  if (!at.hasPlane())
-    return;
-  lines.add("F", [&at] {
-    return asked(withNumbers(at.F == at.Q + at.r), words("One step from {Q}.", at.letters));
-  });
-  lines.add("E", [&at] {
-    return asked(withNumbers(at.E == at.Q + alongNormal(at, at.vd)),
-                 words("What the step gains along {n}: the foot of its tip.", at.letters));
-  });
+WorkingLine startLine(const Out &at) {
+  return asked(
+      withNumbers(at.v0 == at.D - dot(at.n, at.Q)),
+      at.hasPlane ? words("From where {Q} is, along {n}, to where the plane is.", at.letters)
+                  : zeroWithoutPlane(at),
+      {{-at.v0, words("{answer} is {n}·{Q} − D, from the plane to {Q}: turn it round.", at.letters)}});
 }
 
-void addStartLines(const Out &at, Explanation &lines) {
-  if (at.hasPlane())
-    lines.add("A", [&at] {
-      return asked(withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))),
-                   words("The foot of {Q} on the line through the origin.", at.letters));
-    });
-  lines.add("v0", [&at] {
-    return asked(
-        withNumbers(at.v0 == at.D - dot(at.n, at.Q)),
-        at.hasPlane() ? words("From where {Q} is, along {n}, to where the plane is.", at.letters)
-                      : words("Zero, because {n} is the zero vector: there is no plane.", at.letters),
-        {{-at.v0, words("{answer} is {n}·{Q} − D, from the plane to {Q}: turn it round.", at.letters)}});
-  });
-  if (at.hasPlane())
-    lines.add("C", [&at] {
-      return asked(withNumbers(at.C == at.Q + alongNormal(at, at.v0)),
-                   words("The foot of {Q} in the plane.", at.letters));
-    });
-}
-
-/// Q, A, B and C: flat where Q is on the line from the origin along n, or in the plane.
-bool areCornersOfRectangle(const Out &at) {
-  return vectorOf(at.Q) != vectorOf(at.A) && vectorOf(at.Q) != vectorOf(at.C);
-}
-
-/// The opposite sides of the rectangle, as vectors.
+/// The opposite sides of the rectangle, as vectors: Q, A, B and C are flat where Q is on the line from the
+/// origin along n, or in the plane.
 WorkingLine rectangleLine(const Out &at) {
+  const ExactVec3 Q = vectorOf(at.Q);
+  const bool areCorners = Q != vectorOf(at.A) && Q != vectorOf(at.C);
   return line(withNumbers(at.C - at.Q == at.B - at.A),
-              areCornersOfRectangle(at)
+              areCorners
                   ? words("Opposite sides of a rectangle: the same arrow.")
                   : words("The same arrow, though the four points are no corners of a rectangle here."));
 }
@@ -237,39 +143,22 @@ std::string similarWords(const Out &at) {
                      at.letters);
 }
 
-void addMeetingLines(const Out &at, Explanation &lines) {
-  lines.add("t", [&at] {
-    return asked(withNumbers(at.t == at.v0 / at.vd),
-                 words("So many steps {r} lead from {Q} to the plane.", at.letters));
-  });
-  lines.add("similar-n",
-            [&at] { return line(withNumbers(at.C - at.Q == at.t * (at.E - at.Q)), similarWords(at)); });
-  lines.add("similar-r", [&at] {
-    return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)),
-                words("Along the ray: just as many times."));
-  });
-  lines.add("hit", [&at] {
-    return asked(withNumbers(at.H == at.Q + at.t * at.r),
-                 at.meet.which == RayPlaneCase::Hit
-                     ? words("The point where the ray meets the plane.")
-                     : words("Only the line backwards meets the plane there."));
-  });
+WorkingLine similarLine(const Out &at) {
+  return line(withNumbers(at.C - at.Q == at.t * (at.E - at.Q)), similarWords(at));
+}
+
+WorkingLine rayLine(const Out &at) {
+  return line(withNumbers(at.H - at.Q == at.t * (at.F - at.Q)), words("Along the ray: just as many times."));
+}
+
+std::string hitWords(const Out &at) {
+  return at.meet.which == RayPlaneCase::Hit ? words("The point where the ray meets the plane.")
+                                            : words("Only the line backwards meets the plane there.");
 }
 
 /// A length of the figure by what was worked out along n.
-WorkingLine lengthLine(const Out &at, const Term &side, const Term &product, std::string sentence) {
-  return asked(withNumbers(norm(side) == norm(product) / norm(at.n)), std::move(sentence));
-}
-
-void addLengthLines(const Out &at, Explanation &lines) {
-  lines.add("OB",
-            [&at] { return lengthLine(at, at.B, at.D, words("How far the plane is from the origin.")); });
-  lines.add("QE", [&at] {
-    return lengthLine(at, at.E - at.Q, at.vd, words("How far one step leads along {n}.", at.letters));
-  });
-  lines.add("QC", [&at] {
-    return lengthLine(at, at.C - at.Q, at.v0, words("How far {Q} is from the plane.", at.letters));
-  });
+Chain lengthOf(const Out &at, const Term &side, const Term &product) {
+  return withNumbers(norm(side) == norm(product) / norm(at.n));
 }
 
 WorkingLine facingLine(const Out &at) {
@@ -281,158 +170,145 @@ WorkingLine facingLine(const Out &at) {
                    : words("v_d is negative: the ray comes from where {n} points, so take {n}.", at.letters));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  addOriginLines(at, lines);
-  addStepLines(at, lines);
-  addStartLines(at, lines);
-  if (at.hasPlane())
-    lines.add("rectangle", [&at] { return rectangleLine(at); });
-  if (at.meet.crosses())
-    addMeetingLines(at, lines);
-  if (at.hasPlane())
-    addLengthLines(at, lines);
-  if (at.meet.crosses())
-    lines.add("facing", [&at] { return facingLine(at); });
-  return lines;
+LineTable<Out> lines() {
+  return {
+      {"D", always, [](const Out &at) { return withProducts(at.D == dot(at.P0, at.n)); }, originWords},
+      {"B", &Out::hasPlane, [](const Out &at) { return withNumbers(at.B == alongNormal(at, at.D)); },
+       says("The point of the plane that is nearest to the origin. When |{n}| = 1, the denominator is "
+            "1, and it is D·{n}.")},
+      {"vd", always, [](const Out &at) { return withProducts(at.vd == dot(at.n, at.r)); }, stepWords},
+      {"F", &Out::hasPlane, [](const Out &at) { return withNumbers(at.F == at.Q + at.r); },
+       says("One step from {Q}.")},
+      {"E", &Out::hasPlane, [](const Out &at) { return withNumbers(at.E == at.Q + alongNormal(at, at.vd)); },
+       says("What the step gains along {n}: the foot of its tip.")},
+      {"A", &Out::hasPlane,
+       [](const Out &at) { return withNumbers(at.A == alongNormal(at, dot(at.n, at.Q))); },
+       says("The foot of {Q} on the line through the origin.")},
+      {"v0", always, startLine},
+      {"C", &Out::hasPlane, [](const Out &at) { return withNumbers(at.C == at.Q + alongNormal(at, at.v0)); },
+       says("The foot of {Q} in the plane.")},
+      {"rectangle", &Out::hasPlane, rectangleLine},
+      {"t", &Out::crosses, [](const Out &at) { return withNumbers(at.t == at.v0 / at.vd); },
+       says("So many steps {r} lead from {Q} to the plane.")},
+      {"similar-n", &Out::crosses, similarLine},
+      {"similar-r", &Out::crosses, rayLine},
+      {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.H == at.Q + at.t * at.r); }, hitWords},
+      {"OB", &Out::hasPlane, [](const Out &at) { return lengthOf(at, at.B, at.D); },
+       says("How far the plane is from the origin.")},
+      {"QE", &Out::hasPlane, [](const Out &at) { return lengthOf(at, at.E - at.Q, at.vd); },
+       says("How far one step leads along {n}.")},
+      {"QC", &Out::hasPlane, [](const Out &at) { return lengthOf(at, at.C - at.Q, at.v0); },
+       says("How far {Q} is from the plane.")},
+      {"facing", &Out::crosses, facingLine}};
 }
 
-/// Draws the figure of the note, in which a way along the normal makes right angles with the plane.
-class Drawing {
-public:
-  Drawing(Figure &figure, const Out &at) : m_figure(figure), m_at(at), m_across(place(at.across)) {}
+/// A way between two points of the figure, if they are not one.
+void drawWay(Figure &figure, std::string mark, Role role, Subject subject, const Term &from, const Term &to) {
+  if (vectorOf(from) != vectorOf(to))
+    figure.add(SegmentMark{{std::move(mark), role, subject}, place(from), place(to)});
+}
 
-  /// A point with the way to it from another, and the right angle that the way makes at the point with a
-  /// direction.
-  void addFoot(const Term &foot, const Term &from, Subject subject, const Place &square) {
-    const Place end = place(foot);
-    const Place way = place(from) - end;
-    m_figure.add(pointOf(foot, Role::Derived, subject));
-    if (way == Place(0))
-      return;
-    m_figure.add(SegmentMark{{foot->mark + "/way", Role::Helper, subject}, place(from), end});
-    if (square != Place(0))
-      m_figure.add(RightAngleMark{{foot->mark + "/angle", Role::Helper, subject}, end, way, square});
-  }
+/// The right angle at a foot between the way to a point and a direction; none where one of them is zero.
+void drawAngle(Figure &figure, Subject subject, const Term &foot, const Term &from, const ExactVec3 &square) {
+  if (vectorOf(from) != vectorOf(foot) && !isZero(square))
+    figure.add(RightAngleMark{{foot->mark + "/angle", Role::Helper, subject},
+                              place(foot),
+                              place(from) - place(foot),
+                              place(square)});
+}
 
-  /// What a product with n measures, if it is not 0.
-  void addPart(const std::string &mark, Role role, Subject subject, const Term &from, const Term &to) {
-    if (vectorOf(from) != vectorOf(to))
-      m_figure.add(SegmentMark{{m_at.mark(mark), role, subject}, place(from), place(to)});
-  }
+/// A point on a line along n, with the way to it from another.
+void drawFoot(Figure &figure, const Out &at, const Term &foot, const Term &from, Subject subject) {
+  figure.add(pointOf(foot, Role::Derived, subject));
+  drawWay(figure, foot->mark + "/way", Role::Helper, subject, from, foot);
+  drawAngle(figure, subject, foot, from, vectorOf(at.n));
+}
 
-  /// The triangle of Q and two points; none where it is flat.
-  void addTriangle(const std::string &mark, Subject subject, const Term &foot, const Term &tip) {
-    const ExactVec3 along = vectorOf(foot) - vectorOf(m_at.Q);
-    if (!isZero(cross(along, ExactVec3(vectorOf(tip) - vectorOf(m_at.Q)))))
-      m_figure.add(
-          PolygonMark{{m_at.mark(mark), Role::Derived, subject}, {place(m_at.Q), place(foot), place(tip)}});
-  }
+/// The triangle of Q and two points; none where it is flat.
+void drawTriangle(Figure &figure, const Out &at, const char *mark, Subject subject, const Term &foot,
+                  const Term &tip) {
+  const ExactVec3 Q = vectorOf(at.Q);
+  if (!isZero(cross(ExactVec3(vectorOf(foot) - Q), ExactVec3(vectorOf(tip) - Q))))
+    figure.add(PolygonMark{{at.mark(mark), Role::Derived, subject}, {place(at.Q), place(foot), place(tip)}});
+}
 
-  /// Along the plane, where the flat picture has it.
-  [[nodiscard]] const Place &across() const { return m_across; }
-
-private:
-  Figure &m_figure;
-  const Out &m_at;
-  Place m_across;
-};
-
+/// The figure of the note, in which a way along the normal makes right angles with the plane.
 void drawDistances(Figure &figure, const Out &at) {
-  Drawing drawing(figure, at);
-  const Place n = place(at.n);
   figure.add(pointOf(at.O, Role::Derived, Subject::Neutral));
   figure.add(pointOf(at.B, Role::Derived, Subject::Plane));
-  drawing.addPart("OB", Role::Helper, Subject::Plane, at.O, at.B);
-  if (vectorOf(at.O) != vectorOf(at.B) && drawing.across() != Place(0))
-    figure.add(RightAngleMark{{at.B->mark + "/angle", Role::Helper, Subject::Plane},
-                              place(at.B),
-                              place(at.O) - place(at.B),
-                              drawing.across()});
-  drawing.addFoot(at.A, at.Q, Subject::Neutral, n);
+  drawWay(figure, at.mark("OB"), Role::Helper, Subject::Plane, at.O, at.B);
+  drawAngle(figure, Subject::Plane, at.B, at.O, at.across);
+  drawFoot(figure, at, at.A, at.Q, Subject::Neutral);
   figure.add(pointOf(at.F, Role::Derived, Subject::Ray));
-  drawing.addFoot(at.E, at.F, Subject::EdgeU, n);
+  drawFoot(figure, at, at.E, at.F, Subject::EdgeU);
   figure.add(pointOf(at.C, Role::Derived, Subject::EdgeV));
-  drawing.addPart("AB", Role::Derived, Subject::EdgeV, at.A, at.B);
-  drawing.addPart("QC", Role::Helper, Subject::EdgeV, at.Q, at.C);
-  drawing.addPart("QE", Role::Derived, Subject::EdgeU, at.Q, at.E);
-  if (at.meet.numerator != 0 && drawing.across() != Place(0))
-    figure.add(RightAngleMark{{at.C->mark + "/angle", Role::Helper, Subject::EdgeV},
-                              place(at.C),
-                              place(at.Q) - place(at.C),
-                              drawing.across()});
-  if (!at.meet.crosses())
+  drawWay(figure, at.mark("AB"), Role::Derived, Subject::EdgeV, at.A, at.B);
+  drawWay(figure, at.mark("QC"), Role::Helper, Subject::EdgeV, at.Q, at.C);
+  drawWay(figure, at.mark("QE"), Role::Derived, Subject::EdgeU, at.Q, at.E);
+  drawAngle(figure, Subject::EdgeV, at.C, at.Q, at.across);
+  if (!at.crosses)
     return;
-  drawing.addTriangle("large", Subject::EdgeV, at.C, at.H);
-  drawing.addTriangle("small", Subject::EdgeU, at.E, at.F);
+  drawTriangle(figure, at, "large", Subject::EdgeV, at.C, at.H);
+  drawTriangle(figure, at, "small", Subject::EdgeU, at.E, at.F);
 }
 
 /// The facing normal is drawn so long in every picture.
 constexpr double drawnNormalLength = 2;
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  if (!at.hasPlane())
+  if (!at.hasPlane)
     return figure;
   drawDistances(figure, at);
-  figure.reaches = {{in.G.id, place(at.B)}, {in.G.id, place(at.C)}};
-  if (at.meet.which == RayPlaneCase::InPlane)
-    figure.reachWithin(in.G.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
-  if (!at.meet.crosses())
-    return figure;
-  const bool hit = at.meet.which == RayPlaneCase::Hit;
-  const Place meeting = place(at.H);
-  figure.reaches.push_back({in.G.id, meeting});
-  if (hit)
-    figure.reaches.push_back({in.L.id, meeting});
-  else
-    figure.add(SegmentMark{{at.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), meeting});
-  figure.add(pointOf(at.H, hit ? Role::Result : Role::Ghost, Subject::Ray));
-  figure.add(ArrowMark{drawn(at.facing, Role::Derived, Subject::Measure), meeting, place(at.facing), false,
-                       drawnNormalLength});
+  figure.reaches = {{at.in.G.id, place(at.B)}, {at.in.G.id, place(at.C)}};
+  addMeeting(figure, at.in.L, at.in.G, at.meet, at.H);
+  if (at.crosses)
+    figure.add(arrowInPicture(drawn(at.facing, Role::Derived, Subject::Measure), place(at.H),
+                              place(at.facing), drawnNormalLength));
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  const auto &[point, normal] = in.G.object;
-  const auto &[origin, direction] = in.L.object;
-  if (isZero(normal) || isZero(direction))
+  const auto &[point, normal] = at.in.G.object;
+  if (isZero(normal) || isZero(vectorOf(at.r)))
     return all;
-  const bool crosses = at.meet.crosses();
-  const bool startsInPlane = at.meet.numerator == 0;
-  if (!startsInPlane)
-    all.push_back(
-        {crosses ? "t = 0" : "case = in-plane",
-         crosses ? words("{Q} would lie in the plane, and both triangles would start there.", at.letters)
-                 : words("The ray would lie in the plane."),
-         "L", RayObject{vectorOf(at.C), direction}});
-  if (crosses && !isZero(at.across))
-    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
-                   startsInPlane ? words("The ray would lie in the plane.")
-                                 : words("The ray would run parallel to the plane."),
-                   "L", RayObject{origin, at.across}});
-  if (const ExactVec3 toPlane = vectorOf(at.B); !isZero(toPlane))
+  addRaysAtPlane(at.in.L.object, at.in.G.object,
+                 {words("{Q} would lie in the plane, and both triangles would start there.", at.letters),
+                  words("The ray would lie in the plane."),
+                  words("The ray would run parallel to the plane.")},
+                 all);
+  if (!isZero(at.toPlane))
     all.push_back({"D = 0", words("The plane would pass through the origin."), "G",
-                   PlaneObject{point - toPlane, normal}});
+                   PlaneObject{point - at.toPlane, normal}});
   return all;
 }
 
 } // namespace
 
 Construction ray_plane_picture() {
-  return makeConstruction<In, Out, PlaneObject, RayObject>(
-      "ray-plane-picture", {"G", "L"}, {{"H", "point"}},
-      {"D", "vd", "v0", "t", "O", "A", "B", "C", "E", "F", "nf"},
-      {.cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
-       .values = {named::number("D"), named::number("numerator"), named::number("denominator"),
-                  named::number("length_n"), named::word("origin_way", {"with-n", "against-n", "none"}),
-                  named::word("normal", {"kept", "turned", "none"}), named::number("t"),
-                  named::vector("point"), named::vector("facing_normal")},
-       .lines = {"D", "B", "vd", "F", "E", "v0", "A", "C", "rectangle", "t", "similar-n", "similar-r", "hit",
-                 "OB", "QE", "QC", "facing"},
-       .marks = {"O", "A", "B", "C", "E", "F", "H", "OB", "AB", "QC", "QE", "large", "small", "facing"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PlaneObject, RayObject>(
+      {.id = "ray-plane-picture",
+       .roles = {"G", "L"},
+       .makes = {{"H", &Out::crosses, &Out::H}},
+       .letters = {"D", "vd", "v0", "t", "O", "A", "B", "C", "E", "F", "nf"},
+       .cases = {"hit", "behind", "parallel", "in-plane", "zero-direction", "zero-normal"},
+       .values = {{named::number("D"), always, &Out::D},
+                  {named::number("numerator"), always, &Out::v0},
+                  {named::number("denominator"), always, &Out::vd},
+                  {named::number("length_n"), always, [](const Out &at) { return norm(at.n); }},
+                  {named::word("origin_way", {"with-n", "against-n", "none"}), always,
+                   [](const Out &at) { return ToldValue(words("from the origin to the plane"), wayOf(at)); }},
+                  {named::word("normal", {"kept", "turned", "none"}), always,
+                   [](const Out &at) { return ToldValue(words("the facing normal"), turnOf(at)); }},
+                  {named::number("t"), &Out::crosses, &Out::t},
+                  {named::vector("point"), &Out::crosses, &Out::H},
+                  {named::vector("facing_normal"), &Out::crosses, &Out::facing}},
+       .lines = lines(),
+       .marks = {"O", "A", "B", "C", "E", "F", "H", "OB", "AB", "QC", "QE", "large", "small", "facing"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -1,17 +1,8 @@
 // Which of several planes a ray meets first: the ray's points put into each plane's equation (note PG 4).
 #include "geometry/case_names.h"
-#include "geometry/intersect_ray_plane.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/plane.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
+#include "lessons/construction/parts/ray_at_plane.h"
+#include "lessons/construction/taught.h"
 
 #include <algorithm>
 
@@ -28,41 +19,35 @@ struct Meeting : PlaneTerms {
   std::string id;
   std::string name; ///< in plain text
   RayPlane<Rational> meet;
-  Term d, t, H;
-  Term slope; ///< of the equation slope·t + rest = 0
-  Term rest;
+  Term d = 0, t = 0, H = 0;
+  Term slope = 0, rest = 0; ///< of the equation slope·t + rest = 0
 };
-
-struct Out : Naming, RayTerms {
-  std::vector<Meeting> meetings;
-  std::vector<std::size_t> first; ///< the places of the planes that are hit first, all with the same t
-  Term H;
-};
-
-Symbol ofPlane(Symbol symbol, const Given<PlaneObject> &plane) {
-  symbol.owner = plane.id;
-  return symbol;
-}
 
 Meeting meetingWith(const Given<PlaneObject> &given, std::size_t place, const In &in) {
   const auto &[point, normal] = given.object;
   const auto plane = planeThrough(point, normal);
-  const auto meet = intersectRayPlane(Ray<Rational>{in.L.object.origin, in.L.object.direction}, plane);
   const PlaneTerms letters = termsOf(given);
   const RayTerms ray = termsOf(in.L);
-  const Term d = name(ofPlane(letter("d"), given), plane.offset).standingFor(-dot(letters.n, letters.P0));
-  const Term slope = dot(letters.n, ray.r);
-  const Term rest = dot(letters.n, ray.Q) + d;
-  const Term t = name(ofPlane(letter("t"), given), meet.t);
-  return {letters,
-          given.id,
-          plainText(given.symbol),
-          meet,
-          d,
-          meet.crosses() ? t.standingFor(-rest / slope) : t,
-          name(ofPlane(letter("H"), given), meet.point).marked(in.mark("H" + std::to_string(place))),
-          slope,
-          rest};
+  const auto ofPlane = [&](Symbol symbol, const TermValue &value) {
+    symbol.owner = given.id;
+    return name(std::move(symbol), value);
+  };
+  Meeting meeting{letters, given.id, plainText(given.symbol), meetingOf(in.L.object, given.object)};
+  meeting.d = ofPlane(letter("d"), plane.offset).standingFor(-dot(letters.n, letters.P0));
+  meeting.slope = dot(letters.n, ray.r);
+  meeting.rest = dot(letters.n, ray.Q) + meeting.d;
+  meeting.t = ofPlane(letter("t"), meeting.meet.t);
+  if (meeting.meet.crosses())
+    meeting.t = meeting.t.standingFor(-meeting.rest / meeting.slope);
+  meeting.H = ofPlane(letter("H"), meeting.meet.point).marked(in.mark("H" + std::to_string(place)));
+  return meeting;
+}
+
+std::vector<Meeting> meetingsOf(const In &in) {
+  std::vector<Meeting> meetings;
+  for (std::size_t i = 0; i < in.planes.size(); ++i)
+    meetings.push_back(meetingWith(in.planes[i], i, in));
+  return meetings;
 }
 
 /// The planes with the smallest t that is not negative.
@@ -80,32 +65,26 @@ std::vector<std::size_t> firstOf(const std::vector<Meeting> &meetings) {
   return first;
 }
 
-Out compute(const In &in) {
-  std::vector<Meeting> meetings;
-  for (std::size_t i = 0; i < in.planes.size(); ++i)
-    meetings.push_back(meetingWith(in.planes[i], i, in));
-  std::vector<std::size_t> first = firstOf(meetings);
-  const Term H =
-      madeName(in, "H", first.empty() ? ExactVec3(in.L.object.origin) : meetings[first.front()].meet.point);
-  return {in, termsOf(in.L), std::move(meetings), std::move(first), H};
-}
+struct Out : Computed<In>, RayTerms {
+  explicit Out(const In &objects) : Computed(objects), RayTerms(termsOf(objects.L)) {}
 
-/// The meeting whose plane is hit first, the one with the smallest place; null where none is hit.
-const Meeting *firstMeeting(const Out &at) {
-  return at.first.empty() ? nullptr : &at.meetings[at.first.front()];
-}
+  std::vector<Meeting> meetings = meetingsOf(in);
+  std::vector<std::size_t> first = firstOf(meetings); ///< the planes that are hit first, all with the same t
+  /// The meeting whose plane is hit first, the one with the smallest place; null where none is hit.
+  const Meeting *firstMeeting = first.empty() ? nullptr : &meetings[first.front()];
+  Term H = madeName("H", firstMeeting ? firstMeeting->meet.point : in.L.object.origin);
 
-/// What is no plane, or null.
-const Meeting *withoutNormal(const Out &at) {
-  const auto found = std::find_if(at.meetings.begin(), at.meetings.end(), [](const Meeting &meeting) {
-    return meeting.meet.which == RayPlaneCase::ZeroNormal;
-  });
-  return found == at.meetings.end() ? nullptr : &*found;
-}
-
-bool isDegenerate(const Out &at) {
-  return withoutNormal(at) || at.meetings.front().meet.which == RayPlaneCase::ZeroDirection;
-}
+  /// What is no plane, or null.
+  [[nodiscard]] const Meeting *withoutNormal() const {
+    const auto found = std::find_if(meetings.begin(), meetings.end(), [](const Meeting &meeting) {
+      return meeting.meet.which == RayPlaneCase::ZeroNormal;
+    });
+    return found == meetings.end() ? nullptr : &*found;
+  }
+  /// Whether there are a ray and planes.
+  bool isSound = !withoutNormal() && meetings.front().meet.which != RayPlaneCase::ZeroDirection;
+  bool isHit = isSound && firstMeeting;
+};
 
 /// The places of all planes that the ray meets as `isSo` says.
 template <class Condition> std::vector<std::size_t> placesWhere(const Out &at, const Condition &isSo) {
@@ -142,17 +121,17 @@ std::string hitWords(const Out &at) {
                            : words("One plane has a t of 0 or more: the ray hits this one and no other.");
   if (at.first.size() > 1)
     return words("{planes} have the same t ({t}): the ray hits them at one point.",
-                 {{"planes", namesOf(at.first, at)}, {"t", equation(firstMeeting(at)->t)}});
+                 {{"planes", namesOf(at.first, at)}, {"t", equation(at.firstMeeting->t)}});
   return words("More than one plane has a t of 0 or more: the smallest of these tells which is hit first.");
 }
 
-CaseWords tell(const In &, const Out &at) {
-  if (const Meeting *none = withoutNormal(at))
+CaseWords tell(const Out &at) {
+  if (const Meeting *none = at.withoutNormal())
     return {std::string(nameOf(RayPlaneCase::ZeroNormal)),
             words("The normal {n} is the zero vector: it points nowhere, so {plane} is no plane.",
                   {{"n", plainText(none->n)}, {"plane", none->name}}),
             true};
-  if (isDegenerate(at))
+  if (!at.isSound)
     return zeroDirectionWords(at);
   const std::vector<std::size_t> inside = placesOf(RayPlaneCase::InPlane, at);
   if (inside.empty())
@@ -170,38 +149,16 @@ CaseWords tell(const In &, const Out &at) {
 
 std::string planeValue(std::size_t place) { return "plane" + std::to_string(place); }
 
-std::vector<NamedValue> valuesOfPlane(const Meeting &meeting) {
-  std::vector<NamedValue> values{{"case", meeting.name, std::string(nameOf(meeting.meet.which))}};
-  if (meeting.meet.crosses()) {
-    values.push_back(listed("t", meeting.t));
-    values.push_back(listed("point", meeting.H));
-  }
-  return values;
-}
-
 std::string wordForFirst(const Out &at) {
   if (at.first.empty())
     return liesInPlane(at) ? "in-plane" : "none";
   return at.first.size() > 1 ? "several" : planeValue(at.first.front());
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (isDegenerate(at))
-    return {};
-  std::vector<NamedValue> values{{"first", {}, wordForFirst(at)}};
-  if (const Meeting *first = firstMeeting(at)) {
-    values.push_back(listed("t", first->t));
-    values.push_back(listed("point", at.H));
-  }
-  for (std::size_t i = 0; i < at.meetings.size(); ++i)
-    values.push_back({planeValue(i), {}, valuesOfPlane(at.meetings[i])});
-  return values;
-}
+bool hasPlane(const Out &at, std::size_t place) { return at.isSound && place < at.meetings.size(); }
 
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (isDegenerate(at) || at.first.empty())
-    return {};
-  return {{"H", PointObject{firstMeeting(at)->meet.point}}};
+bool crosses(const Out &at, std::size_t place) {
+  return hasPlane(at, place) && at.meetings[place].meet.crosses();
 }
 
 WorkingLine rayLine(const Out &at) {
@@ -210,7 +167,8 @@ WorkingLine rayLine(const Out &at) {
               words("The ray's points: all their coordinates follow from the one number t."));
 }
 
-WorkingLine equationLine(const Meeting &meeting) {
+WorkingLine equationLine(const Out &at, std::size_t place) {
+  const Meeting &meeting = at.meetings[place];
   const Term left = dot(meeting.n, anyPoint()) + meeting.d;
   return line(condition((0 == left).then(calculated(left))),
               words("The equation of {plane}, with {d} = −{n}·{P0}.", {{"plane", meeting.name},
@@ -233,14 +191,16 @@ std::string substituteWords(const Meeting &meeting) {
   }
 }
 
-WorkingLine substituteLine(const Meeting &meeting, const Out &at) {
+WorkingLine substituteLine(const Out &at, std::size_t place) {
+  const Meeting &meeting = at.meetings[place];
   const Term inserted = dot(meeting.n, at.Q + unknown("t") * at.r) + meeting.d;
   return askedEquation(condition((0 == inserted).then(multipliedOut(inserted)).then(calculated(inserted))),
                        substituteWords(meeting));
 }
 
 /// The equation slope·t + rest = 0 solved.
-WorkingLine parameterLine(const Meeting &meeting) {
+WorkingLine parameterLine(const Out &at, std::size_t place) {
+  const Meeting &meeting = at.meetings[place];
   const Term slope = calculated(meeting.slope);
   const Term rest = calculated(meeting.rest);
   const Term solved = calculated(-meeting.rest) / slope;
@@ -264,6 +224,11 @@ std::string orderWords(const Out &at) {
   return liesInPlane(at)
              ? words("In their order. None is 0 or more, so the ray hits no plane at a single point.")
              : words("In their order. None is 0 or more, so the ray meets no plane.");
+}
+
+bool meetsAny(const Out &at) {
+  return std::any_of(at.meetings.begin(), at.meetings.end(),
+                     [](const Meeting &meeting) { return meeting.meet.crosses(); });
 }
 
 /// Which planes the order leaves out.
@@ -290,91 +255,38 @@ WorkingLine orderLine(const Out &at) {
   return line({inOrder(std::move(names)), inOrder(std::move(numbers))}, orderWords(at) + leftOutWords(at));
 }
 
-WorkingLine hitLine(const Out &at) {
-  return asked(withNumbers(at.H == at.Q + at.meetings.at(at.first.front()).t * at.r),
-               words("The smallest t that is not negative, put into the ray."));
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  if (isDegenerate(at))
-    return lines;
-  lines.add("ray", [&at] { return rayLine(at); });
-  for (std::size_t i = 0; i < at.meetings.size(); ++i) {
-    const Meeting &meeting = at.meetings[i];
-    const std::string place = std::to_string(i);
-    lines.add("equation" + place, [&meeting] { return equationLine(meeting); });
-    lines.add("substitute" + place, [&meeting, &at] { return substituteLine(meeting, at); });
-    if (meeting.meet.crosses())
-      lines.add("t" + place, [&meeting] { return parameterLine(meeting); });
-  }
-  if (std::any_of(at.meetings.begin(), at.meetings.end(),
-                  [](const Meeting &meeting) { return meeting.meet.crosses(); }))
-    lines.add("order", [&at] { return orderLine(at); });
-  if (!at.first.empty())
-    lines.add("hit", [&at] { return hitLine(at); });
-  return lines;
-}
-
-void drawMeeting(Figure &figure, const Meeting &meeting, const In &in, const Out &at) {
-  const Place point = place(meeting.H);
+void drawMeeting(Figure &figure, const Meeting &meeting, const Out &at) {
   const bool isAhead = meeting.meet.which == RayPlaneCase::Hit;
-  figure.reaches.push_back({meeting.id, point});
-  if (!isAhead)
-    figure.add(SegmentMark{{meeting.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  else if (meeting.meet.t > 0) // a ray that meets a plane in its start runs on
-    figure.reaches.push_back({in.L.id, point});
+  figure.reaches.push_back({meeting.id, place(meeting.H)});
+  if (!isAhead || meeting.meet.t > 0) // a ray that meets a plane in its start runs on
+    addWayTo(figure, at.in.L, meeting.H, isAhead);
   PointMark met = pointOf(meeting.H, isAhead ? Role::Derived : Role::Ghost, Subject::Ray);
-  if (&meeting == firstMeeting(at))
+  if (&meeting == at.firstMeeting)
     met.label.clear(); // it is called H there
   figure.add(std::move(met));
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  if (isDegenerate(at))
+  if (!at.isSound)
     return figure;
   for (const Meeting &meeting : at.meetings)
     if (meeting.meet.crosses())
-      drawMeeting(figure, meeting, in, at);
+      drawMeeting(figure, meeting, at);
     else if (meeting.meet.which == RayPlaneCase::InPlane)
-      figure.reachWithin(meeting.id, in.L.id, place(at.Q), unitOf(in.L.object.direction));
+      figure.reachWithin(meeting.id, at.in.L.id, place(at.Q), unitOf(at.in.L.object.direction));
   if (!at.first.empty())
     figure.add(pointOf(at.H, Role::Result, Subject::Ray));
   return figure;
 }
 
-/// The ray moved to start in a plane, or turned to run along it.
-void addRaysNear(std::vector<SpecialCase> &all, const Meeting &meeting, const std::string &value,
-                 const In &in, const Out &at) {
-  const auto &[origin, direction] = in.L.object;
-  const ExactVec3 normal = vectorOf(meeting.n);
-  const WordValues plane{{"plane", meeting.name}, {"Q", plainText(at.Q)}};
-  const bool startsInPlane = meeting.meet.numerator == 0;
-  if (!startsInPlane)
-    all.push_back(
-        {value + (meeting.meet.crosses() ? ".t = 0" : ".case = in-plane"),
-         meeting.meet.crosses() ? words("{Q} would lie in {plane}.", plane)
-                                : words("The ray would lie in {plane}.", plane),
-         "L",
-         RayObject{origin - projectVector(ExactVec3(origin - vectorOf(meeting.P0)), normal).projection,
-                   direction}});
-  if (const ExactVec3 turned = projectVector(direction, normal).rejection;
-      meeting.meet.crosses() && !isZero(turned))
-    all.push_back({value + (startsInPlane ? ".case = in-plane" : ".case = parallel"),
-                   startsInPlane ? words("The ray would lie in {plane}.", plane)
-                                 : words("The ray would run parallel to {plane}.", plane),
-                   "L", RayObject{origin, turned}});
-}
-
 /// A plane slid along its normal until it goes through the point that is hit first.
 void addPlaneNear(std::vector<SpecialCase> &all, std::size_t place, const Out &at) {
   const Meeting &meeting = at.meetings[place];
-  const Meeting *first = firstMeeting(at);
-  if (!first || !meeting.meet.crosses() || meeting.meet.t == first->meet.t)
+  const Meeting *first = at.firstMeeting;
+  if (at.first.size() != 1 || !meeting.meet.crosses() || meeting.meet.t == first->meet.t)
     return;
-  const ExactVec3 point = vectorOf(meeting.P0);
-  const ExactVec3 normal = vectorOf(meeting.n);
+  const auto &[point, normal] = at.in.planes[place].object;
   all.push_back(
       {"first = several",
        words("The ray would hit {one} and {other} at one point.",
@@ -384,47 +296,74 @@ void addPlaneNear(std::vector<SpecialCase> &all, std::size_t place, const Out &a
        place});
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (isDegenerate(at))
+  if (!at.isSound)
     return all;
   for (std::size_t i = 0; i < at.meetings.size(); ++i) {
-    addRaysNear(all, at.meetings[i], planeValue(i), in, at);
-    if (at.first.size() == 1)
-      addPlaneNear(all, i, at);
+    const WordValues plane{{"plane", at.meetings[i].name}, {"Q", plainText(at.Q)}};
+    addRaysAtPlane(at.in.L.object, at.in.planes[i].object,
+                   {words("{Q} would lie in {plane}.", plane), words("The ray would lie in {plane}.", plane),
+                    words("The ray would run parallel to {plane}.", plane)},
+                   all, planeValue(i) + ".");
+    addPlaneNear(all, i, at);
   }
   return all;
 }
 
-/// The names of all that it can come to with so many planes as there may be.
-ConstructionNames names() {
-  ConstructionNames all{.cases = {"hit", "miss", "in-plane", "zero-direction", "zero-normal"},
-                        .values = {},
-                        .lines = {"ray", "order", "hit"},
-                        .marks = {"H"}};
+ValueRow<Out> planeRow(std::size_t place) {
+  const auto its = [place](const Out &at) -> const Meeting & { return at.meetings[place]; };
+  const auto isCrossed = [place](const Out &at) { return crosses(at, place); };
+  return valueGroup<Out>(
+      planeValue(place), [place](const Out &at) { return hasPlane(at, place); },
+      {{named::word("case", {"hit", "behind", "parallel", "in-plane"}), always,
+        [its](const Out &at) { return ToldValue(its(at).name, nameOf(its(at).meet.which)); }},
+       {named::number("t"), isCrossed, [its](const Out &at) { return its(at).t; }},
+       {named::vector("point"), isCrossed, [its](const Out &at) { return its(at).H; }}});
+}
+
+ValueTable<Out> values() {
   std::vector<std::string> firstWords{"none", "several", "in-plane"};
-  std::vector<ValueName> planes;
+  ValueTable<Out> planes;
   for (std::size_t i = 0; i < maxListedObjects; ++i) {
-    const std::string place = std::to_string(i);
     firstWords.push_back(planeValue(i));
-    planes.push_back(
-        named::group(planeValue(i), {named::word("case", {"hit", "behind", "parallel", "in-plane"}),
-                                     named::number("t"), named::vector("point")}));
-    for (const char *line : {"equation", "substitute", "t"})
-      all.lines.push_back(line + place);
-    all.marks.push_back("H" + place);
+    planes.push_back(planeRow(i));
   }
-  all.values = {named::word("first", std::move(firstWords)), named::number("t"), named::vector("point")};
-  all.values.insert(all.values.end(), planes.begin(), planes.end());
-  return all;
+  return joined<ValueRow<Out>>(
+      {{{named::word("first", firstWords), &Out::isSound,
+         [](const Out &at) { return Value(wordForFirst(at)); }},
+        {named::number("t"), &Out::isHit, [](const Out &at) { return at.firstMeeting->t; }},
+        {named::vector("point"), &Out::isHit, &Out::H}},
+       planes});
+}
+
+LineTable<Out> lines() {
+  return joined<LineRow<Out>>(
+      {{{"ray", &Out::isSound, rayLine}},
+       linesOfEach<Out>(
+           maxListedObjects, hasPlane,
+           {{"equation", equationLine}, {"substitute", substituteLine}, {"t", parameterLine, crosses}}),
+       {{"order", [](const Out &at) { return at.isSound && meetsAny(at); }, orderLine},
+        {"hit", &Out::isHit,
+         [](const Out &at) { return withNumbers(at.H == at.Q + at.firstMeeting->t * at.r); },
+         says("The smallest t that is not negative, put into the ray.")}}});
 }
 
 } // namespace
 
 Construction ray_plane_substitution() {
-  return makeConstruction<In, Out, Several<PlaneObject>, RayObject>(
-      "ray-plane-substitution", {"planes", "L"}, {{"H", "point"}}, {"t"}, names(),
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, Several<PlaneObject>, RayObject>(
+      {.id = "ray-plane-substitution",
+       .roles = {"planes", "L"},
+       .makes = {{"H", &Out::isHit, &Out::H}},
+       .letters = {"t"},
+       .cases = {"hit", "miss", "in-plane", "zero-direction", "zero-normal"},
+       .values = values(),
+       .lines = lines(),
+       .marks = joined({{"H"}, numbered("H", maxListedObjects)}),
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -3,19 +3,9 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/point_line.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
+#include "lessons/construction/parts/ray_marks.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/sphere.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
-
-#include <array>
 
 namespace halfspace {
 namespace {
@@ -31,63 +21,58 @@ struct Contact {
   bool isAhead; ///< t ≥ 0: the ray gets there
 };
 
-struct Out : Naming, SphereTerms, RayTerms {
-  RaySphere<Rational> meet;
-  PointLine<Rational> nearest; ///< the centre and the ray's line
-  bool isPoint;                ///< the radius is 0: there is no sphere
-  Term w;
-  Term a, b, k, D;               ///< of the equation a·t² + 2b·t + k = 0: its discriminant is b² − a·k
-  Term M, h, s;                  ///< the line's point nearest to the centre; its distance; half the chord
-  std::vector<Contact> contacts; ///< by ascending t
-};
-
-Term coordinatesNamed(Symbol symbol, const std::array<Surd, 3> &coordinates) {
-  return name(std::move(symbol), std::vector<Surd>(coordinates.begin(), coordinates.end()));
-}
-
 std::vector<Contact> contactsOf(const In &in, const RaySphere<Rational> &meet) {
+  const auto coordinates = [](const auto &vector) { return std::vector<Surd>(vector.begin(), vector.end()); };
   std::vector<Contact> contacts;
   for (const auto &[t, point, normal] : meet.along) {
     const std::string index = std::to_string(contacts.size() + 1);
-    contacts.push_back(
-        {name(in.own(letter("t", index)), t),
-         coordinatesNamed(in.own(letter("H", index)), point).marked(in.mark("H" + index)),
-         coordinatesNamed(in.own(vectorLetter("n", index)), normal).marked(in.mark("n" + index)),
-         t.sign() >= 0});
+    contacts.push_back({ownName(in, letter("t", index), t),
+                        drawnName(in, letter("H", index), coordinates(point)),
+                        drawnName(in, vectorLetter("n", index), coordinates(normal)), t.sign() >= 0});
   }
   return contacts;
 }
 
-Out compute(const In &in) {
-  const auto &[center, radius] = in.S.object;
-  const auto &[origin, direction] = in.L.object;
-  const bool isPoint = radius == 0;
-  const auto meet = isPoint ? RaySphere<Rational>{}
-                            : intersectRaySphere(Ray<Rational>{origin, direction}, {center, radius});
-  const auto nearest = measurePointLine(center, origin, direction);
-  const ExactVec3 w = origin - center;
-  const Rational square = dot(direction, direction);
-  const bool hasChord = meet.contacts == SphereContacts::Two;
-  return {in,
-          termsOf(in.S),
-          termsOf(in.L),
-          meet,
-          nearest,
-          isPoint,
-          name(in.own(vectorLetter("w")), w).marked(in.mark("w")),
-          name(in.own(letter("a")), square),
-          name(in.own(letter("b")), dot(direction, w)),
-          name(in.own(letter("k")), Rational(dot(w, w) - radius * radius)),
-          name(in.own(letter("D")), meet.discriminant),
-          madeName(in, "M", nearest.foot),
-          name(in.own(letter("h")), nearest.distance).marked(in.mark("h")),
-          name(in.own(letter("s")), hasChord ? Surd::root(Rational(meet.discriminant / square)) : Surd())
-              .marked(in.mark("s")),
-          contactsOf(in, meet)};
+RaySphere<Rational> meetingOf(const In &in) {
+  return intersectRaySphere(Ray<Rational>{in.L.object.origin, in.L.object.direction},
+                            {in.S.object.center, in.S.object.radius});
 }
 
-bool hasLine(const Out &at) { return !at.isPoint && at.meet.which != RaySphereCase::ZeroDirection; }
-bool hasChord(const Out &at) { return at.meet.contacts == SphereContacts::Two; }
+/// 0 without a chord.
+Surd halfChord(const In &in, const RaySphere<Rational> &meet) {
+  const ExactVec3 &direction = in.L.object.direction;
+  return meet.contacts == SphereContacts::Two
+             ? Surd::root(Rational(meet.discriminant / dot(direction, direction)))
+             : Surd();
+}
+
+struct Out : Computed<In>, SphereTerms, RayTerms {
+  explicit Out(const In &objects)
+      : Computed(objects), SphereTerms(termsOf(objects.S)), RayTerms(termsOf(objects.L)) {}
+
+  bool isSphere = in.S.object.radius != 0; ///< else it is a point
+  RaySphere<Rational> meet = isSphere ? meetingOf(in) : RaySphere<Rational>{};
+  bool hasLine = isSphere && meet.which != RaySphereCase::ZeroDirection;
+  bool hasChord = meet.contacts == SphereContacts::Two;
+  /// The centre and the ray's line.
+  PointLine<Rational> nearest =
+      measurePointLine(in.S.object.center, in.L.object.origin, in.L.object.direction);
+
+  const ExactVec3 &direction = in.L.object.direction;
+  ExactVec3 way = in.L.object.origin - in.S.object.center;
+
+  Term w = drawnName(vectorLetter("w"), way);
+  // Of the equation a·t² + 2b·t + k = 0: its discriminant is b² − a·k.
+  Term a = ownName(letter("a"), dot(direction, direction));
+  Term b = ownName(letter("b"), dot(direction, way));
+  Term k = ownName(letter("k"), Rational(dot(way, way) - in.S.object.radius * in.S.object.radius));
+  Term D = ownName(letter("D"), meet.discriminant);
+  Term M = madeName("M", nearest.foot); ///< the line's point nearest to the centre
+  Term h = drawnName(letter("h"), nearest.distance);
+  Term s = drawnName(letter("s"), halfChord(in, meet));
+  std::vector<Contact> contacts = contactsOf(in, meet); ///< by ascending t
+  bool isMet = !contacts.empty();
+};
 
 std::string twiceWords(const Out &at) {
   const WordValues values{{"t1", equation(at.contacts[0].t)},
@@ -123,8 +108,8 @@ std::string onceWords(const Out &at) {
                      values);
 }
 
-CaseWords tell(const In &, const Out &at) {
-  if (at.isPoint)
+CaseWords tell(const Out &at) {
+  if (!at.isSphere)
     return {"zero-radius", words("The radius is 0: the sphere is only the point {c}.", at.letters), true};
   if (at.meet.which == RaySphereCase::ZeroDirection)
     return zeroDirectionWords(at);
@@ -140,42 +125,6 @@ CaseWords tell(const In &, const Out &at) {
   return {caseName,
           words("{D} is negative and has no root: no t fits, and the line of the ray misses the sphere.",
                 {{"D", equation(at.D)}})};
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (at.isPoint)
-    return {};
-  std::vector<NamedValue> values{
-      {"origin", words("place of the start"), std::string(nameOf(at.meet.origin))}};
-  if (!hasLine(at))
-    return values;
-  values.push_back({"contacts", words("common points"), std::string(nameOf(at.meet.contacts))});
-  values.push_back(listed("discriminant", at.D));
-  values.push_back(listed("nearest", at.M));
-  values.push_back(listed("distance", at.h));
-  if (at.contacts.empty())
-    return values;
-  std::vector<Term> parameters;
-  for (const Contact &contact : at.contacts)
-    parameters.push_back(contact.t);
-  values.push_back(listed("t", list(parameters)));
-  const std::array names{"first", "second"};
-  for (std::size_t i = 0; i < at.contacts.size(); ++i) {
-    const Contact &contact = at.contacts[i];
-    values.push_back(
-        {names.at(i), {}, std::vector<NamedValue>{listed("point", contact.H), listed("normal", contact.n)}});
-  }
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!hasLine(at))
-    return {};
-  return {{"M", PointObject{at.nearest.foot}}};
-}
-
-WorkingLine startLine(const Out &at) {
-  return asked(withNumbers(at.w == at.Q - at.c), words("From the centre {c} to the start {Q}.", at.letters));
 }
 
 WorkingLine constantLine(const Out &at) {
@@ -245,7 +194,7 @@ std::string aheadWords(const Out &at) {
   const std::size_t behind = at.contacts.front().isAhead ? 0 : at.contacts.back().isAhead ? 1 : 2;
   if (behind == 0)
     return words("No t is negative: what the line meets, the ray meets too.");
-  return behind == 1 && hasChord(at)
+  return behind == 1 && at.hasChord
              ? words("Only one t is not negative: the ray meets the sphere once.")
              : words("No t ≥ 0: the line meets the sphere, but only behind the start. The ray misses it.");
 }
@@ -257,39 +206,17 @@ WorkingLine aheadLine(const Out &at) {
   return line(std::move(signs), aheadWords(at));
 }
 
-WorkingLine hitLine(const Out &at, const Contact &contact) {
-  return asked(withNumbers(contact.H == at.Q + contact.t * at.r));
+bool hasContact(const Out &at, std::size_t index) { return index < at.contacts.size(); }
+
+WorkingLine hitLine(const Out &at, std::size_t index) {
+  const auto &[t, H, n, isAhead] = at.contacts[index];
+  return asked(withNumbers(H == at.Q + t * at.r));
 }
 
-WorkingLine normalLine(const Out &at, const Contact &contact) {
-  return asked(withNumbers(contact.n == (contact.H - at.c) / at.R),
+WorkingLine normalLine(const Out &at, std::size_t index) {
+  const auto &[t, H, n, isAhead] = at.contacts[index];
+  return asked(withNumbers(n == (H - at.c) / at.R),
                words("From the centre outwards. Divided by {R} it is one unit long.", at.letters));
-}
-
-void addContactLines(const Out &at, Explanation &lines) {
-  if (at.contacts.empty())
-    return;
-  if (hasChord(at))
-    for (std::size_t i = 0; i < at.contacts.size(); ++i)
-      lines.add("t" + std::to_string(i + 1), [&at, i] { return solutionLine(at, i); });
-  else
-    lines.add("t1", [&at] { return touchLine(at); });
-  lines.add("ahead", [&at] { return aheadLine(at); });
-  for (std::size_t i = 0; i < at.contacts.size(); ++i) {
-    const std::string index = std::to_string(i + 1);
-    const Contact &contact = at.contacts[i];
-    lines.add("hit" + index, [&] { return hitLine(at, contact); });
-    lines.add("normal" + index, [&] { return normalLine(at, contact); });
-  }
-}
-
-WorkingLine nearestLine(const Out &at) {
-  return asked(withNumbers(at.M == at.Q - at.b / at.a * at.r),
-               words("The line's point nearest to the centre: without the root, t is −b/a."));
-}
-
-WorkingLine distanceLine(const Out &at) {
-  return asked(withNumbers(at.h == norm(at.M - at.c)), words("How far the line passes from the centre."));
 }
 
 WorkingLine chordLine(const Out &at) {
@@ -305,61 +232,57 @@ WorkingLine chordLine(const Out &at) {
 /// The discriminant in the right triangle.
 WorkingLine triangleLine(const Out &at) {
   return line(withNumbers(at.D == at.a * (power(at.R, 2) - power(at.h, 2))),
-              hasChord(at)          ? words("h < {R}: the discriminant is positive.", at.letters)
-              : at.contacts.empty() ? words("h > {R}: the discriminant is negative.", at.letters)
-                                    : words("h = {R}: the discriminant is 0.", at.letters));
+              at.hasChord ? words("h < {R}: the discriminant is positive.", at.letters)
+              : !at.isMet ? words("h > {R}: the discriminant is negative.", at.letters)
+                          : words("h = {R}: the discriminant is 0.", at.letters));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  if (at.isPoint)
-    return lines;
-  lines.add("w", [&at] { return startLine(at); });
-  if (!hasLine(at))
-    return lines;
-  lines.add("a", [&at] { return asked(withProducts(at.a == dot(at.r, at.r))); });
-  lines.add("b", [&at] { return asked(withProducts(at.b == dot(at.r, at.w))); });
-  lines.add("k", [&at] { return constantLine(at); });
-  lines.add("quadratic", [&at] { return quadraticLine(at); });
-  lines.add("discriminant", [&at] { return discriminantLine(at); });
-  addContactLines(at, lines);
-  lines.add("nearest", [&at] { return nearestLine(at); });
-  lines.add("h", [&at] { return distanceLine(at); });
-  if (hasChord(at))
-    lines.add("s", [&at] { return chordLine(at); });
-  lines.add("triangle", [&at] { return triangleLine(at); });
-  return lines;
+LineTable<Out> lines() {
+  return joined<LineRow<Out>>(
+      {{{"w", &Out::isSphere, [](const Out &at) { return withNumbers(at.w == at.Q - at.c); },
+         says("From the centre {c} to the start {Q}.")},
+        {"a", &Out::hasLine, [](const Out &at) { return asked(withProducts(at.a == dot(at.r, at.r))); }},
+        {"b", &Out::hasLine, [](const Out &at) { return asked(withProducts(at.b == dot(at.r, at.w))); }},
+        {"k", &Out::hasLine, constantLine},
+        {"quadratic", &Out::hasLine, quadraticLine},
+        {"discriminant", &Out::hasLine, discriminantLine},
+        {"t1", &Out::isMet, [](const Out &at) { return at.hasChord ? solutionLine(at, 0) : touchLine(at); }},
+        {"t2", &Out::hasChord, [](const Out &at) { return solutionLine(at, 1); }},
+        {"ahead", &Out::isMet, aheadLine}},
+       linesOfEach<Out>(2, hasContact, {{"hit", hitLine}, {"normal", normalLine}}, 1),
+       {{"nearest", &Out::hasLine,
+         [](const Out &at) { return withNumbers(at.M == at.Q - at.b / at.a * at.r); },
+         says("The line's point nearest to the centre: without the root, t is −b/a.")},
+        {"h", &Out::hasLine, [](const Out &at) { return withNumbers(at.h == norm(at.M - at.c)); },
+         says("How far the line passes from the centre.")},
+        {"s", &Out::hasChord, chordLine},
+        {"triangle", &Out::hasLine, triangleLine}}});
 }
 
 /// The unit normals are drawn this long in every picture.
 constexpr double drawnNormalLength = 2;
 
-void drawContact(Figure &figure, const In &in, const Out &at, const Contact &contact) {
-  const Place point = place(contact.H);
-  if (contact.isAhead)
-    figure.reaches.push_back({in.L.id, point});
-  else
-    figure.add(SegmentMark{{contact.H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  figure.add(pointOf(contact.H, contact.isAhead ? Role::Result : Role::Ghost, Subject::Ray));
-  figure.add(ArrowMark{drawn(contact.n, Role::Derived, Subject::Measure), point, place(contact.n), false,
-                       drawnNormalLength});
+void drawContact(Figure &figure, const Out &at, const Contact &contact) {
+  addMeeting(figure, at.in.L, contact.H, contact.isAhead);
+  figure.add(arrowInPicture(drawn(contact.n, Role::Derived, Subject::Measure), place(contact.H),
+                            place(contact.n), drawnNormalLength));
 }
 
 /// The right triangle of the centre, the line's nearest point and the first contact. The radius is a mark of
 /// its own: where there is no chord it leads to the one contact alone.
-void drawTriangle(Figure &figure, const In &in, const Out &at) {
+void drawTriangle(Figure &figure, const Out &at) {
   const Place center = place(at.c);
   const Place middle = place(at.M);
   const bool isBeside = at.nearest.which == PointLineCase::Off;
   figure.add(pointOf(at.M, Role::Derived, Subject::Measure));
   if (isBeside)
     figure.add(SegmentMark{drawn(at.h, Role::Derived, Subject::Measure), center, middle});
-  if (at.contacts.empty())
+  if (!at.isMet)
     return;
   const Place contact = place(at.contacts.front().H);
   figure.add(SegmentMark{
-      {in.mark("radius"), Role::Derived, Subject::Triangle, latexOf(in.S.letters[1])}, center, contact});
-  if (!hasChord(at))
+      {at.mark("radius"), Role::Derived, Subject::Triangle, latexOf(at.in.S.letters[1])}, center, contact});
+  if (!at.hasChord)
     return;
   figure.add(SegmentMark{drawn(at.s, Role::Result, Subject::Measure), middle, contact});
   if (isBeside)
@@ -367,29 +290,29 @@ void drawTriangle(Figure &figure, const In &in, const Out &at) {
         {at.s->mark + "/angle", Role::Helper, Subject::Measure}, middle, center - middle, contact - middle});
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  if (at.isPoint)
+  if (!at.isSphere)
     return figure;
-  if (in.L.object.origin != in.S.object.center)
+  if (at.in.L.object.origin != at.in.S.object.center)
     figure.add(arrowOf(at.w, place(at.c), Role::Derived, Subject::Point));
-  if (!hasLine(at))
+  if (!at.hasLine)
     return figure;
   for (const Contact &contact : at.contacts)
-    drawContact(figure, in, at, contact);
-  drawTriangle(figure, in, at);
+    drawContact(figure, at, contact);
+  drawTriangle(figure, at);
   return figure;
 }
 
 /// What the ray would be, moved sideways, whose line touches the sphere.
-void addTangent(const In &in, const Out &at, std::vector<SpecialCase> &all) {
+void addTangent(const Out &at, std::vector<SpecialCase> &all) {
   const Surd &distance = at.nearest.distance;
-  const Rational &radius = in.S.object.radius;
+  const Rational &radius = at.in.S.object.radius;
   if (at.meet.contacts == SphereContacts::Tangent || distance == Surd())
     return;
   SpecialCase tangent{"contacts = tangent", words("The ray's line would touch the sphere."), "L", {}};
-  const ExactVec3 aside = at.nearest.foot - in.S.object.center;
-  const auto &[origin, direction] = in.L.object;
+  const ExactVec3 aside = at.nearest.foot - at.in.S.object.center;
+  const auto &[origin, direction] = at.in.L.object;
   if (distance.isRational())
     tangent.object = RayObject{origin + aside * (radius / distance.rationalPart() - 1), direction};
   else
@@ -398,14 +321,14 @@ void addTangent(const In &in, const Out &at, std::vector<SpecialCase> &all) {
 }
 
 /// What the ray would be, moved along its line, that starts at the nearer contact.
-void addStartOnSphere(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  if (at.contacts.empty() || at.meet.origin == SolidLocation::On)
+void addStartOnSphere(const Out &at, std::vector<SpecialCase> &all) {
+  if (!at.isMet || at.meet.origin == SolidLocation::On)
     return;
   SpecialCase start{"origin = on", words("{Q} would lie on the sphere.", at.letters), "L", {}};
   const Surd &first = at.meet.along.front().t;
   const Surd &last = at.meet.along.back().t;
   const Surd &nearer = first.squared() <= last.squared() ? first : last;
-  const auto &[origin, direction] = in.L.object;
+  const auto &[origin, direction] = at.in.L.object;
   if (nearer.isRational())
     start.object = RayObject{origin + direction * nearer.rationalPart(), direction};
   else
@@ -413,39 +336,60 @@ void addStartOnSphere(const In &in, const Out &at, std::vector<SpecialCase> &all
   all.push_back(std::move(start));
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (!hasLine(at))
+  if (!at.hasLine)
     return all;
-  addTangent(in, at, all);
-  addStartOnSphere(in, at, all);
+  addTangent(at, all);
+  addStartOnSphere(at, all);
   if (at.nearest.which == PointLineCase::Off) {
-    const auto &[origin, direction] = in.L.object;
+    const auto &[origin, direction] = at.in.L.object;
     all.push_back({"distance = 0", words("The ray's line would go through the centre {c}.", at.letters), "L",
-                   RayObject{origin + in.S.object.center - at.nearest.foot, direction}});
+                   RayObject{origin + at.in.S.object.center - at.nearest.foot, direction}});
   }
   return all;
 }
 
-ValueName contactName(std::string name) {
-  return named::group(std::move(name), {named::vector("point"), named::vector("normal")});
+ValueRow<Out> contactRow(std::string name, std::size_t index) {
+  return valueGroup<Out>(
+      std::move(name), [index](const Out &at) { return hasContact(at, index); },
+      {{named::vector("point"), always, [index](const Out &at) { return at.contacts[index].H; }},
+       {named::vector("normal"), always, [index](const Out &at) { return at.contacts[index].n; }}});
+}
+
+Term parametersOf(const Out &at) {
+  std::vector<Term> parameters;
+  for (const Contact &contact : at.contacts)
+    parameters.push_back(contact.t);
+  return list(std::move(parameters));
 }
 
 } // namespace
 
 Construction ray_sphere() {
-  return makeConstruction<In, Out, SphereObject, RayObject>(
-      "ray-sphere", {"S", "L"}, {{"M", "point"}},
-      {"w", "a", "b", "k", "D", "t1", "t2", "H1", "H2", "n1", "n2", "h", "s"},
-      {.cases = {"hit", "behind", "miss", "zero-direction", "zero-radius"},
-       .values = {named::word("origin", {"outside", "on", "inside"}),
-                  named::word("contacts", {"two", "tangent", "none"}), named::number("discriminant"),
-                  named::vector("nearest"), named::number("distance"), named::list("t", 2),
-                  contactName("first"), contactName("second")},
-       .lines = {"w", "a", "b", "k", "quadratic", "discriminant", "t1", "t2", "ahead", "hit1", "normal1",
-                 "hit2", "normal2", "nearest", "h", "s", "triangle"},
-       .marks = {"w", "H1", "n1", "H2", "n2", "M", "h", "radius", "s"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, SphereObject, RayObject>(
+      {.id = "ray-sphere",
+       .roles = {"S", "L"},
+       .makes = {{"M", &Out::hasLine, &Out::M}},
+       .letters = {"w", "a", "b", "k", "D", "t1", "t2", "H1", "H2", "n1", "n2", "h", "s"},
+       .cases = {"hit", "behind", "miss", "zero-direction", "zero-radius"},
+       .values = {{named::word("origin", {"outside", "on", "inside"}), &Out::isSphere,
+                   [](const Out &at) {
+                     return ToldValue(words("place of the start"), nameOf(at.meet.origin));
+                   }},
+                  {named::word("contacts", {"two", "tangent", "none"}), &Out::hasLine,
+                   [](const Out &at) { return ToldValue(words("common points"), nameOf(at.meet.contacts)); }},
+                  {named::number("discriminant"), &Out::hasLine, &Out::D},
+                  {named::vector("nearest"), &Out::hasLine, &Out::M},
+                  {named::number("distance"), &Out::hasLine, &Out::h},
+                  {named::list("t", 2), &Out::isMet, parametersOf},
+                  contactRow("first", 0),
+                  contactRow("second", 1)},
+       .lines = lines(),
+       .marks = {"w", "H1", "n1", "H2", "n2", "M", "h", "radius", "s"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace
