@@ -1,11 +1,10 @@
 // What the Plücker products of a ray with the edges of a face have in common.
 #pragma once
 
-#include "geometry/rational.h"
+#include "lessons/construction/taught.h"
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 namespace halfspace {
 
@@ -16,5 +15,11 @@ enum class ProductSigns : std::uint8_t { Same, Mixed, Zero };
 
 /// For programs: same, mixed, zero.
 [[nodiscard]] std::string nameOf(ProductSigns signs);
+
+/// The value that says it.
+template <class Out> [[nodiscard]] ValueRow<Out> signsRow(ProductSigns (*signs)(const Out &)) {
+  return {named::word("signs", {"same", "mixed", "zero"}), always,
+          [signs](const Out &at) { return ToldValue(words("signs"), nameOf(signs(at))); }};
+}
 
 } // namespace halfspace

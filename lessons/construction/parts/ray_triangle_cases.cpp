@@ -2,6 +2,7 @@
 
 #include "geometry/point_line.h"
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/ray_at_plane.h"
 #include "lessons/construction/parts/shifted_ray.h"
 #include "lessons/object/drawing.h"
 #include "lessons/object/letters.h"
@@ -27,24 +28,23 @@ const Term &cornerAt(const TriangleTerms &corners, int index) {
 
 /// What the ray would be, moved sideways, whose line meets a corner or an edge; none of the kind that it
 /// meets already.
-void addShifted(const TriangleObject &triangle, const RayObject &ray, const TriangleTerms &terms,
-                std::vector<SpecialCase> &all) {
-  const auto add = [&](const ExactVec3 &shift, const std::string &location, std::size_t feature,
-                       std::string sentence) {
-    if (!isZero(shift))
-      all.push_back({"location = " + location + " and feature = " + std::to_string(feature),
-                     std::move(sentence), "L", RayObject{ray.origin + shift, ray.direction}});
+void addShifted(const RayAtTriangle &at, std::vector<SpecialCase> &all) {
+  const auto corners = placesOf(at.in.T.object);
+  const CornerTerms names = termsIn(at);
+  const auto place = [](const std::string &location, std::size_t feature) {
+    return "location = " + location + " and feature = " + std::to_string(feature);
   };
-  const auto corners = placesOf(triangle);
-  const CornerTerms names = termsIn(terms);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
-    add(projectVector(ExactVec3(corners.at(i) - ray.origin), ray.direction).rejection, "vertex", i,
-        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(*names.at(i))}}));
-    if (const auto shift = shiftOntoSegment(ray, corners.at(i), corners.at(next)))
-      add(*shift, "edge", 3 - i - next, // the corner opposite to it
-          words("The ray's line would go through the edge {edge}.",
-                {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}));
+    addRayThrough(
+        at.in.L.object, corners.at(i), place("vertex", i),
+        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(*names.at(i))}}),
+        all);
+    addRayThrough(at.in.L.object, {corners.at(i), corners.at(next)},
+                  place("edge", 3 - i - next), // the corner opposite to it
+                  words("The ray's line would go through the edge {edge}.",
+                        {{"edge", edgeName((*names.at(i))->symbol, (*names.at(next))->symbol)}}),
+                  all);
   }
 }
 
@@ -66,16 +66,25 @@ std::string placeWords(const FaceLocation &location, const TriangleTerms &corner
   return words("outside the triangle");
 }
 
+std::pair<Term, Term> coincidentCorners(const TriangleObject &triangle, const TriangleTerms &corners) {
+  const auto &[p0, p1, p2] = triangle;
+  return {p0 == p1 || p0 == p2 ? corners.P0 : corners.P1, p0 == p1 ? corners.P1 : corners.P2};
+}
+
 std::string coincidentWords(const TriangleObject &triangle, const TriangleTerms &corners) {
   const auto &[p0, p1, p2] = triangle;
   if (p0 == p1 && p0 == p2)
     return words("{first}, {second} and {third} are the same point", {{"first", plainText(corners.P0)},
                                                                       {"second", plainText(corners.P1)},
                                                                       {"third", plainText(corners.P2)}});
-  const Term &first = p0 == p1 || p0 == p2 ? corners.P0 : corners.P1;
-  const Term &second = p0 == p1 ? corners.P1 : corners.P2;
+  const auto [first, second] = coincidentCorners(triangle, corners);
   return words("{first} and {second} are the same point",
                {{"first", plainText(first)}, {"second", plainText(second)}});
+}
+
+Surd cosineOf(const TrianglePerps<Rational> &perps) {
+  const Rational squares = perps.uu * perps.vv;
+  return squares == 0 ? Surd() : overRoot(perps.uv, squares);
 }
 
 void addFlattened(const TriangleObject &triangle, const Naming &naming, std::vector<SpecialCase> &all) {
@@ -95,31 +104,25 @@ ArrowMark wayToHit(const Term &w, const Place &p0) {
   return inLook({Hue::Red}, arrowOf(w, p0, Role::Derived, Subject::Ray));
 }
 
-std::vector<SpecialCase> rayTriangleNearby(const TriangleObject &triangle, const RayObject &ray,
-                                           const TriangleTerms &corners, const Naming &naming) {
+WorkingLine sidesNormalLine(const Term &n, const Term &u, const Term &v, std::string sentence) {
+  return asked(withProducts(n == cross(u, v)), std::move(sentence),
+               {{cross(v, u), words("{answer} is the cross product the other way round: v × u.")}});
+}
+
+std::vector<SpecialCase> rayTriangleNearby(const RayAtTriangle &at) {
   std::vector<SpecialCase> all;
-  const auto &[origin, direction] = ray;
-  const ExactVec3 normal = cross(ExactVec3(triangle.p1 - triangle.p0), ExactVec3(triangle.p2 - triangle.p0));
-  if (isZero(normal) || isZero(direction))
+  const ExactVec3 normal = perpsOf(at.triangle).normal;
+  const RayObject &ray = at.in.L.object;
+  if (isZero(normal) || isZero(ray.direction))
     return all;
-  addFlattened(triangle, naming, all);
-  const ExactVec3 offPlane = projectVector(ExactVec3(origin - triangle.p0), normal).projection;
-  const bool startsInPlane = isZero(offPlane);
-  if (dot(direction, normal) == 0) {
-    if (!startsInPlane)
-      all.push_back({"case = in-plane", words("The ray would lie in the triangle's plane."), "L",
-                     RayObject{origin - offPlane, direction}});
-    return all;
-  }
-  addShifted(triangle, ray, corners, all);
-  if (!startsInPlane)
-    all.push_back({"t = 0", words("{Q} would lie in the triangle's plane.", naming.letters), "L",
-                   RayObject{origin - offPlane, direction}});
-  if (const ExactVec3 turned = projectVector(direction, normal).rejection; !isZero(turned))
-    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
-                   startsInPlane ? words("The ray would lie in the triangle's plane.")
-                                 : words("The ray would run parallel to the triangle's plane."),
-                   "L", RayObject{origin, turned}});
+  addFlattened(at.in.T.object, at, all);
+  if (dot(ray.direction, normal) != 0)
+    addShifted(at, all);
+  addRaysAtPlane(ray, {at.triangle.p0, normal},
+                 {words("{Q} would lie in the triangle's plane.", at.letters),
+                  words("The ray would lie in the triangle's plane."),
+                  words("The ray would run parallel to the triangle's plane.")},
+                 all);
   return all;
 }
 

@@ -1,15 +1,20 @@
 // Rays moved sideways.
 #pragma once
 
+#include "lessons/construction/special_case.h"
 #include "lessons/object/kinds/ray.h"
 
-#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace halfspace {
 
-/// The shortest way by which the ray is to be moved for its line to meet the line of a segment, where it then
-/// meets it between the ends; nothing where it would not, or where the two are parallel.
-[[nodiscard]] std::optional<ExactVec3> shiftOntoSegment(const RayObject &ray, const ExactVec3 &from,
-                                                        const ExactVec3 &to);
+/// Adds the ray moved sideways until its line meets a point, or a segment between its ends; nothing where it
+/// does already, or never would. `when` and `sentence` say what holds then.
+void addRayThrough(const RayObject &ray, const ExactVec3 &point, std::string when, std::string sentence,
+                   std::vector<SpecialCase> &all);
+void addRayThrough(const RayObject &ray, const std::pair<ExactVec3, ExactVec3> &segment, std::string when,
+                   std::string sentence, std::vector<SpecialCase> &all);
 
 } // namespace halfspace

@@ -3,15 +3,8 @@
 #include "geometry/case_names.h"
 #include "geometry/point_line.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/triangle.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/words.h"
+#include "lessons/construction/taught.h"
 
 #include <algorithm>
 #include <array>
@@ -24,49 +17,40 @@ struct In : Naming {
   Given<PointObject> Q;
 };
 
-struct Out : Naming, TriangleTerms {
-  Barycentric<Rational> weighed;
-  Term Q;
-  Term n, A;                 ///< of the whole triangle
-  Term n0, n1;               ///< of the small triangles opposite to P0 and P1
-  std::array<Term, 3> parts; ///< the signed areas of the small triangles
-  Term rho, sigma, tau, B;   ///< B: where the parallel to the edge P1P2 meets the edge P0P1
+struct Out : Computed<In>, TriangleTerms {
+  explicit Out(const In &objects) : Computed(objects), TriangleTerms(termsOf(objects.T)) {}
 
-  [[nodiscard]] bool hasWeights() const { return weighed.which == BarycentricCase::InPlane; }
+  Triangle<Rational> triangle{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+  Barycentric<Rational> weighed = barycentricOf(in.Q.object.at, triangle);
+  const std::array<Rational, 3> &weights = weighed.weights;
+  bool hasWeights = weighed.which == BarycentricCase::InPlane;
+
+  Term Q = termOf(in.Q);
+  Term n = drawnName(vectorLetter("n"), weighed.normal);
+  /// Of the whole triangle, whose mark it is.
+  Term A = ownName(letter("A"), weighed.area).standingFor(norm(n) / 2).marked(in.T.id);
+  // Of the small triangles opposite to the corners: normals, and signed areas.
+  Term n0 = drawnName(vectorLetter("n", "0"), weighed.normals[0]);
+  Term n1 = drawnName(vectorLetter("n", "1"), weighed.normals[1]);
+  std::array<Term, 3> parts{drawnName(letter("A", "0"), weighed.areas[0]),
+                            drawnName(letter("A", "1"), weighed.areas[1]),
+                            drawnName(letter("A", "2"), weighed.areas[2])};
+  Term rho = ownName(letter("ρ"), weights[0]).marked(mark("A0"));
+  Term sigma = ownName(letter("σ"), weights[1]).marked(mark("A1"));
+  Term tau = ownName(letter("τ"), weights[2]).marked(mark("A2"));
+  /// Where the parallel to the edge P1P2 meets the edge P0P1.
+  Term B =
+      drawnName(letter("B"), ExactVec3(triangle.p0 *weights[0] + triangle.p1 * Rational(1 - weights[0])));
 };
-
-Out compute(const In &in) {
-  const auto &[p0, p1, p2] = in.T.object;
-  const auto weighed = barycentricOf(in.Q.object.at, Triangle<Rational>{p0, p1, p2});
-  const auto &[rho, sigma, tau] = weighed.weights;
-  const Term n = name(in.own(vectorLetter("n")), weighed.normal).marked(in.mark("n"));
-  const auto area = [&](const char *index, std::size_t i) {
-    return name(in.own(letter("A", index)), weighed.areas.at(i)).marked(in.mark("A" + std::string(index)));
-  };
-  return {in,
-          termsOf(in.T),
-          weighed,
-          termOf(in.Q),
-          n,
-          name(in.own(letter("A")), weighed.area).standingFor(norm(n) / 2).marked(in.T.id), // the triangle
-
-          name(in.own(vectorLetter("n", "0")), weighed.normals[0]).marked(in.mark("n0")),
-          name(in.own(vectorLetter("n", "1")), weighed.normals[1]).marked(in.mark("n1")),
-          {area("0", 0), area("1", 1), area("2", 2)},
-          name(in.own(letter("ρ")), rho).marked(in.mark("A0")),
-          name(in.own(letter("σ")), sigma).marked(in.mark("A1")),
-          name(in.own(letter("τ")), tau).marked(in.mark("A2")),
-          name(in.own(letter("B")), ExactVec3(p0 * rho + p1 * Rational(1 - rho))).marked(in.mark("B"))};
-}
 
 /// ρ = 1/3, σ = 1/6, τ = 1/2
 WordValues weightWords(const Out &at) {
   return {{"rho", equation(at.rho)}, {"sigma", equation(at.sigma)}, {"tau", equation(at.tau)}};
 }
 
-std::string locationSentence(const In &in, const Out &at) {
+std::string locationSentence(const Out &at) {
   const WordValues weights = weightWords(at);
-  const std::pair<std::string_view, std::string> Q{"Q", plainText(in.Q.symbol)};
+  const std::pair<std::string_view, std::string> Q{"Q", plainText(at.in.Q.symbol)};
   const std::pair<std::string_view, std::string> place{"place", placeWords(at.weighed.location, at)};
   switch (at.weighed.location.part) {
   case FacePart::Interior:
@@ -81,16 +65,16 @@ std::string locationSentence(const In &in, const Out &at) {
   case FacePart::Outside:
     break;
   }
-  const auto &all = at.weighed.weights;
+  const auto &all = at.weights;
   return std::count_if(all.begin(), all.end(), [](const Rational &weight) { return weight < 0; }) == 1
              ? words("One weight is negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place})
              : words("Two weights are negative: {Q} is {place}. {rho}, {sigma}, {tau}.", weights, {Q, place});
 }
 
-CaseWords tell(const In &in, const Out &at) {
+CaseWords tell(const Out &at) {
   switch (at.weighed.which) {
   case BarycentricCase::InPlane:
-    return {std::string(nameOf(at.weighed.location.part)), locationSentence(in, at)};
+    return {std::string(nameOf(at.weighed.location.part)), locationSentence(at)};
   case BarycentricCase::OffPlane:
     return {"off-plane",
             words("{Q} does not lie in the triangle's plane, so no weights of the three corners lead to it.",
@@ -98,7 +82,7 @@ CaseWords tell(const In &in, const Out &at) {
   case BarycentricCase::Coincident:
     return {"coincident",
             words("{same}: this is no triangle, and there is no area to share.",
-                  {{"same", coincidentWords(in.T.object, at)}}),
+                  {{"same", coincidentWords(at.in.T.object, at)}}),
             true};
   case BarycentricCase::Collinear:
     break;
@@ -115,20 +99,6 @@ std::string heaviest(const std::array<Rational, 3> &weights) {
              ? "several"
              : corners.at(static_cast<std::size_t>(largest - weights.begin()));
 }
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values{listed("area", at.A)};
-  if (!at.hasWeights())
-    return values;
-  if (at.weighed.location.feature >= 0)
-    values.push_back({"feature", {}, at.weighed.location.feature});
-  values.push_back(listed("areas", list({at.parts[0], at.parts[1], at.parts[2]})));
-  values.push_back(listed("barycentric", list({at.rho, at.sigma, at.tau})));
-  values.push_back({"heaviest", {}, heaviest(at.weighed.weights)});
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &) { return {}; }
 
 WorkingLine normalLine(const Out &at) {
   return asked(
@@ -152,7 +122,9 @@ WorkingLine smallNormalLine(const Out &at, const Term &normal, const Term &from,
 }
 
 /// The signed area of a small triangle by its normal.
-WorkingLine smallAreaLine(const Out &at, const Term &area, const Term &normal, const Rational &weight) {
+WorkingLine smallAreaLine(const Out &at, std::size_t corner, const Term &normal) {
+  const Term &area = at.parts.at(corner);
+  const Rational &weight = at.weights.at(corner);
   const Term size = norm(normal) / 2;
   if (weight < 0)
     return asked(
@@ -166,11 +138,7 @@ WorkingLine smallAreaLine(const Out &at, const Term &area, const Term &normal, c
                                    {{"normal", plainText(normal)}}));
 }
 
-WorkingLine restLine(const Out &at) {
-  return asked(withNumbers(at.parts[2] == at.A - at.parts[0] - at.parts[1]),
-               words("The three small areas together are the whole: so the third is what is left."));
-}
-
+/// The weight of the corner that an area is opposite to.
 WorkingLine weightLine(const Out &at, const Term &weight, const Term &area, const Term &corner) {
   return asked(withNumbers(weight == area / at.A),
                words("The weight of {corner}: the share of the small triangle opposite to it.",
@@ -183,9 +151,9 @@ WorkingLine lastWeightLine(const Out &at) {
                {{at.rho + at.sigma, words("{answer} is the sum of the other two: take it from 1.")}});
 }
 
-WorkingLine mixLine(const Out &at) {
-  return asked(withNumbers(at.Q == at.rho * at.P0 + at.sigma * at.P1 + at.tau * at.P2),
-               words("The corners mixed with these weights give the point {Q} again.", at.letters));
+WorkingLine placeLine(const Out &at) {
+  return resultsLine({at.rho, at.sigma, at.tau},
+                     words("{Q} is {place}.", at.letters, {{"place", placeWords(at.weighed.location, at)}}));
 }
 
 WorkingLine cutLine(const Out &at) {
@@ -196,48 +164,38 @@ WorkingLine cutLine(const Out &at) {
                       {"other", edgeName(at.P0->symbol, at.P1->symbol)}}));
 }
 
-WorkingLine placeLine(const Out &at) {
-  return line({withResult(at.rho), withResult(at.sigma), withResult(at.tau)},
-              words("{Q} is {place}.", at.letters, {{"place", placeWords(at.weighed.location, at)}}));
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("n", [&at] { return normalLine(at); });
-  lines.add("area", [&at] { return wholeLine(at); });
-  if (!at.hasWeights())
-    return lines;
-  const auto &weights = at.weighed.weights;
-  lines.add("n0", [&at] { return smallNormalLine(at, at.n0, at.P1, at.P2); });
-  lines.add("area0", [&at, &weights] { return smallAreaLine(at, at.parts[0], at.n0, weights[0]); });
-  lines.add("n1", [&at] { return smallNormalLine(at, at.n1, at.P2, at.P0); });
-  lines.add("area1", [&at, &weights] { return smallAreaLine(at, at.parts[1], at.n1, weights[1]); });
-  lines.add("area2", [&at] { return restLine(at); });
-  lines.add("rho", [&at] { return weightLine(at, at.rho, at.parts[0], at.P0); });
-  lines.add("sigma", [&at] { return weightLine(at, at.sigma, at.parts[1], at.P1); });
-  lines.add("tau", [&at] { return lastWeightLine(at); });
-  lines.add("mix", [&at] { return mixLine(at); });
-  lines.add("cut", [&at] { return cutLine(at); });
-  lines.add("place", [&at] { return placeLine(at); });
-  return lines;
+LineTable<Out> lines() {
+  return {
+      {"n", always, normalLine},
+      {"area", always, wholeLine},
+      {"n0", &Out::hasWeights, [](const Out &at) { return smallNormalLine(at, at.n0, at.P1, at.P2); }},
+      {"area0", &Out::hasWeights, [](const Out &at) { return smallAreaLine(at, 0, at.n0); }},
+      {"n1", &Out::hasWeights, [](const Out &at) { return smallNormalLine(at, at.n1, at.P2, at.P0); }},
+      {"area1", &Out::hasWeights, [](const Out &at) { return smallAreaLine(at, 1, at.n1); }},
+      {"area2", &Out::hasWeights,
+       [](const Out &at) { return withNumbers(at.parts[2] == at.A - at.parts[0] - at.parts[1]); },
+       says("The three small areas together are the whole: so the third is what is left.")},
+      {"rho", &Out::hasWeights, [](const Out &at) { return weightLine(at, at.rho, at.parts[0], at.P0); }},
+      {"sigma", &Out::hasWeights, [](const Out &at) { return weightLine(at, at.sigma, at.parts[1], at.P1); }},
+      {"tau", &Out::hasWeights, lastWeightLine},
+      {"mix", &Out::hasWeights,
+       [](const Out &at) { return withNumbers(at.Q == at.rho * at.P0 + at.sigma * at.P1 + at.tau * at.P2); },
+       says("The corners mixed with these weights give the point {Q} again.")},
+      {"cut", &Out::hasWeights, cutLine},
+      {"place", &Out::hasWeights, placeLine}};
 }
 
 /// The normals are drawn this long in every picture: only their directions matter here.
 constexpr double drawnNormalLength = 2.5;
 constexpr std::array smallSubjects{Subject::Ray, Subject::Plane, Subject::Measure};
 
-void drawNormal(Figure &figure, const Term &normal, const Place &from, Subject subject) {
-  if (const ExactVec3 direction = vectorOf(normal); !isZero(direction))
-    figure.add(arrowOfLength(drawn(normal, Role::Derived, subject), from, direction, drawnNormalLength));
-}
-
 /// The line through Q on which the weight of a corner stays the same: parallel to the edge opposite, from the
 /// line of one of the other edges to that of the other, and to Q.
-void drawParallel(Figure &figure, const In &in, const Out &at, std::size_t corner) {
-  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+void drawParallel(Figure &figure, const Out &at, std::size_t corner) {
+  const std::array corners{at.in.T.object.p0, at.in.T.object.p1, at.in.T.object.p2};
   const std::size_t next = (corner + 1) % 3;
   const std::size_t last = (corner + 2) % 3;
-  const auto &weights = at.weighed.weights;
+  const auto &weights = at.weights;
   const Rational rest = 1 - weights.at(corner);
   const Rational low = std::min({Rational(0), rest, weights.at(last)});
   const Rational high = std::max({Rational(0), rest, weights.at(last)});
@@ -246,40 +204,45 @@ void drawParallel(Figure &figure, const In &in, const Out &at, std::size_t corne
   const ExactVec3 start = corners.at(corner) * weights.at(corner) + corners.at(next) * rest;
   const ExactVec3 edge = corners.at(last) - corners.at(next);
   figure.add(
-      SegmentMark{{in.mark("parallel" + std::to_string(corner)), Role::Helper, smallSubjects.at(corner)},
+      SegmentMark{{at.mark("parallel" + std::to_string(corner)), Role::Helper, smallSubjects.at(corner)},
                   place(ExactVec3(start + edge * low)),
                   place(ExactVec3(start + edge * high))});
 }
 
 void drawSmall(Figure &figure, const Out &at, std::size_t corner) {
-  if (at.weighed.weights.at(corner) == 0)
+  if (at.weights.at(corner) == 0)
     return;
   const std::array corners{place(at.P0), place(at.P1), place(at.P2)};
-  const Role role = at.weighed.weights.at(corner) < 0 ? Role::Ghost : Role::Derived;
+  const Role role = at.weights.at(corner) < 0 ? Role::Ghost : Role::Derived;
   figure.add(PolygonMark{drawn(at.parts.at(corner), role, smallSubjects.at(corner)),
                          {place(at.Q), corners.at((corner + 1) % 3), corners.at((corner + 2) % 3)}});
 }
 
-Figure draw(const In &in, const Out &at) {
+/// At the middle of an edge: the half of the sum of its ends.
+void drawSmallNormal(Figure &figure, const Term &normal, const Place &ends, Subject subject) {
+  addDirection(figure, normal, ends / 2.0, drawnNormalLength, Role::Derived, subject);
+}
+
+Figure draw(const Out &at) {
   Figure figure;
-  drawNormal(figure, at.n, place(at.P0), Subject::Triangle);
-  if (!at.hasWeights())
+  addDirection(figure, at.n, place(at.P0), drawnNormalLength, Role::Derived, Subject::Triangle);
+  if (!at.hasWeights)
     return figure;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     drawSmall(figure, at, corner);
-    drawParallel(figure, in, at, corner);
+    drawParallel(figure, at, corner);
   }
-  drawNormal(figure, at.n0, (place(at.P1) + place(at.P2)) / 2.0, smallSubjects[0]);
-  drawNormal(figure, at.n1, (place(at.P2) + place(at.P0)) / 2.0, smallSubjects[1]);
+  drawSmallNormal(figure, at.n0, place(at.P1) + place(at.P2), smallSubjects[0]);
+  drawSmallNormal(figure, at.n1, place(at.P2) + place(at.P0), smallSubjects[1]);
   figure.add(pointOf(at.B, Role::Derived, smallSubjects[0]));
   return figure;
 }
 
 /// The point moved to each corner, and to the nearest place of each edge: where it is not yet.
-void addMoved(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const std::array corners{in.T.object.p0, in.T.object.p1, in.T.object.p2};
+void addMoved(const Out &at, std::vector<SpecialCase> &all) {
+  const std::array corners{at.in.T.object.p0, at.in.T.object.p1, at.in.T.object.p2};
   const std::array<const Term *, 3> names{&at.P0, &at.P1, &at.P2};
-  const ExactVec3 &point = in.Q.object.at;
+  const ExactVec3 &point = at.in.Q.object.at;
   const auto add = [&](const ExactVec3 &to, const std::string &part, std::size_t feature,
                        std::string sentence) {
     if (to != point)
@@ -298,16 +261,16 @@ void addMoved(const In &in, const Out &at, std::vector<SpecialCase> &all) {
   }
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   if (isZero(at.weighed.normal))
     return all;
-  if (at.hasWeights()) {
-    addMoved(in, at, all);
+  if (at.hasWeights) {
+    addMoved(at, all);
     return all;
   }
-  const ExactVec3 &point = in.Q.object.at;
-  const ExactVec3 height = projectVector(ExactVec3(point - in.T.object.p0), at.weighed.normal).projection;
+  const ExactVec3 &point = at.in.Q.object.at;
+  const ExactVec3 height = projectVector(ExactVec3(point - at.in.T.object.p0), at.weighed.normal).projection;
   all.push_back({"case != off-plane", words("{Q} would lie in the triangle's plane.", at.letters), "Q",
                  PointObject{ExactVec3(point - height)}});
   return all;
@@ -316,15 +279,28 @@ std::vector<SpecialCase> nearby(const In &in, const Out &at) {
 } // namespace
 
 Construction barycentric() {
-  return makeConstruction<In, Out, TriangleObject, PointObject>(
-      "barycentric", {"T", "Q"}, {}, {"n", "A", "n0", "n1", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
-      {.cases = {"interior", "edge", "vertex", "outside", "off-plane", "coincident", "collinear"},
-       .values = {named::number("area"), named::index("feature"), named::list("areas", 3),
-                  named::list("barycentric", 3), named::word("heaviest", {"P0", "P1", "P2", "several"})},
-       .lines = {"n", "area", "n0", "area0", "n1", "area1", "area2", "rho", "sigma", "tau", "mix", "cut",
-                 "place"},
-       .marks = {"n", "n0", "n1", "A0", "A1", "A2", "parallel0", "parallel1", "parallel2", "B"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, TriangleObject, PointObject>(
+      {.id = "barycentric",
+       .roles = {"T", "Q"},
+       .letters = {"n", "A", "n0", "n1", "A0", "A1", "A2", "ρ", "σ", "τ", "B"},
+       .cases = {"interior", "edge", "vertex", "outside", "off-plane", "coincident", "collinear"},
+       .values = {{named::number("area"), always, &Out::A},
+                  featureRow<Out>(&Out::hasWeights, [](const Out &at) { return at.weighed.location; }),
+                  {named::list("areas", 3), &Out::hasWeights,
+                   [](const Out &at) {
+                     return list({at.parts[0], at.parts[1], at.parts[2]});
+                   }},
+                  {named::list("barycentric", 3), &Out::hasWeights,
+                   [](const Out &at) {
+                     return list({at.rho, at.sigma, at.tau});
+                   }},
+                  {named::word("heaviest", {"P0", "P1", "P2", "several"}), &Out::hasWeights,
+                   [](const Out &at) { return Value(heaviest(at.weights)); }}},
+       .lines = lines(),
+       .marks = {"n", "n0", "n1", "A0", "A1", "A2", "parallel0", "parallel1", "parallel2", "B"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -1,25 +1,15 @@
 // Whether a ray goes through a convex polygon, by the signs of its products with the edges (note PL).
-#include "geometry/case_names.h"
 #include "geometry/intersect_ray_polygon.h"
 #include "geometry/project_vector.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/name_rows.h"
+#include "lessons/construction/parts/place_rows.h"
+#include "lessons/construction/parts/plucker_edges.h"
 #include "lessons/construction/parts/product_signs.h"
+#include "lessons/construction/parts/ray_at_plane.h"
 #include "lessons/construction/parts/shifted_ray.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/construction/parts/zero_vectors.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/polygon.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace halfspace {
@@ -32,32 +22,17 @@ struct In : Naming {
   Given<RayObject> L;
 };
 
-/// An edge as a line: direction, moment, and the product of the ray's line with it.
-struct EdgeTerms {
-  Term e, m, p;
-};
-
-/// How much of each corner of a triangle the point has in it.
-struct WeightTerms {
-  Term rho, sigma, tau;
-};
-
-struct Out : Naming, RayTerms {
-  PolygonShape shape;
-  RayPolygon<Rational> meet; ///< of a polygon that is not convex only the products
-  std::vector<Term> corners;
-  Term m;                       ///< the moment of the ray's line
-  std::vector<EdgeTerms> edges; ///< edge i runs from corner i to the next
-  Term S;                       ///< the sum of the products
-  Term n, t, I;
-  std::optional<WeightTerms> weights; ///< where a triangle's plane is crossed
-
-  [[nodiscard]] const Term &corner(std::size_t index) const { return corners.at(index % corners.size()); }
-  [[nodiscard]] bool isConvex() const { return shape == PolygonShape::Convex; }
-  [[nodiscard]] std::string edgeNamed(std::size_t index) const {
-    return edgeName(corner(index)->symbol, corner(index + 1)->symbol);
+std::vector<EdgeTerms> edgesOf(const In &in, const std::vector<Term> &corners,
+                               const std::vector<Rational> &products) {
+  std::vector<EdgeTerms> edges;
+  const auto &places = in.W.object.corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    edges.push_back(edgeTerms(in, i, lineThrough(places[i], places[next]), products[i], corners[i],
+                              corners[next] - corners[i]));
   }
-};
+  return edges;
+}
 
 RayPolygon<Rational> meetOf(const Ray<Rational> &ray, const std::vector<ExactVec3> &corners,
                             PolygonShape shape) {
@@ -68,65 +43,43 @@ RayPolygon<Rational> meetOf(const Ray<Rational> &ray, const std::vector<ExactVec
   return meet;
 }
 
-std::vector<EdgeTerms> edgesOf(const In &in, const std::vector<Term> &corners,
-                               const std::vector<Rational> &products) {
-  std::vector<EdgeTerms> edges;
-  const auto &places = in.W.object.corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::string index = std::to_string(i);
-    const std::size_t next = (i + 1) % corners.size();
-    const std::string mark = in.mark("p" + index);
-    const Term e = name(in.own(vectorLetter("e", index)), ExactVec3(places[next] - places[i]))
-                       .marked(mark)
-                       .standingFor(corners[next] - corners[i]);
-    const Term m = name(in.own(vectorLetter("m", index)), ExactVec3(cross(places[i], places[next])))
-                       .standingFor(cross(corners[i], e));
-    edges.push_back({e, m, name(in.own(letter("p", index)), products[i]).marked(mark)});
+struct Out : Computed<In>, RayTerms {
+  explicit Out(const In &objects) : Computed(objects), RayTerms(termsOf(objects.L)) {}
+
+  const std::vector<ExactVec3> &places = in.W.object.corners;
+  Ray<Rational> ray{in.L.object.origin, in.L.object.direction};
+  PolygonShape shape = shapeOf(places);
+  bool isConvex = shape == PolygonShape::Convex;
+  RayPolygon<Rational> meet =
+      meetOf(ray, places, shape); ///< of a polygon that is not convex only the products
+  bool crosses = meet.crosses();
+  bool hasDirection = !isZero(ray.direction);
+  Rational whole = std::accumulate(meet.products.begin(), meet.products.end(), Rational(0));
+
+  std::vector<Term> corners = cornerTermsOf(in.W);
+  /// The moment of the ray's line.
+  Term m = ownName(vectorLetter("m"), lineOf(ray).moment).standingFor(cross(Q, r));
+  std::vector<EdgeTerms> edges =
+      edgesOf(in, corners, meet.products); ///< edge i runs from corner i to the next
+  Term S = ownName(letter("S"), whole);
+  Term n = drawnName(vectorLetter("n"), planeThrough(places[0], places[1], places[2]).normal);
+  Term t = ownName(letter("t"), meet.t);
+  Term I = madeName("I", meet.point);
+  /// Where a triangle's plane is crossed, how much of each corner the point has in it: the weight of a corner
+  /// belongs to the edge opposite to it, that of P0 to the edge from P1.
+  bool hasWeights = places.size() == 3 && crosses;
+  Term rho = ownName(letter("ρ"), weightOf(1));
+  Term sigma = ownName(letter("σ"), weightOf(2));
+  Term tau = ownName(letter("τ"), weightOf(0));
+
+  [[nodiscard]] const Term &corner(std::size_t index) const { return corners.at(index % corners.size()); }
+  [[nodiscard]] std::string edgeNamed(std::size_t index) const {
+    return edgeName(corner(index)->symbol, corner(index + 1)->symbol);
   }
-  return edges;
-}
-
-Term sumOf(const std::vector<EdgeTerms> &edges) {
-  std::vector<Term> products;
-  products.reserve(edges.size());
-  for (const EdgeTerms &edge : edges)
-    products.push_back(edge.p);
-  return sum(std::move(products));
-}
-
-/// The weight of a corner belongs to the edge opposite to it: that of P0 to the edge from P1.
-std::optional<WeightTerms> weightsOf(const In &in, const RayPolygon<Rational> &meet, const Rational &whole) {
-  if (meet.products.size() != 3 || !meet.crosses())
-    return {};
-  const auto weight = [&](const char *greek, std::size_t edge) {
-    return name(in.own(letter(greek)), Rational(meet.products[edge] / whole));
-  };
-  return WeightTerms{weight("ρ", 1), weight("σ", 2), weight("τ", 0)};
-}
-
-Out compute(const In &in) {
-  const auto &places = in.W.object.corners;
-  const auto &[origin, direction] = in.L.object;
-  const Ray<Rational> ray{origin, direction};
-  const PolygonShape shape = shapeOf(places);
-  const auto meet = meetOf(ray, places, shape);
-  const RayTerms L = termsOf(in.L);
-  const std::vector<Term> corners = cornerTermsOf(in.W);
-  const Rational whole = std::accumulate(meet.products.begin(), meet.products.end(), Rational(0));
-  return {in,
-          L,
-          shape,
-          meet,
-          corners,
-          name(in.own(vectorLetter("m")), lineOf(ray).moment).standingFor(cross(L.Q, L.r)),
-          edgesOf(in, corners, meet.products),
-          name(in.own(letter("S")), whole),
-          name(in.own(vectorLetter("n")), planeThrough(places[0], places[1], places[2]).normal)
-              .marked(in.mark("n")),
-          name(in.own(letter("t")), meet.t),
-          madeName(in, "I", meet.point),
-          weightsOf(in, meet, whole)};
-}
+  [[nodiscard]] Rational weightOf(std::size_t edge) const {
+    return hasWeights ? Rational(meet.products[edge] / whole) : Rational(0);
+  }
+};
 
 /// For people: the inside of the polygon, the edge P₀P₁ …
 std::string partWords(const Out &at) {
@@ -146,8 +99,8 @@ std::string partWords(const Out &at) {
 }
 
 /// Why corners in a plane are not those of a convex polygon.
-std::string notConvexWords(const In &in, const Out &at) {
-  const auto &places = in.W.object.corners;
+std::string notConvexWords(const Out &at) {
+  const auto &places = at.in.W.object.corners;
   const std::size_t count = places.size();
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = i + 1; k < count; ++k)
@@ -198,8 +151,8 @@ CaseWords tellMeeting(const Out &at) {
                           "is the hit.")};
 }
 
-CaseWords tell(const In &in, const Out &at) {
-  if (isZero(in.L.object.direction))
+CaseWords tell(const Out &at) {
+  if (isZero(at.in.L.object.direction))
     return zeroDirectionWords(at);
   switch (at.shape) {
   case PolygonShape::Convex:
@@ -210,42 +163,8 @@ CaseWords tell(const In &in, const Out &at) {
   case PolygonShape::NotConvex:
     break;
   }
-  return {"not-convex", notConvexWords(in, at), true};
+  return {"not-convex", notConvexWords(at), true};
 }
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<Term> products;
-  for (const EdgeTerms &edge : at.edges)
-    products.push_back(edge.p);
-  std::vector<NamedValue> values{listed("products", list(std::move(products))),
-                                 listed("sum", at.S),
-                                 {"signs", words("signs"), nameOf(signsOf(at.meet.products))}};
-  if (!at.meet.crosses())
-    return values;
-  values.push_back({"location", words("place"), std::string(nameOf(at.meet.location.part))});
-  if (at.meet.location.feature >= 0)
-    values.push_back({"feature", {}, at.meet.location.feature});
-  values.push_back(listed("t", at.t));
-  values.push_back(listed("point", at.I));
-  if (at.weights)
-    values.push_back(listed("barycentric", list({at.weights->rho, at.weights->sigma, at.weights->tau})));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!at.meet.crosses())
-    return {};
-  return {{"I", PointObject{at.meet.point}}};
-}
-
-/// Of a point on a line and the line's direction.
-WorkingLine momentLine(const Term &moment, const Term &point, const Term &direction, std::string sentence) {
-  return asked(withProducts(moment == cross(point, direction)), std::move(sentence),
-               {{cross(direction, point),
-                 words("{answer} is the cross product the other way round: begin with the point.")}});
-}
-
-bool hasNoDirection(const Out &at) { return isZero(vectorOf(at.r)); }
 
 std::string signWords(const Out &at, std::size_t index) {
   const Rational &product = at.meet.products[index];
@@ -261,38 +180,30 @@ std::string signWords(const Out &at, std::size_t index) {
   return reason.empty() ? words("Zero: the ray and the edge {edge} lie in one plane.", edge) : reason;
 }
 
-WorkingLine productLine(const Out &at, std::size_t index) {
-  const auto &[e, m, p] = at.edges[index];
-  return asked(
-      withNumbers((p == permuted(at.r, at.m, e, m)) == dot(at.r, m) + dot(e, at.m)), signWords(at, index),
-      {{dot(at.r, e) + dot(at.m, m),
-        words("{answer} multiplies direction by direction and moment by moment: cross over, each "
-              "direction with the other line's moment.")},
-       {dot(at.r, at.m) + dot(e, m),
-        words("{answer} multiplies each direction by its own line's moment: take the other's.")},
-       {dot(at.r, m) - dot(e, at.m), words("{answer} subtracts the second product: the two are added.")}});
+bool hasEdge(const Out &at, std::size_t index) { return index < at.edges.size(); }
+
+WorkingLine edgeLine(const Out &at, std::size_t index) {
+  const Term &from = at.corner(index);
+  const Term &to = at.corner(index + 1);
+  return asked(withNumbers(at.edges[index].e == to - from),
+               words("The edge {edge}, from one corner to the next.", {{"edge", at.edgeNamed(index)}}),
+               {{from - to, words("{answer} points backwards: take the end minus the start.")}});
 }
 
-void addEdgeLines(const Out &at, std::size_t index, Explanation &lines) {
-  const std::string id = std::to_string(index);
+WorkingLine edgeMomentLine(const Out &at, std::size_t index) {
   const EdgeTerms &edge = at.edges[index];
-  const Term &from = at.corner(index);
-  lines.add("e" + id, [&at, &edge, &from, index] {
-    return asked(withNumbers(edge.e == at.corner(index + 1) - from),
-                 words("The edge {edge}, from one corner to the next.", {{"edge", at.edgeNamed(index)}}),
-                 {{from - at.corner(index + 1), words("{answer} points backwards: take the end minus the "
-                                                      "start.")}});
-  });
-  lines.add("m" + id,
-            [&edge, &from] { return momentLine(edge.m, from, edge.e, words("The moment of its line.")); });
-  lines.add("edge" + id, [&at, index] { return productLine(at, index); });
+  return momentLine(edge.m, at.corner(index), edge.e, words("The moment of its line."));
+}
+
+WorkingLine edgeProductLine(const Out &at, std::size_t index) {
+  return productLine(at, at.m, at.edges[index], signWords(at, index));
 }
 
 std::string commonSignWords(const Out &at) {
   const ProductSigns signs = signsOf(at.meet.products);
-  if (hasNoDirection(at))
-    return words("All are 0, because {r} is the zero vector: there is no line.", at.letters);
-  if (!at.isConvex())
+  if (!at.hasDirection)
+    return allZeroWithoutRay(at);
+  if (!at.isConvex)
     return words("The signs say which way the ray passes each edge. They decide for a flat, convex polygon "
                  "only.");
   if (signs == ProductSigns::Zero)
@@ -302,153 +213,91 @@ std::string commonSignWords(const Out &at) {
   return words("No two differ in sign: the line of the ray goes through {part}.", {{"part", partWords(at)}});
 }
 
-WorkingLine signsLine(const Out &at) {
-  std::vector<Chain> products;
-  for (const EdgeTerms &edge : at.edges)
-    products.push_back(withResult(edge.p));
-  return line(std::move(products), commonSignWords(at));
-}
-
 std::string sumWords(const Out &at) {
   if (sign(*numberOf(at.S)) != 0)
     return words("All products together.");
-  if (hasNoDirection(at))
-    return words("Zero, because {r} is the zero vector: there is no ray.", at.letters);
-  return at.isConvex() ? words("Zero: the ray crosses the polygon's plane nowhere, or runs inside it.")
-                       : words("Zero: the products alone do not tell why.");
+  if (!at.hasDirection)
+    return zeroWithoutRay(at);
+  return at.isConvex ? words("Zero: the ray crosses the polygon's plane nowhere, or runs inside it.")
+                     : words("Zero: the products alone do not tell why.");
 }
 
-WorkingLine sumLine(const Out &at) { return asked(withNumbers(at.S == sumOf(at.edges)), sumWords(at)); }
-
-void addPlaneLines(const Out &at, Explanation &lines) {
-  lines.add("normal", [&at] {
-    const Term &first = at.edges[0].e;
-    const Term &second = at.edges[1].e;
-    return asked(withProducts(at.n == cross(first, second)),
-                 words("Two edges of the polygon give a normal of its plane."),
-                 {{cross(second, first), words("{answer} is the cross product the other way round.")}});
-  });
-  if (!at.meet.crosses())
-    return;
-  lines.add("t", [&at] {
-    return asked(withNumbers(at.t == dot(at.corner(0) - at.Q, at.n) / dot(at.r, at.n)),
-                 at.meet.t < 0
-                     ? words("Negative: the line crosses the plane before the ray's start {Q}.", at.letters)
-                     : words("Not negative: the ray itself gets to the plane."),
-                 {wrongSignOf(at.t, at)});
-  });
-  lines.add("hit", [&at] {
-    return asked(withNumbers(at.I == at.Q + at.t * at.r),
-                 words("Here the line of the ray crosses the polygon's plane."));
-  });
+WorkingLine normalLine(const Out &at) {
+  const Term &first = at.edges[0].e;
+  const Term &second = at.edges[1].e;
+  return asked(withProducts(at.n == cross(first, second)),
+               words("Two edges of the polygon give a normal of its plane."),
+               {{cross(second, first), words("{answer} is the cross product the other way round.")}});
 }
 
-void addWeightLines(const Out &at, Explanation &lines) {
-  const auto add = [&](const char *id, const Term &weight, std::size_t opposite) {
-    lines.add(id, [&at, weight, opposite] {
-      return asked(withNumbers(weight == at.edges[opposite].p / at.S),
-                   words("The weight of {corner}: the product of the edge opposite to it, as a share of S.",
-                         {{"corner", plainText(at.corner(opposite + 2))}}));
-    });
-  };
-  add("rho", at.weights->rho, 1);
-  add("sigma", at.weights->sigma, 2);
-  add("tau", at.weights->tau, 0);
-  lines.add("mix", [&at] {
-    const auto &[rho, sigma, tau] = *at.weights;
-    return asked(withNumbers(at.I == rho * at.corner(0) + sigma * at.corner(1) + tau * at.corner(2)),
-                 words("The corners mixed with these weights give the point {I}.", at.letters));
-  });
+WorkingLine parameterLine(const Out &at) {
+  return asked(withNumbers(at.t == dot(at.corner(0) - at.Q, at.n) / dot(at.r, at.n)),
+               at.meet.t < 0
+                   ? words("Negative: the line crosses the plane before the ray's start {Q}.", at.letters)
+                   : words("Not negative: the ray itself gets to the plane."),
+               {wrongSignOf(at.t, at)});
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  lines.add("moment", [&at] { return momentLine(at.m, at.Q, at.r, words("The moment of the ray's line.")); });
-  for (std::size_t i = 0; i < at.edges.size(); ++i)
-    addEdgeLines(at, i, lines);
-  lines.add("signs", [&at] { return signsLine(at); });
-  lines.add("sum", [&at] { return sumLine(at); });
-  if (at.isConvex())
-    addPlaneLines(at, lines);
-  if (at.weights)
-    addWeightLines(at, lines);
-  return lines;
+WorkingLine weightLine(const Out &at, const Term &weight, std::size_t opposite) {
+  return asked(withNumbers(weight == at.edges[opposite].p / at.S),
+               words("The weight of {corner}: the product of the edge opposite to it, as a share of S.",
+                     {{"corner", plainText(at.corner(opposite + 2))}}));
 }
 
-/// The part of an edge that its arrow covers: the head stands clear of the corner, near the middle.
-constexpr double arrowPart = 0.6;
+WorkingLine signsLine(const Out &at) { return resultsLine(productsOf(at.edges), commonSignWords(at)); }
 
-/// In the colour of its sign, with an arrow that says which way it runs.
-void drawEdge(Figure &figure, const Out &at, std::size_t index) {
-  const EdgeTerms &edge = at.edges[index];
-  const Place from = place(at.corner(index));
-  const Place way = place(edge.e);
-  if (isZero(vectorOf(edge.e)))
-    return;
-  const Rational &product = at.meet.products[index];
-  const Subject subject = product > 0 ? Subject::EdgeU : product < 0 ? Subject::EdgeV : Subject::Measure;
-  MarkBase base = drawn(edge.p, Role::Derived, subject);
-  base.numbers = relatedLatex(calculated(edge.p));
-  const std::string arrow = base.id + "/way";
-  figure.add(SegmentMark{std::move(base), from, place(at.corner(index + 1))});
-  figure.add(ArrowMark{{arrow, Role::Derived, subject}, from, way * arrowPart});
+Chain sumOf(const Out &at) { return withNumbers(at.S == sum(productsOf(at.edges))); }
+
+LineTable<Out> lines() {
+  return joined<LineRow<Out>>(
+      {{{"moment", always,
+         [](const Out &at) { return momentLine(at.m, at.Q, at.r, words("The moment of the ray's line.")); }}},
+       linesOfEach<Out>(mostCorners, hasEdge,
+                        {{"e", edgeLine}, {"m", edgeMomentLine}, {"edge", edgeProductLine}}),
+       {{"signs", always, signsLine},
+        {"sum", always, sumOf, sumWords},
+        {"normal", &Out::isConvex, normalLine},
+        {"t", &Out::crosses, parameterLine},
+        {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.I == at.Q + at.t * at.r); },
+         says("Here the line of the ray crosses the polygon's plane.")},
+        {"rho", &Out::hasWeights, [](const Out &at) { return weightLine(at, at.rho, 1); }},
+        {"sigma", &Out::hasWeights, [](const Out &at) { return weightLine(at, at.sigma, 2); }},
+        {"tau", &Out::hasWeights, [](const Out &at) { return weightLine(at, at.tau, 0); }},
+        {"mix", &Out::hasWeights,
+         [](const Out &at) {
+           return withNumbers(at.I ==
+                              at.rho * at.corner(0) + at.sigma * at.corner(1) + at.tau * at.corner(2));
+         },
+         says("The corners mixed with these weights give the point {I}.")}}});
 }
 
 /// In units of the picture: only its direction matters.
 constexpr double drawnNormalLength = 3;
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   for (std::size_t i = 0; i < at.edges.size(); ++i)
-    drawEdge(figure, at, i);
-  if (at.isConvex())
-    figure.add(arrowOfLength(drawn(at.n, Role::Derived, Subject::Plane), place(at.corner(1)), vectorOf(at.n),
-                             drawnNormalLength));
-  if (!at.meet.crosses())
-    return figure;
-  const Place point = place(at.I);
-  if (at.meet.t >= 0)
-    figure.reaches.push_back({in.L.id, point});
-  else
-    figure.add(SegmentMark{{at.I->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  const bool isHit = at.meet.which == RayPolygonCase::Hit;
-  figure.add(pointOf(at.I, isHit ? Role::Result : Role::Ghost, Subject::Ray));
+    addEdge(figure, at.edges[i], at.corner(i), at.corner(i + 1), relatedLatex(calculated(at.edges[i].p)));
+  if (at.isConvex)
+    addDirection(figure, at.n, place(at.corner(1)), drawnNormalLength, Role::Derived, Subject::Plane);
+  if (at.crosses)
+    addMeeting(figure, at.in.L, at.I, at.meet.t >= 0, at.meet.which == RayPolygonCase::Hit);
   return figure;
 }
 
 /// The ray moved sideways until its line meets a corner or an edge; none of those that it meets already.
-void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const auto &corners = in.W.object.corners;
-  const RayObject &ray = in.L.object;
-  const auto add = [&](const ExactVec3 &shift, const char *location, std::size_t feature,
-                       std::string sentence) {
-    if (!isZero(shift))
-      all.push_back({"location = " + std::string(location) + " and feature = " + std::to_string(feature),
-                     std::move(sentence), "L", RayObject{ray.origin + shift, ray.direction}});
-  };
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    add(projectVector(ExactVec3(corners[i] - ray.origin), ray.direction).rejection, "vertex", i,
-        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(at.corner(i))}}));
-    if (const auto shift = shiftOntoSegment(ray, corners[i], corners[(i + 1) % corners.size()]))
-      add(*shift, "edge", i,
-          words("The ray's line would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}));
+void addShifted(const Out &at, std::vector<SpecialCase> &all) {
+  const RayObject &ray = at.in.L.object;
+  for (std::size_t i = 0; i < at.places.size(); ++i) {
+    const std::string feature = " and feature = " + std::to_string(i);
+    addRayThrough(
+        ray, at.places[i], "location = vertex" + feature,
+        words("The ray's line would go through the corner {corner}.", {{"corner", plainText(at.corner(i))}}),
+        all);
+    addRayThrough(ray, {at.places[i], at.places[(i + 1) % at.places.size()]}, "location = edge" + feature,
+                  words("The ray's line would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}),
+                  all);
   }
-}
-
-/// The ray moved until it starts in the plane, or turned until it runs along it.
-void addAlongPlane(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const auto &[origin, direction] = in.L.object;
-  const ExactVec3 normal = vectorOf(at.n);
-  const ExactVec3 offPlane = projectVector(ExactVec3(origin - in.W.object.corners[0]), normal).projection;
-  const bool startsInPlane = isZero(offPlane);
-  if (!startsInPlane)
-    all.push_back({"t = 0", words("{Q} would lie in the polygon's plane.", at.letters), "L",
-                   RayObject{origin - offPlane, direction}});
-  if (const ExactVec3 turned = projectVector(direction, normal).rejection; !isZero(turned))
-    all.push_back({startsInPlane ? "case = in-plane" : "case = parallel",
-                   startsInPlane ? words("The ray would lie in the polygon's plane.")
-                                 : words("The ray would run parallel to the polygon's plane."),
-                   "L", RayObject{origin, turned}});
 }
 
 /// The polygon with all corners moved into the plane of the first ones.
@@ -460,46 +309,58 @@ SpecialCase flattened(const In &in) {
   return {"case != not-planar", words("The corners would lie in one plane."), "W", flat};
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (isZero(in.L.object.direction))
+  if (!at.hasDirection)
     return all;
   if (at.shape == PolygonShape::NotPlanar)
-    return {flattened(in)};
-  if (!at.meet.crosses())
+    return {flattened(at.in)};
+  if (!at.crosses)
     return all;
-  addShifted(in, at, all);
-  addAlongPlane(in, at, all);
+  addShifted(at, all);
+  addRaysAtPlane(at.in.L.object, {at.places[0], vectorOf(at.n)},
+                 {words("{Q} would lie in the polygon's plane.", at.letters),
+                  words("The ray would lie in the polygon's plane."),
+                  words("The ray would run parallel to the polygon's plane.")},
+                 all);
   return all;
-}
-
-/// The lines of the edges stand together edge by edge.
-std::vector<std::string> lineNames() {
-  std::vector<std::string> names{"moment"};
-  for (std::size_t i = 0; i < mostCorners; ++i)
-    for (const char *word : {"e", "m", "edge"})
-      names.push_back(word + std::to_string(i));
-  return joined({names, {"signs", "sum", "normal", "t", "hit", "rho", "sigma", "tau", "mix"}});
 }
 
 } // namespace
 
 Construction ray_polygon_pluecker() {
-  return makeConstruction<In, Out, PolygonObject, RayObject>(
-      "ray-polygon-pluecker", {"W", "L"}, {{"I", "point"}},
-      joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},
-              numbered("e", mostCorners),
-              numbered("m", mostCorners),
-              numbered("p", mostCorners)}),
-      {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "not-planar",
-                 "not-convex"},
-       .values = {named::list("products", mostCorners), named::number("sum"),
-                  named::word("signs", {"same", "mixed", "zero"}),
-                  named::word("location", {"interior", "edge", "vertex", "outside"}), named::index("feature"),
-                  named::number("t"), named::vector("point"), named::list("barycentric", 3)},
-       .lines = lineNames(),
-       .marks = joined({numbered("p", mostCorners), {"n", "I"}})},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, PolygonObject, RayObject>({.id = "ray-polygon-pluecker",
+                                                .roles = {"W", "L"},
+                                                .makes = {{"I", &Out::crosses, &Out::I}},
+                                                .letters = joined({{"m", "S", "n", "t", "ρ", "σ", "τ"},
+                                                                   numbered("e", mostCorners),
+                                                                   numbered("m", mostCorners),
+                                                                   numbered("p", mostCorners)}),
+                                                .cases = {"hit", "behind", "miss", "parallel", "in-plane",
+                                                          "zero-direction", "not-planar", "not-convex"},
+                                                .values = joined<ValueRow<Out>>(
+                                                    {{{named::list("products", mostCorners), always,
+                                                       [](const Out &at) {
+                                                         return list(productsOf(at.edges));
+                                                       }},
+                                                      {named::number("sum"), always, &Out::S},
+                                                      signsRow<Out>([](const Out &at) {
+                                                        return signsOf(at.meet.products);
+                                                      })},
+                                                     placeRows<Out>(
+                                                         &Out::crosses,
+                                                         [](const Out &at) { return at.meet.location; }),
+                                                     {{named::number("t"), &Out::crosses, &Out::t},
+                                                      {named::vector("point"), &Out::crosses, &Out::I},
+                                                      {named::list("barycentric", 3), &Out::hasWeights,
+                                                       [](const Out &at) {
+                                                         return list({at.rho, at.sigma, at.tau});
+                                                       }}}}),
+                                                .lines = lines(),
+                                                .marks = joined({numbered("p", mostCorners), {"n", "I"}}),
+                                                .tell = tell,
+                                                .draw = draw,
+                                                .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -4,24 +4,12 @@
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/project_vector.h"
 #include "geometry/solid_shape.h"
-#include "lessons/construction/construction.h"
-#include "lessons/construction/parts/name_rows.h"
+#include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/shifted_ray.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/construction/parts/zero_vectors.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/object/solid.h"
-#include "lessons/term/latex.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
+#include "lessons/construction/parts/solid_edges.h"
+#include "lessons/construction/taught.h"
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <optional>
 
 namespace halfspace {
@@ -36,156 +24,96 @@ struct In : Naming {
   Given<RayObject> L;
 };
 
-/// An edge as a line: direction, moment, and the product of the ray's line with it.
-struct EdgeTerms {
-  std::uint32_t from, to;
-  std::uint32_t face;     ///< that runs along it in its direction
-  std::uint32_t opposite; ///< that runs along it in the other direction
-  Term e, m, p;
-  Rational product;
-};
-
 /// Where the line goes in, or comes out.
 struct Contact {
   SolidCrossing<Rational> crossing;
   FacePart part; ///< of the face
+  bool isAhead;  ///< t ≥ 0: the ray gets there
   Term n, t, H;
 };
 
-struct Out : Naming, RayTerms {
-  SolidMesh<Rational> mesh;
-  SolidShape shape;
-  bool isFlat;
-  RaySolid<Rational> meet;   ///< only of a convex solid
-  std::vector<Term> corners; ///< in the letters of the solid
-  std::vector<std::string> faceNames;
-  Term m; ///< the moment of the ray's line
-  std::vector<EdgeTerms> edges;
-  Term k, N;                     ///< how many edges the faces have one by one, and how many there are
-  std::vector<Contact> contacts; ///< where the line goes in, and where it comes out; or none
-
-  [[nodiscard]] bool isConvex() const { return shape == SolidShape::Convex; }
-  [[nodiscard]] const Contact &in() const { return contacts.front(); }
-  [[nodiscard]] const Contact &out() const { return contacts.back(); }
-};
-
-std::vector<EdgeTerms> edgesOf(const In &in, const SolidMesh<Rational> &mesh, const Line<Rational> &line) {
-  std::vector<EdgeTerms> edges;
-  const std::vector<FaceEdge> sides = edgesByEnds(mesh.faces);
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) { // each edge has two sides, one behind the other
-    const auto &[from, to, face] = sides[i];
-    const std::string index = std::to_string(edges.size());
-    const std::string mark = in.mark("p" + index);
-    const Line<Rational> edge = lineThrough(mesh.vertices[from], mesh.vertices[to]);
-    const Rational product = permutedInnerProduct(line, edge);
-    const Term e = name(in.own(vectorLetter("e", index)), edge.direction)
-                       .marked(mark)
-                       .standingFor(wayTerm(in.K, from, to));
-    const Term m =
-        name(in.own(vectorLetter("m", index)), edge.moment).standingFor(cross(cornerTerm(in.K, from), e));
-    const Term p = name(in.own(letter("p", index)), product).marked(mark);
-    edges.push_back({from, to, face, sides[i + 1].face, e, m, p, product});
-  }
-  return edges;
-}
-
-/// By how many of its edges the line meets: a crossed face that is convex has two of them at a corner alone.
-FacePart partOf(const std::vector<EdgeTerms> &edges, std::size_t face) {
-  const auto zeros = std::count_if(edges.begin(), edges.end(), [&](const EdgeTerms &edge) {
-    return (edge.face == face || edge.opposite == face) && edge.product == 0;
-  });
-  return zeros == 0 ? FacePart::Interior : zeros == 1 ? FacePart::Edge : FacePart::Vertex;
-}
-
-std::vector<Contact> contactsOf(const In &in, const SolidMesh<Rational> &mesh,
-                                const std::vector<EdgeTerms> &edges, const RaySolid<Rational> &meet) {
+std::vector<Contact> contactsOf(const In &in, const std::vector<SolidEdge> &edges,
+                                const RaySolid<Rational> &meet) {
   std::vector<Contact> contacts;
+  const auto &[vertices, faces] = in.K.object.mesh;
   for (const auto &crossing : {meet.entered, meet.left}) {
     if (!crossing || meet.which == RaySolidCase::Miss)
       return {};
     const std::string index = std::to_string(contacts.size() + 1);
-    const auto &face = mesh.faces[crossing->face];
-    const ExactVec3 normal =
-        planeThrough(mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]).normal;
-    contacts.push_back({*crossing, partOf(edges, crossing->face),
-                        name(in.own(vectorLetter("n", index)), normal).marked(in.mark("n" + index)),
-                        name(in.own(letter("t", index)), crossing->t),
+    const auto &face = faces[crossing->face];
+    const auto plane = planeThrough(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
+    contacts.push_back({*crossing, partOf(crossing->face, edges), crossing->t >= 0,
+                        drawnName(in, vectorLetter("n", index), plane.normal),
+                        ownName(in, letter("t", index), crossing->t),
                         madeName(in, "H" + index, crossing->point)});
   }
   return contacts;
 }
 
-/// The edges of all faces, one by one.
-int sidesOf(const SolidMesh<Rational> &mesh) {
-  std::size_t count = 0;
-  for (const auto &face : mesh.faces)
-    count += face.size();
-  return static_cast<int>(count);
-}
-
-Out compute(const In &in) {
-  const SolidMesh<Rational> &mesh = in.K.object.mesh;
-  const Ray<Rational> ray{in.L.object.origin, in.L.object.direction};
-  const SolidShape shape = shapeOf(mesh);
-  const auto meet =
-      shape == SolidShape::Convex ? intersectRaySolid(ray, solidOf(mesh)) : RaySolid<Rational>{};
-  const RayTerms L = termsOf(in.L);
+std::vector<Term> cornersOf(const In &in) {
   std::vector<Term> corners;
-  corners.reserve(mesh.vertices.size());
-  for (std::size_t corner = 0; corner < mesh.vertices.size(); ++corner)
+  for (std::size_t corner = 0; corner < in.K.object.mesh.vertices.size(); ++corner)
     corners.push_back(cornerTerm(in.K, corner));
-  std::vector<EdgeTerms> edges = edgesOf(in, mesh, lineOf(ray));
-  std::vector<std::string> faceNames;
-  faceNames.reserve(mesh.faces.size());
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face)
-    faceNames.push_back(faceName(in.K, face));
-  std::vector<Contact> contacts = contactsOf(in, mesh, edges, meet);
-  const Term N = name(in.own(letter("N")), Rational(static_cast<int>(edges.size())));
-  return {in,
-          L,
-          mesh,
-          shape,
-          isFlat(mesh),
-          meet,
-          std::move(corners),
-          std::move(faceNames),
-          name(in.own(vectorLetter("m")), lineOf(ray).moment).standingFor(cross(L.Q, L.r)),
-          std::move(edges),
-          name(in.own(letter("k")), Rational(sidesOf(mesh))),
-          N,
-          std::move(contacts)};
+  return corners;
 }
 
-bool isAhead(const Contact &contact) { return contact.crossing.t >= 0; }
+struct Out : Computed<In>, RayTerms {
+  explicit Out(const In &objects) : Computed(objects), RayTerms(termsOf(objects.L)) {}
+
+  const SolidMesh<Rational> &mesh = in.K.object.mesh;
+  Ray<Rational> ray{in.L.object.origin, in.L.object.direction};
+  bool hasDirection = !isZero(ray.direction);
+  SolidShape shape = shapeOf(mesh);
+  bool isConvex = shape == SolidShape::Convex;
+  bool hasLine = isConvex && hasDirection;
+  /// Only of a convex solid.
+  RaySolid<Rational> meet = isConvex ? intersectRaySolid(ray, solidOf(mesh)) : RaySolid<Rational>{};
+
+  std::vector<Term> corners = cornersOf(in); ///< in the letters of the solid
+  /// The moment of the ray's line.
+  Term m = ownName(vectorLetter("m"), lineOf(ray).moment).standingFor(cross(Q, r));
+  std::vector<SolidEdge> edges = edgesOf(in, in.K, lineOf(ray));
+  // How many edges the faces have one by one, and how many there are.
+  Term k = ownName(letter("k"), Rational(sideCount(mesh)));
+  Term N = ownName(letter("N"), Rational(static_cast<int>(edges.size())));
+  std::vector<Contact> contacts =
+      contactsOf(in, edges, meet); ///< where the line goes in, and where it comes out
+  bool isMet = !contacts.empty();
+
+  [[nodiscard]] const Contact &entry() const { return contacts.front(); }
+  [[nodiscard]] const Contact &exit() const { return contacts.back(); }
+  [[nodiscard]] std::string nameOfFace(std::size_t face) const { return faceName(in.K, face); }
+};
 
 /// The face where the line goes in or comes out, or the edge or corner of it.
 std::string placeWords(const Contact &contact, const Out &at) {
   const std::size_t face = contact.crossing.face;
-  const WordValues values{{"face", at.faceNames[face]}};
+  const WordValues values{{"face", at.nameOfFace(face)}};
   if (contact.part == FacePart::Interior)
-    return at.faceNames[face];
+    return at.nameOfFace(face);
   if (contact.part == FacePart::Vertex)
     return words("a corner of {face}", values);
-  const auto shared = std::find_if(at.edges.begin(), at.edges.end(), [face](const EdgeTerms &edge) {
-    return (edge.face == face || edge.opposite == face) && edge.product == 0;
+  const auto shared = std::find_if(at.edges.begin(), at.edges.end(), [face](const SolidEdge &edge) {
+    return edge.isOf(face) && edge.product == 0;
   });
   const std::size_t other = shared->face == face ? shared->opposite : shared->face;
-  return words("the edge of {face} and {other}", values, {{"other", at.faceNames[other]}});
+  return words("the edge of {face} and {other}", values, {{"other", at.nameOfFace(other)}});
 }
 
 WordValues contactWords(const Out &at) {
-  return {{"Q", plainText(at.Q)},       {"in", placeWords(at.in(), at)}, {"out", placeWords(at.out(), at)},
-          {"t1", equation(at.in().t)},  {"t2", equation(at.out().t)},    {"H1", plainText(at.in().H)},
-          {"H2", plainText(at.out().H)}};
+  return {
+      {"Q", plainText(at.Q)},         {"in", placeWords(at.entry(), at)}, {"out", placeWords(at.exit(), at)},
+      {"t1", equation(at.entry().t)}, {"t2", equation(at.exit().t)},      {"H1", plainText(at.entry().H)},
+      {"H2", plainText(at.exit().H)}};
 }
 
 std::string throughWords(const Out &at) {
   const WordValues values = contactWords(at);
-  if (!isAhead(at.out()))
+  if (!at.exit().isAhead)
     return words("The line goes through the solid, but {t1} and {t2} are negative: it is behind the ray's "
                  "start.",
                  values);
-  if (isAhead(at.in()))
+  if (at.entry().isAhead)
     return words("The ray goes in through {in} at {t1}, and comes out through {out} at {t2}.", values);
   return at.meet.origin == SolidLocation::On
              ? words("The ray starts on the solid and leads away from it: it has only its start in common "
@@ -195,7 +123,7 @@ std::string throughWords(const Out &at) {
 }
 
 std::string touchWords(const Out &at) {
-  return isAhead(at.in())
+  return at.entry().isAhead
              ? words("The ray touches the solid in one point alone, {H1}, with {t1}.", contactWords(at))
              : words("The line touches the solid in one point alone, {H1}. But {t1} is negative: that is "
                      "behind the ray's start.",
@@ -203,7 +131,7 @@ std::string touchWords(const Out &at) {
 }
 
 std::string alongWords(const Out &at) {
-  return isAhead(at.out())
+  return at.exit().isAhead
              ? words("The line runs along the surface, from {t1} to {t2}: in a face or an edge, without "
                      "going inside.",
                      contactWords(at))
@@ -255,10 +183,10 @@ std::string notConvexWords(const Out &at) {
                "the signs alone do not decide.");
 }
 
-CaseWords tell(const In &in, const Out &at) {
-  if (isZero(in.L.object.direction))
+CaseWords tell(const Out &at) {
+  if (!at.hasDirection)
     return zeroDirectionWords(at);
-  if (at.isFlat)
+  if (isFlat(at.mesh))
     return {"flat", flatWords(at), true};
   switch (at.shape) {
   case SolidShape::Convex:
@@ -273,49 +201,7 @@ CaseWords tell(const In &in, const Out &at) {
   return {"not-convex", notConvexWords(at), true};
 }
 
-NamedValue contactValue(const char *what, const Contact &contact) {
-  return {
-      what,
-      {},
-      std::vector<NamedValue>{listed("point", contact.H),
-                              {"face", {}, static_cast<int>(contact.crossing.face)},
-                              {"location", words("place in the face"), std::string(nameOf(contact.part))}}};
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<Term> products;
-  for (const EdgeTerms &edge : at.edges)
-    products.push_back(edge.p);
-  std::vector<NamedValue> values{listed("products", list(std::move(products))), listed("sides", at.k),
-                                 listed("edges", at.N)};
-  if (!at.isConvex())
-    return values;
-  values.push_back({"origin", words("place of the start"), std::string(nameOf(at.meet.origin))});
-  if (at.meet.which == RaySolidCase::ZeroDirection)
-    return values;
-  values.push_back({"contacts", words("common points"), std::string(nameOf(at.meet.contacts))});
-  if (at.contacts.empty())
-    return values;
-  values.push_back(listed("t", list({at.in().t, at.out().t})));
-  values.push_back(contactValue("entered", at.in()));
-  values.push_back(contactValue("left", at.out()));
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (at.contacts.empty())
-    return {};
-  return {{"H1", PointObject{at.in().crossing.point}}, {"H2", PointObject{at.out().crossing.point}}};
-}
-
-/// Of a point on a line and the line's direction.
-WorkingLine momentLine(const Term &moment, const Term &point, const Term &direction, std::string sentence) {
-  return asked(withProducts(moment == cross(point, direction)), std::move(sentence),
-               {{cross(direction, point),
-                 words("{answer} is the cross product the other way round: begin with the point.")}});
-}
-
-std::string signWords(const Out &at, const EdgeTerms &edge) {
+std::string signWords(const Out &at, const SolidEdge &edge) {
   const WordValues values{{"r", plainText(at.r)}};
   if (edge.product > 0)
     return words("Positive: seen with {r} pointing at you, the edge goes counterclockwise around the ray.",
@@ -326,24 +212,30 @@ std::string signWords(const Out &at, const EdgeTerms &edge) {
   return reason.empty() ? words("Zero: the ray and the edge lie in one plane.") : reason;
 }
 
-WorkingLine productLine(const Out &at, const EdgeTerms &edge) {
-  const Term &e = edge.e;
-  const Term &m = edge.m;
-  return asked(
-      withNumbers((edge.p == permuted(at.r, at.m, e, m)) == dot(at.r, m) + dot(e, at.m)), signWords(at, edge),
-      {{dot(at.r, e) + dot(at.m, m),
-        words("{answer} multiplies direction by direction and moment by moment: cross over, each "
-              "direction with the other line's moment.")},
-       {dot(at.r, at.m) + dot(e, m),
-        words("{answer} multiplies each direction by its own line's moment: take the other's.")},
-       {dot(at.r, m) - dot(e, at.m), words("{answer} subtracts the second product: the two are added.")}});
+bool hasEdge(const Out &at, std::size_t index) { return index < at.edges.size(); }
+
+WorkingLine edgeLine(const Out &at, std::size_t index) {
+  const SolidEdge &edge = at.edges[index];
+  const Term way = wayTerm(at.in.K, edge.from, edge.to);
+  return asked(withNumbers(edge.e == way), words("The edge, from one corner to the other."),
+               {{-way, words("{answer} points backwards.")}});
+}
+
+WorkingLine edgeMomentLine(const Out &at, std::size_t index) {
+  const SolidEdge &edge = at.edges[index];
+  return momentLine(edge.m, at.corners[edge.from], edge.e, words("The moment of its line."));
+}
+
+WorkingLine edgeProductLine(const Out &at, std::size_t index) {
+  return productLine(at, at.m, at.edges[index], signWords(at, at.edges[index]));
 }
 
 /// What the two faces of an edge make of its one product.
-WorkingLine sharedLine(const Out &at, const EdgeTerms &edge) {
-  const WordValues faces{{"first", at.faceNames[edge.face]}, {"second", at.faceNames[edge.opposite]}};
-  return line(
-      {withResult(edge.p), withResult(-edge.p)},
+WorkingLine sharedLine(const Out &at, std::size_t index) {
+  const SolidEdge &edge = at.edges[index];
+  const WordValues faces{{"first", at.nameOfFace(edge.face)}, {"second", at.nameOfFace(edge.opposite)}};
+  return resultsLine(
+      {edge.p, -edge.p},
       edge.product == 0
           ? words("One product for {first} and {second}: 0, whichever way they run along the edge.", faces)
           : words("One product for two faces. Along {first} the edge runs as its arrow does, along "
@@ -351,49 +243,16 @@ WorkingLine sharedLine(const Out &at, const EdgeTerms &edge) {
                   faces));
 }
 
-void addEdgeLines(const In &in, const Out &at, std::size_t index, Explanation &lines) {
-  const std::string id = std::to_string(index);
-  const EdgeTerms &edge = at.edges[index];
-  const Term &from = at.corners[edge.from];
-  lines.add("e" + id, [&edge, &in] {
-    const Term way = wayTerm(in.K, edge.from, edge.to);
-    return asked(withNumbers(edge.e == way), words("The edge, from one corner to the other."),
-                 {{-way, words("{answer} points backwards.")}});
-  });
-  lines.add("m" + id,
-            [&edge, &from] { return momentLine(edge.m, from, edge.e, words("The moment of its line.")); });
-  lines.add("edge" + id, [&at, &edge] { return productLine(at, edge); });
-  lines.add("shared" + id, [&at, &edge] { return sharedLine(at, edge); });
-}
-
-const EdgeTerms &edgeBetween(const Out &at, std::uint32_t from, std::uint32_t to) {
-  return *std::find_if(at.edges.begin(), at.edges.end(), [&](const EdgeTerms &each) {
-    return std::minmax({each.from, each.to}) == std::minmax({from, to});
-  });
-}
-
-/// The products with a face's edges, as the face runs along them, in the order around it.
-std::vector<Term> productsOf(const Out &at, std::size_t face) {
-  const auto &corners = at.mesh.faces[face];
-  std::vector<Term> products;
-  products.reserve(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const EdgeTerms &edge = edgeBetween(at, corners[i], corners[(i + 1) % corners.size()]);
-    products.push_back(edge.from == corners[i] ? edge.p : -edge.p);
-  }
-  return products;
-}
-
 std::string faceWords(const Out &at, std::size_t face, const std::vector<Term> &products) {
   const auto hasSign = [&](int wanted) {
     return std::any_of(products.begin(), products.end(),
                        [&](const Term &product) { return sign(*numberOf(product)) == wanted; });
   };
-  const WordValues values{{"face", at.faceNames[face]}, {"r", plainText(at.r)}};
-  if (!at.isConvex())
+  const WordValues values{{"face", at.nameOfFace(face)}};
+  if (!at.isConvex)
     return words("These are the products of {face}. They decide for a convex solid only.", values);
-  if (at.meet.which == RaySolidCase::ZeroDirection)
-    return words("All are 0, because {r} is the zero vector: there is no line.", values);
+  if (!at.hasDirection)
+    return allZeroWithoutRay(at);
   if (hasSign(1) && hasSign(-1))
     return words("Both signs are there: the line misses {face}.", values);
   if (!hasSign(1) && !hasSign(-1))
@@ -414,40 +273,14 @@ std::string faceWords(const Out &at, std::size_t face, const std::vector<Term> &
 
 /// The products of a face, as it runs along its edges.
 WorkingLine faceLine(const Out &at, std::size_t face) {
-  const std::vector<Term> products = productsOf(at, face);
-  std::vector<Chain> chains;
-  chains.reserve(products.size());
-  for (const Term &product : products)
-    chains.push_back(withResult(product));
-  return line(std::move(chains), faceWords(at, face, products));
-}
-
-WorkingLine productsLine(const Out &at) {
-  std::vector<Chain> products;
-  products.reserve(at.edges.size());
-  for (const EdgeTerms &edge : at.edges)
-    products.push_back(withResult(edge.p));
-  return line(std::move(products), words("One product for each edge."));
-}
-
-/// The counts come from the faces, not from coordinates: no number of these lines could be traced to one.
-void addCountLines(const Out &at, Explanation &lines) {
-  lines.add("sides", [&at] {
-    std::vector<Term> counts;
-    counts.reserve(at.mesh.faces.size());
-    for (const auto &face : at.mesh.faces)
-      counts.emplace_back(static_cast<int>(face.size()));
-    return line((at.k == sum(std::move(counts))) == Term(sidesOf(at.mesh)),
-                words("The edges of each face, face by face."));
-  });
-  lines.add("count", [&at] {
-    return line((at.N == at.k / 2) == Term(static_cast<int>(at.edges.size())),
-                words("Each edge belongs to two faces, so it was counted twice."));
-  });
+  std::vector<Term> products;
+  for (const FaceSide &side : sidesOf(at.mesh, face, at.edges))
+    products.push_back(side.p);
+  return resultsLine(products, faceWords(at, face, products));
 }
 
 std::string parameterWords(const Out &at, std::size_t index) {
-  if (!isAhead(at.contacts[index]))
+  if (!at.contacts[index].isAhead)
     return words("Negative: that is behind the start {Q}.", at.letters);
   if (at.meet.contacts != SolidContacts::Two)
     return words("Not negative: the ray itself gets there.");
@@ -455,19 +288,14 @@ std::string parameterWords(const Out &at, std::size_t index) {
                     : words("Not negative: the ray itself gets there, and comes out.");
 }
 
-/// The way from a corner to the next one around a face: along an edge, or against it.
-Term sideTerm(const Out &at, std::uint32_t from, std::uint32_t to) {
-  const EdgeTerms &edge = edgeBetween(at, from, to);
-  return edge.from == from ? edge.e : -edge.e;
-}
-
-WorkingLine normalLine(const Out &at, const Contact &contact) {
-  const auto &face = at.mesh.faces[contact.crossing.face];
-  const Term first = sideTerm(at, face[0], face[1]);
-  const Term second = sideTerm(at, face[1], face[2]);
+WorkingLine normalLine(const Out &at, std::size_t index) {
+  const Contact &contact = at.contacts[index];
+  const auto sides = sidesOf(at.mesh, contact.crossing.face, at.edges);
+  const Term &first = sides[0].e;
+  const Term &second = sides[1].e;
   return asked(withProducts(contact.n == cross(first, second)),
                words("A normal of {face}, from two of its edges: it points outwards.",
-                     {{"face", at.faceNames[contact.crossing.face]}}),
+                     {{"face", at.nameOfFace(contact.crossing.face)}}),
                {{cross(second, first),
                  words("{answer} points inwards: it is the cross product the other way round.")}});
 }
@@ -483,46 +311,56 @@ WorkingLine parameterLine(const Out &at, std::size_t index) {
                           {{"corner", plainText(corner)}, {"Q", plainText(at.Q)}})}});
 }
 
-void addContactLines(const Out &at, std::size_t index, Explanation &lines) {
-  const std::string id = std::to_string(index + 1);
+WorkingLine hitLine(const Out &at, std::size_t index) {
   const Contact &contact = at.contacts[index];
-  lines.add(index == 0 ? "in" : "out", [&at, &contact] { return faceLine(at, contact.crossing.face); });
-  lines.add("normal" + id, [&at, &contact] { return normalLine(at, contact); });
-  lines.add("t" + id, [&at, index] { return parameterLine(at, index); });
-  lines.add("hit" + id, [&at, &contact] { return asked(withNumbers(contact.H == at.Q + contact.t * at.r)); });
+  return asked(withNumbers(contact.H == at.Q + contact.t * at.r));
 }
 
-Explanation explain(const In &in, const Out &at) {
-  Explanation lines;
-  lines.add("moment", [&at] { return momentLine(at.m, at.Q, at.r, words("The moment of the ray's line.")); });
-  for (std::size_t i = 0; i < at.edges.size(); ++i)
-    addEdgeLines(in, at, i, lines);
-  lines.add("products", [&at] { return productsLine(at); });
-  for (std::size_t face = 0; face < at.mesh.faces.size(); ++face)
-    lines.add("face" + std::to_string(face), [&at, face] { return faceLine(at, face); });
-  addCountLines(at, lines);
-  for (std::size_t i = 0; i < at.contacts.size(); ++i)
-    addContactLines(at, i, lines);
-  return lines;
+// The counts come from the faces, not from coordinates: no number of these lines could be traced to one.
+
+WorkingLine sidesLine(const Out &at) {
+  std::vector<Term> counts;
+  for (const auto &face : at.mesh.faces)
+    counts.emplace_back(static_cast<int>(face.size()));
+  return line((at.k == sum(std::move(counts))) == Term(sideCount(at.mesh)),
+              words("The edges of each face, face by face."));
 }
 
-/// The part of an edge that its arrow covers: the head stands clear of the corner, near the middle.
-constexpr double arrowPart = 0.6;
+WorkingLine countLine(const Out &at) {
+  return line((at.N == at.k / 2) == Term(static_cast<int>(at.edges.size())),
+              words("Each edge belongs to two faces, so it was counted twice."));
+}
 
-/// In the colour of its sign, with an arrow that says which way it runs.
-void drawEdge(Figure &figure, const Out &at, const EdgeTerms &edge) {
-  if (isZero(vectorOf(edge.e)))
-    return;
-  const Place from = place(at.corners[edge.from]);
-  const Subject subject = edge.product > 0   ? Subject::EdgeU
-                          : edge.product < 0 ? Subject::EdgeV
-                                             : Subject::Measure;
-  MarkBase base = drawn(edge.p, Role::Derived, subject);
-  // The sign is what decides, and many edges leave no room for more.
-  base.numbers = edge.product > 0 ? "\\,{+}" : edge.product < 0 ? "\\,{-}" : "= 0";
-  const std::string arrow = base.id + "/way";
-  figure.add(SegmentMark{std::move(base), from, place(at.corners[edge.to])});
-  figure.add(ArrowMark{{arrow, Role::Derived, subject}, from, place(edge.e) * arrowPart});
+/// The lines of where the ray goes in, or comes out.
+LineTable<Out> contactLines(const char *face, std::size_t index) {
+  const std::string number = std::to_string(index + 1);
+  const auto of = [index](WorkingLine (*make)(const Out &, std::size_t)) {
+    return [make, index](const Out &at) { return make(at, index); };
+  };
+  return {
+      {face, &Out::isMet, [index](const Out &at) { return faceLine(at, at.contacts[index].crossing.face); }},
+      {"normal" + number, &Out::isMet, of(normalLine)},
+      {"t" + number, &Out::isMet, of(parameterLine)},
+      {"hit" + number, &Out::isMet, of(hitLine)}};
+}
+
+LineTable<Out> lines() {
+  return joined<LineRow<Out>>(
+      {{{"moment", always,
+         [](const Out &at) { return momentLine(at.m, at.Q, at.r, words("The moment of the ray's line.")); }}},
+       linesOfEach<Out>(
+           mostEdges, hasEdge,
+           {{"e", edgeLine}, {"m", edgeMomentLine}, {"edge", edgeProductLine}, {"shared", sharedLine}}),
+       {{"products", always,
+         [](const Out &at) {
+           return resultsLine(productsOf(at.edges), words("One product for each edge."));
+         }}},
+       linesOfEach<Out>(mostFaces,
+                        [](const Out &at, std::size_t face) { return face < at.mesh.faces.size(); },
+                        {{"face", faceLine}}),
+       {{"sides", always, sidesLine}, {"count", always, countLine}},
+       contactLines("in", 0),
+       contactLines("out", 1)});
 }
 
 /// In units of the picture: only its direction matters.
@@ -539,103 +377,111 @@ void drawContact(Figure &figure, const Out &at, std::size_t index) {
   const Place point = place(contact.H);
   figure.add(arrowOfLength(drawn(contact.n, Role::Derived, Subject::Plane), point, vectorOf(contact.n),
                            drawnNormalLength));
-  figure.add(pointOf(contact.H, isAhead(contact) ? Role::Result : Role::Ghost, Subject::Ray));
+  figure.add(pointOf(contact.H, contact.isAhead ? Role::Result : Role::Ghost, Subject::Ray));
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  for (const EdgeTerms &edge : at.edges)
-    drawEdge(figure, at, edge);
+  // The sign is what decides, and many edges leave no room for more.
+  for (const SolidEdge &edge : at.edges)
+    addEdge(figure, edge, at.corners[edge.from], at.corners[edge.to],
+            edge.product > 0   ? "\\,{+}"
+            : edge.product < 0 ? "\\,{-}"
+                               : "= 0");
   for (std::size_t i = 0; i < at.contacts.size(); ++i)
     drawContact(figure, at, i);
-  if (at.contacts.empty())
+  if (!at.isMet)
     return figure;
-  if (isAhead(at.out()))
-    figure.reaches.push_back({in.L.id, place(at.out().H)});
-  if (!isAhead(at.in()))
-    figure.add(SegmentMark{
-        {at.in().H->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), place(at.in().H)});
+  if (at.exit().isAhead)
+    addWayTo(figure, at.in.L, at.exit().H, true);
+  if (!at.entry().isAhead)
+    addWayTo(figure, at.in.L, at.entry().H, false);
   return figure;
 }
 
-std::string sentenceOfZeros(const std::vector<std::size_t> &edges) {
-  std::string when;
-  for (const std::size_t edge : edges)
-    when += (when.empty() ? "" : " and ") + ("products." + std::to_string(edge)) + " = 0";
-  return when;
-}
-
 /// The ray moved sideways until its line meets a corner or an edge; none of those that it meets already.
-void addShifted(const In &in, const Out &at, std::vector<SpecialCase> &all) {
-  const RayObject &ray = in.L.object;
-  const auto add = [&](const ExactVec3 &shift, const std::vector<std::size_t> &zeros, std::string sentence) {
-    if (!isZero(shift))
-      all.push_back(
-          {sentenceOfZeros(zeros), std::move(sentence), "L", RayObject{ray.origin + shift, ray.direction}});
-  };
-  for (std::size_t i = 0; i < at.mesh.vertices.size(); ++i) {
-    std::vector<std::size_t> edges;
+void addShifted(const Out &at, std::vector<SpecialCase> &all) {
+  const RayObject &ray = at.in.L.object;
+  const auto &vertices = at.mesh.vertices;
+  const auto isZeroAt = [](std::size_t edge) { return "products." + std::to_string(edge) + " = 0"; };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    std::string when;
     for (std::size_t k = 0; k < at.edges.size(); ++k)
       if (at.edges[k].from == i || at.edges[k].to == i)
-        edges.push_back(k);
-    add(projectVector(ExactVec3(at.mesh.vertices[i] - ray.origin), ray.direction).rejection, edges,
-        words("The ray's line would go through the corner {corner}.",
-              {{"corner", plainText(withResult(at.corners[i]).last())}}));
+        when += (when.empty() ? "" : " and ") + isZeroAt(k);
+    addRayThrough(ray, vertices[i], when,
+                  words("The ray's line would go through the corner {corner}.",
+                        {{"corner", plainText(withResult(at.corners[i]).last())}}),
+                  all);
   }
-  for (std::size_t k = 0; k < at.edges.size(); ++k) {
-    const EdgeTerms &edge = at.edges[k];
-    if (const auto shift = shiftOntoSegment(ray, at.mesh.vertices[edge.from], at.mesh.vertices[edge.to]))
-      add(*shift, {k},
-          words("The ray's line would go through the edge of {product}.", {{"product", plainText(edge.p)}}));
-  }
+  for (std::size_t k = 0; k < at.edges.size(); ++k)
+    addRayThrough(ray, {vertices[at.edges[k].from], vertices[at.edges[k].to]}, isZeroAt(k),
+                  words("The ray's line would go through the edge of {product}.",
+                        {{"product", plainText(at.edges[k].p)}}),
+                  all);
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
+std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
-  if (isZero(in.L.object.direction) || !at.isConvex())
+  if (!at.hasDirection || !at.isConvex)
     return all;
-  addShifted(in, at, all);
+  addShifted(at, all);
   if (at.meet.origin != SolidLocation::On)
     for (const Contact &contact : at.contacts)
       all.push_back({"origin = on", words("{Q} would lie on the solid.", at.letters), "L",
-                     RayObject{contact.crossing.point, in.L.object.direction}});
+                     RayObject{contact.crossing.point, at.in.L.object.direction}});
   return all;
 }
 
-/// The lines of the edges stand together edge by edge.
-std::vector<std::string> lineNames() {
-  std::vector<std::string> names{"moment"};
-  for (std::size_t i = 0; i < mostEdges; ++i)
-    for (const char *word : {"e", "m", "edge", "shared"})
-      names.push_back(word + std::to_string(i));
-  return joined({names,
-                 {"products"},
-                 numbered("face", mostFaces),
-                 {"sides", "count", "in", "normal1", "t1", "hit1", "out", "normal2", "t2", "hit2"}});
+ValueRow<Out> contactRow(const char *what, std::size_t index) {
+  const auto its = [index](const Out &at) -> const Contact & { return at.contacts[index]; };
+  return valueGroup<Out>(
+      what, &Out::isMet,
+      {{named::vector("point"), always, [its](const Out &at) { return its(at).H; }},
+       {named::index("face"), always,
+        [its](const Out &at) { return Value(static_cast<int>(its(at).crossing.face)); }},
+       {named::word("location", {"interior", "edge", "vertex"}), always,
+        [its](const Out &at) { return ToldValue(words("place in the face"), nameOf(its(at).part)); }}});
 }
 
-ValueName contactName(const char *what) {
-  return named::group(what, {named::vector("point"), named::index("face"),
-                             named::word("location", {"interior", "edge", "vertex"})});
+MadeRow<Out> madePoint(const char *name, std::size_t index) {
+  return {name, PointObject::kind, &Out::isMet,
+          [index](const Out &at) { return PointObject{at.contacts[index].crossing.point}; }};
 }
 
 } // namespace
 
 Construction ray_solid_pluecker() {
-  return makeConstruction<In, Out, SolidObject, RayObject>(
-      "ray-solid-pluecker", {"K", "L"}, {{"H1", "point"}, {"H2", "point"}},
-      joined({{"m", "k", "N", "t1", "t2", "n1", "n2"},
-              numbered("e", mostEdges),
-              numbered("m", mostEdges),
-              numbered("p", mostEdges)}),
-      {.cases = {"hit", "behind", "miss", "zero-direction", "flat", "not-planar", "not-convex"},
-       .values = {named::list("products", mostEdges), named::number("sides"), named::number("edges"),
-                  named::word("origin", {"outside", "on", "inside"}),
-                  named::word("contacts", {"two", "one", "along", "none"}), named::list("t", 2),
-                  contactName("entered"), contactName("left")},
-       .lines = lineNames(),
-       .marks = joined({numbered("p", mostEdges), {"in", "n1", "H1", "out", "n2", "H2"}})},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, SolidObject, RayObject>(
+      {.id = "ray-solid-pluecker",
+       .roles = {"K", "L"},
+       .makes = {madePoint("H1", 0), madePoint("H2", 1)},
+       .letters = joined({{"m", "k", "N", "t1", "t2", "n1", "n2"},
+                          numbered("e", mostEdges),
+                          numbered("m", mostEdges),
+                          numbered("p", mostEdges)}),
+       .cases = {"hit", "behind", "miss", "zero-direction", "flat", "not-planar", "not-convex"},
+       .values = {{named::list("products", mostEdges), always,
+                   [](const Out &at) { return list(productsOf(at.edges)); }},
+                  {named::number("sides"), always, &Out::k},
+                  {named::number("edges"), always, &Out::N},
+                  {named::word("origin", {"outside", "on", "inside"}), &Out::isConvex,
+                   [](const Out &at) {
+                     return ToldValue(words("place of the start"), nameOf(at.meet.origin));
+                   }},
+                  {named::word("contacts", {"two", "one", "along", "none"}), &Out::hasLine,
+                   [](const Out &at) { return ToldValue(words("common points"), nameOf(at.meet.contacts)); }},
+                  {named::list("t", 2), &Out::isMet,
+                   [](const Out &at) {
+                     return list({at.entry().t, at.exit().t});
+                   }},
+                  contactRow("entered", 0),
+                  contactRow("left", 1)},
+       .lines = lines(),
+       .marks = joined({numbered("p", mostEdges), {"in", "n1", "H1", "out", "n2", "H2"}}),
+       .tell = tell,
+       .draw = draw,
+       .nearby = nearby});
 }
 
 } // namespace halfspace

@@ -3,62 +3,37 @@
 // their letters.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle_cramer.h"
-#include "lessons/construction/construction.h"
+#include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/kinds/triangle.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
+#include "lessons/construction/taught.h"
 
 namespace halfspace {
 namespace {
 
-struct In : Naming {
-  Given<TriangleObject> T;
-  Given<RayObject> L;
+struct Out : RayAtTriangle {
+  using RayAtTriangle::RayAtTriangle;
+
+  RayTriangleCramer<Rational> meet = intersectRayTriangleCramer(ray, triangle);
+  bool crosses = meet.crosses();
+
+  // The columns beside r: from P1, P2 and Q to P0.
+  Term a = drawnName(vectorLetter("a"), ExactVec3(triangle.p0 - triangle.p1));
+  Term b = drawnName(vectorLetter("b"), ExactVec3(triangle.p0 - triangle.p2));
+  Term c = drawnName(vectorLetter("c"), ExactVec3(triangle.p0 - ray.origin));
+  Term p = drawnName(vectorLetter("p"), ExactVec3(cross(vectorOf(b), ray.direction)));
+  Term q = drawnName(vectorLetter("q"), ExactVec3(cross(vectorOf(a), vectorOf(c))));
+  // |a b r|, and with c for its first, second and third column.
+  Term D = ownName(letter("D"), meet.det);
+  Term D1 = ownName(letter("D", "1"), meet.detSigma);
+  Term D2 = ownName(letter("D", "2"), meet.detTau);
+  Term D3 = ownName(letter("D", "3"), meet.detT);
+  Term sigma = ownName(letter("σ"), meet.sigma);
+  Term tau = ownName(letter("τ"), meet.tau);
+  Term lambda = ownName(letter("λ"), meet.t);
+  Term I = madeName("I", ExactVec3(ray.origin + ray.direction * meet.t));
 };
 
-struct Out : Naming, TriangleTerms, RayTerms {
-  RayTriangleCramer<Rational> meet;
-  Term a, b, c;       ///< the columns beside r: from P1, P2 and Q to P0
-  Term p, q;          ///< b×r and a×c
-  Term D, D1, D2, D3; ///< |a b r|, and with c for its first, second and third column
-  Term sigma, tau, lambda, I;
-};
-
-Out compute(const In &in) {
-  const auto &[p0, p1, p2] = in.T.object;
-  const auto &[origin, direction] = in.L.object;
-  const auto meet =
-      intersectRayTriangleCramer(Ray<Rational>{origin, direction}, Triangle<Rational>{p0, p1, p2});
-  const ExactVec3 a = p0 - p1;
-  const ExactVec3 b = p0 - p2;
-  const ExactVec3 c = p0 - origin;
-  return {in,
-          termsOf(in.T),
-          termsOf(in.L),
-          meet,
-          name(in.own(vectorLetter("a")), a).marked(in.mark("a")),
-          name(in.own(vectorLetter("b")), b).marked(in.mark("b")),
-          name(in.own(vectorLetter("c")), c).marked(in.mark("c")),
-          name(in.own(vectorLetter("p")), cross(b, direction)).marked(in.mark("p")),
-          name(in.own(vectorLetter("q")), cross(a, c)).marked(in.mark("q")),
-          name(in.own(letter("D")), meet.det),
-          name(in.own(letter("D", "1")), meet.detSigma),
-          name(in.own(letter("D", "2")), meet.detTau),
-          name(in.own(letter("D", "3")), meet.detT),
-          name(in.own(letter("σ")), meet.sigma),
-          name(in.own(letter("τ")), meet.tau),
-          name(in.own(letter("λ")), meet.t),
-          madeName(in, "I", ExactVec3(origin + direction * meet.t))};
-}
-
-CaseWords tell(const In &in, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string caseName(nameOf(at.meet.which));
   const std::string place = placeWords(at.meet.location, at);
   switch (at.meet.which) {
@@ -84,9 +59,10 @@ CaseWords tell(const In &in, const Out &at) {
   case RayTriangleCase::ZeroDirection:
     return zeroDirectionWords(at);
   case RayTriangleCase::Coincident:
-    return {caseName,
-            words("{same}: this is no triangle, and D is 0.", {{"same", coincidentWords(in.T.object, at)}}),
-            true};
+    return {
+        caseName,
+        words("{same}: this is no triangle, and D is 0.", {{"same", coincidentWords(at.in.T.object, at)}}),
+        true};
   case RayTriangleCase::Collinear:
     break;
   }
@@ -94,42 +70,6 @@ CaseWords tell(const In &in, const Out &at) {
           words("{P0}, {P1} and {P2} lie on one line: two columns are multiples of each other, and D is 0.",
                 at.letters),
           true};
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values;
-  if (at.meet.crosses()) {
-    values.push_back({"location", words("place"), std::string(nameOf(at.meet.location.part))});
-    if (at.meet.location.feature >= 0)
-      values.push_back({"feature", {}, at.meet.location.feature});
-    values.push_back(listed("t", at.lambda));
-    values.push_back(listed("point", at.I));
-    values.push_back(listed("barycentric", list({1 - at.sigma - at.tau, at.sigma, at.tau})));
-  }
-  values.push_back({"cramer",
-                    {},
-                    std::vector<NamedValue>{listed("det", at.D), listed("det_sigma", at.D1),
-                                            listed("det_tau", at.D2), listed("det_t", at.D3)}});
-  return values;
-}
-
-std::vector<MadeObject> make(const In &in, const Out &at) {
-  if (!at.meet.crosses())
-    return {};
-  const auto &[origin, direction] = in.L.object;
-  return {{"I", PointObject{origin + direction * at.meet.t}}};
-}
-
-void addColumnLines(const Out &at, Explanation &lines) {
-  lines.add("a", [&at] {
-    return asked(withNumbers(at.a == at.P0 - at.P1), words("From {P1} to {P0}.", at.letters));
-  });
-  lines.add("b", [&at] {
-    return asked(withNumbers(at.b == at.P0 - at.P2), words("From {P2} to {P0}.", at.letters));
-  });
-  lines.add("c", [&at] {
-    return asked(withNumbers(at.c == at.P0 - at.Q), words("From {Q} to {P0}.", at.letters));
-  });
 }
 
 /// D by the cofactors of its first column.
@@ -156,32 +96,24 @@ WorkingLine determinantLine(const Out &at) {
       {{-at.D, words("{answer} has the wrong sign.")}});
 }
 
-void addDeterminantLines(const Out &at, Explanation &lines) {
-  lines.add("expansion", [&at] { return expansionLine(at); });
-  lines.add("p", [&at] {
-    return sharedLine(at.p, at.b, at.r, words("The first cross product that is used twice."));
-  });
-  lines.add("det", [&at] { return determinantLine(at); });
-  lines.add("det-sigma", [&at] {
-    return asked(withProducts((at.D1 == determinant(3, {at.c, at.b, at.r})) == dot(at.c, at.p)),
-                 words("c in the place of a: p is there already."),
-                 {{-at.D1, words("{answer} has the wrong sign.")}});
-  });
-  lines.add("q", [&at] {
-    return sharedLine(at.q, at.a, at.c, words("The second cross product that is used twice."));
-  });
-  lines.add("det-tau", [&at] {
-    return asked(withProducts((at.D2 == determinant(3, {at.a, at.c, at.r})) == dot(at.r, at.q)),
-                 words("c in the place of b. Here the last column is split off: {r}.", at.letters),
-                 {{-at.D2, words("{answer} has the wrong sign.")}});
-  });
-  lines.add("det-t", [&at] {
-    return asked(
-        withProducts((at.D3 == determinant(3, {at.a, at.b, at.c})) == -dot(at.b, at.q)),
-        words("c in the place of {r}. The middle column is split off, and that one comes with a minus.",
-              at.letters),
-        {{-at.D3, words("{answer} is b·q: a middle column comes with a minus.")}});
-  });
+WorkingLine sigmaLine(const Out &at) {
+  return asked(withProducts((at.D1 == determinant(3, {at.c, at.b, at.r})) == dot(at.c, at.p)),
+               words("c in the place of a: p is there already."),
+               {{-at.D1, words("{answer} has the wrong sign.")}});
+}
+
+WorkingLine tauLine(const Out &at) {
+  return asked(withProducts((at.D2 == determinant(3, {at.a, at.c, at.r})) == dot(at.r, at.q)),
+               words("c in the place of b. Here the last column is split off: {r}.", at.letters),
+               {{-at.D2, words("{answer} has the wrong sign.")}});
+}
+
+WorkingLine numeratorLine(const Out &at) {
+  return asked(
+      withProducts((at.D3 == determinant(3, {at.a, at.b, at.c})) == -dot(at.b, at.q)),
+      words("c in the place of {r}. The middle column is split off, and that one comes with a minus.",
+            at.letters),
+      {{-at.D3, words("{answer} is b·q: a middle column comes with a minus.")}});
 }
 
 /// `wrong` is the share with another numerator.
@@ -192,8 +124,8 @@ WorkingLine shareLine(const Out &at, const Term &share, const Term &numerator, c
 }
 
 WorkingLine placeLine(const Out &at) {
-  return line(
-      {withResult(1 - at.sigma - at.tau), withResult(at.sigma), withResult(at.tau)},
+  return resultsLine(
+      {1 - at.sigma - at.tau, at.sigma, at.tau},
       words("These are the weights of {P0}, {P1} and {P2}. The line of the ray meets the plane {place}.",
             at.letters, {{"place", placeWords(at.meet.location, at)}}));
 }
@@ -205,76 +137,74 @@ std::string parameterWords(const Out &at) {
              : words("Not negative: the ray itself gets there.");
 }
 
-void addAnswerLines(const Out &at, Explanation &lines) {
-  lines.add("sigma", [&at] {
-    return shareLine(at, at.sigma, at.D1, at.D2, words("The weight of {P1}.", at.letters));
-  });
-  lines.add("tau",
-            [&at] { return shareLine(at, at.tau, at.D2, at.D1, words("The weight of {P2}.", at.letters)); });
-  lines.add("place", [&at] { return placeLine(at); });
-  lines.add("t", [&at] { return shareLine(at, at.lambda, at.D3, at.D1, parameterWords(at)); });
-  lines.add("hit", [&at] {
-    return asked(withNumbers(at.I == at.Q + at.lambda * at.r),
-                 words("Where the line of the ray meets the triangle's plane."));
-  });
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  addColumnLines(at, lines);
-  addDeterminantLines(at, lines);
-  if (at.meet.crosses())
-    addAnswerLines(at, lines);
-  return lines;
+LineTable<Out> lines() {
+  return {{"a", always, [](const Out &at) { return withNumbers(at.a == at.P0 - at.P1); },
+           says("From {P1} to {P0}.")},
+          {"b", always, [](const Out &at) { return withNumbers(at.b == at.P0 - at.P2); },
+           says("From {P2} to {P0}.")},
+          {"c", always, [](const Out &at) { return withNumbers(at.c == at.P0 - at.Q); },
+           says("From {Q} to {P0}.")},
+          {"expansion", always, expansionLine},
+          {"p", always,
+           [](const Out &at) {
+             return sharedLine(at.p, at.b, at.r, words("The first cross product that is used twice."));
+           }},
+          {"det", always, determinantLine},
+          {"det-sigma", always, sigmaLine},
+          {"q", always,
+           [](const Out &at) {
+             return sharedLine(at.q, at.a, at.c, words("The second cross product that is used twice."));
+           }},
+          {"det-tau", always, tauLine},
+          {"det-t", always, numeratorLine},
+          {"sigma", &Out::crosses,
+           [](const Out &at) {
+             return shareLine(at, at.sigma, at.D1, at.D2, words("The weight of {P1}.", at.letters));
+           }},
+          {"tau", &Out::crosses,
+           [](const Out &at) {
+             return shareLine(at, at.tau, at.D2, at.D1, words("The weight of {P2}.", at.letters));
+           }},
+          {"place", &Out::crosses, placeLine},
+          {"t", &Out::crosses,
+           [](const Out &at) { return shareLine(at, at.lambda, at.D3, at.D1, parameterWords(at)); }},
+          {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.I == at.Q + at.lambda * at.r); },
+           says("Where the line of the ray meets the triangle's plane.")}};
 }
 
 /// The cross products are drawn this long in every picture: only their directions matter.
 constexpr double drawnProductLength = 2.5;
 
-void drawProduct(Figure &figure, const Term &product, const Place &from, Subject subject) {
-  if (const ExactVec3 direction = vectorOf(product); !isZero(direction))
-    figure.add(arrowOfLength(drawn(product, Role::Derived, subject), from, direction, drawnProductLength));
-}
-
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
   figure.add(arrowOf(at.a, place(at.P1), Role::Given, Subject::EdgeU));
   figure.add(arrowOf(at.b, place(at.P2), Role::Given, Subject::EdgeV));
   figure.add(arrowOf(at.c, place(at.Q), Role::Derived, Subject::Point));
-  drawProduct(figure, at.p, place(at.P2), Subject::Measure);
-  drawProduct(figure, at.q, place(at.P1), Subject::Plane);
-  if (!at.meet.crosses())
-    return figure;
-  const Place point = place(at.I);
-  if (at.meet.t >= 0)
-    figure.reaches.push_back({in.L.id, point});
-  else
-    figure.add(SegmentMark{{at.I->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
-  const bool hit = at.meet.which == RayTriangleCase::Hit;
-  figure.add(pointOf(at.I, hit ? Role::Result : Role::Ghost, Subject::Ray));
+  addDirection(figure, at.p, place(at.P2), drawnProductLength, Role::Derived, Subject::Measure);
+  addDirection(figure, at.q, place(at.P1), drawnProductLength, Role::Derived, Subject::Plane);
+  if (at.crosses)
+    addMeeting(figure, at.in.L, at.I, at.meet.t >= 0, at.meet.which == RayTriangleCase::Hit);
   return figure;
-}
-
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  return rayTriangleNearby(in.T.object, in.L.object, at, at);
 }
 
 } // namespace
 
 Construction ray_triangle_cramer() {
-  return makeConstruction<In, Out, TriangleObject, RayObject>(
-      "ray-triangle-cramer", {"T", "L"}, {{"I", "point"}},
-      {"a", "b", "c", "p", "q", "D", "D1", "D2", "D3", "σ", "τ", "λ"},
-      {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
+  return taught<Out, TriangleObject, RayObject>(
+      {.id = "ray-triangle-cramer",
+       .roles = {"T", "L"},
+       .makes = {{"I", &Out::crosses, &Out::I}},
+       .letters = {"a", "b", "c", "p", "q", "D", "D1", "D2", "D3", "σ", "τ", "λ"},
+       .cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
                  "collinear"},
-       .values = {named::word("location", {"interior", "edge", "vertex", "outside"}), named::index("feature"),
-                  named::number("t"), named::vector("point"), named::list("barycentric", 3),
-                  named::group("cramer", {named::number("det"), named::number("det_sigma"),
-                                          named::number("det_tau"), named::number("det_t")})},
-       .lines = {"a", "b", "c", "expansion", "p", "det", "det-sigma", "q", "det-tau", "det-t", "sigma", "tau",
-                 "place", "t", "hit"},
-       .marks = {"a", "b", "c", "p", "q", "I"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+       .values = joined<ValueRow<Out>>(
+           {crossingRows<Out>([](const Out &at) { return at.meet.location; }),
+            {barycentricRow<Out>(&Out::crosses, &Out::sigma, &Out::tau), cramerRow<Out>()}}),
+       .lines = lines(),
+       .marks = {"a", "b", "c", "p", "q", "I"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = rayTriangleNearby});
 }
 
 } // namespace halfspace

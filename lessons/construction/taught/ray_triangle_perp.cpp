@@ -3,75 +3,35 @@
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/point_line.h"
-#include "lessons/construction/construction.h"
+#include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/construction/parts/zero_vectors.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/kinds/point.h"
-#include "lessons/object/kinds/ray.h"
-#include "lessons/object/kinds/triangle.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
+#include "lessons/construction/taught.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace halfspace {
 namespace {
 
-struct In : Naming {
-  Given<TriangleObject> T;
-  Given<RayObject> L;
+struct Out : RayByPerps {
+  using RayByPerps::RayByPerps;
+
+  ExactVec3 tipOfTv = triangle.p0 + perps.v * meet.tTriangle;
+
+  Term vPerp = ownName(perpLetter("v"), perps.vPerp).marked(mark("vperp"));
+  Term D = ownName(letter("D"), perps.denominator);
+  Term w = drawnName(vectorLetter("w"), meet.w);
+  Term a = ownName(letter("a"), dot(meet.w, perps.uPerp)).marked(mark("A"));
+  Term b = ownName(letter("b"), dot(perps.v, perps.uPerp)).marked(mark("B"));
+  // Figure 4: the feet of C and P2 on u⊥, and C at the tip of t·v. Without a triangle they are at the origin.
+  Term A = drawnName(letter("A"), measurePointLine(tipOfTv, triangle.p0, perps.uPerp).foot);
+  Term B = drawnName(letter("B"), measurePointLine(triangle.p2, triangle.p0, perps.uPerp).foot);
+  Term C = drawnName(letter("C"), tipOfTv);
 };
 
-struct Out : Naming, TriangleTerms, RayTerms {
-  RayTriangle<Rational> meet;
-  Term u, v, n, uPerp, vPerp, D;
-  Term lambda, I, w, s, t;
-  Term a, b;    ///< w·u⊥ and v·u⊥
-  Term A, B, C; ///< figure 4: the feet of C and P2 on u⊥, and C at the tip of t·v
-};
-
-/// Of a point on the line through another; the origin for a zero direction, where no line is.
-ExactVec3 footOf(const ExactVec3 &point, const ExactVec3 &through, const ExactVec3 &direction) {
-  return measurePointLine(point, through, direction).foot;
-}
-
-Out compute(const In &in) {
-  const auto &[p0, p1, p2] = in.T.object;
-  const auto &[origin, direction] = in.L.object;
-  const auto meet = intersectRayTriangle(Ray<Rational>{origin, direction}, Triangle<Rational>{p0, p1, p2});
-  const auto &perps = meet.perps;
-  const ExactVec3 tipOfTv = p0 + perps.v * meet.tTriangle;
-  return {in,
-          termsOf(in.T),
-          termsOf(in.L),
-          meet,
-          name(in.own(vectorLetter("u")), perps.u).marked(in.mark("u")),
-          name(in.own(vectorLetter("v")), perps.v).marked(in.mark("v")),
-          name(in.own(vectorLetter("n")), perps.normal).marked(in.mark("n")),
-          name(in.own(perpLetter("u")), perps.uPerp).marked(in.mark("uperp")),
-          name(in.own(perpLetter("v")), perps.vPerp).marked(in.mark("vperp")),
-          name(in.own(letter("D")), perps.denominator),
-          name(in.own(letter("λ")), meet.plane.t),
-          madeName(in, "I", meet.plane.point),
-          name(in.own(vectorLetter("w")), meet.w).marked(in.mark("w")),
-          name(in.own(letter("s")), meet.s),
-          name(in.own(letter("t")), meet.tTriangle),
-          name(in.own(letter("a")), dot(meet.w, perps.uPerp)).marked(in.mark("A")),
-          name(in.own(letter("b")), dot(perps.v, perps.uPerp)).marked(in.mark("B")),
-          name(in.own(letter("A")), footOf(tipOfTv, p0, perps.uPerp)).marked(in.mark("A")),
-          name(in.own(letter("B")), footOf(p2, p0, perps.uPerp)).marked(in.mark("B")),
-          name(in.own(letter("C")), tipOfTv).marked(in.mark("C"))};
-}
-
-CaseWords tell(const In &in, const Out &at) {
+CaseWords tell(const Out &at) {
   const std::string lambda = equation(at.lambda);
   const std::string caseName(nameOf(at.meet.which));
   switch (at.meet.which) {
@@ -97,7 +57,7 @@ CaseWords tell(const In &in, const Out &at) {
   case RayTriangleCase::Coincident:
     return {caseName,
             words("{same}: this is no triangle, and the denominator is 0.",
-                  {{"same", coincidentWords(in.T.object, at)}}),
+                  {{"same", coincidentWords(at.in.T.object, at)}}),
             true};
   case RayTriangleCase::Collinear:
     break;
@@ -109,95 +69,20 @@ CaseWords tell(const In &in, const Out &at) {
           true};
 }
 
-std::vector<NamedValue> perpValues(const Out &at) {
-  std::vector<NamedValue> values{listed("u_perp", at.uPerp), listed("v_perp", at.vPerp),
-                                 listed("uu", dot(at.u, at.u)), listed("uv", dot(at.u, at.v)),
-                                 listed("vv", dot(at.v, at.v))};
-  if (at.meet.crosses()) {
-    values.push_back(listed("wu", dot(at.w, at.u)));
-    values.push_back(listed("wv", dot(at.w, at.v)));
-  }
-  values.push_back(listed("denominator", at.D));
-  return values;
-}
-
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  std::vector<NamedValue> values;
-  if (at.meet.crosses()) {
-    values.push_back({"location", words("place"), std::string(nameOf(at.meet.location.part))});
-    if (at.meet.location.feature >= 0)
-      values.push_back({"feature", {}, at.meet.location.feature});
-    values.push_back(listed("t", at.lambda));
-    values.push_back(listed("point", at.I));
-    values.push_back(listed("s", at.s));
-    values.push_back(listed("t_triangle", at.t));
-    values.push_back(listed("barycentric", list({1 - at.s - at.t, at.s, at.t})));
-  }
-  values.push_back({"perp", {}, perpValues(at)});
-  return values;
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!at.meet.crosses())
-    return {};
-  return {{"I", PointObject{at.meet.plane.point}}};
-}
-
-void addSideLines(const Out &at, Explanation &lines) {
-  const auto &u = at.u;
-  const auto &v = at.v;
-  lines.add("u", [&] { return asked(withNumbers(u == at.P1 - at.P0)); });
-  lines.add("v", [&] {
-    return asked(withNumbers(v == at.P2 - at.P0),
-                 words("Two sides of the triangle, both from {P0}.", at.letters));
-  });
-  lines.add("normal", [&] {
-    return asked(withProducts(at.n == cross(u, v)), crossProductWords(at.n),
-                 {{cross(v, u), words("{answer} is the cross product the other way round: v × u.")}});
-  });
-  lines.add("uu", [&] { return asked(withProducts(dot(u, u))); });
-  lines.add("uv", [&] { return asked(withProducts(dot(u, v))); });
-  lines.add("vv", [&] {
-    return asked(withProducts(dot(v, v)),
-                 words("Three of the five dot products: they belong to the triangle alone."));
-  });
-  lines.add("uperp", [&] {
-    return asked(withNumbers((at.uPerp == cross(at.n, u)) == dot(u, u) * v - dot(u, v) * u),
-                 perpWords(at.uPerp, words("u perp: in the plane of the triangle and perpendicular to u.")));
-  });
-  lines.add("vperp", [&] {
-    return asked(withNumbers((at.vPerp == cross(at.n, v)) == dot(u, v) * v - dot(v, v) * u),
-                 perpWords(at.vPerp, words("v perp likewise: perpendicular to v.")));
-  });
+WorkingLine parameterLine(const Out &at) {
+  return asked(withNumbers(at.lambda == dot(at.P0 - at.Q, at.n) / dot(at.r, at.n)),
+               words("First the triangle's plane: so many steps {r} lead from {Q} to it.", at.letters),
+               {wrongSignOf(at.lambda, at)});
 }
 
 WorkingLine denominatorLine(const Out &at) {
   const auto &u = at.u;
   const auto &v = at.v;
   return asked(withNumbers(at.D == power(dot(u, v), 2) - dot(u, u) * dot(v, v)),
-               at.meet.perps.denominator == 0
+               !at.isTriangle
                    ? words("Zero: u and v do not span a triangle, and there is nothing to divide by.")
                    : words("The denominator of s and t. It is zero only for a degenerate triangle."),
                {{-at.D, words("{answer} has the wrong sign: (u·v)² is never the larger part.")}});
-}
-
-/// How the ray's line meets the triangle's plane.
-void addPlaneLines(const Out &at, Explanation &lines) {
-  lines.add("plane-t", [&] {
-    return asked(withNumbers(at.lambda == dot(at.P0 - at.Q, at.n) / dot(at.r, at.n)),
-                 words("First the triangle's plane: so many steps {r} lead from {Q} to it.", at.letters),
-                 {wrongSignOf(at.lambda, at)});
-  });
-  lines.add("hit", [&] {
-    return asked(withNumbers(at.I == at.Q + at.lambda * at.r),
-                 words("The point of the plane that the ray's line goes through. Is it in the triangle?"));
-  });
-  lines.add("w",
-            [&] { return asked(withNumbers(at.w == at.I - at.P0), words("From {P0} to {I}.", at.letters)); });
-  lines.add("wu", [&] { return asked(withProducts(dot(at.w, at.u))); });
-  lines.add("wv", [&] {
-    return asked(withProducts(dot(at.w, at.v)), words("The last two of the five dot products."));
-  });
 }
 
 /// The mistake of a share: the sign of D.
@@ -224,8 +109,8 @@ WorkingLine lineOfT(const Out &at) {
 }
 
 WorkingLine placeLine(const Out &at) {
-  return line(
-      {withResult(at.s), withResult(at.t), withResult(at.s + at.t)},
+  return resultsLine(
+      {at.s, at.t, at.s + at.t},
       words("The point belongs to the triangle when none of s, t and 1 − s − t is negative. Here it is "
             "{place}.",
             {{"place", placeWords(at.meet.location, at)}}));
@@ -259,27 +144,46 @@ WorkingLine similarLine(const Out &at) {
               similarWords(at));
 }
 
-void addShareLines(const Out &at, Explanation &lines) {
-  lines.add("s", [&] { return lineOfS(at); });
-  lines.add("t", [&] { return lineOfT(at); });
-  lines.add("place", [&] { return placeLine(at); });
-  lines.add("a", [&] {
-    return asked(withResult(at.a == dot(at.w, at.uPerp)),
-                 words("How far w reaches along u⊥, times the length of u⊥."));
-  });
-  lines.add("b", [&] { return asked(withResult(at.b == dot(at.v, at.uPerp)), words("The same for v.")); });
-  lines.add("similar", [&] { return similarLine(at); });
-}
-
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  addSideLines(at, lines);
-  if (at.meet.crosses())
-    addPlaneLines(at, lines);
-  lines.add("denominator", [&at] { return denominatorLine(at); });
-  if (at.meet.crosses())
-    addShareLines(at, lines);
-  return lines;
+LineTable<Out> lines() {
+  return joined<LineRow<Out>>(
+      {sideLines<Out>(),
+       {{"normal", always,
+         [](const Out &at) { return sidesNormalLine(at.n, at.u, at.v, crossProductWords(at.n)); }},
+        {"uu", always, [](const Out &at) { return asked(withProducts(dot(at.u, at.u))); }},
+        {"uv", always, [](const Out &at) { return asked(withProducts(dot(at.u, at.v))); }},
+        {"vv", always, [](const Out &at) { return withProducts(dot(at.v, at.v)); },
+         says("Three of the five dot products: they belong to the triangle alone.")},
+        {"uperp", always,
+         [](const Out &at) {
+           return withNumbers((at.uPerp == cross(at.n, at.u)) ==
+                              dot(at.u, at.u) * at.v - dot(at.u, at.v) * at.u);
+         },
+         [](const Out &at) {
+           return perpWords(at.uPerp, words("u perp: in the plane of the triangle and perpendicular to u."));
+         }},
+        {"vperp", always,
+         [](const Out &at) {
+           return withNumbers((at.vPerp == cross(at.n, at.v)) ==
+                              dot(at.u, at.v) * at.v - dot(at.v, at.v) * at.u);
+         },
+         [](const Out &at) { return perpWords(at.vPerp, words("v perp likewise: perpendicular to v.")); }},
+        {"plane-t", &Out::crosses, parameterLine},
+        {"hit", &Out::crosses, [](const Out &at) { return withNumbers(at.I == at.Q + at.lambda * at.r); },
+         says("The point of the plane that the ray's line goes through. Is it in the triangle?")},
+        {"w", &Out::crosses, [](const Out &at) { return withNumbers(at.w == at.I - at.P0); },
+         says("From {P0} to {I}.")},
+        {"wu", &Out::crosses, [](const Out &at) { return asked(withProducts(dot(at.w, at.u))); }},
+        {"wv", &Out::crosses, [](const Out &at) { return withProducts(dot(at.w, at.v)); },
+         says("The last two of the five dot products.")},
+        {"denominator", always, denominatorLine},
+        {"s", &Out::crosses, lineOfS},
+        {"t", &Out::crosses, lineOfT},
+        {"place", &Out::crosses, placeLine},
+        {"a", &Out::crosses, [](const Out &at) { return withResult(at.a == dot(at.w, at.uPerp)); },
+         says("How far w reaches along u⊥, times the length of u⊥.")},
+        {"b", &Out::crosses, [](const Out &at) { return withResult(at.b == dot(at.v, at.uPerp)); },
+         says("The same for v.")},
+        {"similar", &Out::crosses, similarLine}}});
 }
 
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
@@ -287,32 +191,27 @@ constexpr double drawnNormalLength = 3;
 /// The perps are drawn a little longer than the farther of the feet on them.
 constexpr double perpBeyondFoot = 1.12;
 
-/// An arrow along a perp, long enough for this reach.
-ArrowMark perpArrow(const Term &perp, const Place &from, const ExactVec3 &direction, double reach,
-                    Subject subject) {
-  return arrowOfLength(drawn(perp, Role::Derived, subject), from, direction, reach * perpBeyondFoot);
-}
-
 /// How far a vector reaches along a direction.
 double reachAlong(const ExactVec3 &direction, const Place &vector) {
   return std::abs(glm::dot(vector, unitOf(direction)));
 }
 
 void drawSpan(Figure &figure, const Out &at) {
-  const auto &perps = at.meet.perps;
   const Place p0 = place(at.P0);
-  figure.add(ArrowMark{drawn(at.n, Role::Derived, Subject::Plane), p0, unitOf(perps.normal), false,
-                       drawnNormalLength});
-  const double reachOfW = at.meet.crosses() ? reachAlong(perps.uPerp, place(at.w)) : 0;
-  figure.add(perpArrow(at.uPerp, p0, perps.uPerp, std::max(reachAlong(perps.uPerp, place(at.v)), reachOfW),
-                       Subject::EdgeU));
-  figure.add(perpArrow(at.vPerp, p0, perps.vPerp, reachAlong(perps.vPerp, place(at.u)), Subject::EdgeV));
+  figure.add(arrowInPicture(drawn(at.n, Role::Derived, Subject::Plane), p0, unitOf(at.perps.normal),
+                            drawnNormalLength));
+  const ExactVec3 &uPerp = at.perps.uPerp;
+  const double reachOfW = at.crosses ? reachAlong(uPerp, place(at.w)) : 0;
+  addDirection(figure, at.uPerp, p0, std::max(reachAlong(uPerp, place(at.v)), reachOfW) * perpBeyondFoot,
+               Role::Derived, Subject::EdgeU);
+  addDirection(figure, at.vPerp, p0, reachAlong(at.perps.vPerp, place(at.u)) * perpBeyondFoot, Role::Derived,
+               Subject::EdgeV);
 }
 
-void drawEdges(Figure &figure, const In &in, const Out &at) {
+void drawEdges(Figure &figure, const Out &at) {
   const Role sound =
-      in.T.isFree ? Role::Given : Role::Derived; // a triangle that was made is not there from the start
-  const Role role = at.meet.perps.denominator != 0 ? sound : Role::Warning;
+      at.in.T.isFree ? Role::Given : Role::Derived; // a triangle that was made is not there from the start
+  const Role role = at.isTriangle ? sound : Role::Warning;
   figure.add(arrowOf(at.u, place(at.P0), role, Subject::EdgeU));
   figure.add(arrowOf(at.v, place(at.P0), role, Subject::EdgeV));
 }
@@ -337,20 +236,14 @@ void drawSimilarTriangles(Figure &figure, const Out &at) {
   drawFoot(figure, at, at.B, place(at.P2));
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  const bool crosses = at.meet.crosses();
-  const bool ahead = at.meet.plane.which == RayPlaneCase::Hit;
-  const Place point = place(at.I);
-  if (at.meet.perps.denominator != 0)
+  if (at.isTriangle)
     drawSpan(figure, at);
-  drawEdges(figure, in, at);
-  if (!crosses)
+  drawEdges(figure, at);
+  if (!at.crosses)
     return figure;
-  if (ahead)
-    figure.reaches.push_back({in.L.id, point});
-  else
-    figure.add(SegmentMark{{at.I->mark + "/backward", Role::Ghost, Subject::Ray}, place(at.Q), point});
+  addWayTo(figure, at.in.L, at.I, at.meet.plane.which == RayPlaneCase::Hit);
   figure.add(wayToHit(at.w, place(at.P0)));
   drawSimilarTriangles(figure, at);
   const bool hit = at.meet.which == RayTriangleCase::Hit;
@@ -358,28 +251,36 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &in, const Out &at) {
-  return rayTriangleNearby(in.T.object, in.L.object, at, at);
+ValueRow<Out> perpRow() {
+  return valueGroup<Out>("perp", always,
+                         {{named::vector("u_perp"), always, &Out::uPerp},
+                          {named::vector("v_perp"), always, &Out::vPerp},
+                          {named::number("uu"), always, [](const Out &at) { return dot(at.u, at.u); }},
+                          {named::number("uv"), always, [](const Out &at) { return dot(at.u, at.v); }},
+                          {named::number("vv"), always, [](const Out &at) { return dot(at.v, at.v); }},
+                          {named::number("wu"), &Out::crosses, [](const Out &at) { return dot(at.w, at.u); }},
+                          {named::number("wv"), &Out::crosses, [](const Out &at) { return dot(at.w, at.v); }},
+                          {named::number("denominator"), always, &Out::D}});
 }
 
 } // namespace
 
 Construction ray_triangle_perp() {
-  return makeConstruction<In, Out, TriangleObject, RayObject>(
-      "ray-triangle-perp", {"T", "L"}, {{"I", "point"}},
-      {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
-      {.cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
+  return taught<Out, TriangleObject, RayObject>(
+      {.id = "ray-triangle-perp",
+       .roles = {"T", "L"},
+       .makes = {{"I", &Out::crosses, &Out::I}},
+       .letters = {"u", "v", "n", "D", "λ", "w", "s", "t", "a", "b", "A", "B", "C"},
+       .cases = {"hit", "behind", "miss", "parallel", "in-plane", "zero-direction", "coincident",
                  "collinear"},
-       .values = {named::word("location", {"interior", "edge", "vertex", "outside"}), named::index("feature"),
-                  named::number("t"), named::vector("point"), named::number("s"), named::number("t_triangle"),
-                  named::list("barycentric", 3),
-                  named::group("perp", {named::vector("u_perp"), named::vector("v_perp"), named::number("uu"),
-                                        named::number("uv"), named::number("vv"), named::number("wu"),
-                                        named::number("wv"), named::number("denominator")})},
-       .lines = {"u", "v",  "normal", "uu",          "uv", "vv", "uperp", "vperp", "plane-t", "hit",
-                 "w", "wu", "wv",     "denominator", "s",  "t",  "place", "a",     "b",       "similar"},
-       .marks = {"n", "uperp", "vperp", "u", "v", "w", "A", "B", "C", "I"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+       .values = joined<ValueRow<Out>>({crossingRows<Out>([](const Out &at) { return at.meet.location; }),
+                                        shareRows<Out>(),
+                                        {barycentricRow<Out>(&Out::crosses, &Out::s, &Out::t), perpRow()}}),
+       .lines = lines(),
+       .marks = {"n", "uperp", "vperp", "u", "v", "w", "A", "B", "C", "I"},
+       .tell = tell,
+       .draw = draw,
+       .nearby = rayTriangleNearby});
 }
 
 } // namespace halfspace
