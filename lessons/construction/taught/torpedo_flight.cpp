@@ -1,12 +1,7 @@
 // A torpedo on its way: where it is in a frame, and whether it has reached what it hits first (note PG 7).
-#include "lessons/construction/construction.h"
 #include "lessons/construction/parts/fragments.h"
 #include "lessons/construction/parts/shots.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/words.h"
+#include "lessons/construction/taught.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,82 +19,55 @@ struct In : Naming {
   GivenMeshes meshes;
 };
 
-struct Out : Naming, RayTerms {
-  Rational elapsed; ///< λ by the frame
-  FirstHits first;
-  Term lambda, M;
+struct Out : Computed<In>, RayTerms {
+  explicit Out(const In &objects) : Computed(objects), RayTerms(termsOf(objects.L)) {}
+
+  bool hasRay = !isZero(in.L.object.direction);
+  Shot shot = shotAt(in.frame.object.value, in.seed.object.value);
+  Rational elapsed = parameterAt(in.frame.object.value, shot); ///< λ by the frame
+  bool isFired = elapsed > 0;
+  FirstHits first = hasRay ? firstHits(in.L.object, in.meshes) : FirstHits();
+  bool hits = !first.fragments.empty();
+  bool hasExploded = hits && elapsed >= first.t;
+  Rational parameter = hasExploded ? first.t : elapsed;
+
+  Term lambda =
+      ownName(letter("λ", "M"), parameter)
+          .standingFor(hasExploded ? crossingTerm(*this, triangleOf(in.meshes, first.fragments.front()))
+                                   : (coordinateTerm(in.frame, 0) - Term(shot.frame)) / framesPerLambda);
+  Term M = drawnName(letter("M"), ExactVec3(in.L.object.origin + in.L.object.direction * parameter));
 };
 
-bool hits(const Out &at) { return !at.first.fragments.empty(); }
-bool hasExploded(const Out &at) { return hits(at) && at.elapsed >= at.first.t; }
-bool isFired(const Out &at) { return at.elapsed > 0; }
-bool isDegenerate(const In &in) { return isZero(in.L.object.direction); }
-
-Out compute(const In &in) {
-  const Rational &frame = in.frame.object.value;
-  const Shot shot = shotAt(frame, in.seed.object.value);
-  const Rational elapsed = parameterAt(frame, shot);
-  const FirstHits first = isDegenerate(in) ? FirstHits() : firstHits(in.L.object, in.meshes);
-  const bool ends = !first.fragments.empty() && elapsed >= first.t;
-  const Rational lambda = ends ? first.t : elapsed;
-  const RayTerms ray = termsOf(in.L);
-  const Term origin = ends ? crossingTerm(ray, triangleOf(in.meshes, first.fragments.front()))
-                           : (coordinateTerm(in.frame, 0) - Term(shot.frame)) / Term(framesPerLambda);
-  return {in,
-          ray,
-          elapsed,
-          first,
-          name(in.own(letter("λ", "M")), lambda).standingFor(origin),
-          name(in.own(letter("M")), ExactVec3(in.L.object.origin + in.L.object.direction * lambda))
-              .marked(in.mark("M"))};
-}
-
-CaseWords tell(const In &in, const Out &at) {
-  if (isDegenerate(in))
+CaseWords tell(const Out &at) {
+  if (!at.hasRay)
     return zeroDirectionWords(at);
   const WordValues now{{"lambda", equation(at.lambda)}};
-  if (hasExploded(at))
+  if (at.hasExploded)
     return {"exploded", words("The torpedo has hit {fragment}, at {lambda}.",
-                              {{"fragment", nameOf(in.meshes, at.first.fragments.front())},
+                              {{"fragment", nameOf(at.in.meshes, at.first.fragments.front())},
                                {"lambda", equation(at.lambda)}})};
-  if (!isFired(at))
+  if (!at.isFired)
     return {
         "waiting",
-        hits(at)
+        at.hits
             ? words("{lambda}: the torpedo is not fired yet. What it will hit, and when, is known already.",
                     now)
             : words("{lambda}: the torpedo is not fired yet. It will not explode.", now)};
   return {"flying",
-          hits(at)
+          at.hits
               ? words("The torpedo flies, at {lambda}. What it will hit, and when, is known already.", now)
               : words("The torpedo flies, at {lambda}, and will not explode.", now)};
 }
 
-std::vector<NamedValue> valuesOf(const In &in, const Out &at) {
-  if (isDegenerate(in))
-    return {};
-  return {listed("lambda", at.lambda), listed("place", at.M)};
-}
-
-std::vector<MadeObject> make(const In &, const Out &) { return {}; }
-
 std::string placeWords(const Out &at) {
-  if (hasExploded(at))
+  if (at.hasExploded)
     return words("The torpedo has reached what it hits.");
   const WordValues values{{"frames", std::to_string(framesPerLambda)}};
-  return isFired(at)
+  return at.isFired
              ? words("Where the torpedo is now. Its parameter grows by 1 in {frames} frames.", values)
              : words("Where the torpedo will start, or behind it. Its parameter grows by 1 in {frames} "
                      "frames.",
                      values);
-}
-
-Explanation explain(const In &in, const Out &at) {
-  Explanation lines;
-  if (isDegenerate(in))
-    return lines;
-  lines.add("place", [&at] { return asked(withNumbers(at.M == at.Q + at.lambda * at.r), placeWords(at)); });
-  return lines;
 }
 
 // The explosion, in scene units: sparks to all sides that grow while λ does, every other one shorter.
@@ -118,7 +86,7 @@ Place sparkDirection(int spark) {
   return {across * std::cos(golden * spark), across * std::sin(golden * spark), height};
 }
 
-void drawBlast(Figure &figure, const In &in, const Out &at) {
+void drawBlast(Figure &figure, const Out &at) {
   const double age = toDouble(Rational(at.elapsed - at.first.t));
   const double grown = std::sqrt(std::min(1.0, age / blastDuration));
   if (!(grown > 0))
@@ -128,22 +96,22 @@ void drawBlast(Figure &figure, const In &in, const Out &at) {
     const bool isLong = i % 2 == 0;
     const Place end = sparkDirection(i) * (grown * (isLong ? longSpark : shortSpark));
     figure.add(SegmentMark{
-        {in.mark("M") + "/spark" + std::to_string(i), isLong ? Role::Warning : Role::Result, Subject::Point},
+        {at.mark("M") + "/spark" + std::to_string(i), isLong ? Role::Warning : Role::Result, Subject::Point},
         middle + end * sparkBegin,
         middle + end});
   }
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  if (isDegenerate(in))
+  if (!at.hasRay)
     return figure;
-  if (hasExploded(at))
-    drawBlast(figure, in, at);
-  else if (isFired(at))
+  if (at.hasExploded)
+    drawBlast(figure, at);
+  else if (at.isFired)
     figure.add(
-        SegmentMark{{in.mark("M") + "/trail", Role::Result, Subject::Point}, place(at.Q), place(at.M)});
-  PointMark torpedo = pointOf(at.M, isFired(at) ? Role::Result : Role::Ghost, Subject::Point);
+        SegmentMark{{at.mark("M") + "/trail", Role::Result, Subject::Point}, place(at.Q), place(at.M)});
+  PointMark torpedo = pointOf(at.M, at.isFired ? Role::Result : Role::Ghost, Subject::Point);
   if (at.elapsed == 0)
     torpedo.label.clear(); // the start has a letter of its own
   figure.add(std::move(torpedo));
@@ -152,18 +120,21 @@ Figure draw(const In &in, const Out &at) {
   return figure;
 }
 
-std::vector<SpecialCase> nearby(const In &, const Out &) { return {}; }
-
 } // namespace
 
 Construction torpedo_flight() {
-  return makeConstruction<In, Out, RayObject, NumberObject, NumberObject, Several<MeshObject>>(
-      "torpedo-flight", {"L", "frame", "seed", "meshes"}, {}, {"λM", "M"},
-      {.cases = {"waiting", "flying", "exploded", "zero-direction"},
-       .values = {named::number("lambda"), named::vector("place")},
-       .lines = {"place"},
-       .marks = {"M"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, RayObject, NumberObject, NumberObject, Several<MeshObject>>(
+      {.id = "torpedo-flight",
+       .roles = {"L", "frame", "seed", "meshes"},
+       .letters = {"λM", "M"},
+       .cases = {"waiting", "flying", "exploded", "zero-direction"},
+       .values = {{named::number("lambda"), &Out::hasRay, &Out::lambda},
+                  {named::vector("place"), &Out::hasRay, &Out::M}},
+       .lines = {{"place", &Out::hasRay,
+                  [](const Out &at) { return withNumbers(at.M == at.Q + at.lambda * at.r); }, placeWords}},
+       .marks = {"M"},
+       .tell = tell,
+       .draw = draw});
 }
 
 } // namespace halfspace

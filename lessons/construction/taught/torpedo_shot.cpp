@@ -1,15 +1,8 @@
 // The ray of a torpedo that a flying saucer fires: from where the saucer is, along its barrel, which
 // is just so long, wherever it points (note PG 7).
-#include "geometry/surd.h"
-#include "lessons/construction/construction.h"
 #include "lessons/construction/parts/shots.h"
-#include "lessons/construction/parts/worked_lines.h"
-#include "lessons/object/drawing.h"
+#include "lessons/construction/taught.h"
 #include "lessons/object/kinds/ray.h"
-#include "lessons/object/letters.h"
-#include "lessons/term/plain_text.h"
-#include "lessons/term/rewrite.h"
-#include "lessons/words.h"
 
 #include <array>
 #include <cmath>
@@ -30,15 +23,6 @@ struct Factor {
   bool isExact = true;
 };
 
-struct Out : Naming, UfoTerms {
-  Shot shot;
-  bool isByHand = true;
-  ExactVec3 saucer; ///< where it is in the frame
-  Factor factor;
-  Term aim; ///< along the barrel: g, or what chance makes of it
-  Term Q, r;
-};
-
 /// So many digits of the factor that makes an arrow as long as the barrel are kept where it is no fraction.
 constexpr int factorDigits = 4;
 
@@ -53,35 +37,33 @@ Factor factorOf(const ExactVec3 &arrow, const Rational &barrelLength) {
   return {roundToMultiple(factor, powerOfTen(exponent + 1 - factorDigits)), false};
 }
 
-Out compute(const In &in) {
-  const auto &[start, velocity, barrel, barrelLength] = in.U.object;
-  const Rational &frame = in.frame.object.value;
-  const Rational &seed = in.seed.object.value;
-  const Shot shot = shotAt(frame, seed);
-  const ExactVec3 aim = seed == 0 ? barrel : randomBarrel(seed, shot);
-  const bool canFire = !isZero(aim) && barrelLength > 0;
-  const Factor factor = canFire ? factorOf(aim, barrelLength) : Factor();
-  const UfoTerms letters = termsOf(in.U);
-  return {in,
-          letters,
-          shot,
-          seed == 0,
-          start + velocity * (frame / framesPerVelocity),
-          factor,
-          seed == 0 ? letters.g : name(in.own(vectorLetter("d")), aim).marked(in.mark("d")),
-          madeName(in, "L", "Q", start + velocity * (shot.frame / framesPerVelocity)),
-          madeName(in, "L", "r", ExactVec3(aim * factor.value))};
+ExactVec3 placeIn(const UfoObject &saucer, const Rational &frame) {
+  return saucer.start + saucer.velocity * (frame / framesPerVelocity);
 }
 
-bool canFire(const Out &at) { return at.factor.value != 0; }
+struct Out : Computed<In>, UfoTerms {
+  explicit Out(const In &objects) : Computed(objects), UfoTerms(termsOf(objects.U)) {}
 
-CaseWords tell(const In &, const Out &at) {
-  if (isZero(vectorOf(at.aim)))
+  const UfoObject &saucer = in.U.object;
+  Shot shot = shotAt(in.frame.object.value, in.seed.object.value);
+  bool isByHand = in.seed.object.value == 0;
+  ExactVec3 barrel = isByHand ? saucer.barrel : randomBarrel(in.seed.object.value, shot);
+  /// The direction of a torpedo is so many times the arrow along the barrel.
+  bool canFire = !isZero(barrel) && saucer.barrelLength > 0;
+  Factor factor = canFire ? factorOf(barrel, saucer.barrelLength) : Factor();
+
+  Term aim = isByHand ? g : drawnName(vectorLetter("d"), barrel); ///< along the barrel
+  Term Q = madeName("L", "Q", placeIn(saucer, shot.frame));
+  Term r = madeName("L", "r", ExactVec3(barrel *factor.value));
+};
+
+CaseWords tell(const Out &at) {
+  if (isZero(at.barrel))
     return {"zero-direction",
             words("The barrel {g} is the zero vector: it points nowhere, so nothing is fired.",
                   {{"g", plainText(at.aim)}}),
             true};
-  if (!canFire(at))
+  if (!at.canFire)
     return {"zero-direction",
             words("{l}: a barrel without a length gives no direction, so nothing is fired.",
                   {{"l", equation(at.l)}}),
@@ -92,18 +74,6 @@ CaseWords tell(const In &, const Out &at) {
                           {{"number", toText(at.shot.number + 1)}})};
 }
 
-std::vector<NamedValue> valuesOf(const In &, const Out &at) {
-  if (!canFire(at))
-    return {};
-  return {listed("length", norm(at.aim)), listed("start", at.Q), listed("direction", at.r)};
-}
-
-std::vector<MadeObject> make(const In &, const Out &at) {
-  if (!canFire(at))
-    return {};
-  return {{"L", RayObject{vectorOf(at.Q), vectorOf(at.r)}}};
-}
-
 WorkingLine startLine(const Out &at) {
   if (at.shot.frame == 0)
     return line(withResult(at.Q == at.S), words("The saucer fires from where it starts."));
@@ -111,10 +81,6 @@ WorkingLine startLine(const Out &at) {
   return asked(withNumbers(at.Q == at.S + Term(part) * at.c),
                words("Where the saucer is when it fires: it flies {c} in {frames} frames.",
                      {{"c", plainText(at.c)}, {"frames", std::to_string(framesPerVelocity)}}));
-}
-
-WorkingLine lengthLine(const Out &at) {
-  return asked(withNumbers(norm(at.aim)), words("How long the arrow is that tells where the barrel points."));
 }
 
 Term factorTerm(const Out &at) { return at.l / norm(at.aim); }
@@ -135,17 +101,6 @@ WorkingLine directionLine(const Out &at) {
             {{"digits", std::to_string(factorDigits)}}));
 }
 
-Explanation explain(const In &, const Out &at) {
-  Explanation lines;
-  if (!canFire(at))
-    return lines;
-  lines.add("start", [&at] { return startLine(at); });
-  lines.add("length", [&at] { return lengthLine(at); });
-  lines.add("factor", [&at] { return factorLine(at); });
-  lines.add("direction", [&at] { return directionLine(at); });
-  return lines;
-}
-
 // The saucer, in scene units: a ring with a dome above and a keel below.
 constexpr double rimRadius = 2.1;
 constexpr double domeRadius = 0.95;
@@ -159,16 +114,17 @@ Place onRing(const Place &middle, double radius, double height, std::size_t side
   return middle + Place(radius * std::cos(angle), radius * std::sin(angle), height);
 }
 
-void drawSaucer(Figure &figure, const In &in, const Out &at) {
-  const Place middle = place(at.saucer);
-  const bool hasFlownOn = at.saucer != vectorOf(at.Q);
+void drawSaucer(Figure &figure, const Out &at) {
+  const ExactVec3 now = placeIn(at.saucer, at.in.frame.object.value);
+  const Place middle = place(now);
+  const bool hasFlownOn = now != vectorOf(at.Q);
   std::size_t number = 0;
   const auto add = [&](std::vector<Place> corners) {
-    std::string id = in.mark("saucer") + (number > 0 ? "/" + std::to_string(number) : "");
+    std::string id = at.mark("saucer") + (number > 0 ? "/" + std::to_string(number) : "");
     ++number;
     PolygonMark part{{std::move(id), Role::Given, Subject::Neutral}, std::move(corners)};
     part.passes = hasFlownOn;
-    figure.add(inLook(in.U.look, std::move(part)));
+    figure.add(inLook(at.in.U.look, std::move(part)));
   };
   std::vector<Place> roof;
   for (std::size_t i = 0; i < sides; ++i) {
@@ -181,37 +137,48 @@ void drawSaucer(Figure &figure, const In &in, const Out &at) {
   add(std::move(roof));
 }
 
-void drawRay(Figure &figure, const In &in, const Out &at) {
+void drawRay(Figure &figure, const Out &at) {
   const Place from = place(at.Q);
   // Its arrow and its start have names enough.
-  figure.add(RayMark{{in.mark("L"), Role::Derived, Subject::Ray}, from, unitOf(vectorOf(at.r))});
+  figure.add(RayMark{{at.mark("L"), Role::Derived, Subject::Ray}, from, unitOf(vectorOf(at.r))});
   figure.add(arrowOf(at.r, from, Role::Derived, Subject::Ray));
   figure.add(pointOf(at.Q, Role::Derived, Subject::Point));
 }
 
-Figure draw(const In &in, const Out &at) {
+Figure draw(const Out &at) {
   Figure figure;
-  drawSaucer(figure, in, at);
-  if (!canFire(at))
+  drawSaucer(figure, at);
+  if (!at.canFire)
     return figure;
   if (!at.isByHand)
     figure.add(arrowOf(at.aim, place(at.Q), Role::Derived, Subject::Ray));
-  drawRay(figure, in, at);
+  drawRay(figure, at);
   return figure;
 }
-
-std::vector<SpecialCase> nearby(const In &, const Out &) { return {}; }
 
 } // namespace
 
 Construction torpedo_shot() {
-  return makeConstruction<In, Out, UfoObject, NumberObject, NumberObject>(
-      "torpedo-shot", {"U", "frame", "seed"}, {{"L", "ray"}}, {"d"},
-      {.cases = {"by-hand", "seeded", "zero-direction"},
-       .values = {named::number("length"), named::vector("start"), named::vector("direction")},
-       .lines = {"start", "length", "factor", "direction"},
-       .marks = {"saucer", "d", "L", "L.Q", "L.r"}},
-      {compute, tell, valuesOf, make, explain, draw, nearby});
+  return taught<Out, UfoObject, NumberObject, NumberObject>(
+      {.id = "torpedo-shot",
+       .roles = {"U", "frame", "seed"},
+       .makes = {{"L", RayObject::kind, &Out::canFire,
+                  [](const Out &at) {
+                    return RayObject{vectorOf(at.Q), vectorOf(at.r)};
+                  }}},
+       .letters = {"d"},
+       .cases = {"by-hand", "seeded", "zero-direction"},
+       .values = {{named::number("length"), &Out::canFire, [](const Out &at) { return norm(at.aim); }},
+                  {named::vector("start"), &Out::canFire, &Out::Q},
+                  {named::vector("direction"), &Out::canFire, &Out::r}},
+       .lines = {{"start", &Out::canFire, startLine},
+                 {"length", &Out::canFire, [](const Out &at) { return withNumbers(norm(at.aim)); },
+                  says("How long the arrow is that tells where the barrel points.")},
+                 {"factor", &Out::canFire, factorLine},
+                 {"direction", &Out::canFire, directionLine}},
+       .marks = {"saucer", "d", "L", "L.Q", "L.r"},
+       .tell = tell,
+       .draw = draw});
 }
 
 } // namespace halfspace
