@@ -2,6 +2,8 @@
 
 #include "app/check.h"
 #include "app/lessons_folder.h"
+#include "app/panels/scene_column.h"
+#include "app/panels/unfinished_input.h"
 #include "app/progress_file.h"
 #include "app/put_aside.h"
 #include "app/standard_streams.h"
@@ -12,9 +14,7 @@
 #include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
 #include "widgets/numbers/inspector.h"
-#include "widgets/numbers/number_card.h"
 #include "widgets/text/unbroken.h"
-#include "widgets/typeset/typesetter.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"
@@ -28,7 +28,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QRandomGenerator>
 #include <QScreen>
 #include <QSplitter>
@@ -52,12 +51,16 @@ constexpr int usualFrameHeight = 40;
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_editor(m_model), m_player(m_model),
+    : m_model(std::move(library)), m_panels(*this, m_model), m_messages(m_panels.messages()),
+      m_player(m_model),
       m_meshes(*this, [this] { return m_model.inGesture() && !m_player.state().isPlaying; }),
-      m_typesetter(std::make_unique<Typesetter>()), m_theme(themes().front()) {
+      m_input(m_panels.input()), m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()),
+      m_flat(&m_panels.scene().flat()), m_caseLine(&m_panels.scene().caseLine()),
+      m_sceneColumn(&m_panels.scene()), m_practice(&m_panels.practice()), m_working(&m_practice->working()),
+      m_page(&m_panels.page()), m_split(&m_panels.split()), m_numbersDock(&m_panels.numbersDock()),
+      m_inspector(&m_panels.inspector()), m_contents(&m_panels.contents()), m_theme(themes().front()) {
   setObjectName("main");
-  m_scene = new SceneView(m_model, *m_typesetter);
-  createPanels();
+  connectPanels();
   createMenus();
   createHeader();
   createSceneTools();
@@ -87,23 +90,17 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
   connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::keepUnsavedSoon); // under the hand, too
-  connect(m_working, &StepWorking::typing, this, &MainWindow::prepareUnsaved);
-  for (const CoordinateRows *rows : {&m_inspector->given(), &m_card->given()})
-    connect(rows, &CoordinateRows::typing, this, &MainWindow::prepareUnsaved);
+  connect(&m_input, &UnfinishedInput::typing, this, &MainWindow::prepareUnsaved);
   connect(m_scene, &SceneView::markHovered, this, &MainWindow::hoverMark);
   connect(m_practice, &WorkingPractice::blanksChanged, this, &MainWindow::showOutcome);
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
-    dropTyped(); // it was about the numbers that go
+    m_input.drop(); // it was about the numbers that go
     if (predictionOf(m_model.step()))
       reopenQuestion();        // so was the answer
     progress().tasks.arrive(); // other numbers are no deed of the learner
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
     m_scene->showAnother();
   });
-  connect(m_scene, &SceneView::hint, m_card, &NumberCard::setHint);
-  connect(m_scene, &SceneView::selectionChanged, this,
-          [this] { m_card->setSelection(m_scene->selectedCoordinate()); });
-
   connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
   m_progress = m_keptProgress = storedProgress();
   restoreSettings();
@@ -113,11 +110,9 @@ MainWindow::MainWindow(LessonLibrary library)
 }
 
 MainWindow::~MainWindow() {
-  // The panels look at members: they go first, and hear nothing of the end of the history.
+  // Nobody hears of the end of the history.
   m_model.disconnect();
   m_model.history().disconnect();
-  delete takeCentralWidget();
-  qDeleteAll(findChildren<QDockWidget *>());
 }
 
 StepProgress &MainWindow::progress() {
@@ -139,7 +134,7 @@ void MainWindow::chooseOwnLessons() {
 
 void MainWindow::addOwnLessonsOf(const QString &folder) {
   if (m_ownLessons.contains(folder))
-    return say(tr("The lessons of %1 are there already.").arg(folder));
+    return m_messages.say(tr("The lessons of %1 are there already.").arg(folder));
   LessonLibrary library = m_model.library();
   library.problems.clear();
   addOwnLessons(library, folder.toStdString());
@@ -148,7 +143,8 @@ void MainWindow::addOwnLessonsOf(const QString &folder) {
   m_ownLessons << folder;
   m_progress = withStepNames(m_progress, library.lessons);
   m_model.setLibrary(std::move(library));
-  say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder) : problem);
+  m_messages.say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder)
+                                   : problem);
 }
 
 void MainWindow::removeOwnLessonsOf(const QString &folder) {
@@ -158,7 +154,7 @@ void MainWindow::removeOwnLessonsOf(const QString &folder) {
   });
   m_ownLessons.removeAll(folder);
   m_model.setLibrary(std::move(library));
-  say(tr("The lessons of %1 are not in the contents any more. Their files stay.").arg(folder));
+  m_messages.say(tr("The lessons of %1 are not in the contents any more. Their files stay.").arg(folder));
 }
 
 void MainWindow::fillOwnLessonsMenu(QMenu &menu) {
@@ -175,14 +171,14 @@ void MainWindow::fillOwnLessonsMenu(QMenu &menu) {
 void MainWindow::reloadLesson() {
   auto lesson = readLesson(m_model.lesson().file);
   if (!lesson)
-    return say(QString::fromStdString(lesson.problem().text()));
+    return m_messages.say(QString::fromStdString(lesson.problem().text()));
   if (lesson->id != m_model.lesson().id)
-    return say(tr("The lesson has another id now: it is read at the next start."));
+    return m_messages.say(tr("The lesson has another id now: it is read at the next start."));
   lesson->chapter = m_model.lesson().chapter;
   const std::vector<Problem> problems = problemsIn(*lesson);
   m_model.renewLesson(std::move(*lesson));
-  say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
-                       : QString::fromStdString(problems.front().text()));
+  m_messages.say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
+                                  : QString::fromStdString(problems.front().text()));
 }
 
 void MainWindow::showLesson() {
@@ -316,7 +312,7 @@ bool MainWindow::lacksLines() {
 }
 
 void MainWindow::startOver() {
-  dropTyped(); // what was refused is gone too
+  m_input.drop(); // what was refused is gone too
   if (predictionOf(m_model.step()))
     reopenQuestion(); // the next group in class begins anew
   m_model.resetScene();
@@ -328,7 +324,7 @@ void MainWindow::goToNearby(int which) {
   if (const QString refused =
           m_model.edit(shortMoveTo(near, m_model.session().scene, step), tr("Go to the special case"));
       !refused.isEmpty())
-    say(refused);
+    m_messages.say(refused);
 }
 
 void MainWindow::choose(const QString &answer) {
@@ -387,15 +383,7 @@ void MainWindow::applyLook() {
   Theme panels = m_theme;
   panels.textScale *= sizeScale();
   applyStyle(*qApp, panels);
-  m_scene->setTheme(m_theme);
-  m_scene->setSizeScale(sizeScale());
-  m_flat->setTheme(m_theme);
-  m_flat->setSizeScale(sizeScale());
-  m_working->setTheme(panels);
-  m_inspector->setTheme(panels);
-  m_card->setTheme(panels);
-  m_frame->setTheme(panels);
-  m_contents->setTheme(panels);
+  m_panels.setLook(m_theme, sizeScale(), panels);
   m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
   showPageLook();
   showLessonTitle();
@@ -413,19 +401,7 @@ void MainWindow::showFitting() {
     show();
 }
 
-void MainWindow::complain(const QString &sentence) {
-  QMessageBox box(QMessageBox::Warning, tr("Halfspace"), sentence, QMessageBox::Ok, this);
-  box.setTextFormat(Qt::PlainText); // it may quote a stranger's file
-  box.exec();
-}
-
-void MainWindow::say(const QString &sentence) { m_caseLine->say(sentence); }
-
-void MainWindow::dropTyped() {
-  m_working->dropTyped();
-  m_inspector->given().dropTyped();
-  m_card->given().dropTyped();
-}
+void MainWindow::complain(const QString &sentence) { m_messages.complain(sentence); }
 
 std::optional<Problem> MainWindow::putAsideUnreadable(const Problem &why) {
   const auto aside = putAside(QString::fromStdString(why.file));

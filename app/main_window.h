@@ -3,6 +3,7 @@
 
 #include "app/lesson_watch.h"
 #include "app/mesh_opener.h"
+#include "app/panels/window_panels.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
@@ -10,7 +11,6 @@
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/near_special_cases.h"
 #include "widgets/flight/flight_player.h"
-#include "widgets/numbers/coordinate_editor.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
 
@@ -32,10 +32,9 @@ class ContentsDrawer;
 class FlatView;
 class Inspector;
 class LessonPage;
-class NumberCard;
 class SceneFrame;
 class StepWorking;
-class Typesetter;
+class UnfinishedInput;
 class WorkingPractice;
 
 class MainWindow : public QMainWindow {
@@ -101,18 +100,12 @@ protected:
   void dropEvent(QDropEvent *event) override;
 
 private:
-  void createPanels();
-  [[nodiscard]] QWidget *createScene();
-  void createContents();
-  void createInspector();
+  void connectPanels();
   void createHeader();
   void createSceneTools();
   /// Beside the menus, where there is room.
   void showLessonTitle();
-  void connectWorking();
   void connectPage();
-  /// The scene's number that a number in the working is.
-  [[nodiscard]] std::optional<CoordinateNumber> numberOf(const CoordinateSource &source) const;
   /// Shares the window between scene and page, unless the user has done so.
   void sharePage();
   void restoreLayout();
@@ -201,17 +194,11 @@ private:
   [[nodiscard]] QStringList idsStillNeeded(const Lesson &lesson) const;
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
-  /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and
-  /// why, else empty.
-  [[nodiscard]] QString finishInput();
-  /// Takes back what is typed and refused, wherever.
-  void dropTyped();
   /// Whether another session may take the place of this one: what is typed is entered, changes are asked
   /// about.
   bool mayLeaveSession();
   bool askToKeepChanges();
   bool askToReplace(const KnownFile &file);
-  bool askToGoWithout(const QString &refused);
   /// Back to what the session's file holds.
   void dropChanges();
   /// What the next start should find is kept for it, saved to a file, or given up on purpose.
@@ -221,8 +208,6 @@ private:
   /// Whether changed sessions of other lessons wait to be gone on with.
   [[nodiscard]] bool hasLeftSessions() const;
   [[nodiscard]] UnsavedWork unsavedWork() const;
-  /// What entering the number that is being typed would change; nothing where none is.
-  [[nodiscard]] std::optional<ChangeObject> typedChange() const;
   /// For the end of the program at any moment from now on: what is unsaved, and what is being typed.
   void prepareUnsaved();
   /// A moment after a change, and never during a drag: the disk is waited for.
@@ -235,7 +220,6 @@ private:
   /// Gives a file of the program's own that cannot be read another name, and keeps that to be told; why it
   /// cannot.
   std::optional<Problem> putAsideUnreadable(const Problem &why);
-  void say(const QString &sentence);
   void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);
   void fillUnsavedMenu(QMenu &menu);
@@ -251,30 +235,30 @@ private:
   void putLook(Settings &settings) const;
 
   SessionModel m_model;
-  CoordinateEditor m_editor; ///< for the numbers in the working
+  WindowPanels m_panels;
+  Messages m_messages;
   FlightPlayer m_player;
   MeshOpener m_meshes;
-  std::unique_ptr<Typesetter> m_typesetter;
-  SceneView *m_scene = nullptr;
-  SceneFrame *m_frame = nullptr; ///< around m_scene
-  FlatView *m_flat = nullptr;    ///< in m_frame
-  NumberCard *m_card = nullptr;
+  UnfinishedInput &m_input;
+  SceneView *m_scene;
+  SceneFrame *m_frame; ///< around m_scene
+  FlatView *m_flat;    ///< in m_frame
   LessonWatch m_watch;
   QStringList m_ownLessons; ///< the folders of the settings
   QStringList m_putAside;   ///< sentences that are to be told
-  CaseLine *m_caseLine = nullptr;
+  CaseLine *m_caseLine;
   std::vector<NearSpecialCase> m_nearby; ///< of what the step shows
   std::optional<Shown> m_shownAtStart;   ///< nothing: nobody has asked yet
-  QWidget *m_sceneColumn = nullptr;
-  WorkingPractice *m_practice = nullptr;
-  StepWorking *m_working = nullptr; ///< in m_practice
-  LessonPage *m_page = nullptr;
+  QWidget *m_sceneColumn;
+  WorkingPractice *m_practice;
+  StepWorking *m_working; ///< in m_practice
+  LessonPage *m_page;
   double m_pageTypeScale = 1;   ///< as it is shown
-  QSplitter *m_split = nullptr; ///< between the scene and the page
+  QSplitter *m_split;           ///< between the scene and the page
   bool m_isSplitChosen = false; ///< the user has moved it
-  QDockWidget *m_numbersDock = nullptr;
-  Inspector *m_inspector = nullptr;
-  ContentsDrawer *m_contents = nullptr;
+  QDockWidget *m_numbersDock;
+  Inspector *m_inspector;
+  ContentsDrawer *m_contents;
   QToolButton *m_contentsButton = nullptr;
   QLabel *m_lessonTitle = nullptr;
   QString m_hoveredMark;

@@ -2,6 +2,7 @@
 #include "app/main_window.h"
 #include "app/memory.h"
 #include "app/open_session.h"
+#include "app/panels/unfinished_input.h"
 #include "lessons/files/read_file.h"
 #include "lessons/files/write_file.h"
 #include "lessons/scene/file/large_meshes.h"
@@ -63,7 +64,7 @@ void MainWindow::openFile(const QString &file) {
   LessonLibrary library = m_model.library();
   auto opened = openSession(library, file.toStdString());
   if (!opened)
-    return complain(QString::fromStdString(opened.problem().text()));
+    return m_messages.complain(QString::fromStdString(opened.problem().text()));
   std::optional<KnownFile> known;
   if (opened->text)
     known = KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson};
@@ -75,22 +76,22 @@ void MainWindow::openFile(const QString &file) {
 bool MainWindow::saveTo(const QString &file) {
   const std::string text = writeSession(m_model.session());
   if (const auto problem = writeFile(file.toStdString(), text)) {
-    complain(tr("The session is not saved.") + "\n" + QString::fromStdString(problem->text()));
+    m_messages.complain(tr("The session is not saved.") + "\n" + QString::fromStdString(problem->text()));
     return false;
   }
   m_file = {QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson};
   m_model.history().setClean();
   keepUnsavedSoon();
   updateTitle();
-  say(savedWords(m_model.session().scene));
+  m_messages.say(savedWords(m_model.session().scene));
   return true;
 }
 
 bool MainWindow::belongsToFile() const { return m_file && m_model.session().lesson == m_file->lesson; }
 
 bool MainWindow::save() {
-  if (const QString refused = finishInput(); !refused.isEmpty()) {
-    complain(tr("The session is not saved.") + "\n" + refused);
+  if (const QString refused = m_input.finish(); !refused.isEmpty()) {
+    m_messages.complain(tr("The session is not saved.") + "\n" + refused);
     return false;
   }
   if (!belongsToFile())
@@ -108,8 +109,8 @@ QString MainWindow::askForFile(const QString &title, const QString &filter, cons
 }
 
 bool MainWindow::saveAs() {
-  if (const QString refused = finishInput(); !refused.isEmpty()) {
-    complain(tr("The session is not saved.") + "\n" + refused);
+  if (const QString refused = m_input.finish(); !refused.isEmpty()) {
+    m_messages.complain(tr("The session is not saved.") + "\n" + refused);
     return false;
   }
   const QString file = askForFile(tr("Save session"), tr("Halfspace sessions (*.halfspace)"), "halfspace");
@@ -136,11 +137,11 @@ std::optional<LabelPicture> MainWindow::pictureOfScene() {
   request.size = {static_cast<int>(size.width * fitting), static_cast<int>(size.height * fitting)};
   // The picture is drawn in a context of its own; two current ones in a thread clash.
   m_scene->doneCurrent();
-  auto picture =
-      OffscreenPainter(labelSetter(m_typesetter->fonts()), labelPainter(*m_typesetter)).draw(request);
+  const Typesetter &typesetter = m_panels.typesetter();
+  auto picture = OffscreenPainter(labelSetter(typesetter.fonts()), labelPainter(typesetter)).draw(request);
   returnFreeMemory(); // the context that has ended leaves a hundred megabytes
   if (!picture) {
-    complain(QString::fromStdString(picture.problem().text()));
+    m_messages.complain(QString::fromStdString(picture.problem().text()));
     return {};
   }
   return std::move(*picture);
@@ -151,10 +152,10 @@ bool MainWindow::savePicture(const QString &file) {
   if (!picture)
     return false;
   if (const auto problem = writePng(*picture, file.toStdString())) {
-    complain(QString::fromStdString(problem->text()));
+    m_messages.complain(QString::fromStdString(problem->text()));
     return false;
   }
-  say(tr("Picture saved."));
+  m_messages.say(tr("Picture saved."));
   return true;
 }
 
@@ -169,7 +170,7 @@ void MainWindow::copyPicture() {
     const QImage image(picture->rgba.data(), picture->width, picture->height, picture->width * 4,
                        QImage::Format_RGBA8888);
     QApplication::clipboard()->setImage(image.copy());
-    say(tr("Picture copied."));
+    m_messages.say(tr("Picture copied."));
   }
 }
 

@@ -114,7 +114,7 @@ void MainWindow::chooseFragment(const std::string &entry, std::size_t number) {
   chosen->value = Rational(static_cast<std::int64_t>(number));
   if (const QString refused = m_model.edit(ChangeObject{choice, *chosen}, tr("Look at a triangle"));
       !refused.isEmpty())
-    say(refused);
+    m_messages.say(refused);
 }
 
 } // namespace halfspace

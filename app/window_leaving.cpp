@@ -1,13 +1,10 @@
 // What becomes of unsaved work: kept while it is made, asked about when the window closes, back at the next
 // start.
 #include "app/main_window.h"
+#include "app/panels/unfinished_input.h"
 #include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "lessons/scene/file/session_file.h"
-#include "widgets/numbers/inspector.h"
-#include "widgets/numbers/number_card.h"
-#include "widgets/view/case_line.h"
-#include "widgets/working/step_working.h"
 
 #include <QCloseEvent>
 #include <QFileInfo>
@@ -21,15 +18,6 @@
 #include <algorithm>
 
 namespace halfspace {
-
-QString MainWindow::finishInput() {
-  m_scene->finishDrag();
-  QString refused = m_working->enterTyped();
-  for (const QString &other : {m_inspector->given().enterTyped(), m_card->given().enterTyped()})
-    if (refused.isEmpty())
-      refused = other;
-  return refused;
-}
 
 bool MainWindow::hasChanges() const {
   // After another lesson was opened the history is not clean, though nothing need have changed.
@@ -46,17 +34,8 @@ UnsavedWork MainWindow::unsavedWork() const {
   return {m_model.session(), m_model.leftSessions(), belongsToFile() ? m_file : std::nullopt};
 }
 
-std::optional<ChangeObject> MainWindow::typedChange() const {
-  if (const auto typed = m_working->typed()) {
-    const auto number = numberOf(typed->number);
-    return number ? m_editor.editOf(*number, typed->value) : std::nullopt;
-  }
-  const auto inList = m_inspector->given().typed();
-  return inList ? inList : m_card->given().typed();
-}
-
 void MainWindow::prepareUnsaved() {
-  const auto typed = typedChange();
+  const auto typed = m_input.typedChange();
   if (!typed && !hasChanges() && !hasLeftSessions() && !(m_model.inGesture() && m_model.isChanged()))
     return m_recovery.prepare({});
   UnsavedWork work = unsavedWork();
@@ -82,13 +61,13 @@ std::optional<Problem> MainWindow::keepOrForget() {
   prepareUnsaved(); // what is being typed is not kept before it is entered
   const std::optional<Problem> lesser = keepProgress();
   if (problem)
-    m_caseLine->complain(tr("Unsaved work cannot be kept for the next start: save it to a file."),
-                         QString::fromStdString(problem->text()));
+    m_messages.warn(tr("Unsaved work cannot be kept for the next start: save it to a file."),
+                    QString::fromStdString(problem->text()));
   else if (lesser)
-    m_caseLine->complain(tr("What you have done cannot be kept for the next start."),
-                         QString::fromStdString(lesser->text()));
+    m_messages.warn(tr("What you have done cannot be kept for the next start."),
+                    QString::fromStdString(lesser->text()));
   else
-    m_caseLine->complain({});
+    m_messages.warn({});
   return problem;
 }
 
@@ -113,7 +92,7 @@ LessonProgress MainWindow::storedProgress() {
 }
 
 bool MainWindow::mayLeaveSession() {
-  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+  if (!m_input.finishOrAsk())
     return false;
   return !hasChanges() || askToKeepChanges();
 }
@@ -142,18 +121,6 @@ bool MainWindow::askToReplace(const KnownFile &file) {
   if (box.clickedButton() == replace)
     return saveTo(QString(file.path)); // saving changes what is known of the file
   return box.clickedButton() == elsewhere && saveAs();
-}
-
-bool MainWindow::askToGoWithout(const QString &refused) {
-  QMessageBox box(QMessageBox::Question, tr("Halfspace"),
-                  refused + "\n" + tr("Close this session without the number?"),
-                  QMessageBox::Yes | QMessageBox::Cancel, this);
-  box.setTextFormat(Qt::PlainText);
-  box.setDefaultButton(QMessageBox::Cancel);
-  if (box.exec() != QMessageBox::Yes)
-    return false;
-  dropTyped();
-  return true;
 }
 
 void MainWindow::dropChanges() {
@@ -188,7 +155,7 @@ bool MainWindow::keepForNextStart() {
 
 void MainWindow::closeEvent(QCloseEvent *event) {
   event->ignore();
-  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+  if (!m_input.finishOrAsk())
     return;
   // What has no file comes back with the next start, without a question.
   if (hasChanges() && belongsToFile()) {
@@ -207,7 +174,7 @@ void MainWindow::closeEvent(QCloseEvent *event) {
 }
 
 void MainWindow::endWithoutQuestions() {
-  static_cast<void>(finishInput()); // what cannot be entered is no number
+  static_cast<void>(m_input.finish()); // what cannot be entered is no number
   if (const auto problem = keepOrForget())
     printError(problem->text());
   m_meshes.leave();
@@ -221,14 +188,14 @@ void MainWindow::endWhileBusy() {
 }
 
 void MainWindow::takeUp(const QString &leftover) {
-  if (const QString refused = finishInput(); !refused.isEmpty() && !askToGoWithout(refused))
+  if (!m_input.finishOrAsk())
     return;
   // What is unsaved here becomes a leftover itself.
   if (const auto problem = keepOrForget())
-    return complain(QString::fromStdString(problem->text()));
+    return m_messages.complain(QString::fromStdString(problem->text()));
   const auto work = m_recovery.adopt(leftover);
   if (!work)
-    return complain(tr("Another window has taken up this work already."));
+    return m_messages.complain(tr("Another window has taken up this work already."));
   m_model.setLeftSessions(work->left);
   startWith(work->session, work->file);
   if (!work->file || work->file->text != writeSession(work->session))
@@ -238,7 +205,7 @@ void MainWindow::takeUp(const QString &leftover) {
     disconnect(*drawn);
     m_openedTimer.start();
   });
-  say(tr("Your unsaved work is back. Edit > Start Over begins the lesson anew."));
+  m_messages.say(tr("Your unsaved work is back. Edit > Start Over begins the lesson anew."));
 }
 
 void MainWindow::offerAgain(const Recovery::Leftover &leftover) {
@@ -276,7 +243,7 @@ void MainWindow::offerUnsaved() {
               .arg(QFileInfo(m_file->path).fileName())) == QMessageBox::Yes)
     return takeUp(ours->path);
   if (!leftovers.empty())
-    say(tr("Unsaved work from an earlier run waits in File > Unsaved Work."));
+    m_messages.say(tr("Unsaved work from an earlier run waits in File > Unsaved Work."));
 }
 
 void MainWindow::fillUnsavedMenu(QMenu &menu) {

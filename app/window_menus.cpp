@@ -226,7 +226,7 @@ void MainWindow::createSizeMenu(QMenu &menu) {
 void MainWindow::changeSizeBy(int steps) {
   setSizeScale((std::round(sizeScale() / sizeScaleStep) + steps) * sizeScaleStep);
   storeLook();
-  say(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
+  m_messages.say(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
 }
 
 void MainWindow::createThemeMenu(QMenu &menu) {

@@ -71,14 +71,14 @@ void MainWindow::takeMesh(const LoadedMesh &mesh) {
   const QString refusal = m_model.editTogether(editsForTarget(m_model.session().scene, mesh.shape),
                                                tr("Open %1").arg(QString::fromStdString(mesh.name)));
   if (!refusal.isEmpty())
-    return complain(refusal);
-  say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
-          .arg(QString::fromStdString(mesh.name), trianglesInWords(mesh.triangles), sideWords(mesh.size.x),
-               sideWords(mesh.size.y), sideWords(mesh.size.z)) +
-      leftOutWords(mesh) +
-      (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
-           ? tr(" Too large to be saved with the session.")
-           : QString()));
+    return m_messages.complain(refusal);
+  m_messages.say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
+                     .arg(QString::fromStdString(mesh.name), trianglesInWords(mesh.triangles),
+                          sideWords(mesh.size.x), sideWords(mesh.size.y), sideWords(mesh.size.z)) +
+                 leftOutWords(mesh) +
+                 (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
+                      ? tr(" Too large to be saved with the session.")
+                      : QString()));
 }
 
 std::string MainWindow::selectedMesh() const {
@@ -90,10 +90,11 @@ std::string MainWindow::selectedMesh() const {
 void MainWindow::copyMesh() {
   const auto copy = copyOfMesh(m_model.session().scene, selectedMesh());
   if (!copy)
-    return complain(tr("There is no room for one more mesh: a ray is held against eight at the most."));
+    return m_messages.complain(
+        tr("There is no room for one more mesh: a ray is held against eight at the most."));
   const QString refusal = m_model.editTogether(copy->edits, tr("Another mesh"));
   if (!refusal.isEmpty())
-    return complain(refusal);
+    return m_messages.complain(refusal);
   m_scene->selectHandle(copy->name + ".P");
   m_scene->setFocus(); // else the keys would go on with a number of the other
 }
@@ -103,7 +104,7 @@ void MainWindow::removeMesh() {
   const QString refusal =
       m_model.editTogether(editsToRemoveMesh(m_model.session().scene, mesh), tr("Remove the mesh"));
   if (!refusal.isEmpty())
-    complain(refusal);
+    m_messages.complain(refusal);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

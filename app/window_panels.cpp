@@ -1,10 +1,8 @@
-// What the window is made of and where it stands.
+// Where the panels of the window stand, and what of them is heard.
 #include "app/main_window.h"
 #include "app/page_width.h"
 #include "widgets/lesson/contents_drawer.h"
 #include "widgets/lesson/lesson_page.h"
-#include "widgets/numbers/inspector.h"
-#include "widgets/numbers/number_card.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"
@@ -17,69 +15,25 @@
 #include <QMenuBar>
 #include <QSplitter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace halfspace {
 
-void MainWindow::createPanels() {
-  m_practice = new WorkingPractice(*m_typesetter);
-  m_working = &m_practice->working();
-  m_page = new LessonPage(*m_typesetter, *m_practice);
-  m_split = new QSplitter;
-  m_split->setChildrenCollapsible(false);
-  m_split->addWidget(createScene());
-  m_split->addWidget(m_page);
-  m_split->setStretchFactor(0, 1);
-  m_split->setStretchFactor(1, 0);
+void MainWindow::connectPanels() {
+  m_working->setWholeWorking([this] { return workingOf(m_model.evaluation()); });
+  connect(m_working, &StepWorking::markHovered, this, &MainWindow::hoverMark);
+  connect(m_working, &StepWorking::traceChanged, this, &MainWindow::showHighlights);
+  connect(m_scene, &SceneView::dismissed, m_working, &StepWorking::endTrace);
+  connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
+  connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
+  connect(m_caseLine, &CaseLine::afreshChosen, this, &MainWindow::startOver);
   connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
-  auto *center = new QWidget;
-  auto *layout = new QVBoxLayout(center);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_split);
-  setCentralWidget(center);
-  createInspector();
-  createContents();
-  connectWorking();
+  // Once what it takes, or gives back, is known.
+  connect(m_numbersDock, &QDockWidget::visibilityChanged, this, &MainWindow::sharePage, Qt::QueuedConnection);
+  connect(m_contents, &ContentsDrawer::lessonChosen, this,
+          [this](const QString &id) { m_model.openLesson(id.toStdString()); });
   connectPage();
   connectFlight();
   connectMeshes();
-}
-
-QWidget *MainWindow::createScene() {
-  m_card = new NumberCard(m_model, *m_typesetter);
-  m_frame = new SceneFrame(*m_scene, *m_card);
-  m_flat = new FlatView(m_model, *m_typesetter, m_frame);
-  m_frame->setFlatView(*m_flat);
-  connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
-  connect(m_flat, &FlatView::handleGrabbed, m_scene,
-          [this](const QString &id) { m_scene->selectHandle(id.toStdString()); });
-  m_caseLine = new CaseLine;
-  connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
-  connect(m_caseLine, &CaseLine::afreshChosen, this, &MainWindow::startOver);
-  m_sceneColumn = new QWidget;
-  auto *column = new QVBoxLayout(m_sceneColumn);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(m_frame, 1);
-  column->addWidget(m_caseLine);
-  return m_sceneColumn;
-}
-
-void MainWindow::createInspector() {
-  m_inspector = new Inspector(m_model, *m_typesetter);
-  m_numbersDock = new QDockWidget(tr("Numbers"), this);
-  m_numbersDock->setObjectName("numbersDock");
-  m_numbersDock->setWidget(m_inspector);
-  addDockWidget(Qt::LeftDockWidgetArea, m_numbersDock);
-  m_numbersDock->hide();
-  // Once what it takes, or gives back, is known.
-  connect(m_numbersDock, &QDockWidget::visibilityChanged, this, &MainWindow::sharePage, Qt::QueuedConnection);
-}
-
-void MainWindow::createContents() {
-  m_contents = new ContentsDrawer(centralWidget()); // a splitter would make it a third part
-  connect(m_contents, &ContentsDrawer::lessonChosen, this,
-          [this](const QString &id) { m_model.openLesson(id.toStdString()); });
 }
 
 /// In the row of the menus: the way to the contents, and the lesson's title.
@@ -116,34 +70,6 @@ void MainWindow::connectPage() {
   connect(m_page, &LessonPage::nextLessonRequested, this, &MainWindow::openNextLesson);
   connect(m_page, &LessonPage::predictionChosen, this, &MainWindow::choose);
   connect(m_page, &LessonPage::predictionReopened, this, &MainWindow::reopenQuestion);
-}
-
-void MainWindow::connectWorking() {
-  m_working->setWholeWorking([this] { return workingOf(m_model.evaluation()); });
-  connect(m_working, &StepWorking::markHovered, this, &MainWindow::hoverMark);
-  connect(m_scene, &SceneView::dismissed, m_working, &StepWorking::endTrace);
-  connect(m_working, &StepWorking::traceChanged, this, &MainWindow::showHighlights);
-  connect(m_working, &StepWorking::coordinateTyped, this,
-          [this](const CoordinateSource &source, const Rational &value) {
-            if (const auto number = numberOf(source))
-              m_editor.change(*number, value);
-          });
-  connect(m_working, &StepWorking::coordinateStepped, this,
-          [this](const CoordinateSource &source, int steps) {
-            if (const auto number = numberOf(source))
-              m_editor.step(*number, steps);
-          });
-  connect(m_working, &StepWorking::scrubStarted, this, [this](const CoordinateSource &source) {
-    if (const auto number = numberOf(source))
-      m_editor.beginScrub(*number);
-  });
-  connect(m_working, &StepWorking::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
-  connect(m_working, &StepWorking::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
-}
-
-std::optional<CoordinateNumber> MainWindow::numberOf(const CoordinateSource &source) const {
-  const auto id = coordinateOf(m_model.session().scene, source);
-  return id ? std::optional(CoordinateNumber{*id, source.component.value_or(0)}) : std::nullopt;
 }
 
 void MainWindow::sharePage() {

@@ -1,0 +1,35 @@
+#include "widgets/working/working_editor.h"
+
+namespace halfspace {
+
+WorkingEditor::WorkingEditor(SessionModel &model, StepWorking &working)
+    : QObject(&working), m_model(model), m_working(working), m_editor(model) {
+  connect(&working, &StepWorking::coordinateTyped, this,
+          [this](const CoordinateSource &source, const Rational &value) {
+            if (const auto number = numberOf(source))
+              m_editor.change(*number, value);
+          });
+  connect(&working, &StepWorking::coordinateStepped, this, [this](const CoordinateSource &source, int steps) {
+    if (const auto number = numberOf(source))
+      m_editor.step(*number, steps);
+  });
+  connect(&working, &StepWorking::scrubStarted, this, [this](const CoordinateSource &source) {
+    if (const auto number = numberOf(source))
+      m_editor.beginScrub(*number);
+  });
+  connect(&working, &StepWorking::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(&working, &StepWorking::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+}
+
+std::optional<ChangeObject> WorkingEditor::typedChange() const {
+  const auto typed = m_working.typed();
+  const auto number = typed ? numberOf(typed->number) : std::nullopt;
+  return number ? m_editor.editOf(*number, typed->value) : std::nullopt;
+}
+
+std::optional<CoordinateNumber> WorkingEditor::numberOf(const CoordinateSource &source) const {
+  const auto id = coordinateOf(m_model.session().scene, source);
+  return id ? std::optional(CoordinateNumber{*id, source.component.value_or(0)}) : std::nullopt;
+}
+
+} // namespace halfspace
