@@ -4,8 +4,6 @@
 #include "app/lessons_folder.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
-#include "app/progress_file.h"
-#include "app/put_aside.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "lessons/lesson/live_values.h"
@@ -51,8 +49,8 @@ constexpr int usualFrameHeight = 40;
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_panels(*this, m_model), m_messages(m_panels.messages()),
-      m_player(m_model),
+    : m_model(std::move(library)), m_progress(m_model, m_putAside), m_panels(*this, m_model),
+      m_messages(m_panels.messages()), m_player(m_model),
       m_meshes(*this, [this] { return m_model.inGesture() && !m_player.state().isPlaying; }),
       m_input(m_panels.input()), m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()),
       m_flat(&m_panels.scene().flat()), m_caseLine(&m_panels.scene().caseLine()),
@@ -81,7 +79,7 @@ MainWindow::MainWindow(LessonLibrary library)
     m_shownAtStart.reset();
     m_page->setStep(m_model.session().step);
     m_scene->selectHandle({}); // its tools would stand in the next step's figure
-    progress().tasks.arrive();
+    m_progress.ofStep().tasks.arrive();
     takeQuestion();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::showOutcome);
@@ -96,13 +94,12 @@ MainWindow::MainWindow(LessonLibrary library)
   connect(m_practice, &WorkingPractice::newNumbersRequested, this, [this] {
     m_input.drop(); // it was about the numbers that go
     if (predictionOf(m_model.step()))
-      reopenQuestion();        // so was the answer
-    progress().tasks.arrive(); // other numbers are no deed of the learner
+      reopenQuestion();                 // so was the answer
+    m_progress.ofStep().tasks.arrive(); // other numbers are no deed of the learner
     m_model.renewNumbers(QRandomGenerator::global()->generate64());
     m_scene->showAnother();
   });
   connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
-  m_progress = m_keptProgress = storedProgress();
   restoreSettings();
   showLesson();
   takeQuestion();
@@ -115,11 +112,7 @@ MainWindow::~MainWindow() {
   m_model.history().disconnect();
 }
 
-StepProgress &MainWindow::progress() {
-  return m_progress[{m_model.session().lesson, nameOfStep(m_model.lesson(), m_model.session().step)}];
-}
-
-bool MainWindow::isPredicting() { return predictionOf(m_model.step()) && !progress().chosen; }
+bool MainWindow::isPredicting() { return predictionOf(m_model.step()) && !m_progress.ofStep().chosen; }
 
 bool MainWindow::hidesNumbers() { return isPredicting() || m_practice->hasBlanks(); }
 
@@ -141,7 +134,7 @@ void MainWindow::addOwnLessonsOf(const QString &folder) {
   const QString problem =
       library.problems.empty() ? QString() : QString::fromStdString(library.problems.front().text());
   m_ownLessons << folder;
-  m_progress = withStepNames(m_progress, library.lessons);
+  m_progress.nameSteps(library.lessons);
   m_model.setLibrary(std::move(library));
   m_messages.say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder)
                                    : problem);
@@ -204,23 +197,12 @@ void MainWindow::openNextLesson() {
     m_model.openLesson(next->id);
 }
 
-QStringList MainWindow::idsStillNeeded(const Lesson &lesson) const {
-  QStringList ids;
-  if (stateOf(lesson, m_progress) == LessonState::Done)
-    return ids;
-  for (const Need &need : lesson.needs)
-    if (const Lesson *needed = m_model.library().find(need.id);
-        needed && stateOf(*needed, m_progress) != LessonState::Done)
-      ids << QString::fromStdString(needed->id);
-  return ids;
-}
-
 void MainWindow::showContents() {
   std::vector<ContentsDrawer::Entry> entries;
   for (const Lesson &lesson : m_model.library().lessons)
     entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
-                       stateOf(lesson, m_progress), QString::fromStdString(lesson.chapter),
-                       idsStillNeeded(lesson)});
+                       m_progress.stateOf(lesson), QString::fromStdString(lesson.chapter),
+                       m_progress.idsStillNeeded(lesson)});
   m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
   m_contents->open();
 }
@@ -251,7 +233,7 @@ void MainWindow::showStepWords() {
 
 void MainWindow::judgeStep() {
   const LessonStep &step = m_model.step();
-  StepProgress &done = progress();
+  StepProgress &done = m_progress.ofStep();
   if (isPredicting()) { // whether a task holds would give the answer away
     m_page->setAnswer({});
     m_page->setTaskStates({});
@@ -329,14 +311,14 @@ void MainWindow::goToNearby(int which) {
 
 void MainWindow::choose(const QString &answer) {
   // Judged now: the learner may drag on afterwards.
-  progress().chosen = answer.toStdString();
-  progress().right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation());
+  m_progress.ofStep().chosen = answer.toStdString();
+  m_progress.ofStep().right = rightChoice(*predictionOf(m_model.step()), m_model.evaluation());
   keepUnsavedSoon();
   takeQuestion();
 }
 
 void MainWindow::reopenQuestion() {
-  progress().chosen.reset();
+  m_progress.ofStep().chosen.reset();
   keepUnsavedSoon();
   takeQuestion();
 }
@@ -403,25 +385,15 @@ void MainWindow::showFitting() {
 
 void MainWindow::complain(const QString &sentence) { m_messages.complain(sentence); }
 
-std::optional<Problem> MainWindow::putAsideUnreadable(const Problem &why) {
-  const auto aside = putAside(QString::fromStdString(why.file));
-  if (!aside)
-    return aside.problem();
-  m_putAside << tr("%1 It is put aside as %2.")
-                    .arg(QString::fromStdString(why.text()), QFileInfo(*aside).fileName());
-  printError(m_putAside.last().toStdString());
-  return {};
-}
-
 void MainWindow::tellPutAside() {
-  if (!m_putAside.isEmpty())
-    complain(std::exchange(m_putAside, {}).join("\n"));
+  if (const QString sentences = m_putAside.takeSentences(); !sentences.isEmpty())
+    complain(sentences);
 }
 
 void MainWindow::restoreSettings() {
   const auto stored = readSettings(settingsFile());
   if (!stored)
-    putAsideUnreadable(stored.problem()); // where it cannot be, it is not written either
+    m_putAside.add(stored.problem()); // where it cannot be, it is not written either
   const Settings settings = stored ? *stored : Settings();
   if (!restoreGeometry(settings.window))
     resize((usualSize * settings.sizeScale.value_or(usualSizeScale(*screen())))
@@ -467,7 +439,7 @@ void MainWindow::storeSettings() {
   if (m_isSplitChosen)
     settings.split = m_split->saveState();
   const auto stored = readSettings(settingsFile());
-  auto problem = stored ? std::nullopt : putAsideUnreadable(stored.problem());
+  auto problem = stored ? std::nullopt : m_putAside.add(stored.problem());
   if (!problem)
     problem = writeSettings(settings, settingsFile());
   // The window is on its way out: there is nowhere else to say it.

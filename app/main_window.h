@@ -4,10 +4,11 @@
 #include "app/lesson_watch.h"
 #include "app/mesh_opener.h"
 #include "app/panels/window_panels.h"
+#include "app/put_aside.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
-#include "lessons/lesson/lesson_progress.h"
+#include "app/work/learner_progress.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/near_special_cases.h"
 #include "widgets/flight/flight_player.h"
@@ -179,7 +180,6 @@ private:
   [[nodiscard]] double pageTypeScale() const;
   void showPageLook();
   void changeSizeBy(int steps);
-  [[nodiscard]] StepProgress &progress();
   /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
   [[nodiscard]] bool isPredicting();
   /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
@@ -190,8 +190,6 @@ private:
   void takeQuestion();
   void followGesture();
   void showContents();
-  /// The lessons that it builds on and that are not done.
-  [[nodiscard]] QStringList idsStillNeeded(const Lesson &lesson) const;
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
   /// Whether another session may take the place of this one: what is typed is entered, changes are asked
@@ -215,11 +213,6 @@ private:
   /// Keeps what is unsaved, or drops what was kept when nothing is. Why it cannot be kept, which the case
   /// line says as long as it holds.
   std::optional<Problem> keepOrForget();
-  std::optional<Problem> keepProgress();
-  [[nodiscard]] LessonProgress storedProgress();
-  /// Gives a file of the program's own that cannot be read another name, and keeps that to be told; why it
-  /// cannot.
-  std::optional<Problem> putAsideUnreadable(const Problem &why);
   void takeUp(const QString &leftover);
   void offerAgain(const Recovery::Leftover &leftover);
   void fillUnsavedMenu(QMenu &menu);
@@ -235,6 +228,8 @@ private:
   void putLook(Settings &settings) const;
 
   SessionModel m_model;
+  PutAsideFiles m_putAside;
+  LearnerProgress m_progress;
   WindowPanels m_panels;
   Messages m_messages;
   FlightPlayer m_player;
@@ -245,7 +240,6 @@ private:
   FlatView *m_flat;    ///< in m_frame
   LessonWatch m_watch;
   QStringList m_ownLessons; ///< the folders of the settings
-  QStringList m_putAside;   ///< sentences that are to be told
   CaseLine *m_caseLine;
   std::vector<NearSpecialCase> m_nearby; ///< of what the step shows
   std::optional<Shown> m_shownAtStart;   ///< nothing: nobody has asked yet
@@ -281,8 +275,6 @@ private:
   Recovery m_recovery;
   QTimer m_keepTimer;   ///< unsaved work is kept a moment after a change
   QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown
-  LessonProgress m_progress;
-  LessonProgress m_keptProgress; ///< as its file has it
 };
 
 } // namespace halfspace

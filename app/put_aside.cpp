@@ -1,10 +1,13 @@
 #include "app/put_aside.h"
 
+#include "app/standard_streams.h"
 #include "lessons/words.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+
+#include <utility>
 
 namespace halfspace {
 
@@ -23,5 +26,17 @@ Result<QString> putAside(const QString &file) {
                        {{"reason", moved.errorString().toStdString()}}),
                  file.toStdString(), 0, ""};
 }
+
+std::optional<Problem> PutAsideFiles::add(const Problem &why) {
+  const auto aside = putAside(QString::fromStdString(why.file));
+  if (!aside)
+    return aside.problem();
+  m_sentences << tr("%1 It is put aside as %2.")
+                     .arg(QString::fromStdString(why.text()), QFileInfo(*aside).fileName());
+  printError(m_sentences.last().toStdString());
+  return {};
+}
+
+QString PutAsideFiles::takeSentences() { return std::exchange(m_sentences, {}).join("\n"); }
 
 } // namespace halfspace

@@ -2,7 +2,6 @@
 // start.
 #include "app/main_window.h"
 #include "app/panels/unfinished_input.h"
-#include "app/progress_file.h"
 #include "app/standard_streams.h"
 #include "lessons/scene/file/session_file.h"
 
@@ -59,7 +58,7 @@ std::optional<Problem> MainWindow::keepOrForget() {
   else
     m_recovery.forget();
   prepareUnsaved(); // what is being typed is not kept before it is entered
-  const std::optional<Problem> lesser = keepProgress();
+  const std::optional<Problem> lesser = m_progress.keep();
   if (problem)
     m_messages.warn(tr("Unsaved work cannot be kept for the next start: save it to a file."),
                     QString::fromStdString(problem->text()));
@@ -69,26 +68,6 @@ std::optional<Problem> MainWindow::keepOrForget() {
   else
     m_messages.warn({});
   return problem;
-}
-
-std::optional<Problem> MainWindow::keepProgress() {
-  if (m_progress == m_keptProgress)
-    return {};
-  if (const auto stored = readProgress(progressFile()); !stored)
-    if (auto problem = putAsideUnreadable(stored.problem()))
-      return problem;
-  if (auto problem = addProgress(m_progress, progressFile()))
-    return problem;
-  m_keptProgress = m_progress;
-  return {};
-}
-
-LessonProgress MainWindow::storedProgress() {
-  const auto stored = readProgress(progressFile());
-  if (stored)
-    return withStepNames(*stored, m_model.library().lessons);
-  putAsideUnreadable(stored.problem()); // where it cannot be, it is not written either
-  return {};
 }
 
 bool MainWindow::mayLeaveSession() {
