@@ -8,10 +8,8 @@
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/size_scale.h"
+#include "app/step/step_presenter.h"
 #include "app/work/learner_progress.h"
-#include "lessons/lesson/shown.h"
-#include "lessons/scene/near_special_cases.h"
-#include "widgets/flight/flight_player.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
 
@@ -19,7 +17,6 @@
 #include <QTimer>
 
 class QAction;
-class QActionGroup;
 class QDockWidget;
 class QLabel;
 class QMenu;
@@ -31,12 +28,10 @@ namespace halfspace {
 class CaseLine;
 class ContentsDrawer;
 class FlatView;
-class Inspector;
 class LessonPage;
 class SceneFrame;
 class StepWorking;
 class UnfinishedInput;
-class WorkingPractice;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -106,7 +101,6 @@ private:
   void createSceneTools();
   /// Beside the menus, where there is room.
   void showLessonTitle();
-  void connectPage();
   /// Shares the window between scene and page, unless the user has done so.
   void sharePage();
   void restoreLayout();
@@ -130,16 +124,7 @@ private:
   void createFlightMenu(QMenu &menu);
   void createLessonMenu();
   void createHelpMenu();
-  void openNextLesson();
-  /// The lesson behind the one that is shown; null behind the last.
-  [[nodiscard]] const Lesson *nextLesson() const;
-
   void showLesson();
-  void showOutcome();
-  void showStepWords();
-  void connectFlight();
-  /// The key of a control; empty for one without a key.
-  [[nodiscard]] static QKeySequence keysOf(FlightControl control);
   void connectMeshes();
   void askForMesh();
   /// The first lesson that has use for a mesh.
@@ -152,43 +137,16 @@ private:
   void copyMesh();
   /// Takes the selected mesh away.
   void removeMesh();
-  void showFlight();
-  /// Lights up the fragment whose mark the pointer is on.
-  void showHoveredFragment();
-  void chooseFragment(const std::string &entry, std::size_t number);
-  /// Tells which tasks are done, and what became of the answer.
-  void judgeStep();
-  void hoverMark(const QString &markId);
-  /// The mark under the pointer, and those that the traced number came from.
-  void showHighlights();
   void chooseOwnLessons();
   void fillOwnLessonsMenu(QMenu &menu);
   /// Reads the file of the open lesson once more.
   void reloadLesson();
-  void showCase();
-  void showNearby();
-  void goToNearby(int which);
-  /// Back to the scene that the lesson begins with.
-  void startOver();
-  /// What the step shows of the lesson's own numbers, once its question is answered.
-  [[nodiscard]] const Shown &shownAtStart();
-  /// Whether the case is one without lines that the step has at its start.
-  [[nodiscard]] bool lacksLines();
   void updateTitle();
   void applyLook();
   /// How much larger its type is where the page stands alone.
   [[nodiscard]] double pageTypeScale() const;
   void showPageLook();
   void changeSizeBy(int steps);
-  /// Whether the step asks a question that is not answered yet: then the numbers are hidden.
-  [[nodiscard]] bool isPredicting();
-  /// Whether numbers are hidden, until a question is answered or blank lines are filled in.
-  [[nodiscard]] bool hidesNumbers();
-  void choose(const QString &answer);
-  void reopenQuestion();
-  /// Tells the model whether the step's question is answered.
-  void takeQuestion();
-  void followGesture();
   void showContents();
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
@@ -232,7 +190,7 @@ private:
   LearnerProgress m_progress;
   WindowPanels m_panels;
   Messages m_messages;
-  FlightPlayer m_player;
+  StepPresenter m_step;
   MeshOpener m_meshes;
   UnfinishedInput &m_input;
   SceneView *m_scene;
@@ -241,28 +199,19 @@ private:
   LessonWatch m_watch;
   QStringList m_ownLessons; ///< the folders of the settings
   CaseLine *m_caseLine;
-  std::vector<NearSpecialCase> m_nearby; ///< of what the step shows
-  std::optional<Shown> m_shownAtStart;   ///< nothing: nobody has asked yet
   QWidget *m_sceneColumn;
-  WorkingPractice *m_practice;
-  StepWorking *m_working; ///< in m_practice
+  StepWorking *m_working;
   LessonPage *m_page;
   double m_pageTypeScale = 1;   ///< as it is shown
   QSplitter *m_split;           ///< between the scene and the page
   bool m_isSplitChosen = false; ///< the user has moved it
   QDockWidget *m_numbersDock;
-  Inspector *m_inspector;
   ContentsDrawer *m_contents;
   QToolButton *m_contentsButton = nullptr;
   QLabel *m_lessonTitle = nullptr;
-  QString m_hoveredMark;
-  std::set<std::string> m_hoveredFragment; ///< its marks
   QAction *m_larger = nullptr;
   QAction *m_smaller = nullptr;
   QAction *m_motion = nullptr;
-  QActionGroup *m_planeViews = nullptr;
-  QActionGroup *m_alongCourse = nullptr;
-  QMenu *m_flightMenu = nullptr;
   QAction *m_home = nullptr;
   QAction *m_fit = nullptr;
   QAction *m_alongPlane = nullptr;

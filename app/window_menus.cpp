@@ -1,6 +1,7 @@
 // The menus of the window: every action, its key, and what it calls.
 #include "app/help_dialog.h"
 #include "app/main_window.h"
+#include "app/step/flight_keys.h"
 #include "lessons/scene/target_mesh.h"
 #include "widgets/view/flat_view.h"
 
@@ -67,7 +68,7 @@ void MainWindow::createEditMenu() {
   menu.addAction(undo);
   menu.addAction(redo);
   menu.addSeparator();
-  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { startOver(); });
+  addItem(menu, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [this] { m_step.freshStart().startOver(); });
   createCornerItems(menu);
   createMeshItems(menu);
   QMenu &snap = *menu.addMenu(tr("S&nap To"));
@@ -144,7 +145,7 @@ void MainWindow::createViewMenu() {
   m_motion->setChecked(true);
   connect(m_motion, &QAction::toggled, this, [this](bool on) {
     m_scene->setMotion(on);
-    m_player.setReducedMotion(!on);
+    m_step.flight().player().setReducedMotion(!on);
   });
   menu.addSeparator();
   createLayoutItems(menu);
@@ -192,18 +193,24 @@ void MainWindow::createCameraItems(QMenu &menu) {
   QAction *face =
       addItem(menu, tr("Fa&ce the Plane"), QKeySequence("7"), this, [this] { m_scene->facePlane(); });
   face->setObjectName("facePlane");
-  m_planeViews = new QActionGroup(this);
-  m_planeViews->addAction(m_alongPlane);
-  m_planeViews->addAction(face);
-  m_alongCourse = new QActionGroup(this);
+  auto *planeViews = new QActionGroup(this);
+  planeViews->addAction(m_alongPlane);
+  planeViews->addAction(face);
+  auto *courses = new QActionGroup(this);
   const auto addCourse = [&](const QString &text, const char *key, const char *name, AlongCourse way) {
     QAction *action =
         addItem(menu, text, QKeySequence(key), this, [this, way] { m_scene->lookAlongCourse(way); });
     action->setObjectName(name);
-    m_alongCourse->addAction(action);
+    courses->addAction(action);
   };
   addCourse(tr("&Down the Ray or Line"), "5", "downCourse", AlongCourse::Down);
   addCourse(tr("&Against the Ray or Line"), "8", "againstCourse", AlongCourse::Against);
+  const auto enable = [this, planeViews, courses] {
+    planeViews->setEnabled(showsPlane(m_model.figure()));
+    courses->setEnabled(firstCourse(m_model.shown().figure).has_value());
+  };
+  connect(&m_model, &SessionModel::outcomeChanged, this, enable);
+  enable();
   QAction *orthographic = menu.addAction(tr("&Orthographic"));
   orthographic->setCheckable(true);
   orthographic->setShortcut(QKeySequence("O"));
@@ -254,7 +261,8 @@ void MainWindow::createLessonMenu() {
           [this] { m_model.setStep(m_model.session().step + 1); });
   addItem(menu, tr("&Previous Step"), QKeySequence("Ctrl+Left"), this,
           [this] { m_model.setStep(m_model.session().step - 1); });
-  addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this, [this] { openNextLesson(); });
+  addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this,
+          [this] { m_step.page().openNextLesson(); });
   addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
   createFlightMenu(menu);
   menu.addSeparator();
@@ -265,14 +273,16 @@ void MainWindow::createLessonMenu() {
 
 /// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.
 void MainWindow::createFlightMenu(QMenu &menu) {
-  m_flightMenu = menu.addMenu(tr("&Torpedo"));
-  const auto add = [this](const QString &text, FlightControl control, auto slot) {
-    addItem(*m_flightMenu, text, keysOf(control), this, slot);
+  QMenu &flight = *menu.addMenu(tr("&Torpedo"));
+  FlightPlayer &player = m_step.flight().player();
+  const auto add = [&flight, &player](const QString &text, FlightControl control, auto slot) {
+    addItem(flight, text, keysOf(control), &player, slot);
   };
-  add(tr("&Fire"), FlightControl::Fire, [this] { m_player.fire(); });
-  add(tr("&Play or Pause"), FlightControl::Play, [this] { m_player.play(!m_player.state().isPlaying); });
-  add(tr("One Frame &Back"), FlightControl::StepBack, [this] { m_player.step(-1); });
-  add(tr("One Frame &On"), FlightControl::StepForward, [this] { m_player.step(1); });
+  add(tr("&Fire"), FlightControl::Fire, [&player] { player.fire(); });
+  add(tr("&Play or Pause"), FlightControl::Play, [&player] { player.play(!player.state().isPlaying); });
+  add(tr("One Frame &Back"), FlightControl::StepBack, [&player] { player.step(-1); });
+  add(tr("One Frame &On"), FlightControl::StepForward, [&player] { player.step(1); });
+  connect(&m_step.flight(), &FlightPresenter::controllable, flight.menuAction(), &QAction::setVisible);
 }
 
 void MainWindow::createHelpMenu() {

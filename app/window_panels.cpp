@@ -19,20 +19,11 @@
 namespace halfspace {
 
 void MainWindow::connectPanels() {
-  m_working->setWholeWorking([this] { return workingOf(m_model.evaluation()); });
-  connect(m_working, &StepWorking::markHovered, this, &MainWindow::hoverMark);
-  connect(m_working, &StepWorking::traceChanged, this, &MainWindow::showHighlights);
-  connect(m_scene, &SceneView::dismissed, m_working, &StepWorking::endTrace);
-  connect(m_flat, &FlatView::markHovered, this, &MainWindow::hoverMark);
-  connect(m_caseLine, &CaseLine::nearbyChosen, this, &MainWindow::goToNearby);
-  connect(m_caseLine, &CaseLine::afreshChosen, this, &MainWindow::startOver);
   connect(m_split, &QSplitter::splitterMoved, this, [this] { m_isSplitChosen = true; });
   // Once what it takes, or gives back, is known.
   connect(m_numbersDock, &QDockWidget::visibilityChanged, this, &MainWindow::sharePage, Qt::QueuedConnection);
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
           [this](const QString &id) { m_model.openLesson(id.toStdString()); });
-  connectPage();
-  connectFlight();
   connectMeshes();
 }
 
@@ -63,13 +54,6 @@ void MainWindow::createSceneTools() {
   m_frame->addTool(*m_fit, ToolIcon::Fit);
   m_frame->addTool(*m_alongPlane, ToolIcon::AlongPlane);
   m_frame->addTool(*m_numbersDock->toggleViewAction(), ToolIcon::Numbers);
-}
-
-void MainWindow::connectPage() {
-  connect(m_page, &LessonPage::stepRequested, this, [this](int step) { m_model.setStep(step); });
-  connect(m_page, &LessonPage::nextLessonRequested, this, &MainWindow::openNextLesson);
-  connect(m_page, &LessonPage::predictionChosen, this, &MainWindow::choose);
-  connect(m_page, &LessonPage::predictionReopened, this, &MainWindow::reopenQuestion);
 }
 
 void MainWindow::sharePage() {

@@ -1,12 +1,12 @@
-// The torpedo's flight on the page, and the triangles that it may hit.
-#include "app/main_window.h"
+#include "app/step/flight_presenter.h"
+
+#include "app/step/flight_keys.h"
+#include "app/step/step_question.h"
 #include "lessons/lesson/live_values.h"
 #include "lessons/object/kinds/mesh.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/ray.h"
-#include "widgets/lesson/lesson_page.h"
-
-#include <QMenu>
+#include "widgets/lesson/flight_blocks.h"
 
 #include <algorithm>
 
@@ -50,62 +50,51 @@ std::size_t fragmentWith(const Crossings &crossings, const std::string &mark) {
 
 } // namespace
 
-void MainWindow::connectFlight() {
-  connect(&m_page->flight(), &FlightBlocks::barMade, this, [this](FlightBar *bar) {
-    m_player.serve(*bar);
-    for (const FlightControl control :
-         {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})
-      bar->setKeys(control, keysOf(control));
-  });
-  connect(&m_player, &FlightPlayer::stateChanged, this, &MainWindow::showFlight);
-  connect(&m_page->flight(), &FlightBlocks::fragmentChosen, this,
-          [this](const QString &entry, std::size_t number) { chooseFragment(entry.toStdString(), number); });
-  connect(&m_page->flight(), &FlightBlocks::fragmentHovered, this,
-          [this](const QString &entry, std::size_t number) {
-            m_hoveredFragment = marksOf(crossingsOf(m_model.evaluation(), entry.toStdString()), number);
-            m_page->flight().setHovered(number);
-            showHighlights();
-          });
+FlightPresenter::FlightPresenter(SessionModel &model, FlightBlocks &blocks, const StepQuestion &question,
+                                 Messages messages)
+    : m_model(model), m_blocks(blocks), m_question(question), m_messages(messages), m_player(model) {
+  connect(&blocks, &FlightBlocks::barMade, this, [this](FlightBar *bar) { serve(*bar); });
+  connect(&m_player, &FlightPlayer::stateChanged, this, &FlightPresenter::show);
+  connect(&blocks, &FlightBlocks::fragmentChosen, this,
+          [this](const QString &entry, std::size_t number) { choose(entry.toStdString(), number); });
+  connect(&blocks, &FlightBlocks::fragmentHovered, this,
+          [this](const QString &entry, std::size_t number) { hover(entry.toStdString(), number); });
 }
 
-QKeySequence MainWindow::keysOf(FlightControl control) {
-  switch (control) {
-  case FlightControl::Fire:
-    return QKeySequence("T");
-  case FlightControl::Play:
-    return QKeySequence("P");
-  case FlightControl::StepBack:
-    return QKeySequence(",");
-  case FlightControl::StepForward:
-    return QKeySequence(".");
-  case FlightControl::Automatic:
-  case FlightControl::Speed:
-    break;
-  }
-  return {};
+void FlightPresenter::serve(FlightBar &bar) {
+  m_player.serve(bar);
+  for (const FlightControl control :
+       {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})
+    bar.setKeys(control, keysOf(control));
 }
 
-void MainWindow::showFlight() {
-  if (hidesNumbers())
+void FlightPresenter::show() {
+  const bool hidden = m_question.hidesNumbers();
+  if (hidden)
     m_player.play(false); // nobody could end it
   FlightState state = m_player.state();
-  state.hidden = hidesNumbers();
-  m_flightMenu->menuAction()->setVisible(state.canFire && !state.hidden);
-  m_page->flight().showState(state);
-  m_page->flight().showCrossings(
+  state.hidden = hidden;
+  emit controllable(state.canFire && !hidden);
+  m_blocks.showState(state);
+  m_blocks.showCrossings(
       [this](const std::string &entry) { return crossingsOf(m_model.evaluation(), entry); },
-      state.hidden ? LiveValues::Hidden : LiveValues::Shown);
-  m_page->flight().showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
+      hidden ? LiveValues::Hidden : LiveValues::Shown);
+  m_blocks.showAims([this](const std::string &entry) { return aimOf(m_model.evaluation(), entry); });
 }
 
-void MainWindow::showHoveredFragment() {
+void FlightPresenter::showHovered(const QString &markId) {
   std::size_t number = 0;
   for (const EvaluatedEntry &entry : m_model.evaluation().entries)
-    number = std::max(number, fragmentWith(*entry.outcome->crossings, m_hoveredMark.toStdString()));
-  m_page->flight().setHovered(number);
+    number = std::max(number, fragmentWith(*entry.outcome->crossings, markId.toStdString()));
+  m_blocks.setHovered(number);
 }
 
-void MainWindow::chooseFragment(const std::string &entry, std::size_t number) {
+void FlightPresenter::hover(const std::string &entry, std::size_t number) {
+  m_blocks.setHovered(number);
+  emit fragmentHovered(marksOf(crossingsOf(m_model.evaluation(), entry), number));
+}
+
+void FlightPresenter::choose(const std::string &entry, std::size_t number) {
   const std::string &choice = crossingsOf(m_model.evaluation(), entry).choice;
   const Object *object = findObject(m_model.session().scene, choice);
   auto chosen = object ? objectAs<NumberObject>(*object) : std::nullopt;

@@ -1,0 +1,33 @@
+// The step begun anew, with the lesson's numbers or with others.
+#pragma once
+
+namespace halfspace {
+
+class LearnerProgress;
+class SceneView;
+class SessionModel;
+class StepQuestion;
+class UnfinishedInput;
+
+/// Takes back what the learner has done with the numbers that go.
+class FreshStart {
+public:
+  /// All must outlive it.
+  FreshStart(SessionModel &model, SceneView &scene, UnfinishedInput &input, StepQuestion &question,
+             LearnerProgress &progress)
+      : m_model(model), m_scene(scene), m_input(input), m_question(question), m_progress(progress) {}
+
+  /// Back to the scene that the lesson begins with.
+  void startOver();
+  /// The same scene with other short numbers.
+  void renewNumbers();
+
+private:
+  SessionModel &m_model;
+  SceneView &m_scene;
+  UnfinishedInput &m_input;
+  StepQuestion &m_question;
+  LearnerProgress &m_progress;
+};
+
+} // namespace halfspace

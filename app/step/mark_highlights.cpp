@@ -1,0 +1,41 @@
+#include "app/step/mark_highlights.h"
+
+#include "widgets/view/flat_view.h"
+#include "widgets/view/scene_view.h"
+#include "widgets/working/step_working.h"
+
+#include <utility>
+
+namespace halfspace {
+
+MarkHighlights::MarkHighlights(SceneView &scene, FlatView &flat, StepWorking &working)
+    : m_scene(scene), m_flat(flat), m_working(working) {
+  connect(&scene, &SceneView::markHovered, this, &MarkHighlights::hover);
+  connect(&flat, &FlatView::markHovered, this, &MarkHighlights::hover);
+  connect(&working, &StepWorking::markHovered, this, &MarkHighlights::hover);
+  connect(&working, &StepWorking::traceChanged, this, &MarkHighlights::show);
+  connect(&scene, &SceneView::dismissed, &working, &StepWorking::endTrace);
+}
+
+void MarkHighlights::setFragment(const std::set<std::string> &marks) {
+  m_fragment = marks;
+  show();
+}
+
+void MarkHighlights::hover(const QString &markId) {
+  m_mark = markId;
+  emit markHovered(markId);
+  show();
+}
+
+void MarkHighlights::show() {
+  std::set<std::string> marks = m_working.traced().marks;
+  if (!m_mark.isEmpty())
+    marks.insert(m_mark.toStdString());
+  marks.insert(m_fragment.begin(), m_fragment.end());
+  m_working.setHighlighted(marks);
+  m_flat.setHighlighted(marks);
+  m_scene.setHighlighted(std::move(marks));
+}
+
+} // namespace halfspace

@@ -1,0 +1,49 @@
+// The step that is shown, in all panels at once.
+#pragma once
+
+#include "app/step/case_presenter.h"
+#include "app/step/flight_presenter.h"
+#include "app/step/fresh_start.h"
+#include "app/step/mark_highlights.h"
+#include "app/step/page_presenter.h"
+#include "app/step/step_at_start.h"
+#include "app/step/step_question.h"
+
+namespace halfspace {
+
+class Inspector;
+class WindowPanels;
+
+/// Writes the page, the numbers, the scene and the case line at every change of the session, in this order.
+/// Each part of it shows one thing.
+class StepPresenter : public QObject {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  StepPresenter(SessionModel &model, WindowPanels &panels, LearnerProgress &progress);
+
+  /// Shows the session as it stands there: for the first time.
+  void showAll();
+
+  [[nodiscard]] StepQuestion &question() { return m_question; }
+  [[nodiscard]] FreshStart &freshStart() { return m_freshStart; }
+  [[nodiscard]] PagePresenter &page() { return m_page; }
+  [[nodiscard]] FlightPresenter &flight() { return m_flight; }
+
+private:
+  void showStep();
+  void showOutcome();
+
+  LearnerProgress &m_progress;
+  SceneView &m_scene;
+  Inspector &m_inspector;
+  StepQuestion m_question;
+  StepAtStart m_atStart;
+  FreshStart m_freshStart;
+  FlightPresenter m_flight;
+  PagePresenter m_page;
+  CasePresenter m_case;
+  MarkHighlights m_highlights;
+};
+
+} // namespace halfspace
