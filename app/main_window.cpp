@@ -18,13 +18,16 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
+#include <QMimeData>
 #include <QScreen>
 #include <QSplitter>
 #include <QToolButton>
+#include <QUrl>
 
 #include <algorithm>
 #include <utility>
@@ -41,18 +44,25 @@ constexpr int openedDelay = 1500;
 constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
 
+/// The one local file that is dropped; empty for anything else.
+QString fileIn(const QMimeData &data) {
+  const QList<QUrl> urls = data.urls();
+  return urls.size() == 1 ? urls.front().toLocalFile() : QString();
+}
+
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
     : m_model(std::move(library)), m_progress(m_model, m_putAside), m_panels(*this, m_model),
       m_messages(m_panels.messages()), m_step(m_model, m_panels, m_progress),
-      m_meshes(*this, [this] { return m_model.inGesture() && !m_step.flight().player().state().isPlaying; }),
+      m_meshes(m_model, m_panels.scene().view(), m_step.flight().player(), m_messages),
       m_input(m_panels.input()), m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()),
       m_flat(&m_panels.scene().flat()), m_caseLine(&m_panels.scene().caseLine()),
       m_sceneColumn(&m_panels.scene()), m_working(&m_panels.practice().working()), m_page(&m_panels.page()),
       m_split(&m_panels.split()), m_numbersDock(&m_panels.numbersDock()), m_contents(&m_panels.contents()),
       m_theme(themes().front()) {
   setObjectName("main");
+  setAcceptDrops(true);
   connectPanels();
   createMenus();
   createHeader();
@@ -267,6 +277,25 @@ void MainWindow::storeSettings() {
   // The window is on its way out: there is nowhere else to say it.
   if (problem)
     printError(problem->text());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
+  if (!fileIn(*event->mimeData()).isEmpty())
+    event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event) {
+  const QString file = fileIn(*event->mimeData());
+  if (file.isEmpty())
+    return;
+  event->setDropAction(Qt::CopyAction); // whoever moves deletes the file
+  event->accept();
+  if (!file.endsWith(".halfspace") && !file.endsWith(".md"))
+    return m_meshes.open(file);
+  QTimer::singleShot(0, this, [this, file] { // the other program does not wait for questions
+    if (mayLeaveSession())
+      openFile(file);
+  });
 }
 
 } // namespace halfspace

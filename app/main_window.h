@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/lesson_watch.h"
-#include "app/mesh_opener.h"
 #include "app/panels/window_panels.h"
 #include "app/put_aside.h"
 #include "app/recovery.h"
@@ -10,6 +9,7 @@
 #include "app/size_scale.h"
 #include "app/step/step_presenter.h"
 #include "app/work/learner_progress.h"
+#include "app/work/scene_meshes.h"
 #include "widgets/session_model.h"
 #include "widgets/view/scene_view.h"
 
@@ -55,9 +55,6 @@ public:
   /// Opens a .halfspace file, or the .md file of a lesson; on failure says why and leaves the session as it
   /// is.
   void openFile(const QString &file);
-  /// Reads a mesh beside the window and puts it into the scene; on failure says why and leaves the scene as
-  /// it is.
-  void openMesh(const QString &file) { m_meshes.open(file); }
   /// Writes the session to its file, or asks for one. Asks as well where the file is not any more as this
   /// window knows it. False where it is not saved.
   bool save();
@@ -84,6 +81,7 @@ public:
 
   [[nodiscard]] SessionModel &model() { return m_model; }
   [[nodiscard]] SceneView &sceneView() { return *m_scene; }
+  [[nodiscard]] SceneMeshes &meshes() { return m_meshes; }
 
 signals:
   /// All that is unsaved is kept, and nothing is done any more: the program can end.
@@ -125,18 +123,6 @@ private:
   void createLessonMenu();
   void createHelpMenu();
   void showLesson();
-  void connectMeshes();
-  void askForMesh();
-  /// The first lesson that has use for a mesh.
-  void openLessonWithMeshes();
-  /// Puts a mesh into the scene, of the lesson that is open or of one that has use for it.
-  void takeMesh(const LoadedMesh &mesh);
-  /// The name of the mesh whose handle is selected; empty for none.
-  [[nodiscard]] std::string selectedMesh() const;
-  /// Puts another mesh like the selected one beside it.
-  void copyMesh();
-  /// Takes the selected mesh away.
-  void removeMesh();
   void chooseOwnLessons();
   void fillOwnLessonsMenu(QMenu &menu);
   /// Reads the file of the open lesson once more.
@@ -191,7 +177,7 @@ private:
   WindowPanels m_panels;
   Messages m_messages;
   StepPresenter m_step;
-  MeshOpener m_meshes;
+  SceneMeshes m_meshes;
   UnfinishedInput &m_input;
   SceneView *m_scene;
   SceneFrame *m_frame; ///< around m_scene

@@ -92,7 +92,7 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
     else
       window.offerUnsaved();
     if (command.mesh)
-      window.openMesh(QString::fromStdString(*command.mesh));
+      window.meshes().open(QString::fromStdString(*command.mesh));
   });
   const int status = QApplication::exec();
   application.setLastDeed({});

@@ -2,7 +2,6 @@
 #include "app/help_dialog.h"
 #include "app/main_window.h"
 #include "app/step/flight_keys.h"
-#include "lessons/scene/target_mesh.h"
 #include "widgets/view/flat_view.h"
 
 #include <QActionGroup>
@@ -39,7 +38,7 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&File"));
   addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
-  addItem(menu, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), this, [this] { askForMesh(); });
+  addItem(menu, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), this, [this] { m_meshes.askAndOpen(); });
   addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); })->setObjectName("save");
   addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
   QMenu &unsaved = *menu.addMenu(tr("&Unsaved Work"));
@@ -91,15 +90,13 @@ void MainWindow::createCornerItems(QMenu &menu) {
 }
 
 void MainWindow::createMeshItems(QMenu &menu) {
-  QAction *copy =
-      addItem(menu, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), this, [this] { copyMesh(); });
-  QAction *remove =
-      addItem(menu, tr("Remo&ve the Mesh"), QKeySequence::Delete, this, [this] { removeMesh(); });
+  QAction *copy = addItem(menu, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), this,
+                          [this] { m_meshes.copySelected(); });
+  QAction *remove = addItem(menu, tr("Remo&ve the Mesh"), QKeySequence::Delete, this,
+                            [this] { m_meshes.removeSelected(); });
   const auto enable = [this, copy, remove] {
-    const std::string mesh = selectedMesh();
-    copy->setEnabled(!mesh.empty() && takesMeshes(m_model.session().scene));
-    // The words of the lesson speak of those that it begins with.
-    remove->setEnabled(!mesh.empty() && !findObject(m_model.lesson().scene, mesh));
+    copy->setEnabled(m_meshes.canCopySelected());
+    remove->setEnabled(m_meshes.canRemoveSelected());
   };
   connect(m_scene, &SceneView::selectionChanged, this, enable);
   enable();

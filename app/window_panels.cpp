@@ -24,7 +24,6 @@ void MainWindow::connectPanels() {
   connect(m_numbersDock, &QDockWidget::visibilityChanged, this, &MainWindow::sharePage, Qt::QueuedConnection);
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
           [this](const QString &id) { m_model.openLesson(id.toStdString()); });
-  connectMeshes();
 }
 
 /// In the row of the menus: the way to the contents, and the lesson's title.

@@ -509,7 +509,7 @@ private slots:
     loader->setProgram(MESH_CHILD);
     const QSignalSpy progressed(loader, &MeshLoader::progressed);
     const QSignalSpy closed(&fixture.window, &MainWindow::closed);
-    fixture.window.openMesh(hanging.fileName());
+    fixture.window.meshes().open(hanging.fileName());
     QTRY_VERIFY(!progressed.isEmpty());
     QTRY_VERIFY(fixture.window.findChild<QWidget *>("meshProgress")->isVisible());
     QVERIFY(fixture.window.close());
@@ -533,7 +533,7 @@ private slots:
     loader->setProgram(MESH_CHILD);
     const QSignalSpy loaded(loader, &MeshLoader::loaded);
     fixture.press(*fixture.scene().handlePosition("Q")); // in whose hand nothing is put into the scene
-    fixture.window.openMesh(file.fileName());
+    fixture.window.meshes().open(file.fileName());
     QTRY_COMPARE(loaded.count(), 1);
     const std::string lesson = fixture.model().session().lesson;
     QVERIFY(fixture.window.close());

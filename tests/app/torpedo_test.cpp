@@ -548,7 +548,7 @@ private slots:
         box->close();
     });
     closer.start(20);
-    m_fixture->window.openMesh(file);
+    m_fixture->window.meshes().open(file);
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
     QVERIFY(failed.at(0).at(0).toString().startsWith("broken.stl: "));
     QVERIFY(m_fixture->model().session().scene == before);
@@ -588,7 +588,7 @@ private:
     file.write(QByteArray::fromStdString(obj));
     file.close();
     m_fixture->window.findChild<MeshLoader *>()->setProgram(HALFSPACE_PROGRAM);
-    m_fixture->window.openMesh(file.fileName());
+    m_fixture->window.meshes().open(file.fileName());
   }
 
   const QTemporaryDir m_folder;

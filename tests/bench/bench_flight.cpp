@@ -178,7 +178,7 @@ private:
           render = std::max(render, milliseconds(times.render));
         });
     const Heartbeat heartbeat;
-    m_fixture.window.openMesh(path);
+    m_fixture.window.meshes().open(path);
     m_hasMesh = turnUntil(
         [&] { return findObject(m_fixture.model().session().scene, targetName) != nullptr; }, patience);
     turnUntil([] { return false; }, untilStill); // it is drawn
