@@ -4,10 +4,10 @@
 #include "app/lessons_folder.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
+#include "app/panels/window_header.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
 #include "widgets/lesson/contents_drawer.h"
-#include "widgets/lesson/lesson_page.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -15,18 +15,15 @@
 #include "widgets/working/working_practice.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
-#include <QSplitter>
-#include <QToolButton>
 #include <QUrl>
 
 #include <algorithm>
@@ -41,7 +38,6 @@ constexpr int keepDelay = 800;
 /// Whoever lives so long after the first picture of a session has not ended for it.
 constexpr int openedDelay = 1500;
 
-constexpr QSize usualSize(1280, 800);
 constexpr int usualFrameHeight = 40;
 
 /// The one local file that is dropped; empty for anything else.
@@ -54,16 +50,16 @@ QString fileIn(const QMimeData &data) {
 
 MainWindow::MainWindow(LessonLibrary library)
     : m_model(std::move(library)), m_progress(m_model, m_putAside), m_panels(*this, m_model),
-      m_messages(m_panels.messages()), m_step(m_model, m_panels, m_progress),
+      m_messages(m_panels.messages()), m_look(*this), m_layout(*this, m_panels),
+      m_step(m_model, m_panels, m_progress),
       m_meshes(m_model, m_panels.scene().view(), m_step.flight().player(), m_messages),
       m_input(m_panels.input()), m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()),
       m_flat(&m_panels.scene().flat()), m_caseLine(&m_panels.scene().caseLine()),
-      m_sceneColumn(&m_panels.scene()), m_working(&m_panels.practice().working()), m_page(&m_panels.page()),
-      m_split(&m_panels.split()), m_numbersDock(&m_panels.numbersDock()), m_contents(&m_panels.contents()),
-      m_theme(themes().front()) {
+      m_contents(&m_panels.contents()) {
   setObjectName("main");
   setAcceptDrops(true);
-  connectPanels();
+  connect(m_contents, &ContentsDrawer::lessonChosen, this,
+          [this](const QString &id) { m_model.openLesson(id.toStdString()); });
   createMenus();
   createHeader();
   createSceneTools();
@@ -157,7 +153,6 @@ void MainWindow::reloadLesson() {
 void MainWindow::showLesson() {
   m_watch.watch(m_model.lesson().file);
   m_contents->close();
-  showLessonTitle();
   updateTitle();
 }
 
@@ -178,32 +173,12 @@ void MainWindow::updateTitle() {
   setWindowModified(!m_model.history().isClean());
 }
 
-void MainWindow::setThemeNamed(const QString &name) {
-  const Theme *theme = findTheme(name.toStdString());
-  if (!theme)
-    return;
-  m_theme = *theme;
-  applyLook();
-}
-
-double MainWindow::sizeScale() const { return std::min(m_sizeScale, largestSizeScale / m_theme.textScale); }
-
-void MainWindow::setSizeScale(double scale) {
-  m_sizeScale = std::clamp(scale, smallestSizeScale, largestSizeScale);
-  applyLook();
-}
-
-void MainWindow::applyLook() {
-  Theme panels = m_theme;
-  panels.textScale *= sizeScale();
+void MainWindow::showLook() {
+  const Theme panels = m_look.panelTheme();
   applyStyle(*qApp, panels);
-  m_panels.setLook(m_theme, sizeScale(), panels);
-  m_contentsButton->setIcon(iconOf(ToolIcon::Contents, toQColor(panels.ink)));
-  showPageLook();
-  showLessonTitle();
-  m_working->setInkOf(markInk(m_model, panels));
-  m_larger->setEnabled(panels.textScale < largestSizeScale);
-  m_smaller->setEnabled(m_sizeScale > smallestSizeScale);
+  m_panels.setLook(m_look.theme(), m_look.sizeScale(), panels);
+  m_layout.setPageTheme(panels);
+  m_panels.practice().working().setInkOf(markInk(m_model, panels));
 }
 
 void MainWindow::showFitting() {
@@ -227,49 +202,33 @@ void MainWindow::restoreSettings() {
   if (!stored)
     m_putAside.add(stored.problem()); // where it cannot be, it is not written either
   const Settings settings = stored ? *stored : Settings();
-  if (!restoreGeometry(settings.window))
-    resize((usualSize * settings.sizeScale.value_or(usualSizeScale(*screen())))
-               .boundedTo(screen()->availableSize()));
-  setSizeScale(settings.sizeScale.value_or(usualSizeScale(*screen())));
-  setThemeNamed(settings.theme);
-  m_motion->setChecked(settings.motion);
+  m_layout.takeGeometry(settings);
+  m_look.take(settings);
   m_model.setSnapStep(settings.snapStep);
   m_model.setSnapping(settings.snapping);
   m_ownLessons = settings.ownLessons;
   m_flat->unfolded().setChecked(settings.flatPicture);
-  restoreState(settings.panels);
-  m_isSplitChosen = m_split->restoreState(settings.split);
-  sharePage();
-}
-
-void MainWindow::putLook(Settings &settings) const {
-  settings.theme = QString::fromStdString(m_theme.name);
-  const bool suitsTheScreen = m_sizeScale == usualSizeScale(*screen()); // another screen may have another one
-  settings.sizeScale = suitsTheScreen ? std::nullopt : std::optional(m_sizeScale);
+  m_layout.takePanels(settings);
 }
 
 void MainWindow::storeLook() {
   auto settings = readSettings(settingsFile());
   if (!settings)
     return; // it is put aside at the end, and written anew
-  putLook(*settings);
+  m_look.putTheme(*settings);
   if (const auto problem = writeSettings(*settings, settingsFile()))
     printError(problem->text());
 }
 
 void MainWindow::storeSettings() {
   Settings settings;
-  putLook(settings);
-  settings.motion = m_motion->isChecked();
+  m_look.putTheme(settings);
+  settings.motion = m_look.motion().isChecked();
   settings.snapStep = m_model.snapStep();
   settings.snapping = m_model.isSnapping();
   settings.ownLessons = m_ownLessons;
   settings.flatPicture = m_flat->unfolded().isChecked();
-  setFullScreen(false); // the next start is a window again
-  settings.window = saveGeometry();
-  settings.panels = saveState();
-  if (m_isSplitChosen)
-    settings.split = m_split->saveState();
+  m_layout.put(settings);
   const auto stored = readSettings(settingsFile());
   auto problem = stored ? std::nullopt : m_putAside.add(stored.problem());
   if (!problem)
@@ -277,6 +236,32 @@ void MainWindow::storeSettings() {
   // The window is on its way out: there is nowhere else to say it.
   if (problem)
     printError(problem->text());
+}
+
+void MainWindow::createHeader() {
+  auto *header = new WindowHeader(*menuBar(), m_model, *m_contents);
+  connect(header, &WindowHeader::contentsWanted, this, &MainWindow::showContents);
+  connect(&m_layout, &WindowLayout::sizeTaken, header, &WindowHeader::showTitle);
+  connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
+  connect(&m_look, &WindowLook::changed, header, [this, header] { header->setTheme(m_look.panelTheme()); });
+  connect(&m_look, &WindowLook::chosen, this, &MainWindow::storeLook);
+  connect(&m_look.motion(), &QAction::toggled, this, [this](bool on) {
+    m_scene->setMotion(on);
+    m_step.flight().player().setReducedMotion(!on);
+  });
+}
+
+void MainWindow::createSceneTools() {
+  m_frame->addTool(*m_home, ToolIcon::Home);
+  m_frame->addTool(*m_fit, ToolIcon::Fit);
+  m_frame->addTool(*m_alongPlane, ToolIcon::AlongPlane);
+  m_frame->addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event) {
+  QMainWindow::resizeEvent(event);
+  m_layout.takeSize();
+  m_caseLine->setWindowHeight(height());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

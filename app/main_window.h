@@ -2,11 +2,11 @@
 #pragma once
 
 #include "app/lesson_watch.h"
+#include "app/panels/window_layout.h"
+#include "app/panels/window_look.h"
 #include "app/panels/window_panels.h"
 #include "app/put_aside.h"
 #include "app/recovery.h"
-#include "app/settings.h"
-#include "app/size_scale.h"
 #include "app/step/step_presenter.h"
 #include "app/work/learner_progress.h"
 #include "app/work/scene_meshes.h"
@@ -17,18 +17,13 @@
 #include <QTimer>
 
 class QAction;
-class QDockWidget;
-class QLabel;
 class QMenu;
-class QSplitter;
-class QToolButton;
 
 namespace halfspace {
 
 class CaseLine;
 class ContentsDrawer;
 class FlatView;
-class LessonPage;
 class SceneFrame;
 class StepWorking;
 class UnfinishedInput;
@@ -73,15 +68,11 @@ public:
   void addOwnLessonsOf(const QString &folder);
   /// Takes them away again; a lesson that is open stays.
   void removeOwnLessonsOf(const QString &folder);
-  void setThemeNamed(const QString &name);
-  /// How large type, lines and handles are; within the bounds of size_scale.h.
-  void setSizeScale(double scale);
-  /// The scale in force: together with a theme of large type it stays within the same bounds.
-  [[nodiscard]] double sizeScale() const;
 
   [[nodiscard]] SessionModel &model() { return m_model; }
   [[nodiscard]] SceneView &sceneView() { return *m_scene; }
   [[nodiscard]] SceneMeshes &meshes() { return m_meshes; }
+  [[nodiscard]] WindowLook &look() { return m_look; }
 
 signals:
   /// All that is unsaved is kept, and nothing is done any more: the program can end.
@@ -94,18 +85,8 @@ protected:
   void dropEvent(QDropEvent *event) override;
 
 private:
-  void connectPanels();
   void createHeader();
   void createSceneTools();
-  /// Beside the menus, where there is room.
-  void showLessonTitle();
-  /// Shares the window between scene and page, unless the user has done so.
-  void sharePage();
-  void restoreLayout();
-  /// Shows the scene alone, the page alone, or both.
-  enum class Parts { Both, SceneOnly, PageOnly };
-  void showParts(Parts parts);
-  void setFullScreen(bool on);
   void createMenus();
   void createFileMenu();
   void createEditMenu();
@@ -128,11 +109,7 @@ private:
   /// Reads the file of the open lesson once more.
   void reloadLesson();
   void updateTitle();
-  void applyLook();
-  /// How much larger its type is where the page stands alone.
-  [[nodiscard]] double pageTypeScale() const;
-  void showPageLook();
-  void changeSizeBy(int steps);
+  void showLook();
   void showContents();
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
   [[nodiscard]] bool belongsToFile() const;
@@ -169,13 +146,14 @@ private:
   void storeSettings();
   /// The theme and the size of type are stored as soon as they are chosen.
   void storeLook();
-  void putLook(Settings &settings) const;
 
   SessionModel m_model;
   PutAsideFiles m_putAside;
   LearnerProgress m_progress;
   WindowPanels m_panels;
   Messages m_messages;
+  WindowLook m_look;
+  WindowLayout m_layout;
   StepPresenter m_step;
   SceneMeshes m_meshes;
   UnfinishedInput &m_input;
@@ -185,28 +163,12 @@ private:
   LessonWatch m_watch;
   QStringList m_ownLessons; ///< the folders of the settings
   CaseLine *m_caseLine;
-  QWidget *m_sceneColumn;
   StepWorking *m_working;
-  LessonPage *m_page;
-  double m_pageTypeScale = 1;   ///< as it is shown
-  QSplitter *m_split;           ///< between the scene and the page
-  bool m_isSplitChosen = false; ///< the user has moved it
-  QDockWidget *m_numbersDock;
   ContentsDrawer *m_contents;
-  QToolButton *m_contentsButton = nullptr;
-  QLabel *m_lessonTitle = nullptr;
-  QAction *m_larger = nullptr;
-  QAction *m_smaller = nullptr;
-  QAction *m_motion = nullptr;
   QAction *m_home = nullptr;
   QAction *m_fit = nullptr;
   QAction *m_alongPlane = nullptr;
-  QAction *m_sceneOnly = nullptr;
-  QAction *m_pageOnly = nullptr;
-  QAction *m_fullScreen = nullptr;
   std::optional<KnownFile> m_file; ///< where Save writes; nothing: it asks
-  Theme m_theme;
-  double m_sizeScale = smallestSizeScale; ///< as it was chosen
   Recovery m_recovery;
   QTimer m_keepTimer;   ///< unsaved work is kept a moment after a change
   QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown

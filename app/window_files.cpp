@@ -130,7 +130,7 @@ std::optional<LabelPicture> MainWindow::pictureOfScene() {
   PictureRequest request;
   request.content = m_scene->pictureContent();
   request.camera = m_scene->camera();
-  request.theme = m_theme;
+  request.theme = m_look.theme();
   const PixelSize size = m_scene->pixelSize();
   const double fitting = std::min(pictureScale, double(maxPictureSide) / std::max(size.width, size.height));
   request.pixelRatio = m_scene->designRatio() * fitting;

@@ -10,15 +10,12 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QScreen>
-
-#include <cmath>
 
 namespace halfspace {
 namespace {
 
-template <class Slot>
-QAction *addItem(QMenu &menu, const QString &text, const QKeySequence &key, QObject *on, Slot slot) {
+template <class Receiver, class Slot>
+QAction *addItem(QMenu &menu, const QString &text, const QKeySequence &key, Receiver *on, Slot slot) {
   QAction *action = menu.addAction(text);
   action->setShortcut(key);
   QObject::connect(action, &QAction::triggered, on, slot);
@@ -136,38 +133,19 @@ void MainWindow::createViewMenu() {
   menu.addSeparator();
   createSizeMenu(*menu.addMenu(tr("&Size of Text and Lines")));
   createThemeMenu(*menu.addMenu(tr("Th&eme")));
-  m_motion = menu.addAction(tr("&Motion"));
-  m_motion->setObjectName("motion");
-  m_motion->setCheckable(true);
-  m_motion->setChecked(true);
-  connect(m_motion, &QAction::toggled, this, [this](bool on) {
-    m_scene->setMotion(on);
-    m_step.flight().player().setReducedMotion(!on);
-  });
+  menu.addAction(&m_look.motion());
   menu.addSeparator();
   createLayoutItems(menu);
 }
 
 void MainWindow::createLayoutItems(QMenu &menu) {
-  QAction *numbers = m_numbersDock->toggleViewAction();
+  QAction *numbers = m_panels.numbersDock().toggleViewAction();
   numbers->setText(tr("All &Numbers"));
   numbers->setShortcut(QKeySequence("Ctrl+I"));
   menu.addAction(numbers);
-  const auto addChoice = [this, &menu](const QString &text, const QKeySequence &key, auto slot) {
-    QAction *action = menu.addAction(text);
-    action->setCheckable(true);
-    action->setShortcut(key);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-  };
   m_flat->unfolded().setShortcut(QKeySequence("6"));
   menu.addAction(&m_flat->unfolded());
-  m_sceneOnly = addChoice(tr("&Scene Only"), Qt::Key_F9,
-                          [this](bool on) { showParts(on ? Parts::SceneOnly : Parts::Both); });
-  m_pageOnly = addChoice(tr("Pa&ge Only"), Qt::Key_F8,
-                         [this](bool on) { showParts(on ? Parts::PageOnly : Parts::Both); });
-  m_fullScreen = addChoice(tr("F&ull Screen"), Qt::Key_F11, [this](bool on) { setFullScreen(on); });
-  addItem(menu, tr("Restore &Layout"), {}, this, [this] { restoreLayout(); })->setObjectName("restoreLayout");
+  menu.addActions(m_layout.actions());
 }
 
 void MainWindow::createCameraItems(QMenu &menu) {
@@ -216,24 +194,28 @@ void MainWindow::createCameraItems(QMenu &menu) {
 }
 
 void MainWindow::createSizeMenu(QMenu &menu) {
-  m_larger = addItem(menu, tr("&Larger"), {}, this, [this] { changeSizeBy(1); });
-  m_larger->setObjectName("larger");
-  m_larger->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}); // with and without Shift
-  m_smaller = addItem(menu, tr("&Smaller"), QKeySequence("Ctrl+-"), this, [this] { changeSizeBy(-1); });
-  m_smaller->setObjectName("smaller");
-  addItem(menu, tr("&Usual Size"), QKeySequence("Ctrl+0"), this, [this] {
-    setSizeScale(usualSizeScale(*screen()));
-    storeLook();
-  })->setObjectName("usualSize");
-}
-
-void MainWindow::changeSizeBy(int steps) {
-  setSizeScale((std::round(sizeScale() / sizeScaleStep) + steps) * sizeScaleStep);
-  storeLook();
-  m_messages.say(tr("Text and lines at %1 %.").arg(qRound(sizeScale() * 100)));
+  WindowLook &look = m_look;
+  const Messages messages = m_messages;
+  const auto changeBy = [&look, messages](int steps) {
+    look.changeSizeBy(steps);
+    messages.say(tr("Text and lines at %1 %.").arg(qRound(look.sizeScale() * 100)));
+  };
+  QAction *larger = addItem(menu, tr("&Larger"), {}, this, [changeBy] { changeBy(1); });
+  larger->setObjectName("larger");
+  larger->setShortcuts({QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}); // with and without Shift
+  QAction *smaller =
+      addItem(menu, tr("&Smaller"), QKeySequence("Ctrl+-"), this, [changeBy] { changeBy(-1); });
+  smaller->setObjectName("smaller");
+  addItem(menu, tr("&Usual Size"), QKeySequence("Ctrl+0"), &look, &WindowLook::chooseUsualSize)
+      ->setObjectName("usualSize");
+  connect(&look, &WindowLook::changed, this, [&look, larger, smaller] {
+    larger->setEnabled(look.canGrow());
+    smaller->setEnabled(look.canShrink());
+  });
 }
 
 void MainWindow::createThemeMenu(QMenu &menu) {
+  WindowLook &look = m_look;
   auto *group = new QActionGroup(this);
   for (const Theme &theme : themes()) {
     QString name = QString::fromStdString(theme.name);
@@ -241,14 +223,11 @@ void MainWindow::createThemeMenu(QMenu &menu) {
     action->setCheckable(true);
     action->setData(name);
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, name] {
-      setThemeNamed(name);
-      storeLook();
-    });
+    connect(action, &QAction::triggered, &look, [&look, name] { look.chooseTheme(name); });
   }
-  connect(&menu, &QMenu::aboutToShow, this, [this, group] {
+  connect(&menu, &QMenu::aboutToShow, this, [&look, group] {
     for (QAction *action : group->actions())
-      action->setChecked(action->data().toString().toStdString() == m_theme.name);
+      action->setChecked(action->data().toString().toStdString() == look.theme().name);
   });
 }
 

@@ -53,13 +53,13 @@ private slots:
   void size_changed_scalesTextLabelsAndHandlesAtOnce() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.window.setSizeScale(1);
+    fixture.window.look().setSizeScale(1);
     const double points = QApplication::font().pointSizeF();
     const double ratio = fixture.scene().designRatio();
     QVERIFY(!grabsBelow(fixture, "Q", 32));
     for (int i = 0; i < 4; ++i)
       action(fixture.window, "larger").trigger();
-    QCOMPARE(fixture.window.sizeScale(), 2.0);
+    QCOMPARE(fixture.window.look().sizeScale(), 2.0);
     QCOMPARE(QApplication::font().pointSizeF(), 2 * points);
     QCOMPARE(fixture.scene().designRatio(), 2 * ratio);
     QVERIFY(grabsBelow(fixture, "Q", 32));
@@ -68,18 +68,18 @@ private slots:
   void size_keepsItsBounds_togetherWithAThemeOfLargeType() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.window.setSizeScale(1);
+    fixture.window.look().setSizeScale(1);
     QVERIFY(!action(fixture.window, "smaller").isEnabled());
     const double points = QApplication::font().pointSizeF();
     for (const char *theme : {"light", "projector"}) {
-      fixture.window.setThemeNamed(theme);
+      fixture.window.look().setThemeNamed(theme);
       for (int i = 0; i < 20; ++i)
         action(fixture.window, "larger").trigger();
       QVERIFY(!action(fixture.window, "larger").isEnabled());
       QCOMPARE(QApplication::font().pointSizeF(), 2.5 * points);
     }
     action(fixture.window, "usualSize").trigger();
-    QCOMPARE(fixture.window.sizeScale(), usualSizeScale(*fixture.window.screen()));
+    QCOMPARE(fixture.window.look().sizeScale(), usualSizeScale(*fixture.window.screen()));
   }
 
   void size_hasTheUsualKeys() {
@@ -93,12 +93,12 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      fixture.window.setSizeScale(1.75);
+      fixture.window.look().setSizeScale(1.75);
       action(fixture.window, "motion").setChecked(false);
       fixture.window.close();
     }
     WindowFixture next("signed-distance");
-    QCOMPARE(next.window.sizeScale(), 1.75);
+    QCOMPARE(next.window.look().sizeScale(), 1.75);
     QVERIFY(!action(next.window, "motion").isChecked());
   }
 
@@ -188,7 +188,7 @@ private slots:
   void checkBox_inEveryTheme_standsOutFromThePanel() {
     for (const Theme &theme : themes()) {
       WindowFixture fixture("plane-implicit");
-      fixture.window.setThemeNamed(QString::fromStdString(theme.name));
+      fixture.window.look().setThemeNamed(QString::fromStdString(theme.name));
       const QColor panel = QApplication::palette().color(QPalette::Window);
       QImage image(16, 16, QImage::Format_RGB32);
       image.fill(panel);
@@ -210,7 +210,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     for (const double scale : {1.0, 1.25, 2.5}) {
-      fixture.window.setSizeScale(scale);
+      fixture.window.look().setSizeScale(scale);
       HelpDialog help(&fixture.window);
       help.show();
       QVERIFY(QTest::qWaitForWindowExposed(&help));
@@ -228,7 +228,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.model().setStep(3);
     for (const double scale : {1.0, 1.25, 1.5}) {
-      fixture.window.setSizeScale(scale);
+      fixture.window.look().setSizeScale(scale);
       for (const char *fading : {"All lines", "Gaps", "Last blank", "All blank"}) {
         fixture.chooseFading(fading);
         QCoreApplication::processEvents();

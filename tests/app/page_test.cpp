@@ -20,7 +20,7 @@ namespace {
 class PageFixture : public WindowFixture {
 public:
   explicit PageFixture(QSize size = {1280, 800}) : WindowFixture("signed-distance") {
-    window.setSizeScale(1);
+    window.look().setSizeScale(1);
     resize(size);
   }
   void resize(QSize size) {
@@ -216,7 +216,7 @@ private slots:
     PageFixture fixture;
     QVERIFY(fixture.ready);
     const int usual = fixture.page().width();
-    fixture.window.setSizeScale(2.5);
+    fixture.window.look().setSizeScale(2.5);
     fixture.resize({1280, 800});
     QCOMPARE(fixture.window.width(), 1280);
     QVERIFY(fixture.page().width() > usual);

@@ -679,7 +679,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     for (const Theme &theme : themes()) {
-      fixture.window.setThemeNamed(QString::fromStdString(theme.name));
+      fixture.window.look().setThemeNamed(QString::fromStdString(theme.name));
       const auto cornerIs = [&] {
         const QColor corner =
             fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().pixelSize().height - 3);
