@@ -19,7 +19,6 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -31,12 +30,6 @@
 
 namespace halfspace {
 namespace {
-
-// In milliseconds.
-/// Unsaved work is kept so long after a change.
-constexpr int keepDelay = 800;
-/// Whoever lives so long after the first picture of a session has not ended for it.
-constexpr int openedDelay = 1500;
 
 constexpr int usualFrameHeight = 40;
 
@@ -53,9 +46,11 @@ MainWindow::MainWindow(LessonLibrary library)
       m_messages(m_panels.messages()), m_look(*this), m_layout(*this, m_panels),
       m_step(m_model, m_panels, m_progress),
       m_meshes(m_model, m_panels.scene().view(), m_step.flight().player(), m_messages),
-      m_input(m_panels.input()), m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()),
-      m_flat(&m_panels.scene().flat()), m_caseLine(&m_panels.scene().caseLine()),
-      m_contents(&m_panels.contents()) {
+      m_files(m_model, m_panels.input(), m_messages),
+      m_autosave(m_model, m_files, m_panels.input(), m_progress, m_messages),
+      m_leftovers(m_model, m_files, m_autosave, m_panels.input(), m_panels.scene().view(), m_messages),
+      m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()), m_flat(&m_panels.scene().flat()),
+      m_caseLine(&m_panels.scene().caseLine()), m_contents(&m_panels.contents()) {
   setObjectName("main");
   setAcceptDrops(true);
   connect(m_contents, &ContentsDrawer::lessonChosen, this,
@@ -64,24 +59,10 @@ MainWindow::MainWindow(LessonLibrary library)
   createHeader();
   createSceneTools();
 
-  for (QTimer *timer : {&m_keepTimer, &m_openedTimer})
-    timer->setSingleShot(true);
-  m_keepTimer.setInterval(keepDelay);
-  m_openedTimer.setInterval(openedDelay);
-  connect(&m_keepTimer, &QTimer::timeout, this, [this] {
-    if (m_model.inGesture())
-      keepUnsavedSoon();
-    else
-      keepOrForget();
-  });
-  connect(&m_openedTimer, &QTimer::timeout, this, [this] { m_recovery.opened(); });
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
-  connect(&m_step.question(), &StepQuestion::changed, this, &MainWindow::keepUnsavedSoon);
+  connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::keepUnsavedSoon);
-  connect(&m_model.history(), &QUndoStack::indexChanged, this, &MainWindow::keepUnsavedSoon);
-  connect(&m_model, &SessionModel::outcomeChanged, this, &MainWindow::keepUnsavedSoon); // under the hand, too
-  connect(&m_input, &UnfinishedInput::typing, this, &MainWindow::prepareUnsaved);
+  connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
   connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
   restoreSettings();
   showLesson();
@@ -167,9 +148,7 @@ void MainWindow::showContents() {
 }
 
 void MainWindow::updateTitle() {
-  const QString name =
-      m_file ? QFileInfo(m_file->path).fileName() : QString::fromStdString(m_model.lesson().title);
-  setWindowTitle(name + "[*] — Halfspace");
+  setWindowTitle(m_files.name() + "[*] — Halfspace");
   setWindowModified(!m_model.history().isClean());
 }
 
@@ -258,6 +237,34 @@ void MainWindow::createSceneTools() {
   m_frame->addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
 }
 
+void MainWindow::closeEvent(QCloseEvent *event) {
+  event->ignore();
+  // What has no file comes back with the next start, without a question.
+  if (!m_files.mayClose() || !m_autosave.keepForNextStart())
+    return;
+  leave();
+  event->accept();
+  emit closed();
+}
+
+void MainWindow::leave() {
+  m_meshes.leave();
+  m_autosave.recovery().leave();
+  storeSettings();
+}
+
+void MainWindow::endWithoutQuestions() {
+  static_cast<void>(m_panels.input().finish()); // what cannot be entered is no number
+  if (const auto problem = m_autosave.keepNow())
+    printError(problem->text());
+  leave();
+}
+
+void MainWindow::endWhileBusy() {
+  if (const auto problem = m_autosave.keepWhileBusy())
+    printError(problem->text());
+}
+
 void MainWindow::resizeEvent(QResizeEvent *event) {
   QMainWindow::resizeEvent(event);
   m_layout.takeSize();
@@ -278,8 +285,8 @@ void MainWindow::dropEvent(QDropEvent *event) {
   if (!file.endsWith(".halfspace") && !file.endsWith(".md"))
     return m_meshes.open(file);
   QTimer::singleShot(0, this, [this, file] { // the other program does not wait for questions
-    if (mayLeaveSession())
-      openFile(file);
+    if (m_files.mayLeave())
+      m_files.open(file);
   });
 }
 

@@ -10,10 +10,12 @@
 #include "app/termination.h"
 #include "app/user_language.h"
 #include "lessons/words.h"
+#include "widgets/view/scene_view.h"
 
 #include <QIcon>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QTimer>
 
 #include <csignal>
 #include <cstdlib>
@@ -80,7 +82,7 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   std::optional<KnownFile> file; // of a name that cannot be told: Save asks
   if (const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt)
     file = {*path, *opened.text, opened.session.lesson};
-  window.startWith(opened.session, std::move(file));
+  window.files().startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.
   QTimer::singleShot(0, &window, [&] {
@@ -88,9 +90,9 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
     if (problem)
       window.complain(QString::fromStdString(problem->text()));
     if (!command.subject)
-      window.restoreUnsaved();
+      window.leftovers().restoreNewest();
     else
-      window.offerUnsaved();
+      window.leftovers().offer();
     if (command.mesh)
       window.meshes().open(QString::fromStdString(*command.mesh));
   });

@@ -2,6 +2,7 @@
 #include "app/help_dialog.h"
 #include "app/main_window.h"
 #include "app/step/flight_keys.h"
+#include "app/work/picture_export.h"
 #include "widgets/view/flat_view.h"
 
 #include <QActionGroup>
@@ -34,18 +35,19 @@ void MainWindow::createMenus() {
 
 void MainWindow::createFileMenu() {
   QMenu &menu = *menuBar()->addMenu(tr("&File"));
-  addItem(menu, tr("&Open…"), QKeySequence::Open, this, [this] { open(); });
-  addItem(menu, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), this, [this] { m_meshes.askAndOpen(); });
-  addItem(menu, tr("&Save"), QKeySequence::Save, this, [this] { save(); })->setObjectName("save");
-  addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, this, [this] { saveAs(); });
+  auto *pictures = new PictureExport(m_model, *m_scene, m_look, m_panels.typesetter(), m_messages, this);
+  addItem(menu, tr("&Open…"), QKeySequence::Open, &m_files, &SessionFiles::askAndOpen);
+  addItem(menu, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), &m_meshes, &SceneMeshes::askAndOpen);
+  addItem(menu, tr("&Save"), QKeySequence::Save, &m_files, &SessionFiles::save)->setObjectName("save");
+  addItem(menu, tr("Save &As…"), QKeySequence::SaveAs, &m_files, &SessionFiles::saveAs);
   QMenu &unsaved = *menu.addMenu(tr("&Unsaved Work"));
   unsaved.setObjectName("unsavedWork");
-  connect(&unsaved, &QMenu::aboutToShow, this, [this, &unsaved] { fillUnsavedMenu(unsaved); });
+  connect(&unsaved, &QMenu::aboutToShow, &m_leftovers, [this, &unsaved] { m_leftovers.fillMenu(unsaved); });
   menu.addSeparator();
-  addItem(menu, tr("Save &Picture…"), QKeySequence("Ctrl+E"), this, [this] { exportPicture(); });
-  addItem(menu, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), this, [this] { copyPicture(); });
+  addItem(menu, tr("Save &Picture…"), QKeySequence("Ctrl+E"), pictures, &PictureExport::askAndSave);
+  addItem(menu, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), pictures, &PictureExport::copy);
   menu.addSeparator();
-  addItem(menu, tr("&Quit"), QKeySequence::Quit, this, [this] { close(); });
+  addItem(menu, tr("&Quit"), QKeySequence::Quit, this, &MainWindow::close);
 }
 
 void MainWindow::connectInstead(QAction &action, void (SessionModel::*step)()) {

@@ -1,7 +1,6 @@
 #include "app/panels/scene_column.h"
 
 #include "widgets/numbers/number_card.h"
-#include "widgets/typeset/label_painter.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"

@@ -110,7 +110,7 @@ private slots:
     writeTo(file, lessonText("mine"));
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.window.openFile(file);
+    fixture.window.files().open(file);
     QCOMPARE(fixture.model().lesson().id, std::string("mine"));
     QCOMPARE(fixture.window.windowTitle(), QString("A lesson of my own, with a long title[*] — Halfspace"));
     fixture.scene().selectHandle("Q");
@@ -129,7 +129,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const BoxCloser box;
-    fixture.window.openFile(file);
+    fixture.window.files().open(file);
     QVERIFY2(box.text.contains("broken.md:2: title:"), qPrintable(box.text));
     QCOMPARE(fixture.model().lesson().id, std::string("signed-distance"));
   }
@@ -139,8 +139,8 @@ private slots:
     const QString other = folder.filePath("other.halfspace");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QVERIFY(fixture.window.saveTo(other));
-    QVERIFY(fixture.window.saveTo(folder.filePath("mine.halfspace")));
+    QVERIFY(fixture.window.files().saveTo(other));
+    QVERIFY(fixture.window.files().saveTo(folder.filePath("mine.halfspace")));
     NumberField &field = *fixture.field("Q", 0);
     field.setFocus();
     field.selectAll();

@@ -132,9 +132,9 @@ private slots:
     const QString file = folder.filePath("mine.halfspace");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
     beginTyping(*fixture.field("Q", 0), "3/7");
-    QVERIFY(fixture.window.save());
+    QVERIFY(fixture.window.files().save());
     QVERIFY(pointOf(readSessionFile(file.toStdString())->session, "Q").x == Rational(3, 7));
   }
 
@@ -142,10 +142,10 @@ private slots:
     const QTemporaryDir folder;
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QVERIFY(fixture.window.saveTo(folder.filePath("mine.halfspace")));
+    QVERIFY(fixture.window.files().saveTo(folder.filePath("mine.halfspace")));
     beginTyping(*fixture.field("Q", 0), "three");
     const BoxAnswerer box("OK");
-    QVERIFY(!fixture.window.save());
+    QVERIFY(!fixture.window.files().save());
     QVERIFY2(box.text.contains("“three” is not a number"), qPrintable(box.text));
   }
 
@@ -191,25 +191,25 @@ private slots:
     const QString file = folder.filePath("ours.halfspace");
     WindowFixture first("signed-distance");
     QVERIFY(first.ready);
-    QVERIFY(first.window.saveTo(file));
+    QVERIFY(first.window.files().saveTo(file));
     WindowFixture second("signed-distance");
     QVERIFY(second.ready);
-    second.window.openFile(file);
+    second.window.files().open(file);
     moveUp(first, "Q");
-    QVERIFY(first.window.save());
+    QVERIFY(first.window.files().save());
     moveUp(second, "E.P0");
     const std::string firstsText = readSessionFile(file.toStdString())->text;
     {
       const BoxAnswerer box("Cancel");
-      QVERIFY(!second.window.save());
+      QVERIFY(!second.window.files().save());
       QVERIFY2(box.text.contains("ours.halfspace"), qPrintable(box.text));
       QCOMPARE(readSessionFile(file.toStdString())->text, firstsText);
       QVERIFY(second.window.isWindowModified());
     }
     const BoxAnswerer box("Replace");
-    QVERIFY(second.window.save());
+    QVERIFY(second.window.files().save());
     QVERIFY(readSessionFile(file.toStdString())->session == second.model().session());
-    QVERIFY(second.window.save()); // from now on it is known again: no further question
+    QVERIFY(second.window.files().save()); // from now on it is known again: no further question
   }
 
   void endingWithoutQuestions_keepsWhatIsUnsaved_withItsFile() {
@@ -219,7 +219,7 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      QVERIFY(fixture.window.saveTo(file));
+      QVERIFY(fixture.window.files().saveTo(file));
       moveUp(fixture, "Q");
       session = fixture.model().session();
       fixture.window.endWithoutQuestions();
@@ -319,7 +319,7 @@ private slots:
     const QString file = folder.filePath("mine.halfspace");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
     moveUp(fixture, "Q");
     beginTyping(*fixture.field("Q", 0), "three");
     const BoxAnswerer without("Yes");
@@ -347,7 +347,7 @@ private slots:
     Session many{"many", 0, {}};
     for (int i = 0; i < 500; ++i)
       many.scene.entries.push_back({"Q" + std::to_string(i), PointObject{ExactVec3(i % 20, i / 20, 0)}});
-    fixture.window.startWith(many);
+    fixture.window.files().startWith(many);
     const auto rows = [&] {
       return fixture.window.findChild<Inspector *>()->findChildren<NumberField *>().size() / 3;
     };
@@ -363,7 +363,7 @@ private slots:
       moveUp(fixture, "Q");
       left = fixture.model().session();
       fixture.model().openLesson("plane-implicit");
-      QVERIFY(fixture.window.saveTo(folder.filePath("plane.halfspace")));
+      QVERIFY(fixture.window.files().saveTo(folder.filePath("plane.halfspace")));
       const BoxAnswerer box("Cancel");
       QVERIFY(fixture.window.close());
       QVERIFY(box.text.isEmpty());
@@ -389,13 +389,13 @@ private slots:
     QVERIFY(fixture.ready);
     {
       const BoxAnswerer box("Cancel");
-      fixture.window.restoreUnsaved();
+      fixture.window.leftovers().restoreNewest();
       QTRY_VERIFY(box.text.contains("ended while it was opening"));
       QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
       QCOMPARE(leftovers().size(), 1U);
     }
     const BoxAnswerer box("Open");
-    fixture.window.restoreUnsaved();
+    fixture.window.leftovers().restoreNewest();
     QTRY_VERIFY(fixture.model().session() == work.session);
   }
 
@@ -409,7 +409,7 @@ private slots:
     {
       WindowFixture next("plane-implicit");
       QVERIFY(next.ready);
-      next.window.restoreUnsaved();
+      next.window.leftovers().restoreNewest();
       const QDir unsaved(Recovery::standardFolder());
       QCOMPARE(unsaved.entryList({"*.opening"}).size(), 1);
       QTRY_VERIFY(unsaved.entryList({"*.opening"}).isEmpty());

@@ -3,6 +3,8 @@
 
 #include "app/main_window.h"
 #include "app/progress_file.h"
+#include "app/recovery.h"
+#include "app/settings.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/numbers/number_field.h"

@@ -1,4 +1,5 @@
 // The window as a user has it: typing, undoing, hovering, steps, questions, files, pictures.
+#include "app/work/picture_export.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/scene/file/session_file.h"
 #include "lessons/scene/near_special_cases.h"
@@ -228,7 +229,7 @@ private slots:
     const QString file = folder.filePath("mine.halfspace");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
     fixture.model().openLesson("plane-implicit");
     QTimer::singleShot(300, [] {
       if (QWidget *dialog = QApplication::activeModalWidget())
@@ -269,7 +270,7 @@ private slots:
     work.file = {file, "", work.session.lesson};
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work)); // ends without forgetting it
     WindowFixture fixture("plane-implicit");
-    fixture.window.restoreUnsaved();
+    fixture.window.leftovers().restoreNewest();
     QVERIFY(fixture.model().session() == work.session);
     QVERIFY(fixture.window.windowTitle().startsWith("mine.halfspace"));
     QVERIFY(fixture.window.isWindowModified());
@@ -285,7 +286,7 @@ private slots:
     UnsavedWork work;
     {
       WindowFixture fixture("signed-distance");
-      QVERIFY(fixture.window.saveTo(file));
+      QVERIFY(fixture.window.files().saveTo(file));
       work.session = fixture.model().session();
     }
     const std::string textInFile = writeSession(work.session);
@@ -293,17 +294,17 @@ private slots:
     work.file = {file, textInFile, work.session.lesson};
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work));
     WindowFixture fixture("plane-implicit");
-    fixture.window.openFile(file);
+    fixture.window.files().open(file);
     QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 8));
     QTimer::singleShot(100, [] {
       for (QWidget *widget : QApplication::topLevelWidgets())
         if (auto *box = qobject_cast<QMessageBox *>(widget))
           box->button(QMessageBox::Yes)->click();
     });
-    fixture.window.offerUnsaved();
+    fixture.window.leftovers().offer();
     QVERIFY(fixture.value("Q") == ExactVec3(1, 2, 3));
     QVERIFY(fixture.window.isWindowModified());
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
   }
 
   void zeroNormal_typed_isExplained_andEndsWithTheNextNumber() {
@@ -599,10 +600,10 @@ private slots:
     fixture.scene().selectHandle("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp, Qt::ShiftModifier);
     const Session mine = fixture.model().session();
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
     QVERIFY(!fixture.window.isWindowModified());
     fixture.model().openLesson("plane-implicit");
-    fixture.window.openFile(file);
+    fixture.window.files().open(file);
     QVERIFY(fixture.model().session() == mine);
   }
 
@@ -615,13 +616,13 @@ private slots:
     fixture.scene().setOrthographic(true);
     const Camera mine = fixture.scene().camera();
     QVERIFY2(!fixture.window.isWindowModified(), "who looks from elsewhere has changed nothing");
-    QVERIFY(fixture.window.saveTo(file));
+    QVERIFY(fixture.window.files().saveTo(file));
     fixture.model().openLesson("plane-implicit");
     QVERIFY(!fixture.scene().camera().orthographic);
     WindowFixture next("ray-plane-dot");
     QVERIFY(next.ready);
     for (WindowFixture *opened : {&fixture, &next}) {
-      opened->window.openFile(file);
+      opened->window.files().open(file);
       const Camera camera = opened->scene().camera();
       QVERIFY(camera.orthographic);
       QVERIFY(glm::distance(camera.target, mine.target) < 1e-4);
@@ -641,7 +642,7 @@ private slots:
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
     const MessageBoxReader reader;
-    fixture.window.openFile(file);
+    fixture.window.files().open(file);
     QVERIFY(reader.text.contains("damaged.halfspace"));
     QVERIFY(fixture.model().session() == before);
   }
@@ -650,7 +651,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const MessageBoxReader reader;
-    QVERIFY(!fixture.window.saveTo("/nowhere/at/all.halfspace"));
+    QVERIFY(!fixture.window.files().saveTo("/nowhere/at/all.halfspace"));
     QVERIFY(reader.text.contains("is not saved"));
   }
 
@@ -664,10 +665,10 @@ private slots:
       return 2 * QSize(size.width, size.height);
     };
     const QSize expected = twice();
-    QVERIFY(fixture.window.savePicture(file));
+    QVERIFY(fixture.window.findChild<PictureExport *>()->saveTo(file));
     QCOMPARE(QImage(file).size(), expected);
     const QSize expectedCopy = twice(); // the words that tell of the file may have taken room
-    fixture.window.copyPicture();
+    fixture.window.findChild<PictureExport *>()->copy();
     QCOMPARE(QApplication::clipboard()->image().size(), expectedCopy);
     // The live view still draws after the other context was current.
     QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "app/open_session.h"
 #include "tests/bench/first_frame.h"
+#include "widgets/view/scene_view.h"
 
 #include <QApplication>
 #include <QStandardPaths>
@@ -27,7 +28,7 @@ int main(int argc, char **argv) {
   QSurfaceFormat::setDefaultFormat(format);
   const QApplication application(argc, argv);
   MainWindow window(std::move(library));
-  window.startWith(session);
+  window.files().startWith(session);
   bench::reportFirstFrame(window.sceneView(), argv[1]);
   window.show();
   return QApplication::exec();

@@ -1,0 +1,16 @@
+#include "app/work/save_dialog.h"
+
+#include <QFileDialog>
+
+namespace halfspace {
+
+QString askWhereToSave(QWidget &window, const QString &title, const QString &filter, const QString &name,
+                       const QString &suffix) {
+  QFileDialog dialog(&window, title, {}, filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(name + "." + suffix);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+} // namespace halfspace

@@ -1,0 +1,169 @@
+#include "app/work/session_files.h"
+
+#include "app/open_session.h"
+#include "app/panels/unfinished_input.h"
+#include "app/work/save_dialog.h"
+#include "lessons/files/read_file.h"
+#include "lessons/files/write_file.h"
+#include "lessons/scene/file/large_meshes.h"
+#include "lessons/scene/file/session_file.h"
+#include "lessons/scene/file/shape_text.h"
+#include "widgets/text/figures.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
+
+#include <utility>
+
+namespace halfspace {
+namespace {
+
+/// What is told of a scene that is saved.
+QString savedWords(const Scene &scene) {
+  QStringList left;
+  for (const std::string &name : largeMeshes(scene))
+    left << QString::fromStdString(name);
+  if (left.isEmpty())
+    return SessionFiles::tr("Saved.");
+  return SessionFiles::tr(
+             "Saved, but without %1: a mesh of more than %2 triangles is not kept in a session. Open "
+             "its own file again to go on with it.")
+      .arg(left.join(", "), counted(mostWrittenTriangles));
+}
+
+/// Whether nothing is lost by writing a text to a file: it is gone, as it was when it was last read or
+/// written here, or holds that text already.
+bool mayReplace(const KnownFile &file, const std::string &text) {
+  std::error_code error;
+  if (!std::filesystem::exists(file.path.toStdString(), error) && !error)
+    return true;
+  const auto found = readFile(file.path.toStdString(), maxSessionBytes);
+  return found && (*found == file.text || *found == text);
+}
+
+} // namespace
+
+SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages)
+    : m_model(model), m_input(input), m_messages(messages) {}
+
+void SessionFiles::startWith(const Session &session, std::optional<KnownFile> file) {
+  m_file = std::move(file);
+  m_model.startWith(session);
+  emit changed();
+}
+
+void SessionFiles::open(const QString &file) {
+  LessonLibrary library = m_model.library();
+  auto opened = openSession(library, file.toStdString());
+  if (!opened)
+    return m_messages.complain(QString::fromStdString(opened.problem().text()));
+  std::optional<KnownFile> known;
+  if (opened->text)
+    known = KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson};
+  else
+    m_model.setLibrary(std::move(library)); // with the lesson
+  startWith(opened->session, std::move(known));
+}
+
+void SessionFiles::askAndOpen() {
+  if (!mayLeave())
+    return;
+  const QString file = QFileDialog::getOpenFileName(&m_messages.window(), tr("Open"), {},
+                                                    tr("Sessions and lessons (*.halfspace *.md)"));
+  if (!file.isEmpty())
+    open(file);
+}
+
+bool SessionFiles::finishInput() {
+  const QString refused = m_input.finish();
+  if (!refused.isEmpty())
+    m_messages.complain(tr("The session is not saved.") + "\n" + refused);
+  return refused.isEmpty();
+}
+
+bool SessionFiles::save() {
+  if (!finishInput())
+    return false;
+  if (!belongsToFile())
+    return saveAs();
+  return mayReplace(*m_file, writeSession(m_model.session())) ? saveTo(QString(m_file->path))
+                                                              : askToReplace(*m_file);
+}
+
+bool SessionFiles::saveAs() {
+  if (!finishInput())
+    return false;
+  const QString file =
+      askWhereToSave(m_messages.window(), tr("Save session"), tr("Halfspace sessions (*.halfspace)"),
+                     QString::fromStdString(m_model.session().lesson), "halfspace");
+  return !file.isEmpty() && saveTo(file);
+}
+
+bool SessionFiles::saveTo(const QString &file) {
+  const std::string text = writeSession(m_model.session());
+  if (const auto problem = writeFile(file.toStdString(), text)) {
+    m_messages.complain(tr("The session is not saved.") + "\n" + QString::fromStdString(problem->text()));
+    return false;
+  }
+  m_file = {QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson};
+  m_model.history().setClean();
+  emit changed();
+  m_messages.say(savedWords(m_model.session().scene));
+  return true;
+}
+
+QString SessionFiles::name() const {
+  return m_file ? QFileInfo(m_file->path).fileName() : QString::fromStdString(m_model.lesson().title);
+}
+
+bool SessionFiles::belongsToFile() const { return m_file && m_model.session().lesson == m_file->lesson; }
+
+bool SessionFiles::hasChanges() const {
+  // After another lesson was opened the history is not clean, though nothing need have changed.
+  return !m_model.history().isClean() && (belongsToFile() || m_model.isChanged());
+}
+
+bool SessionFiles::mayLeave() { return m_input.finishOrAsk() && (!hasChanges() || askToKeepChanges()); }
+
+bool SessionFiles::mayClose() {
+  if (!m_input.finishOrAsk())
+    return false;
+  if (!hasChanges() || !belongsToFile())
+    return true;
+  if (!askToKeepChanges())
+    return false;
+  if (hasChanges())
+    dropChanges();
+  return true;
+}
+
+bool SessionFiles::askToKeepChanges() {
+  const auto answer =
+      m_messages.ask(QMessageBox::Question, tr("Save your changes to “%1” first?").arg(name()),
+                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+bool SessionFiles::askToReplace(const KnownFile &file) {
+  QMessageBox box(
+      QMessageBox::Warning, tr("Halfspace"),
+      tr("Another window or program has changed %1 since you opened it. Replace it with what you see here?")
+          .arg(QFileInfo(file.path).fileName()),
+      QMessageBox::Cancel, &m_messages.window());
+  box.setTextFormat(Qt::PlainText);
+  const QPushButton *replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+  QPushButton *elsewhere = box.addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+  box.setDefaultButton(elsewhere);
+  box.exec();
+  if (box.clickedButton() == replace)
+    return saveTo(QString(file.path)); // saving changes what is known of the file
+  return box.clickedButton() == elsewhere && saveAs();
+}
+
+void SessionFiles::dropChanges() {
+  if (const auto saved = readSession(m_file->text, m_file->path.toStdString()))
+    startWith(*saved, KnownFile(*m_file));
+}
+
+} // namespace halfspace

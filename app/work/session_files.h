@@ -1,0 +1,72 @@
+// The file of the session: opened, saved, and what is asked before it is left.
+#pragma once
+
+#include "app/known_file.h"
+#include "app/panels/messages.h"
+#include "widgets/session_model.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace halfspace {
+
+class UnfinishedInput;
+
+/// Knows the file that Save writes, and whether the session on the screen has changes that it does not hold.
+class SessionFiles : public QObject {
+  Q_OBJECT
+public:
+  /// Model and input must outlive it.
+  SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages);
+
+  /// Starts with a session; `file` is where Save writes it (nothing: Save asks).
+  void startWith(const Session &session, std::optional<KnownFile> file = {});
+  /// Opens a .halfspace file, or the .md file of a lesson; on failure says why and leaves the session as it
+  /// is.
+  void open(const QString &file);
+  /// Asks for a file to be opened, once the session may be left.
+  void askAndOpen();
+
+  /// Writes the session to its file, or asks for one. Asks as well where the file is not any more as this
+  /// window knows it. False where it is not saved.
+  bool save();
+  /// Asks for a file and writes the session to it.
+  bool saveAs();
+  /// Writes the session; on failure says why and returns false.
+  bool saveTo(const QString &file);
+
+  /// Where Save writes; nothing: it asks.
+  [[nodiscard]] const std::optional<KnownFile> &file() const { return m_file; }
+  /// What the session is called: its file, or its lesson where it has none.
+  [[nodiscard]] QString name() const;
+  /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
+  [[nodiscard]] bool belongsToFile() const;
+  /// Whether something in the session on the screen would be lost.
+  [[nodiscard]] bool hasChanges() const;
+
+  /// Whether another session may take the place of this one: what is typed is entered, changes are asked
+  /// about.
+  [[nodiscard]] bool mayLeave();
+  /// The same before the window closes. Only changes to a file are asked about, and where they are to be
+  /// dropped the session is as in its file again: what has no file is kept elsewhere.
+  [[nodiscard]] bool mayClose();
+
+signals:
+  void changed(); ///< the session has another file, or its file holds something else
+
+private:
+  /// Enters what is typed, to save it; false, with a complaint, where it cannot be entered.
+  bool finishInput();
+  [[nodiscard]] bool askToKeepChanges();
+  bool askToReplace(const KnownFile &file);
+  /// Back to what the session's file holds.
+  void dropChanges();
+
+  SessionModel &m_model;
+  UnfinishedInput &m_input;
+  Messages m_messages;
+  std::optional<KnownFile> m_file;
+};
+
+} // namespace halfspace
