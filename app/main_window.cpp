@@ -1,13 +1,11 @@
 #include "app/main_window.h"
 
-#include "app/check.h"
-#include "app/lessons_folder.h"
+#include "app/library/lesson_reloader.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
 #include "app/panels/window_header.h"
 #include "app/standard_streams.h"
 #include "app/window_style.h"
-#include "widgets/lesson/contents_drawer.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
@@ -49,102 +47,30 @@ MainWindow::MainWindow(LessonLibrary library)
       m_files(m_model, m_panels.input(), m_messages),
       m_autosave(m_model, m_files, m_panels.input(), m_progress, m_messages),
       m_leftovers(m_model, m_files, m_autosave, m_panels.input(), m_panels.scene().view(), m_messages),
-      m_scene(&m_panels.scene().view()), m_frame(&m_panels.scene().frame()), m_flat(&m_panels.scene().flat()),
-      m_caseLine(&m_panels.scene().caseLine()), m_contents(&m_panels.contents()) {
+      m_ownLessons(m_model, m_progress, m_messages, this),
+      m_contents(m_model, m_panels.contents(), m_progress, this), m_scene(&m_panels.scene().view()),
+      m_frame(&m_panels.scene().frame()), m_flat(&m_panels.scene().flat()),
+      m_caseLine(&m_panels.scene().caseLine()) {
   setObjectName("main");
   setAcceptDrops(true);
-  connect(m_contents, &ContentsDrawer::lessonChosen, this,
-          [this](const QString &id) { m_model.openLesson(id.toStdString()); });
+  new LessonReloader(m_model, m_messages, this); // goes on by itself
   createMenus();
   createHeader();
   createSceneTools();
 
-  connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::showLesson);
+  connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::updateTitle);
   connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
   connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
   connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
-  connect(&m_watch, &LessonWatch::changed, this, &MainWindow::reloadLesson);
   restoreSettings();
-  showLesson();
   m_step.showAll();
+  updateTitle();
 }
 
 MainWindow::~MainWindow() {
   // Nobody hears of the end of the history.
   m_model.disconnect();
   m_model.history().disconnect();
-}
-
-void MainWindow::chooseOwnLessons() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of your own lessons"),
-                                                           m_ownLessons.value(m_ownLessons.size() - 1));
-  if (!folder.isEmpty())
-    addOwnLessonsOf(folder);
-}
-
-void MainWindow::addOwnLessonsOf(const QString &folder) {
-  if (m_ownLessons.contains(folder))
-    return m_messages.say(tr("The lessons of %1 are there already.").arg(folder));
-  LessonLibrary library = m_model.library();
-  library.problems.clear();
-  addOwnLessons(library, folder.toStdString());
-  const QString problem =
-      library.problems.empty() ? QString() : QString::fromStdString(library.problems.front().text());
-  m_ownLessons << folder;
-  m_progress.nameSteps(library.lessons);
-  m_model.setLibrary(std::move(library));
-  m_messages.say(problem.isEmpty() ? tr("The lessons of %1 stand at the end of the contents.").arg(folder)
-                                   : problem);
-}
-
-void MainWindow::removeOwnLessonsOf(const QString &folder) {
-  LessonLibrary library = m_model.library();
-  std::erase_if(library.lessons, [&](const Lesson &lesson) {
-    return areOneFolder(std::filesystem::path(lesson.file).parent_path(), folder.toStdString());
-  });
-  m_ownLessons.removeAll(folder);
-  m_model.setLibrary(std::move(library));
-  m_messages.say(tr("The lessons of %1 are not in the contents any more. Their files stay.").arg(folder));
-}
-
-void MainWindow::fillOwnLessonsMenu(QMenu &menu) {
-  menu.clear();
-  menu.addAction(tr("&Add a Folder…"), this, &MainWindow::chooseOwnLessons);
-  if (m_ownLessons.isEmpty())
-    return;
-  menu.addSeparator();
-  for (const QString &folder : m_ownLessons)
-    menu.addAction(tr("Remove %1").arg(QString(folder).replace("&", "&&")), this,
-                   [this, folder] { removeOwnLessonsOf(folder); });
-}
-
-void MainWindow::reloadLesson() {
-  auto lesson = readLesson(m_model.lesson().file);
-  if (!lesson)
-    return m_messages.say(QString::fromStdString(lesson.problem().text()));
-  if (lesson->id != m_model.lesson().id)
-    return m_messages.say(tr("The lesson has another id now: it is read at the next start."));
-  lesson->chapter = m_model.lesson().chapter;
-  const std::vector<Problem> problems = problemsIn(*lesson);
-  m_model.renewLesson(std::move(*lesson));
-  m_messages.say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
-                                  : QString::fromStdString(problems.front().text()));
-}
-
-void MainWindow::showLesson() {
-  m_watch.watch(m_model.lesson().file);
-  m_contents->close();
-  updateTitle();
-}
-
-void MainWindow::showContents() {
-  std::vector<ContentsDrawer::Entry> entries;
-  for (const Lesson &lesson : m_model.library().lessons)
-    entries.push_back({QString::fromStdString(lesson.id), QString::fromStdString(lesson.title),
-                       m_progress.stateOf(lesson), QString::fromStdString(lesson.chapter),
-                       m_progress.idsStillNeeded(lesson)});
-  m_contents->setLessons(entries, QString::fromStdString(m_model.session().lesson));
-  m_contents->open();
 }
 
 void MainWindow::updateTitle() {
@@ -185,7 +111,7 @@ void MainWindow::restoreSettings() {
   m_look.take(settings);
   m_model.setSnapStep(settings.snapStep);
   m_model.setSnapping(settings.snapping);
-  m_ownLessons = settings.ownLessons;
+  m_ownLessons.setFolders(settings.ownLessons);
   m_flat->unfolded().setChecked(settings.flatPicture);
   m_layout.takePanels(settings);
 }
@@ -205,7 +131,7 @@ void MainWindow::storeSettings() {
   settings.motion = m_look.motion().isChecked();
   settings.snapStep = m_model.snapStep();
   settings.snapping = m_model.isSnapping();
-  settings.ownLessons = m_ownLessons;
+  settings.ownLessons = m_ownLessons.folders();
   settings.flatPicture = m_flat->unfolded().isChecked();
   m_layout.put(settings);
   const auto stored = readSettings(settingsFile());
@@ -218,8 +144,8 @@ void MainWindow::storeSettings() {
 }
 
 void MainWindow::createHeader() {
-  auto *header = new WindowHeader(*menuBar(), m_model, *m_contents);
-  connect(header, &WindowHeader::contentsWanted, this, &MainWindow::showContents);
+  auto *header = new WindowHeader(*menuBar(), m_model, m_panels.contents());
+  connect(header, &WindowHeader::contentsWanted, &m_contents, &ContentsPresenter::show);
   connect(&m_layout, &WindowLayout::sizeTaken, header, &WindowHeader::showTitle);
   connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
   connect(&m_look, &WindowLook::changed, header, [this, header] { header->setTheme(m_look.panelTheme()); });

@@ -1,7 +1,8 @@
 // The window: the scene, the page beside it, and what opens on demand, put together.
 #pragma once
 
-#include "app/lesson_watch.h"
+#include "app/library/contents_presenter.h"
+#include "app/library/own_lesson_folders.h"
 #include "app/panels/window_layout.h"
 #include "app/panels/window_look.h"
 #include "app/panels/window_panels.h"
@@ -24,7 +25,6 @@ class QMenu;
 namespace halfspace {
 
 class CaseLine;
-class ContentsDrawer;
 class FlatView;
 class SceneFrame;
 
@@ -45,10 +45,6 @@ public:
   /// what is typed and not entered.
   void endWhileBusy();
   void complain(const QString &sentence);
-  /// Adds the lessons of a folder, from now on at every start.
-  void addOwnLessonsOf(const QString &folder);
-  /// Takes them away again; a lesson that is open stays.
-  void removeOwnLessonsOf(const QString &folder);
 
   [[nodiscard]] SessionModel &model() { return m_model; }
   [[nodiscard]] SceneView &sceneView() { return *m_scene; }
@@ -86,14 +82,8 @@ private:
   void createFlightMenu(QMenu &menu);
   void createLessonMenu();
   void createHelpMenu();
-  void showLesson();
-  void chooseOwnLessons();
-  void fillOwnLessonsMenu(QMenu &menu);
-  /// Reads the file of the open lesson once more.
-  void reloadLesson();
   void updateTitle();
   void showLook();
-  void showContents();
   /// Nothing is done any more.
   void leave();
   void restoreSettings();
@@ -113,13 +103,12 @@ private:
   SessionFiles m_files;
   Autosave m_autosave;
   LeftoverWork m_leftovers;
+  OwnLessonFolders m_ownLessons;
+  ContentsPresenter m_contents;
   SceneView *m_scene;
   SceneFrame *m_frame; ///< around m_scene
   FlatView *m_flat;    ///< in m_frame
-  LessonWatch m_watch;
-  QStringList m_ownLessons; ///< the folders of the settings
   CaseLine *m_caseLine;
-  ContentsDrawer *m_contents;
   QAction *m_home = nullptr;
   QAction *m_fit = nullptr;
   QAction *m_alongPlane = nullptr;

@@ -241,12 +241,12 @@ void MainWindow::createLessonMenu() {
           [this] { m_model.setStep(m_model.session().step - 1); });
   addItem(menu, tr("Next &Lesson"), QKeySequence("Ctrl+Shift+Right"), this,
           [this] { m_step.page().openNextLesson(); });
-  addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { showContents(); });
+  addItem(menu, tr("&Contents"), QKeySequence("Ctrl+L"), this, [this] { m_contents.show(); });
   createFlightMenu(menu);
   menu.addSeparator();
   QMenu &own = *menu.addMenu(tr("Your &Own Lessons"));
   own.setObjectName("ownLessons");
-  connect(&own, &QMenu::aboutToShow, this, [this, &own] { fillOwnLessonsMenu(own); });
+  connect(&own, &QMenu::aboutToShow, this, [this, &own] { m_ownLessons.fillMenu(own); });
 }
 
 /// There in steps with a flight alone. The keys are those of the window, as the page may be hidden.

@@ -2,6 +2,7 @@
 // settings and progress that cannot be read.
 #include "app/application.h"
 #include "app/known_file.h"
+#include "app/library/own_lesson_folders.h"
 #include "app/standard_streams.h"
 #include "tests/app/window_fixture.h"
 
@@ -170,8 +171,8 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      fixture.window.addOwnLessonsOf(first.path());
-      fixture.window.addOwnLessonsOf(second.path());
+      fixture.window.findChild<OwnLessonFolders *>()->add(first.path());
+      fixture.window.findChild<OwnLessonFolders *>()->add(second.path());
       QVERIFY(fixture.model().library().find("one") && fixture.model().library().find("two"));
       QVERIFY(fixture.window.close());
     }

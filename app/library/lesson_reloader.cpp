@@ -1,0 +1,32 @@
+#include "app/library/lesson_reloader.h"
+
+#include "app/check.h"
+#include "widgets/session_model.h"
+
+#include <utility>
+
+namespace halfspace {
+
+LessonReloader::LessonReloader(SessionModel &model, Messages messages, QObject *parent)
+    : QObject(parent), m_model(model), m_messages(messages) {
+  connect(&model, &SessionModel::lessonChanged, this, &LessonReloader::watch);
+  connect(&m_watch, &LessonWatch::changed, this, &LessonReloader::reload);
+  watch();
+}
+
+void LessonReloader::watch() { m_watch.watch(m_model.lesson().file); }
+
+void LessonReloader::reload() {
+  auto lesson = readLesson(m_model.lesson().file);
+  if (!lesson)
+    return m_messages.say(QString::fromStdString(lesson.problem().text()));
+  if (lesson->id != m_model.lesson().id)
+    return m_messages.say(tr("The lesson has another id now: it is read at the next start."));
+  lesson->chapter = m_model.lesson().chapter;
+  const std::vector<Problem> problems = problemsIn(*lesson);
+  m_model.renewLesson(std::move(*lesson));
+  m_messages.say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
+                                  : QString::fromStdString(problems.front().text()));
+}
+
+} // namespace halfspace
