@@ -1,34 +1,42 @@
 #include "app/main_window.h"
 
+#include "app/library/contents_presenter.h"
 #include "app/library/lesson_reloader.h"
+#include "app/library/own_lesson_folders.h"
+#include "app/menus/camera_actions.h"
+#include "app/menus/edit_menu.h"
+#include "app/menus/file_menu.h"
+#include "app/menus/help_menu.h"
+#include "app/menus/lesson_menu.h"
+#include "app/menus/view_menu.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/unfinished_input.h"
 #include "app/panels/window_header.h"
 #include "app/standard_streams.h"
+#include "app/window_settings.h"
 #include "app/window_style.h"
+#include "app/work/picture_export.h"
 #include "widgets/mark_ink.h"
 #include "widgets/view/case_line.h"
 #include "widgets/view/flat_view.h"
 #include "widgets/view/scene_frame.h"
+#include "widgets/view/scene_view.h"
 #include "widgets/working/working_practice.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QUrl>
 
-#include <algorithm>
 #include <utility>
 
 namespace halfspace {
 namespace {
 
+/// A frame around a window is about so high, in pixels.
 constexpr int usualFrameHeight = 40;
 
 /// The one local file that is dropped; empty for anything else.
@@ -40,29 +48,24 @@ QString fileIn(const QMimeData &data) {
 } // namespace
 
 MainWindow::MainWindow(LessonLibrary library)
-    : m_model(std::move(library)), m_progress(m_model, m_putAside), m_panels(*this, m_model),
-      m_messages(m_panels.messages()), m_look(*this), m_layout(*this, m_panels),
-      m_step(m_model, m_panels, m_progress),
-      m_meshes(m_model, m_panels.scene().view(), m_step.flight().player(), m_messages),
-      m_files(m_model, m_panels.input(), m_messages),
-      m_autosave(m_model, m_files, m_panels.input(), m_progress, m_messages),
-      m_leftovers(m_model, m_files, m_autosave, m_panels.input(), m_panels.scene().view(), m_messages),
-      m_ownLessons(m_model, m_progress, m_messages, this),
-      m_contents(m_model, m_panels.contents(), m_progress, this), m_scene(&m_panels.scene().view()),
-      m_frame(&m_panels.scene().frame()), m_flat(&m_panels.scene().flat()),
-      m_caseLine(&m_panels.scene().caseLine()) {
+    : m_model(std::move(library)), m_panels(*this, m_model), m_look(*this), m_layout(*this, m_panels),
+      m_progress(m_model, m_putAside), m_step(m_model, m_panels, m_progress),
+      m_meshes(m_model, sceneView(), m_step.flight().player(), m_panels.messages()),
+      m_files(m_model, m_panels.input(), m_panels.messages()),
+      m_autosave(m_model, m_files, m_panels.input(), m_progress, m_panels.messages()),
+      m_leftovers(m_model, m_files, m_autosave, m_panels.input(), sceneView(), m_panels.messages()) {
   setObjectName("main");
   setAcceptDrops(true);
-  new LessonReloader(m_model, m_messages, this); // goes on by itself
-  createMenus();
-  createHeader();
-  createSceneTools();
-
-  connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::updateTitle);
-  connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
-  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-  connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
-  restoreSettings();
+  // What goes on by itself belongs to the window.
+  new LessonReloader(m_model, m_panels.messages(), this);
+  auto *ownLessons = new OwnLessonFolders(m_model, m_progress, m_panels.messages(), this);
+  auto *contents = new ContentsPresenter(m_model, m_panels.contents(), m_progress, this);
+  createMenus(*ownLessons, *contents);
+  createHeader(*contents);
+  connectParts();
+  m_settings = std::make_unique<WindowSettings>(m_model, m_look, m_layout, *ownLessons,
+                                                m_panels.scene().flat().unfolded(), m_putAside);
+  m_settings->restore();
   m_step.showAll();
   updateTitle();
 }
@@ -73,9 +76,48 @@ MainWindow::~MainWindow() {
   m_model.history().disconnect();
 }
 
-void MainWindow::updateTitle() {
-  setWindowTitle(m_files.name() + "[*] — Halfspace");
-  setWindowModified(!m_model.history().isClean());
+SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
+
+void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents) {
+  auto *pictures =
+      new PictureExport(m_model, sceneView(), m_look, m_panels.typesetter(), m_panels.messages(), this);
+  auto *camera = new CameraActions(m_model, sceneView(), this);
+  QMenuBar *bar = menuBar();
+  auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, bar);
+  connect(file, &FileMenu::quitWanted, this, &MainWindow::close);
+  bar->addMenu(file);
+  bar->addMenu(new EditMenu(m_model, sceneView(), m_meshes, m_step.freshStart(), bar));
+  bar->addMenu(new ViewMenu(*camera, m_look, m_layout, m_panels, bar));
+  bar->addMenu(new LessonMenu(m_model, m_step.page(), m_step.flight(), contents, ownLessons, bar));
+  bar->addMenu(new HelpMenu(*this, bar));
+  createSceneTools(*camera);
+}
+
+void MainWindow::createSceneTools(CameraActions &camera) {
+  SceneFrame &frame = m_panels.scene().frame();
+  frame.addTool(camera.home(), ToolIcon::Home);
+  frame.addTool(camera.fit(), ToolIcon::Fit);
+  frame.addTool(camera.alongPlane(), ToolIcon::AlongPlane);
+  frame.addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
+}
+
+void MainWindow::createHeader(ContentsPresenter &contents) {
+  auto *header = new WindowHeader(*menuBar(), m_model, m_panels.contents());
+  connect(header, &WindowHeader::contentsWanted, &contents, &ContentsPresenter::show);
+  connect(&m_layout, &WindowLayout::sizeTaken, header, &WindowHeader::showTitle);
+  connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
+  connect(&m_look, &WindowLook::changed, header, [this, header] { header->setTheme(m_look.panelTheme()); });
+}
+
+void MainWindow::connectParts() {
+  connect(&m_look.motion(), &QAction::toggled, this, [this](bool on) {
+    sceneView().setMotion(on);
+    m_step.flight().player().setReducedMotion(!on);
+  });
+  connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
+  connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
+  connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::updateTitle);
+  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
 }
 
 void MainWindow::showLook() {
@@ -86,8 +128,13 @@ void MainWindow::showLook() {
   m_panels.practice().working().setInkOf(markInk(m_model, panels));
 }
 
+void MainWindow::updateTitle() {
+  setWindowTitle(m_files.name() + "[*] — Halfspace");
+  setWindowModified(!m_model.history().isClean());
+}
+
 void MainWindow::showFitting() {
-  m_scene->setFocus(); // its keys work at once
+  sceneView().setFocus(); // its keys work at once
   const QSize room = screen()->availableSize() - QSize(0, usualFrameHeight);
   if (width() > room.width() || height() > room.height())
     showMaximized();
@@ -95,72 +142,11 @@ void MainWindow::showFitting() {
     show();
 }
 
-void MainWindow::complain(const QString &sentence) { m_messages.complain(sentence); }
+void MainWindow::complain(const QString &sentence) { m_panels.messages().complain(sentence); }
 
 void MainWindow::tellPutAside() {
   if (const QString sentences = m_putAside.takeSentences(); !sentences.isEmpty())
     complain(sentences);
-}
-
-void MainWindow::restoreSettings() {
-  const auto stored = readSettings(settingsFile());
-  if (!stored)
-    m_putAside.add(stored.problem()); // where it cannot be, it is not written either
-  const Settings settings = stored ? *stored : Settings();
-  m_layout.takeGeometry(settings);
-  m_look.take(settings);
-  m_model.setSnapStep(settings.snapStep);
-  m_model.setSnapping(settings.snapping);
-  m_ownLessons.setFolders(settings.ownLessons);
-  m_flat->unfolded().setChecked(settings.flatPicture);
-  m_layout.takePanels(settings);
-}
-
-void MainWindow::storeLook() {
-  auto settings = readSettings(settingsFile());
-  if (!settings)
-    return; // it is put aside at the end, and written anew
-  m_look.putTheme(*settings);
-  if (const auto problem = writeSettings(*settings, settingsFile()))
-    printError(problem->text());
-}
-
-void MainWindow::storeSettings() {
-  Settings settings;
-  m_look.putTheme(settings);
-  settings.motion = m_look.motion().isChecked();
-  settings.snapStep = m_model.snapStep();
-  settings.snapping = m_model.isSnapping();
-  settings.ownLessons = m_ownLessons.folders();
-  settings.flatPicture = m_flat->unfolded().isChecked();
-  m_layout.put(settings);
-  const auto stored = readSettings(settingsFile());
-  auto problem = stored ? std::nullopt : m_putAside.add(stored.problem());
-  if (!problem)
-    problem = writeSettings(settings, settingsFile());
-  // The window is on its way out: there is nowhere else to say it.
-  if (problem)
-    printError(problem->text());
-}
-
-void MainWindow::createHeader() {
-  auto *header = new WindowHeader(*menuBar(), m_model, m_panels.contents());
-  connect(header, &WindowHeader::contentsWanted, &m_contents, &ContentsPresenter::show);
-  connect(&m_layout, &WindowLayout::sizeTaken, header, &WindowHeader::showTitle);
-  connect(&m_look, &WindowLook::changed, this, &MainWindow::showLook); // first: the type is the application's
-  connect(&m_look, &WindowLook::changed, header, [this, header] { header->setTheme(m_look.panelTheme()); });
-  connect(&m_look, &WindowLook::chosen, this, &MainWindow::storeLook);
-  connect(&m_look.motion(), &QAction::toggled, this, [this](bool on) {
-    m_scene->setMotion(on);
-    m_step.flight().player().setReducedMotion(!on);
-  });
-}
-
-void MainWindow::createSceneTools() {
-  m_frame->addTool(*m_home, ToolIcon::Home);
-  m_frame->addTool(*m_fit, ToolIcon::Fit);
-  m_frame->addTool(*m_alongPlane, ToolIcon::AlongPlane);
-  m_frame->addTool(*m_panels.numbersDock().toggleViewAction(), ToolIcon::Numbers);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {
@@ -176,7 +162,7 @@ void MainWindow::closeEvent(QCloseEvent *event) {
 void MainWindow::leave() {
   m_meshes.leave();
   m_autosave.recovery().leave();
-  storeSettings();
+  m_settings->store();
 }
 
 void MainWindow::endWithoutQuestions() {
@@ -194,7 +180,7 @@ void MainWindow::endWhileBusy() {
 void MainWindow::resizeEvent(QResizeEvent *event) {
   QMainWindow::resizeEvent(event);
   m_layout.takeSize();
-  m_caseLine->setWindowHeight(height());
+  m_panels.scene().caseLine().setWindowHeight(height());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

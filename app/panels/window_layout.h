@@ -39,7 +39,7 @@ public:
   void put(Settings &settings);
 
 signals:
-  void sizeTaken();
+  void sizeTaken(); ///< scene and page have their new sizes
 
 private:
   enum class Parts { Both, SceneOnly, PageOnly };

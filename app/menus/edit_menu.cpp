@@ -1,0 +1,101 @@
+#include "app/menus/edit_menu.h"
+
+#include "app/menus/add_item.h"
+#include "app/step/fresh_start.h"
+#include "app/work/scene_meshes.h"
+#include "widgets/session_model.h"
+#include "widgets/view/scene_view.h"
+
+#include <QActionGroup>
+
+namespace halfspace {
+namespace {
+
+/// The history's own actions know nothing of what goes on under the hand.
+void connectInstead(QAction &action, SessionModel &model, void (SessionModel::*step)()) {
+  QObject::disconnect(&action, &QAction::triggered, nullptr, nullptr);
+  QObject::connect(&action, &QAction::triggered, &model, step);
+}
+
+} // namespace
+
+EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
+                   QWidget *parent)
+    : QMenu(tr("&Edit"), parent) {
+  addHistory(model);
+  addSeparator();
+  addItem(*this, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [&freshStart] { freshStart.startOver(); });
+  addCornerItems(scene);
+  addMeshItems(meshes, scene);
+  addSnapMenu(model);
+}
+
+void EditMenu::addHistory(SessionModel &model) {
+  QAction *undo = model.history().createUndoAction(this, tr("&Undo"));
+  connectInstead(*undo, model, &SessionModel::undo);
+  undo->setShortcut(QKeySequence::Undo);
+  QAction *redo = model.history().createRedoAction(this, tr("&Redo"));
+  connectInstead(*redo, model, &SessionModel::redo);
+  redo->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
+  addAction(undo);
+  addAction(redo);
+}
+
+void EditMenu::addCornerItems(SceneView &scene) {
+  QAction *add = addItem(*this, tr("&Add a Corner Here"), Qt::Key_Insert, &scene, &SceneView::addCorner);
+  QAction *remove =
+      addItem(*this, tr("Re&move the Corner"), QKeySequence::Delete, &scene, &SceneView::removeCorner);
+  const auto enable = [&scene, add, remove] {
+    add->setEnabled(scene.isCornerSelected());
+    remove->setEnabled(scene.isCornerSelected());
+  };
+  connect(&scene, &SceneView::selectionChanged, this, enable);
+  enable();
+}
+
+void EditMenu::addMeshItems(SceneMeshes &meshes, const SceneView &scene) {
+  QAction *copy =
+      addItem(*this, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), &meshes, &SceneMeshes::copySelected);
+  QAction *remove =
+      addItem(*this, tr("Remo&ve the Mesh"), QKeySequence::Delete, &meshes, &SceneMeshes::removeSelected);
+  const auto enable = [&meshes, copy, remove] {
+    copy->setEnabled(meshes.canCopySelected());
+    remove->setEnabled(meshes.canRemoveSelected());
+  };
+  connect(&scene, &SceneView::selectionChanged, this, enable);
+  enable();
+}
+
+void EditMenu::addSnapMenu(SessionModel &model) {
+  QMenu &menu = *addMenu(tr("S&nap To"));
+  menu.setObjectName("snap");
+  auto *group = new QActionGroup(this);
+  const auto addChoice = [&menu, group](const QString &text) {
+    QAction *action = menu.addAction(text);
+    action->setCheckable(true);
+    group->addAction(action);
+    return action;
+  };
+  const std::pair<QString, Rational> steps[] = {{tr("Whole numbers"), 1},
+                                                {tr("Halves"), Rational(1, 2)},
+                                                {tr("Quarters"), Rational(1, 4)},
+                                                {tr("Tenths"), Rational(1, 10)}};
+  for (const auto &[text, step] : steps) {
+    QAction *action = addChoice(text);
+    connect(&menu, &QMenu::aboutToShow, action, [&model, action, step = step] {
+      action->setChecked(model.isSnapping() && step == model.snapStep());
+    });
+    connect(action, &QAction::triggered, this, [&model, step = step] {
+      model.setSnapStep(step);
+      model.setSnapping(true);
+    });
+  }
+  QAction *nothing = addChoice(tr("Nothing (thousandths)"));
+  connect(nothing, &QAction::triggered, this, [&model] { model.setSnapping(false); });
+  connect(&menu, &QMenu::aboutToShow, nothing,
+          [&model, nothing] { nothing->setChecked(!model.isSnapping()); });
+  menu.addSeparator();
+  menu.addAction(tr("Hold Ctrl while dragging for thousandths"))->setEnabled(false);
+}
+
+} // namespace halfspace

@@ -1,0 +1,28 @@
+#include "app/menus/file_menu.h"
+
+#include "app/menus/add_item.h"
+#include "app/work/leftover_work.h"
+#include "app/work/picture_export.h"
+#include "app/work/scene_meshes.h"
+#include "app/work/session_files.h"
+
+namespace halfspace {
+
+FileMenu::FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
+                   QWidget *parent)
+    : QMenu(tr("&File"), parent) {
+  addItem(*this, tr("&Open…"), QKeySequence::Open, &files, &SessionFiles::askAndOpen);
+  addItem(*this, tr("Open &Mesh…"), QKeySequence("Ctrl+M"), &meshes, &SceneMeshes::askAndOpen);
+  addItem(*this, tr("&Save"), QKeySequence::Save, &files, &SessionFiles::save)->setObjectName("save");
+  addItem(*this, tr("Save &As…"), QKeySequence::SaveAs, &files, &SessionFiles::saveAs);
+  QMenu &unsaved = *addMenu(tr("&Unsaved Work"));
+  unsaved.setObjectName("unsavedWork");
+  connect(&unsaved, &QMenu::aboutToShow, &leftovers, [&leftovers, &unsaved] { leftovers.fillMenu(unsaved); });
+  addSeparator();
+  addItem(*this, tr("Save &Picture…"), QKeySequence("Ctrl+E"), &pictures, &PictureExport::askAndSave);
+  addItem(*this, tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"), &pictures, &PictureExport::copy);
+  addSeparator();
+  addItem(*this, tr("&Quit"), QKeySequence::Quit, this, &FileMenu::quitWanted);
+}
+
+} // namespace halfspace

@@ -1,0 +1,24 @@
+// File: sessions, meshes, pictures.
+#pragma once
+
+#include <QMenu>
+
+namespace halfspace {
+
+class LeftoverWork;
+class PictureExport;
+class SceneMeshes;
+class SessionFiles;
+
+class FileMenu : public QMenu {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  FileMenu(SessionFiles &files, SceneMeshes &meshes, LeftoverWork &leftovers, PictureExport &pictures,
+           QWidget *parent);
+
+signals:
+  void quitWanted();
+};
+
+} // namespace halfspace

@@ -1,0 +1,27 @@
+// View: the camera, the look of the window, and which parts of it are shown.
+#pragma once
+
+#include "app/panels/messages.h"
+
+#include <QMenu>
+
+namespace halfspace {
+
+class CameraActions;
+class WindowLayout;
+class WindowLook;
+class WindowPanels;
+
+class ViewMenu : public QMenu {
+  Q_OBJECT
+public:
+  /// All must outlive it.
+  ViewMenu(const CameraActions &camera, WindowLook &look, const WindowLayout &layout, WindowPanels &panels,
+           QWidget *parent);
+
+private:
+  void addSizeMenu(WindowLook &look, Messages messages);
+  void addThemeMenu(WindowLook &look);
+};
+
+} // namespace halfspace

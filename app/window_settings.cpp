@@ -1,0 +1,61 @@
+#include "app/window_settings.h"
+
+#include "app/library/own_lesson_folders.h"
+#include "app/panels/window_layout.h"
+#include "app/panels/window_look.h"
+#include "app/settings.h"
+#include "app/standard_streams.h"
+
+#include <QAction>
+
+namespace halfspace {
+
+WindowSettings::WindowSettings(SessionModel &model, WindowLook &look, WindowLayout &layout,
+                               OwnLessonFolders &ownLessons, QAction &flatPicture, PutAsideFiles &putAside)
+    : m_model(model), m_look(look), m_layout(layout), m_ownLessons(ownLessons), m_flatPicture(flatPicture),
+      m_putAside(putAside) {
+  connect(&look, &WindowLook::chosen, this, &WindowSettings::storeLook);
+}
+
+void WindowSettings::restore() {
+  const auto stored = readSettings(settingsFile());
+  if (!stored)
+    m_putAside.add(stored.problem()); // where it cannot be, it is not written either
+  const Settings settings = stored ? *stored : Settings();
+  m_layout.takeGeometry(settings);
+  m_look.take(settings);
+  m_model.setSnapStep(settings.snapStep);
+  m_model.setSnapping(settings.snapping);
+  m_ownLessons.setFolders(settings.ownLessons);
+  m_flatPicture.setChecked(settings.flatPicture);
+  m_layout.takePanels(settings);
+}
+
+void WindowSettings::store() {
+  Settings settings;
+  m_look.putTheme(settings);
+  settings.motion = m_look.motion().isChecked();
+  settings.snapStep = m_model.snapStep();
+  settings.snapping = m_model.isSnapping();
+  settings.ownLessons = m_ownLessons.folders();
+  settings.flatPicture = m_flatPicture.isChecked();
+  m_layout.put(settings);
+  const auto stored = readSettings(settingsFile());
+  auto problem = stored ? std::nullopt : m_putAside.add(stored.problem());
+  if (!problem)
+    problem = writeSettings(settings, settingsFile());
+  // The window is on its way out: there is nowhere else to say it.
+  if (problem)
+    printError(problem->text());
+}
+
+void WindowSettings::storeLook() {
+  auto settings = readSettings(settingsFile());
+  if (!settings)
+    return; // it is put aside at the end, and written anew
+  m_look.putTheme(*settings);
+  if (const auto problem = writeSettings(*settings, settingsFile()))
+    printError(problem->text());
+}
+
+} // namespace halfspace

@@ -1,0 +1,41 @@
+// What the window keeps of itself between starts.
+#pragma once
+
+#include "app/put_aside.h"
+#include "widgets/session_model.h"
+
+class QAction;
+
+namespace halfspace {
+
+class OwnLessonFolders;
+class WindowLayout;
+class WindowLook;
+struct Settings;
+
+/// Takes the settings from their file into the parts of the window that they are about, and back. A file that
+/// cannot be read is put aside.
+class WindowSettings : public QObject {
+  Q_OBJECT
+public:
+  /// `flatPicture` is checked while the flat picture is unfolded. All must outlive it.
+  WindowSettings(SessionModel &model, WindowLook &look, WindowLayout &layout, OwnLessonFolders &ownLessons,
+                 QAction &flatPicture, PutAsideFiles &putAside);
+
+  void restore();
+  /// When the window is on its way out: what cannot be stored is said on standard error.
+  void store();
+
+private:
+  /// The theme and the size of type are stored as soon as they are chosen.
+  void storeLook();
+
+  SessionModel &m_model;
+  WindowLook &m_look;
+  WindowLayout &m_layout;
+  OwnLessonFolders &m_ownLessons;
+  QAction &m_flatPicture;
+  PutAsideFiles &m_putAside;
+};
+
+} // namespace halfspace
