@@ -1,7 +1,7 @@
 // What the window keeps of itself between starts.
 #pragma once
 
-#include "app/put_aside.h"
+#include "app/work/put_aside.h"
 #include "widgets/session_model.h"
 
 class QAction;

@@ -1,7 +1,7 @@
 // The open lesson, read anew when its file changes.
 #pragma once
 
-#include "app/lesson_watch.h"
+#include "app/library/lesson_watch.h"
 #include "app/panels/messages.h"
 
 namespace halfspace {

@@ -1,7 +1,7 @@
 #include "app/menus/help_menu.h"
 
-#include "app/help_dialog.h"
 #include "app/menus/add_item.h"
+#include "app/menus/help_dialog.h"
 
 #include <QApplication>
 #include <QMessageBox>

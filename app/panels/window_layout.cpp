@@ -1,6 +1,6 @@
 #include "app/panels/window_layout.h"
 
-#include "app/page_width.h"
+#include "app/panels/page_width.h"
 #include "app/panels/scene_column.h"
 #include "app/panels/window_panels.h"
 #include "widgets/lesson/lesson_page.h"

@@ -1,8 +1,8 @@
 // How the window looks: its theme, the size of type, lines and handles, and whether pictures move.
 #pragma once
 
+#include "app/panels/size_scale.h"
 #include "app/settings.h"
-#include "app/size_scale.h"
 #include "widgets/picture/theme.h"
 
 #include <QAction>

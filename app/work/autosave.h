@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/panels/messages.h"
-#include "app/recovery.h"
+#include "app/work/recovery.h"
 #include "widgets/session_model.h"
 
 #include <QTimer>

@@ -1,6 +1,6 @@
 #include "app/work/learner_progress.h"
 
-#include "app/progress_file.h"
+#include "app/work/progress_file.h"
 
 namespace halfspace {
 

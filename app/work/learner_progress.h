@@ -1,7 +1,7 @@
 // What the learner has done in the lessons, kept between starts.
 #pragma once
 
-#include "app/put_aside.h"
+#include "app/work/put_aside.h"
 #include "lessons/lesson/lesson_progress.h"
 #include "widgets/session_model.h"
 

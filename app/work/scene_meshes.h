@@ -1,8 +1,8 @@
 // A learner's own meshes: opened, put into the scene, copied and removed.
 #pragma once
 
-#include "app/mesh_opener.h"
 #include "app/panels/messages.h"
+#include "app/work/mesh_opener.h"
 
 namespace halfspace {
 

@@ -1,8 +1,8 @@
 // The file of the session: opened, saved, and what is asked before it is left.
 #pragma once
 
-#include "app/known_file.h"
 #include "app/panels/messages.h"
+#include "app/work/known_file.h"
 #include "widgets/session_model.h"
 
 #include <QObject>

@@ -1,9 +1,9 @@
 // What the window does with files: sessions and lessons that are opened and dropped, folders of lessons,
 // settings and progress that cannot be read.
 #include "app/application.h"
-#include "app/known_file.h"
 #include "app/library/own_lesson_folders.h"
 #include "app/standard_streams.h"
+#include "app/work/known_file.h"
 #include "tests/app/window_fixture.h"
 
 #include <QDragEnterEvent>

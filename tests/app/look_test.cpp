@@ -1,6 +1,6 @@
 // Size, motion and menus of the window.
-#include "app/help_dialog.h"
-#include "app/panel_style.h"
+#include "app/menus/help_dialog.h"
+#include "app/panels/panel_style.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/lesson_page.h"
 

@@ -1,5 +1,5 @@
 // The page beside the scene, the drawer and the card over it, and how the window is shared among them.
-#include "app/page_width.h"
+#include "app/panels/page_width.h"
 #include "lessons/object/kinds/point.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/contents_drawer.h"

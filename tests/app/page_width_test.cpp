@@ -1,5 +1,5 @@
 // How windows of all shapes and sizes of type are shared between scene and page.
-#include "app/page_width.h"
+#include "app/panels/page_width.h"
 
 #include <QFont>
 #include <QtTest>

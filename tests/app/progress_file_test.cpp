@@ -1,5 +1,5 @@
-#include "app/progress_file.h"
-#include "app/put_aside.h"
+#include "app/work/progress_file.h"
+#include "app/work/put_aside.h"
 
 #include <gtest/gtest.h>
 

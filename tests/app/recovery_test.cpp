@@ -1,5 +1,5 @@
 // Unsaved work of programs that live, that were killed, and that ended.
-#include "app/recovery.h"
+#include "app/work/recovery.h"
 #include "lessons/object/kinds/point.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/main_window.h"
-#include "app/progress_file.h"
-#include "app/recovery.h"
 #include "app/settings.h"
+#include "app/work/progress_file.h"
+#include "app/work/recovery.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/numbers/number_field.h"

@@ -1,7 +1,7 @@
 // One save through the program's own functions: save_something KIND FILE (old|new)
 // Prints why not, and ends with 1, when it is told that the save failed.
-#include "app/recovery.h"
 #include "app/settings.h"
+#include "app/work/recovery.h"
 #include "lessons/files/write_file.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/scene/file/session_file.h"

@@ -1,4 +1,4 @@
-#include "app/known_file.h"
+#include "app/work/known_file.h"
 
 namespace halfspace {
 

@@ -1,4 +1,4 @@
-#include "app/panel_style.h"
+#include "app/panels/panel_style.h"
 
 #include <QPainter>
 #include <QStyleFactory>

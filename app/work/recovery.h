@@ -1,7 +1,7 @@
 // Unsaved work, kept where a killed program cannot lose it.
 #pragma once
 
-#include "app/known_file.h"
+#include "app/work/known_file.h"
 #include "lessons/result.h"
 #include "lessons/scene/session.h"
 

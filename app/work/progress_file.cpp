@@ -1,4 +1,4 @@
-#include "app/progress_file.h"
+#include "app/work/progress_file.h"
 
 #include "app/folders.h"
 #include "lessons/files/read_file.h"

@@ -1,4 +1,4 @@
-#include "app/help_dialog.h"
+#include "app/menus/help_dialog.h"
 
 #include "widgets/drawn_icon.h"
 

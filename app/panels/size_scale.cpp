@@ -1,4 +1,4 @@
-#include "app/size_scale.h"
+#include "app/panels/size_scale.h"
 
 #include <QScreen>
 

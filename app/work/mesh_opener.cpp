@@ -1,4 +1,4 @@
-#include "app/mesh_opener.h"
+#include "app/work/mesh_opener.h"
 
 #include <QApplication>
 #include <QProgressDialog>

@@ -1,6 +1,6 @@
-#include "app/window_style.h"
+#include "app/panels/window_style.h"
 
-#include "app/panel_style.h"
+#include "app/panels/panel_style.h"
 #include "widgets/colors.h"
 
 #include <QApplication>

@@ -1,6 +1,6 @@
-#include "app/lesson_watch.h"
+#include "app/library/lesson_watch.h"
 
-#include "app/known_file.h"
+#include "app/work/known_file.h"
 #include "lessons/files/read_file.h"
 #include "lessons/lesson/lesson.h"
 

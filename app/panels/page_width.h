@@ -1,7 +1,7 @@
 // How the window's width is shared between the scene and the page.
 #pragma once
 
-#include "app/size_scale.h"
+#include "app/panels/size_scale.h"
 
 #include <QFontMetrics>
 #include <QSize>

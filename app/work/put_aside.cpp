@@ -1,4 +1,4 @@
-#include "app/put_aside.h"
+#include "app/work/put_aside.h"
 
 #include "app/standard_streams.h"
 #include "lessons/words.h"
