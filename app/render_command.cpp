@@ -171,10 +171,20 @@ std::optional<int> stepOfFlight(const OpenedSession &opened) {
   return last;
 }
 
-/// The scene's number that counts the frames of the lesson's flight; null where there is none.
-Object *frameNumberOf(OpenedSession &opened) {
+/// The name of the scene's number that counts the frames of the lesson's flight; nothing where there is none.
+std::optional<std::string> frameNumberOf(const OpenedSession &opened) {
   const auto step = stepOfFlight(opened);
-  return step ? findObject(opened.session.scene, flightOf(stepAt(opened, *step))->frame) : nullptr;
+  return step ? std::optional(flightOf(stepAt(opened, *step))->frame) : std::nullopt;
+}
+
+/// The frame that is nearest to the wanted one, with which the scene is now.
+Rational goToFrame(const Rational &wanted, const std::string &name, Scene &scene) {
+  Object number = *findObject(scene, name);
+  number[0].x = wanted;
+  number.kind().settle(number);
+  const Rational frame = number[0].x;
+  setObject(scene, name, std::move(number));
+  return frame;
 }
 
 std::optional<Problem> refuseStep(const RenderCommand &command, const OpenedSession &opened) {
@@ -194,26 +204,22 @@ std::string fileOf(const NumberedFile &file, int frame) {
 /// Draws and writes one frame after the other.
 std::optional<Problem> writeFrames(const RenderCommand &command, OpenedSession &opened, Evaluation evaluation,
                                    CommandPainter &painter) {
-  Object *number = frameNumberOf(opened);
+  const auto number = frameNumberOf(opened);
   if (!number)
     return Problem{words("This lesson has no flight whose frames could be drawn."), "", 0, "--frame"};
   const auto [first, last] = *command.frames;
-  const auto goTo = [number](const Rational &frame) {
-    (*number)[0].x = frame;
-    number->kind().settle(*number);
-    return (*number)[0].x == frame;
-  };
+  Scene &scene = opened.session.scene;
   for (const int frame : {first, last}) // before any picture is written
-    if (!goTo(frame))
+    if (const Rational nearest = goToFrame(frame, *number, scene); nearest != frame)
       return Problem{words("The flight has no frame {frame}: the nearest is {nearest}.",
-                           {{"frame", std::to_string(frame)}, {"nearest", toText((*number)[0].x)}}),
+                           {{"frame", std::to_string(frame)}, {"nearest", toText(nearest)}}),
                      "", 0, "--frame"};
-  goTo(objectAs<NumberObject>(*number)->from);
-  evaluation = evaluate(opened.session.scene, evaluation);
+  goToFrame(objectAs<NumberObject>(*findObject(scene, *number))->from, *number, scene);
+  evaluation = evaluate(scene, evaluation);
   painter.begin(evaluation);
   for (int frame = first; frame <= last; ++frame) {
-    goTo(frame);
-    evaluation = evaluate(opened.session.scene, evaluation);
+    goToFrame(frame, *number, scene);
+    evaluation = evaluate(scene, evaluation);
     const auto picture = painter.draw(evaluation);
     if (!picture)
       return picture.problem();

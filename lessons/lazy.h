@@ -21,6 +21,8 @@ public:
     return *m_value;
   }
   [[nodiscard]] const T *operator->() const { return &**this; }
+  /// Whether somebody has looked at it.
+  [[nodiscard]] bool isMade() const { return m_value.has_value(); }
 
 private:
   mutable std::function<T()> m_make;

@@ -1,6 +1,7 @@
 // Worked lines: a formula in symbols, with the numbers put in, its result, and a sentence in plain words.
 #pragma once
 
+#include "lessons/shared_list.h"
 #include "lessons/term/chain.h"
 
 #include <array>
@@ -64,8 +65,9 @@ struct ChainPart {
 /// Whether there is something to hide.
 [[nodiscard]] bool hasNumbers(const WorkingLine &line);
 
+/// Copies of a working share its lines.
 struct Working {
-  std::vector<WorkingLine> lines;
+  SharedList<WorkingLine> lines;
 
   void add(WorkingLine line) { lines.push_back(std::move(line)); }
 };

@@ -23,12 +23,14 @@ Extents extentsOf(const Figure &figure) {
 }
 
 Figure heldAt(Figure figure, const Extents &extents) {
-  for (Mark &mark : figure.marks)
-    if (const auto held = extents.find(baseOf(mark).id); held != extents.end())
-      std::visit(Overloaded{[&](PlanePatchMark &patch) { patch.held = held->second; },
-                            [&](RayMark &ray) { ray.held = held->second.first; },
-                            [&](LineMark &line) { line.held = held->second.first; }, [](auto &) {}},
-                 mark);
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    if (const auto held = extents.find(baseOf(figure.marks[place]).id); held != extents.end())
+      figure.marks.change(place, [&](Mark &mark) {
+        std::visit(Overloaded{[&](PlanePatchMark &patch) { patch.held = held->second; },
+                              [&](RayMark &ray) { ray.held = held->second.first; },
+                              [&](LineMark &line) { line.held = held->second.first; }, [](auto &) {}},
+                   mark);
+      });
   return figure;
 }
 

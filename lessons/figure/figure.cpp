@@ -17,6 +17,14 @@ void draw(RayMark &ray, const Place &upTo) {
     ray.meets = upTo;
 }
 
+/// All others end where they end.
+template <class Other> void draw(Other &, const Place &) {}
+
+bool hasNoEnd(const Mark &mark) {
+  return std::holds_alternative<PlanePatchMark>(mark) || std::holds_alternative<RayMark>(mark) ||
+         std::holds_alternative<LineMark>(mark);
+}
+
 } // namespace
 
 void Figure::reachWithin(const std::string &plane, const std::string &ray, const Place &origin,
@@ -27,22 +35,27 @@ void Figure::reachWithin(const std::string &plane, const std::string &ray, const
 }
 
 Figure reaching(Figure figure) {
-  std::unordered_map<std::string_view, Mark *> byId;
-  for (Mark &mark : figure.marks)
-    byId.emplace(baseOf(mark).id, &mark);
+  std::unordered_map<std::string_view, std::vector<Place>> byMark;
   for (const Reach &reach : figure.reaches)
-    if (const auto found = byId.find(reach.mark); found != byId.end())
-      std::visit(Overloaded{[&](PlanePatchMark &patch) { draw(patch, reach.at); },
-                            [&](RayMark &ray) { draw(ray, reach.at); },
-                            [&](LineMark &line) { draw(line, reach.at); }, [](auto &) {}},
-                 *found->second);
+    byMark[reach.mark].push_back(reach.at);
+  for (std::size_t place = 0; place < figure.marks.size() && !byMark.empty(); ++place) {
+    if (!hasNoEnd(figure.marks[place]))
+      continue;
+    const auto reached = byMark.extract(baseOf(figure.marks[place]).id); // of two with one id the first
+    if (!reached.empty())
+      figure.marks.change(place, [&](Mark &mark) {
+        for (const Place &at : reached.mapped())
+          std::visit([&](auto &each) { draw(each, at); }, mark);
+      });
+  }
   figure.reaches.clear();
   return figure;
 }
 
 Figure withoutNumbers(Figure figure) {
-  for (Mark &mark : figure.marks)
-    baseOf(mark).numbers.clear();
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    if (!baseOf(figure.marks[place]).numbers.empty())
+      figure.marks.change(place, [](Mark &mark) { baseOf(mark).numbers.clear(); });
   return figure;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lessons/figure/mark.h"
+#include "lessons/shared_list.h"
 
 #include <string_view>
 
@@ -13,8 +14,9 @@ struct Reach {
   Place at{};
 };
 
+/// Copies of a figure share its marks.
 struct Figure {
-  std::vector<Mark> marks;
+  SharedList<Mark> marks;
   std::vector<Reach> reaches{}; ///< of marks of its own or of other figures that it is put together with
 
   void add(Mark mark) { marks.push_back(std::move(mark)); }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -174,9 +175,10 @@ template <class Kind> [[nodiscard]] Kind inLook(const Look &look, Kind mark) {
 /// The hue of a mark: that of its look, else of its subject.
 [[nodiscard]] inline Hue hueOf(const MarkBase &mark) { return mark.look.hue.value_or(hueOf(mark.subject)); }
 
-/// The id of the mark that a mark accompanies: `F` for `F/angle`; its own for all others.
-[[nodiscard]] inline std::string leadingId(const MarkBase &mark) {
-  return mark.id.substr(0, mark.id.find('/'));
+/// The id of the mark that a mark accompanies: `F` for `F/angle`; its own for all others. A part of the
+/// mark's id.
+[[nodiscard]] inline std::string_view leadingId(const MarkBase &mark) {
+  return std::string_view(mark.id).substr(0, mark.id.find('/'));
 }
 
 /// A patch is at least this long on each side, in units of the picture …

@@ -182,7 +182,7 @@ private:
   std::vector<WrongTerm> m_mistakes;
 };
 
-using Lines = std::vector<WorkingLine>;
+using Lines = SharedList<WorkingLine>;
 
 Lines::const_iterator firstFaded(const Lines &lines, Fading fading) {
   if (fading != Fading::Last)

@@ -67,7 +67,7 @@ ChangeObject shortMoveTo(const NearSpecialCase &near, const Scene &scene, const 
   const Evaluation before = evaluate(scene);
   const auto isThere = [&](const Object &moved) {
     Scene after = scene;
-    *findObject(after, least.name) = moved;
+    setObject(after, least.name, moved);
     const Evaluation evaluation = evaluate(after, before);
     return std::all_of(conditions->begin(), conditions->end(),
                        [&](const Condition &condition) { return holds(condition, evaluation); });

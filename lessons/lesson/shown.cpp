@@ -1,25 +1,66 @@
 #include "lessons/lesson/shown.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace halfspace {
 namespace {
 
 using Names = std::vector<std::string>;
 
-/// Whether one of the names means what an entry has under this id: a line, a mark.
-bool name(const Names &names, const EvaluatedEntry &entry, const std::string &id, bool onlyOneHasIt) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string &name) {
-    return name == entry.name + ".*" || name == entry.name + "." + id || (name == id && onlyOneHasIt);
-  });
-}
+/// The lines that some names mean: all of an entry, `distance.*`, one of them, `distance.f`, or f where one
+/// entry alone has it.
+class NamedLines {
+public:
+  NamedLines(const Names &names, const Evaluation &evaluation) : m_names(names.begin(), names.end()) {
+    for (const std::string &name : names)
+      if (std::string entry = entryOf(name); !entry.empty())
+        m_entries.insert(std::move(entry));
+      else
+        m_bearers.emplace(name, Bearers());
+    if (!m_bearers.empty())
+      findBearers(evaluation);
+  }
 
-bool isLineOfOne(const std::string &id, const Evaluation &evaluation) {
-  return std::count_if(evaluation.entries.begin(), evaluation.entries.end(),
-                       [&](const EvaluatedEntry &each) { return each.outcome->explanation->has(id); }) == 1;
-}
+  [[nodiscard]] Names idsIn(const EvaluatedEntry &entry) const {
+    Names ids;
+    if (!m_entries.contains(entry.name))
+      return ids;
+    const bool areAllNamed = m_names.contains(entry.name + ".*");
+    for (const std::string &id : entry.outcome->explanation->ids())
+      if (areAllNamed || m_names.contains(entry.name + "." + id) || isOnlyBearer(entry, id))
+        ids.push_back(id);
+    return ids;
+  }
+
+private:
+  /// The entries that have a line with some id.
+  struct Bearers {
+    const EvaluatedEntry *first = nullptr;
+    std::size_t count = 0;
+  };
+
+  void findBearers(const Evaluation &evaluation) {
+    for (const EvaluatedEntry &entry : evaluation.entries)
+      for (const std::string &id : entry.outcome->explanation->ids())
+        if (const auto found = m_bearers.find(id); found != m_bearers.end() && found->second.count++ == 0)
+          found->second.first = &entry;
+    for (const auto &[id, bearers] : m_bearers)
+      if (bearers.count == 1)
+        m_entries.insert(bearers.first->name);
+  }
+
+  [[nodiscard]] bool isOnlyBearer(const EvaluatedEntry &entry, const std::string &id) const {
+    const auto found = m_bearers.find(id);
+    return found != m_bearers.end() && found->second.count == 1 && found->second.first == &entry;
+  }
+
+  std::unordered_set<std::string> m_names;
+  std::unordered_set<std::string> m_entries;          ///< those of which a line is meant
+  std::unordered_map<std::string, Bearers> m_bearers; ///< by the ids that stand without an entry
+};
 
 /// Where the last few constructions begin, of which a step that names no lines shows all.
 std::size_t firstShown(const Evaluation &evaluation) {
@@ -31,15 +72,15 @@ std::size_t firstShown(const Evaluation &evaluation) {
 }
 
 /// Adds the lines that these ids name, or all, as far as they are not there already.
-void addLines(const StepLines &lines, const Evaluation &evaluation, Working &working) {
-  const std::size_t first = lines.ids.empty() ? firstShown(evaluation) : 0;
-  for (std::size_t i = first; i < evaluation.entries.size(); ++i) {
+void addLines(const StepLines &lines, const Evaluation &evaluation, Working &working,
+              std::unordered_set<std::string> &added) {
+  const NamedLines named(lines.ids, evaluation);
+  for (std::size_t i = lines.ids.empty() ? firstShown(evaluation) : 0; i < evaluation.entries.size(); ++i) {
     const EvaluatedEntry &entry = evaluation.entries[i];
     if (!entry.isConstruction())
       continue;
-    for (const std::string &id : entry.outcome->explanation->ids())
-      if ((lines.ids.empty() || name(lines.ids, entry, id, isLineOfOne(id, evaluation))) &&
-          !findLine(working, entry.name + "." + id))
+    for (const std::string &id : lines.ids.empty() ? entry.outcome->explanation->ids() : named.idsIn(entry))
+      if (added.insert(entry.name + "." + id).second)
         working.add(lineOf(entry, id));
   }
 }
@@ -53,19 +94,23 @@ Names lineNamesOf(const LessonStep &step) {
   return names;
 }
 
-/// Whether the step speaks of the entry, though the present case may not have its lines.
-bool speaksOf(const EvaluatedEntry &entry, const Names &lines, const Working &working) {
-  return lines.empty() ||
-         std::any_of(working.lines.begin(), working.lines.end(),
-                     [&](const WorkingLine &line) { return entryOf(line.id) == entry.name; }) ||
-         std::any_of(lines.begin(), lines.end(),
-                     [&](const std::string &name) { return name.starts_with(entry.name + "."); });
+/// The entries that a step speaks of by these names of lines, though the present case may not have their
+/// lines, and those whose lines it shows.
+std::unordered_set<std::string> entriesSpokenOf(const Names &lines, const Working &working) {
+  std::unordered_set<std::string> entries;
+  for (const std::string &name : lines)
+    entries.insert(entryOf(name));
+  for (const WorkingLine &line : working.lines)
+    entries.insert(entryOf(line.id));
+  return entries;
 }
+
+using Marks = std::set<std::string, std::less<>>;
 
 /// The marks that lines name. Who names a coordinate names its object: a line's direction is shown on the
 /// line.
-std::set<std::string> marksNamedIn(const Working &working) {
-  std::set<std::string> named;
+Marks marksNamedIn(const Working &working) {
+  Marks named;
   for (const WorkingLine &line : working.lines)
     for (const std::string &mark : marksIn(line)) {
       named.insert(mark);
@@ -79,34 +124,36 @@ std::set<std::string> marksNamedIn(const Working &working) {
 std::string_view ownId(std::string_view mark) { return mark.substr(mark.find('.') + 1); }
 
 /// The marks that a step draws by name: `distance.F`, or F where only one entry has it.
-std::set<std::string> marksDrawn(const Names &drawn, const Figure &figure) {
-  std::set<std::string> marks;
-  for (const Mark &mark : figure.marks)
-    marks.insert(leadingId(baseOf(mark)));
-  std::map<std::string_view, std::vector<std::string>> byOwnId;
-  for (const std::string &mark : marks)
-    byOwnId[ownId(mark)].push_back(mark);
-  std::set<std::string> found;
+Marks marksDrawn(const Names &drawn, const Figure &figure) {
+  std::unordered_map<std::string_view, std::set<std::string_view>> bearers;
   for (const std::string &name : drawn)
-    if (marks.contains(name))
-      found.insert(name);
-    else if (const auto bearers = byOwnId.find(name); bearers != byOwnId.end() && bearers->second.size() == 1)
-      found.insert(bearers->second.front());
+    bearers.emplace(name, std::set<std::string_view>());
+  Marks found;
+  for (std::size_t place = 0; place < figure.marks.size() && !drawn.empty(); ++place) {
+    const std::string_view mark = leadingId(baseOf(figure.marks[place]));
+    if (bearers.contains(mark))
+      found.emplace(mark);
+    else if (const auto known = bearers.find(ownId(mark)); known != bearers.end())
+      known->second.insert(mark);
+  }
+  for (const auto &[name, marks] : bearers)
+    if (!found.contains(name) && marks.size() == 1)
+      found.emplace(*marks.begin());
   return found;
 }
 
 /// Leaves of a figure the given marks, those that are named, and what accompanies them.
-void keepNamed(const std::set<std::string> &named, Figure &figure) {
-  std::erase_if(figure.marks, [&](const Mark &mark) {
+void keepNamed(const Marks &named, Figure &figure) {
+  figure.marks.eraseIf([&](const Mark &mark) {
     return baseOf(mark).role != Role::Given && !named.contains(leadingId(baseOf(mark)));
   });
 }
 
 /// Where a ray's thin line ends would tell what it meets.
 void letRaysRunOn(Figure &figure) {
-  for (Mark &mark : figure.marks)
-    if (auto *ray = std::get_if<RayMark>(&mark))
-      ray->meets.reset();
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    if (const auto *ray = std::get_if<RayMark>(&figure.marks[place]); ray && ray->meets)
+      figure.marks.change(place, [](Mark &mark) { std::get<RayMark>(mark).meets.reset(); });
 }
 
 void addCase(const CaseWords &told, Shown &shown) {
@@ -118,16 +165,18 @@ void addCase(const CaseWords &told, Shown &shown) {
 
 Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figure, Question question) {
   Shown shown;
+  std::unordered_set<std::string> added;
   for (const StepBlock &block : step.blocks)
     if (const auto *lines = std::get_if<StepLines>(&block)) {
       const std::size_t before = shown.working.lines.size();
-      addLines(*lines, evaluation, shown.working);
+      addLines(*lines, evaluation, shown.working, added);
       shown.linesIn.push_back(shown.working.lines.size() - before);
     }
   const Names lines = lineNamesOf(step);
+  const std::unordered_set<std::string> spokenOf = entriesSpokenOf(lines, shown.working);
   for (std::size_t i = lines.empty() ? firstShown(evaluation) : 0; i < evaluation.entries.size(); ++i) {
     const EvaluatedEntry &entry = evaluation.entries[i];
-    if (entry.isConstruction() && speaksOf(entry, lines, shown.working))
+    if (entry.isConstruction() && (lines.empty() || spokenOf.contains(entry.name)))
       addCase(*entry.outcome->told, shown);
   }
   if (const EvaluatedEntry *last = evaluation.lastConstruction(); last && shown.description.empty())
@@ -136,7 +185,7 @@ Shown shownIn(const LessonStep &step, const Evaluation &evaluation, Figure figur
     keepNamed({}, figure);
     letRaysRunOn(figure);
   } else if (!lines.empty()) {
-    std::set<std::string> named = marksNamedIn(shown.working);
+    Marks named = marksNamedIn(shown.working);
     named.merge(marksDrawn(step.drawn, figure));
     keepNamed(named, figure);
   }

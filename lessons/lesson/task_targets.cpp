@@ -26,7 +26,7 @@ public:
 
   [[nodiscard]] Evaluation at(const ExactVec3 &place) const {
     Scene moved = m_scene;
-    *findObject(moved, m_handle.object) = movedTo(m_object, m_handle, place);
+    setObject(moved, m_handle.object, movedTo(m_object, m_handle, place));
     return evaluate(moved, m_start);
   }
 

@@ -18,11 +18,6 @@ Problem noEntry(const std::string &name) {
   return refused(words("There is no “{name}” in the scene.", {{"name", shortened(name)}}));
 }
 
-auto findEntry(Scene &scene, const std::string &name) {
-  return std::find_if(scene.entries.begin(), scene.entries.end(),
-                      [&](const Entry &entry) { return entry.name == name; });
-}
-
 /// The scene, if it can be evaluated.
 Result<Scene> checked(Scene scene) {
   if (auto problem = checkScene(scene))
@@ -35,7 +30,7 @@ struct Applier {
   Scene scene;
 
   Result<Scene> operator()(const ChangeObject &edit) {
-    Object *object = findObject(scene, edit.name);
+    const Object *object = findObject(scene, edit.name);
     if (!object)
       return noEntry(edit.name);
     if (kindOf(*object) != kindOf(edit.value))
@@ -43,51 +38,51 @@ struct Applier {
                            {{"name", edit.name}, {"kind", std::string(kindOf(*object))}}));
     if (const auto coordinate = refusedCoordinateOf(edit.value))
       return refused(coordinate->sentence);
-    *object = edit.value;
-    object->kind().settle(*object);
+    Object settled = edit.value;
+    settled.kind().settle(settled);
+    setObject(scene, edit.name, std::move(settled));
     return std::move(scene);
   }
 
   Result<Scene> operator()(const AddEntry &edit) {
-    const std::size_t index = std::min(edit.index, scene.entries.size());
-    scene.entries.insert(scene.entries.begin() + static_cast<std::ptrdiff_t>(index), edit.entry);
+    scene.entries.insert(std::min(edit.index, scene.entries.size()), edit.entry);
     return checked(std::move(scene));
   }
 
   Result<Scene> operator()(const RemoveEntry &edit) {
-    if (findEntry(scene, edit.name) == scene.entries.end())
+    if (!scene.entries.find(edit.name))
       return noEntry(edit.name);
     const std::vector<std::string> dependents = dependentsOf(scene, edit.name);
     if (!dependents.empty() && !edit.withDependents)
       return refused(words("“{name}” is needed by {others}: remove them with it, or first.",
                            {{"name", edit.name}, {"others", listed(dependents)}}));
-    std::erase_if(scene.entries, [&](const Entry &entry) {
-      return entry.name == edit.name ||
-             std::find(dependents.begin(), dependents.end(), entry.name) != dependents.end();
-    });
+    std::set<std::string> going{dependents.begin(), dependents.end()};
+    going.insert(edit.name);
+    scene.entries.eraseIf([&](const Entry &entry) { return going.contains(entry.name); });
     return std::move(scene);
   }
 
   Result<Scene> operator()(const RenameEntry &edit) {
-    const auto entry = findEntry(scene, edit.name);
-    if (entry == scene.entries.end())
+    const auto place = scene.entries.placeOf(edit.name);
+    if (!place)
       return noEntry(edit.name);
-    entry->name = edit.newName;
-    for (Entry &other : scene.entries)
-      for (std::string *object : referencesIn(other))
-        if (ownerOf(*object) == edit.name)
-          object->replace(0, edit.name.size(), edit.newName);
+    scene.entries.change(*place, [&](Entry &entry) { entry.name = edit.newName; });
+    for (std::size_t other = 0; other < scene.entries.size(); ++other)
+      if (looksAt(scene.entries[other], edit.name))
+        scene.entries.change(other, [&](Entry &entry) { followRename(entry, edit); });
     return checked(std::move(scene));
   }
 
   Result<Scene> operator()(const RebindRole &edit) {
-    const auto entry = findEntry(scene, edit.name);
-    if (entry == scene.entries.end())
+    const auto place = scene.entries.placeOf(edit.name);
+    if (!place)
       return noEntry(edit.name);
-    if (auto *use = std::get_if<ConstructionUse>(&entry->content))
-      use->roles[edit.role] = edit.objects;
+    if (std::holds_alternative<ConstructionUse>(scene.entries[*place].content))
+      scene.entries.change(*place, [&](Entry &entry) {
+        std::get<ConstructionUse>(entry.content).roles[edit.role] = edit.objects;
+      });
     else if (edit.role == hostRole && edit.objects.ids.size() == 1)
-      entry->on = edit.objects.ids.front();
+      scene.entries.change(*place, [&](Entry &entry) { entry.on = edit.objects.ids.front(); });
     else
       return refused(words("“{name}” looks at nothing as its {role}.",
                            {{"name", edit.name}, {"role", shortened(edit.role)}}));
@@ -95,17 +90,27 @@ struct Applier {
   }
 
   Result<Scene> operator()(const MoveEntry &edit) {
-    const auto entry = findEntry(scene, edit.name);
-    if (entry == scene.entries.end())
+    const auto place = scene.entries.placeOf(edit.name);
+    if (!place)
       return noEntry(edit.name);
-    Entry moved = std::move(*entry);
-    scene.entries.erase(entry);
-    const std::size_t index = std::min(edit.index, scene.entries.size());
-    scene.entries.insert(scene.entries.begin() + static_cast<std::ptrdiff_t>(index), std::move(moved));
+    Entry moved = scene.entries[*place];
+    scene.entries.erase(*place);
+    scene.entries.insert(std::min(edit.index, scene.entries.size()), std::move(moved));
     return checked(std::move(scene));
   }
 
 private:
+  static bool looksAt(const Entry &entry, const std::string &owner) {
+    const std::vector<std::string> ids = referencesIn(entry);
+    return std::any_of(ids.begin(), ids.end(), [&](const std::string &id) { return ownerOf(id) == owner; });
+  }
+
+  static void followRename(Entry &entry, const RenameEntry &edit) {
+    for (std::string *object : referencesIn(entry))
+      if (ownerOf(*object) == edit.name)
+        object->replace(0, edit.name.size(), edit.newName);
+  }
+
   static std::string listed(const std::vector<std::string> &names) {
     std::string list;
     for (const std::string &name : names)

@@ -3,13 +3,10 @@
 #include "lessons/object/coordinate_limits.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
-#include "lessons/scene/scene_letters.h"
-#include "lessons/scene/scene_looks.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/words.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace halfspace {
 namespace {
@@ -67,33 +64,73 @@ bool areSame(const std::vector<SharedGiven> &a, const std::vector<SharedGiven> &
                     [](const SharedGiven &x, const SharedGiven &y) { return x == y || *x == *y; });
 }
 
-/// Evaluates one entry after the other.
+/// Evaluates one entry after the other. Where only numbers of objects have changed since before, the entries
+/// that nothing of it concerns are not even looked at.
 class Evaluator {
 public:
-  Evaluator(const Scene &scene, const Evaluation &before) : m_letters(scene) {
-    for (const EvaluatedEntry &entry : before.entries)
-      m_old.emplace(entry.name, &entry);
-    m_found.entries.reserve(scene.entries.size());
+  Evaluator(const Scene &scene, const Evaluation &before) : m_before(before) {
+    const bool isPlanKept = before.plan && haveSamePlan(scene, before.scene);
+    m_found.scene = scene;
+    m_found.plan = isPlanKept ? before.plan : std::make_shared<const ScenePlan>(scene);
+    // With a plan that has a place for all of them, each entry stands where it stood.
+    m_isInPlace = isPlanKept && before.entries.size() == scene.entries.size();
   }
 
-  void add(const Entry &entry, const Look &look) {
-    const auto *object = std::get_if<Object>(&entry.content);
-    if (object && isBound(entry))
-      addBound(entry, *object, look);
-    else if (object)
-      addObject(entry.name, *object, look);
+  [[nodiscard]] Evaluation evaluated() {
+    if (m_isInPlace)
+      evaluateTouched();
     else
-      addUse(entry, std::get<ConstructionUse>(entry.content));
+      evaluateAll();
+    return std::move(m_found);
   }
-
-  [[nodiscard]] Evaluation take() { return std::move(m_found); }
 
 private:
-  /// What later entries can look at, and why it is not there in the present case; empty where it is.
-  struct Visible {
-    SharedGiven given;
-    std::string whyNot{};
-  };
+  void evaluateAll() {
+    for (std::size_t place = 0; place < m_found.scene.entries.size(); ++place)
+      if (auto entry = evaluated(place))
+        m_found.entries.push_back(std::move(*entry));
+  }
+
+  void evaluateTouched() {
+    m_found.entries = m_before.entries;
+    std::vector<bool> offersOthers(m_found.scene.entries.size());
+    for (std::size_t place = 0; place < offersOthers.size(); ++place) {
+      const std::vector<std::size_t> &lookedAt = m_found.plan->lookedAt[place];
+      const bool isTouched =
+          m_found.scene.entries.shared(place) != m_before.scene.entries.shared(place) ||
+          std::any_of(lookedAt.begin(), lookedAt.end(), [&](std::size_t at) { return offersOthers[at]; });
+      if (!isTouched)
+        continue;
+      EvaluatedEntry entry = evaluated(place).value();
+      offersOthers[place] = !(entry.offers == m_before.entries[place].offers);
+      m_found.entries.replace(place, std::move(entry));
+    }
+  }
+
+  /// Nothing for an entry that is left out.
+  [[nodiscard]] std::optional<EvaluatedEntry> evaluated(std::size_t place) const {
+    const Entry &entry = m_found.scene.entries[place];
+    const Look &look = m_found.plan->looks[place];
+    const auto *object = std::get_if<Object>(&entry.content);
+    if (!object)
+      return evaluatedUse(entry, std::get<ConstructionUse>(entry.content));
+    return isBound(entry) ? evaluatedBound(entry, *object, look)
+                          : std::optional(evaluatedObject(entry.name, *object, look));
+  }
+
+  [[nodiscard]] const SceneLetters &letters() const { return m_found.plan->letters; }
+
+  /// The object above that goes by an id, or null.
+  [[nodiscard]] const OfferedObject *findOffered(const std::string &id) const {
+    const std::string owner = ownerOf(id);
+    const EvaluatedEntry *entry = m_found.entries.find(owner);
+    if (!entry)
+      return nullptr;
+    const std::string_view name = std::string_view(id).substr(std::min(owner.size() + 1, id.size()));
+    const auto found = std::find_if(entry->offers.begin(), entry->offers.end(),
+                                    [&](const OfferedObject &each) { return each.name == name; });
+    return found == entry->offers.end() ? nullptr : &*found;
+  }
 
   /// An object in its look.
   static SharedGiven shared(Given<Object> given, const Look &look) {
@@ -101,76 +138,82 @@ private:
     return std::make_shared<const Given<Object>>(std::move(given));
   }
 
-  void addObject(const std::string &name, const Object &object, const Look &look) {
-    const auto given = shared(m_letters.given(name, object), look);
+  [[nodiscard]] EvaluatedEntry evaluatedObject(const std::string &name, const Object &object,
+                                               const Look &look) const {
+    const auto given = shared(letters().given(name, object), look);
     EvaluatedEntry entry{name, {}, Naming{name}, {given}};
     if (!takeOver(entry))
       entry.outcome = outcomeOfFree(given);
     entry.own = entry.looksAt.front();
-    m_visible[name] = {entry.looksAt.front()};
-    m_found.entries.push_back(std::move(entry));
+    entry.offers = {{"", entry.looksAt.front()}};
+    return entry;
   }
 
   /// A bound object is the point where it lies.
-  void addBound(const Entry &entry, const Object &object, const Look &look) {
-    const auto host = m_visible.find(entry.on);
-    if (host == m_visible.end() || kindOf(host->second.given->object) != object.kind().binding->host)
-      return;
-    const auto place = placeOn(object, host->second.given->object);
-    const auto given = shared(m_letters.bound(entry.name, place.value_or(ExactVec3(0))), look);
-    EvaluatedEntry found{entry.name, {}, Naming{entry.name}, {given, host->second.given}};
+  [[nodiscard]] std::optional<EvaluatedEntry> evaluatedBound(const Entry &entry, const Object &object,
+                                                             const Look &look) const {
+    const OfferedObject *host = findOffered(entry.on);
+    if (!host || kindOf(host->given->object) != object.kind().binding->host)
+      return {};
+    const auto place = placeOn(object, host->given->object);
+    const auto given = shared(letters().bound(entry.name, place.value_or(ExactVec3(0))), look);
+    EvaluatedEntry found{entry.name, {}, Naming{entry.name}, {given, host->given}};
     found.missing =
-        !host->second.whyNot.empty() ? host->second.whyNot
-        : place
-            ? whyTooLong(*given)
-            : words("At the moment {host} has no place for {object}.",
-                    {{"host", plainText(host->second.given->symbol)}, {"object", plainText(given->symbol)}});
+        !host->whyNot.empty() ? host->whyNot
+        : place               ? whyTooLong(*given)
+                              : words("At the moment {host} has no place for {object}.",
+                                      {{"host", plainText(host->given->symbol)}, {"object", plainText(given->symbol)}});
     if (!takeOver(found))
       found.outcome =
           found.missing.empty() ? outcomeOfBound(given, entry.on) : withoutAnObject(found.missing);
-    found.own = std::make_shared<const Given<Object>>(m_letters.freedoms(entry.name, object));
-    m_visible[entry.name] = {found.looksAt.front(), found.missing};
-    m_found.entries.push_back(std::move(found));
+    found.own = std::make_shared<const Given<Object>>(letters().freedoms(entry.name, object));
+    found.offers = {{"", found.looksAt.front(), found.missing}};
+    return found;
   }
 
-  void addUse(const Entry &entry, const ConstructionUse &use) {
+  [[nodiscard]] std::optional<EvaluatedEntry> evaluatedUse(const Entry &entry,
+                                                           const ConstructionUse &use) const {
     const Construction *construction = findConstruction(use.id);
     if (!construction)
-      return;
-    EvaluatedEntry found{entry.name, use.id, m_letters.namingOf(entry), {}};
+      return {};
+    EvaluatedEntry found{entry.name, use.id, letters().namingOf(entry), {}};
     for (const ConstructionRole &role : construction->roles) {
       const auto bound = use.roles.find(role.name);
       if (bound == use.roles.end() || !isCountOf(role, bound->second.ids.size()))
-        return;
+        return {};
       for (const std::string &id : bound->second.ids) {
-        const auto seen = m_visible.find(id);
-        if (seen == m_visible.end() || seenKindOf(seen->second.given->object) != role.kind)
-          return;
-        found.looksAt.push_back(seen->second.given);
+        const OfferedObject *seen = findOffered(id);
+        if (!seen || seenKindOf(seen->given->object) != role.kind)
+          return {};
+        found.looksAt.push_back(seen->given);
         if (found.missing.empty())
-          found.missing = seen->second.whyNot;
+          found.missing = seen->whyNot;
       }
     }
-    if (!takeOver(found))
+    if (!takeOver(found)) {
       found.outcome = found.missing.empty() ? construction->evaluate(found.naming, found.looksAt)
                                             : withoutAnObject(found.missing);
-    showMade(*construction, found);
-    m_found.entries.push_back(std::move(found));
+      found.offers = offersOf(*construction, found);
+    }
+    return found;
   }
 
   /// What the construction makes is there for later entries; what it does not make in its case, with the
   /// reason.
-  void showMade(const Construction &construction, const EvaluatedEntry &entry) {
+  [[nodiscard]] std::vector<OfferedObject> offersOf(const Construction &construction,
+                                                    const EvaluatedEntry &entry) const {
+    std::vector<OfferedObject> offers;
     const Outcome &outcome = *entry.outcome;
     for (const ConstructionRole &made : construction.makes) {
       const auto object = std::find_if(outcome.objects.begin(), outcome.objects.end(),
                                        [&](const MadeObject &each) { return each.name == made.name; });
       const bool isMade = object != outcome.objects.end();
-      const auto given = std::make_shared<const Given<Object>>(
-          m_letters.made(entry.name, made.name, isMade ? object->object : *makeObject(made.kind)));
-      m_visible[entry.name + "." + made.name] = {given,
-                                                 isMade ? whyTooLong(*given) : whyNotMade(*given, entry)};
+      auto given = std::make_shared<const Given<Object>>(
+          letters().made(entry.name, made.name, isMade ? object->object : *makeObject(made.kind)));
+      std::string whyNot = isMade ? whyTooLong(*given) : whyNotMade(*given, entry);
+      offers.push_back({made.name, std::move(given), std::move(whyNot)});
     }
+    return offers;
   }
 
   /// The case of what should have made it tells why it is not there.
@@ -187,44 +230,36 @@ private:
     return words("The numbers of {object} are too long to go on with.", {{"object", plainText(made.symbol)}});
   }
 
-  /// Takes the outcome over from before, where it was made from the same.
+  /// Takes over what was made of the same before.
   bool takeOver(EvaluatedEntry &entry) const {
-    const auto old = m_old.find(entry.name);
-    if (old == m_old.end() || old->second->construction != entry.construction ||
-        old->second->missing != entry.missing || !(old->second->naming == entry.naming) ||
-        !areSame(old->second->looksAt, entry.looksAt))
+    const EvaluatedEntry *old = m_before.find(entry.name);
+    if (!old || old->construction != entry.construction || old->missing != entry.missing ||
+        !(old->naming == entry.naming) || !areSame(old->looksAt, entry.looksAt))
       return false;
-    entry.looksAt = old->second->looksAt;
-    entry.outcome = old->second->outcome;
+    entry.looksAt = old->looksAt;
+    entry.outcome = old->outcome;
+    entry.offers = old->offers;
     return true;
   }
 
-  SceneLetters m_letters;
-  std::unordered_map<std::string_view, const EvaluatedEntry *> m_old;
-  std::unordered_map<std::string, Visible> m_visible; ///< by id
+  const Evaluation &m_before;
   Evaluation m_found;
+  bool m_isInPlace = false;
 };
 
 } // namespace
 
 Evaluation evaluate(const Scene &scene, const Evaluation &before) {
-  Evaluator evaluator(scene, before);
-  const std::vector<Look> looks = looksOf(scene);
-  for (std::size_t i = 0; i < scene.entries.size(); ++i)
-    evaluator.add(scene.entries[i], looks[i]);
-  return evaluator.take();
+  return Evaluator(scene, before).evaluated();
 }
 
-const EvaluatedEntry *Evaluation::find(std::string_view name) const {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const EvaluatedEntry &each) { return each.name == name; });
-  return found == entries.end() ? nullptr : &*found;
-}
+const EvaluatedEntry *Evaluation::find(std::string_view name) const { return entries.find(name); }
 
 const EvaluatedEntry *Evaluation::lastConstruction() const {
-  const auto found = std::find_if(entries.rbegin(), entries.rend(),
-                                  [](const EvaluatedEntry &each) { return each.isConstruction(); });
-  return found == entries.rend() ? nullptr : &*found;
+  for (std::size_t place = entries.size(); place-- > 0;)
+    if (entries[place].isConstruction())
+      return &entries[place];
+  return nullptr;
 }
 
 const Crossings &crossingsOf(const Evaluation &evaluation, std::string_view entry) {
@@ -237,7 +272,7 @@ Figure figureOf(const Evaluation &evaluation) {
   Figure all;
   for (const EvaluatedEntry &entry : evaluation.entries) {
     const Figure &own = *entry.outcome->figure;
-    all.marks.insert(all.marks.end(), own.marks.begin(), own.marks.end());
+    all.marks.append(own.marks);
     all.reaches.insert(all.reaches.end(), own.reaches.begin(), own.reaches.end());
   }
   return reaching(std::move(all));

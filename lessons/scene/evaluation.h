@@ -2,11 +2,19 @@
 #pragma once
 
 #include "lessons/construction/construction.h"
-#include "lessons/scene/scene.h"
+#include "lessons/scene/scene_plan.h"
 
 #include <memory>
 
 namespace halfspace {
+
+/// An object of an entry that later entries can look at.
+struct OfferedObject {
+  std::string name; ///< within the entry: F; empty for the object that the entry itself is
+  std::shared_ptr<const Given<Object>> given;
+  std::string whyNot{}; ///< why it is not there in the present case, a sentence; empty where it is
+  bool operator==(const OfferedObject &) const = default;
+};
 
 /// An entry with its outcome, and what that was made from.
 struct EvaluatedEntry {
@@ -21,13 +29,17 @@ struct EvaluatedEntry {
   std::shared_ptr<const Outcome> outcome{};
   /// An object as it stands in the scene, a bound one by its freedoms; null for a construction.
   std::shared_ptr<const Given<Object>> own{};
+  std::vector<OfferedObject> offers{};
 
   [[nodiscard]] bool isConstruction() const { return !construction.empty(); }
 };
 
-/// The outcomes of a scene's entries, from top to bottom.
+/// The outcomes of a scene's entries, from top to bottom, and what they were made from. An entry that a
+/// change of the scene did not touch is the same in the evaluations before and after it.
 struct Evaluation {
-  std::vector<EvaluatedEntry> entries;
+  NamedList<EvaluatedEntry> entries;
+  Scene scene{};
+  std::shared_ptr<const ScenePlan> plan{}; ///< of that scene; null for the evaluation of none
 
   /// The entry of this name, or null.
   [[nodiscard]] const EvaluatedEntry *find(std::string_view name) const;

@@ -9,7 +9,7 @@ std::vector<PlacedObject> boundObjectsOf(const Scene &scene, const Evaluation &e
   for (const Entry &entry : scene.entries)
     if (const EvaluatedEntry *evaluated = isBound(entry) ? evaluation.find(entry.name) : nullptr;
         evaluated && evaluated->missing.empty())
-      bound.push_back({entry.name, *evaluated->looksAt[0], evaluated->looksAt[1]->object});
+      bound.push_back({entry.name, evaluated->looksAt[0], evaluated->looksAt[1]});
   return bound;
 }
 

@@ -8,8 +8,8 @@ namespace halfspace {
 /// A bound object at its place, and what it lies on.
 struct PlacedObject {
   std::string name; ///< the entry's
-  Given<Object> point;
-  Object host;
+  std::shared_ptr<const Given<Object>> point;
+  std::shared_ptr<const Given<Object>> host;
 };
 
 /// The bound objects of a scene that have a place in what it comes to.

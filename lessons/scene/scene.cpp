@@ -1,9 +1,9 @@
 #include "lessons/scene/scene.h"
 
-#include <algorithm>
-
 namespace halfspace {
 namespace {
+
+const Object *objectIn(const Entry &entry) { return std::get_if<Object>(&entry.content); }
 
 /// The name of a coordinate within its object; a point's goes by the point's own name.
 std::string_view ownName(const Entry &entry, const Object &object, std::size_t index) {
@@ -13,20 +13,29 @@ std::string_view ownName(const Entry &entry, const Object &object, std::size_t i
 }
 
 std::string_view ownName(const Scene &scene, const CoordinateId &id) {
-  for (const Entry &entry : scene.entries)
-    if (entry.name == id.object)
-      if (const auto *object = std::get_if<Object>(&entry.content))
-        return ownName(entry, *object, id.index);
-  return id.object;
+  const Entry *entry = scene.entries.find(id.object);
+  const Object *object = entry ? objectIn(*entry) : nullptr;
+  return object ? ownName(*entry, *object, id.index) : std::string_view(id.object);
 }
 
-bool isOnlyOne(const Scene &scene, std::string_view name) {
-  int found = 0;
+/// The coordinate that alone has this name within its object; nothing where none or several have it.
+std::optional<CoordinateId> onlyOneCalled(const Scene &scene, std::string_view name) {
+  std::optional<CoordinateId> found;
   for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content))
+    if (const Object *object = objectIn(entry))
       for (std::size_t index = 0; index < coordinatesOf(*object).size(); ++index)
-        found += ownName(entry, *object, index) == name ? 1 : 0;
-  return found == 1;
+        if (ownName(entry, *object, index) == name) {
+          if (found)
+            return {};
+          found = CoordinateId{entry.name, index};
+        }
+  return found;
+}
+
+void addCoordinates(const Entry &entry, std::vector<CoordinateId> &ids) {
+  if (const Object *object = objectIn(entry))
+    for (std::size_t index = 0; index < coordinatesOf(*object).size(); ++index)
+      ids.push_back({entry.name, index});
 }
 
 /// Calls a function for the id of each object that an entry looks at.
@@ -53,26 +62,36 @@ std::vector<std::string *> referencesIn(Entry &entry) {
   return ids;
 }
 
-const Object *findObject(const Scene &scene, std::string_view name) {
-  for (const Entry &entry : scene.entries)
-    if (entry.name == name)
-      return std::get_if<Object>(&entry.content);
-  return nullptr;
+bool areBuiltAlike(const Entry &a, const Entry &b) {
+  const Object *first = objectIn(a);
+  const Object *second = objectIn(b);
+  const bool haveSameContent = first && second
+                                   ? &first->kind() == &second->kind() && first->size() == second->size()
+                                   : a.content == b.content;
+  return a.name == b.name && a.on == b.on && haveSameContent;
 }
 
-Object *findObject(Scene &scene, std::string_view name) {
-  for (Entry &entry : scene.entries)
-    if (entry.name == name)
-      return std::get_if<Object>(&entry.content);
-  return nullptr;
+const Object *findObject(const Scene &scene, std::string_view name) {
+  const Entry *entry = scene.entries.find(name);
+  return entry ? objectIn(*entry) : nullptr;
+}
+
+void setObject(Scene &scene, std::string_view name, Object object) {
+  scene.entries.change(scene.entries.placeOf(name).value(),
+                       [&](Entry &entry) { entry.content = std::move(object); });
 }
 
 std::vector<CoordinateId> coordinatesOf(const Scene &scene) {
   std::vector<CoordinateId> ids;
   for (const Entry &entry : scene.entries)
-    if (const auto *object = std::get_if<Object>(&entry.content))
-      for (std::size_t index = 0; index < coordinatesOf(*object).size(); ++index)
-        ids.push_back({entry.name, index});
+    addCoordinates(entry, ids);
+  return ids;
+}
+
+std::vector<CoordinateId> coordinatesOf(const Scene &scene, std::string_view name) {
+  std::vector<CoordinateId> ids;
+  if (const Entry *entry = scene.entries.find(name))
+    addCoordinates(*entry, ids);
   return ids;
 }
 
@@ -83,18 +102,14 @@ std::string fullName(const Scene &scene, const CoordinateId &id) {
 
 std::string shortName(const Scene &scene, const CoordinateId &id) {
   const std::string_view own = ownName(scene, id);
-  return isOnlyOne(scene, own) ? std::string(own) : fullName(scene, id);
+  return onlyOneCalled(scene, own) ? std::string(own) : fullName(scene, id);
 }
 
 std::optional<CoordinateId> findCoordinate(const Scene &scene, std::string_view name) {
-  const auto ids = coordinatesOf(scene);
-  for (const CoordinateId &id : ids)
+  for (const CoordinateId &id : coordinatesOf(scene, name.substr(0, name.find('.'))))
     if (fullName(scene, id) == name)
       return id;
-  for (const CoordinateId &id : ids)
-    if (ownName(scene, id) == name && isOnlyOne(scene, name))
-      return id;
-  return {};
+  return onlyOneCalled(scene, name);
 }
 
 } // namespace halfspace

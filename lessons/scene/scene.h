@@ -3,6 +3,7 @@
 
 #include "lessons/figure/look.h"
 #include "lessons/object/object.h"
+#include "lessons/shared_list.h"
 
 #include <map>
 #include <variant>
@@ -45,9 +46,13 @@ struct Entry {
 /// Whether the entry is an object that lies on another.
 [[nodiscard]] inline bool isBound(const Entry &entry) { return !entry.on.empty(); }
 
-/// Evaluated from top to bottom: an entry sees only those above it, so there are no cycles.
+/// Whether two entries differ in the numbers of their object and in its colour alone, if at all.
+[[nodiscard]] bool areBuiltAlike(const Entry &a, const Entry &b);
+
+/// Evaluated from top to bottom: an entry sees only those above it, so there are no cycles. Copies of a scene
+/// share their entries: one that an edit does not touch is the same in the scenes before and after it.
 struct Scene {
-  std::vector<Entry> entries;
+  NamedList<Entry> entries;
   bool operator==(const Scene &) const = default;
 };
 
@@ -62,7 +67,8 @@ struct Scene {
 
 /// The object that goes by this name, or null.
 [[nodiscard]] const Object *findObject(const Scene &scene, std::string_view name);
-[[nodiscard]] Object *findObject(Scene &scene, std::string_view name);
+/// Puts another object in the place of the one of this name. Requires one.
+void setObject(Scene &scene, std::string_view name, Object object);
 
 /// A coordinate of a scene: `E.n`, or `Q` for a point.
 struct CoordinateId {
@@ -71,8 +77,10 @@ struct CoordinateId {
   bool operator==(const CoordinateId &) const = default;
 };
 
-/// All coordinates of the scene, from top to bottom.
+/// All coordinates of the scene, from top to bottom; and those of the entry of this name, if that is an
+/// object.
 [[nodiscard]] std::vector<CoordinateId> coordinatesOf(const Scene &scene);
+[[nodiscard]] std::vector<CoordinateId> coordinatesOf(const Scene &scene, std::string_view name);
 
 /// The full name of a coordinate: `E.n`, or `Q` for a point.
 [[nodiscard]] std::string fullName(const Scene &scene, const CoordinateId &id);

@@ -2,8 +2,8 @@
 
 #include "geometry/decide.h"
 #include "lessons/construction/construction.h"
-#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/mesh.h"
+#include "lessons/reading/typed_number.h"
 
 #include <algorithm>
 #include <cctype>
@@ -74,12 +74,9 @@ std::vector<Edit> editsToAdd(const Scene &scene, const std::string &name, const 
 std::string nextName(const Scene &scene, std::string name) {
   if (name.size() > 1 && std::isupper(static_cast<unsigned char>(name.back())))
     name.pop_back();
-  const auto isTaken = [&scene](const std::string &wanted) {
-    return std::any_of(scene.entries.begin(), scene.entries.end(),
-                       [&wanted](const Entry &entry) { return entry.name == wanted; });
-  };
   char letter = 'B';
-  while (isTaken(name + letter)) // no list has so many that it would come to the end of the letters
+  while (
+      scene.entries.find(name + letter)) // no list has so many that it would come to the end of the letters
     ++letter;
   return name + letter;
 }

@@ -266,7 +266,7 @@ private slots:
       WindowFixture fixture("signed-distance");
       work.session = fixture.model().session();
     }
-    coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, Rational(-10, 3));
+    setObject(work.session.scene, "Q", PointObject{ExactVec3(1, 2, Rational(-10, 3))});
     work.file = {file, "", work.session.lesson};
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work)); // ends without forgetting it
     WindowFixture fixture("plane-implicit");
@@ -290,7 +290,7 @@ private slots:
       work.session = fixture.model().session();
     }
     const std::string textInFile = writeSession(work.session);
-    coordinate(*findObject(work.session.scene, "Q"), 0) = ExactVec3(1, 2, 3);
+    setObject(work.session.scene, "Q", PointObject{ExactVec3(1, 2, 3)});
     work.file = {file, textInFile, work.session.lesson};
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work));
     WindowFixture fixture("plane-implicit");

@@ -54,6 +54,13 @@ inline Scene sceneOf(const Construction &construction, const std::vector<Object>
   return scene;
 }
 
+/// Gives a coordinate of a scene another value; a single number is its x.
+inline void setCoordinate(Scene &scene, const CoordinateId &id, const ExactVec3 &value) {
+  Object object = *findObject(scene, id.object);
+  object[id.index] = value;
+  setObject(scene, id.object, std::move(object));
+}
+
 /// The outcome of the last construction; the test fails where there is none.
 inline const Outcome &lastOutcome(const Evaluation &evaluation) {
   const EvaluatedEntry *last = evaluation.lastConstruction();

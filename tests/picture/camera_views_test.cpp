@@ -2,6 +2,7 @@
 #include "widgets/picture/camera_views.h"
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/object/kinds/ray.h"
 #include "lessons/scene/session.h"
 #include "tests/picture/marks.h"
 #include "tests/test_name.h"
@@ -84,7 +85,7 @@ TEST(FirstCourse, OfAFigure_IsTheFirstThatHasADirection) {
   EXPECT_EQ(course.start, toDouble(coordinate(*findObject(scene, "L"), 0)));
   const Place direction = glm::normalize(toDouble(coordinate(*findObject(scene, "L"), 1)));
   EXPECT_GT(glm::dot(course.direction, direction), 0.999999);
-  coordinate(*findObject(scene, "L"), 1) = ExactVec3(0);
+  setObject(scene, "L", RayObject{coordinate(*findObject(scene, "L"), 0), ExactVec3(0)});
   EXPECT_FALSE(firstCourse(figureOf(evaluate(scene))));
   EXPECT_FALSE(firstCourse(figureOf(evaluate(library().find("signed-distance")->scene))));
 }

@@ -185,7 +185,7 @@ TEST_F(Composed, WhatDidNotChange_IsSharedWithTheListBefore) {
   EXPECT_FALSE(turned.contains(Layer::Faces)) << "their order is the same from there";
   EXPECT_TRUE(turned.contains(Layer::Axes)) << "ticks turn to the eye";
   SceneContent moved = usualContent();
-  std::get<PointMark>(moved.figure.marks.front()).at = {9, 7, 9};
+  moved.figure.marks.change(0, [](Mark &mark) { std::get<PointMark>(mark).at = {9, 7, 9}; });
   const std::set<Layer> dragged = renewedBy([&] { composer.setContent(moved); });
   EXPECT_TRUE(dragged.contains(Layer::Solids));
   for (const Layer layer : {Layer::Ground, Layer::Axes, Layer::Faces})
@@ -233,7 +233,7 @@ TEST_F(Composed, ALabelIsPartOfItsMark) {
 TEST_F(Composed, AMarkThatLosesItsName_LosesItsLabel_AndGetsItBack) {
   const auto isLabelled = [&](const std::string &name) {
     SceneContent content = usualContent();
-    std::get<PointMark>(content.figure.marks.front()).label = name;
+    content.figure.marks.change(0, [&](Mark &mark) { std::get<PointMark>(mark).label = name; });
     composer.setContent(content);
     const std::vector<std::string> labelled = marks(Layer::Labels);
     return std::find(labelled.begin(), labelled.end(), "Q") != labelled.end();

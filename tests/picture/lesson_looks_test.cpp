@@ -72,7 +72,9 @@ TEST(LessonLooks, TheTorpedo_IsThickerThanTheHeadOfItsArrow) {
   Scene scene = library().find("photon-torpedo")->scene;
   for (const int frame : {10, 40}) {
     SCOPED_TRACE(frame);
-    (*findObject(scene, "frame"))[0].x = frame;
+    Object moment = *findObject(scene, "frame");
+    moment[0].x = frame;
+    setObject(scene, "frame", moment);
     const Figure figure = figureOf(evaluate(scene));
     const auto *torpedo = std::get_if<PointMark>(findMark(figure, "flight.M"));
     const auto *arrow = std::get_if<ArrowMark>(findMark(figure, "shot.L.r"));

@@ -31,8 +31,8 @@ TEST(Stage, WithABoundPoint_HasItsPlaceAndItsHostInItsUnits) {
   const Stage stage = stageOf(placed);
   EXPECT_GT(stage.exponent, 0);
   const PlacedObject bound = toStage(placed, stage).bound.front();
-  EXPECT_EQ(bound.point.object[0], toStage({500, 500, 300}, CoordinateRole::Position, stage));
-  EXPECT_EQ(placeOn(far, bound.host), bound.point.object[0]) << "with the same freedom";
+  EXPECT_EQ(bound.point->object[0], toStage({500, 500, 300}, CoordinateRole::Position, stage));
+  EXPECT_EQ(placeOn(far, bound.host->object), bound.point->object[0]) << "with the same freedom";
 }
 
 TEST(Stage, OfAPointFarOutOnItsLine_ReachesToIt) {
@@ -116,6 +116,8 @@ TEST(Stage, PutOnAndTakenBack_IsExactlyTheSame) {
 TEST(StagedFigure, OfAUsualScene_IsTheSameFigure) {
   Figure figure{{pointAt({1, 2, 3}), segmentBetween({0, 0, 0}, {9, 9, 9}), patchAt({1, 1, 1}, {0, 0, 1})}};
   EXPECT_EQ(toStage(figure, Stage()).marks, figure.marks);
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    EXPECT_EQ(toStage(figure, Stage()).marks.shared(place), figure.marks.shared(place)) << "shared";
 }
 
 TEST(StagedFigure, BeyondReach_IsCutOffOrLeftOut) {

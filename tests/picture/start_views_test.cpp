@@ -382,10 +382,11 @@ TEST_P(StartView, NothingLooksLikeALineThatIsNone) { expectNothing(falseLines); 
 /// A lesson in which one corner of a triangle was dragged to the middle of the two others, or to the first of
 /// them.
 Lesson withDegenerateTriangle(Lesson lesson, const std::string &triangle, std::size_t corner, bool toMiddle) {
-  Object &object = *findObject(lesson.scene, triangle);
+  Object object = *findObject(lesson.scene, triangle);
   const ExactVec3 &first = object[corner == 0 ? 1 : 0];
   const ExactVec3 &second = object[corner == 2 ? 1 : 2];
   object[corner] = toMiddle ? (first + second) / Rational(2) : first;
+  setObject(lesson.scene, triangle, std::move(object));
   return lesson;
 }
 
@@ -432,9 +433,11 @@ std::vector<Lesson> flatLessons() {
       for (int x = -2; x <= 2; ++x)
         for (int z = -2; z <= 2; ++z) {
           lessons.push_back(lesson);
-          Object &ray = *findObject(lessons.back().scene, lesson.flat->right.object);
+          Scene &scene = lessons.back().scene;
+          Object ray = *findObject(scene, lesson.flat->right.object);
           ray[0] += ExactVec3(x, 0, z);
           ray[1] += ExactVec3(0, z, x);
+          setObject(scene, lesson.flat->right.object, std::move(ray));
         }
   return lessons;
 }

@@ -109,9 +109,11 @@ private:
     if (largest == 0)
       return;
     normal *= Rational(1 / largest);
-    for (Entry &entry : scene.entries)
-      if (auto &object = std::get<Object>(entry.content); kindOf(object) == RayObject::kind)
+    for (std::size_t place = 0; place < scene.entries.size(); ++place)
+      if (Object object = std::get<Object>(scene.entries[place].content); kindOf(object) == RayObject::kind) {
         object[1] = cross(normal, vector(0)) + normal * powerOfTen(-integer(1, 20));
+        setObject(scene, scene.entries[place].name, std::move(object));
+      }
   }
 
   static bool isAccepted(const Scene &scene) {

@@ -135,7 +135,7 @@ TEST_P(Views, FromAnyHeight_CutOffNothingOfTheFigure) {
   const std::vector<Place> places{{0, 0, 0}, {11, 15, 8}, {-40, 3, 2}, {5, 90, -7}};
   Figure figure;
   for (const Place &place : places)
-    figure.marks.emplace_back(withId(pointAt(place), "p" + std::to_string(figure.marks.size())));
+    figure.add(withId(pointAt(place), "p" + std::to_string(figure.marks.size())));
   for (const bool orthographic : {false, true}) {
     PictureRequest request = requestFor(figure);
     request.camera.height = GetParam();

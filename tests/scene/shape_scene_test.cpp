@@ -97,7 +97,7 @@ TEST(ShapeScene, LabelledLikeAnother_HasItsLabelsWhereTheyStandThere) {
 TEST(ShapeScene, OfAPainterThatLives_HasItsLabelsWhereAFirstPictureHasThem) {
   const PictureRequest request = requestFor(labelledPoint());
   PictureRequest moved = request;
-  std::get<PointMark>(moved.content.figure.marks.front()).at = {11, 14, 2};
+  moved.content.figure.marks.change(0, [](Mark &mark) { std::get<PointMark>(mark).at = {11, 14, 2}; });
   OffscreenPainter painter(magentaForQ.set, magentaForQ.paint);
   for (const PictureRequest &each : {moved, requestFor({}), request}) {
     const auto picture = painter.draw(each);

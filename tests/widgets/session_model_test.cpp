@@ -61,7 +61,7 @@ private slots:
     const Session before = model.session();
     Lesson newer = model.lesson();
     newer.steps[2].title = "Other words";
-    *findObject(newer.scene, "Q") = PointObject{{9, 9, 9}};
+    setObject(newer.scene, "Q", PointObject{{9, 9, 9}});
     QSignalSpy shown(&model, &SessionModel::lessonChanged);
     model.renewLesson(newer);
     QCOMPARE(shown.count(), 1);
@@ -78,7 +78,7 @@ private slots:
     model.openLesson("signed-distance");
     model.setStep(3);
     Lesson newer = model.lesson();
-    *findObject(newer.scene, "Q") = PointObject{{9, 9, 9}};
+    setObject(newer.scene, "Q", PointObject{{9, 9, 9}});
     newer.steps.resize(2);
     model.renewLesson(newer);
     QVERIFY(model.session().scene == newer.scene);

@@ -83,8 +83,7 @@ std::vector<CoordinateId> NumberCard::shownCoordinates() const {
   const Object *object = m_selected ? findObject(scene, m_selected->object) : nullptr;
   if (!object)
     return {};
-  std::vector<CoordinateId> ids = coordinatesOf(scene);
-  std::erase_if(ids, [this](const CoordinateId &id) { return id.object != m_selected->object; });
+  std::vector<CoordinateId> ids = coordinatesOf(scene, m_selected->object);
   if (ids.size() > mostCoordinates)
     std::erase_if(ids, [this](const CoordinateId &id) { return id.index != m_selected->index; });
   return ids;

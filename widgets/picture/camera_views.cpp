@@ -89,7 +89,7 @@ Figure nearGiven(Figure figure) {
   for (const Place &place : places)
     box.include(place);
   const Place reach(reachOfGiven * box.longestSide());
-  std::erase_if(figure.marks, [&](const Mark &mark) {
+  figure.marks.eraseIf([&](const Mark &mark) {
     const std::vector<Place> of = placesOf({{mark}});
     return std::any_of(of.begin(), of.end(), [&](const Place &place) {
       return glm::any(glm::lessThan(place, box.low - reach)) ||

@@ -158,9 +158,9 @@ std::optional<glm::dvec2> flatSizeIn(glm::dvec2 room, double sizeScale) {
 }
 
 Figure laidFlat(const Figure &figure, const FlatFrame &frame) {
-  Figure flat = withoutNumbers(figure);
-  for (Mark &mark : flat.marks)
-    mark = std::visit(Turn(frame), mark);
+  Figure flat;
+  for (const Mark &mark : withoutNumbers(figure).marks)
+    flat.add(std::visit(Turn(frame), mark));
   return flat;
 }
 
@@ -184,14 +184,15 @@ bool showsAll(const Figure &flat, const View &view) {
 Figure clippedTo(const View &view, Figure flat) {
   const double half = view.camera.height / 2 * view.size.width / view.size.height;
   const double middle = view.camera.target.y;
-  for (Mark &mark : flat.marks)
-    if (runsOn(mark)) {
-      auto &line = std::get<SegmentMark>(mark);
+  for (std::size_t place = 0; place < flat.marks.size(); ++place)
+    if (runsOn(flat.marks[place])) {
+      auto line = std::get<SegmentMark>(flat.marks[place]);
       const Place from = line.from;
       const Place way = line.to - from; // it is not upright: a patch is wider than high
       const auto at = [&](double y) { return from + way * std::clamp((y - from.y) / way.y, 0.0, 1.0); };
       line.from = at(middle - half);
       line.to = at(middle + half);
+      flat.marks.replace(place, std::move(line));
     }
   return flat;
 }

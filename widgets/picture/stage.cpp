@@ -69,7 +69,7 @@ Box boxAround(const Scene &scene, const std::vector<PlacedObject> &boundObjects)
   Box positions;
   Box tips;
   for (const PlacedObject &bound : boundObjects)
-    positions.add(toDouble(bound.point.object[0]));
+    positions.add(toDouble(bound.point->object[0]));
   for (const Entry &entry : scene.entries)
     if (const auto *object = std::get_if<Object>(&entry.content); object && !isBound(entry)) {
       const auto specs = coordinatesOf(*object);
@@ -114,6 +114,36 @@ bool cutToReach(Place &from, Place &to) {
 
 bool isWithinReach(const Place &place) { return Box::longest(place) <= drawnReach; } // false for NaN
 
+// Whether all that is drawn of a mark of the stage lies within reach.
+
+bool isWithinReach(const PointMark &point) { return isWithinReach(point.at); }
+bool isWithinReach(const SegmentMark &segment) {
+  return isWithinReach(segment.from) && isWithinReach(segment.to);
+}
+bool isWithinReach(const RayMark &ray) { return isWithinReach(ray.origin) && isWithinReach(endOf(ray)); }
+bool isWithinReach(const LineMark &line) {
+  const auto [low, high] = endsOf(line);
+  return isWithinReach(low) && isWithinReach(high);
+}
+bool isWithinReach(const ArrowMark &arrow) {
+  return isWithinReach(arrow.from) && isWithinReach(arrow.from + shownVector(arrow));
+}
+bool isWithinReach(const PlanePatchMark &patch) { return isWithinReach(patch.center); }
+bool isWithinReach(const PolygonMark &polygon) {
+  return std::all_of(polygon.corners.begin(), polygon.corners.end(),
+                     [](const Place &corner) { return isWithinReach(corner); });
+}
+bool isWithinReach(const SphereMark &sphere) {
+  return isWithinReach(sphere.center) && sphere.radius <= drawnReach;
+}
+bool isWithinReach(const MeshMark &mesh) {
+  const std::vector<Place> corners = outlineOf(mesh, 1).path;
+  return std::all_of(corners.begin(), corners.end(),
+                     [](const Place &corner) { return isWithinReach(corner); });
+}
+bool isWithinReach(const ArcMark &arc) { return isWithinReach(arc.center); }
+bool isWithinReach(const RightAngleMark &corner) { return isWithinReach(corner.at); }
+
 /// Puts the marks of a figure on a stage, one at a time.
 class Stager {
 public:
@@ -122,91 +152,110 @@ public:
 
   [[nodiscard]] Figure take() { return std::move(m_figure); }
 
-  void operator()(PointMark point) {
+  /// On the usual stage most marks are what they are in the scene.
+  void add(const SharedList<Mark>::Shared &mark) {
+    if (m_isUsual && std::visit([](const auto &each) { return isWithinReach(each); }, *mark))
+      m_figure.marks.push_back(mark);
+    else
+      std::visit([this](auto each) { keep(onStage(std::move(each))); }, *mark);
+  }
+
+private:
+  [[nodiscard]] Place position(const Place &place) const { return (place - m_middle) / m_unit; }
+
+  [[nodiscard]] PointMark onStage(PointMark point) const {
     point.at = position(point.at);
-    if (isWithinReach(point.at))
-      keep(std::move(point));
+    return point;
   }
-  void operator()(const SegmentMark &segment) {
-    keepLine(segment, position(segment.from), position(segment.to));
+  [[nodiscard]] SegmentMark onStage(SegmentMark segment) const {
+    segment.from = position(segment.from);
+    segment.to = position(segment.to);
+    return segment;
   }
-  void operator()(RayMark ray) {
+  [[nodiscard]] RayMark onStage(RayMark ray) const {
     ray.origin = position(ray.origin);
     if (ray.meets)
       ray.meets = position(*ray.meets);
-    Place start = ray.origin;
-    Place end = endOf(ray);
-    if (!isWithinReach(end) && cutToReach(start, end))
-      ray.meets = end;
-    if (isWithinReach(ray.origin))
-      keep(std::move(ray));
+    return ray;
   }
-  void operator()(LineMark line) {
+  [[nodiscard]] LineMark onStage(LineMark line) const {
     line.through = position(line.through);
     for (Place &covered : line.covers)
       covered = position(covered);
-    const auto [low, high] = endsOf(line);
-    if (isWithinReach(low) && isWithinReach(high))
-      keep(std::move(line));
-    else
-      keepLine(line, low, high);
+    return line;
   }
-  void operator()(ArrowMark arrow) {
+  [[nodiscard]] ArrowMark onStage(ArrowMark arrow) const {
     arrow.from = position(arrow.from);
     if (!arrow.drawnLength)
       arrow.vector /= m_unit;
     const double length = glm::length(arrow.vector);
     if (arrow.isFree && !m_isUsual && length > 0)
       arrow.drawnLength = std::clamp(length, shortestArrow, longestArrow);
-    const Place tip = arrow.from + shownVector(arrow);
-    if (isWithinReach(arrow.from) && isWithinReach(tip))
-      keep(std::move(arrow));
-    else
-      keepLine(arrow, arrow.from, tip);
+    return arrow;
   }
-  void operator()(PlanePatchMark patch) {
+  [[nodiscard]] PlanePatchMark onStage(PlanePatchMark patch) const {
     patch.center = position(patch.center);
     for (Place &covered : patch.covers)
       covered = position(covered);
-    if (isWithinReach(patch.center))
-      keep(std::move(patch));
+    return patch;
   }
-  void operator()(PolygonMark polygon) {
+  [[nodiscard]] PolygonMark onStage(PolygonMark polygon) const {
     for (Place &corner : polygon.corners)
       corner = position(corner);
-    if (std::all_of(polygon.corners.begin(), polygon.corners.end(), isWithinReach))
-      keep(std::move(polygon));
+    return polygon;
   }
-  void operator()(SphereMark sphere) {
+  [[nodiscard]] SphereMark onStage(SphereMark sphere) const {
     sphere.center = position(sphere.center);
     sphere.radius /= m_unit;
-    if (isWithinReach(sphere.center) && sphere.radius <= drawnReach)
-      keep(std::move(sphere));
+    return sphere;
   }
-  void operator()(MeshMark mesh) {
+  [[nodiscard]] MeshMark onStage(MeshMark mesh) const {
     mesh.place = position(mesh.place);
     mesh.axes /= m_unit;
-    const std::vector<Place> corners = outlineOf(mesh, 1).path;
-    if (std::all_of(corners.begin(), corners.end(), isWithinReach))
-      keep(std::move(mesh));
+    return mesh;
   }
-  void operator()(ArcMark arc) {
+  [[nodiscard]] ArcMark onStage(ArcMark arc) const {
     arc.center = position(arc.center);
-    if (isWithinReach(arc.center))
-      keep(std::move(arc));
+    return arc;
   }
-  void operator()(RightAngleMark corner) {
+  [[nodiscard]] RightAngleMark onStage(RightAngleMark corner) const {
     corner.at = position(corner.at);
-    if (isWithinReach(corner.at))
-      keep(std::move(corner));
+    return corner;
   }
 
-private:
-  [[nodiscard]] Place position(const Place &place) const { return (place - m_middle) / m_unit; }
-  void keep(Mark mark) { m_figure.add(std::move(mark)); }
+  /// What reaches too far is left out, where it cannot be cut off.
+  template <class Kind> void keep(Kind mark) {
+    if (isWithinReach(mark))
+      m_figure.add(std::move(mark));
+  }
+  void keep(const SegmentMark &segment) { keepLine(segment, segment.from, segment.to); }
+  void keep(LineMark line) {
+    if (isWithinReach(line)) {
+      m_figure.add(std::move(line));
+      return;
+    }
+    const auto [low, high] = endsOf(line);
+    keepLine(std::move(line), low, high);
+  }
+  void keep(ArrowMark arrow) {
+    if (isWithinReach(arrow)) {
+      m_figure.add(std::move(arrow));
+      return;
+    }
+    const Place tip = arrow.from + shownVector(arrow);
+    keepLine(arrow, arrow.from, tip);
+  }
+  void keep(RayMark ray) {
+    Place start = ray.origin;
+    Place end = endOf(ray);
+    if (!isWithinReach(end) && cutToReach(start, end))
+      ray.meets = end;
+    if (isWithinReach(ray.origin))
+      m_figure.add(std::move(ray));
+  }
   void keepLine(MarkBase base, Place from, Place to) {
     if (cutToReach(from, to))
-      keep(SegmentMark{std::move(base), from, to});
+      m_figure.add(SegmentMark{std::move(base), from, to});
   }
 
   Place m_middle;
@@ -261,16 +310,21 @@ ExactVec3 fromStage(const ExactVec3 &value, CoordinateRole role, const Stage &st
 PlacedScene toStage(PlacedScene placed, const Stage &stage) {
   if (stage == Stage())
     return placed;
-  const auto move = [&](Object &object) {
+  const auto moved = [&](Object object) {
     for (std::size_t i = 0; i < object.size(); ++i)
       object[i] = toStage(object[i], coordinatesOf(object)[i].role, stage);
+    return object;
   };
-  for (Entry &entry : placed.scene.entries)
-    if (auto *object = std::get_if<Object>(&entry.content))
-      move(*object);
+  const auto movedGiven = [&](Given<Object> given) {
+    given.object = moved(std::move(given.object));
+    return std::make_shared<const Given<Object>>(std::move(given));
+  };
+  for (std::size_t place = 0; place < placed.scene.entries.size(); ++place)
+    if (const auto *object = std::get_if<Object>(&placed.scene.entries[place].content))
+      placed.scene.entries.change(place, [&](Entry &entry) { entry.content = moved(*object); });
   for (PlacedObject &bound : placed.bound) {
-    move(bound.point.object);
-    move(bound.host);
+    bound.point = movedGiven(*bound.point);
+    bound.host = movedGiven(*bound.host);
   }
   placed.origin = toStage(placed.origin, CoordinateRole::Position, stage);
   return placed;
@@ -286,8 +340,8 @@ Object fromStage(Object object, const Stage &stage) {
 
 Figure toStage(const Figure &figure, const Stage &stage) {
   Stager stager(stage);
-  for (const Mark &mark : figure.marks)
-    std::visit(stager, mark);
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    stager.add(figure.marks.shared(place));
   return stager.take();
 }
 

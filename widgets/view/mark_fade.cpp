@@ -1,9 +1,20 @@
 #include "widgets/view/mark_fade.h"
 
-#include <algorithm>
-#include <iterator>
+#include <set>
+#include <utility>
 
 namespace halfspace {
+
+namespace {
+
+std::set<std::string> idsIn(const Figure &figure) {
+  std::set<std::string> ids;
+  for (const Mark &mark : figure.marks)
+    ids.insert(baseOf(mark).id);
+  return ids;
+}
+
+} // namespace
 
 MarkFade::MarkFade(QObject *parent) : QObject(parent) {
   m_animation.setStartValue(0.0);
@@ -20,18 +31,17 @@ MarkFade::MarkFade(QObject *parent) : QObject(parent) {
 }
 
 void MarkFade::show(const Session &session, const Figure &figure, bool moving) {
-  std::set<std::string> shown;
-  for (const Mark &mark : figure.marks)
-    shown.insert(baseOf(mark).id);
   const bool otherStep = session.lesson == m_lesson && session.step != m_step;
-  std::set<std::string> added;
-  std::set_difference(shown.begin(), shown.end(), m_shown.begin(), m_shown.end(),
-                      std::inserter(added, added.end()));
   finish();
   m_lesson = session.lesson;
   m_step = session.step;
-  m_shown = std::move(shown);
-  if (!otherStep || !moving || added.empty())
+  const Figure before = std::exchange(m_shown, figure);
+  if (!otherStep || !moving)
+    return;
+  std::set<std::string> added = idsIn(figure);
+  for (const std::string &id : idsIn(before))
+    added.erase(id);
+  if (added.empty())
     return;
   m_arrival = {std::move(added), 0};
   m_animation.start();

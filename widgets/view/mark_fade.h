@@ -32,7 +32,7 @@ signals:
 private:
   std::string m_lesson;
   int m_step = 0;
-  std::set<std::string> m_shown; ///< ids of the marks
+  Figure m_shown;
   Arrival m_arrival;
   QVariantAnimation m_animation;
 };

@@ -115,8 +115,8 @@ Figure draw(const Out &at) {
   if (at.elapsed == 0)
     torpedo.label.clear(); // the start has a letter of its own
   figure.add(std::move(torpedo));
-  for (Mark &mark : figure.marks)
-    baseOf(mark).passes = true;
+  for (std::size_t place = 0; place < figure.marks.size(); ++place)
+    figure.marks.change(place, [](Mark &mark) { baseOf(mark).passes = true; });
   return figure;
 }
 

@@ -95,11 +95,12 @@ Scene renewed(const Scene &scene, std::uint64_t seed, const glm::dvec3 &from, bo
 } // namespace
 
 Scene withNumbersOf(const Scene &other, Scene scene) {
-  for (Entry &entry : scene.entries)
-    if (auto *object = std::get_if<Object>(&entry.content))
+  const Scene before = scene;
+  for (const Entry &entry : before.entries)
+    if (const auto *object = std::get_if<Object>(&entry.content))
       if (const Object *same = findObject(other, entry.name);
           same && kindOf(*same) == kindOf(*object) && same->size() == object->size())
-        *object = *same;
+        setObject(scene, entry.name, *same);
   return scene;
 }
 

@@ -333,7 +333,13 @@ private:
 
 } // namespace
 
-void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsCornersOnALine) {
+void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, bool keepsCornersOnALine) {
+  std::vector<Object> renewed;
+  for (const std::string &name : names)
+    renewed.push_back(*findObject(scene, name));
+  std::vector<Object *> objects;
+  for (Object &object : renewed)
+    objects.push_back(&object);
   const auto count = [&](std::string_view kind) {
     return std::count_if(objects.begin(), objects.end(),
                          [&](const Object *object) { return kindOf(*object) == kind; });
@@ -349,6 +355,8 @@ void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsCornersOnALin
   std::stable_partition(objects.begin(), others, std::not_fn(isLine));
   for (Object *object : objects)
     renewal.renew(*object);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    setObject(scene, names[i], std::move(renewed[i]));
 }
 
 } // namespace halfspace

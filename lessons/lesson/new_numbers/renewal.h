@@ -2,8 +2,9 @@
 #pragma once
 
 #include "lessons/lesson/new_numbers/dice.h"
-#include "lessons/object/object.h"
+#include "lessons/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace halfspace {
@@ -11,9 +12,10 @@ namespace halfspace {
 /// No new coordinate is larger, either way.
 inline constexpr int largestShortNumber = 9;
 
-/// Gives the objects whole and short numbers that they did not have; one keeps those that it has where there
-/// is no luck. Rays and points aim at planes, triangles, lines and faces, so that they meet them in whole
-/// points. `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
-void renewAll(std::vector<Object *> objects, Dice &dice, bool keepsCornersOnALine = false);
+/// Gives the objects of these names whole and short numbers that they did not have; one keeps those that it
+/// has where there is no luck. Rays and points aim at planes, triangles, lines and faces, so that they meet
+/// them in whole points. `keepsCornersOnALine`: a triangle whose corners are on one line is drawn so again.
+void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice,
+              bool keepsCornersOnALine = false);
 
 } // namespace halfspace

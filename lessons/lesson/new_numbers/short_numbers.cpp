@@ -23,7 +23,7 @@ constexpr std::size_t lengthOfLong = 1000;
 /// The last construction and all that it follows from: nothing else has a say in what is shown as the result.
 Scene shownPartOf(const Scene &scene) {
   std::set<std::string> needed;
-  Scene part;
+  std::vector<std::size_t> places; // from below
   for (std::size_t i = scene.entries.size(); i-- > 0;) {
     const Entry &entry = scene.entries[i];
     const auto *use = std::get_if<ConstructionUse>(&entry.content);
@@ -32,18 +32,21 @@ Scene shownPartOf(const Scene &scene) {
       continue;
     for (const std::string &id : referencesIn(entry))
       needed.insert(ownerOf(id));
-    part.entries.push_back(entry);
+    places.push_back(i);
   }
-  std::reverse(part.entries.begin(), part.entries.end());
+  std::reverse(places.begin(), places.end());
+  Scene part;
+  for (const std::size_t place : places)
+    part.entries.push_back(scene.entries.shared(place));
   return part;
 }
 
-std::vector<Object *> objectsOf(Scene &scene) {
-  std::vector<Object *> objects;
-  for (Entry &entry : scene.entries)
-    if (auto *object = std::get_if<Object>(&entry.content))
-      objects.push_back(object);
-  return objects;
+std::vector<std::string> namesOfObjects(const Scene &scene) {
+  std::vector<std::string> names;
+  for (const Entry &entry : scene.entries)
+    if (std::holds_alternative<Object>(entry.content))
+      names.push_back(entry.name);
+  return names;
 }
 
 /// A construction has none of its own, a plain number keeps its one, as it may be a bound or a step, and a
@@ -116,7 +119,7 @@ std::optional<Scene> renewed(const Scene &before, Dice &dice, const WantedNumber
   Shortest others;
   for (int tried = 0; tried < mostNumbersTried && !alike.isFull(); ++tried) {
     Scene scene = before;
-    renewAll(objectsOf(scene), dice, keepsCornersOnALine);
+    renewAll(scene, namesOfObjects(scene), dice, keepsCornersOnALine);
     if (!differEverywhere(scene, before) || (wanted.suits && !wanted.suits(scene)))
       continue;
     const Evaluation evaluation = evaluate(scene);
@@ -140,15 +143,13 @@ Scene withShortNumbers(Scene scene, std::uint64_t seed, const WantedNumbers &wan
   const auto last = renewed(shownPartOf(scene), dice, wanted);
   if (!last)
     return scene;
-  std::vector<Object *> others;
-  for (Entry &entry : scene.entries)
-    if (auto *object = std::get_if<Object>(&entry.content)) {
-      if (const Object *found = findObject(*last, entry.name))
-        *object = *found;
-      else
-        others.push_back(object);
-    }
-  renewAll(std::move(others), dice);
+  std::vector<std::string> others;
+  for (const std::string &name : namesOfObjects(scene))
+    if (const Object *found = findObject(*last, name))
+      setObject(scene, name, *found);
+    else
+      others.push_back(name);
+  renewAll(scene, others, dice);
   return scene;
 }
 

@@ -128,7 +128,7 @@ Result<Session> withValue(Session session, std::string_view assignment) {
   if (!id)
     return unknownCoordinate(session.scene, name);
   const auto numbers = partsOf(assignment.substr(equals + 1), ",");
-  Object &object = *findObject(session.scene, id->object);
+  Object object = *findObject(session.scene, id->object);
   const int expected = numbersIn(coordinatesOf(object)[id->index].role);
   if (static_cast<int>(numbers.size()) != expected)
     return Problem{expected == 3 ? words("{name} takes three numbers, as {name}=1,2,3.", {{"name", name}})
@@ -143,6 +143,7 @@ Result<Session> withValue(Session session, std::string_view assignment) {
   }
   if (const auto problem = refuseUnfitting(object))
     return Problem{problem->sentence, "", 0, name};
+  setObject(session.scene, id->object, std::move(object));
   return session;
 }
 

@@ -36,16 +36,18 @@ std::vector<Handle> handlesOf(const PlacedScene &placed) {
     }
   // Last, so that where a bound point lies on a handle of its host it is the one to be grabbed.
   for (const PlacedObject &bound : placed.bound)
-    handles.push_back(
-        boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host, bound.point.object[0]));
+    handles.push_back(boundHandle(bound.name, *findObject(placed.scene, bound.name), bound.host->object,
+                                  bound.point->object[0]));
   return handles;
 }
 
 void keepStill(std::vector<Handle> &handles, const std::vector<Handle> &before) {
   for (Handle &handle : handles) {
+    if (handle.motion != Handle::Motion::Whole)
+      continue;
     const auto old = std::find_if(before.begin(), before.end(),
                                   [&](const Handle &other) { return other.id == handle.id; });
-    if (handle.motion != Handle::Motion::Whole || old == before.end())
+    if (old == before.end())
       continue;
     const ExactVec3 at = handle.middle + (old->at - old->middle);
     handle.base += at - handle.at;

@@ -4,7 +4,8 @@
 #include "lessons/scene/edit.h"
 #include "lessons/scene/scene_letters.h"
 
-#include <algorithm>
+#include <string_view>
+#include <unordered_set>
 
 namespace halfspace {
 namespace {
@@ -18,10 +19,10 @@ Surroundings surroundingsOf(const PlacedScene &placed, const SceneLetters &lette
     if (const auto *object = std::get_if<Object>(&entry.content); object && entry.name != handled)
       object->kind().offer(letters.given(entry.name, *object), found);
   const std::vector<std::string> dependents = dependentsOf(placed.scene, handled);
+  const std::unordered_set<std::string_view> moving{dependents.begin(), dependents.end()};
   for (const PlacedObject &bound : placed.bound)
-    if (bound.name != handled &&
-        std::find(dependents.begin(), dependents.end(), bound.name) == dependents.end())
-      bound.point.object.kind().offer(bound.point, found);
+    if (bound.name != handled && !moving.contains(bound.name))
+      bound.point->object.kind().offer(*bound.point, found);
   return found;
 }
 

@@ -128,7 +128,7 @@ public:
     for (const std::string &id : outcome().explanation->ids())
       names.insert("line " + id);
     for (const Mark &mark : outcome().figure->marks)
-      names.insert("mark " + leadingId(baseOf(mark)).substr(std::string_view("it.").size()));
+      names.insert("mark " + std::string(leadingId(baseOf(mark)).substr(std::string_view("it.").size())));
     addSeen(*outcome().values, m_construction.names.values, "", names);
     return names;
   }

@@ -87,8 +87,9 @@ Scene atShot(const Scene &scene, int seed, int shot, const Rational &framesLater
 }
 
 Ray<Rational> torpedoOf(const Evaluation &evaluation) {
-  const auto ray = objectAs<RayObject>(evaluation.find("shot")->outcome->objects.front().object);
-  return {ray->origin, ray->direction};
+  const EvaluatedEntry *shot = evaluation.find("shot");
+  const auto ray = shot ? objectAs<RayObject>(shot->outcome->objects.front().object) : std::nullopt;
+  return ray ? Ray<Rational>{ray->origin, ray->direction} : Ray<Rational>{};
 }
 
 /// The triangles of meshes in the scene, in their order.
@@ -177,7 +178,9 @@ TEST(Torpedoes, OnTheirWay_ExplodeWhereTheyHitAndNotBefore) {
       continue;
     ++exploded;
     const auto flightAfter = [&](const Rational &lambda) {
-      return evaluate(atShot(barn, seed, 3, lambda * framesPerLambda)).find("flight")->outcome;
+      const Evaluation evaluation = evaluate(atShot(barn, seed, 3, lambda * framesPerLambda));
+      const EvaluatedEntry *flight = evaluation.find("flight");
+      return flight ? flight->outcome : nullptr;
     };
     const Rational t = all.hits.front().t;
     ASSERT_LT(t, 2) << "before the next shot";

@@ -15,9 +15,9 @@ Figure reachingTo(const Place &covered) {
   return figure;
 }
 
-Place farCornerOf(const Figure &figure) { return cornersOf(std::get<PlanePatchMark>(figure.marks.at(0)))[2]; }
-Place endOfLineIn(const Figure &figure) { return endsOf(std::get<LineMark>(figure.marks.at(1))).second; }
-Place endOfRayIn(const Figure &figure) { return endOf(std::get<RayMark>(figure.marks.at(2))); }
+Place farCornerOf(const Figure &figure) { return cornersOf(std::get<PlanePatchMark>(figure.marks[0]))[2]; }
+Place endOfLineIn(const Figure &figure) { return endsOf(std::get<LineMark>(figure.marks[1])).second; }
+Place endOfRayIn(const Figure &figure) { return endOf(std::get<RayMark>(figure.marks[2])); }
 
 TEST(Extents, Held_AreDrawnAsFar_ButLinesAndRaysUpToWhatLiesOnThem) {
   const Place farPlace(20, 0, 0);
@@ -49,7 +49,7 @@ TEST(Extents, OfAMarkThatIsNotHeld_StayItsOwn) {
 TEST(Extents, OfAMarkThatMoves_GoWithIt) {
   Figure moved = reachingTo({3, 0, 0});
   const Extents before = extentsOf(moved);
-  std::get<PlanePatchMark>(moved.marks[0]).center = {0, 0, 5};
+  moved.marks.change(0, [](Mark &mark) { std::get<PlanePatchMark>(mark).center = {0, 0, 5}; });
   EXPECT_EQ(farCornerOf(heldAt(moved, before)), farCornerOf(reachingTo({3, 0, 0})) + Place(0, 0, 5));
 }
 

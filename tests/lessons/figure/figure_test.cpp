@@ -128,7 +128,7 @@ TEST(Figure, OfEveryKindOfMark_SaysWhatTheyAllHave) {
   figure.add(withId(pointAt({0, 0, 0}), "a"));
   figure.add(withId(SphereMark(), "b", Subject::Triangle));
   figure.add(withId(ArcMark(), "c"));
-  baseOf(figure.marks[1]).label = "S";
+  figure.marks.change(1, [](Mark &mark) { baseOf(mark).label = "S"; });
   EXPECT_EQ(baseOf(figure.marks[2]).id, "c");
   EXPECT_EQ(std::get<SphereMark>(figure.marks[1]).label, "S");
   EXPECT_EQ(baseOf(figure.marks[1]).subject, Subject::Triangle);
@@ -232,6 +232,27 @@ TEST(PatchCorners, WhereNothingCanBeDrawn_AreNone) {
   EXPECT_TRUE(cornersOf(patchAt({0, 0, 0}, {0, endless, 0})).empty());
   EXPECT_TRUE(cornersOf(patchAt({endless, 0, 0}, {0, 0, 1})).empty());
   EXPECT_FALSE(isFinite({0, std::nan(""), 0}));
+}
+
+TEST(Figure, WithoutItsNumbers_SharesTheMarksThatHadNone) {
+  Figure figure;
+  figure.add(withId(pointAt({0, 0, 0}), "a"));
+  figure.add(withId(pointAt({1, 0, 0}), "b"));
+  figure.marks.change(1, [](Mark &mark) { baseOf(mark).numbers = "= 1"; });
+  const Figure bare = withoutNumbers(figure);
+  EXPECT_EQ(&bare.marks[0], &figure.marks[0]);
+  EXPECT_TRUE(baseOf(bare.marks[1]).numbers.empty());
+  EXPECT_EQ(baseOf(figure.marks[1]).numbers, "= 1");
+}
+
+TEST(Reaching, AMarkThatNothingReaches_IsShared) {
+  Figure figure;
+  figure.add(withId(patchAt({0, 0, 0}, {0, 0, 1}), "E"));
+  figure.add(withId(patchAt({0, 0, 1}, {0, 0, 1}), "G"));
+  figure.reaches = {{"E", {3, 0, 0}}};
+  const Figure drawn = reaching(figure);
+  EXPECT_EQ(std::get<PlanePatchMark>(drawn.marks[0]).covers, std::vector<Place>{Place(3, 0, 0)});
+  EXPECT_EQ(&drawn.marks[1], &figure.marks[1]);
 }
 
 } // namespace

@@ -464,7 +464,7 @@ TEST(Content, SecondPointOfASphere_IsNamedOnlyWhereItIs) {
   const Lesson &lesson = *library().find("ray-sphere");
   for (const int height : {10, 12}) { // where the line touches, and where it misses
     Scene scene = lesson.scene;
-    *findObject(scene, "L") = RayObject{{10, 6, height}, {-1, 0, 0}};
+    setObject(scene, "L", RayObject{{10, 6, height}, {-1, 0, 0}});
     for (const Mark &mark : figureOf(evaluate(scene)).marks)
       EXPECT_EQ(baseOf(mark).label.find("H_2"), std::string::npos) << height;
   }

@@ -475,6 +475,28 @@ TEST(ShownIn, AStepOverTwoConstructions_ShowsTheLinesThatItNames) {
   EXPECT_EQ(idsOf({"again.*"}).size(), 6U);
 }
 
+TEST(ShownIn, AStepThatNamesTheLinesOfOneConstruction_MakesNoneOfTheOthers) {
+  Scene scene = test::distanceScene();
+  scene.entries.push_back({"again", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "distance.F"}}}});
+  const Evaluation all = evaluate(scene);
+  LessonStep step;
+  step.blocks = {StepLines{{"distance.f"}}};
+  EXPECT_EQ(shownIn(step, all).working.lines.size(), 1U);
+  const Outcome &other = *all.find("again")->outcome;
+  EXPECT_FALSE(other.explanation.isMade() || other.told.isMade() || other.values.isMade());
+}
+
+TEST(ShownIn, OfTwoNearlyEqualFigures_SharesTheMarksThatAreTheSame) {
+  const Scene scene = test::distanceScene();
+  const Evaluation before = evaluate(scene);
+  const Evaluation after = evaluate(test::edited(scene, {ChangeObject{"Q", PointObject{{1, 2, 3}}}}), before);
+  const LessonStep step{"", {StepLines{{"f"}}}};
+  const Shown shownBefore = shownIn(step, before);
+  const Shown shownAfter = shownIn(step, after);
+  EXPECT_EQ(findMark(shownAfter.figure, "E.n"), findMark(shownBefore.figure, "E.n"));
+  EXPECT_NE(findMark(shownAfter.figure, "Q"), findMark(shownBefore.figure, "Q"));
+}
+
 TEST(ShownIn, WhoNamesACoordinate_ShowsItsObject) {
   const Scene scene{{test::planeE(),
                      {"F", PlaneObject{{0, 0, 0}, {0, 0, 1}}},

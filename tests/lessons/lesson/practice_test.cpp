@@ -224,8 +224,8 @@ TEST(Fade, OfLinesThatAreOpened_LeavesNothingOut) {
 
 TEST(Fade, WhereNoLineAsks_LeavesNothingOut) {
   Working working = fourLines();
-  for (WorkingLine &line : working.lines)
-    line.asked = Asked::Nothing;
+  for (std::size_t place = 0; place < working.lines.size(); ++place)
+    working.lines.change(place, [](WorkingLine &line) { line.asked = Asked::Nothing; });
   EXPECT_EQ(gapsOf(fade(working, Fading::Last, {})), Ids{});
   EXPECT_EQ(gapsOf(fade({}, Fading::Last, {})), Ids{});
 }

@@ -32,7 +32,7 @@ TEST(ShortMove, WhereTheLeastHasFractions_LeadsToTheGrid) {
 
 TEST(ShortMove, WhereTheGridHasNone_GoesAlongAnAxis) {
   Scene scene = distanceScene();
-  findObject(scene, "E")->operator[](0) = {q(1, 2), q(1, 3), q(1, 5)}; // no whole numbers lie in the plane
+  setCoordinate(scene, {"E", 0}, {q(1, 2), q(1, 3), q(1, 5)}); // no whole numbers lie in the plane
   const NearSpecialCase near = nearIn(scene, "distance", "side = on");
   const ChangeObject change = shortMoveTo(near, scene, 1);
   const ExactVec3 way = change.value[0] - findObject(scene, "Q")->operator[](0);

@@ -20,7 +20,7 @@ std::vector<SnapTarget> targetsFor(const std::string &when, const Scene &scene, 
 
 Scene withPlane(const PlaneObject &plane) {
   Scene scene = distanceScene();
-  *findObject(scene, "E") = plane;
+  setObject(scene, "E", plane);
   return scene;
 }
 

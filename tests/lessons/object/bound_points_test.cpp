@@ -426,8 +426,8 @@ TEST(BoundPoint, OnTheStageOfALargeScene_IsHandledWhereItIsSeen) {
                      {"P", withNumbers("point-on-line", {300}), "meet.g"}}};
   const PlacedScene placed(scene, evaluate(scene));
   ASSERT_EQ(placed.bound.size(), 1U);
-  EXPECT_EQ(placed.bound.front().point.object[0], ExactVec3(500, 500, 300));
-  EXPECT_EQ(PlacedScene(scene).bound.front().host, placed.bound.front().host);
+  EXPECT_EQ(placed.bound.front().point->object[0], ExactVec3(500, 500, 300));
+  EXPECT_EQ(PlacedScene(scene).bound.front().host->object, placed.bound.front().host->object);
   EXPECT_EQ(handle(scene, "P").at, ExactVec3(500, 500, 300));
 }
 

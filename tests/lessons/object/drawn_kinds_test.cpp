@@ -80,7 +80,7 @@ TEST(Drawn, TheFacesOfASolid_AccompanyItsOwnMark) {
 
 TEST(Drawn, ABall_IsItsSphereAndItsCentre) {
   const Figure figure = figureOfEntry(spelledEntry("sphere"));
-  const auto *sphere = std::get_if<SphereMark>(&figure.marks.at(0));
+  const auto *sphere = std::get_if<SphereMark>(&figure.marks[0]);
   ASSERT_NE(sphere, nullptr);
   EXPECT_EQ(sphere->radius, 4);
   EXPECT_EQ(sphere->center, Place(1, 2, 3));
@@ -90,7 +90,7 @@ TEST(Drawn, ABall_IsItsSphereAndItsCentre) {
 TEST(Drawn, ALine_GoesThroughItsPointWithAnArrowOfItsOwn) {
   const Figure figure = figureOfEntry(spelledEntry("line"));
   EXPECT_EQ(idsOf(figure), (std::set<std::string>{"K", "K.A", "K.v"}));
-  const auto *line = std::get_if<LineMark>(&figure.marks.at(0));
+  const auto *line = std::get_if<LineMark>(&figure.marks[0]);
   ASSERT_NE(line, nullptr);
   EXPECT_EQ(line->through, Place(1, 2, 3));
   EXPECT_NEAR(glm::length(line->direction), 1, 1e-12);

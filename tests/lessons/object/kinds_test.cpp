@@ -139,7 +139,8 @@ TEST_P(EveryKind, CatchesAndOffersPlacesThatFit) {
   const Entry corner{"T", TriangleObject{{9, 9, 0}, {1, 9, 4}, {5, 2, 9}}};
   for (const Object &object : objects()) {
     Scene scene = sceneWith(object);
-    scene.entries.insert(scene.entries.end(), {planeE(), pointQ(), corner});
+    for (const Entry &other : {planeE(), pointQ(), corner})
+      scene.entries.push_back(other);
     for (const Handle &handle : handlesOf(scene))
       for (const SnapTarget &target : snapTargets(scene, handle)) {
         EXPECT_FALSE(target.name.empty());

@@ -125,6 +125,48 @@ TEST(Evaluate, WhatTwoEntriesHave_SaysWhoseItIs) {
             "The foot: from F_distance straight along n_G to the plane, its nearest point.");
 }
 
+/// The names of the entries that another evaluation does not share.
+std::set<std::string> notShared(const Evaluation &evaluation, const Evaluation &with) {
+  std::set<std::string> names;
+  for (std::size_t place = 0; place < evaluation.entries.size(); ++place)
+    if (evaluation.entries.shared(place) != with.entries.shared(place))
+      names.insert(evaluation.entries[place].name);
+  return names;
+}
+
+TEST(Evaluate, AMoveOfOneObject_EvaluatesWhatDependsOnItAlone) {
+  const Scene scene = chainedScene();
+  const Evaluation before = evaluate(scene);
+  const auto changedBy = [&](const ChangeObject &change) {
+    const Evaluation after = evaluate(edited(scene, {change}), before);
+    EXPECT_EQ(after.plan, before.plan);
+    return notShared(after, before);
+  };
+  EXPECT_EQ(changedBy({"G", changed(scene, "G", 0, {0, 0, 1})}), (std::set<std::string>{"G", "beyond"}));
+  EXPECT_EQ(changedBy({"Q", changed(scene, "Q", 0, {1, 2, 3})}),
+            (std::set<std::string>{"Q", "distance", "beyond"}));
+  EXPECT_EQ(changedBy({"Q", *findObject(scene, "Q")}), std::set<std::string>{"Q"}) << "it is as it was";
+}
+
+TEST(Evaluate, AMoveThatLeavesAResultAsItWas_TakesOverAllThatFollowsFromTheResult) {
+  const Scene scene = chainedScene();
+  const Evaluation before = evaluate(scene);
+  const Evaluation after = evaluate( // along the normal: the foot stays
+      edited(scene, {ChangeObject{"Q", changed(scene, "Q", 0, {12, 17, 10})}}), before);
+  EXPECT_NE(after.find("distance")->outcome, before.find("distance")->outcome);
+  EXPECT_EQ(after.find("beyond")->outcome, before.find("beyond")->outcome);
+}
+
+TEST(Evaluate, WhatNobodyLooksAt_IsNotMade) {
+  const Evaluation evaluation = evaluate(chainedScene());
+  for (const EvaluatedEntry &entry : evaluation.entries) {
+    const Outcome &outcome = *entry.outcome;
+    EXPECT_FALSE(outcome.told.isMade() || outcome.values.isMade() || outcome.explanation.isMade() ||
+                 outcome.figure.isMade() || outcome.nearby.isMade() || outcome.crossings.isMade())
+        << entry.name;
+  }
+}
+
 TEST(Evaluate, AnObjectCalledLikeALetterOfTheConstruction_IsToldApartFromIt) {
   const Scene scene = edited(distanceScene(), {RenameEntry{"Q", "w"}});
   const Working working = workingOf(evaluate(scene));
@@ -170,7 +212,7 @@ TEST(Evaluate, AChainWhoseNumbersGrowWithoutEnd_EndsWithASentence) {
   Scene scene{{{"E", PlaneObject{{odd, 1, 2}, {1, odd, 3}}},
                {"G", PlaneObject{{0, odd, 1}, {odd, 2, 1}}},
                {"d0", ConstructionUse{"signed-distance", {{"E", "E"}, {"Q", "P"}}}}}};
-  scene.entries.insert(scene.entries.begin(), {"P", PointObject{{3, odd, 5}}});
+  scene.entries.insert(0, {"P", PointObject{{3, odd, 5}}});
   for (int i = 1; i < 300; ++i)
     scene.entries.push_back(
         {"d" + std::to_string(i),

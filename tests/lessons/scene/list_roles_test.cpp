@@ -95,7 +95,7 @@ TEST(ListRole, OfMoreThanItsMost_IsRefused) {
   scene.entries.push_back(way(names));
   EXPECT_TRUE(checkScene(scene));
   names.pop_back();
-  scene.entries.back() = way(names);
+  scene.entries.replace(scene.entries.size() - 1, way(names));
   EXPECT_FALSE(checkScene(scene));
   EXPECT_EQ(evaluate(scene).find("way")->looksAt.size(), maxListedObjects + 1) << "all planes, and the ray";
 }
@@ -141,7 +141,7 @@ TEST(ListRole, OfAMovedObject_KeepsItsOrder) {
 
 TEST(ListRole, NearASpecialCase_ChangesTheObjectThatIsMeant) {
   Scene scene = threePlanes();
-  *findObject(scene, "E") = PlaneObject{{0, 0, q(3, 2)}, {0, 0, 1}};
+  setObject(scene, "E", PlaneObject{{0, 0, q(3, 2)}, {0, 0, 1}});
   const auto all = specialCasesNear(scene, evaluate(scene), {"way"});
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(all.front().sentence, "The ray would hit F and E at one point.");

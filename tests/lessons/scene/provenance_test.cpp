@@ -156,7 +156,7 @@ TEST(Provenance, OfEveryNumberOfEveryLesson_ReachesACoordinate) {
 
 TEST(Provenance, OfADegenerateScene_ReachesACoordinateToo) {
   Scene scene = test::distanceScene();
-  coordinate(*findObject(scene, "E"), 1) = ExactVec3(0);
+  test::setCoordinate(scene, {"E", 1}, ExactVec3(0));
   expectAllReachCoordinates(scene, "zero normal");
   expectAllReachCoordinates({{{"E", PlaneObject{{5, 4, 7}, {0, 0, 2}}},
                               {"plane", ConstructionUse{"plane-implicit", {{"E", "E"}}}}}},

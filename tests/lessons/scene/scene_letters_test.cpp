@@ -120,12 +120,12 @@ TEST(PlacedScene, WithAHostThatIsNotThere_LeavesTheBoundPointOut) {
                {"g", LineObject{{0, 0, 0}, {1, 0, 0}}},
                pointOnLine("R", 3)}};
   EXPECT_EQ(PlacedScene(scene).bound.size(), 2U);
-  coordinate(*findObject(scene, "F"), 1) = {1, 2, 2};
+  setCoordinate(scene, {"F", 1}, {1, 2, 2});
   const PlacedScene parallel(scene);
   ASSERT_EQ(parallel.bound.size(), 1U) << "parallel planes meet in no line";
   EXPECT_EQ(parallel.bound.front().name, "R");
-  EXPECT_EQ(parallel.bound.front().point.object[0], ExactVec3(3, 0, 0));
-  EXPECT_FALSE(parallel.bound.front().point.isFree);
+  EXPECT_EQ(parallel.bound.front().point->object[0], ExactVec3(3, 0, 0));
+  EXPECT_FALSE(parallel.bound.front().point->isFree);
 }
 
 std::multiset<std::string> targetsOf(const Scene &scene, const std::string &id) {

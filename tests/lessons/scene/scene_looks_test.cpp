@@ -80,7 +80,7 @@ TEST(SceneLooks, AreThoseOfWhatSpeaksOfOneObjectAlone) {
 TEST(SceneLooks, ChangeWithTheColorOfAnEntry_ThoughNothingElseDoes) {
   Scene scene{{plane("E"), plane("F")}};
   const Evaluation before = evaluate(scene);
-  scene.entries[1].color = Hue::Red;
+  scene.entries.change(1, [](Entry &entry) { entry.color = Hue::Red; });
   EXPECT_TRUE(idsOfHue(evaluate(scene, before), Hue::Red).contains("F.n"));
 }
 

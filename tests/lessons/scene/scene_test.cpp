@@ -35,6 +35,29 @@ TEST(SceneLookup, OfAConstructionOrAnUnknownName_FindsNoObject) {
   EXPECT_NE(findObject(scene, "E"), nullptr);
 }
 
+TEST(SceneLookup, OfTheCoordinatesOfOneEntry_ListsThoseOfAnObject) {
+  EXPECT_EQ(coordinatesOf(distanceScene(), "E"), (std::vector<CoordinateId>{{"E", 0}, {"E", 1}}));
+  EXPECT_TRUE(coordinatesOf(distanceScene(), "distance").empty());
+  EXPECT_TRUE(coordinatesOf(distanceScene(), "X").empty());
+}
+
+TEST(SceneEdits, LeaveTheEntriesThatTheyDoNotTouchShared) {
+  const Scene before = distanceScene();
+  const auto touchedBy = [&](const Edit &edit) {
+    std::vector<std::string> names;
+    for (const Entry &entry : edited(before, {edit}).entries)
+      if (before.entries.find(entry.name) != &entry)
+        names.push_back(entry.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(touchedBy(ChangeObject{"Q", PointObject{{1, 2, 3}}}), Names{"Q"});
+  EXPECT_EQ(touchedBy(AddEntry{0, {"S", PointObject{}}}), Names{"S"});
+  EXPECT_EQ(touchedBy(RemoveEntry{"distance"}), Names{});
+  EXPECT_EQ(touchedBy(RenameEntry{"Q", "S"}), (Names{"S", "distance"}));
+  EXPECT_EQ(touchedBy(MoveEntry{"Q", 0}), Names{"Q"});
+}
+
 TEST(SceneLookup, OfAllCoordinates_ListsThemFromTopToBottom) {
   const std::vector<CoordinateId> expected{{"E", 0}, {"E", 1}, {"Q", 0}};
   EXPECT_EQ(coordinatesOf(distanceScene()), expected);

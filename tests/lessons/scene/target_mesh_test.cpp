@@ -144,7 +144,7 @@ TEST(CopyOfMesh, WhereAListIsFull_OrNothingLooksAtIt_OrThereIsNone_IsNone) {
   EXPECT_FALSE(copyOfMesh(sceneWith(1), "L"));
   EXPECT_FALSE(copyOfMesh(sceneWith(1), "m7"));
   Scene scene = sceneWith(2);
-  scene.entries.back() = nearest("hit", {"m0"});
+  scene.entries.replace(scene.entries.size() - 1, nearest("hit", {"m0"}));
   EXPECT_FALSE(copyOfMesh(scene, "m1"));
 }
 

@@ -300,7 +300,7 @@ private:
     if (!move)
       return false;
     Scene now = m_before;
-    *findObject(now, m_dragged.object) = move->object;
+    setObject(now, m_dragged.object, move->object);
     m_evaluation = evaluate(now, m_evaluation);
     m_doing.observe(now, m_evaluation);
     return m_doing.progress.done()[m_doing.task];

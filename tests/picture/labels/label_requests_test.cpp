@@ -46,7 +46,7 @@ TEST(LabelRequests, NumbersOfAMarkWithoutALetter_StandBesideItAlone) {
   SceneContent content;
   content.figure.marks.push_back(point);
   EXPECT_TRUE(labelTexts(content, {}, themes().front(), viewAtHeight(21)).empty());
-  baseOf(content.figure.marks.front()).numbers = "+";
+  content.figure.marks.change(0, [](Mark &mark) { baseOf(mark).numbers = "+"; });
   EXPECT_EQ(labelTexts(content, {}, themes().front(), viewAtHeight(21)).front().latex, "+");
 }
 

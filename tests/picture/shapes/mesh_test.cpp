@@ -95,8 +95,8 @@ TEST(Solids, OfEveryKindOfMarkAreSound) {
   RightAngleMark corner;
   corner.first = {0, 0, 2};
   corner.second = {3, 0, 0};
-  figure.marks.emplace_back(withId(arc, "arc"));
-  figure.marks.emplace_back(withId(corner, "corner"));
+  figure.add(withId(arc, "arc"));
+  figure.add(withId(corner, "corner"));
   for (const Mark &mark : figure.marks) {
     const Mesh mesh = solidMesh({{mark}}, {}, themes().front(), 1);
     EXPECT_FALSE(mesh.positions.empty()) << baseOf(mark).id;

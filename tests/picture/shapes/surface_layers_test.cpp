@@ -137,7 +137,7 @@ std::vector<std::string> idsLeft(const Figure &figure, const std::set<std::strin
 
 TEST(ThinnedFigure, OfAStack_HasEveryOtherFace_ThoseThatStandOut_AndAllElse) {
   Figure figure = figureOf(41, [](int i) { return wallAt({i, 0, 0}); });
-  figure.marks.insert(figure.marks.begin() + 1, withId(pointAt({0, 0, 0}), "point"));
+  figure.marks.insert(1, withId(pointAt({0, 0, 0}), "point"));
   const std::vector<std::string> ids = idsLeft(figure, {"mark0", "mark3"});
   EXPECT_EQ(ids.size(), 23U);
   EXPECT_EQ(std::vector(ids.begin(), ids.begin() + 5),

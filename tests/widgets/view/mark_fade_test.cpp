@@ -13,7 +13,7 @@ Figure figureOf(const std::set<std::string> &ids) {
   for (const std::string &id : ids) {
     PointMark point;
     point.id = id;
-    figure.marks.emplace_back(point);
+    figure.add(point);
   }
   return figure;
 }

@@ -145,7 +145,7 @@ private slots:
     shown.lines.setWorking(tracedWorking(4), {2, 1});
     QCOMPARE(shown.lines.traced().lines, Ids{"uu"});
     Working without = tracedWorking();
-    without.lines.erase(without.lines.begin() + 1);
+    without.lines.erase(1);
     shown.lines.setWorking(without, {1, 1});
     QVERIFY(shown.lines.traced() == Provenance());
     shown.lines.setWorking(tracedWorking(3), {1, 2}); // it comes back with its place
@@ -154,7 +154,7 @@ private slots:
 
   void number_isFollowedThroughLinesThatAreNotShown() {
     Working part = tracedWorking();
-    part.lines.erase(part.lines.begin());
+    part.lines.erase(0);
     ShownBlocks shown(part, {1, 1});
     shown.lines.setWholeWorking([] { return tracedWorking(); });
     click(shown.first(), numberIn(shown.first(), 0, "5"));

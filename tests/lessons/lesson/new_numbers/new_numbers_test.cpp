@@ -7,6 +7,7 @@
 #include "lessons/object/kinds/ray.h"
 #include "lessons/object/kinds/triangle.h"
 #include "tests/effort.h"
+#include "tests/lessons/scenes.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(NewNumbers, ofCornersOnALine_areMostOftenOnALineToo) {
 TEST(NumbersOf, anotherScene_areThoseOfObjectsThatAreBuiltAlike) {
   const Scene lesson = library().find("ray-plane-dot")->scene;
   Scene changed = lesson;
-  coordinate(*findObject(changed, "L"), 1) = ExactVec3(0);
+  test::setCoordinate(changed, {"L", 1}, ExactVec3(0));
   changed.entries.push_back({"A", PointObject{{1, 2, 3}}});
   const Scene renewed = withNumbersOf(lesson, changed);
   EXPECT_EQ(*findObject(renewed, "L"), *findObject(lesson, "L"));

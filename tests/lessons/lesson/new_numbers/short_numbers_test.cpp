@@ -159,7 +159,7 @@ TEST(ShortNumbers, seed_givesTheSameNumbersEverywhere) {
 
 TEST(ShortNumbers, degenerateScene_becomesAnOrdinaryOne) {
   Scene scene = distanceScene();
-  coordinate(*findObject(scene, "E"), 1) = {0, 0, 0};
+  setCoordinate(scene, {"E", 1}, {0, 0, 0});
   ASSERT_TRUE(isDegenerate(scene));
   for (std::uint64_t seed = 0; seed < 100; ++seed)
     EXPECT_FALSE(isDegenerate(withShortNumbers(scene, seed)));
@@ -175,7 +175,8 @@ TEST(ShortNumbers, normals_areAsLongAsWholeNumbersSay) {
 
 TEST(ShortNumbers, objectsThatNoConstructionLooksAt_getSomeToo) {
   Scene scene = distanceScene();
-  scene.entries.insert(scene.entries.begin(), {triangleT(), rayL()});
+  scene.entries.insert(0, rayL());
+  scene.entries.insert(0, triangleT());
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Scene renewed = withShortNumbers(scene, seed);
     EXPECT_EQ(lastCase(renewed), "positive");
@@ -196,7 +197,7 @@ TEST(ShortNumbers, objectsThatNoConstructionLooksAt_haveNoSayInItsNumbers) {
   for (int i = 0; i < 1000; ++i) {
     Entry more = triangleT();
     more.name = "T" + std::to_string(i);
-    scene.entries.insert(scene.entries.begin(), std::move(more));
+    scene.entries.insert(0, std::move(more));
   }
   const Scene renewed = withShortNumbers(scene, 1);
   const Scene alone = withShortNumbers(distanceScene(), 1);

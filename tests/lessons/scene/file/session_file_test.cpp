@@ -46,7 +46,7 @@ TEST(SessionFile, WrittenAndReadAgain_IsTheSameSession) {
   Session session = startSession();
   session.scene.entries.push_back(rayL());
   session.scene.entries.push_back(triangleT());
-  coordinate(*findObject(session.scene, "Q"), 0) = {q(-10, 3), q(1, 1000), q(7)};
+  setCoordinate(session.scene, {"Q", 0}, {q(-10, 3), q(1, 1000), q(7)});
   const auto again = readSession(writeSession(session), file);
   ASSERT_TRUE(again) << again.problem().text();
   EXPECT_EQ(*again, session);
@@ -55,7 +55,7 @@ TEST(SessionFile, WrittenAndReadAgain_IsTheSameSession) {
 TEST(SessionFile, ColorOfAnObject_IsKept_AndNoneIsNotWritten) {
   Session session = startSession();
   EXPECT_EQ(writeSession(session).find("color"), std::string::npos);
-  session.scene.entries.front().color = Hue::Purple;
+  session.scene.entries.change(0, [](Entry &entry) { entry.color = Hue::Purple; });
   const auto again = readSession(writeSession(session), file);
   ASSERT_TRUE(again) << again.problem().text();
   EXPECT_EQ(again->scene.entries.front().color, Hue::Purple);
@@ -129,7 +129,7 @@ TEST(Session, LookedAtFromElsewhere_IsTheSame) {
 
 TEST(SessionFile, Coordinates_AreExactTexts) {
   Session session = startSession();
-  coordinate(*findObject(session.scene, "Q"), 0).x = q(-10, 3);
+  setCoordinate(session.scene, {"Q", 0}, {q(-10, 3), 15, 8});
   EXPECT_NE(writeSession(session).find("\"-10/3\""), std::string::npos);
 }
 

@@ -309,13 +309,13 @@ TEST(SnapTouching, ByItsTip_TouchesExactlyToo) {
 
 TEST(SnapTouching, WhereNoFractionsTouch_CatchesNowhere) {
   Scene scene = sphereScene();
-  findObject(scene, "L")->operator[](1) = {1, 1, 1}; // 3 is no sum of two squares
+  setCoordinate(scene, {"L", 1}, {1, 1, 1}); // 3 is no sum of two squares
   EXPECT_EQ(firstTouch({scene, "L.Q"}, 0).caughtBy, "");
 }
 
 TEST(SnapTouching, FromTheSphereItself_IsAPlaneOfDirections) {
   Scene scene = sphereScene();
-  findObject(scene, "L")->operator[](0) = {10, 6, 5};
+  setCoordinate(scene, {"L", 0}, {10, 6, 5});
   const SnappedPlace tip = Drag({scene, "L.r"}).horizontally(10.03, 4.1);
   EXPECT_EQ(tip.caughtBy, "touching S");
   EXPECT_EQ(tip.at, ExactVec3(10, 4, 3));
