@@ -73,7 +73,6 @@ MainWindow::MainWindow(LessonLibrary library)
 MainWindow::~MainWindow() {
   // Nobody hears of the end of the history.
   m_model.disconnect();
-  m_model.history().disconnect();
 }
 
 SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
@@ -117,7 +116,7 @@ void MainWindow::connectParts() {
   connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
   connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::updateTitle);
-  connect(&m_model.history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+  connect(&m_model, &SessionModel::cleanChanged, this, &MainWindow::updateTitle);
 }
 
 void MainWindow::showLook() {

@@ -4,20 +4,14 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/hand/snap_targets.h"
-#include "lessons/scene/session.h"
+#include "lessons/scene/history.h"
 #include "widgets/picture/stage.h"
 
 #include <QObject>
-#include <QUndoStack>
 
-#include <cstdint>
 #include <map>
-#include <optional>
 
 namespace halfspace {
-
-/// Who holds a gesture: each has another, and nobody's is none.
-enum class GestureToken : std::uint64_t { Nobodys };
 
 /// Owns the window's one session. Views are written from `evaluation()` and send edits back; they hold no
 /// truth.
@@ -29,7 +23,7 @@ public:
   explicit SessionModel(LessonLibrary library, QObject *parent = nullptr);
 
   [[nodiscard]] const LessonLibrary &library() const { return m_library; }
-  [[nodiscard]] const Session &session() const { return m_session; }
+  [[nodiscard]] const Session &session() const { return m_history.session(); }
   [[nodiscard]] const Lesson &lesson() const { return *m_lesson; }
   /// What the scene comes to.
   [[nodiscard]] const Evaluation &evaluation() const { return m_evaluation; }
@@ -39,8 +33,8 @@ public:
   [[nodiscard]] const LessonStep &step() const;
   /// What the current step shows of the scene.
   [[nodiscard]] const Shown &shown() const { return m_shown; }
-  [[nodiscard]] QUndoStack &history() { return m_history; }
-  [[nodiscard]] const QUndoStack &history() const { return m_history; }
+  /// What was done to the session, and the gesture that goes on.
+  [[nodiscard]] const History &history() const { return m_history; }
   /// What the step's tasks ask of a handle as it is on the stage. They speak of the scene's own numbers: of
   /// none on a stage with others.
   [[nodiscard]] std::vector<SnapTarget> askedOf(const Handle &handle) const;
@@ -66,20 +60,23 @@ public:
   [[nodiscard]] const std::map<std::string, Session> &leftSessions() const { return m_left; }
   void setLeftSessions(std::map<std::string, Session> sessions) { m_left = std::move(sessions); }
   /// Whether the scene is another one than the lesson begins with.
-  [[nodiscard]] bool isChanged() const { return !(m_session.scene == m_lesson->scene); }
+  [[nodiscard]] bool isChanged() const { return !(session().scene == m_lesson->scene); }
   /// Starts anew with a session, as from a file: its history is empty. A lesson that is not in the library
   /// shows the scene without words.
   void startWith(Session session);
   /// What goes on under the hand ends first, and is what is undone.
   void undo();
   void redo();
+  /// The session is as it is saved; or saved nowhere, now and after any undo.
+  void setClean();
+  void resetClean();
   /// Puts the current lesson's scene back to its start, as one undo step.
   void resetScene();
   /// Gives the scene other short numbers, as one undo step; see short_numbers.h.
   void renewNumbers(std::uint64_t seed);
   void setStep(int step);
   /// Where the scene is looked at from now; nothing: as the lesson begins. No undo step, and no change.
-  void setView(const std::optional<ChosenView> &view) { m_session.view = view; }
+  void setView(const std::optional<ChosenView> &view);
   /// Whether the current step's question is answered, if it has one: see shownIn.
   void setQuestion(Question question);
 
@@ -90,18 +87,17 @@ public:
 
   /// Between beginGesture and endGesture all edits are one undo step; cancelGesture restores what was there
   /// before. Whatever else changes the scene, begins a gesture or leaves the lesson ends this one first, as
-  /// it is: the token that it began with does nothing from then on.
+  /// it is: see History.
   [[nodiscard]] GestureToken beginGesture(const QString &description);
   void moveGesture(GestureToken token, const Edit &edit);
   void endGesture(GestureToken token);
   void cancelGesture(GestureToken token);
-  [[nodiscard]] bool inGesture() const { return m_gesture.has_value(); }
-  /// Whether the gesture of this token goes on.
-  [[nodiscard]] bool isHeldBy(GestureToken token) const { return inGesture() && m_holder == token; }
-  /// Whether the object of this name is another than when the gesture began.
-  [[nodiscard]] bool isMovedByGesture(const std::string &object) const;
+  [[nodiscard]] bool inGesture() const { return m_history.inGesture(); }
+  [[nodiscard]] bool isHeldBy(GestureToken token) const { return m_history.isHeldBy(token); }
 
 signals:
+  void historyChanged(); ///< there are other steps to be undone or done again
+  void cleanChanged();   ///< the session is not any more as it is saved, or is again
   void gestureChanged(); ///< one has begun, or ended in whatever way
   void gestureSettled(); ///< a gesture has ended because something else was done
   void outcomeChanged(); ///< after every change of scene, stage, step or question
@@ -110,14 +106,19 @@ signals:
   void sceneReplaced();  ///< after outcomeChanged, when all of the lesson's scene is another one at once
 
 private:
-  friend class SessionCommand;
-  void show(const Session &session);
+  /// Goes to a session without a step in the history.
+  void show(Session session);
+  /// Shows the session of the history, which was another one before.
+  void showSince(const Session &before);
   void takeShown();
   [[nodiscard]] int lastStep() const;
-  void record(const Session &before, const QString &description, bool replaces = false);
+  /// Tells what has become of the history since it was told last.
+  void tellHistory();
+  void showUndone(const Session &before, const HistoryStep *step);
+  void clearHistory();
   /// True where the stage is another one now.
   bool takeStage();
-  void finishGesture();
+  void finishGesture(GestureToken token);
   void settleGesture();
   /// The same for what brings another history: nothing is recorded.
   void dropGesture();
@@ -127,22 +128,17 @@ private:
   LessonLibrary m_library;
   Lesson m_unknownLesson; ///< stands in for the lesson of a file that the library does not have
   const Lesson *m_lesson = nullptr;
-  Session m_session;
+  History m_history;
+  std::pair<int, int> m_toldSteps; ///< of the history: how many are done, and how many there are
+  bool m_toldClean = true;
   Evaluation m_evaluation;
   Figure m_figure;
   Question m_question = Question::Answered;
   Shown m_shown;
   std::map<std::string, Session> m_left; ///< by lesson
-  QUndoStack m_history;
-  struct Gesture {
-    Session before;
-    QString description; ///< for the history
-  };
-  std::optional<Gesture> m_gesture;
   Stage m_stage;
   Rational m_snapStep = 1;
   bool m_isSnapping = true;
-  GestureToken m_holder = GestureToken::Nobodys; ///< of the newest gesture
 };
 
 } // namespace halfspace

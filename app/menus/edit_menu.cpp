@@ -11,10 +11,19 @@
 namespace halfspace {
 namespace {
 
-/// The history's own actions know nothing of what goes on under the hand.
-void connectInstead(QAction &action, SessionModel &model, void (SessionModel::*step)()) {
-  QObject::disconnect(&action, &QAction::triggered, nullptr, nullptr);
-  QObject::connect(&action, &QAction::triggered, &model, step);
+/// An item for a step back or forth: it says what that does, and can be chosen where there is one.
+QAction *addHistoryItem(QMenu &menu, const QString &name, SessionModel &model, void (SessionModel::*step)(),
+                        std::optional<std::string> (History::*text)() const) {
+  QAction *item = menu.addAction(name);
+  QObject::connect(item, &QAction::triggered, &model, step);
+  const auto follow = [&model, item, name, text] {
+    const auto what = (model.history().*text)();
+    item->setEnabled(what.has_value());
+    item->setText(what ? name + u' ' + QString::fromStdString(*what) : name);
+  };
+  QObject::connect(&model, &SessionModel::historyChanged, item, follow);
+  follow();
+  return item;
 }
 
 } // namespace
@@ -31,14 +40,10 @@ EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, F
 }
 
 void EditMenu::addHistory(SessionModel &model) {
-  QAction *undo = model.history().createUndoAction(this, tr("&Undo"));
-  connectInstead(*undo, model, &SessionModel::undo);
-  undo->setShortcut(QKeySequence::Undo);
-  QAction *redo = model.history().createRedoAction(this, tr("&Redo"));
-  connectInstead(*redo, model, &SessionModel::redo);
-  redo->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
-  addAction(undo);
-  addAction(redo);
+  addHistoryItem(*this, tr("&Undo"), model, &SessionModel::undo, &History::undoText)
+      ->setShortcut(QKeySequence::Undo);
+  addHistoryItem(*this, tr("&Redo"), model, &SessionModel::redo, &History::redoText)
+      ->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
 }
 
 void EditMenu::addCornerItems(SceneView &scene) {

@@ -27,8 +27,8 @@ Autosave::Autosave(SessionModel &model, SessionFiles &files, const UnfinishedInp
     else
       keepNow();
   });
-  connect(&model.history(), &QUndoStack::cleanChanged, this, &Autosave::keepSoon);
-  connect(&model.history(), &QUndoStack::indexChanged, this, &Autosave::keepSoon);
+  connect(&model, &SessionModel::cleanChanged, this, &Autosave::keepSoon);
+  connect(&model, &SessionModel::historyChanged, this, &Autosave::keepSoon);
   connect(&model, &SessionModel::outcomeChanged, this, &Autosave::keepSoon); // under the hand, too
   connect(&files, &SessionFiles::changed, this, &Autosave::keepSoon);
   connect(&input, &UnfinishedInput::typing, this, &Autosave::prepare);

@@ -47,7 +47,7 @@ void LeftoverWork::takeUp(const QString &path) {
   m_model.setLeftSessions(work->left);
   m_files.startWith(work->session, work->file);
   if (!work->file || work->file->text != writeSession(work->session))
-    m_model.history().resetClean();
+    m_model.resetClean();
   const auto drawn = std::make_shared<QMetaObject::Connection>();
   *drawn = connect(&m_scene, &SceneView::frameDrawn, this, [this, drawn] {
     disconnect(*drawn);

@@ -123,9 +123,9 @@ private slots:
                         toDouble(coordinate(expected, i))),
                std::string(specs[i].name).c_str());
 
-    fixture.model().history().undo();
+    fixture.model().undo();
     QVERIFY(fixture.model().session().scene == before.scene);
-    fixture.model().history().redo();
+    fixture.model().redo();
     QVERIFY(*findObject(fixture.model().session().scene, handle->object) == expected);
   }
 
@@ -305,7 +305,7 @@ private slots:
     QTest::keyClick(&fixture.scene(), Qt::Key_Down, Qt::ShiftModifier);
     QVERIFY(fixture.value("Q") == ExactVec3(Rational(111, 10), 16, 9));
     QCOMPARE(fixture.model().history().count(), 3);
-    fixture.model().history().undo();
+    fixture.model().undo();
     QVERIFY(fixture.value("Q") == ExactVec3(11, 16, 9));
   }
 
@@ -338,7 +338,7 @@ private slots:
     coordinate(triangle, 1) = coordinate(triangle, 0);
     fixture.model().edit(ChangeObject{"T", triangle}, "coincide");
     QCOMPARE(fixture.caseName(), std::string("coincident"));
-    fixture.model().history().undo();
+    fixture.model().undo();
     QCOMPARE(fixture.caseName(), start);
   }
 };

@@ -85,7 +85,7 @@ private slots:
     typeInto(*field, text);
     QCOMPARE(QString::fromStdString(toText(fixture.value("Q").x)), exact);
     QCOMPARE(fixture.model().history().count(), 1);
-    fixture.model().history().undo();
+    fixture.model().undo();
     QVERIFY(fixture.value("Q").x == 11);
     QTRY_COMPARE(field->text(), QString("11"));
   }
@@ -250,7 +250,7 @@ private slots:
     const Session changed = fixture.model().session();
     fixture.model().openLesson("plane-implicit");
     QVERIFY(!fixture.model().history().canUndo());
-    fixture.model().history().undo();
+    fixture.model().undo();
     QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
     QVERIFY(fixture.window.isWindowModified());
     fixture.model().openLesson("signed-distance");
@@ -375,7 +375,7 @@ private slots:
         QVERIFY(view.contains(fixture.pixelOf(place)));
     }
     while (fixture.model().history().canUndo())
-      fixture.model().history().undo();
+      fixture.model().undo();
     QVERIFY(fixture.model().session() == before);
   }
 

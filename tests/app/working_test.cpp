@@ -97,7 +97,7 @@ private slots:
     fixture.release(from + QPoint(40, 0));
     QVERIFY(fixture.value("E.n") == ExactVec3(6, 2, 2));
     QCOMPARE(fixture.model().history().count(), 1);
-    fixture.model().history().undo();
+    fixture.model().undo();
     QVERIFY(fixture.value("E.n") == ExactVec3(1, 2, 2));
   }
 

@@ -98,10 +98,10 @@ private slots:
     newer.title = title;
     model.renewLesson(newer);
     model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
-    model.history().setClean();
+    model.setClean();
     model.undo();
     int looks = 0;
-    connect(&model.history(), &QUndoStack::cleanChanged, &model, [&] {
+    connect(&model, &SessionModel::cleanChanged, &model, [&] {
       ++looks;
       QCOMPARE(model.lesson().title, title);
     });
@@ -137,7 +137,7 @@ private slots:
     QVERIFY(!model.inGesture());
     model.moveGesture(held, ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
     QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
-    QCOMPARE(model.history().text(0), QString("Move Q"));
+    QCOMPARE(model.history().text(0), std::string("Move Q"));
     model.undo();
     QVERIFY(findObject(model.session().scene, "Q") != nullptr);
     model.undo();
@@ -159,7 +159,7 @@ private slots:
     model.moveGesture(flight, ChangeObject{"Q", PointObject{{4, 5, 6}}});
     model.endGesture(flight);
     QCOMPARE(model.history().count(), 2);
-    QCOMPARE(model.history().text(0), QString("Scrub"));
+    QCOMPARE(model.history().text(0), std::string("Scrub"));
     model.undo();
     QVERIFY(place() == ExactVec3(1, 2, 3));
     model.moveGesture(GestureToken::Nobodys, ChangeObject{"Q", PointObject{{9, 9, 9}}});
@@ -186,17 +186,57 @@ private slots:
     QSignalSpy changed(&model, &SessionModel::gestureChanged);
     for (const bool keep : {true, false}) {
       const GestureToken held = model.beginGesture("Move Q");
-      QVERIFY(!model.isMovedByGesture("Q"));
+      QVERIFY(model.history().movedByGesture().empty());
       model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
-      QVERIFY(model.isMovedByGesture("Q"));
-      QVERIFY(!model.isMovedByGesture("E"));
+      QVERIFY(model.history().movedByGesture() == std::vector<std::string>{"Q"});
       if (keep)
         model.endGesture(held);
       else
         model.cancelGesture(held);
-      QVERIFY(!model.isMovedByGesture("Q"));
+      QVERIFY(model.history().movedByGesture().empty());
     }
     QCOMPARE(changed.count(), 4);
+  }
+
+  void drag_sharesAllThatItDoesNotMove_sceneAndFigureAlike() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    const Scene start = model.session().scene;
+    QVERIFY(start.entries.find("E") == model.lesson().scene.entries.find("E"));
+    const Figure before = model.shown().figure;
+    QVERIFY(findMark(before, "E.n") == findMark(model.figure(), "E.n"));
+    const GestureToken held = model.beginGesture("Move Q");
+    model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    QVERIFY(model.session().scene.entries.find("E") == start.entries.find("E"));
+    QVERIFY(model.session().scene.entries.find("Q") != start.entries.find("Q"));
+    QVERIFY(model.evaluation().scene.entries.find("Q") == model.session().scene.entries.find("Q"));
+    const Figure &after = model.shown().figure;
+    QVERIFY(findMark(after, "E.n") == findMark(before, "E.n"));
+    QVERIFY(findMark(after, "Q") != findMark(before, "Q"));
+    model.cancelGesture(held);
+    QVERIFY(model.session().scene.entries.find("Q") == start.entries.find("Q"));
+  }
+
+  void history_isToldOnceForEachChange_thoughItOnlyForgets() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    QSignalSpy told(&model, &SessionModel::historyChanged);
+    QSignalSpy clean(&model, &SessionModel::cleanChanged);
+    model.setClean();
+    QCOMPARE(clean.count(), 1);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    QCOMPARE(told.count(), 1);
+    QCOMPARE(clean.count(), 2);
+    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "nothing new");
+    QCOMPARE(told.count(), 1);
+    model.undo();
+    QCOMPARE(told.count(), 2);
+    QCOMPARE(clean.count(), 3);
+    QVERIFY(model.history().canRedo());
+    model.startWith(model.session());
+    QVERIFY(!model.history().canRedo());
+    QCOMPARE(told.count(), 3);
+    QCOMPARE(clean.count(), 3);
   }
 
   void view_isNoUndoStep_andStaysWhateverIsUndone() {

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace halfspace {
@@ -231,13 +233,15 @@ bool SceneView::isInView(const Handle &handle) const {
 void SceneView::noticeTyped(const std::vector<Handle> &before) {
   if (m_model.inGesture())
     return;
+  std::unordered_map<std::string_view, const Handle *> old;
+  for (const Handle &handle : before)
+    old.emplace(handle.id, &handle);
   std::vector<const Handle *> moved;
   for (const Handle &handle : m_handles) {
-    const auto old = std::find_if(before.begin(), before.end(),
-                                  [&](const Handle &other) { return other.id == handle.id; });
+    const auto known = old.find(handle.id);
     const bool isPosition = handle.motion == Handle::Motion::OnHost ||
                             (handle.motion == Handle::Motion::Coordinate && isZero(handle.base));
-    if (isPosition && old != before.end() && !(old->at == handle.at))
+    if (isPosition && known != old.end() && !(known->second->at == handle.at))
       moved.push_back(&handle);
   }
   if (!moved.empty())
@@ -252,9 +256,8 @@ void SceneView::holdExtents() {
     std::erase_if(extents, [&](const auto &held) { return !findObject(scene, held.first); });
     m_extents.hold(std::move(extents));
   }
-  for (const Entry &entry : scene.entries)
-    if (m_model.isMovedByGesture(entry.name))
-      m_extents.leave(entry.name);
+  for (const std::string &moved : m_model.history().movedByGesture())
+    m_extents.leave(moved);
 }
 
 void SceneView::glideFrom(Extents before) {

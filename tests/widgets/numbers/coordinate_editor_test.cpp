@@ -1,8 +1,8 @@
 // One number of a coordinate, typed, stepped and scrubbed into a session.
 #include "widgets/numbers/coordinate_editor.h"
 
-#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/reading/typed_number.h"
 #include "tests/lessons/scenes.h"
 #include "widgets/numbers/number_field.h"
 
@@ -55,14 +55,14 @@ private slots:
     m_editor->change({q0, axis}, q(10, 3));
     QVERIFY(valueOf(*m_model, q0) == expected);
     QCOMPARE(m_model->history().count(), 1);
-    QCOMPARE(m_model->history().undoText(), QString("Move Q"));
+    QCOMPARE(m_model->history().undoText().value(), std::string("Move Q"));
     m_model->undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }
 
   void stepNamesTheCoordinateOfItsObject() {
     m_editor->change({{"E", 1}, 0}, 4);
-    QCOMPARE(m_model->history().undoText(), QString("Move the tip of n"));
+    QCOMPARE(m_model->history().undoText().value(), std::string("Move the tip of n"));
   }
 
   void numberThatTheSessionDoesNotTake_changesNothing_data() {
@@ -154,7 +154,7 @@ private slots:
     QVERIFY(valueOf(*m_model, q0) == ExactVec3(11, 15, 11));
     m_editor->endScrub(true);
     QCOMPARE(m_model->history().count(), 1);
-    QCOMPARE(m_model->history().undoText(), QString("Move Q"));
+    QCOMPARE(m_model->history().undoText().value(), std::string("Move Q"));
     m_model->undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }

@@ -264,11 +264,11 @@ private slots:
       fixture.press(at);
       movePointer(fixture.view, at + QPoint(0, -60), Qt::LeftButton);
       fixture.release(at + QPoint(0, -60));
-      QCOMPARE(fixture.model.history().undoText(), QString(said));
+      QCOMPARE(fixture.model.history().undoText().value(), std::string(said));
     }
     fixture.view.selectHandle("Q");
     QTest::keyClick(&fixture.view, Qt::Key_PageUp);
-    QCOMPARE(fixture.model.history().undoText(), QString("Move Q"));
+    QCOMPARE(fixture.model.history().undoText().value(), std::string("Move Q"));
   }
 
   void note_atATip_tellsTheArrowsOwnNumber() {
