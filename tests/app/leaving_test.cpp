@@ -348,6 +348,7 @@ private slots:
     for (int i = 0; i < 500; ++i)
       many.scene.entries.push_back({"Q" + std::to_string(i), PointObject{ExactVec3(i % 20, i / 20, 0)}});
     fixture.window.files().startWith(many);
+    fixture.window.findChild<QDockWidget *>("numbersDock")->show(); // hidden, it has no rows
     const auto rows = [&] {
       return fixture.window.findChild<Inspector *>()->findChildren<NumberField *>().size() / 3;
     };

@@ -509,7 +509,7 @@ private slots:
       QStringList lines;
       for (const WorkingBlock *block : fixture.practice().working().blocks())
         if (!block->isHidden())
-          lines << block->accessibleDescription();
+          lines << block->spoken();
       return lines.join('\n');
     };
     int cases = 0;
@@ -570,6 +570,7 @@ private slots:
     number[2].x = 2;
     number[3].x = Rational(1, 2);
     QCOMPARE(fixture.model().edit(AddEntry{0, {"k", number}}, "add"), QString());
+    fixture.window.findChild<QDockWidget *>("numbersDock")->show(); // hidden, it has no rows
     auto *slider = fixture.window.findChild<Inspector *>()->findChild<QSlider *>();
     QVERIFY(slider);
     QCOMPARE(slider->maximum(), 6);

@@ -20,7 +20,7 @@ public:
   Inspector(SessionModel &model, const Typesetter &typesetter, QWidget *parent = nullptr);
   ~Inspector() override;
 
-  /// Writes the rows from the session and what it comes to.
+  /// Writes the rows from the session and what it comes to: at once where they are seen, else once they are.
   void showSession();
   void setTheme(const Theme &theme);
   /// Hides what comes out, while a question asks for it.
@@ -28,8 +28,11 @@ public:
 
   [[nodiscard]] QSize sizeHint() const override;
 
-  /// The fields of what is given.
+  /// The fields of what is given; none before they were seen for the first time.
   [[nodiscard]] CoordinateRows &given() { return m_given; }
+
+protected:
+  void showEvent(QShowEvent *event) override;
 
 private:
   struct ResultRow {
@@ -37,6 +40,7 @@ private:
     MathLabel *value;
   };
 
+  void writeRows();
   void buildGivenRows(const std::vector<CoordinateId> &ids);
   void buildResultRows();
   static void addGivenRow(QGridLayout &grid, const CoordinateRow &row);
@@ -48,6 +52,7 @@ private:
   CoordinateRows m_given;
   Theme m_theme;
   bool m_resultsHidden = false;
+  bool m_isStale = true; ///< nobody has seen the session as it is
   std::vector<ResultRow> m_results;
   std::vector<MathLabel *> m_resultLabels;
   QVBoxLayout *m_layout = nullptr;

@@ -4,8 +4,10 @@
 #include "widgets/formula/term_formula.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_words.h"
+#include "widgets/speak_by.h"
 #include "widgets/working/blank_field.h"
 
+#include <QAccessibleWidget>
 #include <QApplication>
 
 #include <algorithm>
@@ -15,6 +17,19 @@ namespace halfspace {
 
 namespace {
 
+/// Tells a screen reader of the lines.
+class SpokenBlock : public QAccessibleWidget {
+public:
+  explicit SpokenBlock(WorkingBlock &block) : QAccessibleWidget(&block), m_block(block) {}
+
+  [[nodiscard]] QString text(QAccessible::Text text) const override {
+    return text == QAccessible::Description ? m_block.spoken() : QAccessibleWidget::text(text);
+  }
+
+private:
+  const WorkingBlock &m_block;
+};
+
 constexpr int usualWidth = 400;
 /// A field reaches so far below the baseline, in em of the formulas.
 constexpr double fieldDepth = 0.4;
@@ -23,6 +38,7 @@ constexpr double fieldDepth = 0.4;
 
 WorkingBlock::WorkingBlock(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_theme(themes().front()), m_scrub(*this) {
+  speakBy<WorkingBlock, SpokenBlock>();
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Worked lines"));
   setMouseTracking(true);
@@ -53,8 +69,8 @@ void WorkingBlock::setWorking(const Working &working, Fade fade, std::map<std::s
 
 std::vector<WorkingLine> WorkingBlock::ownLines() const {
   const auto first = m_working.lines.begin();
-  std::vector<WorkingLine> lines{first + static_cast<std::ptrdiff_t>(m_shown.begin),
-                                 first + static_cast<std::ptrdiff_t>(m_shown.end)};
+  std::vector<WorkingLine> lines(first + static_cast<std::ptrdiff_t>(m_shown.begin),
+                                 first + static_cast<std::ptrdiff_t>(m_shown.end));
   for (WorkingLine &line : lines)
     if (hides(line.id)) // a crossed sign of equality would tell what is asked
       for (Chain &chain : line.chains)
@@ -69,7 +85,7 @@ void WorkingBlock::showLines(const Working &working) {
   if (m_current && *m_current >= m_lines.size())
     m_current.reset();
   placeLines();
-  updateAccessibleText();
+  tellSpoken();
   if (lostFocus && !focusField())
     setFocus();
 }
@@ -202,13 +218,18 @@ std::optional<LineRemark> WorkingBlock::remarkOf(const std::string &lineId) cons
   return remark == m_remarks.end() ? std::nullopt : std::optional(remark->second);
 }
 
-void WorkingBlock::updateAccessibleText() {
+QString WorkingBlock::spoken() const {
   if (const Term *chosen = m_chosenNumber ? shownNumbers().numberAt(*m_chosenNumber) : nullptr)
-    return setAccessibleDescription(spokenWithOrigin(*chosen));
+    return spokenWithOrigin(*chosen);
   QStringList texts;
   for (const WorkingLine &line : ownLines())
     texts << textOf(line);
-  setAccessibleDescription(texts.join(u'\n'));
+  return texts.join(u'\n');
+}
+
+void WorkingBlock::tellSpoken() {
+  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
 }
 
 QString WorkingBlock::textOf(const WorkingLine &line) const {

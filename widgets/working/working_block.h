@@ -80,6 +80,9 @@ public:
   [[nodiscard]] const PlacedWorking &placed() const { return m_placed; }
   /// The lines as LaTeX, one below the other.
   [[nodiscard]] QString latexOfAll() const;
+  /// What a screen reader is told when it asks: the lines, one below the other; the number that the keys have
+  /// chosen, if they have.
+  [[nodiscard]] QString spoken() const;
 
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override;
@@ -154,7 +157,7 @@ private:
   void moveFields();
   void addField(const WorkingLine &line, const Gap &gap);
   static void dropField(BlankField &field);
-  void updateAccessibleText();
+  void tellSpoken();
   void hover(const QString &markId);
   void hoverNumber(std::optional<NumberPlace> number);
   void setCurrentLine(std::optional<std::size_t> line);

@@ -88,7 +88,7 @@ void WorkingBlock::setCurrentLine(std::optional<std::size_t> line) {
   m_current = line;
   if (m_chosenNumber) {
     m_chosenNumber.reset();
-    updateAccessibleText();
+    tellSpoken();
   }
   if (line)
     emit reached(m_placed.lines[*line].box.toAlignedRect());

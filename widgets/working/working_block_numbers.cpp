@@ -57,7 +57,7 @@ void WorkingBlock::setTrace(std::optional<NumberPlace> number, std::set<std::str
 
 void WorkingBlock::endChoice() {
   m_chosenNumber.reset();
-  updateAccessibleText();
+  tellSpoken();
   update();
 }
 
@@ -77,7 +77,7 @@ bool WorkingBlock::chooseBeside(int way) {
   m_chosenNumber = shown[static_cast<std::size_t>(next)];
   if (const auto boxes = shownNumbers().boxesOf(*m_chosenNumber); !boxes.empty())
     emit reached(boxes.front().toAlignedRect());
-  updateAccessibleText();
+  tellSpoken();
   return true;
 }
 
@@ -105,7 +105,7 @@ void WorkingBlock::connectScrub() {
 void WorkingBlock::pressNumber(const NumberPlace &number, const QMouseEvent &event) {
   m_pressedNumber = number;
   m_chosenNumber.reset();
-  updateAccessibleText();
+  tellSpoken();
   m_current = shownNumbers().lineOf(number); // without scrolling: the number stays under the pointer
   update();
   if (number.coordinate())

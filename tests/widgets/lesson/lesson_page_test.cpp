@@ -149,8 +149,8 @@ private slots:
     shown.setWorking(test::tracedWorking(), {1, 2});
     const auto blocks = shown.shown<WorkingBlock>();
     QCOMPARE(blocks.size(), 2);
-    QVERIFY(blocks[0]->accessibleDescription().startsWith("u"));
-    QVERIFY(blocks[1]->accessibleDescription().startsWith("a"));
+    QVERIFY(blocks[0]->spoken().startsWith("u"));
+    QVERIFY(blocks[1]->spoken().startsWith("a"));
     const std::vector<QWidget *> expected{
         shown.shown<TaskRow>().first(),       blocks[0], shown.words("Some words"),
         shown.shown<PredictionBox>().first(), blocks[1], shown.shown<NoteFold>().first()};

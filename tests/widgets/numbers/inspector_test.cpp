@@ -103,6 +103,19 @@ class InspectorTest : public QObject {
   Q_OBJECT
 
 private slots:
+  void hidden_whileTheSceneIsMoved_makesNothing_andWritesItOnceItIsSeen() {
+    ShownInspector shown(distanceScene());
+    QVERIFY(shown.ready);
+    shown.inspector.hide();
+    shown.model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    const auto &values = shown.model.evaluation().find("distance")->outcome->values;
+    QVERIFY(!values.isMade());
+    QCOMPARE(shown.field("Q", 0).text(), QString("11"));
+    shown.inspector.show();
+    QVERIFY(values.isMade());
+    QCOMPARE(shown.field("Q", 0).text(), QString("1"));
+  }
+
   void rows_ofAScene_haveAFieldForEachNumber() {
     ShownInspector shown(sphereScene());
     QCOMPARE(shown.inspector.findChildren<NumberField *>().size(), 4);

@@ -52,9 +52,7 @@ private:
   QWidget m_page; // goes first, and its blocks with it
 };
 
-QStringList spokenIn(const WorkingBlock &block) {
-  return block.accessibleDescription().split('\n', Qt::SkipEmptyParts);
-}
+QStringList spokenIn(const WorkingBlock &block) { return block.spoken().split('\n', Qt::SkipEmptyParts); }
 
 /// The middle of a line's lower edge, where nothing is written.
 QPoint below(const WorkingBlock &block, std::size_t line) {
@@ -180,7 +178,7 @@ private slots:
     QVERIFY(shown.first().shownNumbers().inLine(0).empty());
     QVERIFY(shown.second().shownNumbers().inLine(0).empty());
     QCOMPARE(shown.second().latexOfAll().count('='), 2);
-    QVERIFY(!shown.second().accessibleDescription().contains("10"));
+    QVERIFY(!shown.second().spoken().contains("10"));
   }
 
   void lastField_ofABlockThatIsFilledIn_handsTheKeysToTheNextBlock() {
@@ -267,10 +265,10 @@ private slots:
   void escape_letsGoOfTheNumberChosenInTheOtherBlock() {
     ShownBlocks shown(tracedWorking());
     QTest::keyClick(&shown.second(), Qt::Key_Right);
-    const QString chosen = shown.second().accessibleDescription();
+    const QString chosen = shown.second().spoken();
     QVERIFY(!chosen.contains('\n'));
     QTest::keyClick(&shown.first(), Qt::Key_Escape);
-    QVERIFY(shown.second().accessibleDescription() != chosen);
+    QVERIFY(shown.second().spoken() != chosen);
   }
 
   void blocksThatWereDropped_areHeardNoMore() {

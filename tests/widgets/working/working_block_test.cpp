@@ -4,6 +4,7 @@
 #include "lessons/lesson/new_numbers/new_numbers.h"
 #include "widgets/formula/term_formula.h"
 
+#include <QAccessible>
 #include <QClipboard>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -140,12 +141,23 @@ private slots:
     QCOMPARE(block.placed().lines[0].formulas.size(), std::size_t(3));
     QVERIFY(!block.placed().lines[0].blank.isNull());
     QCOMPARE(block.placed().lines[1].formulas.size(), std::size_t(3));
-    const QString firstLine = block.accessibleDescription().split('\n').front();
+    const QString firstLine = block.spoken().split('\n').front();
     QVERIFY(!firstLine.contains("30"));
     QVERIFY(!firstLine.contains("So many steps"));
     QVERIFY(!block.latexOfAll().split('\n').front().contains("30"));
     block.setWorking(someWorking());
-    QVERIFY(block.accessibleDescription().split('\n').front().contains("30"));
+    QVERIFY(block.spoken().split('\n').front().contains("30"));
+  }
+
+  void screenReader_isToldTheLines_whichAreWrittenWhenItAsks() {
+    WorkingBlock block(m_typesetter);
+    show(block, 900, someWorking());
+    QVERIFY(block.accessibleDescription().isEmpty()); // kept nowhere
+    const QAccessibleInterface *spoken = QAccessible::queryAccessibleInterface(&block);
+    QCOMPARE(spoken->text(QAccessible::Name), QString("Worked lines"));
+    QVERIFY(spoken->text(QAccessible::Description).contains("30"));
+    block.setWorking(someWorking(), blankIn(someWorking(), "t"));
+    QCOMPARE(spoken->text(QAccessible::Description), block.spoken());
   }
 
   void blockIsAsTallAsItsLines_atEveryWidth() {
@@ -166,7 +178,7 @@ private slots:
       block.setWorking(working, {}, {}, {own, own + 1});
       QCOMPARE(block.placed().lines.size(), std::size_t(1));
       QCOMPARE(block.latexOfAll(), QString::fromStdString(latexOf(working.lines[own])));
-      QVERIFY(!block.accessibleDescription().contains('\n'));
+      QVERIFY(!block.spoken().contains('\n'));
     }
     block.setWorking({{working.lines[0]}}, {}, {}, {0, 2}); // a line is gone
     QCOMPARE(block.placed().lines.size(), std::size_t(1));
@@ -235,7 +247,7 @@ private slots:
         QCOMPARE(shown.formulas.back().picture->box(),
                  m_typesetter.picture(formulaOf(shownLine, LinePiece::Result).row)->box());
       }
-      QVERIFY(block.accessibleDescription().contains(QString::number(i)));
+      QVERIFY(block.spoken().contains(QString::number(i)));
     }
   }
 
