@@ -1,11 +1,14 @@
-// Scenes that grow: what an edit, saving and opening cost in scenes of 10, 100 and 500 constructions, and the
-// list of 5, 20 and 1,000 lessons. Each should be flat or linear.
+// Scenes that grow: what an edit, a frame of a drag, saving and opening cost in scenes of 3 to 500
+// constructions, and the list of 5, 20 and 1,000 lessons. Each should be flat or linear.
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/object/kinds/point.h"
 #include "lessons/scene/file/session_file.h"
+#include "lessons/scene/hand/snap_targets.h"
+#include "lessons/scene/history.h"
 #include "tests/bench/durations.h"
+#include "widgets/picture/stage.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -30,12 +33,56 @@ Scene sceneOf(int constructions) {
   return scene;
 }
 
+/// The median of some times.
 template <class Work> double millisecondsOf(int times, Work work) {
-  const auto start = Clock::now();
-  for (int i = 0; i < times; ++i)
+  Durations durations;
+  for (int i = 0; i < times; ++i) {
+    const auto start = Clock::now();
     work(i);
-  return millisecondsSince(start) / times;
+    durations.add(millisecondsSince(start));
+  }
+  return durations.median();
 }
+
+/// A step that shows one of the lines.
+LessonStep stepOfOneLine() {
+  LessonStep step;
+  step.blocks = {StepLines{{"d0.f"}}};
+  return step;
+}
+
+/// What a window does below its widgets in a frame of a drag: from the move to the figure on its stage and
+/// the handles.
+class Drag {
+public:
+  explicit Drag(const Scene &scene) : m_history({"bench", 0, scene}), m_evaluation(evaluate(scene)) {
+    m_held = m_history.beginGesture("Move Q0");
+    frame(-1);
+  }
+
+  void frame(int i) {
+    m_history.moveGesture(m_held, ChangeObject{"Q0", PointObject{{i, 2, 3}}});
+    const Scene &scene = m_history.session().scene;
+    m_evaluation = evaluate(scene, m_evaluation);
+    m_shown = shownIn(m_step, m_evaluation);
+    m_figure = toStage(m_shown.figure, Stage());
+    m_handles = handlesOf({scene, m_evaluation});
+    m_moved = m_history.movedByGesture();
+  }
+
+  /// What the hand does when it takes hold of another handle.
+  void press() const { (void)snapTargets({m_history.session().scene, m_evaluation}, m_handles.front()); }
+
+private:
+  LessonStep m_step = stepOfOneLine();
+  History m_history;
+  Evaluation m_evaluation;
+  GestureToken m_held = GestureToken::Nobodys;
+  Shown m_shown;
+  Figure m_figure;
+  std::vector<Handle> m_handles;
+  std::vector<std::string> m_moved;
+};
 
 void measureScene(int constructions) {
   Scene scene = sceneOf(constructions);
@@ -48,18 +95,20 @@ void measureScene(int constructions) {
   const double edited = millisecondsOf(50, edit);
   const double looked = millisecondsOf(20, [&](int i) {
     edit(i);
-    LessonStep step;
-    step.blocks = {StepLines{{"d0.f"}}};
-    (void)shownIn(step, evaluation);
+    (void)shownIn(stepOfOneLine(), evaluation);
   });
+  Drag drag(scene);
+  const double dragged = millisecondsOf(50, [&](int i) { drag.frame(i); });
+  const double pressed = millisecondsOf(20, [&](int) { drag.press(); });
   const double anew = millisecondsOf(5, [&](int) { (void)figureOf(evaluate(scene)); });
   const Session session{"bench", 0, scene};
   std::string text;
   const double saved = millisecondsOf(10, [&](int) { text = writeSession(session); });
   const double opened = millisecondsOf(10, [&](int) { (void)readSession(text, "bench"); });
-  std::printf("%5zu entries: edit %7.3f ms, edit and look %7.3f ms, all anew %7.3f ms, save %7.3f ms, open "
-              "%7.3f ms\n",
-              scene.entries.size(), edited, looked, anew, saved, opened);
+  std::printf(
+      "%5zu entries: edit %7.3f ms, edit and look %7.3f ms, frame of a drag %7.3f ms, press %7.3f ms, "
+      "all anew %7.3f ms, save %7.3f ms, open %7.3f ms\n",
+      scene.entries.size(), edited, looked, dragged, pressed, anew, saved, opened);
 }
 
 void measureLessons(int count) {
@@ -83,7 +132,7 @@ void measureLessons(int count) {
 
 int main() {
   using namespace halfspace::bench;
-  for (const int constructions : {10, 100, 500})
+  for (const int constructions : {3, 10, 100, 333, 500})
     measureScene(constructions);
   for (const int lessons : {5, 20, 1000})
     measureLessons(lessons);
