@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/lessons/scenes.h"
+#include "tests/widgets/libraries.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/typeset/typesetter.h"
 #include "widgets/view/scene_view.h"
@@ -10,17 +11,6 @@
 #include <QVBoxLayout>
 
 namespace halfspace::test {
-
-inline LessonLibrary libraryOf(const std::vector<Scene> &scenes) {
-  LessonLibrary library;
-  for (const Scene &scene : scenes) {
-    Lesson lesson;
-    lesson.id = "lesson" + std::to_string(library.lessons.size());
-    lesson.scene = scene;
-    library.lessons.push_back(std::move(lesson));
-  }
-  return library;
-}
 
 class ViewFixture {
 public:
