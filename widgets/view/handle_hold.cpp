@@ -1,0 +1,76 @@
+#include "widgets/view/handle_hold.h"
+
+#include "lessons/scene/change_words.h"
+#include "lessons/scene/hand/snapping.h"
+
+#include <utility>
+
+namespace halfspace {
+
+void HandleHold::begin(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
+  // First: where a gesture from elsewhere ends by this, all is let go of.
+  m_token = m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, handle)));
+  m_drag.emplace(toStage({m_model.session().scene, m_model.evaluation()}, m_model.stage()), handle, mode,
+                 pixel, m_model.askedOf(handle));
+}
+
+std::optional<DragMode> HandleHold::mode() const {
+  return m_drag ? std::optional(m_drag->mode()) : std::nullopt;
+}
+
+void HandleHold::setMode(DragMode mode) {
+  if (!m_drag || isOwn(m_drag->mode()))
+    return;
+  m_drag->setMode(mode);
+  emit modeChanged();
+}
+
+void HandleHold::pointTo(glm::dvec2 pixel, bool isSuspended) {
+  m_pointer = pixel;
+  setSuspended(isSuspended);
+}
+
+void HandleHold::setSuspended(bool suspended) {
+  m_isSuspended = suspended;
+  if (!m_pointer)
+    return;
+  m_isPending = true;
+  emit pointed();
+}
+
+void HandleHold::follow(const View &view) {
+  if (!m_drag || !std::exchange(m_isPending, false))
+    return;
+  emit aboutToMove();
+  const bool isFree = m_isSuspended || !m_model.isSnapping();
+  const auto move = m_drag->moveTo(*m_pointer, isFree ? finestStep : m_model.snapStep(), view);
+  if (!move)
+    return;
+  m_model.moveGesture(m_token,
+                      ChangeObject{m_drag->handle().object, fromStage(move->object, m_model.stage())});
+  emit moved();
+  setCaught(move->caught);
+}
+
+void HandleHold::setCaught(const std::string &caught) {
+  if (std::exchange(m_caught, caught) != caught)
+    emit caughtChanged();
+}
+
+void HandleHold::end(bool stays) {
+  if (stays) {
+    ++m_dragCount;
+    m_model.endGesture(m_token);
+  } else {
+    m_model.cancelGesture(m_token);
+  }
+}
+
+void HandleHold::letGo() {
+  m_drag.reset();
+  m_pointer.reset();
+  m_isPending = false;
+  setCaught({}); // what is typed or undone next may make it untrue
+}
+
+} // namespace halfspace
