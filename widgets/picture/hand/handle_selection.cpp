@@ -1,6 +1,8 @@
 #include "widgets/picture/hand/handle_selection.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace halfspace {
@@ -64,11 +66,14 @@ const Handle *handleOfBody(const std::string &mark, const Figure &figure,
 }
 
 std::vector<Place> movedPositions(const std::vector<Handle> &before, const std::vector<Handle> &now) {
+  std::unordered_map<std::string_view, const Handle *> old;
+  for (const Handle &handle : before)
+    old.emplace(handle.id, &handle);
   std::vector<Place> moved;
   for (const Handle &handle : now) {
-    const Handle *old = findHandle(before, handle.id);
+    const auto known = old.find(handle.id);
     const bool isPosition = handle.motion == Handle::Motion::OnHost || movesPosition(handle);
-    if (isPosition && old && !(old->at == handle.at))
+    if (isPosition && known != old.end() && !(known->second->at == handle.at))
       moved.push_back(toDouble(handle.at));
   }
   return moved;

@@ -1,0 +1,80 @@
+#include "widgets/view/drawn_figure.h"
+
+#include <utility>
+
+namespace halfspace {
+
+DrawnFigure::DrawnFigure(const SessionModel &model) : m_model(model) {
+  connect(&m_fade, &MarkFade::changed, this, &DrawnFigure::changed);
+  connect(&m_extents, &ExtentGlide::changed, this, &DrawnFigure::changed);
+}
+
+void DrawnFigure::takeLesson() {
+  m_figure = {};
+  m_stage = m_model.stage();
+}
+
+void DrawnFigure::takeOutcome(bool moving) {
+  if (!(m_stage == m_model.stage())) {
+    m_stage = m_model.stage();
+    m_extents.release(false); // they are in units of the stage before
+  }
+  Extents before = extentsOf(drawnFigure());
+  if (m_model.inGesture())
+    holdExtents();
+  m_figure = toStage(m_model.shown().figure, m_stage);
+  glideFrom(std::move(before), moving);
+  m_fade.show(m_model.session(), m_model.shown().figure, moving);
+}
+
+void DrawnFigure::holdExtents() {
+  const Scene &scene = m_model.session().scene;
+  if (!m_extents.isHolding()) {
+    Extents extents = extentsOf(drawnFigure());
+    std::erase_if(extents, [&](const auto &held) { return !findObject(scene, held.first); });
+    m_extents.hold(std::move(extents));
+  }
+  for (const std::string &moved : m_model.history().movedByGesture())
+    m_extents.leave(moved);
+}
+
+void DrawnFigure::glideFrom(Extents before, bool moving) {
+  if (m_model.inGesture() || before == extentsOf(m_figure))
+    return;
+  m_extents.hold(std::move(before));
+  m_extents.release(moving);
+}
+
+void DrawnFigure::takeGesture(bool moving) {
+  if (!m_model.inGesture())
+    return m_extents.release(moving);
+  if (m_fade.arrival().marks.empty())
+    return;
+  m_fade.finish();
+  emit changed();
+}
+
+void DrawnFigure::arrive() {
+  m_fade.finish();
+  m_extents.arrive();
+}
+
+SceneContent DrawnFigure::pictureContent() const {
+  SceneContent content;
+  content.stage = m_stage;
+  content.figure = m_figure;
+  content.hasShadows = m_model.lesson().hasShadows;
+  if (m_areNumbersHidden)
+    content.figure = withoutNumbers(std::move(content.figure));
+  return content;
+}
+
+SceneContent DrawnFigure::drawnContent() const {
+  SceneContent content = pictureContent();
+  content.figure = m_extents.drawn(std::move(content.figure)); // whether with its numbers or without
+  content.highlighted = m_highlighted;
+  content.arrival = m_fade.arrival();
+  return content;
+}
+
+} // namespace halfspace

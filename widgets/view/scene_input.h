@@ -1,0 +1,67 @@
+// The mouse and the keys over a view.
+#pragma once
+
+#include "widgets/view/handle_edits.h"
+
+#include <QWidget>
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace halfspace {
+
+/// Takes the events of a view before the view itself does, and turns them into what the hand does: it hovers
+/// over handles, holds one, or turns and moves the picture. What it has no use for goes on to the view.
+class SceneInput : public QObject {
+  Q_OBJECT
+
+public:
+  SceneInput(QWidget &view, Viewpoint &viewpoint, SceneHandles &handles, HandleEdits &edits,
+             HandleHold &hold);
+
+  /// Ends what the mouse began, as its release does.
+  void finish();
+  /// Forgets what the mouse holds.
+  void letGo();
+
+signals:
+  void dismissed(); ///< Escape, or a click beside the handles, while nothing is dragged
+
+protected:
+  bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+  enum class Gesture { None, Turn, Pan, Handle };
+
+  [[nodiscard]] glm::dvec2 devicePixel(const QPointF &place) const;
+  void press(const QMouseEvent &event);
+  /// Takes hold of the handle or the part of the tool at a place, if there is one.
+  bool pressHandle(const QPointF &place, bool shifted);
+  void pressPicture(Gesture gesture);
+  void move(const QMouseEvent &event);
+  void movePicture(const QPointF &way);
+  void release(const QMouseEvent &event);
+  void turnWheel(const QWheelEvent &event);
+  void leave();
+  /// Of keys, false: they mean nothing here.
+  bool pressKey(const QKeyEvent &event);
+  bool releaseKey(const QKeyEvent &event);
+  bool lockAxis(int key);
+  void dismiss();
+  void showCaught();
+
+  QWidget &m_view;
+  Viewpoint &m_viewpoint;
+  SceneHandles &m_handles;
+  HandleEdits &m_edits;
+  HandleHold &m_hold;
+  Gesture m_gesture = Gesture::None;
+  Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
+  bool m_clickSwitches = false;            ///< whether the press was on the handle that was selected already
+  bool m_hasMoved = false;                 ///< whether the pointer has left the place of the press
+  QPointF m_pressed;
+  QPointF m_pointer; ///< the newest place
+};
+
+} // namespace halfspace
