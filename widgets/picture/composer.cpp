@@ -151,7 +151,8 @@ void Composer::composeFaces() {
   std::vector<Shape> faces;
   faces.reserve(inOrder.size());
   for (const Face *face : inOrder)
-    faces.push_back({face->mark, face->color, FaceShape{face->corners, face->opacity}});
+    faces.push_back(
+        {baseOf(drawn().marks[face->mark]).id, face->color, FaceShape{face->corners, face->opacity}});
   put(Layer::Faces, std::move(faces));
 }
 

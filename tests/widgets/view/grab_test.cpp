@@ -4,6 +4,7 @@
 #include "widgets/picture/design_scale.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mark_shapes.h"
+#include "widgets/picture/shapes/mesh.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

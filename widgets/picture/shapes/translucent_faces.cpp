@@ -68,7 +68,6 @@ Face faceOf(const Mark &mark, const Theme &theme, bool highlighted) {
   const MarkBase &base = baseOf(mark);
   const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
   Face face;
-  face.mark = base.id;
   face.corners = outlineOf(mark, rightAngleSize).path;
   face.color = base.role == Role::Warning                  ? theme.warning
                : isPatch && base.subject == Subject::Plane ? theme.patchFaceOf(hueOf(base))
@@ -106,13 +105,15 @@ std::vector<Face> facesOf(const Figure &figure, const std::set<std::string> &hig
                           const Arrival &arrival) {
   std::vector<Face> patches;
   std::vector<Face> polygons;
-  for (const Mark &mark : figure.marks) {
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+    const Mark &mark = figure.marks[i];
     const bool isPatch = std::holds_alternative<PlanePatchMark>(mark);
     const auto *sphere = std::get_if<SphereMark>(&mark);
     if (!isPatch && !sphere && !std::holds_alternative<PolygonMark>(mark))
       continue;
     Face face = faceOf(mark, theme, highlighted.contains(baseOf(mark).id));
     face.opacity *= arrival.presenceOf(baseOf(mark));
+    face.mark = i;
     if (sphere)
       addSurface(*sphere, face, polygons);
     else

@@ -17,7 +17,7 @@ struct Face {
   std::vector<Place> corners;
   Color color;
   double opacity = 1;
-  std::string mark{}; ///< the id of the mark that it is of
+  std::size_t mark = 0; ///< that it is of, by its number in the figure
 };
 
 /// The faces of a figure's plane patches, polygons and balls. Patches come first: they lie under what is
