@@ -11,9 +11,9 @@
 namespace halfspace {
 
 SceneColumn::SceneColumn(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QWidget(parent), m_view(new SceneView(model, typesetter)),
-      m_card(new NumberCard(model, typesetter)), m_frame(new SceneFrame(*m_view, *m_card)),
-      m_flat(new FlatView(model, typesetter, m_frame)), m_caseLine(new CaseLine) {
+    : QWidget(parent), m_view(new SceneView(model, typesetter)), m_card(new NumberCard(model, typesetter)),
+      m_frame(new SceneFrame(*m_view, *m_card)), m_flat(new FlatView(model, typesetter, m_frame)),
+      m_caseLine(new CaseLine) {
   m_frame->setFlatView(*m_flat);
   auto *column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -1,7 +1,7 @@
 #include "widgets/numbers/coordinate_editor.h"
 
-#include "lessons/reading/typed_number.h"
 #include "lessons/object/kinds/number.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/scene/change_words.h"
 
 #include <algorithm>

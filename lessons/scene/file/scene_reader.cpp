@@ -2,9 +2,9 @@
 
 #include "lessons/guess.h"
 #include "lessons/object/kind.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/scene/file/shape_text.h"
 #include "lessons/scene/scene_checker.h"
-#include "lessons/reading/typed_number.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 

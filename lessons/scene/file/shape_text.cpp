@@ -1,8 +1,8 @@
 #include "lessons/scene/file/shape_text.h"
 
 #include "geometry/decide.h"
-#include "lessons/reading/typed_number.h"
 #include "lessons/object/drawing.h"
+#include "lessons/reading/typed_number.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 
