@@ -158,6 +158,28 @@ template <class Out> struct Teaching {
 
 namespace detail {
 
+/// How the objects of a role are taken from the front of those that are left; `listed` are in a list.
+template <class Kind> struct RoleOf {
+  static constexpr std::string_view kind = Kind::kind;
+  static constexpr bool isList = false;
+  static Given<Kind> take(GivenObjects &left, std::size_t /*listed*/) {
+    const auto &first = *left.front();
+    left = left.subspan(1);
+    return as<Kind>(first);
+  }
+};
+template <class Kind> struct RoleOf<Several<Kind>> {
+  static constexpr std::string_view kind = Kind::kind;
+  static constexpr bool isList = true;
+  static std::vector<Given<Kind>> take(GivenObjects &left, std::size_t listed) {
+    std::vector<Given<Kind>> all;
+    for (const auto &object : left.first(listed))
+      all.push_back(as<Kind>(*object));
+    left = left.subspan(listed);
+    return all;
+  }
+};
+
 template <class Out>
 [[nodiscard]] std::vector<MadeObject> madeIn(const Teaching<Out> &teaching, const Out &at) {
   std::vector<MadeObject> made;
