@@ -1,4 +1,5 @@
 // Which fragments have a row, and in which order.
+#include "lessons/lesson/live_values.h"
 #include "tests/widgets/flight/some_crossings.h"
 #include "widgets/hit_table/fragment_rows.h"
 
@@ -109,4 +110,3 @@ private slots:
 
 QTEST_APPLESS_MAIN(FragmentRowsTest)
 #include "fragment_rows_test.moc"
-#include "lessons/lesson/live_values.h"

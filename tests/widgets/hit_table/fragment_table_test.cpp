@@ -210,4 +210,3 @@ private slots:
 
 QTEST_MAIN(FragmentTableTest)
 #include "fragment_table_test.moc"
-#include "lessons/lesson/live_values.h"

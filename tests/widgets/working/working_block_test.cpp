@@ -2,6 +2,7 @@
 #include "tests/widgets/working/working_block_fixture.h"
 
 #include "lessons/lesson/new_numbers/new_numbers.h"
+#include "lessons/lesson/shown.h"
 #include "widgets/formula/term_formula.h"
 
 #include <QAccessible>
@@ -272,5 +273,4 @@ private slots:
 };
 
 QTEST_MAIN(WorkingBlockTest)
-#include "lessons/lesson/shown.h"
 #include "working_block_test.moc"
