@@ -82,8 +82,8 @@ template <class Out>
 
 /// Values under one name, which is for programs only.
 template <class Out>
-[[nodiscard]] ValueRow<Out> valueGroup(std::string name, When<Out> stands, ValueTable<Out> members) {
-  return {named::group(std::move(name), valueNames(members)), std::move(stands),
+[[nodiscard]] ValueRow<Out> valueGroup(const std::string &name, When<Out> stands, ValueTable<Out> members) {
+  return {named::group(name, valueNames(members)), std::move(stands),
           [members](const Out &at) { return ToldValue(Value(valuesIn(members, at))); }};
 }
 

@@ -69,6 +69,7 @@ std::vector<Meeting> listedMeetings(const RayObject &ray, const GivenMeshes &mes
     if (each)
       numbers.insert(each->number);
   std::vector<Meeting> listed;
+  listed.reserve(numbers.size());
   for (const std::size_t number : numbers)
     listed.push_back(meetingWith(ray, meshes, placements, number));
   return listed;

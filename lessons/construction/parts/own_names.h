@@ -21,19 +21,19 @@ template <class In> struct Computed : Naming {
 
   const In &in;
 
-  [[nodiscard]] Term ownName(Symbol letter, std::optional<TermValue> value) const {
-    return halfspace::ownName(*this, std::move(letter), std::move(value));
+  [[nodiscard]] Term ownName(const Symbol &letter, const std::optional<TermValue> &value) const {
+    return halfspace::ownName(*this, letter, value);
   }
-  [[nodiscard]] Term drawnName(Symbol letter, std::optional<TermValue> value) const {
-    return halfspace::drawnName(*this, std::move(letter), std::move(value));
+  [[nodiscard]] Term drawnName(const Symbol &letter, const std::optional<TermValue> &value) const {
+    return halfspace::drawnName(*this, letter, value);
   }
   /// A point that the construction makes, and a coordinate of another object that it makes.
-  [[nodiscard]] Term madeName(const std::string &object, std::optional<TermValue> value) const {
-    return halfspace::madeName(*this, object, std::move(value));
+  [[nodiscard]] Term madeName(const std::string &object, const std::optional<TermValue> &value) const {
+    return halfspace::madeName(*this, object, value);
   }
   [[nodiscard]] Term madeName(const std::string &object, const std::string &coordinate,
-                              std::optional<TermValue> value) const {
-    return halfspace::madeName(*this, object, coordinate, std::move(value));
+                              const std::optional<TermValue> &value) const {
+    return halfspace::madeName(*this, object, coordinate, value);
   }
 };
 

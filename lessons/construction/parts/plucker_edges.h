@@ -22,6 +22,7 @@ struct EdgeTerms {
 /// The products of all edges.
 template <class Edge> [[nodiscard]] std::vector<Term> productsOf(const std::vector<Edge> &edges) {
   std::vector<Term> products;
+  products.reserve(edges.size());
   for (const EdgeTerms &edge : edges)
     products.push_back(edge.p);
   return products;

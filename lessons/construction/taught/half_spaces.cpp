@@ -199,6 +199,7 @@ constexpr std::array roles{"A", "B", "C", "D"};
 /// Of the four points: f_A, f_B …
 std::vector<std::string> forEachPoint(const std::string &before) {
   std::vector<std::string> names;
+  names.reserve(roles.size());
   for (const char *role : roles)
     names.push_back(before + role);
   return names;

@@ -191,7 +191,7 @@ std::array<std::pair<const char *, ExactVec3>, 3> cornersOf(const Meeting &meeti
 /// A corner as the mesh has it, from where the mesh stands.
 WorkingLine cornerLine(const Out &at, std::size_t index) {
   const auto &mesh = at.in.meshes[at.chosen->fragment.mesh];
-  const auto &[coordinate, corner] = cornersOf(*at.chosen).at(index);
+  const auto [coordinate, corner] = cornersOf(*at.chosen).at(index);
   const ExactVec3 way = corner - mesh.object.place;
   const Term P = coordinateTerm(mesh, 0);
   return asked(withNumbers(at.madeName("T", coordinate, corner) == P + list({way.x, way.y, way.z})),

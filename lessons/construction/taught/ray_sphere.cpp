@@ -350,9 +350,9 @@ std::vector<SpecialCase> nearby(const Out &at) {
   return all;
 }
 
-ValueRow<Out> contactRow(std::string name, std::size_t index) {
+ValueRow<Out> contactRow(const std::string &name, std::size_t index) {
   return valueGroup<Out>(
-      std::move(name), [index](const Out &at) { return hasContact(at, index); },
+      name, [index](const Out &at) { return hasContact(at, index); },
       {{named::vector("point"), always, [index](const Out &at) { return at.contacts[index].H; }},
        {named::vector("normal"), always, [index](const Out &at) { return at.contacts[index].n; }}});
 }

@@ -335,9 +335,11 @@ private:
 
 void renewAll(Scene &scene, const std::vector<std::string> &names, Dice &dice, bool keepsCornersOnALine) {
   std::vector<Object> renewed;
+  renewed.reserve(names.size());
   for (const std::string &name : names)
     renewed.push_back(*findObject(scene, name));
   std::vector<Object *> objects;
+  objects.reserve(renewed.size());
   for (Object &object : renewed)
     objects.push_back(&object);
   const auto count = [&](std::string_view kind) {
