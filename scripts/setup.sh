@@ -60,10 +60,13 @@ build() {
   ) 9>"$buildDir.lock"
 }
 
-# Starts a command that fills the cores which what follows leaves idle. Its words are kept for `joined`; it ends with us.
+# Starts a command that fills the cores which what follows leaves idle. Its words are kept for `joined`; it ends with us. A
+# process group of its own is ended as a whole; in a session of its own it would take as much of the cores as we do.
 beside() {
   besideWords=$(mktemp)
-  setsid nice -n 19 "$@" >"$besideWords" 2>&1 &
+  set -m
+  nice -n 19 "$@" >"$besideWords" 2>&1 &
+  set +m
   beside=$!
   trap 'kill -- -$beside 2>/dev/null || true; rm -f "$besideWords"' EXIT
 }
