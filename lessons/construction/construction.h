@@ -1,4 +1,4 @@
-// A construction: one thing taught. Each stands in one file of lessons/construction/, and its file's name in
+// A construction: one thing taught. Each stands in one file of lessons/construction/taught/, its name in
 // the list of lessons/CMakeLists.txt, from which the table is generated.
 #pragma once
 

@@ -106,6 +106,16 @@ std::vector<Place> axisTips(const Figure &figure) {
   return tips;
 }
 
+std::vector<Place> placesNearGiven(const Figure &figure, bool axes) {
+  const Figure near = nearGiven(figure);
+  std::vector<Place> places = placesOf(near);
+  if (axes) {
+    const std::vector<Place> tips = axisTips(near);
+    places.insert(places.end(), tips.begin(), tips.end());
+  }
+  return places;
+}
+
 Camera fitted(const View &view, const std::vector<Place> &places) {
   const int side = std::min(view.size.width, view.size.height);
   const double margin = std::min(labelMargin * view.pixelRatio, largestMargin * side);
@@ -132,12 +142,7 @@ Camera fitted(const View &view, const std::vector<Place> &places) {
 }
 
 Camera homeView(const CameraView &from, const Figure &figure, bool axes, PixelSize size, double pixelRatio) {
-  const Figure near = nearGiven(figure);
-  std::vector<Place> places = placesOf(near);
-  if (axes)
-    for (const Place &tip : axisTips(near))
-      places.push_back(tip);
-  return fitted({Camera(from), size, pixelRatio}, places);
+  return fitted({Camera(from), size, pixelRatio}, placesNearGiven(figure, axes));
 }
 
 Camera seenAlong(AxisView view, Camera camera) {

@@ -30,6 +30,9 @@ namespace halfspace {
 /// The ends of the axes that stand in the figure.
 [[nodiscard]] std::vector<Place> axisTips(const Figure &figure);
 
+/// The places of a whole figure near what is given, and with `axes` the ends of those.
+[[nodiscard]] std::vector<Place> placesNearGiven(const Figure &figure, bool axes);
+
 /// Views along an axis: from the front (against x), from the right (against y), from the top (against z).
 enum class AxisView { Front, Right, Top };
 

@@ -3,9 +3,7 @@
 namespace halfspace {
 namespace {
 
-/// The places of a figure, with the sight's handles.
-std::vector<Place> placesWithHandles(const Figure &figure, const Sight &sight) {
-  std::vector<Place> places = placesOf(figure);
+std::vector<Place> withHandles(std::vector<Place> places, const Sight &sight) {
   places.insert(places.end(), sight.handles.begin(), sight.handles.end());
   return places;
 }
@@ -17,17 +15,12 @@ Camera fittedTo(const std::vector<Place> &places, Camera from, const View &view)
 
 /// The view turned like a camera.
 Camera seenWhole(const Sight &sight, Camera from, const View &view) {
-  const Figure near = nearGiven(sight.whole);
-  std::vector<Place> places = placesWithHandles(near, sight);
-  if (sight.hasAxes)
-    for (const Place &tip : axisTips(near))
-      places.push_back(tip);
-  return fittedTo(places, from, view);
+  return fittedTo(withHandles(placesNearGiven(sight.whole, sight.hasAxes), sight), from, view);
 }
 
 } // namespace
 
-std::vector<Place> placesOf(const Sight &sight) { return placesWithHandles(sight.shown, sight); }
+std::vector<Place> placesOf(const Sight &sight) { return withHandles(placesOf(sight.shown), sight); }
 
 Camera seenAs(NamedView name, const Sight &sight, const View &view) {
   const Camera &now = view.camera;

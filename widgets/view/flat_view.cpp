@@ -7,6 +7,7 @@
 #include "widgets/mouse_place.h"
 #include "widgets/picture/hand/grips.h"
 #include "widgets/picture/hand/mark_picker.h"
+#include "widgets/view/staged_scene.h"
 
 #include <QAction>
 #include <QPainter>
@@ -140,13 +141,9 @@ void FlatView::resizeEvent(QResizeEvent *event) {
   takeView();
 }
 
-PlacedScene FlatView::stagedScene() const {
-  return toStage({m_model.session().scene, m_model.evaluation()}, m_content.stage);
-}
-
 std::optional<Handle> FlatView::handleAt(const QPointF &place) const {
   const std::string upwards = fullName(m_model.session().scene, m_model.lesson().flat->up);
-  const std::vector<Handle> handles = handlesOf(stagedScene());
+  const std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_content.stage));
   const Handle *handle = handleOnPage({place.x(), place.y()}, handles, upwards, *m_frame, m_view,
                                       missMargin * m_view.pixelRatio);
   return handle ? std::optional(*handle) : std::nullopt;
@@ -162,7 +159,8 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
     return;
   const GestureToken held =
       m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
-  m_drag.emplace(stagedScene(), *handle, *m_frame, glm::dvec2(at.x(), at.y()), m_model.askedOf(*handle));
+  m_drag.emplace(stagedScene(m_model, m_content.stage), *handle, *m_frame, glm::dvec2(at.x(), at.y()),
+                 m_model.askedOf(*handle));
   m_held = held;
   grabKeyboard();
   setCursor(Qt::ClosedHandCursor);

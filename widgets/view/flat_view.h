@@ -59,7 +59,6 @@ private:
   void describe();
   void hover(const std::string &mark);
   /// The session's scene in units of the stage.
-  [[nodiscard]] PlacedScene stagedScene() const;
   /// The handle at a place of the picture that can be moved there; nothing for none.
   [[nodiscard]] std::optional<Handle> handleAt(const QPointF &place) const;
   void letGo();

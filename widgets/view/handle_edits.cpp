@@ -4,6 +4,7 @@
 #include "lessons/scene/change_words.h"
 #include "widgets/view/handle_hints.h"
 #include "widgets/view/key_steps.h"
+#include "widgets/view/staged_scene.h"
 
 #include <algorithm>
 
@@ -34,7 +35,7 @@ bool HandleEdits::step(int key, Qt::KeyboardModifiers modifiers) {
                             : std::nullopt;
   if (!place)
     return false;
-  const Scene scene = toStage({m_model.session().scene, m_model.evaluation()}, m_model.stage()).scene;
+  const Scene scene = stagedScene(m_model, m_model.stage()).scene;
   const Object &object = *findObject(scene, handle->object);
   // On a plane or a ball the place is brought back to it; with half the step as a grid no press is lost.
   const ExactVec3 way = *place - handle->at;

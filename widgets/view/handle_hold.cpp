@@ -1,4 +1,5 @@
 #include "widgets/view/handle_hold.h"
+#include "widgets/view/staged_scene.h"
 
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/hand/snapping.h"
@@ -10,8 +11,7 @@ namespace halfspace {
 void HandleHold::begin(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
   // First: where a gesture from elsewhere ends by this, all is let go of.
   m_token = m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, handle)));
-  m_drag.emplace(toStage({m_model.session().scene, m_model.evaluation()}, m_model.stage()), handle, mode,
-                 pixel, m_model.askedOf(handle));
+  m_drag.emplace(stagedScene(m_model, m_model.stage()), handle, mode, pixel, m_model.askedOf(handle));
 }
 
 std::optional<DragMode> HandleHold::mode() const {

@@ -2,6 +2,7 @@
 
 #include "widgets/picture/hand/drop_line.h"
 #include "widgets/view/handle_hints.h"
+#include "widgets/view/staged_scene.h"
 
 #include <utility>
 
@@ -19,8 +20,7 @@ SceneHandles::SceneHandles(SessionModel &model, Viewpoint &viewpoint, const Draw
       m_theme(themes().front()) {}
 
 void SceneHandles::takeHandles() {
-  std::vector<Handle> handles =
-      handlesOf(toStage({m_model.session().scene, m_model.evaluation()}, m_model.stage()));
+  std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_model.stage()));
   if (m_hold.isHolding())
     keepStill(handles, m_selection.handles());
   m_selection.take(std::move(handles));

@@ -2,6 +2,7 @@
 
 #include "geometry/decide.h"
 #include "widgets/picture/hand/handle_drag.h"
+#include "widgets/view/staged_scene.h"
 
 #include <glm/common.hpp>
 
@@ -26,7 +27,7 @@ View Viewpoint::view() const {
 
 Sight Viewpoint::sight() const {
   Sight sight{toStage(m_model.figure(), m_stage), toStage(m_model.shown().figure, m_stage)};
-  for (const Handle &handle : handlesOf(toStage({m_model.session().scene, m_model.evaluation()}, m_stage)))
+  for (const Handle &handle : handlesOf(stagedScene(m_model, m_stage)))
     sight.handles.push_back(shownPlace(handle));
   sight.start = m_model.lesson().camera;
   sight.hasAxes = m_stage.hasAxes();
