@@ -41,13 +41,13 @@ vtkNew<vtkCellArray> triangleArray(const Triangles &triangles, std::size_t strid
   static_assert(sizeof(triangles.front()) == 3 * sizeof(vtkTypeInt32));
   const std::size_t count = (triangles.size() + stride - 1) / stride;
   vtkNew<vtkTypeInt32Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
+  vtkTypeInt32 *offset = offsets->WritePointer(0, static_cast<vtkIdType>(count + 1));
   for (std::size_t i = 0; i <= count; ++i)
-    offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
+    offset[i] = static_cast<vtkTypeInt32>(3 * i);
   vtkNew<vtkTypeInt32Array> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(3 * count));
+  vtkTypeInt32 *corner = connectivity->WritePointer(0, static_cast<vtkIdType>(3 * count));
   for (std::size_t i = 0; i < count; ++i)
-    std::copy_n(&triangles[i * stride][0], 3, connectivity->GetPointer(static_cast<vtkIdType>(3 * i)));
+    corner = std::copy_n(&triangles[i * stride][0], 3, corner);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;

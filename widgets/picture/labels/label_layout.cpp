@@ -68,14 +68,17 @@ struct Way {
   glm::dvec2 onSquare;
 };
 
-std::array<Way, directionCount> waysAround() {
-  std::array<Way, directionCount> ways;
-  for (std::size_t i = 0; i < directionCount; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / directionCount;
-    const glm::dvec2 toward(std::cos(angle), std::sin(angle));
-    ways[i] = {toward, toward / std::max(std::abs(toward.x), std::abs(toward.y))};
-  }
-  return ways;
+const std::array<Way, directionCount> &waysAround() {
+  static const auto around = [] {
+    std::array<Way, directionCount> ways;
+    for (std::size_t i = 0; i < directionCount; ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / directionCount;
+      const glm::dvec2 toward(std::cos(angle), std::sin(angle));
+      ways[i] = {toward, toward / std::max(std::abs(toward.x), std::abs(toward.y))};
+    }
+    return ways;
+  }();
+  return around;
 }
 
 /// The box beside an anchor: its side or corner that faces the anchor is `gap` away from it.
@@ -102,6 +105,20 @@ bool isOnScreen(glm::dvec2 pixel, PixelSize size) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x <= size.width && pixel.y <= size.height;
 }
 
+/// What all places of a label lie in; nothing where no anchor is on the screen.
+std::optional<PixelBox> reachOf(const LabelRequest &request, PixelSize size, double pixelRatio) {
+  std::optional<PixelBox> reach;
+  for (const LabelAnchor &anchor : request.anchors) {
+    if (!isOnScreen(anchor.pixel, size))
+      continue;
+    // Boxes are moved onto whole pixels.
+    const glm::dvec2 far = request.extent + anchor.clearance + distances.back() * pixelRatio + 1.0;
+    const PixelBox around{anchor.pixel - far, anchor.pixel + far};
+    reach = reach ? PixelBox{glm::min(reach->low, around.low), glm::max(reach->high, around.high)} : around;
+  }
+  return reach;
+}
+
 } // namespace
 
 struct LabelLayout::Candidate {
@@ -122,29 +139,6 @@ struct LabelLayout::Candidate {
   }
 };
 
-/// Where a label may stand, the cheapest place first, and what it may come upon there: each obstacle is
-/// looked at once for a label before it is for each of its candidates.
-struct LabelLayout::Options {
-  std::vector<Candidate> candidates;
-  LabelObstacles obstacles;
-
-  Options(std::vector<Candidate> places, const LabelObstacles &all) : candidates(std::move(places)) {
-    if (candidates.empty())
-      return;
-    PixelBox reach = candidates.front().box;
-    for (const Candidate &candidate : candidates)
-      reach = {glm::min(reach.low, candidate.box.low), glm::max(reach.high, candidate.box.high)};
-    obstacles = obstaclesIn(reach, all);
-  }
-
-  /// The candidate of a choice; null where it may not stand there any more.
-  [[nodiscard]] const Candidate *chosen(const Choice &choice) const {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const Candidate &candidate) { return candidate.choice == choice; });
-    return found == candidates.end() ? nullptr : &*found;
-  }
-};
-
 /// All that is on the screen while labels are placed.
 struct LabelLayout::Board {
   PixelSize size;
@@ -158,41 +152,90 @@ struct LabelLayout::Board {
   }
 };
 
-std::vector<LabelLayout::Candidate> LabelLayout::candidatesOf(const LabelRequest &request,
-                                                              const Board &board) {
-  static const std::array ways = waysAround();
-  std::vector<Candidate> candidates;
-  candidates.reserve(request.anchors.size() * directionCount * distances.size());
-  double liking = 0;
-  for (std::size_t a = 0; a < request.anchors.size(); ++a) {
-    const LabelAnchor &anchor = request.anchors[a];
-    if (!isOnScreen(anchor.pixel, board.size))
-      continue;
-    if (request.stand == LabelStand::Pinned) {
-      const PixelBox box{anchor.pixel - request.extent / 2.0, anchor.pixel + request.extent / 2.0};
-      const PixelBox inside = movedInside(box, board.size);
-      if (pushOf(inside, box) > 0 || board.isCovered(inside))
+/// Where a label may stand, and what it may come upon there: each obstacle is looked at once for a label
+/// before it is for each of its places. Mostly a label stays where it was, and its other places are never
+/// worked out.
+class LabelLayout::Options {
+public:
+  /// Requires that request and board live longer.
+  Options(const LabelRequest &request, const Board &board, const LabelObstacles &all)
+      : m_request(request), m_board(board) {
+    if (const std::optional<PixelBox> reach = reachOf(request, board.size, board.pixelRatio))
+      m_obstacles = obstaclesIn(*reach, all);
+  }
+
+  [[nodiscard]] const LabelObstacles &obstacles() const { return m_obstacles; }
+
+  /// All places, the cheapest first.
+  [[nodiscard]] const std::vector<Candidate> &candidates() const {
+    if (!m_candidates)
+      m_candidates = m_request.stand == LabelStand::Pinned ? pinned() : beside();
+    return *m_candidates;
+  }
+
+  /// The place of a choice; nothing where the label may not stand there any more. Not for what is pinned.
+  [[nodiscard]] std::optional<Candidate> chosen(const Choice &choice) const {
+    if (choice.anchor >= m_request.anchors.size() || !isOnScreen(anchorOf(choice).pixel, m_board.size))
+      return {};
+    const LabelAnchor &anchor = anchorOf(choice);
+    const Way &way = waysAround()[choice.direction];
+    const double gap = anchor.clearance + distances[choice.distance] * m_board.pixelRatio;
+    const PixelBox wanted = boxBeside(anchor.pixel, way, gap, m_request.extent);
+    const PixelBox box = movedInside(wanted, m_board.size);
+    if (m_board.isCovered(box))
+      return {};
+    const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
+    const double cost = costOfAnchor(choice.anchor) + costOfOtherSide * (1 - glm::dot(best, way.onCircle)) +
+                        costOfDistance[choice.distance] + costOfLeaving * pushOf(box, wanted);
+    return Candidate{choice, box, cost, anchor.pixel, anchor.clearance};
+  }
+
+private:
+  [[nodiscard]] const LabelAnchor &anchorOf(const Choice &choice) const {
+    return m_request.anchors[choice.anchor];
+  }
+
+  /// What an anchor costs because others on the screen are liked better.
+  [[nodiscard]] double costOfAnchor(std::size_t anchor) const {
+    const auto first = m_request.anchors.begin();
+    const auto better =
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(anchor),
+                      [&](const auto &other) { return isOnScreen(other.pixel, m_board.size); });
+    return costOfNextAnchor * static_cast<double>(better);
+  }
+
+  [[nodiscard]] std::vector<Candidate> pinned() const {
+    for (std::size_t a = 0; a < m_request.anchors.size(); ++a) {
+      const LabelAnchor &anchor = m_request.anchors[a];
+      if (!isOnScreen(anchor.pixel, m_board.size))
+        continue;
+      const PixelBox box{anchor.pixel - m_request.extent / 2.0, anchor.pixel + m_request.extent / 2.0};
+      const PixelBox inside = movedInside(box, m_board.size);
+      if (pushOf(inside, box) > 0 || m_board.isCovered(inside))
         return {};
       return {{{a, 0, 0}, inside, 0, anchor.pixel, anchor.clearance}};
     }
-    const glm::dvec2 best = anchor.toward == glm::dvec2(0) ? glm::dvec2(0) : glm::normalize(anchor.toward);
-    for (std::size_t way = 0; way < directionCount; ++way)
-      for (std::size_t far = 0; far < distances.size(); ++far) {
-        const double gap = anchor.clearance + distances[far] * board.pixelRatio;
-        const PixelBox wanted = boxBeside(anchor.pixel, ways[way], gap, request.extent);
-        const PixelBox box = movedInside(wanted, board.size);
-        if (board.isCovered(box))
-          continue;
-        const double cost = liking + costOfOtherSide * (1 - glm::dot(best, ways[way].onCircle)) +
-                            costOfDistance[far] + costOfLeaving * pushOf(box, wanted);
-        candidates.push_back({{a, way, far}, box, cost, anchor.pixel, anchor.clearance});
-      }
-    liking += costOfNextAnchor;
+    return {};
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate &a, const Candidate &b) { return a.cost < b.cost; });
-  return candidates;
-}
+
+  [[nodiscard]] std::vector<Candidate> beside() const {
+    std::vector<Candidate> candidates;
+    candidates.reserve(m_request.anchors.size() * directionCount * distances.size());
+    for (std::size_t a = 0; a < m_request.anchors.size(); ++a)
+      for (std::size_t way = 0; way < directionCount; ++way)
+        for (std::size_t far = 0; far < distances.size(); ++far)
+          if (const std::optional<Candidate> candidate = chosen({a, way, far}))
+            candidates.push_back(*candidate);
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate &a, const Candidate &b) { return a.cost < b.cost; });
+    return candidates;
+  }
+
+  const LabelRequest &m_request;
+  const Board &m_board;
+  LabelObstacles m_obstacles;
+  mutable std::optional<std::vector<Candidate>> m_candidates; ///< worked out when asked
+};
 
 double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const LabelObstacles &obstacles,
                            const Board &board, double limit) {
@@ -225,31 +268,31 @@ double LabelLayout::costOf(const Candidate &candidate, std::size_t label, const 
   return cost;
 }
 
-const LabelLayout::Candidate *LabelLayout::keptFor(std::size_t label, const std::string &id,
-                                                   const Options &options, const Board &board) const {
+std::optional<LabelLayout::Candidate> LabelLayout::keptFor(std::size_t label, const std::string &id,
+                                                           const Options &options, const Board &board) const {
   const auto previous = m_choices.find(id);
   if (previous == m_choices.end() || previous->second.distance >= firstWithLeader)
-    return nullptr;
-  const Candidate *kept = options.chosen(previous->second);
+    return {};
+  const std::optional<Candidate> kept = options.chosen(previous->second);
   if (!kept || kept->cost >= costOfTouching)
-    return nullptr;
+    return {};
   const double limit = std::numeric_limits<double>::infinity();
-  return costOf(*kept, label, options.obstacles, board, limit) > kept->cost ? nullptr : kept;
+  return costOf(*kept, label, options.obstacles(), board, limit) > kept->cost ? std::nullopt : kept;
 }
 
 std::optional<LabelLayout::Candidate> LabelLayout::bestFor(std::size_t label, const std::string &id,
                                                            const Options &options, const Board &board) const {
-  if (const Candidate *kept = keptFor(label, id, options, board))
-    return *kept;
+  if (const std::optional<Candidate> kept = keptFor(label, id, options, board))
+    return kept;
   const auto previous = m_choices.find(id);
   const Candidate *cheapest = nullptr;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Candidate &candidate : options.candidates) {
+  for (const Candidate &candidate : options.candidates()) {
     if (candidate.cost >= lowest)
       break; // they are sorted: those after it cost even more
     const bool isChange = previous != m_choices.end() && previous->second != candidate.choice;
     const double change = isChange ? costOfChange : 0;
-    const double cost = costOf(candidate, label, options.obstacles, board, lowest - change) + change;
+    const double cost = costOf(candidate, label, options.obstacles(), board, lowest - change) + change;
     if (cost < lowest) {
       lowest = cost;
       cheapest = &candidate;
@@ -263,17 +306,17 @@ void LabelLayout::placeTogether(std::size_t first, std::size_t second,
                                 const std::vector<Options> &options, Board &board) const {
   const double limit = std::numeric_limits<double>::infinity();
   const auto costOfBoth = [&] {
-    return costOf(*board.placed[first], first, options[first].obstacles, board, limit) +
-           costOf(*board.placed[second], second, options[second].obstacles, board, limit);
+    return costOf(*board.placed[first], first, options[first].obstacles(), board, limit) +
+           costOf(*board.placed[second], second, options[second].obstacles(), board, limit);
   };
   auto best = std::pair(*board.placed[first], *board.placed[second]);
   double lowest = costOfBoth();
-  for (const Candidate &candidate : options[first].candidates) {
+  for (const Candidate &candidate : options[first].candidates()) {
     if (candidate.cost >= lowest)
       break; // they are sorted: those after it cost even more
     board.placed[first] = candidate;
     board.placed[second].reset();
-    if (costOf(candidate, first, options[first].obstacles, board, lowest) >= lowest)
+    if (costOf(candidate, first, options[first].obstacles(), board, lowest) >= lowest)
       continue;
     board.placed[second] = bestFor(second, requests[second].id, options[second], board);
     if (const double cost = costOfBoth(); cost < lowest) {
@@ -301,8 +344,7 @@ void LabelLayout::placeBeside(const std::vector<LabelRequest> &requests, const s
       labels.push_back(label);
   for (const std::size_t label : labels)
     if (const auto previous = m_choices.find(requests[label].id); previous != m_choices.end())
-      if (const Candidate *there = options[label].chosen(previous->second))
-        board.placed[label] = *there;
+      board.placed[label] = options[label].chosen(previous->second);
   for (int pass = 0; pass < passes; ++pass) {
     for (const std::size_t label : labels)
       board.placed[label] = bestFor(label, requests[label].id, options[label], board);
@@ -328,7 +370,7 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   std::vector<Options> options;
   options.reserve(requests.size());
   for (const LabelRequest &request : requests)
-    options.emplace_back(candidatesOf(request, board), obstaclesFor(request.stand));
+    options.emplace_back(request, board, obstaclesFor(request.stand));
 
   const auto forEach = [&](LabelStand stand, const auto &visit) {
     for (std::size_t label = 0; label < requests.size(); ++label)
@@ -337,11 +379,11 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelRequest> &req
   };
   const auto canBeRead = [&](std::size_t label, const Candidate &there) {
     const double limit = there.cost + costOfThickLine;
-    return costOf(there, label, options[label].obstacles, board, limit) < limit;
+    return costOf(there, label, options[label].obstacles(), board, limit) < limit;
   };
   const auto pin = [&](std::size_t label) {
     board.placed[label].reset();
-    for (const Candidate &only : options[label].candidates)
+    for (const Candidate &only : options[label].candidates())
       if (canBeRead(label, only))
         board.placed[label] = only;
   };

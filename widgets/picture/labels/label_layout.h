@@ -80,18 +80,17 @@ private:
     bool operator==(const Choice &) const = default;
   };
   struct Candidate;
-  struct Options;
+  class Options;
   struct Board;
 
-  [[nodiscard]] static std::vector<Candidate> candidatesOf(const LabelRequest &request, const Board &board);
   /// The cost of a candidate beside all else that is on the screen; any number beyond the limit once that is
   /// passed.
   [[nodiscard]] static double costOf(const Candidate &candidate, std::size_t label,
                                      const LabelObstacles &obstacles, const Board &board, double limit);
 
   /// The place where a label was, if nothing is wrong with it.
-  [[nodiscard]] const Candidate *keptFor(std::size_t label, const std::string &id, const Options &options,
-                                         const Board &board) const;
+  [[nodiscard]] std::optional<Candidate> keptFor(std::size_t label, const std::string &id,
+                                                 const Options &options, const Board &board) const;
   /// That, or else the cheapest place for a label beside what is placed so far; nothing where it may stand
   /// nowhere.
   [[nodiscard]] std::optional<Candidate> bestFor(std::size_t label, const std::string &id,
