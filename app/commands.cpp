@@ -7,6 +7,7 @@
 #include "app/standard_streams.h"
 #include "lessons/construction/reference.h"
 #include "lessons/scene/file/explain_formats.h"
+#include "lessons/scene/file/session_file.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
@@ -21,12 +22,43 @@ namespace {
 /// What was asked for was done, and found something.
 constexpr int exitProblems = 1;
 
-} // namespace
+/// The lesson of this program with an id: its file is named by it. Nothing where there is none, or where it
+/// cannot be read.
+std::optional<Lesson> lessonOfOurs(const std::string &id) {
+  if (id.empty() || id.find('/') != std::string::npos)
+    return {};
+  auto lesson = readLesson(lessonsFolder() / (id + ".md"));
+  return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
+}
 
+/// The id of the lesson that a session's file belongs to; empty for what is none.
+std::string lessonOfFile(const std::string &name) {
+  if (!namesFile({}, name))
+    return {};
+  const auto file = readSessionFile(name);
+  return file ? file->session.lesson : std::string();
+}
+
+/// All lessons of the program and of a teacher; what is wrong with some is told.
 LessonLibrary openLibrary(const OwnLessons &own) {
   LessonLibrary library = allLessons(own);
   for (const Problem &problem : library.problems)
     printError(problem.text());
+  return library;
+}
+
+} // namespace
+
+LessonLibrary libraryFor(const std::string &subject, const OwnLessons &own) {
+  if (subject.ends_with(".md")) // it is its own lesson
+    return {};
+  auto lesson = lessonOfOurs(subject);
+  if (!lesson)
+    lesson = lessonOfOurs(lessonOfFile(subject));
+  if (!lesson)
+    return openLibrary(own);
+  LessonLibrary library;
+  library.lessons.push_back(std::move(*lesson));
   return library;
 }
 
@@ -102,7 +134,7 @@ int runCheck(const CheckCommand &command) {
 }
 
 int runExplain(const ExplainCommand &command) {
-  LessonLibrary library = openLibrary(command.ownLessons);
+  LessonLibrary library = libraryFor(command.subject, command.ownLessons);
   const auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());

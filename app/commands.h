@@ -29,8 +29,9 @@ namespace halfspace {
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);
 
-/// The program's lessons and a teacher's own. What is wrong with some is told on standard error; the others
+/// The one lesson that a subject needs, where that is one of the program's or a file of its own; else the
+/// program's lessons and a teacher's own. What is wrong with some is told on standard error; the others
 /// serve.
-[[nodiscard]] LessonLibrary openLibrary(const OwnLessons &own);
+[[nodiscard]] LessonLibrary libraryFor(const std::string &subject, const OwnLessons &own);
 
 } // namespace halfspace

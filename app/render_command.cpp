@@ -1,12 +1,10 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
-#include "app/lessons_folder.h"
 #include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
-#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
@@ -24,35 +22,6 @@
 
 namespace halfspace {
 namespace {
-
-/// The lesson of this program with an id: its file is named by it. Nothing where there is none, or where it
-/// cannot be read.
-std::optional<Lesson> lessonOfOurs(const std::string &id) {
-  if (id.empty() || id.find('/') != std::string::npos)
-    return {};
-  auto lesson = readLesson(lessonsFolder() / (id + ".md"));
-  return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
-}
-
-/// The id of the lesson that a session's file belongs to; empty for what is none.
-std::string lessonOfFile(const std::string &name) {
-  if (name.ends_with(".md") || !namesFile({}, name))
-    return {};
-  const auto file = readSessionFile(name);
-  return file ? file->session.lesson : std::string();
-}
-
-/// The one lesson that a picture needs, where it is one of ours; else all that there are.
-LessonLibrary lessonsFor(const std::string &subject, const OwnLessons &own) {
-  auto lesson = lessonOfOurs(subject);
-  if (!lesson)
-    lesson = lessonOfOurs(lessonOfFile(subject));
-  if (!lesson)
-    return openLibrary(own);
-  LessonLibrary library;
-  library.lessons.push_back(std::move(*lesson));
-  return library;
-}
 
 const LessonStep &stepAt(const OpenedSession &opened, int counted) {
   return opened.lesson->steps[static_cast<std::size_t>(counted - 1)];
@@ -239,7 +208,7 @@ std::optional<Problem> writePicture(const RenderCommand &command, const Evaluati
 } // namespace
 
 int runRender(RenderCommand command) {
-  LessonLibrary library = lessonsFor(command.subject, command.ownLessons);
+  LessonLibrary library = libraryFor(command.subject, command.ownLessons);
   auto opened = openSession(library, command.subject, command.assignments);
   if (!opened)
     return fail(opened.problem());

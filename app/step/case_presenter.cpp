@@ -19,8 +19,9 @@ CasePresenter::CasePresenter(SessionModel &model, CaseLine &line, QWidget &scene
 }
 
 void CasePresenter::show() {
-  m_line.setCase(words(), m_model.shown().degenerate && !m_question.hidesNumbers());
-  m_scene.setAccessibleDescription(words());
+  const QString said = words();
+  m_line.setCase(said, m_model.shown().degenerate && !m_question.hidesNumbers());
+  m_scene.setAccessibleDescription(said);
   m_line.offerAfresh(!m_question.isOpen() && m_atStart.lacksLines());
   showNearby();
 }
@@ -34,11 +35,14 @@ QString CasePresenter::words() const {
 }
 
 void CasePresenter::showNearby() {
+  m_nearby.clear();
+  if (m_question.hidesNumbers())
+    return m_line.setNearby({}, {});
   std::set<std::string> entries;
   for (const WorkingLine &line : m_model.shown().working.lines)
     entries.insert(entryOf(line.id));
   m_nearby = specialCasesNear(m_model.session().scene, m_model.evaluation(), entries);
-  if (m_nearby.empty() || m_question.hidesNumbers())
+  if (m_nearby.empty())
     return m_line.setNearby({}, {});
   std::vector<NearbyCase> cases;
   for (const NearSpecialCase &near : m_nearby)

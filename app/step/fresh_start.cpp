@@ -3,7 +3,7 @@
 #include "app/panels/unfinished_input.h"
 #include "app/step/step_question.h"
 #include "app/work/learner_progress.h"
-#include "widgets/view/scene_view.h"
+#include "widgets/session_model.h"
 
 #include <QRandomGenerator>
 
@@ -20,7 +20,6 @@ void FreshStart::renewNumbers() {
   m_question.reopen();                // so was the answer
   m_progress.ofStep().tasks.arrive(); // other numbers are no deed of the learner
   m_model.renewNumbers(QRandomGenerator::global()->generate64());
-  m_scene.showAnother();
 }
 
 } // namespace halfspace

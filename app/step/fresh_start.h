@@ -4,7 +4,6 @@
 namespace halfspace {
 
 class LearnerProgress;
-class SceneView;
 class SessionModel;
 class StepQuestion;
 class UnfinishedInput;
@@ -13,9 +12,8 @@ class UnfinishedInput;
 class FreshStart {
 public:
   /// All must outlive it.
-  FreshStart(SessionModel &model, SceneView &scene, UnfinishedInput &input, StepQuestion &question,
-             LearnerProgress &progress)
-      : m_model(model), m_scene(scene), m_input(input), m_question(question), m_progress(progress) {}
+  FreshStart(SessionModel &model, UnfinishedInput &input, StepQuestion &question, LearnerProgress &progress)
+      : m_model(model), m_input(input), m_question(question), m_progress(progress) {}
 
   /// Back to the scene that the lesson begins with.
   void startOver();
@@ -24,7 +22,6 @@ public:
 
 private:
   SessionModel &m_model;
-  SceneView &m_scene;
   UnfinishedInput &m_input;
   StepQuestion &m_question;
   LearnerProgress &m_progress;

@@ -14,7 +14,7 @@ namespace halfspace {
 StepPresenter::StepPresenter(SessionModel &model, WindowPanels &panels, LearnerProgress &progress)
     : m_progress(progress), m_scene(panels.scene().view()), m_inspector(panels.inspector()),
       m_question(model, progress, panels.practice()), m_atStart(model),
-      m_freshStart(model, m_scene, panels.input(), m_question, progress),
+      m_freshStart(model, panels.input(), m_question, progress),
       m_flight(model, panels.page().flight(), m_question, panels.messages()),
       m_page(model, panels.page(), panels.practice(), m_question, progress, m_atStart),
       m_case(model, panels.scene().caseLine(), m_scene, m_question, m_atStart),

@@ -14,8 +14,9 @@ namespace halfspace {
 class Inspector;
 class WindowPanels;
 
-/// Writes the page, the numbers, the scene and the case line at every change of the session, in this order.
-/// Each part of it shows one thing.
+/// Writes the page, the numbers, the flight and the case line at every change of the session, in this order;
+/// the scene, the flat picture and the card of numbers follow the session themselves. Each part of it shows
+/// one thing.
 class StepPresenter : public QObject {
   Q_OBJECT
 public:

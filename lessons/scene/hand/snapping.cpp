@@ -38,9 +38,9 @@ public:
 
   SnappedPlace find() const {
     SnappedPlace best{m_grid, ""};
-    const double gridPixels = gridPixelsIfAlone();
     if (m_request.step <= finestStep)
       return best;
+    const double gridPixels = gridPixelsIfAlone();
     std::size_t bestDimension = 4;
     double bestPixels = 0;
     for (const SnapTarget &target : m_request.targets) {
