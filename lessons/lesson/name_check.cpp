@@ -139,7 +139,8 @@ public:
       for (const MarkdownFormula &formula : takeFormulas(piece.text).formulas)
         for (const MarkdownFormula::Side &side : formula.sides)
           if (side.isLive)
-            complain(whyNotLive(side.text), piece.lineAt(side.place), piece.field);
+            complain(isOfQuestion(piece.field) ? noLiveInQuestion(side.text) : whyNotLive(side.text),
+                     piece.lineAt(side.place), piece.field);
     return std::move(m_problems);
   }
 
@@ -314,6 +315,16 @@ private:
           "“{against}” is a value too, and two values are not compared: compare “{value}” with a number.",
           {{"against", condition.against}, {"value", condition.value}});
     return whyIncomparable(*meant.value, condition);
+  }
+
+  /// Whether a field belongs to a question, whose words hold whatever the scene is.
+  static bool isOfQuestion(const std::string &field) {
+    return field == "ask" || field == "choices" || field == "why";
+  }
+
+  static std::string noLiveInQuestion(const std::string &name) {
+    return words("In a question no live value is filled in: {{name}} would stand here as it is.",
+                 {{"name", name}});
   }
 
   [[nodiscard]] std::string whyNotLive(const std::string &name) const {

@@ -54,6 +54,15 @@ TEST(NameCheck, NamesOfTheScene_AreRight) {
             Texts{});
 }
 
+TEST(NameCheck, LiveValuesInAQuestion_AreTold_BecauseNoneIsFilledIn) {
+  EXPECT_EQ(
+      problemsIn("## One\n```predict\nask: What is {d.f}?\nanswer: d.side\nchoices:\n  positive: It is {Q}\n"
+                 "  negative: $\\vec{n}$\nwhy: So {d.f} is.\n```\n"),
+      (Texts{"14: ask: In a question no live value is filled in: {d.f} would stand here as it is.",
+             "17: choices: In a question no live value is filled in: {Q} would stand here as it is.",
+             "19: why: In a question no live value is filled in: {d.f} would stand here as it is."}));
+}
+
 TEST(NameCheck, BlocksOfWhatLooksAtNoTriangles_AreTold) {
   for (const char *block : {"cost", "fragments"})
     for (const char *name : {"m", "L"})
