@@ -10,14 +10,14 @@ UnfinishedInput::UnfinishedInput(SceneView &scene, StepWorking &working,
                                  const std::vector<CoordinateRows *> &lists, const WorkingEditor &editor,
                                  Messages messages)
     : m_scene(scene), m_working(working), m_lists(lists), m_editor(editor), m_messages(messages) {
-  connect(&working, &StepWorking::typing, this, &UnfinishedInput::typing);
+  connect(&working.coordinates(), &StepCoordinates::typing, this, &UnfinishedInput::typing);
   for (const CoordinateRows *list : lists)
     connect(list, &CoordinateRows::typing, this, &UnfinishedInput::typing);
 }
 
 QString UnfinishedInput::finish() {
   m_scene.finishDrag();
-  QString refused = m_working.enterTyped();
+  QString refused = m_working.coordinates().enter();
   for (CoordinateRows *list : m_lists)
     if (const QString other = list->enterTyped(); refused.isEmpty())
       refused = other;
@@ -36,13 +36,13 @@ bool UnfinishedInput::finishOrAsk() {
 }
 
 void UnfinishedInput::drop() {
-  m_working.dropTyped();
+  m_working.coordinates().drop();
   for (CoordinateRows *list : m_lists)
     list->dropTyped();
 }
 
 std::optional<ChangeObject> UnfinishedInput::typedChange() const {
-  if (m_working.typed())
+  if (m_working.coordinates().typed())
     return m_editor.typedChange();
   for (const CoordinateRows *list : m_lists)
     if (auto typed = list->typed())

@@ -7,28 +7,21 @@
 namespace halfspace {
 
 StepWorking::StepWorking(const Typesetter &typesetter, QObject *parent)
-    : QObject(parent), m_typesetter(typesetter), m_theme(themes().front()) {}
+    : QObject(parent), m_typesetter(typesetter) {}
 
 WorkingBlock *StepWorking::addBlock() {
   auto *block = new WorkingBlock(m_typesetter);
-  block->setTheme(m_theme);
-  block->setInkOf(m_inkOf);
-  block->setHighlighted(m_highlighted);
+  block->setLook(m_look);
   block->setHeld(m_held);
   connect(block, &WorkingBlock::markHovered, this, &StepWorking::markHovered);
-  connect(block, &WorkingBlock::answered, this, &StepWorking::answered);
-  connect(block, &WorkingBlock::showRequested, this, &StepWorking::showRequested);
   connect(block, &WorkingBlock::traceRequested, this, &StepWorking::trace);
   connect(block, &WorkingBlock::traceDropped, this, &StepWorking::endTrace);
   connect(block, &WorkingBlock::reached, this,
           [this, block](const QRect &place) { emit reached(block, place); });
-  connect(block, &WorkingBlock::typing, this, &StepWorking::typing);
-  connect(block, &WorkingBlock::coordinateTyped, this, &StepWorking::coordinateTyped);
-  connect(block, &WorkingBlock::coordinateStepped, this, &StepWorking::coordinateStepped);
-  connect(block, &WorkingBlock::scrubStarted, this, &StepWorking::scrubStarted);
-  connect(block, &WorkingBlock::scrubbed, this, &StepWorking::scrubbed);
-  connect(block, &WorkingBlock::scrubEnded, this, &StepWorking::scrubEnded);
-  block->setGoOn([this, block](int way) { return goOn(*block, way); });
+  connect(&block->blanks(), &BlankFields::answered, this, &StepWorking::answered);
+  connect(&block->blanks(), &BlankFields::showRequested, this, &StepWorking::showRequested);
+  m_coordinates.repeat(block->coordinates());
+  block->keys().setGoOn([this, block](int way) { return goOn(*block, way); });
   connect(block, &QObject::destroyed, this, [this, block] { std::erase(m_blocks, block); });
   m_blocks.push_back(block);
   return block;
@@ -37,7 +30,9 @@ WorkingBlock *StepWorking::addBlock() {
 void StepWorking::dropBlocks() {
   for (WorkingBlock *block : m_blocks) {
     block->disconnect(this);
-    block->setGoOn({});
+    block->blanks().disconnect(this);
+    block->coordinates().disconnect(&m_coordinates);
+    block->keys().setGoOn({});
   }
   m_blocks.clear();
   emit markHovered({}); // the pointer is on none of their terms any more
@@ -46,13 +41,13 @@ void StepWorking::dropBlocks() {
 bool StepWorking::goOn(const WorkingBlock &from, int way) {
   const auto count = static_cast<std::ptrdiff_t>(m_blocks.size());
   auto next = std::find(m_blocks.begin(), m_blocks.end(), &from) - m_blocks.begin() + way;
-  while (next >= 0 && next < count && !m_blocks[static_cast<std::size_t>(next)]->comeIn(way))
+  while (next >= 0 && next < count && !m_blocks[static_cast<std::size_t>(next)]->keys().comeIn(way))
     next += way;
   return next >= 0 && next < count;
 }
 
 void StepWorking::setWorking(const Working &working, const std::vector<std::size_t> &linesIn,
-                             const Fade &fade, const std::map<std::string, LineRemark> &remarks) {
+                             const Fade &fade, const LineRemarks &remarks) {
   m_working = working;
   const bool wasTyping = isTyping();
   std::size_t begin = 0;
@@ -75,21 +70,25 @@ bool StepWorking::isTyping() const {
 }
 
 void StepWorking::setTheme(const Theme &theme) {
-  m_theme = theme;
-  for (WorkingBlock *block : m_blocks)
-    block->setTheme(theme);
+  m_look.theme = theme;
+  showLook();
 }
 
 void StepWorking::setInkOf(std::function<QColor(const QString &markId)> inkOf) {
-  m_inkOf = std::move(inkOf);
-  for (WorkingBlock *block : m_blocks)
-    block->setInkOf(m_inkOf);
+  m_look.inkOf = std::move(inkOf);
+  showLook();
 }
 
 void StepWorking::setHighlighted(const std::set<std::string> &markIds) {
-  m_highlighted = markIds;
+  if (markIds == m_look.highlighted)
+    return;
+  m_look.highlighted = markIds;
+  showLook();
+}
+
+void StepWorking::showLook() {
   for (WorkingBlock *block : m_blocks)
-    block->setHighlighted(markIds);
+    block->setLook(m_look);
 }
 
 void StepWorking::setHeld(bool held) {
@@ -100,7 +99,7 @@ void StepWorking::setHeld(bool held) {
 
 void StepWorking::forgetAnswers() {
   for (WorkingBlock *block : m_blocks)
-    block->forgetAnswers();
+    block->blanks().forget();
 }
 
 const Term *StepWorking::tracedTerm() const {
@@ -119,7 +118,7 @@ void StepWorking::trace(const NumberPlace &number) {
 void StepWorking::endTrace() {
   m_tracedNumber.reset();
   for (WorkingBlock *block : m_blocks)
-    block->endChoice();
+    block->keys().endChoice();
   followTrace();
 }
 
@@ -129,36 +128,16 @@ void StepWorking::followTrace() {
       number ? provenanceOf(*number, m_tracedNumber->line, m_wholeWorking ? m_wholeWorking() : m_working)
              : Provenance();
   for (WorkingBlock *block : m_blocks)
-    block->setTrace(m_tracedNumber, traced.lines);
+    block->setTrace({m_tracedNumber, traced.lines});
   if (traced == m_traced)
     return;
   m_traced = std::move(traced);
   emit traceChanged();
 }
 
-std::optional<TypedCoordinate> StepWorking::typed() const {
-  for (const WorkingBlock *block : m_blocks)
-    if (auto typed = block->typed())
-      return typed;
-  return {};
-}
-
-QString StepWorking::enterTyped() {
-  QString refused;
-  for (WorkingBlock *block : m_blocks)
-    if (const QString why = block->enterTyped(); refused.isEmpty())
-      refused = why;
-  return refused;
-}
-
-void StepWorking::dropTyped() {
-  for (WorkingBlock *block : m_blocks)
-    block->dropTyped();
-}
-
 void StepWorking::focusField() {
   for (WorkingBlock *block : m_blocks)
-    if (block->focusField())
+    if (block->blanks().focusFirst())
       return;
   const bool isInBlock = std::any_of(m_blocks.begin(), m_blocks.end(),
                                      [](const WorkingBlock *block) { return block->hasFocus(); });

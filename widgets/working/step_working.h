@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/scene/provenance.h"
-#include "widgets/working/working_block.h"
+#include "widgets/working/step_coordinates.h"
 
 namespace halfspace {
 
@@ -23,7 +23,7 @@ public:
   /// Shows a step's lines, so many in each block, some of them with a field for what is left out, and what is
   /// said about some.
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn, const Fade &fade = {},
-                  const std::map<std::string, LineRemark> &remarks = {});
+                  const LineRemarks &remarks = {});
   /// The working with all its lines, of which only some may be shown: numbers are followed through it. It is
   /// asked for when they are; without it they are followed through the lines that are shown.
   void setWholeWorking(std::function<Working()> working) { m_wholeWorking = std::move(working); }
@@ -35,6 +35,7 @@ public:
   void setHighlighted(const std::set<std::string> &markIds);
   /// See WorkingBlock.
   void setHeld(bool held);
+  /// Takes the fields of all blocks away, with what was typed. Followed by setWorking.
   void forgetAnswers();
 
   void trace(const NumberPlace &number);
@@ -43,12 +44,9 @@ public:
   /// What the traced number came from; empty when there is none, or it is not shown.
   [[nodiscard]] const Provenance &traced() const { return m_traced; }
 
-  /// The number that is typed in a formula and not entered yet; nothing where none is.
-  [[nodiscard]] std::optional<TypedCoordinate> typed() const;
-  /// Ends a scrub, and enters what is typed and not entered yet. Why it is refused; else empty.
-  [[nodiscard]] QString enterTyped();
-  /// Takes back what is typed and refused.
-  void dropTyped();
+  /// Coordinates that are scrubbed and typed in the blocks.
+  [[nodiscard]] StepCoordinates &coordinates() { return m_coordinates; }
+  [[nodiscard]] const StepCoordinates &coordinates() const { return m_coordinates; }
   /// Gives the focus to the first field, or to a block where there is none.
   void focusField();
 
@@ -61,15 +59,9 @@ signals:
   /// What the keys have come to in a block.
   void reached(halfspace::WorkingBlock *block, const QRect &place);
 
-  // As those of WorkingBlock.
-  void typing();
-  void coordinateTyped(const halfspace::CoordinateSource &number, const halfspace::Rational &value);
-  void coordinateStepped(const halfspace::CoordinateSource &number, int steps);
-  void scrubStarted(const halfspace::CoordinateSource &number);
-  void scrubbed(int steps);
-  void scrubEnded(bool keep);
-
 private:
+  /// Shows all blocks how their lines look now.
+  void showLook();
   /// Whether a field of a block has the focus.
   [[nodiscard]] bool isTyping() const;
   /// The keys leave a block for the next one with lines, downwards or upwards; false where there is none.
@@ -80,9 +72,8 @@ private:
 
   const Typesetter &m_typesetter;
   std::vector<WorkingBlock *> m_blocks;
-  Theme m_theme;
-  std::function<QColor(const QString &)> m_inkOf;
-  std::set<std::string> m_highlighted;
+  StepCoordinates m_coordinates{m_blocks};
+  WorkingLook m_look;
   Working m_working;
   std::function<Working()> m_wholeWorking;
   std::optional<NumberPlace> m_tracedNumber;

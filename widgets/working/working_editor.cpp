@@ -4,25 +4,27 @@ namespace halfspace {
 
 WorkingEditor::WorkingEditor(SessionModel &model, StepWorking &working)
     : QObject(&working), m_model(model), m_working(working), m_editor(model) {
-  connect(&working, &StepWorking::coordinateTyped, this,
+  const StepCoordinates &wanted = working.coordinates();
+  connect(&wanted, &StepCoordinates::coordinateTyped, this,
           [this](const CoordinateSource &source, const Rational &value) {
             if (const auto number = numberOf(source))
               m_editor.change(*number, value);
           });
-  connect(&working, &StepWorking::coordinateStepped, this, [this](const CoordinateSource &source, int steps) {
-    if (const auto number = numberOf(source))
-      m_editor.step(*number, steps);
-  });
-  connect(&working, &StepWorking::scrubStarted, this, [this](const CoordinateSource &source) {
+  connect(&wanted, &StepCoordinates::coordinateStepped, this,
+          [this](const CoordinateSource &source, int steps) {
+            if (const auto number = numberOf(source))
+              m_editor.step(*number, steps);
+          });
+  connect(&wanted, &StepCoordinates::scrubStarted, this, [this](const CoordinateSource &source) {
     if (const auto number = numberOf(source))
       m_editor.beginScrub(*number);
   });
-  connect(&working, &StepWorking::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
-  connect(&working, &StepWorking::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+  connect(&wanted, &StepCoordinates::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(&wanted, &StepCoordinates::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
 }
 
 std::optional<ChangeObject> WorkingEditor::typedChange() const {
-  const auto typed = m_working.typed();
+  const auto typed = m_working.coordinates().typed();
   const auto number = typed ? numberOf(typed->number) : std::nullopt;
   return number ? m_editor.editOf(*number, typed->value) : std::nullopt;
 }

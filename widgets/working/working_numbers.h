@@ -21,6 +21,11 @@ struct NumberPlace {
 /// What is touched by a pointer so near, in pixels.
 inline constexpr double touchMargin = 3;
 
+/// A box with the room around it in which a pointer touches it.
+[[nodiscard]] inline QRectF touchedRoom(const QRectF &box) {
+  return box.adjusted(-touchMargin, -touchMargin, touchMargin, touchMargin);
+}
+
 /// Finds numbers among lines and where these are placed; both must outlive it. Numbers that a blank stands
 /// for are not there.
 class ShownNumbers {

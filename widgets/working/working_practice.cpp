@@ -20,8 +20,8 @@ QToolButton *tool(const QString &explanation) {
   return button;
 }
 
-std::map<std::string, LineRemark> shown(const std::map<std::string, AnswerRemark> &remarks) {
-  std::map<std::string, LineRemark> shown;
+LineRemarks shown(const std::map<std::string, AnswerRemark> &remarks) {
+  LineRemarks shown;
   for (const auto &[line, remark] : remarks)
     shown[line] = {QString::fromStdString(remark.text), remark.right, remark.isOfNow};
   return shown;

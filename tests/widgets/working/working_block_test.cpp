@@ -130,7 +130,7 @@ private slots:
     show(block, 900, someWorking());
     const QPoint beside = middleOf(block, 0, "P0").toPoint() + QPoint(0, -9);
     const QColor before = block.grab().toImage().pixelColor(beside);
-    block.setHighlighted({"P0"});
+    block.setLook({.highlighted = {"P0"}});
     QVERIFY(block.grab().toImage().pixelColor(beside) != before);
   }
 

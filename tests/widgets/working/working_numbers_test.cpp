@@ -76,7 +76,7 @@ private slots:
     QSignalSpy hovered(&block, &WorkingBlock::markHovered);
     movePointer(block, middleOf(block, numberIn(block, 0, "7")));
     QCOMPARE(hovered.takeLast().at(0).toString(), QString("m"));
-    block.setInkOf([](const QString &mark) { return mark == "m" ? Qt::red : Qt::black; });
+    block.setLook({.inkOf = [](const QString &mark) { return mark == "m" ? Qt::red : Qt::black; }});
     const QImage shown = block.grab().toImage();
     bool isRed = false;
     for (int x = -6; x <= 6; ++x)
@@ -108,11 +108,11 @@ private slots:
   void draggedCoordinateIsScrubbedByMovementThoughTheFormulaMovesAway() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy started(&block, &WorkingBlock::scrubStarted);
-    QSignalSpy scrubbed(&block, &WorkingBlock::scrubbed);
-    QSignalSpy ended(&block, &WorkingBlock::scrubEnded);
+    QSignalSpy started(&block.coordinates(), &CoordinateInput::scrubStarted);
+    QSignalSpy scrubbed(&block.coordinates(), &CoordinateInput::scrubbed);
+    QSignalSpy ended(&block.coordinates(), &CoordinateInput::scrubEnded);
     const TraceRequests traced(block);
-    connect(&block, &WorkingBlock::scrubbed, this,
+    connect(&block.coordinates(), &CoordinateInput::scrubbed, this,
             [&](int steps) { block.setWorking(steps == 2 ? Working{} : tracedWorking(1 + steps * 1000)); });
     const QPoint at = middleOf(block, numberIn(block, 0, "1"));
     QTest::mousePress(&block, Qt::LeftButton, {}, at);
@@ -131,7 +131,7 @@ private slots:
   void escapeTakesAScrubBack() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy ended(&block, &WorkingBlock::scrubEnded);
+    QSignalSpy ended(&block.coordinates(), &CoordinateInput::scrubEnded);
     const QPoint at = middleOf(block, numberIn(block, 0, "1"));
     QTest::mousePress(&block, Qt::LeftButton, {}, at);
     drag(block, at + QPoint(40, 0));
@@ -155,13 +155,13 @@ private slots:
       return traced.numbers.empty();
     };
     QVERIFY(endedBy([&] { QTest::keyClick(&block, Qt::Key_Escape); }));
-    QVERIFY(endedBy([&] { QCOMPARE(block.enterTyped(), QString()); }));
+    QVERIFY(endedBy([&] { QCOMPARE(block.coordinates().enter(), QString()); }));
   }
 
   void calculatedNumberIsNotScrubbed() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy started(&block, &WorkingBlock::scrubStarted);
+    QSignalSpy started(&block.coordinates(), &CoordinateInput::scrubStarted);
     const QPoint at = middleOf(block, numberIn(block, 1, "10"));
     QTest::mousePress(&block, Qt::LeftButton, {}, at);
     drag(block, at + QPoint(40, 0));
@@ -172,7 +172,7 @@ private slots:
   void doubleClickedCoordinateIsTypedInItsPlace() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy typed(&block, &WorkingBlock::coordinateTyped);
+    QSignalSpy typed(&block.coordinates(), &CoordinateInput::coordinateTyped);
     const QPoint at = middleOf(block, numberIn(block, 0, "2"));
     QTest::mouseDClick(&block, Qt::LeftButton, {}, at);
     auto *field = block.findChild<NumberField *>();
@@ -191,7 +191,7 @@ private slots:
   void escapeDropsWhatIsTyped() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy typed(&block, &WorkingBlock::coordinateTyped);
+    QSignalSpy typed(&block.coordinates(), &CoordinateInput::coordinateTyped);
     QTest::mouseDClick(&block, Qt::LeftButton, {}, middleOf(block, numberIn(block, 0, "2")));
     auto *field = block.findChild<NumberField *>();
     QTest::keyClicks(field, "7");
@@ -203,7 +203,7 @@ private slots:
   void fieldThatLosesTheFocusTakesWhatIsTyped() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy typed(&block, &WorkingBlock::coordinateTyped);
+    QSignalSpy typed(&block.coordinates(), &CoordinateInput::coordinateTyped);
     QTest::mouseDClick(&block, Qt::LeftButton, {}, middleOf(block, numberIn(block, 0, "2")));
     QApplication::setActiveWindow(&block);
     QTest::keyClicks(block.findChild<NumberField *>(), "7");
@@ -215,7 +215,7 @@ private slots:
   void refusedTextStaysWithASentenceBelowItsLine() {
     WorkingBlock block(m_typesetter);
     show(block, 900, tracedWorking());
-    QSignalSpy typed(&block, &WorkingBlock::coordinateTyped);
+    QSignalSpy typed(&block.coordinates(), &CoordinateInput::coordinateTyped);
     QTest::mouseDClick(&block, Qt::LeftButton, {}, middleOf(block, numberIn(block, 0, "2")));
     auto *field = block.findChild<NumberField *>();
     QTest::keyClicks(field, "seven");
@@ -224,8 +224,8 @@ private slots:
     const auto remark = block.placed().lines[0].remark;
     QVERIFY(!remark.empty());
     QVERIFY(remark.front().text.contains("seven"));
-    QVERIFY(!block.enterTyped().isEmpty());
-    block.dropTyped();
+    QVERIFY(!block.coordinates().enter().isEmpty());
+    block.coordinates().closeField();
     QVERIFY(block.placed().lines[0].remark.empty());
     QCOMPARE(typed.count(), 0);
   }

@@ -1,0 +1,65 @@
+#include "widgets/working/shown_lines.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+namespace halfspace {
+
+ShownLines::ShownLines(Working working, LineRange range, Fade fade)
+    : m_working(std::move(working)), m_fade(std::move(fade)) {
+  const std::size_t end = std::min(range.end, m_working.lines.size());
+  for (std::size_t i = range.begin; i < end; ++i) {
+    WorkingLine &line = m_lines.emplace_back(m_working.lines[i]);
+    if (hides(line.id)) // a crossed sign of equality would tell what is asked
+      for (Chain &chain : line.chains)
+        chain = chain.asDemand();
+  }
+}
+
+const Gap *ShownLines::gapOf(const std::string &lineId) const {
+  const auto gap = m_fade.gaps.find(lineId);
+  return gap == m_fade.gaps.end() ? nullptr : &gap->second;
+}
+
+bool ShownLines::hides(const std::string &lineId) const {
+  return gapOf(lineId) || m_fade.waiting.contains(lineId);
+}
+
+std::vector<Chain> ShownLines::toldFor(const WorkingLine &line, const Gap &gap) const {
+  return halfspace::toldFor(line, gap, m_working);
+}
+
+QString ShownLines::text() const {
+  QStringList texts;
+  for (const WorkingLine &line : m_lines)
+    texts << textOf(line);
+  return texts.join(u'\n');
+}
+
+QString ShownLines::textOf(const WorkingLine &line) const {
+  if (const Gap *gap = gapOf(line.id))
+    return QString::fromStdString(questionText(line, *gap));
+  if (hides(line.id))
+    return QString::fromStdString(symbolsText(line));
+  QString text = QString::fromStdString(plainText(line));
+  if (!line.sentence.empty())
+    text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
+  return text;
+}
+
+QString ShownLines::latexOf(std::size_t line) const {
+  const WorkingLine &shown = m_lines.at(line);
+  return QString::fromStdString(hides(shown.id) ? halfspace::latexOf(shown, LinePiece::Symbols)
+                                                : halfspace::latexOf(shown));
+}
+
+QString ShownLines::latex() const {
+  QStringList lines;
+  for (std::size_t i = 0; i < m_lines.size(); ++i)
+    lines << latexOf(i);
+  return lines.join(QLatin1String(" \\\\\n"));
+}
+
+} // namespace halfspace
