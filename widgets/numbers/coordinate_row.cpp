@@ -80,9 +80,9 @@ void CoordinateRow::connectField(NumberField &field, const CoordinateNumber &num
   connect(&field, &NumberField::textEdited, this, &CoordinateRow::typing);
   connect(&field, &NumberField::dropped, this, &CoordinateRow::typing);
   connect(&field, &NumberField::refused, this, &CoordinateRow::refused);
-  connect(&field, &NumberField::scrubStarted, this, [=, this] { m_editor.beginScrub(number); });
-  connect(&field, &NumberField::scrubbed, this, [this](int steps) { m_editor.scrub(steps); });
-  connect(&field, &NumberField::scrubEnded, this, [this](bool keep) { m_editor.endScrub(keep); });
+  connect(&field.scrub(), &Scrub::started, this, [=, this] { m_editor.beginScrub(number); });
+  connect(&field.scrub(), &Scrub::moved, this, [this](int steps) { m_editor.scrub(steps); });
+  connect(&field.scrub(), &Scrub::ended, this, [this](bool keep) { m_editor.endScrub(keep); });
 }
 
 void CoordinateRow::addSlider() {

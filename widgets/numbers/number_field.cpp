@@ -85,9 +85,6 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent), m_scrub(*this) {
   // A press may be the start of a scrub: the field takes the focus only when it was a click.
   setFocusPolicy(Qt::TabFocus);
   connect(this, &QLineEdit::returnPressed, this, &NumberField::enter);
-  connect(&m_scrub, &Scrub::started, this, &NumberField::scrubStarted);
-  connect(&m_scrub, &Scrub::moved, this, &NumberField::scrubbed);
-  connect(&m_scrub, &Scrub::ended, this, &NumberField::scrubEnded);
   showValue();
 }
 

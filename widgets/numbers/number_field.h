@@ -26,7 +26,8 @@ public:
 
   void setValue(const Rational &value, NumberLook look = NumberLook::Decimal);
   [[nodiscard]] const Rational &value() const { return m_value; }
-  [[nodiscard]] bool isScrubbing() const { return m_scrub.isScrubbing(); }
+  /// The hand that drags the number sideways.
+  [[nodiscard]] const Scrub &scrub() const { return m_scrub; }
 
   /// The number that is typed and not entered yet; nothing where none is, or it would be refused.
   [[nodiscard]] std::optional<Rational> typed() const;
@@ -45,9 +46,6 @@ signals:
   void refused(const QString &sentence); ///< why a typed text is not taken; empty once it is mended
   void dropped();                        ///< Escape: what was typed is not wanted
   void stepped(int steps);               ///< by keys: so many snapping steps up or down
-  void scrubStarted();
-  void scrubbed(int steps);   ///< from where the scrub started
-  void scrubEnded(bool keep); ///< false: Escape
 
 protected:
   bool event(QEvent *event) override;

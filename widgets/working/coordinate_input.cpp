@@ -66,9 +66,9 @@ void CoordinateInput::connectField(const CoordinateSource &number) {
           [=, this](const Rational &value) { emit coordinateTyped(number, value); });
   connect(m_field, &NumberField::stepped, this,
           [=, this](int steps) { emit coordinateStepped(number, steps); });
-  connect(m_field, &NumberField::scrubStarted, this, [=, this] { emit scrubStarted(number); });
-  connect(m_field, &NumberField::scrubbed, this, &CoordinateInput::scrubbed);
-  connect(m_field, &NumberField::scrubEnded, this, [this](bool keep) {
+  connect(&m_field->scrub(), &Scrub::started, this, [=, this] { emit scrubStarted(number); });
+  connect(&m_field->scrub(), &Scrub::moved, this, &CoordinateInput::scrubbed);
+  connect(&m_field->scrub(), &Scrub::ended, this, [this](bool keep) {
     emit scrubEnded(keep);
     followLines(); // it may have outlived its number
   });
@@ -93,7 +93,7 @@ void CoordinateInput::followLines() {
     return;
   const Term *number = m_layout.numbers().numberAt(*m_place);
   if (!number) {
-    if (!m_field->isScrubbing()) // else it is to tell of its end, and the number may come back
+    if (!m_field->scrub().isScrubbing()) // else it is to tell of its end, and the number may come back
       closeField();
     return;
   }
@@ -117,6 +117,7 @@ void CoordinateInput::closeField() {
   NumberField &field = *std::exchange(m_field, nullptr);
   const bool wasRefused = std::exchange(m_refusal, {}).has_value();
   field.disconnect(this);
+  field.scrub().disconnect(this);
   if (field.hasFocus())
     m_block.setFocus();
   field.hide();

@@ -3,7 +3,7 @@
 namespace halfspace {
 
 std::optional<TypedCoordinate> StepCoordinates::typed() const {
-  for (const WorkingBlock *block : m_blocks)
+  for (WorkingBlock *block : m_blocks)
     if (auto typed = block->coordinates().typed())
       return typed;
   return {};

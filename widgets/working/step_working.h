@@ -46,7 +46,6 @@ public:
 
   /// Coordinates that are scrubbed and typed in the blocks.
   [[nodiscard]] StepCoordinates &coordinates() { return m_coordinates; }
-  [[nodiscard]] const StepCoordinates &coordinates() const { return m_coordinates; }
   /// Gives the focus to the first field, or to a block where there is none.
   void focusField();
 

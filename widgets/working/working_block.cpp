@@ -7,7 +7,6 @@
 
 #include <QAccessibleWidget>
 #include <QApplication>
-#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -47,6 +46,11 @@ WorkingBlock::WorkingBlock(const Typesetter &typesetter, QWidget *parent)
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
+  setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(this, &QWidget::customContextMenuRequested, this, [this](QPoint place) {
+    if (!m_lines.lines().empty())
+      showCopyMenu(*this, mapToGlobal(place), m_lines, m_layout.lineAt(place));
+  });
   connectParts();
 }
 
@@ -169,11 +173,6 @@ void WorkingBlock::keyPressEvent(QKeyEvent *event) {
     emit traceDropped();
   if (!letsGo || !holdsNumber)
     QWidget::keyPressEvent(event);
-}
-
-void WorkingBlock::contextMenuEvent(QContextMenuEvent *event) {
-  if (!m_lines.lines().empty())
-    showCopyMenu(*this, event->globalPos(), m_lines, m_layout.lineAt(event->pos()));
 }
 
 } // namespace halfspace

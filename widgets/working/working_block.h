@@ -27,7 +27,6 @@ public:
   [[nodiscard]] BlankFields &blanks() { return m_blanks; }
   /// Coordinates that are scrubbed and typed in the lines.
   [[nodiscard]] CoordinateInput &coordinates() { return m_coordinates; }
-  [[nodiscard]] const CoordinateInput &coordinates() const { return m_coordinates; }
   /// Where the keys are.
   [[nodiscard]] LineCursor &keys() { return m_cursor; }
 
@@ -61,7 +60,6 @@ protected:
   void resizeEvent(QResizeEvent *event) override;
   bool event(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
-  void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
   void connectParts();

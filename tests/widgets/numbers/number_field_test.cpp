@@ -239,8 +239,8 @@ private slots:
   void drag_sideways_scrubsWithoutTakingTheFocus() {
     ShownField shown;
     QVERIFY(shown.ready);
-    QSignalSpy scrubbed(&shown.field, &NumberField::scrubbed);
-    QSignalSpy ended(&shown.field, &NumberField::scrubEnded);
+    QSignalSpy scrubbed(&shown.field.scrub(), &Scrub::moved);
+    QSignalSpy ended(&shown.field.scrub(), &Scrub::ended);
     test::dragPointer(shown.field, {20, 8}, {60, 8});
     QCOMPARE(scrubbed.last().at(0).toInt(), 5);
     QCOMPARE(ended.count(), 1);
@@ -251,13 +251,13 @@ private slots:
   void escape_duringAScrub_endsItUnkept_andKeepsTheField() {
     ShownField shown;
     QVERIFY(shown.ready);
-    QSignalSpy ended(&shown.field, &NumberField::scrubEnded);
+    QSignalSpy ended(&shown.field.scrub(), &Scrub::ended);
     QSignalSpy dropped(&shown.field, &NumberField::dropped);
     QTest::mousePress(&shown.field, Qt::LeftButton, {}, {20, 8});
     test::movePointer(shown.field, {60, 8}, Qt::LeftButton);
-    QVERIFY(shown.field.isScrubbing());
+    QVERIFY(shown.field.scrub().isScrubbing());
     QTest::keyClick(&shown.field, Qt::Key_Escape);
-    QVERIFY(!shown.field.isScrubbing());
+    QVERIFY(!shown.field.scrub().isScrubbing());
     QVERIFY(!ended.first().at(0).toBool());
     QCOMPARE(dropped.count(), 0);
   }
@@ -265,7 +265,7 @@ private slots:
   void drag_inAHalfTypedText_choosesLettersInstead() {
     ShownField shown;
     QVERIFY(shown.ready);
-    QSignalSpy started(&shown.field, &NumberField::scrubStarted);
+    QSignalSpy started(&shown.field.scrub(), &Scrub::started);
     shown.type("12345");
     test::dragPointer(shown.field, {shown.field.width() - 4, 8}, {4, 8});
     QCOMPARE(started.count(), 0);
