@@ -155,10 +155,10 @@ private slots:
     m_fixture->answer(2);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
     const int undoSteps = m_fixture->model().history().index();
-    emit bar.scrubBegun();
+    emit bar.axis().scrubBegun();
     for (const double t : {0.125, 0.25, 0.5})
-      emit bar.scrubbed(t);
-    emit bar.scrubEnded(true);
+      emit bar.axis().scrubbed(t);
+    emit bar.axis().scrubEnded(true);
     QCOMPARE(m_fixture->value("frame").x, Rational(25));
     QCOMPARE(bar.state().t, 0.5);
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
@@ -170,13 +170,13 @@ private slots:
     const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
     QVERIFY(hit);
     const double t = toDouble(hit->at->t);
-    emit bar.scrubBegun();
-    emit bar.scrubbed(t - 0.125);
+    emit bar.axis().scrubBegun();
+    emit bar.axis().scrubbed(t - 0.125);
     QVERIFY(bar.state().t < t);
-    emit bar.scrubbed(t + 0.25);
+    emit bar.axis().scrubbed(t + 0.25);
     QCOMPARE(bar.state().t, t);
     QVERIFY(toDouble(m_fixture->value("frame").x) > 50 * t);
-    emit bar.scrubEnded(true);
+    emit bar.axis().scrubEnded(true);
   }
 
   void keysOnTheAxis_goOnBehindTheHit_andBackToIt() {
@@ -205,9 +205,9 @@ private slots:
     const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
     QVERIFY(hit);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
-    emit bar.scrubBegun();
-    emit bar.scrubbed(toDouble(hit->at->t));
-    emit bar.scrubEnded(true);
+    emit bar.axis().scrubBegun();
+    emit bar.axis().scrubbed(toDouble(hit->at->t));
+    emit bar.axis().scrubEnded(true);
     QCOMPARE(m_fixture->model().evaluation().find("flight")->outcome->told->name, std::string("exploded"));
     QCOMPARE(Rational(m_fixture->value("frame").x * 100).denominator(), 1);
   }
@@ -216,10 +216,10 @@ private slots:
     m_fixture->answer(2);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
     const int undoSteps = m_fixture->model().history().index();
-    emit bar.scrubBegun();
-    emit bar.scrubbed(0.5);
+    emit bar.axis().scrubBegun();
+    emit bar.axis().scrubbed(0.5);
     QCOMPARE(m_fixture->value("frame").x, Rational(25));
-    emit bar.scrubEnded(false);
+    emit bar.axis().scrubEnded(false);
     QCOMPARE(m_fixture->value("frame").x, Rational(0));
     QCOMPARE(m_fixture->model().history().index(), undoSteps);
   }
@@ -227,9 +227,9 @@ private slots:
   void fire_inAFlight_beginsItAnewAndIsOneUndoStep() {
     m_fixture->answer(2);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
-    emit bar.scrubBegun();
-    emit bar.scrubbed(0.5);
-    emit bar.scrubEnded(true);
+    emit bar.axis().scrubBegun();
+    emit bar.axis().scrubbed(0.5);
+    emit bar.axis().scrubEnded(true);
     const int undoSteps = m_fixture->model().history().index();
     emit bar.fire();
     QVERIFY(bar.state().isPlaying);

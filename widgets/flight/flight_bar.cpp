@@ -60,7 +60,6 @@ FlightBar::FlightBar(const Typesetter &typesetter, QWidget *parent)
   controls->addWidget(m_seed);
   controls->addWidget(m_readout);
   layout->addWidget(m_axis);
-  connectAxis();
   setSizes();
   setTheme(m_theme);
 }
@@ -124,14 +123,6 @@ void FlightBar::makeSeed() {
   connect(m_seed, &QSpinBox::editingFinished, m_seed, &QWidget::clearFocus); // keys fire again
 }
 
-void FlightBar::connectAxis() {
-  connect(m_axis, &FlightAxis::scrubBegun, this, &FlightBar::scrubBegun);
-  connect(m_axis, &FlightAxis::scrubbed, this, &FlightBar::scrubbed);
-  connect(m_axis, &FlightAxis::scrubEnded, this, &FlightBar::scrubEnded);
-  connect(m_axis, &FlightAxis::chosen, this, &FlightBar::chosen);
-  connect(m_axis, &FlightAxis::hovered, this, &FlightBar::hovered);
-}
-
 QToolButton &FlightBar::button(FlightControl control) const {
   return *m_buttons.at(static_cast<int>(control));
 }
@@ -144,12 +135,6 @@ void FlightBar::setState(const FlightState &state) {
     showControls();
   showTime();
 }
-
-void FlightBar::setCrossings(const Crossings &crossings) { m_axis->setCrossings(crossings); }
-
-void FlightBar::setHovered(std::size_t number) { m_axis->setHovered(number); }
-
-void FlightBar::setHeld(bool held) { m_axis->setHeld(held); }
 
 void FlightBar::setKeys(FlightControl control, const QKeySequence &keys) {
   m_keys[control] = keys;

@@ -41,15 +41,12 @@ public:
   explicit FlightBar(const Typesetter &typesetter, QWidget *parent = nullptr);
 
   void setState(const FlightState &state);
-  void setCrossings(const Crossings &crossings);
-  /// The pointer is on this fragment somewhere else; 0 for none.
-  void setHovered(std::size_t number);
-  void setHeld(bool held);
   void setTheme(const Theme &theme);
   /// The key that does the same as a control, whoever hears it: its tool tip tells it.
   void setKeys(FlightControl control, const QKeySequence &keys);
 
   [[nodiscard]] const FlightState &state() const { return m_state; }
+  /// What the ray crosses; the torpedo is dragged on it.
   [[nodiscard]] FlightAxis &axis() const { return *m_axis; }
   [[nodiscard]] QToolButton &button(FlightControl control) const;
   /// Where the seed is typed; it is there while it fires by itself.
@@ -64,11 +61,6 @@ signals:
   void automaticToggled(bool on);
   void seedChanged(int seed);
   void speedChanged(double speed);
-  void scrubBegun();
-  void scrubbed(double t);
-  void scrubEnded(bool keep); ///< false: Escape
-  void chosen(std::size_t number);
-  void hovered(std::size_t number); ///< 0: none any more
 
 protected:
   void changeEvent(QEvent *event) override;
@@ -77,7 +69,6 @@ private:
   void makeButtons();
   void makeSpeeds();
   void makeSeed();
-  void connectAxis();
   void showControls();
   /// The present λ; nothing while it is hidden.
   [[nodiscard]] std::optional<WrittenNumber> parameter() const;

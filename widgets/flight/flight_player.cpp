@@ -12,14 +12,6 @@ constexpr int tickInterval = 16;
 constexpr int stillInterval = 700;
 /// Without motion so many frames are one step.
 constexpr int framesPerStill = 10;
-/// Frames of the clock are rounded to this, so that the numbers stay short.
-const Rational frameStep(1, 100);
-/// A flight goes on for so many frames behind the hit, and for so many where nothing is hit.
-constexpr int framesBehindHit = 50;
-constexpr int framesWithoutHit = 100;
-
-/// After so many frames a torpedo has come to t, or a little farther.
-Rational framesUntil(const Rational &t) { return roundUpToMultiple(t * framesPerLambda, frameStep); }
 
 } // namespace
 
@@ -45,9 +37,9 @@ void FlightPlayer::serve(FlightBar &bar) {
   connect(&bar, &FlightBar::automaticToggled, this, &FlightPlayer::setAutomatic);
   connect(&bar, &FlightBar::seedChanged, this, &FlightPlayer::setSeed);
   connect(&bar, &FlightBar::speedChanged, this, &FlightPlayer::setSpeed);
-  connect(&bar, &FlightBar::scrubBegun, this, &FlightPlayer::beginScrub);
-  connect(&bar, &FlightBar::scrubbed, this, &FlightPlayer::scrub);
-  connect(&bar, &FlightBar::scrubEnded, this, &FlightPlayer::endScrub);
+  connect(&bar.axis(), &FlightAxis::scrubBegun, this, &FlightPlayer::beginScrub);
+  connect(&bar.axis(), &FlightAxis::scrubbed, this, &FlightPlayer::scrub);
+  connect(&bar.axis(), &FlightAxis::scrubEnded, this, &FlightPlayer::endScrub);
 }
 
 void FlightPlayer::setReducedMotion(bool reduced) {
@@ -56,20 +48,9 @@ void FlightPlayer::setReducedMotion(bool reduced) {
   emit stateChanged();
 }
 
-std::optional<FlightPlayer::Flight> FlightPlayer::flight() const {
+std::optional<SceneFlight> FlightPlayer::flight() const {
   const StepFlight *names = flightOf(m_model.step());
-  return names ? flightBy(*names) : std::nullopt;
-}
-
-std::optional<FlightPlayer::Flight> FlightPlayer::flightBy(const StepFlight &names) const {
-  const Scene &scene = m_model.session().scene;
-  const Object *frame = findObject(scene, names.frame);
-  const Object *seed = findObject(scene, names.seed);
-  const auto frameNumber = frame ? objectAs<NumberObject>(*frame) : std::nullopt;
-  const auto seedNumber = seed ? objectAs<NumberObject>(*seed) : std::nullopt;
-  if (!frameNumber || !seedNumber)
-    return {};
-  return Flight{names, *frameNumber, *seedNumber};
+  return names ? flightIn(m_model.session().scene, *names) : std::nullopt;
 }
 
 FlightState FlightPlayer::state() const {
@@ -80,44 +61,15 @@ FlightState FlightPlayer::state() const {
   state.speed = m_speed;
   state.reducedMotion = m_reducedMotion;
   if (now) {
-    const Rational &seed = now->seed.value;
-    state.isAutomatic = seed != 0;
-    state.seed = seed != 0 ? static_cast<int>(toDouble(seed)) : m_seed.value_or(now->names.firstSeed);
-    const Rational elapsed = elapsedOf(*now);
-    const Crossing *hit = hitOf(*now);
+    state.isAutomatic = now->firesByItself();
+    state.seed = state.isAutomatic ? static_cast<int>(toDouble(now->seed.value))
+                                   : m_seed.value_or(now->names.firstSeed);
+    const Rational elapsed = now->elapsed();
+    const Crossing *hit = now->hitIn(m_model.evaluation());
     state.elapsed = toDouble(elapsed);
     state.t = toDouble(hit ? std::min(elapsed, hit->at->t) : elapsed); // behind its hit it flies no more
   }
   return state;
-}
-
-/// The shot that is on its way.
-Shot FlightPlayer::shotOf(const Flight &flight) { return shotAt(flight.frame.value, flight.seed.value); }
-
-/// The parameter to which the torpedo has come if it has hit nothing.
-Rational FlightPlayer::elapsedOf(const Flight &flight) {
-  return parameterAt(flight.frame.value, shotOf(flight));
-}
-
-/// What the torpedo hits first; nothing: nullptr.
-const Crossing *FlightPlayer::hitOf(const Flight &flight) const {
-  return nearestOf(crossingsOf(m_model.evaluation(), flight.names.hits));
-}
-
-/// Fired by itself it goes on; by hand until the explosion is over.
-Rational FlightPlayer::lastFrame(const Flight &flight) const {
-  if (flight.seed.value != 0)
-    return flight.frame.to;
-  const Crossing *hit = hitOf(flight);
-  const Rational last =
-      hit ? Rational(framesUntil(hit->at->t) + framesBehindHit) : Rational(framesWithoutHit);
-  return std::min(last, flight.frame.to);
-}
-
-ChangeObject FlightPlayer::toFrame(const Flight &flight, const Rational &frame) {
-  NumberObject changed = flight.frame;
-  changed.value = std::clamp(frame, changed.from, changed.to);
-  return {flight.names.frame, changed};
 }
 
 void FlightPlayer::fire() {
@@ -126,8 +78,8 @@ void FlightPlayer::fire() {
   if (!now)
     return;
   // By itself it goes on with the next shot, by hand the same one is fired once more.
-  const Rational next = shotOf(*now).frame + framesPerShot;
-  playFrom(*now, now->seed.value == 0 || next >= now->frame.to ? Rational(0) : next);
+  const Rational next = now->shot().frame + framesPerShot;
+  playFrom(*now, !now->firesByItself() || next >= now->frame.to ? Rational(0) : next);
 }
 
 void FlightPlayer::play(bool on) {
@@ -138,18 +90,18 @@ void FlightPlayer::play(bool on) {
   auto now = flight();
   if (!now)
     return;
-  playFrom(*now, now->frame.value >= lastFrame(*now) ? Rational(0) : now->frame.value);
+  playFrom(*now, now->frame.value >= now->lastFrame(m_model.evaluation()) ? Rational(0) : now->frame.value);
 }
 
-void FlightPlayer::playFrom(const Flight &flight, const Rational &frame) {
+void FlightPlayer::playFrom(const SceneFlight &flight, const Rational &frame) {
   m_gesture = m_model.beginGesture(tr("Fly"));
   goOnFrom(flight, frame);
 }
 
 /// In a gesture that has begun.
-void FlightPlayer::goOnFrom(const Flight &flight, const Rational &frame) {
+void FlightPlayer::goOnFrom(const SceneFlight &flight, const Rational &frame) {
   m_from = frame;
-  m_model.moveGesture(m_gesture, toFrame(flight, frame));
+  m_model.moveGesture(m_gesture, flight.toFrame(frame));
   m_isPlaying = true;
   m_clock.start();
   m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
@@ -171,11 +123,11 @@ void FlightPlayer::tick() {
   const Rational flown = m_reducedMotion ? now->frame.value - m_from + framesPerStill
                                          : roundToMultiple(seconds * m_speed * framesPerSecond, frameStep);
   const Rational frame = m_from + flown;
-  const Rational last = lastFrame(*now);
-  m_model.moveGesture(m_gesture, toFrame(*now, std::min(frame, last)));
+  const Rational last = now->lastFrame(m_model.evaluation());
+  m_model.moveGesture(m_gesture, now->toFrame(std::min(frame, last)));
   if (frame < last)
     return;
-  if (now->seed.value == 0)
+  if (!now->firesByItself())
     return play(false);
   goOnFrom(*now, 0); // by itself it fires again and again
 }
@@ -183,7 +135,7 @@ void FlightPlayer::tick() {
 void FlightPlayer::step(int direction) {
   play(false);
   if (const auto now = flight())
-    m_model.edit(toFrame(*now, now->frame.value + direction * (m_reducedMotion ? framesPerStill : 1)),
+    m_model.edit(now->toFrame(now->frame.value + direction * (m_reducedMotion ? framesPerStill : 1)),
                  tr("Step"));
 }
 
@@ -205,12 +157,10 @@ void FlightPlayer::fireBySeed(int seed) {
 }
 
 /// A gesture that begins at the start, with this seed.
-void FlightPlayer::begin(const Flight &flight, int seed, const QString &description) {
-  NumberObject changed = flight.seed;
-  changed.value = std::clamp(Rational(seed), changed.from, changed.to);
+void FlightPlayer::begin(const SceneFlight &flight, int seed, const QString &description) {
   m_gesture = m_model.beginGesture(description);
-  m_model.moveGesture(m_gesture, ChangeObject{flight.names.seed, changed});
-  m_model.moveGesture(m_gesture, toFrame(flight, 0));
+  m_model.moveGesture(m_gesture, flight.toSeed(seed));
+  m_model.moveGesture(m_gesture, flight.toFrame(0));
 }
 
 /// A step without the controls has none to bring the saucer back to where it starts, or to end what fires by
@@ -221,8 +171,8 @@ void FlightPlayer::followStep() {
   const auto controlled = std::exchange(m_controlled, {});
   if (!controlled || controlled->lesson != m_model.session().lesson)
     return;
-  const auto left = flightBy(controlled->names);
-  if (!left || (left->seed.value == 0 && left->frame.value == 0))
+  const auto left = flightIn(m_model.session().scene, controlled->names);
+  if (!left || (!left->firesByItself() && left->frame.value == 0))
     return;
   begin(*left, 0, tr("Back to the start"));
   m_model.endGesture(m_gesture);
@@ -260,23 +210,11 @@ void FlightPlayer::endScrub(bool keep) {
     m_model.cancelGesture(m_gesture);
 }
 
-/// The frame in which the torpedo of a shot has come to t; where that is a crossing's, all of the way.
-Rational FlightPlayer::frameAt(double t, const Shot &shot, const StepFlight &names) const {
-  for (const Crossing &crossing : crossingsOf(m_model.evaluation(), names.hits).all)
-    if (crossing.at && toDouble(crossing.at->t) == t)
-      return shot.frame + framesUntil(crossing.at->t);
-  return shot.frame + roundToMultiple(t * framesPerLambda, frameStep);
-}
-
 void FlightPlayer::scrub(double t) {
   const auto now = flight();
   if (!now || !m_isScrubbing)
     return;
-  const Shot shot = shotOf(*now);
-  Rational frame = frameAt(t, shot, now->names);
-  if (now->seed.value != 0) // it stays with its shot
-    frame = std::clamp(frame, shot.frame, Rational(shot.frame + framesPerShot - frameStep));
-  m_model.moveGesture(m_gesture, toFrame(*now, frame));
+  m_model.moveGesture(m_gesture, now->toFrame(now->frameAt(t, m_model.evaluation())));
 }
 
 } // namespace halfspace

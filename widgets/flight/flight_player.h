@@ -1,9 +1,8 @@
 // The clock of a torpedo's flight.
 #pragma once
 
-#include "lessons/construction/parts/shots.h"
-#include "lessons/object/kinds/number.h"
 #include "widgets/flight/flight_bar.h"
+#include "widgets/flight/scene_flight.h"
 #include "widgets/session_model.h"
 
 #include <QElapsedTimer>
@@ -41,33 +40,21 @@ signals:
   void stateChanged();
 
 private:
-  /// What the scene says of the flight; nothing in a step without one.
-  struct Flight {
-    StepFlight names;
-    NumberObject frame;
-    NumberObject seed;
-  };
   /// What the bar controls that was served last.
   struct Controlled {
     std::string lesson;
     StepFlight names;
   };
-  [[nodiscard]] std::optional<Flight> flight() const;
-  [[nodiscard]] std::optional<Flight> flightBy(const StepFlight &names) const;
+  /// Of the step that is shown; nothing in a step without one.
+  [[nodiscard]] std::optional<SceneFlight> flight() const;
   void fireBySeed(int seed);
-  void begin(const Flight &flight, int seed, const QString &description);
+  void begin(const SceneFlight &flight, int seed, const QString &description);
   void followStep();
-  [[nodiscard]] static Shot shotOf(const Flight &flight);
-  [[nodiscard]] static Rational elapsedOf(const Flight &flight);
-  [[nodiscard]] const Crossing *hitOf(const Flight &flight) const;
-  [[nodiscard]] Rational lastFrame(const Flight &flight) const;
-  [[nodiscard]] static ChangeObject toFrame(const Flight &flight, const Rational &frame);
   void beginScrub();
   void scrub(double t);
   void endScrub(bool keep);
-  [[nodiscard]] Rational frameAt(double t, const Shot &shot, const StepFlight &names) const;
-  void playFrom(const Flight &flight, const Rational &frame);
-  void goOnFrom(const Flight &flight, const Rational &frame);
+  void playFrom(const SceneFlight &flight, const Rational &frame);
+  void goOnFrom(const SceneFlight &flight, const Rational &frame);
   void tick();
   void stop();
 

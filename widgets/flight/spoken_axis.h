@@ -16,10 +16,10 @@ public:
   [[nodiscard]] QString text(QAccessible::Text text) const override;
   void *interface_cast(QAccessible::InterfaceType type) override;
 
-  [[nodiscard]] QVariant currentValue() const override { return m_axis.time(); }
+  [[nodiscard]] QVariant currentValue() const override { return m_axis.placed().time(); }
   void setCurrentValue(const QVariant &value) override { m_axis.moveTo(value.toDouble()); }
-  [[nodiscard]] QVariant minimumValue() const override { return m_axis.scale().range.low; }
-  [[nodiscard]] QVariant maximumValue() const override { return m_axis.scale().range.high; }
+  [[nodiscard]] QVariant minimumValue() const override { return m_axis.placed().scale().range.low; }
+  [[nodiscard]] QVariant maximumValue() const override { return m_axis.placed().scale().range.high; }
   [[nodiscard]] QVariant minimumStepSize() const override { return {}; }
 
 private:

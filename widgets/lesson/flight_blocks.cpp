@@ -33,7 +33,7 @@ template <class Widget> void FlightBlocks::followFragments(Widget &widget, const
 QWidget *FlightBlocks::addBlock(const StepFlight &flight) {
   auto *bar = new FlightBar(m_typesetter);
   m_bars.emplace_back(flight.hits, bar);
-  followFragments(*bar, flight.hits);
+  followFragments(bar->axis(), flight.hits);
   emit barMade(bar);
   return bar;
 }
@@ -66,7 +66,7 @@ void FlightBlocks::showCrossings(const std::function<Crossings(const std::string
   for (const auto &[entry, bar] : m_bars) {
     Crossings crossings = of(entry);
     crossings.nearestSoFar.reset();
-    bar->setCrossings(crossings);
+    bar->axis().setCrossings(crossings);
   }
   for (const auto &[block, table] : m_tables) {
     Crossings crossings = of(block.hits);
@@ -85,14 +85,14 @@ void FlightBlocks::showAims(const std::function<std::optional<Aim>(const std::st
 
 void FlightBlocks::setHovered(std::size_t number) {
   for (const auto &[entry, bar] : m_bars)
-    bar->setHovered(number);
+    bar->axis().setHovered(number);
   for (const auto &[block, table] : m_tables)
     table->setHovered(number);
 }
 
 void FlightBlocks::setHeld(bool held) {
   for (const auto &[entry, bar] : m_bars)
-    bar->setHeld(held);
+    bar->axis().setHeld(held);
   for (const auto &[block, table] : m_tables)
     table->setHeld(held);
 }

@@ -33,7 +33,7 @@ struct ShownAxis {
     axis.setCrossings(someCrossings());
   }
   [[nodiscard]] QPoint onLine(double t) const {
-    return QPointF(axis.scale().xOf(t), axis.handle().y()).toPoint();
+    return QPointF(axis.placed().scale().xOf(t), axis.placed().handle().y()).toPoint();
   }
 
   FlightAxis axis;
@@ -76,7 +76,8 @@ private slots:
     const QPoint from = shown.onLine(0) - QPoint(9, 2);
     QTest::mousePress(&shown.axis, Qt::LeftButton, {}, from);
     movePointer(shown.axis, from + QPoint(30, 0), Qt::LeftButton, Qt::AltModifier);
-    QVERIFY(std::abs(shown.axis.scale().xOf(shown.scrubbed.back()) - shown.axis.scale().xOf(0) - 30) < 1e-9);
+    QVERIFY(std::abs(shown.axis.placed().scale().xOf(shown.scrubbed.back()) -
+                     shown.axis.placed().scale().xOf(0) - 30) < 1e-9);
     QTest::mouseRelease(&shown.axis, Qt::LeftButton);
   }
 
@@ -101,32 +102,32 @@ private slots:
 
   void range_whileHeldOrScrubbed_stays() {
     ShownAxis shown(m_typesetter);
-    const AxisRange before = shown.axis.scale().range;
+    const AxisRange before = shown.axis.placed().scale().range;
     Crossings far = someCrossings();
     far.all[3].at->t = 9;
     shown.axis.setHeld(true);
     shown.axis.setCrossings(far);
     shown.axis.setTime(30, 30);
-    QVERIFY(shown.axis.scale().range == before);
-    QVERIFY(shown.axis.handle().x() <= shown.axis.scale().right);
+    QVERIFY(shown.axis.placed().scale().range == before);
+    QVERIFY(shown.axis.placed().handle().x() <= shown.axis.placed().scale().right);
     shown.axis.setHeld(false);
-    QVERIFY(shown.axis.scale().range.contains(9) && shown.axis.scale().range.contains(30));
+    QVERIFY(shown.axis.placed().scale().range.contains(9) && shown.axis.placed().scale().range.contains(30));
     shown.axis.setTime(0, 0);
-    const AxisRange settled = shown.axis.scale().range;
+    const AxisRange settled = shown.axis.placed().scale().range;
     QTest::mousePress(&shown.axis, Qt::LeftButton, {}, shown.onLine(1));
     shown.axis.setCrossings(someCrossings());
-    QVERIFY(shown.axis.scale().range == settled);
+    QVERIFY(shown.axis.placed().scale().range == settled);
     QTest::mouseRelease(&shown.axis, Qt::LeftButton, {}, shown.onLine(1));
-    QVERIFY(shown.axis.scale().range == before);
+    QVERIFY(shown.axis.placed().scale().range == before);
   }
 
   void marks_atTheSamePlace_areStacked_andEachIsFound() {
     ShownAxis shown(m_typesetter);
-    const QPointF first = *shown.axis.placeOf(1);
-    const QPointF second = *shown.axis.placeOf(5);
+    const QPointF first = *shown.axis.placed().placeOf(1);
+    const QPointF second = *shown.axis.placed().placeOf(5);
     QCOMPARE(first.x(), second.x());
     QVERIFY(first.y() - second.y() >= 9);
-    QVERIFY(first.y() < shown.axis.handle().y());
+    QVERIFY(first.y() < shown.axis.placed().handle().y());
     for (const QPointF &place : {first, second})
       QTest::mouseClick(&shown.axis, Qt::LeftButton, {}, place.toPoint());
     QCOMPARE(shown.chosen, (Numbers{1, 5}));
@@ -140,7 +141,7 @@ private slots:
       crossings.all.push_back(crossingAt(i, RayTriangleCase::Hit, 1));
     shown.axis.setCrossings(crossings);
     for (std::size_t i = 1; i <= 30; ++i)
-      QVERIFY(shown.axis.placeOf(i)->y() > 4);
+      QVERIFY(shown.axis.placed().placeOf(i)->y() > 4);
   }
 
   void mark_beyondTheRange_isAtItsEnd() {
@@ -148,14 +149,14 @@ private slots:
     Crossings far = someCrossings();
     far.all[4].at->t = 1000;
     shown.axis.setCrossings(far);
-    QVERIFY(shown.axis.placeOf(6)->x() > shown.axis.scale().right);
-    QVERIFY(shown.axis.placeOf(6)->x() < shown.axis.width());
-    QVERIFY(!shown.axis.placeOf(2)); // parallel
+    QVERIFY(shown.axis.placed().placeOf(6)->x() > shown.axis.placed().scale().right);
+    QVERIFY(shown.axis.placed().placeOf(6)->x() < shown.axis.width());
+    QVERIFY(!shown.axis.placed().placeOf(2)); // parallel
   }
 
   void pointer_onAMark_tellsItsFragment() {
     ShownAxis shown(m_typesetter);
-    movePointer(shown.axis, shown.axis.placeOf(3)->toPoint());
+    movePointer(shown.axis, shown.axis.placed().placeOf(3)->toPoint());
     movePointer(shown.axis, {2, 2});
     QCOMPARE(shown.hovered, (Numbers{3, 0}));
   }
@@ -202,7 +203,7 @@ private slots:
     shown.axis.setTime(1.0 / 3, 1.0 / 3);
     QCOMPARE(spoken->text(QAccessible::Value), QString("λ ≈ 0.333"));
     QCOMPARE(spoken->valueInterface()->currentValue().toDouble(), 1.0 / 3);
-    QCOMPARE(spoken->valueInterface()->maximumValue().toDouble(), shown.axis.scale().range.high);
+    QCOMPARE(spoken->valueInterface()->maximumValue().toDouble(), shown.axis.placed().scale().range.high);
     spoken->valueInterface()->setCurrentValue(0.5);
     QCOMPARE(shown.scrubbed, std::vector<double>{0.5});
     QVERIFY(spoken->text(QAccessible::Description)
@@ -233,9 +234,9 @@ private slots:
     shown.axis.setCrossings(far);
     shown.axis.setTime(0.5, 0.5);
     shown.axis.setHidden(true);
-    QVERIFY(shown.axis.scale().range == AxisRange());
-    QVERIFY(!shown.axis.placeOf(3));
-    QCOMPARE(shown.axis.handle().x(), shown.axis.scale().xOf(0));
+    QVERIFY(shown.axis.placed().scale().range == AxisRange());
+    QVERIFY(!shown.axis.placed().placeOf(3));
+    QCOMPARE(shown.axis.placed().handle().x(), shown.axis.placed().scale().xOf(0));
     dragPointer(shown.axis, shown.onLine(0) - QPoint(4, 0), shown.onLine(1));
     QTest::keyClick(&shown.axis, Qt::Key_Right);
     QVERIFY(shown.scrubbed.empty());

@@ -85,10 +85,10 @@ private slots:
 
   void hidden_tellsNoTime_andStopsTheControls() {
     FlightBar bar(m_typesetter);
-    bar.setCrossings(someCrossings());
+    bar.axis().setCrossings(someCrossings());
     bar.setState({.t = 0.5, .hidden = true});
     QCOMPARE(bar.readout(), QString("λ = ?"));
-    QVERIFY(!bar.axis().placeOf(3));
+    QVERIFY(!bar.axis().placed().placeOf(3));
     for (const FlightControl control :
          {FlightControl::Fire, FlightControl::Play, FlightControl::StepBack, FlightControl::StepForward})
       QVERIFY(!bar.button(control).isEnabled());
