@@ -89,4 +89,11 @@ FragmentRows rowsOf(const Crossings &crossings, LiveValues values, std::size_t m
   return shown;
 }
 
+std::optional<std::size_t> rowOf(const FragmentRows &shown, std::size_t number) {
+  for (std::size_t i = 0; i < shown.rows.size(); ++i)
+    if (shown.rows[i].crossing.number == number)
+      return i;
+  return {};
+}
+
 } // namespace halfspace

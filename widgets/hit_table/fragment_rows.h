@@ -5,6 +5,7 @@
 #include "lessons/lesson/live_values.h"
 #include "widgets/flight/crossing_look.h"
 
+#include <optional>
 #include <vector>
 
 namespace halfspace {
@@ -25,5 +26,13 @@ struct FragmentRows {
 /// nearest to its start first. They stand in the order of the crossings, behind them by number those that are
 /// not asked yet; all by number where values are hidden, so that their order tells nothing.
 [[nodiscard]] FragmentRows rowsOf(const Crossings &crossings, LiveValues values, std::size_t most);
+
+/// The row of the fragment with this number; nothing where it has none.
+[[nodiscard]] std::optional<std::size_t> rowOf(const FragmentRows &shown, std::size_t number);
+
+/// Whether the numbers of a row are not to be seen.
+[[nodiscard]] inline bool hidesNumbers(const FragmentRow &row, LiveValues values) {
+  return values == LiveValues::Hidden || row.standing == Standing::NotAsked;
+}
 
 } // namespace halfspace

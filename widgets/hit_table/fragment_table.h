@@ -1,14 +1,10 @@
 // The fragments that a ray is held against, with its crossings of their planes.
 #pragma once
 
-#include "lessons/lesson/live_values.h"
-#include "widgets/hit_table/fragment_columns.h"
-#include "widgets/hit_table/fragment_rows.h"
-#include "widgets/typeset/typesetter.h"
+#include "widgets/hit_table/paint_fragments.h"
 
+#include <QStringList>
 #include <QWidget>
-
-#include <array>
 
 namespace halfspace {
 
@@ -40,7 +36,6 @@ public:
   /// What the last line says of fragments without a row; empty where all have one.
   [[nodiscard]] QString leftOutWords() const;
 
-  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -56,49 +51,20 @@ protected:
   void leaveEvent(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
   void focusInEvent(QFocusEvent *event) override;
-  void focusOutEvent(QFocusEvent *event) override;
   void changeEvent(QEvent *event) override;
 
 private:
-  using Numbers = std::array<Typesetter::Picture, 3>; ///< null where there is none
-
   void measure();
   void settleHeight();
   void sayChosen(); ///< by the table's accessible name
   void pointAt(std::size_t number);
-  void chooseRow(std::size_t row);
-  [[nodiscard]] double emPixels() const;
-  [[nodiscard]] bool hasNumbers(const FragmentRow &row) const;
-  /// What stands in the place of a row's numbers.
-  [[nodiscard]] Typesetter::Picture placeholderOf(const FragmentRow &row) const;
-  /// The numbers of a column, all of them in one way.
-  void writeColumn(std::size_t column);
   /// The number of the fragment at a place; 0 for none.
   [[nodiscard]] std::size_t numberAt(QPoint place) const;
-  [[nodiscard]] std::optional<std::size_t> chosenRow() const;
-  [[nodiscard]] QColor inkOf(const FragmentRow &row) const;
-  [[nodiscard]] QString verdictOf(const FragmentRow &row) const;
-  [[nodiscard]] bool isHidden(const FragmentRow &row) const;
-  [[nodiscard]] FragmentColumns columns() const;
 
-  void paintHead(QPainter &painter, const FragmentColumns &columns) const;
-  void paintRow(QPainter &painter, const FragmentColumns &columns, std::size_t row) const;
-  void paintBackground(QPainter &painter, const FragmentRow &row, const QRectF &place) const;
-  void paintStart(QPainter &painter, double y, const FragmentColumns &columns) const;
-  void paintNumber(QPainter &painter, const MathPicture &picture, const FragmentColumns::Column &column,
-                   double middle, const QColor &ink) const;
-
-  const Typesetter &m_typesetter;
   FragmentRows m_shown;
-  QStringList m_names;                ///< of all, so that the columns do not depend on which have a row
-  std::vector<Numbers> m_numbers;     ///< of each row
-  std::array<bool, 3> m_areRounded{}; ///< the columns of which a number would be too long, written exactly
-  std::array<Typesetter::Picture, 3> m_heads;
-  std::array<Typesetter::Picture, 3> m_roundedHeads;
+  QStringList m_names; ///< of all, so that the columns do not depend on which have a row
+  FragmentNumbers m_numbers;
   Typesetter::Picture m_start;
-  Typesetter::Picture m_unknown;
-  Typesetter::Picture m_none;   ///< where the plane is not crossed in a point
-  Typesetter::Picture m_widest; ///< a number as wide as they get
   FragmentNeeds m_needs;
   std::size_t m_chosen = 0;
   std::size_t m_hovered = 0;
