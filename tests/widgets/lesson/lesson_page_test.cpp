@@ -3,6 +3,7 @@
 
 #include "tests/widgets/working/working_block_fixture.h"
 #include "widgets/lesson/note_fold.h"
+#include "widgets/lesson/step_dots.h"
 #include "widgets/working/working_practice.h"
 
 #include <QHelpEvent>

@@ -1,0 +1,75 @@
+// The blocks of one step on the page.
+#pragma once
+
+#include "lessons/lesson/lesson.h"
+#include "widgets/lesson/flight_blocks.h"
+#include "widgets/lesson/prediction_box.h"
+#include "widgets/lesson/task_row.h"
+
+namespace halfspace {
+
+class NoteFold;
+class StepWorking;
+
+/// Words, worked lines, question and tasks, in the order of the lesson. They are made for one step.
+class StepBlocks : public QWidget {
+  Q_OBJECT
+public:
+  /// The lines and the flight forget the blocks that they had, and get those of this step. All must outlive
+  /// it but the step.
+  StepBlocks(const Typesetter &typesetter, const LessonStep &step, LessonPictures pictures,
+             StepWorking &working, FlightBlocks &flight);
+
+  /// Sets the words with what their live values are now.
+  void showWords(const LiveValueOf &valueOf);
+  /// Of the tasks in their order; of those behind them nothing is known. The task that is due once another is
+  /// done is to be in view.
+  void setTaskStates(const std::vector<TaskState> &states);
+  /// To the question, if there is one; nothing: it is open.
+  void setAnswer(const std::optional<GivenAnswer> &answer);
+  /// While they are held none becomes less high.
+  void setHeld(bool held);
+  void setTheme(const Theme &theme);
+
+signals:
+  void predictionChosen(const QString &word);
+  void predictionReopened(); ///< the learner wants to try the question again
+  /// A part has something new to read: it is to be in view.
+  void reached(const QWidget *part);
+
+private:
+  [[nodiscard]] QWidget *blockOf(const StepWords &words);
+  [[nodiscard]] QWidget *blockOf(const StepLines &lines);
+  [[nodiscard]] QWidget *blockOf(const StepNote &note);
+  [[nodiscard]] QWidget *blockOf(const Task &task);
+  [[nodiscard]] QWidget *blockOf(const Prediction &prediction);
+  template <class Block> [[nodiscard]] QWidget *blockOf(const Block &ofFlight) {
+    return m_flight.addBlock(ofFlight);
+  }
+  /// A label is to show these words.
+  void add(const StepWords &words, RichLabel &label);
+
+  /// Words as they were read, with the label that they are set in.
+  struct SetWords {
+    Markdown words;
+    RichLabel *label;
+  };
+  struct SetTask {
+    Markdown instruction;
+    Markdown now;
+    Markdown answer;
+    TaskRow *row;
+  };
+
+  const Typesetter &m_typesetter;
+  LessonPictures m_pictures;
+  StepWorking &m_working;
+  FlightBlocks &m_flight;
+  std::vector<SetWords> m_words;
+  std::vector<NoteFold *> m_notes;
+  std::vector<SetTask> m_tasks;
+  const TaskRow *m_dueTask = nullptr;    ///< null while none is known, or all are done
+  PredictionBox *m_prediction = nullptr; ///< null in steps without one
+};
+
+} // namespace halfspace
