@@ -116,7 +116,7 @@ void MainWindow::connectParts() {
   connect(&m_step.question(), &StepQuestion::changed, &m_autosave, &Autosave::keepSoon);
   connect(&m_files, &SessionFiles::changed, this, &MainWindow::updateTitle);
   connect(&m_model, &SessionModel::lessonChanged, this, &MainWindow::updateTitle);
-  connect(&m_model, &SessionModel::cleanChanged, this, &MainWindow::updateTitle);
+  connect(&m_model.history(), &SessionHistory::cleanChanged, this, &MainWindow::updateTitle);
 }
 
 void MainWindow::showLook() {

@@ -24,8 +24,8 @@ void WindowSettings::restore() {
   const Settings settings = stored ? *stored : Settings();
   m_layout.takeGeometry(settings);
   m_look.take(settings);
-  m_model.setSnapStep(settings.snapStep);
-  m_model.setSnapping(settings.snapping);
+  m_model.snapping().step = settings.snapStep;
+  m_model.snapping().isOn = settings.snapping;
   m_ownLessons.setFolders(settings.ownLessons);
   m_flatPicture.setChecked(settings.flatPicture);
   m_layout.takePanels(settings);
@@ -35,8 +35,8 @@ void WindowSettings::store() {
   Settings settings;
   m_look.putTheme(settings);
   settings.motion = m_look.motion().isChecked();
-  settings.snapStep = m_model.snapStep();
-  settings.snapping = m_model.isSnapping();
+  settings.snapStep = m_model.snapping().step;
+  settings.snapping = m_model.snapping().isOn;
   settings.ownLessons = m_ownLessons.folders();
   settings.flatPicture = m_flatPicture.isChecked();
   m_layout.put(settings);

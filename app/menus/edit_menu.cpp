@@ -8,20 +8,23 @@
 
 #include <QActionGroup>
 
+#include <functional>
+
 namespace halfspace {
 namespace {
 
 /// An item for a step back or forth: it says what that does, and can be chosen where there is one.
-QAction *addHistoryItem(QMenu &menu, const QString &name, SessionModel &model, void (SessionModel::*step)(),
-                        std::optional<std::string> (History::*text)() const) {
+QAction *addHistoryItem(QMenu &menu, const QString &name, SessionHistory &history,
+                        void (SessionHistory::*step)(),
+                        const std::function<std::optional<std::string>()> &textOfStep) {
   QAction *item = menu.addAction(name);
-  QObject::connect(item, &QAction::triggered, &model, step);
-  const auto follow = [&model, item, name, text] {
-    const auto what = (model.history().*text)();
+  QObject::connect(item, &QAction::triggered, &history, step);
+  const auto follow = [item, name, textOfStep] {
+    const auto what = textOfStep();
     item->setEnabled(what.has_value());
     item->setText(what ? name + u' ' + QString::fromStdString(*what) : name);
   };
-  QObject::connect(&model, &SessionModel::historyChanged, item, follow);
+  QObject::connect(&history, &SessionHistory::stepsChanged, item, follow);
   follow();
   return item;
 }
@@ -31,19 +34,21 @@ QAction *addHistoryItem(QMenu &menu, const QString &name, SessionModel &model, v
 EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, FreshStart &freshStart,
                    QWidget *parent)
     : QMenu(tr("&Edit"), parent) {
-  addHistory(model);
+  addHistory(model.history());
   addSeparator();
   addItem(*this, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [&freshStart] { freshStart.startOver(); });
   addCornerItems(scene);
   addMeshItems(meshes, scene);
-  addSnapMenu(model);
+  addSnapMenu(model.snapping());
 }
 
-void EditMenu::addHistory(SessionModel &model) {
-  addHistoryItem(*this, tr("&Undo"), model, &SessionModel::undo, &History::undoText)
-      ->setShortcut(QKeySequence::Undo);
-  addHistoryItem(*this, tr("&Redo"), model, &SessionModel::redo, &History::redoText)
-      ->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
+void EditMenu::addHistory(SessionHistory &history) {
+  addHistoryItem(*this, tr("&Undo"), history, &SessionHistory::undo, [&history] {
+    return history.undoText();
+  })->setShortcut(QKeySequence::Undo);
+  addHistoryItem(*this, tr("&Redo"), history, &SessionHistory::redo, [&history] {
+    return history.redoText();
+  })->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
 }
 
 void EditMenu::addCornerItems(SceneView &scene) {
@@ -71,7 +76,7 @@ void EditMenu::addMeshItems(SceneMeshes &meshes, const SceneView &scene) {
   enable();
 }
 
-void EditMenu::addSnapMenu(SessionModel &model) {
+void EditMenu::addSnapMenu(Snapping &snapping) {
   QMenu &menu = *addMenu(tr("S&nap To"));
   menu.setObjectName("snap");
   auto *group = new QActionGroup(this);
@@ -87,18 +92,13 @@ void EditMenu::addSnapMenu(SessionModel &model) {
                                                 {tr("Tenths"), Rational(1, 10)}};
   for (const auto &[text, step] : steps) {
     QAction *action = addChoice(text);
-    connect(&menu, &QMenu::aboutToShow, action, [&model, action, step = step] {
-      action->setChecked(model.isSnapping() && step == model.snapStep());
-    });
-    connect(action, &QAction::triggered, this, [&model, step = step] {
-      model.setSnapStep(step);
-      model.setSnapping(true);
-    });
+    connect(&menu, &QMenu::aboutToShow, action,
+            [&snapping, action, step = step] { action->setChecked(snapping.isOn && step == snapping.step); });
+    connect(action, &QAction::triggered, this, [&snapping, step = step] { snapping = {step, true}; });
   }
   QAction *nothing = addChoice(tr("Nothing (thousandths)"));
-  connect(nothing, &QAction::triggered, this, [&model] { model.setSnapping(false); });
-  connect(&menu, &QMenu::aboutToShow, nothing,
-          [&model, nothing] { nothing->setChecked(!model.isSnapping()); });
+  connect(nothing, &QAction::triggered, this, [&snapping] { snapping.isOn = false; });
+  connect(&menu, &QMenu::aboutToShow, nothing, [&snapping, nothing] { nothing->setChecked(!snapping.isOn); });
   menu.addSeparator();
   menu.addAction(tr("Hold Ctrl while dragging for thousandths"))->setEnabled(false);
 }

@@ -8,7 +8,9 @@ namespace halfspace {
 class FreshStart;
 class SceneMeshes;
 class SceneView;
+class SessionHistory;
 class SessionModel;
+struct Snapping;
 
 class EditMenu : public QMenu {
   Q_OBJECT
@@ -18,12 +20,12 @@ public:
            QWidget *parent);
 
 private:
-  void addHistory(SessionModel &model);
+  void addHistory(SessionHistory &history);
   /// For a selected corner of a polygon or a prism.
   void addCornerItems(SceneView &scene);
   /// For a selected mesh.
   void addMeshItems(SceneMeshes &meshes, const SceneView &scene);
-  void addSnapMenu(SessionModel &model);
+  void addSnapMenu(Snapping &snapping);
 };
 
 } // namespace halfspace

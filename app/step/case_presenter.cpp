@@ -12,8 +12,8 @@ CasePresenter::CasePresenter(SessionModel &model, CaseLine &line, QWidget &scene
                              const StepQuestion &question, StepAtStart &atStart)
     : m_model(model), m_line(line), m_scene(scene), m_question(question), m_atStart(atStart) {
   connect(&line, &CaseLine::nearbyChosen, this, &CasePresenter::goToNearby);
-  connect(&model, &SessionModel::gestureChanged, this, [this] {
-    if (m_model.inGesture())
+  connect(&model.history(), &SessionHistory::gestureChanged, this, [this] {
+    if (m_model.history().inGesture())
       m_line.endMessage();
   });
 }
@@ -54,9 +54,9 @@ void CasePresenter::showNearby() {
 
 void CasePresenter::goToNearby(int which) {
   const NearSpecialCase near = m_nearby.at(static_cast<std::size_t>(which));
-  const Rational step = m_model.snapStep() * m_model.stage().unit();
-  if (const QString refused =
-          m_model.edit(shortMoveTo(near, m_model.session().scene, step), tr("Go to the special case"));
+  const Rational step = m_model.snapping().step * m_model.stage().unit();
+  if (const QString refused = m_model.history().edit(shortMoveTo(near, m_model.session().scene, step),
+                                                     tr("Go to the special case"));
       !refused.isEmpty())
     m_line.say(refused);
 }

@@ -101,7 +101,7 @@ void FlightPresenter::choose(const std::string &entry, std::size_t number) {
   if (!chosen)
     return;
   chosen->value = Rational(static_cast<std::int64_t>(number));
-  if (const QString refused = m_model.edit(ChangeObject{choice, *chosen}, tr("Look at a triangle"));
+  if (const QString refused = m_model.history().edit(ChangeObject{choice, *chosen}, tr("Look at a triangle"));
       !refused.isEmpty())
     m_messages.say(refused);
 }

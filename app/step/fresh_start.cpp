@@ -3,6 +3,7 @@
 #include "app/panels/unfinished_input.h"
 #include "app/step/step_question.h"
 #include "app/work/learner_progress.h"
+#include "lessons/lesson/new_numbers/new_numbers.h"
 #include "widgets/session_model.h"
 
 #include <QRandomGenerator>
@@ -12,14 +13,21 @@ namespace halfspace {
 void FreshStart::startOver() {
   m_input.drop();      // what was refused is gone too
   m_question.reopen(); // the next group in class begins anew
-  m_model.resetScene();
+  if (m_model.isChanged())
+    m_model.history().replaceScene(m_model.lesson().scene, tr("Start over"));
 }
 
 void FreshStart::renewNumbers() {
   m_input.drop();                     // it was about the numbers that go
   m_question.reopen();                // so was the answer
   m_progress.ofStep().tasks.arrive(); // other numbers are no deed of the learner
-  m_model.renewNumbers(QRandomGenerator::global()->generate64());
+  const auto &view = m_model.session().view;
+  const glm::dvec3 from = view ? view->view.from : m_model.lesson().camera.from;
+  // From the numbers of the lesson: special cases that were brought about would come again.
+  const Scene scene = withNumbersOf(m_model.lesson().scene, m_model.session().scene);
+  m_model.history().replaceScene(
+      withNewNumbers(scene, m_model.step(), from, QRandomGenerator::global()->generate64()),
+      tr("New numbers"));
 }
 
 } // namespace halfspace

@@ -1,6 +1,8 @@
 // The step begun anew, with the lesson's numbers or with others.
 #pragma once
 
+#include <QCoreApplication>
+
 namespace halfspace {
 
 class LearnerProgress;
@@ -10,6 +12,7 @@ class UnfinishedInput;
 
 /// Takes back what the learner has done with the numbers that go.
 class FreshStart {
+  Q_DECLARE_TR_FUNCTIONS(halfspace::FreshStart)
 public:
   /// All must outlive it.
   FreshStart(SessionModel &model, UnfinishedInput &input, StepQuestion &question, LearnerProgress &progress)

@@ -21,7 +21,7 @@ PagePresenter::PagePresenter(SessionModel &model, LessonPage &page, WorkingPract
   connect(&page, &LessonPage::predictionChosen, &question, &StepQuestion::answer);
   connect(&page, &LessonPage::predictionReopened, &question, &StepQuestion::reopen);
   connect(&model, &SessionModel::lessonChanged, this, &PagePresenter::showLesson);
-  connect(&model, &SessionModel::gestureChanged, this, &PagePresenter::followGesture);
+  connect(&model.history(), &SessionHistory::gestureChanged, this, &PagePresenter::followGesture);
 }
 
 void PagePresenter::showLesson() {
@@ -45,7 +45,7 @@ void PagePresenter::showWords() {
   m_page.showWords([&](const std::string &name) {
     return liveValue(name, m_model.session().scene, m_model.evaluation(), shown);
   });
-  if (!m_model.inGesture()) // what is only passed in a drag does not count
+  if (!m_model.history().inGesture()) // what is only passed in a drag does not count
     judge();
 }
 
@@ -65,8 +65,8 @@ void PagePresenter::judge() {
 }
 
 void PagePresenter::followGesture() {
-  m_page.setHeld(m_model.inGesture());
-  if (!m_model.inGesture())
+  m_page.setHeld(m_model.history().inGesture());
+  if (!m_model.history().inGesture())
     judge();
 }
 

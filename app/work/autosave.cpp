@@ -22,13 +22,13 @@ Autosave::Autosave(SessionModel &model, SessionFiles &files, const UnfinishedInp
   m_timer.setSingleShot(true);
   m_timer.setInterval(keepDelay);
   connect(&m_timer, &QTimer::timeout, this, [this] {
-    if (m_model.inGesture())
+    if (m_model.history().inGesture())
       keepSoon();
     else
       keepNow();
   });
-  connect(&model, &SessionModel::cleanChanged, this, &Autosave::keepSoon);
-  connect(&model, &SessionModel::historyChanged, this, &Autosave::keepSoon);
+  connect(&model.history(), &SessionHistory::cleanChanged, this, &Autosave::keepSoon);
+  connect(&model.history(), &SessionHistory::stepsChanged, this, &Autosave::keepSoon);
   connect(&model, &SessionModel::outcomeChanged, this, &Autosave::keepSoon); // under the hand, too
   connect(&files, &SessionFiles::changed, this, &Autosave::keepSoon);
   connect(&input, &UnfinishedInput::typing, this, &Autosave::prepare);
@@ -46,7 +46,8 @@ UnsavedWork Autosave::work() const {
 
 void Autosave::prepare() {
   const auto typed = m_input.typedChange();
-  if (!typed && !m_files.hasChanges() && !hasLeftSessions() && !(m_model.inGesture() && m_model.isChanged()))
+  if (!typed && !m_files.hasChanges() && !hasLeftSessions() &&
+      !(m_model.history().inGesture() && m_model.isChanged()))
     return m_recovery.prepare({});
   UnsavedWork unsaved = work();
   if (typed)

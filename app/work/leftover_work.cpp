@@ -44,10 +44,10 @@ void LeftoverWork::takeUp(const QString &path) {
   const auto work = m_autosave.recovery().adopt(path);
   if (!work)
     return m_messages.complain(tr("Another window has taken up this work already."));
-  m_model.setLeftSessions(work->left);
+  m_model.leftSessions() = work->left;
   m_files.startWith(work->session, work->file);
   if (!work->file || work->file->text != writeSession(work->session))
-    m_model.resetClean();
+    m_model.history().resetClean();
   const auto drawn = std::make_shared<QMetaObject::Connection>();
   *drawn = connect(&m_scene, &SceneView::frameDrawn, this, [this, drawn] {
     disconnect(*drawn);

@@ -39,7 +39,7 @@ QString sideWords(double length) {
 
 SceneMeshes::SceneMeshes(SessionModel &model, SceneView &scene, const FlightPlayer &player, Messages messages)
     : m_model(model), m_scene(scene), m_messages(messages), m_opener(messages.window(), [&model, &player] {
-        return model.inGesture() && !player.state().isPlaying;
+        return model.history().inGesture() && !player.state().isPlaying;
       }) {
   connect(&m_opener, &MeshOpener::opened, this, &SceneMeshes::take);
   connect(&m_opener, &MeshOpener::failed, this,
@@ -64,8 +64,9 @@ void SceneMeshes::openLessonWithMeshes() {
 void SceneMeshes::take(const LoadedMesh &mesh) {
   if (!takesMeshes(m_model.session().scene))
     openLessonWithMeshes();
-  const QString refusal = m_model.editTogether(editsForTarget(m_model.session().scene, mesh.shape),
-                                               tr("Open %1").arg(QString::fromStdString(mesh.name)));
+  const QString refusal =
+      m_model.history().editTogether(editsForTarget(m_model.session().scene, mesh.shape),
+                                     tr("Open %1").arg(QString::fromStdString(mesh.name)));
   if (!refusal.isEmpty())
     return m_messages.complain(refusal);
   m_messages.say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
@@ -92,7 +93,7 @@ void SceneMeshes::copySelected() {
   if (!copy)
     return m_messages.complain(
         tr("There is no room for one more mesh: a ray is held against eight at the most."));
-  const QString refusal = m_model.editTogether(copy->edits, tr("Another mesh"));
+  const QString refusal = m_model.history().editTogether(copy->edits, tr("Another mesh"));
   if (!refusal.isEmpty())
     return m_messages.complain(refusal);
   m_scene.selectHandle(copy->name + ".P");
@@ -105,8 +106,8 @@ bool SceneMeshes::canRemoveSelected() const {
 }
 
 void SceneMeshes::removeSelected() {
-  const QString refusal =
-      m_model.editTogether(editsToRemoveMesh(m_model.session().scene, selected()), tr("Remove the mesh"));
+  const QString refusal = m_model.history().editTogether(
+      editsToRemoveMesh(m_model.session().scene, selected()), tr("Remove the mesh"));
   if (!refusal.isEmpty())
     m_messages.complain(refusal);
 }

@@ -107,7 +107,7 @@ bool SessionFiles::saveTo(const QString &file) {
     return false;
   }
   m_file = {QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson};
-  m_model.setClean();
+  m_model.history().setClean();
   emit changed();
   m_messages.say(savedWords(m_model.session().scene));
   return true;

@@ -123,9 +123,9 @@ private slots:
                         toDouble(coordinate(expected, i))),
                std::string(specs[i].name).c_str());
 
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.model().session().scene == before.scene);
-    fixture.model().redo();
+    fixture.model().history().redo();
     QVERIFY(*findObject(fixture.model().session().scene, handle->object) == expected);
   }
 
@@ -143,7 +143,7 @@ private slots:
       const Object *point = findObject(fixture.model().session().scene, "Q");
       Object moved = *point;
       coordinate(moved, 0).z = z;
-      fixture.model().edit(ChangeObject{"Q", moved}, "move Q");
+      fixture.model().history().edit(ChangeObject{"Q", moved}, "move Q");
       QTest::qWait(z % 7);
     }
     QTest::qWait(50);
@@ -174,33 +174,35 @@ private slots:
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     const ExactVec3 dragged = fixture.value("Q");
-    QVERIFY(fixture.model().inGesture());
-    QCOMPARE(fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"), QString());
-    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(fixture.model().history().inGesture());
+    QCOMPARE(fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"),
+             QString());
+    QVERIFY(!fixture.model().history().inGesture());
     fixture.moveTo(from + QPoint(-60, 30)); // the hand goes on, and holds nothing
     fixture.release();
     QVERIFY(fixture.value("Q") == dragged);
     QCOMPARE(fixture.model().history().count(), 2);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.value("Q") == dragged);
     QVERIFY(fixture.value("E.n") == ExactVec3(1, 2, 2));
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.model().session().scene == before.scene);
   }
 
   void undo_duringADrag_takesBackTheDragAlone() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QCOMPARE(fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"), QString());
+    QCOMPARE(fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"),
+             QString());
     const Session before = fixture.model().session();
     const QPoint from = *fixture.scene().handlePosition("Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     const ExactVec3 dragged = fixture.value("Q");
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.model().session().scene == before.scene);
     fixture.release();
-    fixture.model().redo();
+    fixture.model().history().redo();
     QVERIFY(fixture.value("Q") == dragged);
   }
 
@@ -212,12 +214,12 @@ private slots:
     fixture.moveTo(from + QPoint(40, 20));
     QTest::mousePress(&fixture.scene(), Qt::RightButton, {}, from + QPoint(40, 20));
     QTest::mouseRelease(&fixture.scene(), Qt::RightButton, {}, from + QPoint(40, 20));
-    QVERIFY(fixture.model().inGesture());
+    QVERIFY(fixture.model().history().inGesture());
     const ExactVec3 halfway = fixture.value("Q");
     fixture.moveTo(from + QPoint(90, 45));
     QVERIFY(fixture.value("Q") != halfway);
     fixture.release();
-    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(!fixture.model().history().inGesture());
     QCOMPARE(fixture.model().history().count(), 1);
   }
 
@@ -225,12 +227,12 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    QVERIFY(fixture.model().edit(RemoveEntry{"E"}, "remove").contains("distance"));
+    QVERIFY(fixture.model().history().edit(RemoveEntry{"E"}, "remove").contains("distance"));
     QVERIFY(fixture.model().session() == before);
     QCOMPARE(fixture.model().history().count(), 0);
-    QCOMPARE(fixture.model().edit(RemoveEntry{"E", true}, "remove"), QString());
+    QCOMPARE(fixture.model().history().edit(RemoveEntry{"E", true}, "remove"), QString());
     QCOMPARE(fixture.model().session().scene.entries.size(), std::size_t(1));
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.model().session().scene == before.scene);
   }
 
@@ -305,7 +307,7 @@ private slots:
     QTest::keyClick(&fixture.scene(), Qt::Key_Down, Qt::ShiftModifier);
     QVERIFY(fixture.value("Q") == ExactVec3(Rational(111, 10), 16, 9));
     QCOMPARE(fixture.model().history().count(), 3);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.value("Q") == ExactVec3(11, 16, 9));
   }
 
@@ -336,9 +338,9 @@ private slots:
     const std::string start = fixture.caseName();
     Object triangle = *findObject(fixture.model().session().scene, "T");
     coordinate(triangle, 1) = coordinate(triangle, 0);
-    fixture.model().edit(ChangeObject{"T", triangle}, "coincide");
+    fixture.model().history().edit(ChangeObject{"T", triangle}, "coincide");
     QCOMPARE(fixture.caseName(), std::string("coincident"));
-    fixture.model().undo();
+    fixture.model().history().undo();
     QCOMPARE(fixture.caseName(), start);
   }
 };

@@ -205,13 +205,13 @@ private slots:
       for (QAction *action : opened(fixture.window, "snap").actions())
         if (action->text() == choice)
           action->trigger();
-      snapping = fixture.model().isSnapping();
+      snapping = fixture.model().snapping().isOn;
       QVERIFY(fixture.window.close());
     }
     WindowFixture next("signed-distance");
     QVERIFY(next.ready);
     QCOMPARE(tickedIn(opened(next.window, "snap")), QStringList{choice});
-    QCOMPARE(next.model().isSnapping(), snapping);
+    QCOMPARE(next.model().snapping().isOn, snapping);
   }
 
   void themeAndSize_chosen_areStoredAtOnce_andNothingElseIs() {

@@ -57,7 +57,7 @@ private slots:
     QVERIFY(fixture.value("P.lambda").x == 1);
     QVERIFY(fixture.placeOf("P") == ExactVec3(4, 2, 2));
     QCOMPARE(fixture.model().history().count(), 1);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.placeOf("P") == ExactVec3(0, 0, 2));
   }
 
@@ -72,7 +72,10 @@ private slots:
     fixture.dragTo("P", {2, 1, 2});
     QVERIFY(!(fixture.placeOf("P") == before));
     QVERIFY(distance() == 0);
-    QVERIFY(fixture.model().edit(ChangeObject{"E", PlaneObject{{0, 0, 3}, {3, -1, 2}}}, "turn").isEmpty());
+    QVERIFY(fixture.model()
+                .history()
+                .edit(ChangeObject{"E", PlaneObject{{0, 0, 3}, {3, -1, 2}}}, "turn")
+                .isEmpty());
     QVERIFY(distance() == 0);
   }
 
@@ -91,7 +94,7 @@ private slots:
     sphere[1].x = 3;
     SceneFixture fixture({{{"S", sphere}, {"P", withNumbers("point-on-sphere", {1, -1}), "S"}}});
     QVERIFY(fixture.ready);
-    fixture.model().setSnapStep(Rational(1, 10));
+    fixture.model().snapping().step = Rational(1, 10);
     const QPoint from = *fixture.scene().handlePosition("P");
     const ExactVec3 before = fixture.placeOf("P");
     fixture.drag(from, from + QPoint(40, 25));
@@ -140,7 +143,7 @@ private slots:
     QCOMPARE(hints.last().first().toString(), QString("It has 3 corners, as few as there can be."));
     QCOMPARE(polygon().size(), std::size_t(3));
     for (int i = 0; i < 3; ++i)
-      fixture.model().undo();
+      fixture.model().history().undo();
     QVERIFY(polygon() == polygonOf({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}}));
   }
 };

@@ -382,7 +382,7 @@ private slots:
     fixture.answer(1);
     QVERIFY(!fixture.questionIsOpen());
     QVERIFY(!fixture.lines().shownNumbers().inLine(0).empty());
-    fixture.model().edit(ChangeObject{"Q", PointObject{{-1, 1, 1}}}, "move Q"); // to the other side
+    fixture.model().history().edit(ChangeObject{"Q", PointObject{{-1, 1, 1}}}, "move Q"); // to the other side
     QTest::mouseClick(fixture.window.findChild<QToolButton *>("again"), Qt::LeftButton);
     QVERIFY(hidesNumbers());
     fixture.answer(0);

@@ -110,7 +110,7 @@ private slots:
     m_fixture->moveTo(tip + QPoint(60, 30));
     m_fixture->release();
     QVERIFY(m_fixture->value("U.g") != ExactVec3(4, 2, -4));
-    m_fixture->model().undo();
+    m_fixture->model().history().undo();
     QCOMPARE(m_fixture->value("U.g"), ExactVec3(4, 2, -4));
     QVERIFY(m_fixture->value("frame").x > 2);
   }
@@ -147,7 +147,7 @@ private slots:
                               std::string("exploded"), patience);
     QTRY_VERIFY_WITH_TIMEOUT(!bar.state().isPlaying, patience);
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
-    m_fixture->model().undo();
+    m_fixture->model().history().undo();
     QCOMPARE(m_fixture->value("frame").x, Rational(0));
   }
 
@@ -201,7 +201,7 @@ private slots:
     m_fixture->answer(2);
     UfoObject saucer = objectAs<UfoObject>(*findObject(m_fixture->model().session().scene, "U")).value();
     saucer.barrel = {4, 2, -5}; // its λ is in no hundredth of a frame
-    m_fixture->model().edit(ChangeObject{"U", saucer}, "test");
+    m_fixture->model().history().edit(ChangeObject{"U", saucer}, "test");
     const Crossing *hit = nearestOf(*m_fixture->model().evaluation().find("nearest")->outcome->crossings);
     QVERIFY(hit);
     auto &bar = *m_fixture->window.findChild<FlightBar *>();
@@ -236,7 +236,7 @@ private slots:
     QVERIFY(m_fixture->value("frame").x < 25);
     emit bar.playToggled(false);
     QCOMPARE(m_fixture->model().history().index(), undoSteps + 1);
-    m_fixture->model().undo();
+    m_fixture->model().history().undo();
     QCOMPARE(m_fixture->value("frame").x, Rational(25));
   }
 
@@ -261,7 +261,7 @@ private slots:
         NumberObject number =
             objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "frame")).value();
         number.value = frame;
-        m_fixture->model().edit(ChangeObject{"frame", number}, "test");
+        m_fixture->model().history().edit(ChangeObject{"frame", number}, "test");
         all.push_back(
             objectAs<RayObject>(m_fixture->model().evaluation().find("shot")->outcome->objects.at(0).object)
                 ->direction);
@@ -378,7 +378,7 @@ private slots:
     const auto &crossings = *m_fixture->model().evaluation().find("nearest")->outcome->crossings;
     QCOMPARE(crossings.fragments, trianglesIn(m_fixture->model().session().scene).size());
     QCOMPARE(crossings.all.size(), crossings.fragments);
-    m_fixture->model().undo();
+    m_fixture->model().history().undo();
     QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
   }
 
@@ -426,7 +426,7 @@ private slots:
     open(pyramid(16));
     QVERIFY2(message.text().startsWith("own: 512 triangles, 16 × 16 × 2 of"), qPrintable(message.text()));
     QVERIFY(!message.text().contains("Too large"));
-    m_fixture->model().undo();
+    m_fixture->model().history().undo();
     open(pyramid(160));
     QVERIFY2(message.text().endsWith("Too large to be saved with the session."), qPrintable(message.text()));
   }
@@ -451,7 +451,7 @@ private slots:
     startOpening(pyramid(2));
     QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), 1, patience);
     m_fixture->moveTo(tip + QPoint(60, 30));
-    QVERIFY(m_fixture->model().inGesture());
+    QVERIFY(m_fixture->model().history().inGesture());
     QVERIFY(!findObject(m_fixture->model().session().scene, targetName));
     m_fixture->release();
     QTRY_VERIFY_WITH_TIMEOUT(findObject(m_fixture->model().session().scene, targetName), patience);
@@ -493,7 +493,7 @@ private slots:
     test::movePointer(*field, from + QPoint(80, 0), Qt::LeftButton);
     QCOMPARE(m_fixture->value("U.S").x, scrubbed);
     QTest::mouseRelease(field, Qt::LeftButton, {}, from + QPoint(80, 0));
-    QVERIFY2(bar.state().isPlaying && m_fixture->model().inGesture(), "it belongs to the flight");
+    QVERIFY2(bar.state().isPlaying && m_fixture->model().history().inGesture(), "it belongs to the flight");
   }
 
   void flight_whenTheQuestionIsOpenedAgain_ends() {
@@ -503,7 +503,7 @@ private slots:
     QVERIFY(bar.state().isPlaying);
     emit m_fixture->window.findChild<LessonPage *>()->predictionReopened();
     QVERIFY(!bar.state().isPlaying);
-    QVERIFY(!m_fixture->model().inGesture());
+    QVERIFY(!m_fixture->model().history().inGesture());
   }
 
   void automaticFire_ofASession_isGoneOnWithByItsSeed() {
@@ -512,7 +512,7 @@ private slots:
     NumberObject seed =
         objectAs<NumberObject>(*findObject(m_fixture->model().session().scene, "seed")).value();
     seed.value = 42;
-    m_fixture->model().edit(ChangeObject{"seed", seed}, "test");
+    m_fixture->model().history().edit(ChangeObject{"seed", seed}, "test");
     emit bar.automaticToggled(false);
     emit bar.automaticToggled(true);
     QCOMPARE(m_fixture->value("seed").x, Rational(42));

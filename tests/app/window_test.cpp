@@ -85,7 +85,7 @@ private slots:
     typeInto(*field, text);
     QCOMPARE(QString::fromStdString(toText(fixture.value("Q").x)), exact);
     QCOMPARE(fixture.model().history().count(), 1);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.value("Q").x == 11);
     QTRY_COMPARE(field->text(), QString("11"));
   }
@@ -190,7 +190,7 @@ private slots:
     QVERIFY(fixture.ready);
     Object ray = *findObject(fixture.model().session().scene, "L");
     coordinate(ray, 1) = ExactVec3(-2, 1, 1);
-    fixture.model().edit(ChangeObject{"L", ray}, "nearly parallel");
+    fixture.model().history().edit(ChangeObject{"L", ray}, "nearly parallel");
     QPointer<NumberField> field = fixture.field("L.r", 0);
     QTRY_COMPARE(field->text(), QString("-2"));
     const auto moveTo = [&](int x) {
@@ -207,7 +207,7 @@ private slots:
     QTest::mouseRelease(field, Qt::LeftButton, {}, {16, 8});
     QVERIFY(fixture.value("L.r") == ExactVec3(-5, 1, 1));
     QCOMPARE(fixture.model().history().count(), 2);
-    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(!fixture.model().history().inGesture());
   }
 
   void scrub_escaped_restoresTheNumber() {
@@ -250,7 +250,7 @@ private slots:
     const Session changed = fixture.model().session();
     fixture.model().openLesson("plane-implicit");
     QVERIFY(!fixture.model().history().canUndo());
-    fixture.model().undo();
+    fixture.model().history().undo();
     QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
     QVERIFY(fixture.window.isWindowModified());
     fixture.model().openLesson("signed-distance");
@@ -375,7 +375,7 @@ private slots:
         QVERIFY(view.contains(fixture.pixelOf(place)));
     }
     while (fixture.model().history().canUndo())
-      fixture.model().undo();
+      fixture.model().history().undo();
     QVERIFY(fixture.model().session() == before);
   }
 
@@ -407,7 +407,7 @@ private slots:
     const auto turn = [&](const ExactVec3 &direction) {
       Object ray = *findObject(fixture.model().session().scene, "L");
       coordinate(ray, 1) = direction;
-      fixture.model().edit(ChangeObject{"L", ray}, "turn");
+      fixture.model().history().edit(ChangeObject{"L", ray}, "turn");
       QTest::qWait(100);
     };
     QTest::qWait(100);
@@ -425,22 +425,22 @@ private slots:
     const auto isDone = [&] { return fixture.window.findChild<TaskRow *>()->state() == TaskState::Done; };
     GestureToken held = GestureToken::Nobodys;
     const auto move = [&](const ExactVec3 &place) {
-      fixture.model().moveGesture(held, ChangeObject{"Q", PointObject{place}});
+      fixture.model().history().moveGesture(held, ChangeObject{"Q", PointObject{place}});
       QTest::qWait(50);
     };
-    held = fixture.model().beginGesture("move Q");
+    held = fixture.model().history().beginGesture("move Q");
     move({5, 4, 7});
     QVERIFY(!isDone());
     move({5, 4, 6});
-    fixture.model().endGesture(held);
+    fixture.model().history().endGesture(held);
     QVERIFY(!isDone());
-    held = fixture.model().beginGesture("move Q");
+    held = fixture.model().history().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().cancelGesture(held);
+    fixture.model().history().cancelGesture(held);
     QVERIFY(!isDone());
-    held = fixture.model().beginGesture("move Q");
+    held = fixture.model().history().beginGesture("move Q");
     move({5, 4, 7});
-    fixture.model().endGesture(held);
+    fixture.model().history().endGesture(held);
     QVERIFY(isDone());
   }
 
@@ -449,7 +449,7 @@ private slots:
     QVERIFY(fixture.ready);
     const auto state = [&] { return fixture.window.findChild<TaskRow *>()->state(); };
     const auto moveP = [&](const ExactVec3 &place) {
-      QVERIFY(fixture.model().edit(ChangeObject{"P", PointObject{place}}, "move").isEmpty());
+      QVERIFY(fixture.model().history().edit(ChangeObject{"P", PointObject{place}}, "move").isEmpty());
       QTest::qWait(50);
     };
     moveP({9, 9, 9});
@@ -479,9 +479,9 @@ private slots:
       return fixture.window.findChild<PredictionBox *>()->reason()->accessibleName();
     };
     const QString before = reason();
-    QVERIFY(fixture.model().edit(ChangeObject{"Q", PointObject{{1, 1, 1}}}, "move").isEmpty());
+    QVERIFY(fixture.model().history().edit(ChangeObject{"Q", PointObject{{1, 1, 1}}}, "move").isEmpty());
     QTRY_VERIFY(reason() != before);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QTRY_COMPARE(reason(), before);
   }
 
@@ -497,7 +497,7 @@ private slots:
     QTest::mouseClick(fixture.window.findChild<QPushButton *>("there"), Qt::LeftButton);
     QCOMPARE(fixture.caseName(), std::string("parallel"));
     QVERIFY2(nearby->text().contains("lie in the plane"), qPrintable(nearby->text()));
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.model().session() == before);
   }
 
@@ -525,11 +525,11 @@ private slots:
           entries.insert(entryOf(line.id));
         for (const NearSpecialCase &near : specialCasesNear(lesson.scene, model.evaluation(), entries))
           if (near.change) {
-            QCOMPARE(model.edit(*near.change, "go there"), QString());
+            QCOMPARE(model.history().edit(*near.change, "go there"), QString());
             QVERIFY2(linesShown() == before,
                      qPrintable(QString::fromStdString(lesson.id + ": " + near.sentence)));
             QVERIFY(!fixture.window.findChild<QPushButton *>("afresh")->isVisible());
-            model.undo();
+            model.history().undo();
             ++cases;
           }
       }
@@ -555,7 +555,7 @@ private slots:
     const Scene start = fixture.model().session().scene;
     Object ray = *findObject(start, "L");
     coordinate(ray, 1) = {0, 0, 0};
-    QCOMPARE(fixture.model().edit(ChangeObject{"L", ray}, "no direction"), QString());
+    QCOMPARE(fixture.model().history().edit(ChangeObject{"L", ray}, "no direction"), QString());
     QVERIFY(afresh->isVisible());
     QTest::mouseClick(afresh, Qt::LeftButton);
     QVERIFY(fixture.model().session().scene == start);
@@ -569,7 +569,7 @@ private slots:
     number[1].x = -1;
     number[2].x = 2;
     number[3].x = Rational(1, 2);
-    QCOMPARE(fixture.model().edit(AddEntry{0, {"k", number}}, "add"), QString());
+    QCOMPARE(fixture.model().history().edit(AddEntry{0, {"k", number}}, "add"), QString());
     fixture.window.findChild<QDockWidget *>("numbersDock")->show(); // hidden, it has no rows
     auto *slider = fixture.window.findChild<Inspector *>()->findChild<QSlider *>();
     QVERIFY(slider);
@@ -579,7 +579,7 @@ private slots:
     QVERIFY((*findObject(fixture.model().session().scene, "k"))[0].x == Rational(1, 2));
     QTest::keyClick(slider, Qt::Key_End);
     QVERIFY((*findObject(fixture.model().session().scene, "k"))[0].x == 2);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QCOMPARE(slider->value(), 3);
   }
 

@@ -93,11 +93,11 @@ private slots:
     fixture.press(from);
     for (int x = 8; x <= 40; x += 8)
       fixture.drag(from + QPoint(x, 0));
-    QVERIFY(fixture.model().inGesture());
+    QVERIFY(fixture.model().history().inGesture());
     fixture.release(from + QPoint(40, 0));
     QVERIFY(fixture.value("E.n") == ExactVec3(6, 2, 2));
     QCOMPARE(fixture.model().history().count(), 1);
-    fixture.model().undo();
+    fixture.model().history().undo();
     QVERIFY(fixture.value("E.n") == ExactVec3(1, 2, 2));
   }
 
@@ -117,7 +117,7 @@ private slots:
   void scrubInAFormula_throughAZeroNormal_goesOn() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
     const QPoint from = fixture.at("distance.length", "1");
     fixture.press(from);
     fixture.drag(from - QPoint(8, 0));
@@ -131,7 +131,7 @@ private slots:
   void scrubInAField_throughAZeroNormal_goesOn() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
     NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     const QPoint from = field->rect().center();
@@ -142,7 +142,7 @@ private slots:
     QVERIFY(field->isVisible());
     LinesFixture::dragOn(*field, from - QPoint(16, 0));
     QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(16, 0));
-    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(!fixture.model().history().inGesture());
     QVERIFY(fixture.value("E.n") == ExactVec3(-1, 0, 0));
     QCOMPARE(fixture.model().history().count(), 2);
   }
@@ -150,7 +150,7 @@ private slots:
   void fieldThatIsScrubbedToAZeroNormal_goesWithItsLineAtTheEnd() {
     LinesFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
+    fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {1, 0, 0}}}, "level");
     NumberField *field = fixture.openField(fixture.at("distance.length", "1"));
     QVERIFY(field);
     const QPoint from = field->rect().center();
@@ -158,7 +158,7 @@ private slots:
     LinesFixture::dragOn(*field, from - QPoint(8, 0));
     QCOMPARE(fixture.lines().findChild<NumberField *>(), field);
     QTest::mouseRelease(field, Qt::LeftButton, {}, from - QPoint(8, 0));
-    QVERIFY(!fixture.model().inGesture());
+    QVERIFY(!fixture.model().history().inGesture());
     QVERIFY(fixture.value("E.n") == ExactVec3(0, 0, 0));
     QTRY_VERIFY(!fixture.lines().findChild<NumberField *>());
   }

@@ -90,7 +90,7 @@ public:
     m_fixture.press(from.toPoint());
     waitForQuiet();
     // Warm up, then count.
-    m_fixture.model().setSnapStep(Rational(1, 100));
+    m_fixture.model().snapping().step = Rational(1, 100);
     for (int i = 0; i < moves / 10; ++i)
       moveAndDraw(pathAt(from, to, i / (moves / 10.0)));
     m_measured = {};
@@ -100,7 +100,7 @@ public:
     m_measured.linesPainted = m_application.linesPainted;
     m_measured.paint = m_application.paint;
     burst(from, to);
-    m_fixture.model().setSnapStep(1);
+    m_fixture.model().snapping().step = 1;
     move(to);
     QTest::mouseRelease(&view(), Qt::LeftButton, {}, to.toPoint());
     waitForQuiet();

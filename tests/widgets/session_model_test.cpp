@@ -31,7 +31,7 @@ private slots:
       std::vector<Session> sessions{model.session()};
       for (int i = 0; i < editsPerSeed; ++i) {
         const Session before = model.session();
-        const QString refusal = model.edit(random.next(before.scene), "edit");
+        const QString refusal = model.history().edit(random.next(before.scene), "edit");
         if (!refusal.isEmpty())
           QVERIFY(model.session() == before);
         else if (!(model.session() == before))
@@ -39,11 +39,11 @@ private slots:
       }
       QCOMPARE(model.history().count(), static_cast<int>(sessions.size()) - 1);
       for (auto session = sessions.rbegin() + 1; session != sessions.rend(); ++session) {
-        model.undo();
+        model.history().undo();
         QVERIFY(model.session() == *session);
       }
       for (auto session = sessions.begin() + 1; session != sessions.end(); ++session) {
-        model.redo();
+        model.history().redo();
         QVERIFY(model.session() == *session);
       }
       // What came of all that is what the scene comes to anew.
@@ -57,7 +57,7 @@ private slots:
     SessionModel model(library());
     model.openLesson("signed-distance");
     model.setStep(2);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
     const Session before = model.session();
     Lesson newer = model.lesson();
     newer.steps[2].title = "Other words";
@@ -67,9 +67,9 @@ private slots:
     QCOMPARE(shown.count(), 1);
     QVERIFY(model.session() == before);
     QCOMPARE(model.step().title, std::string("Other words"));
-    model.undo(); // what was done is still there
+    model.history().undo(); // what was done is still there
     QVERIFY(!(model.session().scene == before.scene));
-    model.resetScene();
+    model.history().replaceScene(model.lesson().scene, "Start over");
     QVERIFY(model.session().scene == newer.scene);
   }
 
@@ -83,7 +83,7 @@ private slots:
     model.renewLesson(newer);
     QVERIFY(model.session().scene == newer.scene);
     QCOMPARE(model.session().step, 1);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
     newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
     model.renewLesson(newer);
     QVERIFY(model.session().scene == newer.scene);
@@ -97,11 +97,11 @@ private slots:
     const std::string title = "A title that is too long to stand within its string";
     newer.title = title;
     model.renewLesson(newer);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
-    model.setClean();
-    model.undo();
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    model.history().setClean();
+    model.history().undo();
     int looks = 0;
-    connect(&model, &SessionModel::cleanChanged, &model, [&] {
+    connect(&model.history(), &SessionHistory::cleanChanged, &model, [&] {
       ++looks;
       QCOMPARE(model.lesson().title, title);
     });
@@ -128,19 +128,19 @@ private slots:
   void gesture_settledByAnEdit_isAStepOfItsOwn() {
     SessionModel model(library());
     model.openLesson("signed-distance");
-    QSignalSpy settled(&model, &SessionModel::gestureSettled);
+    QSignalSpy settled(&model.history(), &SessionHistory::gestureSettled);
     const Session before = model.session();
-    const GestureToken held = model.beginGesture("Move Q");
-    model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
-    QCOMPARE(model.edit(RenameEntry{"Q", "S"}, "rename"), QString());
+    const GestureToken held = model.history().beginGesture("Move Q");
+    model.history().moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    QCOMPARE(model.history().edit(RenameEntry{"Q", "S"}, "rename"), QString());
     QCOMPARE(settled.count(), 1);
-    QVERIFY(!model.inGesture());
-    model.moveGesture(held, ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
+    QVERIFY(!model.history().inGesture());
+    model.history().moveGesture(held, ChangeObject{"S", PointObject{{9, 9, 9}}}); // nobody holds it any more
     QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
     QCOMPARE(model.history().text(0), std::string("Move Q"));
-    model.undo();
+    model.history().undo();
     QVERIFY(findObject(model.session().scene, "Q") != nullptr);
-    model.undo();
+    model.history().undo();
     QVERIFY(model.session().scene == before.scene);
   }
 
@@ -148,21 +148,21 @@ private slots:
     SessionModel model(library());
     model.openLesson("signed-distance");
     const auto place = [&] { return findObject(model.session().scene, "Q")->operator[](0); };
-    const GestureToken scrub = model.beginGesture("Scrub");
-    model.moveGesture(scrub, ChangeObject{"Q", PointObject{{1, 2, 3}}});
-    const GestureToken flight = model.beginGesture("Fly");
-    model.moveGesture(scrub, ChangeObject{"Q", PointObject{{9, 9, 9}}});
+    const GestureToken scrub = model.history().beginGesture("Scrub");
+    model.history().moveGesture(scrub, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    const GestureToken flight = model.history().beginGesture("Fly");
+    model.history().moveGesture(scrub, ChangeObject{"Q", PointObject{{9, 9, 9}}});
     QVERIFY(place() == ExactVec3(1, 2, 3));
-    model.endGesture(scrub);
-    model.cancelGesture(scrub);
-    QVERIFY(model.isHeldBy(flight) && !model.isHeldBy(scrub));
-    model.moveGesture(flight, ChangeObject{"Q", PointObject{{4, 5, 6}}});
-    model.endGesture(flight);
+    model.history().endGesture(scrub);
+    model.history().cancelGesture(scrub);
+    QVERIFY(model.history().isHeldBy(flight) && !model.history().isHeldBy(scrub));
+    model.history().moveGesture(flight, ChangeObject{"Q", PointObject{{4, 5, 6}}});
+    model.history().endGesture(flight);
     QCOMPARE(model.history().count(), 2);
     QCOMPARE(model.history().text(0), std::string("Scrub"));
-    model.undo();
+    model.history().undo();
     QVERIFY(place() == ExactVec3(1, 2, 3));
-    model.moveGesture(GestureToken::Nobodys, ChangeObject{"Q", PointObject{{9, 9, 9}}});
+    model.history().moveGesture(GestureToken::Nobodys, ChangeObject{"Q", PointObject{{9, 9, 9}}});
     QVERIFY2(place() == ExactVec3(1, 2, 3), "nobody holds anything");
   }
 
@@ -170,29 +170,30 @@ private slots:
     SessionModel model(library());
     model.openLesson("signed-distance");
     const Scene before = model.session().scene;
-    QCOMPARE(model.editTogether({RenameEntry{"Q", "S"}, ChangeObject{"S", PointObject{{1, 2, 3}}}}, "both"),
+    QCOMPARE(model.history().editTogether({RenameEntry{"Q", "S"}, ChangeObject{"S", PointObject{{1, 2, 3}}}},
+                                          "both"),
              QString());
     QCOMPARE(model.history().count(), 1);
     QVERIFY(findObject(model.session().scene, "S")->operator[](0) == ExactVec3(1, 2, 3));
-    model.undo();
+    model.history().undo();
     QVERIFY(model.session().scene == before);
-    QVERIFY(!model.editTogether({RenameEntry{"Q", "S"}, RemoveEntry{"Q"}}, "refused").isEmpty());
+    QVERIFY(!model.history().editTogether({RenameEntry{"Q", "S"}, RemoveEntry{"Q"}}, "refused").isEmpty());
     QVERIFY(model.session().scene == before);
   }
 
   void gesture_tellsWhichObjectsItHasMoved_andThatItBeginsAndEnds() {
     SessionModel model(library());
     model.openLesson("signed-distance");
-    QSignalSpy changed(&model, &SessionModel::gestureChanged);
+    QSignalSpy changed(&model.history(), &SessionHistory::gestureChanged);
     for (const bool keep : {true, false}) {
-      const GestureToken held = model.beginGesture("Move Q");
+      const GestureToken held = model.history().beginGesture("Move Q");
       QVERIFY(model.history().movedByGesture().empty());
-      model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
+      model.history().moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, keep ? 3 : 4}}});
       QVERIFY(model.history().movedByGesture() == std::vector<std::string>{"Q"});
       if (keep)
-        model.endGesture(held);
+        model.history().endGesture(held);
       else
-        model.cancelGesture(held);
+        model.history().cancelGesture(held);
       QVERIFY(model.history().movedByGesture().empty());
     }
     QCOMPARE(changed.count(), 4);
@@ -205,31 +206,31 @@ private slots:
     QVERIFY(start.entries.find("E") == model.lesson().scene.entries.find("E"));
     const Figure before = model.shown().figure;
     QVERIFY(findMark(before, "E.n") == findMark(model.figure(), "E.n"));
-    const GestureToken held = model.beginGesture("Move Q");
-    model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+    const GestureToken held = model.history().beginGesture("Move Q");
+    model.history().moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
     QVERIFY(model.session().scene.entries.find("E") == start.entries.find("E"));
     QVERIFY(model.session().scene.entries.find("Q") != start.entries.find("Q"));
     QVERIFY(model.evaluation().scene.entries.find("Q") == model.session().scene.entries.find("Q"));
     const Figure &after = model.shown().figure;
     QVERIFY(findMark(after, "E.n") == findMark(before, "E.n"));
     QVERIFY(findMark(after, "Q") != findMark(before, "Q"));
-    model.cancelGesture(held);
+    model.history().cancelGesture(held);
     QVERIFY(model.session().scene.entries.find("Q") == start.entries.find("Q"));
   }
 
   void history_isToldOnceForEachChange_thoughItOnlyForgets() {
     SessionModel model(library());
     model.openLesson("signed-distance");
-    QSignalSpy told(&model, &SessionModel::historyChanged);
-    QSignalSpy clean(&model, &SessionModel::cleanChanged);
-    model.setClean();
+    QSignalSpy told(&model.history(), &SessionHistory::stepsChanged);
+    QSignalSpy clean(&model.history(), &SessionHistory::cleanChanged);
+    model.history().setClean();
     QCOMPARE(clean.count(), 1);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
     QCOMPARE(told.count(), 1);
     QCOMPARE(clean.count(), 2);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "nothing new");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "nothing new");
     QCOMPARE(told.count(), 1);
-    model.undo();
+    model.history().undo();
     QCOMPARE(told.count(), 2);
     QCOMPARE(clean.count(), 3);
     QVERIFY(model.history().canRedo());
@@ -250,18 +251,18 @@ private slots:
     QCOMPARE(model.history().count(), 0);
     QVERIFY(changed.isEmpty());
     QVERIFY(!model.isChanged());
-    QCOMPARE(model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move"), QString());
+    QCOMPARE(model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move"), QString());
     model.setView(second);
-    model.undo();
+    model.history().undo();
     QVERIFY(model.session().view == second);
-    model.redo();
+    model.history().redo();
     QVERIFY(model.session().view == second);
-    const GestureToken held = model.beginGesture("Move Q");
-    model.moveGesture(held, ChangeObject{"Q", PointObject{{7, 7, 7}}});
+    const GestureToken held = model.history().beginGesture("Move Q");
+    model.history().moveGesture(held, ChangeObject{"Q", PointObject{{7, 7, 7}}});
     model.setView(first);
-    model.cancelGesture(held);
+    model.history().cancelGesture(held);
     QVERIFY(model.session().view == first);
-    model.resetScene();
+    model.history().replaceScene(model.lesson().scene, "Start over");
     QVERIFY(model.session().view == first);
   }
 
@@ -269,7 +270,7 @@ private slots:
     SessionModel model(library());
     const ChosenView mine{{{1, 2, 3}, {0, 0, 0}, 9}, true};
     model.openLesson("signed-distance");
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
     model.setView(mine);
     model.openLesson("plane-implicit");
     QVERIFY(!model.session().view);
@@ -292,7 +293,7 @@ private slots:
     QVERIFY(!hasResults());
     QVERIFY(!model.shown().figure.marks.empty());
     QCOMPARE(changed.count(), 1);
-    model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
+    model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "move");
     QVERIFY(!hasResults());
     model.setQuestion(Question::Answered);
     QVERIFY(hasResults());
@@ -303,17 +304,18 @@ private slots:
     model.openLesson("signed-distance");
     std::vector<bool> told;
     GestureToken held = GestureToken::Nobodys;
-    connect(&model, &SessionModel::gestureChanged, this, [&] { told.push_back(model.inGesture()); });
+    connect(&model.history(), &SessionHistory::gestureChanged, this,
+            [&] { told.push_back(model.history().inGesture()); });
     const std::vector<std::function<void()>> ends{
-        [&] { model.endGesture(held); }, [&] { model.cancelGesture(held); },
+        [&] { model.history().endGesture(held); }, [&] { model.history().cancelGesture(held); },
         [&] {
-          model.edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed");
+          model.history().edit(ChangeObject{"Q", PointObject{{4, 5, 6}}}, "typed");
         },
-        [&] { model.undo(); }, [&] { model.startWith(model.session()); }};
+        [&] { model.history().undo(); }, [&] { model.startWith(model.session()); }};
     for (const auto &end : ends) {
       told.clear();
-      held = model.beginGesture("Move Q");
-      model.moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
+      held = model.history().beginGesture("Move Q");
+      model.history().moveGesture(held, ChangeObject{"Q", PointObject{{1, 2, 3}}});
       end();
       QVERIFY(told == (std::vector{true, false}));
     }
@@ -321,13 +323,13 @@ private slots:
 
   void gesture_thatALessonIsOpenedIn_isLetGo() {
     SessionModel model(library());
-    QSignalSpy settled(&model, &SessionModel::gestureSettled);
-    QSignalSpy changed(&model, &SessionModel::gestureChanged);
-    static_cast<void>(model.beginGesture("Move Q"));
+    QSignalSpy settled(&model.history(), &SessionHistory::gestureSettled);
+    QSignalSpy changed(&model.history(), &SessionHistory::gestureChanged);
+    static_cast<void>(model.history().beginGesture("Move Q"));
     model.startWith({"signed-distance", 0, model.library().find("signed-distance")->scene});
     QCOMPARE(settled.count(), 1);
     QCOMPARE(changed.count(), 2);
-    QVERIFY(!model.inGesture());
+    QVERIFY(!model.history().inGesture());
     QCOMPARE(model.history().count(), 0);
   }
 };

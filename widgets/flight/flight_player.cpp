@@ -19,8 +19,8 @@ FlightPlayer::FlightPlayer(SessionModel &model, QObject *parent)
     : QObject(parent), m_model(model), m_timer(this) {
   m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &FlightPlayer::tick);
-  connect(&model, &SessionModel::gestureChanged, this, [this] {
-    if (!m_model.inGesture())
+  connect(&model.history(), &SessionHistory::gestureChanged, this, [this] {
+    if (!m_model.history().inGesture())
       stop();
   });
   connect(&model, &SessionModel::lessonChanged, this, [this] { m_seed.reset(); });
@@ -86,7 +86,7 @@ void FlightPlayer::play(bool on) {
   if (on == m_isPlaying)
     return;
   if (!on)
-    return m_model.endGesture(m_gesture); // which stops it
+    return m_model.history().endGesture(m_gesture); // which stops it
   auto now = flight();
   if (!now)
     return;
@@ -94,14 +94,14 @@ void FlightPlayer::play(bool on) {
 }
 
 void FlightPlayer::playFrom(const SceneFlight &flight, const Rational &frame) {
-  m_gesture = m_model.beginGesture(tr("Fly"));
+  m_gesture = m_model.history().beginGesture(tr("Fly"));
   goOnFrom(flight, frame);
 }
 
 /// In a gesture that has begun.
 void FlightPlayer::goOnFrom(const SceneFlight &flight, const Rational &frame) {
   m_from = frame;
-  m_model.moveGesture(m_gesture, flight.toFrame(frame));
+  m_model.history().moveGesture(m_gesture, flight.toFrame(frame));
   m_isPlaying = true;
   m_clock.start();
   m_timer.start(m_reducedMotion ? stillInterval : tickInterval);
@@ -124,7 +124,7 @@ void FlightPlayer::tick() {
                                          : roundToMultiple(seconds * m_speed * framesPerSecond, frameStep);
   const Rational frame = m_from + flown;
   const Rational last = now->lastFrame(m_model.evaluation());
-  m_model.moveGesture(m_gesture, now->toFrame(std::min(frame, last)));
+  m_model.history().moveGesture(m_gesture, now->toFrame(std::min(frame, last)));
   if (frame < last)
     return;
   if (!now->firesByItself())
@@ -135,8 +135,8 @@ void FlightPlayer::tick() {
 void FlightPlayer::step(int direction) {
   play(false);
   if (const auto now = flight())
-    m_model.edit(now->toFrame(now->frame.value + direction * (m_reducedMotion ? framesPerStill : 1)),
-                 tr("Step"));
+    m_model.history().edit(
+        now->toFrame(now->frame.value + direction * (m_reducedMotion ? framesPerStill : 1)), tr("Step"));
 }
 
 void FlightPlayer::setAutomatic(bool on) {
@@ -153,14 +153,14 @@ void FlightPlayer::fireBySeed(int seed) {
   begin(*now, seed, seed != 0 ? tr("Fire by itself") : tr("Fire by hand"));
   if (seed != 0)
     return goOnFrom(*now, 0);
-  m_model.endGesture(m_gesture);
+  m_model.history().endGesture(m_gesture);
 }
 
 /// A gesture that begins at the start, with this seed.
 void FlightPlayer::begin(const SceneFlight &flight, int seed, const QString &description) {
-  m_gesture = m_model.beginGesture(description);
-  m_model.moveGesture(m_gesture, flight.toSeed(seed));
-  m_model.moveGesture(m_gesture, flight.toFrame(0));
+  m_gesture = m_model.history().beginGesture(description);
+  m_model.history().moveGesture(m_gesture, flight.toSeed(seed));
+  m_model.history().moveGesture(m_gesture, flight.toFrame(0));
 }
 
 /// A step without the controls has none to bring the saucer back to where it starts, or to end what fires by
@@ -175,7 +175,7 @@ void FlightPlayer::followStep() {
   if (!left || (!left->firesByItself() && left->frame.value == 0))
     return;
   begin(*left, 0, tr("Back to the start"));
-  m_model.endGesture(m_gesture);
+  m_model.history().endGesture(m_gesture);
 }
 
 void FlightPlayer::setSeed(int seed) {
@@ -197,7 +197,7 @@ void FlightPlayer::beginScrub() {
   play(false);
   if (!flight())
     return;
-  m_gesture = m_model.beginGesture(tr("Fly"));
+  m_gesture = m_model.history().beginGesture(tr("Fly"));
   m_isScrubbing = true;
 }
 
@@ -205,16 +205,16 @@ void FlightPlayer::endScrub(bool keep) {
   if (!std::exchange(m_isScrubbing, false))
     return;
   if (keep)
-    m_model.endGesture(m_gesture);
+    m_model.history().endGesture(m_gesture);
   else
-    m_model.cancelGesture(m_gesture);
+    m_model.history().cancelGesture(m_gesture);
 }
 
 void FlightPlayer::scrub(double t) {
   const auto now = flight();
   if (!now || !m_isScrubbing)
     return;
-  m_model.moveGesture(m_gesture, now->toFrame(now->frameAt(t, m_model.evaluation())));
+  m_model.history().moveGesture(m_gesture, now->toFrame(now->frameAt(t, m_model.evaluation())));
 }
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 #include "widgets/lesson/lesson_page.h"
 
+#include "lessons/lesson/nearest_step.h"
 #include "widgets/colors.h"
 #include "widgets/working/working_practice.h"
 
@@ -26,11 +27,6 @@ std::filesystem::path folderOf(const Lesson &lesson) {
   std::error_code error;
   return lesson.file.empty() ? std::filesystem::path()
                              : std::filesystem::absolute(lesson.file, error).parent_path();
-}
-
-/// The step that is nearest to a number; the first where there are none.
-int nearestStep(const Lesson &lesson, int step) {
-  return std::clamp(step, 0, std::max(0, static_cast<int>(lesson.steps.size()) - 1));
 }
 
 } // namespace

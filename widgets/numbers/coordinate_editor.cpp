@@ -19,7 +19,7 @@ Rational stepOfNumber(const Object &object, const Rational &otherwise) {
 
 void CoordinateEditor::change(const CoordinateNumber &number, const Rational &value) {
   if (const auto edit = editOf(number, value))
-    m_model.edit(*edit, nameOfChange(number));
+    m_model.history().edit(*edit, nameOfChange(number));
 }
 
 void CoordinateEditor::step(const CoordinateNumber &number, int steps) {
@@ -30,21 +30,21 @@ void CoordinateEditor::beginScrub(const CoordinateNumber &number) {
   m_scrubbed = number;
   m_scrubStart = valueOf(number);
   m_scrubStep = stepOf(number.id);
-  m_gesture = m_model.beginGesture(nameOfChange(number));
+  m_gesture = m_model.history().beginGesture(nameOfChange(number));
 }
 
 void CoordinateEditor::scrub(int steps) {
-  if (!m_model.isHeldBy(m_gesture))
+  if (!m_model.history().isHeldBy(m_gesture))
     return; // another gesture has begun, or another lesson was opened
   if (const auto edit = editOf(m_scrubbed, m_scrubStart + m_scrubStep * steps))
-    m_model.moveGesture(m_gesture, *edit);
+    m_model.history().moveGesture(m_gesture, *edit);
 }
 
 void CoordinateEditor::endScrub(bool keep) {
   if (keep)
-    m_model.endGesture(m_gesture);
+    m_model.history().endGesture(m_gesture);
   else
-    m_model.cancelGesture(m_gesture);
+    m_model.history().cancelGesture(m_gesture);
 }
 
 Rational CoordinateEditor::valueOf(const CoordinateNumber &number) const {
@@ -65,19 +65,19 @@ std::optional<ChangeObject> CoordinateEditor::editOf(const CoordinateNumber &num
 Rational CoordinateEditor::stepOf(const CoordinateId &id) const {
   const Object *object = findObject(m_model.session().scene, id.object);
   if (!object)
-    return m_model.snapStep();
+    return m_model.snapping().step;
   switch (coordinatesOf(*object)[id.index].role) {
   case CoordinateRole::Position:
   case CoordinateRole::Length:
-    return m_model.snapStep() * m_model.stage().unit();
+    return m_model.snapping().step * m_model.stage().unit();
   case CoordinateRole::Number:
-    return stepOfNumber(*object, m_model.snapStep());
+    return stepOfNumber(*object, m_model.snapping().step);
   case CoordinateRole::Direction:
     break;
   }
   const ExactVec3 &direction = coordinate(*object, id.index);
   const Rational longest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
-  return m_model.snapStep() * powerOfTen(suitingExponent(toDouble(longest)));
+  return m_model.snapping().step * powerOfTen(suitingExponent(toDouble(longest)));
 }
 
 QString CoordinateEditor::nameOfChange(const CoordinateNumber &number) const {

@@ -20,7 +20,7 @@ void DrawnFigure::takeOutcome(bool moving) {
     m_extents.release(false); // they are in units of the stage before
   }
   Extents before = extentsOf(drawnFigure());
-  if (m_model.inGesture())
+  if (m_model.history().inGesture())
     holdExtents();
   m_figure = toStage(m_model.shown().figure, m_stage);
   glideFrom(std::move(before), moving);
@@ -39,14 +39,14 @@ void DrawnFigure::holdExtents() {
 }
 
 void DrawnFigure::glideFrom(Extents before, bool moving) {
-  if (m_model.inGesture() || before == extentsOf(m_figure))
+  if (m_model.history().inGesture() || before == extentsOf(m_figure))
     return;
   m_extents.hold(std::move(before));
   m_extents.release(moving);
 }
 
 void DrawnFigure::takeGesture(bool moving) {
-  if (!m_model.inGesture())
+  if (!m_model.history().inGesture())
     return m_extents.release(moving);
   if (m_fade.arrival().marks.empty())
     return;

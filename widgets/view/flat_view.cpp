@@ -47,8 +47,8 @@ FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *p
     emit sizeChanged();
   });
   connect(&m_model, &SessionModel::outcomeChanged, this, &FlatView::takeOutcome);
-  connect(&m_model, &SessionModel::gestureChanged, this, &FlatView::takeOutcome);
-  connect(&m_model, &SessionModel::gestureSettled, this, &FlatView::letGo);
+  connect(&m_model.history(), &SessionHistory::gestureChanged, this, &FlatView::takeOutcome);
+  connect(&m_model.history(), &SessionHistory::gestureSettled, this, &FlatView::letGo);
   takeOutcome();
 }
 
@@ -82,7 +82,7 @@ bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameW
 void FlatView::takeOutcome() {
   const auto &flat = m_model.lesson().flat;
   const bool hadPicture = hasPicture();
-  if (m_model.isHeldBy(m_held))
+  if (m_model.history().isHeldBy(m_held))
     m_frame = m_drag->frame(); // the page keeps still under the hand
   else
     m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
@@ -97,7 +97,7 @@ void FlatView::takeOutcome() {
   m_content.figure = laidFlat(toStage(m_model.shown().figure, stage), *m_frame);
   describe();
   // What is held must not jump under the hand.
-  if (!m_drag && (!m_model.inGesture() || !showsAll(m_whole, m_view)))
+  if (!m_drag && (!m_model.history().inGesture() || !showsAll(m_whole, m_view)))
     takeView();
   update();
 }
@@ -157,10 +157,10 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
   const auto handle = handleAt(at);
   if (!handle)
     return;
-  const GestureToken held =
-      m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
+  const GestureToken held = m_model.history().beginGesture(
+      QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
   m_drag.emplace(stagedScene(m_model, m_content.stage), *handle, *m_frame, glm::dvec2(at.x(), at.y()),
-                 m_model.askedOf(*handle));
+                 askedOf(m_model, *handle));
   m_held = held;
   grabKeyboard();
   setCursor(Qt::ClosedHandCursor);
@@ -170,14 +170,14 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
 void FlatView::mouseReleaseEvent(QMouseEvent *event) {
   if (!m_drag || event->button() != Qt::LeftButton)
     return;
-  m_model.endGesture(m_held);
+  m_model.history().endGesture(m_held);
   letGo();
 }
 
 void FlatView::keyPressEvent(QKeyEvent *event) {
   if (!m_drag || event->key() != Qt::Key_Escape)
     return QFrame::keyPressEvent(event);
-  m_model.cancelGesture(m_held);
+  m_model.history().cancelGesture(m_held);
   letGo();
 }
 
@@ -196,10 +196,12 @@ void FlatView::mouseMoveEvent(QMouseEvent *event) {
     return;
   const QPointF at = mousePlace(*event);
   if (m_drag) {
-    const bool isFree = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.isSnapping();
-    if (const auto move = m_drag->moveTo({at.x(), at.y()}, isFree ? finestStep : m_model.snapStep(), m_view))
-      m_model.moveGesture(m_held,
-                          ChangeObject{m_drag->handle().object, fromStage(move->object, m_content.stage)});
+    const bool isFree =
+        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
+    if (const auto move =
+            m_drag->moveTo({at.x(), at.y()}, isFree ? finestStep : m_model.snapping().step, m_view))
+      m_model.history().moveGesture(
+          m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_content.stage)});
     return;
   }
   if (handleAt(at))

@@ -21,7 +21,7 @@ int cornerCount(const Object &object) { return static_cast<int>(cornersOf(object
 } // namespace
 
 bool HandleEdits::change(const std::string &object, const Object &changed, const QString &description) {
-  const QString refusal = m_model.edit(ChangeObject{object, changed}, description);
+  const QString refusal = m_model.history().edit(ChangeObject{object, changed}, description);
   if (!refusal.isEmpty())
     emit refused(refusal);
   return refusal.isEmpty();
@@ -31,7 +31,7 @@ bool HandleEdits::step(int key, Qt::KeyboardModifiers modifiers) {
   const HandleSelection &selection = m_handles.selection();
   const Handle *handle = selection.selected();
   const auto place = handle ? steppedPlace(*handle, selection.isVertical() ? verticalKey(key) : key,
-                                           modifiers, m_model.snapStep(), m_viewpoint.camera())
+                                           modifiers, m_model.snapping().step, m_viewpoint.camera())
                             : std::nullopt;
   if (!place)
     return false;

@@ -10,8 +10,9 @@ namespace halfspace {
 
 void HandleHold::begin(const Handle &handle, DragMode mode, glm::dvec2 pixel) {
   // First: where a gesture from elsewhere ends by this, all is let go of.
-  m_token = m_model.beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, handle)));
-  m_drag.emplace(stagedScene(m_model, m_model.stage()), handle, mode, pixel, m_model.askedOf(handle));
+  m_token =
+      m_model.history().beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, handle)));
+  m_drag.emplace(stagedScene(m_model, m_model.stage()), handle, mode, pixel, askedOf(m_model, handle));
 }
 
 std::optional<DragMode> HandleHold::mode() const {
@@ -42,12 +43,12 @@ void HandleHold::follow(const View &view) {
   if (!m_drag || !std::exchange(m_isPending, false))
     return;
   emit aboutToMove();
-  const bool isFree = m_isSuspended || !m_model.isSnapping();
-  const auto move = m_drag->moveTo(*m_pointer, isFree ? finestStep : m_model.snapStep(), view);
+  const bool isFree = m_isSuspended || !m_model.snapping().isOn;
+  const auto move = m_drag->moveTo(*m_pointer, isFree ? finestStep : m_model.snapping().step, view);
   if (!move)
     return;
-  m_model.moveGesture(m_token,
-                      ChangeObject{m_drag->handle().object, fromStage(move->object, m_model.stage())});
+  m_model.history().moveGesture(
+      m_token, ChangeObject{m_drag->handle().object, fromStage(move->object, m_model.stage())});
   emit moved();
   setCaught(move->caught);
 }
@@ -60,9 +61,9 @@ void HandleHold::setCaught(const std::string &caught) {
 void HandleHold::end(bool stays) {
   if (stays) {
     ++m_dragCount;
-    m_model.endGesture(m_token);
+    m_model.history().endGesture(m_token);
   } else {
-    m_model.cancelGesture(m_token);
+    m_model.history().cancelGesture(m_token);
   }
 }
 

@@ -35,7 +35,7 @@ void SceneHandles::takeOutcome() {
   const std::vector<Handle> before = m_selection.handles();
   takeHandles();
   // The view stays where it is when a position is typed out of it; the hint then tells the way there.
-  if (!m_model.inGesture())
+  if (!m_model.history().inGesture())
     m_viewpoint.noticeTyped(movedPositions(before, m_selection.handles()));
   emit selectionChanged();
   emit changed();

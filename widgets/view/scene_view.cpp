@@ -23,8 +23,9 @@ SceneView::SceneView(SessionModel &model, const Typesetter &typesetter, QWidget 
 void SceneView::followModel() {
   connect(&m_model, &SessionModel::lessonChanged, this, &SceneView::takeLesson);
   connect(&m_model, &SessionModel::outcomeChanged, this, &SceneView::takeOutcome);
-  connect(&m_model, &SessionModel::gestureSettled, &m_input, &SceneInput::letGo);
-  connect(&m_model, &SessionModel::gestureChanged, &m_drawn, [this] { m_drawn.takeGesture(moves()); });
+  connect(&m_model.history(), &SessionHistory::gestureSettled, &m_input, &SceneInput::letGo);
+  connect(&m_model.history(), &SessionHistory::gestureChanged, &m_drawn,
+          [this] { m_drawn.takeGesture(moves()); });
   connect(&m_model, &SessionModel::sceneReplaced, &m_viewpoint, &Viewpoint::showAnother);
 }
 
@@ -144,7 +145,7 @@ void SceneView::takeOutcome() {
   m_viewpoint.takeStage();
   m_drawn.takeOutcome(moves());
   m_handles.takeOutcome();
-  m_drawing.takeOutcome(m_model.inGesture());
+  m_drawing.takeOutcome(m_model.history().inGesture());
 }
 
 void SceneView::showNew() {

@@ -130,14 +130,14 @@ void Viewpoint::setCovered(std::vector<PixelBox> covered) {
   if (covered == m_covered)
     return;
   m_covered = std::move(covered);
-  if (m_isAtHome && !m_model.inGesture())
+  if (m_isAtHome && !m_model.history().inGesture())
     showAll();
   emit changed();
 }
 
 void Viewpoint::takeScreen() {
   const PixelSize size = m_screen().size;
-  if (m_isAtHome && !m_model.inGesture()) { // what is held would slip from under the hand
+  if (m_isAtHome && !m_model.history().inGesture()) { // what is held would slip from under the hand
     m_resized.setSize(size);
     showAll();
   } else {

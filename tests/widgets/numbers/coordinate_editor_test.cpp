@@ -56,7 +56,7 @@ private slots:
     QVERIFY(valueOf(*m_model, q0) == expected);
     QCOMPARE(m_model->history().count(), 1);
     QCOMPARE(m_model->history().undoText().value(), std::string("Move Q"));
-    m_model->undo();
+    m_model->history().undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }
 
@@ -103,7 +103,7 @@ private slots:
     QFETCH(QString, snap);
     QFETCH(int, steps);
     QFETCH(QString, moved);
-    m_model->setSnapStep(*parseTyped(snap, QLocale::c()));
+    m_model->snapping().step = *parseTyped(snap, QLocale::c());
     m_editor->step({q0, 0}, steps);
     QVERIFY(valueOf(*m_model, q0) == ExactVec3(11 + *parseTyped(moved, QLocale::c()), 15, 8));
     QCOMPARE(m_model->history().count(), steps == 0 ? 0 : 1);
@@ -142,7 +142,7 @@ private slots:
     m_editor->step({{"k", 0}, 0}, 3);
     QVERIFY(valueOf(*m_model, {"k", 0}).x == q(11, 4));
     start(*m_model, {{numberK(0)}});
-    m_model->setSnapStep(q(1, 2));
+    m_model->snapping().step = q(1, 2);
     m_editor->step({{"k", 0}, 0}, 3);
     QVERIFY(valueOf(*m_model, {"k", 0}).x == q(7, 2));
   }
@@ -155,7 +155,7 @@ private slots:
     m_editor->endScrub(true);
     QCOMPARE(m_model->history().count(), 1);
     QCOMPARE(m_model->history().undoText().value(), std::string("Move Q"));
-    m_model->undo();
+    m_model->history().undo();
     QVERIFY(m_model->session().scene == test::distanceScene());
   }
 

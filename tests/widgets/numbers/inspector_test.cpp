@@ -107,7 +107,7 @@ private slots:
     ShownInspector shown(distanceScene());
     QVERIFY(shown.ready);
     shown.inspector.hide();
-    shown.model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
+    shown.model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
     const auto &values = shown.model.evaluation().find("distance")->outcome->values;
     QVERIFY(!values.isMade());
     QCOMPARE(shown.field("Q", 0).text(), QString("11"));
@@ -200,7 +200,8 @@ private slots:
     QVERIFY(shown.ready);
     const int before = shown.inspector.findChildren<NamedValueRow *>().size();
     const QPointer<NumberField> field = &shown.field("L.r", 0);
-    QCOMPARE(shown.model.edit(ChangeObject{"L", RayObject{{11, 15, 8}, {-4, 1, 1}}}, "parallel"), QString());
+    QCOMPARE(shown.model.history().edit(ChangeObject{"L", RayObject{{11, 15, 8}, {-4, 1, 1}}}, "parallel"),
+             QString());
     QTRY_VERIFY(shown.inspector.findChildren<NamedValueRow *>().size() != before);
     QCOMPARE(field.data(), &shown.field("L.r", 0));
     QCOMPARE(field->text(), QString("-4"));
@@ -208,12 +209,13 @@ private slots:
 
   void rows_whenAnObjectOfAnotherKindTakesTheName_areMadeAnew() {
     ShownInspector shown(sphereScene());
-    QVERIFY(shown.model.edit(RemoveEntry{"S"}, "remove").isEmpty());
+    QVERIFY(shown.model.history().edit(RemoveEntry{"S"}, "remove").isEmpty());
     QVERIFY(!shown.inspector.given().field("S.R", 0));
-    QVERIFY(shown.model.edit(AddEntry{0, {"S", PlaneObject{{1, 2, 3}, {0, 0, 1}}}}, "add").isEmpty());
+    QVERIFY(
+        shown.model.history().edit(AddEntry{0, {"S", PlaneObject{{1, 2, 3}, {0, 0, 1}}}}, "add").isEmpty());
     QCOMPARE(shown.field("S.P0", 1).text(), QString("2"));
-    shown.model.undo();
-    shown.model.undo();
+    shown.model.history().undo();
+    shown.model.history().undo();
     QCOMPARE(shown.field("S.R", 0).text(), QString("3"));
   }
 
@@ -251,7 +253,7 @@ private slots:
   void arrowKey_inAPosition_movesByTheSnappingStep() {
     ShownInspector shown(distanceScene());
     QVERIFY(shown.ready);
-    shown.model.setSnapStep(Rational(1, 4));
+    shown.model.snapping().step = Rational(1, 4);
     shown.field("Q", 2).setFocus();
     QTest::keyClick(&shown.field("Q", 2), Qt::Key_Down);
     QVERIFY(shown.value("Q") == ExactVec3(11, 15, q(31, 4)));
@@ -300,11 +302,11 @@ private slots:
     slider->setSliderDown(true);
     for (const int position : {3, 1, 0})
       slider->setSliderPosition(position);
-    QVERIFY(shown.model.inGesture());
+    QVERIFY(shown.model.history().inGesture());
     slider->setSliderDown(false);
     QVERIFY(shown.value("k").x == -1);
     QCOMPARE(shown.model.history().count(), 1);
-    shown.model.undo();
+    shown.model.history().undo();
     QCOMPARE(slider->value(), 4);
   }
 
@@ -318,7 +320,7 @@ private slots:
     ShownInspector shown(sceneWithNumber({2, -1, 2, q(1, 2)}));
     auto *slider = shown.inspector.findChild<QSlider *>();
     QCOMPARE(slider->value(), 6);
-    QCOMPARE(shown.model.edit(ChangeObject{"k", NumberObject{1, 0, 5, 1}}, "bounds"), QString());
+    QCOMPARE(shown.model.history().edit(ChangeObject{"k", NumberObject{1, 0, 5, 1}}, "bounds"), QString());
     QCOMPARE(slider->maximum(), 5);
     QCOMPARE(slider->value(), 1);
     QVERIFY(shown.value("k").x == 1); // showing it moved nothing

@@ -104,7 +104,7 @@ private slots:
     QTest::keyClick(shown.card.given().field("Q", 0), Qt::Key_Return);
     QVERIFY(shown.value("Q") == ExactVec3(q(-10, 3), 15, 8));
     QCOMPARE(shown.model.history().count(), 1);
-    shown.model.undo();
+    shown.model.history().undo();
     QCOMPARE(shown.card.given().field("Q", 0)->text(), QString("11"));
   }
 
@@ -149,9 +149,9 @@ private slots:
   void objectThatGoes_takesItsNumbersAlong_andBringsThemBack() {
     ShownCard shown({{pointQ(), planeE()}});
     shown.card.setSelection(q0);
-    QVERIFY(shown.model.edit(RemoveEntry{"Q"}, "remove").isEmpty());
+    QVERIFY(shown.model.history().edit(RemoveEntry{"Q"}, "remove").isEmpty());
     QCOMPARE(shown.fields(), QStringList());
-    shown.model.undo();
+    shown.model.history().undo();
     QCOMPARE(shown.fields(), (QStringList{"Q x", "Q y", "Q z"}));
   }
 
@@ -159,7 +159,7 @@ private slots:
     ShownCard shown;
     shown.card.setSelection(q0);
     const NumberField *field = shown.card.given().field("Q", 0);
-    QVERIFY(shown.model.edit(ChangeObject{"Q", PointObject{{q(1, 3), 0, 0}}}, "drag").isEmpty());
+    QVERIFY(shown.model.history().edit(ChangeObject{"Q", PointObject{{q(1, 3), 0, 0}}}, "drag").isEmpty());
     QCOMPARE(shown.card.given().field("Q", 0), field);
     QCOMPARE(field->text(), QString("1/3"));
   }

@@ -68,12 +68,12 @@ private slots:
     const glm::dvec2 start = fixture.pixelOf("L.Q");
     const glm::dvec2 plane = fixture.pixelOf("G.P0");
     const View before = fixture.flat.view();
-    const GestureToken held = fixture.model.beginGesture("drag");
-    fixture.model.moveGesture(held, ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
+    const GestureToken held = fixture.model.history().beginGesture("drag");
+    fixture.model.history().moveGesture(held, ChangeObject{"L", RayObject{{5, 0, 3}, {3, 0, 3}}});
     QVERIFY(fixture.pixelOf("L.Q") != start);
     QVERIFY(fixture.flat.view() == before);
     QVERIFY(fixture.pixelOf("G.P0") == plane);
-    fixture.model.cancelGesture(held);
+    fixture.model.history().cancelGesture(held);
     QVERIFY(fixture.pixelOf("L.Q") == start);
   }
 
@@ -95,7 +95,7 @@ private slots:
     const ExactVec3 place = start();
     QVERIFY(place.x.denominator() == 1 || place.y.denominator() == 1 || place.z.denominator() == 1);
     QCOMPARE(fixture.model.history().count(), 1);
-    fixture.model.undo();
+    fixture.model.history().undo();
     QVERIFY(start() == before);
   }
 
@@ -125,9 +125,9 @@ private slots:
 
   void zeroNormal_hasNoPicture_untilItIsOneAgain() {
     FlatFixture fixture;
-    fixture.model.edit(ChangeObject{"G", PlaneObject{{1, 7, 6}, ExactVec3(0)}}, "zero");
+    fixture.model.history().edit(ChangeObject{"G", PlaneObject{{1, 7, 6}, ExactVec3(0)}}, "zero");
     QVERIFY(!fixture.flat.hasPicture() && !fixture.flat.isVisible());
-    fixture.model.undo();
+    fixture.model.history().undo();
     QVERIFY(fixture.flat.hasPicture() && fixture.flat.isVisible());
   }
 

@@ -121,7 +121,7 @@ private:
 std::string grabbedAt(ViewFixture &fixture, const std::string &selected, glm::dvec2 pixel) {
   fixture.view.selectHandle(selected);
   fixture.press({qRound(pixel.x), qRound(pixel.y)});
-  const std::string grabbed = fixture.model.inGesture() ? fixture.view.selectedHandle() : "nothing";
+  const std::string grabbed = fixture.model.history().inGesture() ? fixture.view.selectedHandle() : "nothing";
   QTest::keyClick(&fixture.view, Qt::Key_Escape);
   fixture.release({qRound(pixel.x), qRound(pixel.y)});
   return grabbed;

@@ -67,7 +67,7 @@ private slots:
       fixture.hold.letGo();
       QCOMPARE(fixture.value("Q") != before, stays);
       QVERIFY(!fixture.hold.isHolding());
-      QVERIFY(!fixture.model.inGesture());
+      QVERIFY(!fixture.model.history().inGesture());
     }
     QCOMPARE(fixture.hold.dragCount(), 1);
     QCOMPARE(fixture.model.history().count(), 1);
@@ -108,7 +108,7 @@ private slots:
   void gestureThatSomethingElseEnded_movesNothingAnyMore() {
     Fixture fixture;
     fixture.begin("Q", DragMode::Horizontal);
-    fixture.model.edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "typed");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "typed");
     fixture.hold.pointTo(fixture.pixelOf("Q") + glm::dvec2(60, 20), false);
     fixture.hold.follow(fixture.view);
     QVERIFY(fixture.value("Q") == ExactVec3(1, 2, 3));

@@ -82,7 +82,7 @@ private slots:
     fixture.dragBeside({0, 60});
     QVERIFY(told().startsWith("Moves in x and y"));
     hint.clear();
-    fixture.model.edit(ChangeObject{"Q", PointObject{{10, 15, 8}}}, "typed");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{10, 15, 8}}}, "typed");
     QVERIFY2(told().startsWith("Moves in x and y"), "told anew: from its new place it may be otherwise");
   }
 
@@ -292,15 +292,15 @@ private slots:
     const Camera before = fixture.view.camera();
     QSignalSpy hint(&fixture.view, &SceneView::hint);
     const auto told = [&] { return hint.last().front().toString(); };
-    fixture.model.edit(ChangeObject{"Q", PointObject{{11, 15, 7}}}, "near by");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{11, 15, 7}}}, "near by");
     QVERIFY(!told().contains("outside"));
-    fixture.model.edit(ChangeObject{"Q", PointObject{{100, 15, 8}}}, "far away");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{100, 15, 8}}}, "far away");
     QVERIFY(fixture.view.camera() == before);
     QVERIFY2(told().contains("outside"), qPrintable(told()));
-    fixture.model.undo();
+    fixture.model.history().undo();
     QVERIFY(fixture.view.camera() == before);
     QVERIFY2(!told().contains("outside"), qPrintable(told()));
-    fixture.model.redo();
+    fixture.model.history().redo();
     fixture.view.fit();
     QVERIFY(fixture.view.handlePosition("Q"));
     QVERIFY2(!told().contains("outside"), qPrintable(told()));
@@ -357,7 +357,7 @@ private slots:
   void hugeScene_isInView_onAStageOfItsOwn() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model.edit(ChangeObject{"Q", PointObject{{1000000, 15, 8}}}, "very far away");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{1000000, 15, 8}}}, "very far away");
     QVERIFY(fixture.view.handlePosition("Q"));
     fixture.view.selectHandle("Q");
     QTest::keyClick(&fixture.view, Qt::Key_PageUp); // a step of that stage

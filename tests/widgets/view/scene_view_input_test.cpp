@@ -34,15 +34,15 @@ private slots:
   void click_onAHandle_selectsItAndChangesNothing() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model.setSnapStep(Rational(1, 1000));
+    fixture.model.snapping().step = Rational(1, 1000);
     const Session before = fixture.model.session();
     const QPoint at = fixture.at("Q");
     fixture.press(at);
-    QVERIFY(fixture.model.inGesture());
+    QVERIFY(fixture.model.history().inGesture());
     movePointer(fixture.view, at + QPoint(2, -1), Qt::LeftButton); // the hand trembles
     fixture.release(at + QPoint(2, -1));
     QCOMPARE(fixture.view.selectedHandle(), std::string("Q"));
-    QVERIFY(!fixture.model.inGesture());
+    QVERIFY(!fixture.model.history().inGesture());
     QVERIFY(fixture.model.session() == before);
     QCOMPARE(fixture.model.history().count(), 0);
   }
@@ -54,7 +54,7 @@ private slots:
     QMouseEvent twice(QEvent::MouseButtonDblClick, at, fixture.view.mapToGlobal(at), Qt::LeftButton,
                       Qt::LeftButton, {});
     QCoreApplication::sendEvent(&fixture.view, &twice);
-    QVERIFY(fixture.model.inGesture());
+    QVERIFY(fixture.model.history().inGesture());
     fixture.release(at);
   }
 
@@ -65,7 +65,7 @@ private slots:
     fixture.press(at);
     movePointer(fixture.view, at + QPoint(60, 30), Qt::LeftButton);
     movePointer(fixture.view, at + QPoint(70, 30)); // with no button down
-    QVERIFY(!fixture.model.inGesture());
+    QVERIFY(!fixture.model.history().inGesture());
     QCOMPARE(fixture.model.history().count(), 1);
     const ExactVec3 dragged = fixture.value("Q");
     QVERIFY(dragged != ExactVec3(11, 15, 8));
@@ -77,7 +77,7 @@ private slots:
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     const QPoint at = fixture.at("Q");
-    fixture.model.setSnapStep(Rational(1, 1000));
+    fixture.model.snapping().step = Rational(1, 1000);
     fixture.press(at);
     QSignalSpy outcomes(&fixture.model, &SessionModel::outcomeChanged);
     for (int x = 0; x <= 100; ++x)
@@ -228,7 +228,7 @@ private slots:
   void drag_withSnappingOff_isNotSnapped_butKeysGoInSteps() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.model.setSnapping(false);
+    fixture.model.snapping().isOn = false;
     const QPoint at = fixture.at("Q");
     fixture.press(at);
     movePointer(fixture.view, at + QPoint(53, 9), Qt::LeftButton);
@@ -312,7 +312,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.view.setMotion(true);
     const Extents before = extentsOf(fixture.view.drawnFigure());
-    fixture.model.edit(ChangeObject{"Q", PointObject{{25, 15, 8}}}, "typed");
+    fixture.model.history().edit(ChangeObject{"Q", PointObject{{25, 15, 8}}}, "typed");
     QVERIFY2(extentsOf(fixture.view.drawnFigure()) == before, "it does not leap");
     QTRY_VERIFY(extentsOf(fixture.view.drawnFigure()) == extentsOf(fixture.view.pictureContent().figure));
     QVERIFY(extentsOf(fixture.view.drawnFigure()) != before);
@@ -398,7 +398,7 @@ private slots:
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     fixture.view.selectHandle("Q");
-    QCOMPARE(fixture.model.edit(RemoveEntry{"Q", true}, "remove"), QString());
+    QCOMPARE(fixture.model.history().edit(RemoveEntry{"Q", true}, "remove"), QString());
     QCOMPARE(fixture.view.selectedHandle(), std::string());
     QVERIFY(!fixture.view.handlePosition("Q"));
   }

@@ -29,7 +29,7 @@ struct Fixture {
   }
   /// Puts Q elsewhere, as a hand or an inspector does.
   void put(const ExactVec3 &place) {
-    QCOMPARE(model.edit(ChangeObject{"Q", PointObject{place}}, "put"), QString());
+    QCOMPARE(model.history().edit(ChangeObject{"Q", PointObject{place}}, "put"), QString());
     viewpoint.takeStage();
   }
   bool sees(const Place &place) const {
@@ -72,13 +72,13 @@ private slots:
 
   void whileSomethingIsHeld_theFigureIsNotFittedAnew() {
     Fixture fixture;
-    const GestureToken held = fixture.model.beginGesture("drag");
-    fixture.model.moveGesture(held, ChangeObject{"Q", PointObject{{25, 15, 8}}});
+    const GestureToken held = fixture.model.history().beginGesture("drag");
+    fixture.model.history().moveGesture(held, ChangeObject{"Q", PointObject{{25, 15, 8}}});
     const Camera before = fixture.viewpoint.camera();
     fixture.resize({900, 590});
     fixture.viewpoint.setCovered({{{0, 0}, {450, 600}}});
     QVERIFY(fixture.viewpoint.camera() == before);
-    fixture.model.endGesture(held);
+    fixture.model.history().endGesture(held);
     fixture.viewpoint.takeScreen();
     QVERIFY(!(fixture.viewpoint.camera() == before));
   }
