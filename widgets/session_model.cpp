@@ -121,10 +121,12 @@ void SessionModel::showSince(const Session &before) {
       m_scene.takeStage(session().scene);
   }
   m_scene.takeStep(step(), m_question);
+  m_isTellingOfStep = true;
   if (otherLesson)
     emit lessonChanged();
   if (otherStep)
     emit stepChanged();
+  m_isTellingOfStep = false;
   emit outcomeChanged();
 }
 
@@ -135,7 +137,8 @@ void SessionModel::setQuestion(Question question) {
     return;
   m_question = question;
   m_scene.takeStep(step(), m_question);
-  emit outcomeChanged();
+  if (!m_isTellingOfStep)
+    emit outcomeChanged();
 }
 
 std::vector<SnapTarget> askedOf(const SessionModel &model, const Handle &handle) {

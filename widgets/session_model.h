@@ -85,6 +85,7 @@ private:
   SessionHistory m_history;
   ShownScene m_scene;
   Question m_question = Question::Answered;
+  bool m_isTellingOfStep = false; ///< the outcome is told behind it, once
   std::map<std::string, Session> m_left;
   Snapping m_snapping;
 };

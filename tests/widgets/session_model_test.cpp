@@ -299,6 +299,18 @@ private slots:
     QVERIFY(hasResults());
   }
 
+  void questionOfAStep_thatIsOpenedAsItIsTurnedTo_showsTheOutcomeOnce() {
+    SessionModel model(library());
+    model.openLesson("signed-distance");
+    connect(&model, &SessionModel::stepChanged, this, [&] { model.setQuestion(Question::Open); });
+    QSignalSpy changed(&model, &SessionModel::outcomeChanged);
+    model.setStep(2);
+    QCOMPARE(changed.count(), 1);
+    const auto &marks = model.shown().figure.marks;
+    QVERIFY(std::all_of(marks.begin(), marks.end(),
+                        [](const Mark &mark) { return baseOf(mark).role == Role::Given; }));
+  }
+
   void gesture_tellsWhenItBeginsAndWhenItEnds_howeverItEnds() {
     SessionModel model(library());
     model.openLesson("signed-distance");
