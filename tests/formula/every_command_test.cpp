@@ -1,7 +1,7 @@
 // Every command and environment is laid out, and each of its characters is in a font.
 #include "tests/formula/laid_out.h"
 
-#include "widgets/formula/latex_reader.h"
+#include "widgets/formula/latex_command_readers.h"
 #include "widgets/formula/latex_symbols.h"
 #include "widgets/formula/latex_tokens.h"
 
@@ -10,31 +10,29 @@
 namespace halfspace::math {
 namespace {
 
-using Read = void (LatexReader::*)(Row &, const Command &);
-
 /// What a command needs behind it.
 struct Needs {
-  Read read;
+  ReadCommand read;
   const char *arguments;
 };
 
-const std::vector<Needs> needs{{&LatexReader::readFenced, "(x\\right)"},
-                               {&LatexReader::readTallFence, "("},
-                               {&LatexReader::readText, "{ab}"},
-                               {&LatexReader::readOperatorName, "{ab}"},
-                               {&LatexReader::readTag, "{1}"},
-                               {&LatexReader::readLabel, "{ab}"},
-                               {&LatexReader::readMark, "{id}{x}"},
-                               {&LatexReader::readColor, "{red}{x}"},
-                               {&LatexReader::readGivenSpace, "{1em}"},
-                               {&LatexReader::readKern, "1em"},
-                               {&LatexReader::readBlock, "{1em}{2em}"},
-                               {&LatexReader::readSubstack, "{a\\\\b}"},
-                               {&LatexReader::readEnvironment, "{matrix}a\\end{matrix}"}};
+const std::vector<Needs> needs{{&readFenced, "(x\\right)"},
+                               {&readTallFence, "("},
+                               {&readText, "{ab}"},
+                               {&readOperatorName, "{ab}"},
+                               {&readTag, "{1}"},
+                               {&readLabel, "{ab}"},
+                               {&readMark, "{id}{x}"},
+                               {&readColor, "{red}{x}"},
+                               {&readGivenSpace, "{1em}"},
+                               {&readKern, "1em"},
+                               {&readBlock, "{1em}{2em}"},
+                               {&readSubstack, "{a\\\\b}"},
+                               {&readEnvironment, "{matrix}a\\end{matrix}"}};
 
 std::string sourceWith(const Command &command) {
   const std::string name = "\\" + std::string(command.name);
-  if (command.read == &LatexReader::readMiddle)
+  if (command.read == &readMiddle)
     return "\\left(a" + name + "|b\\right)";
   for (const Needs &each : needs)
     if (each.read == command.read)
@@ -51,13 +49,13 @@ void expectComplete(const std::string &source) {
 
 TEST(EveryCommand, LaidOut_HasAllItsGlyphs) {
   for (const Command &command : commands())
-    if (command.read != &LatexReader::readMisplaced)
+    if (command.read != &readMisplaced)
       expectComplete(sourceWith(command));
 }
 
 TEST(EveryCommand, Misplaced_IsAnErrorWhereverItStands) {
   for (const Command &command : commands())
-    if (command.read == &LatexReader::readMisplaced) {
+    if (command.read == &readMisplaced) {
       const auto result = readLatex("{a\\" + std::string(command.name) + " x}");
       EXPECT_TRUE(std::holds_alternative<ReadError>(result) || command.name == "limits" ||
                   command.name == "nolimits")

@@ -3,6 +3,7 @@
 
 #include "widgets/formula/math_tree.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,11 +12,21 @@ namespace halfspace::math {
 
 class LatexReader;
 
+struct Command;
+
+/// A command that stands in a formula.
+struct CommandCall {
+  const Command &command;
+  std::size_t column = 1; ///< of its backslash
+};
+
+/// What a command reads and makes (latex_command_readers.h).
+using ReadCommand = void (*)(LatexReader &reader, Row &row, const CommandCall &call);
+
 /// A command by its name. Which of the other fields mean something, `read` knows.
 struct Command {
   std::string_view name;
-  /// Takes what belongs to the command, which is taken itself, and appends what it makes.
-  void (LatexReader::*read)(Row &row, const Command &command) = nullptr;
+  ReadCommand read = nullptr;
   char32_t character = 0;
   double amount = 0; ///< em
   AtomClass atomClass = AtomClass::Ord;

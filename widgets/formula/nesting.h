@@ -1,16 +1,19 @@
-// How deep a reader of nested things is.
+// What a reader of nested things enters and leaves again.
 #pragma once
 
-#include "widgets/formula/latex_reader.h"
+#include "widgets/formula/token_stream.h"
+
+#include <utility>
 
 namespace halfspace::math {
 
 /// One level for as long as it lives.
-class LatexReader::Nesting {
+class Nesting {
 public:
-  explicit Nesting(LatexReader &reader) : m_depth(reader.m_depth) {
+  /// Throws ReadError where this is too deep.
+  Nesting(int &depth, TokenStream &tokens) : m_depth(depth) {
     if (m_depth >= deepestNesting)
-      throw ReadError{reader.m_tokens.peek().column, "This is nested too deeply."};
+      throw ReadError{tokens.peek().column, "This is nested too deeply."};
     ++m_depth;
   }
   ~Nesting() { --m_depth; }
@@ -21,6 +24,22 @@ public:
 
 private:
   int &m_depth;
+};
+
+/// A variable has another value for as long as it lives, and then the one before.
+template <class Value> class Within {
+public:
+  Within(Value &variable, Value inside)
+      : m_variable(variable), m_outside(std::exchange(variable, std::move(inside))) {}
+  ~Within() { m_variable = std::move(m_outside); }
+  Within(const Within &) = delete;
+  Within &operator=(const Within &) = delete;
+  Within(Within &&) = delete;
+  Within &operator=(Within &&) = delete;
+
+private:
+  Value &m_variable;
+  Value m_outside;
 };
 
 } // namespace halfspace::math

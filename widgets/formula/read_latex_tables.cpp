@@ -1,4 +1,8 @@
-#include "widgets/formula/nesting.h"
+#include "widgets/formula/read_latex_tables.h"
+
+#include "widgets/formula/latex_arguments.h"
+#include "widgets/formula/latex_command_readers.h"
+#include "widgets/formula/latex_errors.h"
 
 #include <algorithm>
 #include <array>
@@ -61,54 +65,11 @@ const Environment *environmentNamed(std::string_view name) {
   return found == environments.end() ? nullptr : &*found;
 }
 
-} // namespace
-
-void LatexReader::readEnvironment(Row &row, const Command & /*command*/) {
-  const Nesting nesting(*this);
-  const std::size_t column = m_column;
-  const std::string name = readName();
-  const Environment *known = environmentNamed(name);
-  const Environment environment = known ? *known : smallFenced(name);
-  if (!known && name != "array" && !isInSmallFences(name))
-    throw ReadError{column, "The environment `" + name + "` is unknown."};
-  Table table;
-  table.kind = name == "array" ? TableKind::Matrix : environment.kind;
-  if (name == "array")
-    readColumns(table);
-  else
-    table.columns.assign(environment.columns.begin(),
-                         environment.columns.begin() + static_cast<std::ptrdiff_t>(environment.columnCount));
-  readTableRows(table);
-  if (!m_tokens.peekMath().isCommand("end"))
-    failUnclosed(column, "\\begin{" + name + "}", "\\end{" + name + "}");
-  m_column = m_tokens.take().column;
-  if (const std::string end = readName(); end != name)
-    throw ReadError{m_column, "`\\end{" + end + "}` stands where `\\end{" + name + "}` is due."};
-  Node made = math::table(std::move(table));
-  const bool isFenced = name != "array" && (environment.open != 0 || environment.close != 0);
-  add(row,
-      isFenced ? fenced(environment.open, math::row(std::move(made)), environment.close) : std::move(made));
-}
-
-void LatexReader::readSubstack(Row &row, const Command & /*command*/) {
-  const Nesting nesting(*this);
-  const std::size_t column = m_column;
-  if (!m_tokens.takeIf('{'))
-    throw ReadError{column, "A `{` is missing behind this command."};
-  Table table;
-  table.kind = TableKind::Stacked;
-  table.columns = {Align::Center};
-  readTableRows(table);
-  if (!m_tokens.takeIf('}'))
-    failUnclosed(column, "{", "}");
-  add(row, math::table(std::move(table)));
-}
-
-void LatexReader::readColumns(Table &table) {
-  if (m_tokens.peekMath().is('['))
-    (void)m_tokens.takeBetween('[', ']'); // where a table stands: ours stand on the axis
-  const std::size_t column = m_tokens.peekMath().column;
-  const std::string columns = readName();
+void readColumns(LatexReader &reader, const CommandCall &call, Table &table) {
+  if (reader.tokens().peekMath().is('['))
+    (void)reader.tokens().takeBetween('[', ']'); // where a table stands: ours stand on the axis
+  const std::size_t column = reader.tokens().peekMath().column;
+  const std::string columns = readName(reader.tokens(), call.column);
   table.columnRules = {0};
   for (const char letter : columns) {
     if (letter == '|') {
@@ -116,7 +77,7 @@ void LatexReader::readColumns(Table &table) {
     } else if (letter == 'l' || letter == 'c' || letter == 'r') {
       table.columns.push_back(letter == 'l' ? Align::Left : letter == 'c' ? Align::Center : Align::Right);
       table.columnRules.push_back(0);
-      countNode();
+      reader.countNode();
     } else if (letter != ' ') {
       throw ReadError{column, "A table's columns are `l`, `c` and `r`, with `|` for a rule."};
     }
@@ -125,60 +86,100 @@ void LatexReader::readColumns(Table &table) {
     throw ReadError{column, "A table's columns are `l`, `c` and `r`, with `|` for a rule."};
 }
 
-int LatexReader::readRules() {
+int readRules(LatexReader &reader) {
   int rules = 0;
-  for (; m_tokens.peekMath().isCommand("hline"); ++rules) {
-    countNode();
-    (void)m_tokens.take();
+  for (; reader.tokens().peekMath().isCommand("hline"); ++rules) {
+    reader.countNode();
+    (void)reader.tokens().take();
   }
   return rules;
 }
 
-bool LatexReader::atTableEnd() {
-  const Token &token = m_tokens.peekMath();
+bool isAtTableEnd(TokenStream &tokens) {
+  const Token &token = tokens.peekMath();
   return token.isEnd() || token.is('}') || token.isCommand("end");
 }
 
-void LatexReader::readTableRows(Table &table) {
-  const bool inOption = std::exchange(m_inOption, false);
-  const auto alphabet = m_alphabet;
-  for (bool isMore = true; isMore;) {
-    TableRow tableRow;
-    tableRow.rulesAbove = readRules();
-    if (atTableEnd()) {
-      table.rulesBelow = tableRow.rulesAbove;
-      break;
-    }
-    readCells(tableRow);
-    isMore = takeRowBreak(tableRow);
-    table.rows.push_back(std::move(tableRow));
-  }
-  m_alphabet = alphabet;
-  m_inOption = inOption;
-}
-
-void LatexReader::readCells(TableRow &tableRow) {
+void readCells(LatexReader &reader, TableRow &tableRow) {
   do {
-    countNode();
-    tableRow.cells.push_back(readRow());
-  } while (m_tokens.takeIf('&'));
+    reader.countNode();
+    tableRow.cells.push_back(reader.readRow());
+  } while (reader.tokens().takeIf('&'));
 }
 
-bool LatexReader::takeRowBreak(TableRow &tableRow) {
-  const Token token = m_tokens.peekMath();
+bool takeRowBreak(TokenStream &tokens, TableRow &tableRow) {
+  const Token token = tokens.peekMath();
   if (!token.isCommand("\\") && !token.isCommand("cr") && !token.isCommand("tabularnewline"))
     return false;
-  (void)m_tokens.take();
-  if (m_tokens.peek().is('*'))
-    (void)m_tokens.take();
+  (void)tokens.take();
+  if (tokens.peek().is('*'))
+    (void)tokens.take();
   // Behind a space, a bracket belongs to the next row.
-  if (m_tokens.peek().is('[')) {
+  if (tokens.peek().is('[')) {
     std::string length;
-    for (const Token &each : m_tokens.takeBetween('[', ']'))
+    for (const Token &each : tokens.takeBetween('[', ']'))
       length += sourceOf(each);
     tableRow.roomBelow = lengthOf(length, token.column);
   }
   return true;
+}
+
+} // namespace
+
+void readTableRows(LatexReader &reader, Table &table) {
+  Surroundings &surroundings = reader.surroundings();
+  const Within option(surroundings.inOption, false);
+  const Within alphabet(surroundings.alphabet, surroundings.alphabet);
+  for (bool isMore = true; isMore;) {
+    TableRow tableRow;
+    tableRow.rulesAbove = readRules(reader);
+    if (isAtTableEnd(reader.tokens())) {
+      table.rulesBelow = tableRow.rulesAbove;
+      break;
+    }
+    readCells(reader, tableRow);
+    isMore = takeRowBreak(reader.tokens(), tableRow);
+    table.rows.push_back(std::move(tableRow));
+  }
+}
+
+void readEnvironment(LatexReader &reader, Row &row, const CommandCall &call) {
+  const Nesting nesting = reader.nested();
+  const std::string name = readName(reader.tokens(), call.column);
+  const Environment *known = environmentNamed(name);
+  const Environment environment = known ? *known : smallFenced(name);
+  if (!known && name != "array" && !isInSmallFences(name))
+    throw ReadError{call.column, "The environment `" + name + "` is unknown."};
+  Table table;
+  table.kind = name == "array" ? TableKind::Matrix : environment.kind;
+  if (name == "array")
+    readColumns(reader, call, table);
+  else
+    table.columns.assign(environment.columns.begin(),
+                         environment.columns.begin() + static_cast<std::ptrdiff_t>(environment.columnCount));
+  readTableRows(reader, table);
+  if (!reader.tokens().peekMath().isCommand("end"))
+    failUnclosed(reader.tokens(), call.column, "\\begin{" + name + "}", "\\end{" + name + "}");
+  const Token closing = reader.tokens().take();
+  if (const std::string end = readName(reader.tokens(), closing.column); end != name)
+    throw ReadError{closing.column, "`\\end{" + end + "}` stands where `\\end{" + name + "}` is due."};
+  Node made = math::table(std::move(table));
+  const bool isFenced = name != "array" && (environment.open != 0 || environment.close != 0);
+  reader.add(row, isFenced ? fenced(environment.open, math::row(std::move(made)), environment.close)
+                           : std::move(made));
+}
+
+void readSubstack(LatexReader &reader, Row &row, const CommandCall &call) {
+  const Nesting nesting = reader.nested();
+  if (!reader.tokens().takeIf('{'))
+    throw ReadError{call.column, "A `{` is missing behind this command."};
+  Table table;
+  table.kind = TableKind::Stacked;
+  table.columns = {Align::Center};
+  readTableRows(reader, table);
+  if (!reader.tokens().takeIf('}'))
+    failUnclosed(reader.tokens(), call.column, "{", "}");
+  reader.add(row, math::table(std::move(table)));
 }
 
 } // namespace halfspace::math

@@ -1,7 +1,12 @@
+// The commands of words.
 #include "lessons/words.h"
+#include "widgets/formula/latex_command_readers.h"
+#include "widgets/formula/latex_errors.h"
+#include "widgets/formula/latex_reader.h"
 #include "widgets/formula/latex_symbols.h"
-#include "widgets/formula/nesting.h"
 
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace halfspace::math {
@@ -19,96 +24,109 @@ char32_t textCharacter(char32_t typed) {
   return typed == '~' ? ' ' : typed;
 }
 
-} // namespace
+/// Words with formulas among them, from one alphabet.
+class TextReader {
+public:
+  TextReader(LatexReader &reader, Alphabet alphabet) : m_reader(reader), m_alphabet(alphabet) {}
 
-void LatexReader::readText(Row &row, const Command &command) {
-  Row content = readWords(command.alphabet);
-  if (content.size() == 1)
-    row.push_back(std::move(content.front()));
-  else
-    add(row, group(std::move(content)));
-}
+  /// What stands between the braces that are next. `column` is the command's.
+  [[nodiscard]] Row read(std::size_t column);
 
-void LatexReader::readOperatorName(Row &row, const Command &command) {
-  const bool hasLimits = m_tokens.takeIf('*');
-  Row content = readWords(command.alphabet);
-  Node name = content.size() == 1 ? std::move(content.front()) : group(std::move(content));
-  name.atomClass = AtomClass::Op;
-  name.scriptPlace = hasLimits ? ScriptPlace::LimitsInDisplay : ScriptPlace::Beside;
-  add(row, std::move(name));
-}
+private:
+  /// Behind a `{` at `column`, up to its `}`.
+  void readGroup(std::size_t column);
+  void readCommand();
+  void readFormula(std::size_t column);
+  /// The words so far become a part of the row.
+  void flush();
 
-void LatexReader::readTag(Row &row, const Command &command) {
-  // Its place in LaTeX is the page's margin, which a formula does not know.
-  constexpr double roomBefore = 2;
-  m_tokens.takeIf('*');
-  Row content = readWords(command.alphabet);
-  add(row, space(roomBefore));
-  add(row, symbol('(', AtomClass::Open));
-  detail::append(row, std::move(content));
-  add(row, symbol(')', AtomClass::Close));
-}
+  LatexReader &m_reader;
+  Alphabet m_alphabet;
+  Row m_row;
+  std::string m_words;
+};
 
-Row LatexReader::readWords(Alphabet alphabet) {
-  const std::size_t column = m_column;
-  if (!m_tokens.peekMath().is('{'))
+Row TextReader::read(std::size_t column) {
+  if (!m_reader.tokens().peekMath().is('{'))
     throw ReadError{column, halfspace::words("The words are missing: put them into `{}`.")};
-  const Token open = m_tokens.take();
-  const bool inOption = std::exchange(m_inOption, false);
-  Row row;
-  std::string words;
-  readWordsInto(row, words, alphabet, open.column);
-  flushWords(row, words, alphabet);
-  m_inOption = inOption;
-  return row;
+  const Token open = m_reader.tokens().take();
+  const Within option(m_reader.surroundings().inOption, false);
+  readGroup(open.column);
+  flush();
+  return std::move(m_row);
 }
 
-void LatexReader::flushWords(Row &row, std::string &words, Alphabet alphabet) {
-  if (!words.empty())
-    add(row, math::words(std::exchange(words, {}), alphabet));
+void TextReader::flush() {
+  if (!m_words.empty())
+    m_reader.add(m_row, math::words(std::exchange(m_words, {}), m_alphabet));
 }
 
-void LatexReader::readWordsInto(Row &row, std::string &words, Alphabet alphabet, std::size_t column) {
-  const Nesting nesting(*this);
-  while (!m_tokens.peek().is('}')) {
-    const Token &next = m_tokens.peek();
+void TextReader::readGroup(std::size_t column) {
+  const Nesting nesting = m_reader.nested();
+  TokenStream &tokens = m_reader.tokens();
+  while (!tokens.peek().is('}')) {
+    const Token &next = tokens.peek();
     if (next.isEnd())
       throw ReadError{column, halfspace::words("A `}` is missing for this `{`.")};
     if (next.kind == Token::Kind::Command) {
-      readTextCommand(row, words, alphabet);
+      readCommand();
       continue;
     }
-    const Token token = m_tokens.take();
+    const Token token = tokens.take();
     if (token.is('{')) {
-      readWordsInto(row, words, alphabet, token.column);
+      readGroup(token.column);
     } else if (token.is('$')) {
-      flushWords(row, words, alphabet);
-      readFormulaInText(row, token.column);
+      flush();
+      readFormula(token.column);
     } else {
-      appendUtf8(words, textCharacter(token.character));
+      appendUtf8(m_words, textCharacter(token.character));
     }
   }
-  m_tokens.take();
+  tokens.take();
 }
 
-void LatexReader::readFormulaInText(Row &row, std::size_t column) {
-  const auto alphabet = std::exchange(m_alphabet, std::nullopt);
-  Row formula = readRow();
-  m_alphabet = alphabet;
-  if (!m_tokens.takeIf('$'))
-    failUnclosed(column, "$", "$");
-  add(row, {Group{std::move(formula), true}});
+void TextReader::readFormula(std::size_t column) {
+  const Within alphabet(m_reader.surroundings().alphabet, std::optional<Alphabet>());
+  Row formula = m_reader.readRow();
+  if (!m_reader.tokens().takeIf('$'))
+    failUnclosed(m_reader.tokens(), column, "$", "$");
+  m_reader.add(m_row, {Group{std::move(formula), true}});
 }
 
-void LatexReader::readTextCommand(Row &row, std::string &words, Alphabet alphabet) {
-  const Token token = m_tokens.take();
+void TextReader::readCommand() {
+  const Token token = m_reader.tokens().take();
   const SymbolCommand *symbol = symbolNamed(token.name);
   if (symbol && symbol->character < 0x80) {
-    appendUtf8(words, symbol->character);
+    appendUtf8(m_words, symbol->character);
     return;
   }
-  flushWords(row, words, alphabet);
-  readCommand(row, token);
+  flush();
+  m_reader.readCommand(m_row, token);
+}
+
+} // namespace
+
+void readText(LatexReader &reader, Row &row, const CommandCall &call) {
+  reader.addGroup(row, TextReader(reader, call.command.alphabet).read(call.column));
+}
+
+void readOperatorName(LatexReader &reader, Row &row, const CommandCall &call) {
+  const bool hasLimits = reader.tokens().takeIf('*');
+  reader.addGroup(row, TextReader(reader, call.command.alphabet).read(call.column));
+  Node &name = row.back();
+  name.atomClass = AtomClass::Op;
+  name.scriptPlace = hasLimits ? ScriptPlace::LimitsInDisplay : ScriptPlace::Beside;
+}
+
+void readTag(LatexReader &reader, Row &row, const CommandCall &call) {
+  // Its place in LaTeX is the page's margin, which a formula does not know.
+  constexpr double roomBefore = 2;
+  reader.tokens().takeIf('*');
+  Row content = TextReader(reader, call.command.alphabet).read(call.column);
+  reader.add(row, space(roomBefore));
+  reader.add(row, symbol('(', AtomClass::Open));
+  detail::append(row, std::move(content));
+  reader.add(row, symbol(')', AtomClass::Close));
 }
 
 } // namespace halfspace::math
