@@ -3,7 +3,9 @@
 #include "lessons/language.h"
 #include "lessons/term/greek.h"
 #include "lessons/term/prime.h"
+#include "lessons/term/term_shape.h"
 #include "lessons/term/term_writer.h"
+#include "lessons/term/written.h"
 #include "lessons/text.h"
 
 #include <algorithm>
@@ -27,19 +29,18 @@ std::string wordLatex(const std::string &word) {
   return "\\operatorname{" + escaped + "}";
 }
 
-class LatexWriter : public TermWriter<std::string> {
+class LatexNotation : public Notation<std::string> {
 public:
-  LatexWriter(LatexMarks marks, Fractions fractions) : m_marks(marks), m_fractions(fractions) {}
+  LatexNotation(LatexMarks marks, Fractions fractions) : m_marks(marks), m_fractions(fractions) {}
 
-protected:
-  std::string row(std::vector<std::string> parts) override {
+  [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string text;
     for (const std::string &part : parts)
       append(text, part);
     return text;
   }
 
-  std::string digits(const std::string &decimal) override {
+  [[nodiscard]] std::string digits(const std::string &decimal) const override {
     const std::string text = letterLatex(decimal);
     const auto point = text.find('.');
     return point == std::string::npos || language().decimalMark == '.'
@@ -47,9 +48,9 @@ protected:
                : text.substr(0, point) + "{,}" + text.substr(point + 1);
   }
 
-  std::string symbol(const Symbol &symbol) override { return latexOf(symbol); }
+  [[nodiscard]] std::string symbol(const Symbol &symbol) const override { return latexOf(symbol); }
 
-  std::string sign(TermSign sign) override {
+  [[nodiscard]] std::string sign(TermSign sign) const override {
     switch (sign) {
     case TermSign::Plus:
       return " + ";
@@ -72,7 +73,7 @@ protected:
     return "\\,";
   }
 
-  std::string relation(Relation relation) override {
+  [[nodiscard]] std::string relation(Relation relation) const override {
     switch (relation) {
     case Relation::Equal:
       return " = ";
@@ -88,30 +89,33 @@ protected:
     return " \\neq ";
   }
 
-  std::string parenthesized(std::string inside, const Term &term) override {
+  [[nodiscard]] std::string parenthesized(std::string inside, const Term &term) const override {
     return isTall(term) ? "\\left(" + inside + "\\right)" : "(" + inside + ")";
   }
 
-  std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+  [[nodiscard]] std::string fraction(std::string top, std::string bottom, FractionLook look) const override {
     return isFlat() || look.flat ? top + "/" + bottom
                                  : (look.small ? "\\tfrac{" : "\\frac{") + top + "}{" + bottom + "}";
   }
 
-  std::string root(std::string square) override { return "\\sqrt{" + square + "}"; }
-  std::string norm(std::string vector) override { return row({"\\lvert", std::move(vector), "\\rvert"}); }
+  [[nodiscard]] std::string root(std::string square) const override { return "\\sqrt{" + square + "}"; }
+  [[nodiscard]] std::string norm(std::string vector) const override {
+    return row({"\\lvert", std::move(vector), "\\rvert"});
+  }
 
-  std::string power(std::string base, std::string exponent) override {
+  [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
     return base + (exponent.size() == 1 ? "^" + exponent : "^{" + exponent + "}");
   }
 
-  std::string list(std::vector<std::string> entries) override {
+  [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
     std::string text;
     for (const std::string &entry : entries)
       text += (text.empty() ? "" : listSeparator() + std::string("\\,")) + entry;
     return "\\left(" + text + "\\right)";
   }
 
-  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+  [[nodiscard]] std::string matrix(std::vector<std::string> entries, std::size_t columns,
+                                   bool isDeterminant) const override {
     const std::string kind = isDeterminant ? "vmatrix" : "pmatrix";
     std::string rows;
     for (std::size_t i = 0; i < entries.size(); ++i)
@@ -119,11 +123,12 @@ protected:
     return "\\begin{" + kind + "}" + rows + "\\end{" + kind + "}";
   }
 
-  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+  [[nodiscard]] std::string applied(std::string function, std::string argument,
+                                    bool inParentheses) const override {
     return inParentheses ? function + "(" + argument + ")" : row({std::move(function), std::move(argument)});
   }
 
-  std::string touchable(const Term &term, std::string text) override {
+  [[nodiscard]] std::string touchable(const Term &term, std::string text) const override {
     return m_marks == LatexMarks::With && !term->mark.empty() ? "\\mark{" + term->mark + "}{" + text + "}"
                                                               : text;
   }
@@ -164,7 +169,7 @@ std::string latexOf(const Symbol &symbol) {
 }
 
 std::string latexOf(const Term &term, LatexMarks marks, Fractions fractions) {
-  return LatexWriter(marks, fractions).write(term);
+  return TermWriter(LatexNotation(marks, fractions)).write(term);
 }
 
 std::string relatedLatex(const Term &value, Fractions fractions) {
@@ -172,12 +177,12 @@ std::string relatedLatex(const Term &value, Fractions fractions) {
 }
 
 std::string latexOf(const Chain &chain, LatexMarks marks, Fractions fractions) {
-  return LatexWriter(marks, fractions).write(chain);
+  return TermWriter(LatexNotation(marks, fractions)).write(chain);
 }
 
 std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end, LatexMarks marks,
                     Fractions fractions) {
-  return LatexWriter(marks, fractions).write(chain, begin, end);
+  return TermWriter(LatexNotation(marks, fractions)).write(chain, begin, end);
 }
 
 } // namespace halfspace

@@ -38,21 +38,20 @@ std::string element(const std::string &name, const std::string &content) {
 
 std::string operation(std::string_view sign) { return element("mo", escaped(sign)); }
 
-class MathMlWriter : public TermWriter<std::string> {
+class MathMlNotation : public Notation<std::string> {
 public:
-protected:
-  std::string row(std::vector<std::string> parts) override {
+  [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string content;
     for (const std::string &part : parts)
       content += part;
     return parts.size() == 1 ? content : element("mrow", content);
   }
 
-  std::string digits(const std::string &decimal) override {
+  [[nodiscard]] std::string digits(const std::string &decimal) const override {
     return element("mn", escaped(withDecimalMark(decimal)));
   }
 
-  std::string symbol(const Symbol &symbol) override {
+  [[nodiscard]] std::string symbol(const Symbol &symbol) const override {
     std::string text = element("mi", escaped(withoutPrime(symbol.letter)));
     if (symbol.isVector)
       text = "<mover accent=\"true\">" + text + operation("→") + "</mover>";
@@ -66,7 +65,7 @@ protected:
     return symbol.isPerp ? element("msup", text + operation("⊥")) : text;
   }
 
-  std::string sign(TermSign sign) override {
+  [[nodiscard]] std::string sign(TermSign sign) const override {
     switch (sign) {
     case TermSign::Plus:
       return operation("+");
@@ -89,7 +88,7 @@ protected:
     return "<mspace width=\"0.17em\"/>";
   }
 
-  std::string relation(Relation relation) override {
+  [[nodiscard]] std::string relation(Relation relation) const override {
     switch (relation) {
     case Relation::Equal:
       return operation("=");
@@ -105,27 +104,30 @@ protected:
     return operation("≠");
   }
 
-  std::string parenthesized(std::string inside, const Term &) override { return fenced("(", inside, ")"); }
-  std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+  [[nodiscard]] std::string parenthesized(std::string inside, const Term &) const override {
+    return fenced("(", inside, ")");
+  }
+  [[nodiscard]] std::string fraction(std::string top, std::string bottom, FractionLook look) const override {
     if (look.flat)
       return row({std::move(top), operation("/"), std::move(bottom)});
     const std::string fraction = element("mfrac", top + bottom);
     return look.small ? "<mstyle displaystyle=\"false\">" + fraction + "</mstyle>" : fraction;
   }
-  std::string root(std::string square) override { return element("msqrt", square); }
-  std::string norm(std::string vector) override { return fenced("|", vector, "|"); }
-  std::string power(std::string base, std::string exponent) override {
+  [[nodiscard]] std::string root(std::string square) const override { return element("msqrt", square); }
+  [[nodiscard]] std::string norm(std::string vector) const override { return fenced("|", vector, "|"); }
+  [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
     return element("msup", base + exponent);
   }
 
-  std::string list(std::vector<std::string> entries) override {
+  [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
     std::string content;
     for (const std::string &entry : entries)
       content += (content.empty() ? "" : operation(std::string(1, listSeparator()))) + entry;
     return fenced("(", content, ")");
   }
 
-  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+  [[nodiscard]] std::string matrix(std::vector<std::string> entries, std::size_t columns,
+                                   bool isDeterminant) const override {
     std::string rows;
     for (std::size_t i = 0; i < entries.size(); i += columns) {
       std::string cells;
@@ -137,12 +139,13 @@ protected:
     return isDeterminant ? fenced("|", table, "|") : fenced("(", table, ")");
   }
 
-  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+  [[nodiscard]] std::string applied(std::string function, std::string argument,
+                                    bool inParentheses) const override {
     return row({std::move(function), operation("\u2061"), // function application
                 inParentheses ? fenced("(", argument, ")") : argument});
   }
 
-  std::string touchable(const Term &term, std::string text) override {
+  [[nodiscard]] std::string touchable(const Term &term, std::string text) const override {
     return term->mark.empty() ? text : "<mrow data-mark=\"" + escaped(term->mark) + "\">" + text + "</mrow>";
   }
 
@@ -165,8 +168,8 @@ std::string document(const std::string &content) {
 
 } // namespace
 
-std::string mathMl(const Term &term) { return document(MathMlWriter().write(term)); }
+std::string mathMl(const Term &term) { return document(TermWriter(MathMlNotation()).write(term)); }
 
-std::string mathMl(const Chain &chain) { return document(MathMlWriter().write(chain)); }
+std::string mathMl(const Chain &chain) { return document(TermWriter(MathMlNotation()).write(chain)); }
 
 } // namespace halfspace

@@ -24,21 +24,22 @@ std::string inForm(const std::array<std::string_view, 10> &forms, std::string_vi
   return text;
 }
 
-class PlainWriter : public TermWriter<std::string> {
+class PlainNotation : public Notation<std::string> {
 public:
-protected:
-  std::string row(std::vector<std::string> parts) override {
+  [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string text;
     for (const std::string &part : parts)
       text += part;
     return text;
   }
 
-  std::string digits(const std::string &decimal) override { return withDecimalMark(decimal); }
+  [[nodiscard]] std::string digits(const std::string &decimal) const override {
+    return withDecimalMark(decimal);
+  }
 
-  std::string symbol(const Symbol &symbol) override { return plainText(symbol); }
+  [[nodiscard]] std::string symbol(const Symbol &symbol) const override { return plainText(symbol); }
 
-  std::string sign(TermSign sign) override {
+  [[nodiscard]] std::string sign(TermSign sign) const override {
     switch (sign) {
     case TermSign::Plus:
       return " + ";
@@ -61,7 +62,7 @@ protected:
     return " ";
   }
 
-  std::string relation(Relation relation) override {
+  [[nodiscard]] std::string relation(Relation relation) const override {
     switch (relation) {
     case Relation::Equal:
       return " = ";
@@ -77,14 +78,16 @@ protected:
     return " ≠ ";
   }
 
-  std::string parenthesized(std::string inside, const Term &) override { return "(" + inside + ")"; }
-  std::string fraction(std::string top, std::string bottom, FractionLook) override {
+  [[nodiscard]] std::string parenthesized(std::string inside, const Term &) const override {
+    return "(" + inside + ")";
+  }
+  [[nodiscard]] std::string fraction(std::string top, std::string bottom, FractionLook) const override {
     return top + "/" + bottom;
   }
-  std::string root(std::string square) override { return "√" + square; }
-  std::string norm(std::string vector) override { return "|" + vector + "|"; }
+  [[nodiscard]] std::string root(std::string square) const override { return "√" + square; }
+  [[nodiscard]] std::string norm(std::string vector) const override { return "|" + vector + "|"; }
 
-  std::string power(std::string base, std::string exponent) override {
+  [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
     constexpr std::string_view minus = "−";
     const bool negative = exponent.starts_with(minus);
     const std::string_view magnitude = std::string_view(exponent).substr(negative ? minus.size() : 0);
@@ -92,18 +95,20 @@ protected:
                                 : base + "^(" + exponent + ")";
   }
 
-  std::string list(std::vector<std::string> entries) override {
+  [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
     return "(" + joined(entries, listSeparator() + std::string(" ")) + ")";
   }
 
-  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+  [[nodiscard]] std::string matrix(std::vector<std::string> entries, std::size_t columns,
+                                   bool isDeterminant) const override {
     std::string rows;
     for (std::size_t i = 0; i < entries.size(); ++i)
       rows += (i == 0 ? "" : i % columns == 0 ? "; " : " ") + entries[i];
     return isDeterminant ? "det[" + rows + "]" : "[" + rows + "]";
   }
 
-  std::string applied(std::string function, std::string argument, bool inParentheses) override {
+  [[nodiscard]] std::string applied(std::string function, std::string argument,
+                                    bool inParentheses) const override {
     return inParentheses ? function + "(" + argument + ")" : function + " " + argument;
   }
 
@@ -139,16 +144,17 @@ std::string relatedText(const WrittenNumber &number) {
   return (number.exact ? " = " : " ≈ ") + plainText(number.term);
 }
 
-std::string plainText(const Term &term) { return PlainWriter().write(term); }
+std::string plainText(const Term &term) { return TermWriter(PlainNotation()).write(term); }
 
-std::string plainText(const Chain &chain) { return PlainWriter().write(chain); }
+std::string plainText(const Chain &chain) { return TermWriter(PlainNotation()).write(chain); }
 
 std::string plainText(const Chain &chain, std::size_t begin, std::size_t end) {
-  return PlainWriter().write(chain, begin, end);
+  return TermWriter(PlainNotation()).write(chain, begin, end);
 }
 
 std::string plainTextWithout(const Term &part, const Chain &chain) {
-  PlainWriter writer({});
+  const PlainNotation notation;
+  TermWriter writer(notation);
   writer.leaveOut(part);
   return writer.write(chain);
 }

@@ -3,6 +3,7 @@
 #include "lessons/language.h"
 #include "lessons/term/greek.h"
 #include "lessons/term/prime.h"
+#include "lessons/term/term_shape.h"
 #include "lessons/term/term_writer.h"
 #include "lessons/words.h"
 
@@ -22,19 +23,20 @@ std::string wordName(const std::string &word) {
   return word == "dist" ? words("distance") : word;
 }
 
-class SpokenWriter : public TermWriter<std::string> {
+class SpokenNotation : public Notation<std::string> {
 public:
-protected:
-  std::string row(std::vector<std::string> parts) override {
+  [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string text;
     for (const std::string &part : parts)
       text += (text.empty() || part.empty() ? "" : " ") + part;
     return text;
   }
 
-  std::string digits(const std::string &decimal) override { return withDecimalMark(letterName(decimal)); }
+  [[nodiscard]] std::string digits(const std::string &decimal) const override {
+    return withDecimalMark(letterName(decimal));
+  }
 
-  std::string symbol(const Symbol &symbol) override {
+  [[nodiscard]] std::string symbol(const Symbol &symbol) const override {
     const std::string letter =
         symbol.isWord ? wordName(symbol.letter) : letterName(withoutPrime(symbol.letter));
     const std::string owner =
@@ -43,7 +45,7 @@ protected:
                 symbol.isPerp ? words("perp") : ""});
   }
 
-  std::string sign(TermSign sign) override {
+  [[nodiscard]] std::string sign(TermSign sign) const override {
     switch (sign) {
     case TermSign::Plus:
       return words("plus");
@@ -64,7 +66,7 @@ protected:
     return words("times");
   }
 
-  std::string relation(Relation relation) override {
+  [[nodiscard]] std::string relation(Relation relation) const override {
     switch (relation) {
     case Relation::Equal:
       return words("equals");
@@ -80,31 +82,33 @@ protected:
     return words("is not equal to");
   }
 
-  std::string parenthesized(std::string inside, const Term &term) override {
+  [[nodiscard]] std::string parenthesized(std::string inside, const Term &term) const override {
     if (term->kind == TermKind::Number && shown(term)->kind == TermKind::Negation)
       return inside; // a minus is heard as that of the number
     return parenthesizedBase(std::move(inside), term);
   }
 
   /// Minus three squared would be another number.
-  std::string parenthesizedBase(std::string inside, const Term &) override {
+  [[nodiscard]] std::string parenthesizedBase(std::string inside, const Term &) const override {
     return row({words("open parenthesis"), std::move(inside), words("close parenthesis")});
   }
 
-  std::string fraction(std::string top, std::string bottom, FractionLook look) override {
+  [[nodiscard]] std::string fraction(std::string top, std::string bottom, FractionLook look) const override {
     std::string text = row({std::move(top), words("over"), std::move(bottom)});
     return look.compound || look.nested
                ? row({words("the fraction"), std::move(text), words("end of fraction")})
                : text;
   }
 
-  std::string root(std::string square) override {
+  [[nodiscard]] std::string root(std::string square) const override {
     return row({words("the square root of"), std::move(square), words("end of root")});
   }
-  std::string norm(std::string vector) override { return row({words("the length of"), std::move(vector)}); }
+  [[nodiscard]] std::string norm(std::string vector) const override {
+    return row({words("the length of"), std::move(vector)});
+  }
 
   /// The length of n plus w might be that of the sum.
-  std::string normOf(std::string inside, const Term &term) override {
+  [[nodiscard]] std::string normOf(std::string inside, const Term &term) const override {
     const bool isNumber = term->value && !term->value->isList;
     std::string text =
         isNumber ? row({words("the magnitude of"), std::move(inside)}) : norm(std::move(inside));
@@ -113,19 +117,20 @@ protected:
     return row({std::move(text), isNumber ? words("end of magnitude") : words("end of length")});
   }
 
-  std::string power(std::string base, std::string exponent) override {
+  [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
     return exponent == "2" ? row({std::move(base), words("squared")})
                            : row({std::move(base), words("to the power"), std::move(exponent)});
   }
 
-  std::string list(std::vector<std::string> entries) override {
+  [[nodiscard]] std::string list(std::vector<std::string> entries) const override {
     std::string text = entries.size() == 3 ? words("the triple") : words("the list");
     for (std::size_t i = 0; i < entries.size(); ++i)
       text += (i == 0 ? " " : ", ") + entries[i];
     return text + ",";
   }
 
-  std::string matrix(std::vector<std::string> entries, std::size_t columns, bool isDeterminant) override {
+  [[nodiscard]] std::string matrix(std::vector<std::string> entries, std::size_t columns,
+                                   bool isDeterminant) const override {
     const bool areColumns = isDeterminant && columns > 1 && entries.size() == columns;
     std::string text = isDeterminant ? words("the determinant") : words("the matrix");
     for (std::size_t i = 0; i < entries.size(); ++i)
@@ -134,19 +139,17 @@ protected:
     return text + ",";
   }
 
-  std::string applied(std::string function, std::string argument, bool) override {
+  [[nodiscard]] std::string applied(std::string function, std::string argument, bool) const override {
     return row({std::move(function), words("of"), std::move(argument)});
   }
 
   [[nodiscard]] bool isFlat() const override { return false; }
-
-private:
 };
 
 } // namespace
 
-std::string spoken(const Term &term) { return SpokenWriter().write(term); }
+std::string spoken(const Term &term) { return TermWriter(SpokenNotation()).write(term); }
 
-std::string spoken(const Chain &chain) { return SpokenWriter().write(chain); }
+std::string spoken(const Chain &chain) { return TermWriter(SpokenNotation()).write(chain); }
 
 } // namespace halfspace

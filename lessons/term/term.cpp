@@ -2,6 +2,7 @@
 
 #include "lessons/term/greek.h"
 #include "lessons/term/operate.h"
+#include "lessons/term/term_shape.h"
 #include "lessons/term/written.h"
 #include "lessons/text.h"
 
@@ -56,8 +57,6 @@ std::vector<Term> writtenAlike(std::vector<Term> entries) {
     *terms[i] = rewritten(*terms[i], std::move(digits[i]));
   return entries;
 }
-
-const Term &shown(const Term &term) { return term->kind == TermKind::Number ? term->parts[0] : term; }
 
 /// The term without the minus sign that it is written with in front; null where it has none.
 std::optional<Term> withoutSign(const Term &term) {

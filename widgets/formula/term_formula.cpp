@@ -3,7 +3,9 @@
 #include "lessons/language.h"
 #include "lessons/scene/provenance.h"
 #include "lessons/term/prime.h"
+#include "lessons/term/term_shape.h"
 #include "lessons/term/term_writer.h"
+#include "lessons/term/written.h"
 #include "lessons/text.h"
 
 #include <algorithm>
@@ -64,26 +66,25 @@ char32_t signOf(Relation relation) {
 
 Row leftOut(const math::Room &room) { return {math::tagged(math::LeftOut{}, Row{math::Node{room}})}; }
 
-class FormulaWriter : public TermWriter<Row> {
+class FormulaNotation : public Notation<Row> {
 public:
   /// The numbers that can be traced are tagged and put behind `numbers`, unless that is null.
-  explicit FormulaWriter(Fractions fractions = Fractions::Stacked, std::vector<Term> *numbers = nullptr,
-                         const math::Room &roomOfBlank = {})
+  explicit FormulaNotation(Fractions fractions = Fractions::Stacked, std::vector<Term> *numbers = nullptr,
+                           const math::Room &roomOfBlank = {})
       : m_fractions(fractions), m_numbers(numbers), m_roomOfBlank(roomOfBlank) {}
 
-protected:
-  Row row(std::vector<Row> parts) override {
+  [[nodiscard]] Row row(std::vector<Row> parts) const override {
     Row all;
     for (Row &part : parts)
       all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     return all;
   }
 
-  Row digits(const std::string &decimal) override {
+  [[nodiscard]] Row digits(const std::string &decimal) const override {
     return areDigits(decimal.substr(0, 1)) ? decimalOf(decimal) : math::row(math::symbol(infinity));
   }
 
-  Row symbol(const Symbol &symbol) override {
+  [[nodiscard]] Row symbol(const Symbol &symbol) const override {
     Row base{symbol.isWord ? math::function(symbol.letter)
                            : math::letter(firstCharacter(symbol.letter).code)};
     if (symbol.isVector)
@@ -103,7 +104,7 @@ protected:
                : math::row(math::scripts(std::move(base), std::move(above), std::move(below)));
   }
 
-  Row sign(TermSign sign) override {
+  [[nodiscard]] Row sign(TermSign sign) const override {
     switch (sign) {
     case TermSign::Plus:
       return {math::symbol('+', AtomClass::Bin)};
@@ -125,56 +126,58 @@ protected:
     return {};
   }
 
-  Row relation(Relation relation) override { return {math::symbol(signOf(relation), AtomClass::Rel)}; }
+  [[nodiscard]] Row relation(Relation relation) const override {
+    return {math::symbol(signOf(relation), AtomClass::Rel)};
+  }
 
-  Row parenthesized(Row inside, const Term &term) override {
+  [[nodiscard]] Row parenthesized(Row inside, const Term &term) const override {
     if (isTall(term))
       return math::row(math::fenced('(', std::move(inside), ')'));
     return math::row(math::symbol('(', AtomClass::Open), std::move(inside),
                      math::symbol(')', AtomClass::Close));
   }
 
-  Row fraction(Row top, Row bottom, FractionLook look) override {
+  [[nodiscard]] Row fraction(Row top, Row bottom, FractionLook look) const override {
     if (look.flat || m_fractions == Fractions::Flat)
       return math::row(std::move(top), math::symbol('/'), std::move(bottom));
     return math::row(math::fraction(std::move(top), std::move(bottom),
                                     look.small ? std::optional(math::Style::Text) : std::nullopt));
   }
 
-  Row root(Row square) override { return math::row(math::root(std::move(square))); }
+  [[nodiscard]] Row root(Row square) const override { return math::row(math::root(std::move(square))); }
 
-  Row norm(Row vector) override {
+  [[nodiscard]] Row norm(Row vector) const override {
     return math::row(math::symbol('|', AtomClass::Open), std::move(vector),
                      math::symbol('|', AtomClass::Close));
   }
 
-  Row normOf(Row inside, const Term &term) override {
+  [[nodiscard]] Row normOf(Row inside, const Term &term) const override {
     return isTall(term) ? math::row(math::fenced('|', std::move(inside), '|')) : norm(std::move(inside));
   }
 
-  Row power(Row base, Row exponent) override {
+  [[nodiscard]] Row power(Row base, Row exponent) const override {
     return math::row(math::scripts(std::move(base), std::move(exponent), {}));
   }
 
-  Row list(std::vector<Row> entries) override {
+  [[nodiscard]] Row list(std::vector<Row> entries) const override {
     return math::row(math::fenced('(', separated(std::move(entries)), ')'));
   }
 
   // With parentheses between which a line can be broken.
 
-  Row flatList(std::vector<Row> entries) override {
+  [[nodiscard]] Row flatList(std::vector<Row> entries) const override {
     return between(math::symbol('(', AtomClass::Open), std::move(entries),
                    math::symbol(')', AtomClass::Close));
   }
 
-  Row numberList(std::vector<Row> entries) override {
+  [[nodiscard]] Row numberList(std::vector<Row> entries) const override {
     if (isFlat()) // which are no higher than other numbers
       return flatList(std::move(entries));
     return between(math::Node{math::TallFence{'(', fenceOfFractions}, AtomClass::Open}, std::move(entries),
                    math::Node{math::TallFence{')', fenceOfFractions}, AtomClass::Close});
   }
 
-  Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) override {
+  [[nodiscard]] Row matrix(std::vector<Row> entries, std::size_t columns, bool isDeterminant) const override {
     std::vector<std::vector<Row>> rows;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (i % columns == 0)
@@ -185,13 +188,13 @@ protected:
                                    : math::matrix('(', std::move(rows), ')'));
   }
 
-  Row applied(Row function, Row argument, bool inParentheses) override {
+  [[nodiscard]] Row applied(Row function, Row argument, bool inParentheses) const override {
     return inParentheses ? math::row(std::move(function), math::symbol('(', AtomClass::Open),
                                      std::move(argument), math::symbol(')', AtomClass::Close))
                          : math::row(std::move(function), std::move(argument));
   }
 
-  Row touchable(const Term &term, Row text) override {
+  [[nodiscard]] Row touchable(const Term &term, Row text) const override {
     if (m_numbers && isTraceable(term)) {
       text = math::row(math::tagged(m_numbers->size(), std::move(text)));
       m_numbers->push_back(term);
@@ -201,7 +204,7 @@ protected:
     return text;
   }
 
-  Row blank() override { return leftOut(m_roomOfBlank); }
+  [[nodiscard]] Row blank() const override { return leftOut(m_roomOfBlank); }
 
   [[nodiscard]] bool isFlat() const override { return m_fractions == Fractions::Flat; }
 
@@ -226,7 +229,7 @@ private:
   math::Room m_roomOfBlank;
 };
 
-Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
+Row written(const std::vector<ChainPart> &parts, TermWriter<Row> writer) {
   Row row;
   for (const ChainPart &part : parts) {
     if (!row.empty())
@@ -238,7 +241,9 @@ Row written(const std::vector<ChainPart> &parts, FormulaWriter &writer) {
 
 } // namespace
 
-math::Row formulaOf(const Term &term, Fractions fractions) { return FormulaWriter(fractions).write(term); }
+math::Row formulaOf(const Term &term, Fractions fractions) {
+  return TermWriter(FormulaNotation(fractions)).write(term);
+}
 
 math::Row relatedFormula(const Term &value, Fractions fractions) {
   const Relation relation = showsRounded(value) ? Relation::Approximately : Relation::Equal;
@@ -253,12 +258,14 @@ math::Row formulaOf(const LiveNumber &number) {
   return number.size ? math::row(std::move(row), about, formulaOf(*number.size, Fractions::Flat)) : row;
 }
 
-math::Row formulaOf(const Symbol &symbol) { return FormulaWriter().write(name(symbol, std::nullopt)); }
+math::Row formulaOf(const Symbol &symbol) {
+  return TermWriter(FormulaNotation()).write(name(symbol, std::nullopt));
+}
 
 TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece) {
   TraceableFormula formula;
-  FormulaWriter writer(Fractions::Stacked, &formula.numbers);
-  formula.row = written(partsOf(line, piece), writer);
+  const FormulaNotation notation(Fractions::Stacked, &formula.numbers);
+  formula.row = written(partsOf(line, piece), TermWriter(notation));
   return formula;
 }
 
@@ -266,7 +273,8 @@ TraceableFormula formulaOf(const WorkingLine &line, LinePiece piece, const Gap &
   if (gap.isResult && piece != LinePiece::Symbols)
     return {piece == LinePiece::Result ? math::row(math::symbol('=', AtomClass::Rel), leftOut(room)) : Row()};
   TraceableFormula formula;
-  FormulaWriter writer(Fractions::Stacked, &formula.numbers, room);
+  const FormulaNotation notation(Fractions::Stacked, &formula.numbers, room);
+  TermWriter writer(notation);
   writer.leaveOut(gap.hidden);
   formula.row = written(partsOf(line, piece), writer);
   return formula;
@@ -281,8 +289,7 @@ math::Row formulaOf(const std::vector<Chain> &statements) {
 }
 
 math::Row formulaOf(const std::vector<ChainPart> &parts) {
-  FormulaWriter writer({});
-  return written(parts, writer);
+  return written(parts, TermWriter(FormulaNotation()));
 }
 
 } // namespace halfspace
