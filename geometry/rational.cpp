@@ -4,14 +4,10 @@
 #include <array>
 #include <bit>
 #include <cassert>
-#include <charconv>
-#include <cmath>
-#include <ostream>
+#include <cstdlib>
+#include <limits>
 
 namespace halfspace {
-
-// --- The number itself
-
 namespace {
 
 __extension__ using TwoWords = __int128;
@@ -163,134 +159,9 @@ Rational rationalOf(const Integer &value) {
   return fitsWord(value) ? Rational(static_cast<std::int64_t>(value)) : Rational(Rational::Big{value});
 }
 
-std::ostream &operator<<(std::ostream &out, const Rational &value) { return out << toText(value); }
-
-// --- Reading and writing
-
-namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// Takes the digits at the front of `text` off it.
-std::string_view takeDigits(std::string_view &text) {
-  std::size_t count = 0;
-  while (count < text.size() && isDigit(text[count]))
-    ++count;
-  const auto digits = text.substr(0, count);
-  text.remove_prefix(count);
-  return digits;
-}
-
-bool takeChar(std::string_view &text, char c) {
-  if (text.empty() || text.front() != c)
-    return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-/// As many digits as a word holds for sure.
-constexpr std::size_t wordDigits = std::numeric_limits<std::int64_t>::digits10;
-
-/// Decimal digits, leading zeros allowed (Boost would read `010` as octal).
-Rational readDigits(std::string_view digits) {
-  Rational value = 0;
-  while (!digits.empty()) {
-    const std::string_view part = digits.substr(0, wordDigits);
-    digits.remove_prefix(part.size());
-    std::int64_t word = 0;
-    std::int64_t weight = 1;
-    for (const char digit : part) {
-      word = word * 10 + (digit - '0');
-      weight *= 10;
-    }
-    value = value * weight + word;
-  }
-  return value;
-}
-
-/// The signed exponent after `e`, or nothing when it is malformed or too large.
-std::optional<int> takeExponent(std::string_view &text) {
-  const bool negative = takeChar(text, '-');
-  if (!negative)
-    takeChar(text, '+');
-  auto digits = takeDigits(text);
-  if (digits.empty())
-    return {};
-  while (digits.size() > 1 && digits.front() == '0')
-    digits.remove_prefix(1);
-  if (digits.size() > 3)
-    return {};
-  const int magnitude = std::stoi(std::string(digits));
-  if (magnitude > maxExponent)
-    return {};
-  return negative ? -magnitude : magnitude;
-}
-
-std::optional<Rational> takeInteger(std::string_view &text) {
-  const bool negative = takeChar(text, '-');
-  const auto digits = takeDigits(text);
-  if (digits.empty() || digits.size() > maxDigits)
-    return {};
-  const Rational value = readDigits(digits);
-  return negative ? -value : value;
-}
-
-std::string wordText(std::int64_t value) {
-  std::array<char, wordDigits + 2> text; // a sign, and one digit more than every word has
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-int bitLength(const Integer &positive) { return static_cast<int>(mp::msb(positive)) + 1; }
-
-} // namespace
-
-std::optional<Rational> parseRational(std::string_view text) {
-  return text.find('/') == std::string_view::npos ? parseDecimal(text) : parseFraction(text);
-}
-
-std::optional<Rational> parseFraction(std::string_view text) {
-  auto numerator = takeInteger(text);
-  if (!numerator || text.empty())
-    return numerator;
-  if (!takeChar(text, '/'))
-    return {};
-  const auto denominator = takeInteger(text);
-  if (!denominator || *denominator == 0 || !text.empty())
-    return {};
-  return *numerator / *denominator;
-}
-
-std::optional<Rational> parseDecimal(std::string_view text) {
-  const bool negative = takeChar(text, '-');
-  const auto whole = takeDigits(text);
-  std::string_view decimals;
-  if (takeChar(text, '.')) {
-    decimals = takeDigits(text);
-    if (decimals.empty())
-      return {};
-  }
-  if (whole.size() + decimals.size() > maxDigits || whole.empty())
-    return {};
-  int exponent = 0;
-  if (takeChar(text, 'e') || takeChar(text, 'E')) {
-    const auto given = takeExponent(text);
-    if (!given)
-      return {};
-    exponent = *given;
-  }
-  if (!text.empty())
-    return {};
-
-  exponent -= static_cast<int>(decimals.size());
-  const Rational digits =
-      readDigits(whole) * powerOfTen(static_cast<int>(decimals.size())) + readDigits(decimals);
-  const Rational value = exponent >= 0 ? digits * powerOfTen(exponent) : digits / powerOfTen(-exponent);
-  return negative ? -value : value;
-}
-
 Rational powerOfTen(int exponent) {
   static const auto words = [] {
-    std::array<std::int64_t, wordDigits + 1> powers{1};
+    std::array<std::int64_t, std::numeric_limits<std::int64_t>::digits10 + 1> powers{1}; // all that fit
     for (std::size_t i = 1; i < powers.size(); ++i)
       powers[i] = powers[i - 1] * 10;
     return powers;
@@ -301,110 +172,5 @@ Rational powerOfTen(int exponent) {
                              : rationalOf(mp::pow(Integer(10), static_cast<unsigned>(power)));
   return exponent < 0 ? 1 / value : value;
 }
-
-NotRead whyNotRead(std::string_view text) {
-  takeChar(text, '-');
-  const bool hasWhole = !takeDigits(text).empty();
-  bool isNumber = hasWhole;
-  bool grows = false;
-  if (takeChar(text, '/')) {
-    takeChar(text, '-');
-    isNumber = hasWhole && takeDigits(text).find_first_not_of('0') != std::string_view::npos;
-  } else {
-    if (takeChar(text, '.'))
-      isNumber = !takeDigits(text).empty() && isNumber;
-    if (takeChar(text, 'e') || takeChar(text, 'E')) {
-      grows = !takeChar(text, '-');
-      if (grows)
-        takeChar(text, '+');
-      isNumber = !takeDigits(text).empty() && isNumber;
-    }
-  }
-  if (!isNumber || !text.empty())
-    return NotRead::NoNumber;
-  return grows ? NotRead::TooLarge : NotRead::TooLong;
-}
-
-std::string toText(const Rational &value) {
-  if (const auto words = value.words()) {
-    std::string text = wordText(words->numerator);
-    if (words->denominator != 1)
-      text += "/" + wordText(words->denominator);
-    return text;
-  }
-  return value.big().value.str();
-}
-
-double nearestDouble(const Integer &p, const Integer &q, int exponent) {
-  if (p == 0)
-    return 0;
-  const Integer magnitude = mp::abs(p);
-
-  // Scale so that the quotient has 65 or 66 bits, more than a double's 53; a last odd bit stands for all that
-  // the division cut off, so that the one rounding below rounds the true value.
-  const int shift = 65 - (bitLength(magnitude) - bitLength(q));
-  const Integer dividend = shift > 0 ? Integer(magnitude << shift) : magnitude;
-  const Integer divisor = shift < 0 ? Integer(q << -shift) : q;
-  Integer quotient;
-  Integer remainder;
-  mp::divide_qr(dividend, divisor, quotient, remainder);
-  if (remainder != 0)
-    quotient |= 1;
-
-  // Keep the bits that a double of this size has: 53, fewer when it is subnormal.
-  const int top = bitLength(quotient) - shift + exponent;
-  const int kept =
-      std::min(std::numeric_limits<double>::digits,
-               top - (std::numeric_limits<double>::min_exponent - std::numeric_limits<double>::digits));
-  if (kept < 0)
-    return p < 0 ? -0.0 : 0.0;
-  const int dropped = bitLength(quotient) - kept;
-  Integer mantissa = quotient >> dropped;
-  const Integer rest = quotient - (mantissa << dropped);
-  const Integer half = Integer(1) << (dropped - 1);
-  if (rest > half || (rest == half && mp::bit_test(mantissa, 0)))
-    ++mantissa;
-  const double value = std::ldexp(mantissa.convert_to<double>(), dropped - shift + exponent);
-  return p < 0 ? -value : value;
-}
-
-double toDouble(const Rational &value) {
-  // Where both parts are doubles the one division below rounds once.
-  constexpr std::int64_t largestWhole = std::int64_t{1} << std::numeric_limits<double>::digits;
-  const auto words = value.words();
-  if (words && std::abs(words->numerator) <= largestWhole && words->denominator <= largestWhole)
-    return static_cast<double>(words->numerator) / static_cast<double>(words->denominator);
-  const BigFraction big = value.big().value;
-  return nearestDouble(mp::numerator(big), mp::denominator(big));
-}
-
-Rational exactly(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  constexpr int digits = std::numeric_limits<double>::digits;
-  const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, digits)));
-  exponent -= digits;
-  const Rational power = rationalOf(Integer(1) << std::abs(exponent));
-  return exponent >= 0 ? rationalOf(whole) * power : rationalOf(whole) / power;
-}
-
-Rational floorOf(const Rational &value) {
-  const Integer p = numeratorOf(value);
-  const Integer q = denominatorOf(value);
-  Integer floor = p / q;
-  if (p < 0 && floor * q != p)
-    --floor;
-  return rationalOf(floor);
-}
-
-Rational roundToMultiple(const Rational &value, const Rational &step) {
-  return floorOf(value / step + Rational(1, 2)) * step;
-}
-
-Rational roundUpToMultiple(const Rational &value, const Rational &step) {
-  return -floorOf(-value / step) * step;
-}
-
-Rational roundToMultiple(double value, const Rational &step) { return roundToMultiple(exactly(value), step); }
 
 } // namespace halfspace
