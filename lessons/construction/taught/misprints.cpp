@@ -1,6 +1,9 @@
 // What the lecture notes print and what holds, beside each other, for one triangle and one ray. A printed
 // line is calculated as it stands there; where it comes to something else than the right one, the learner has
 // found a counterexample. (Notes PG 2, 3.5 and 6.2, RP 23 and 28, CG, PL.)
+//
+// Long because each of the misprints has a claim that is tried, words for either outcome, and lines of its
+// own.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/point_plane.h"

@@ -1,5 +1,9 @@
 // Where a ray goes into a convex solid and where it comes out, by one product with each edge (note PL): an
 // edge is shared by two faces, which run along it in opposite directions.
+//
+// Long because a solid has edges, faces and up to two places that the ray meets, each with lines, words and
+// marks of its own, and because a line that only touches a solid, or runs along it, is told apart from one
+// that goes through.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_solid.h"
 #include "geometry/project_vector.h"

@@ -1,6 +1,8 @@
 // One ray and one triangle by three methods beside each other: u⊥ and v⊥ (note PG 6.2), Cramer's rule (CG)
 // and Plücker products (PL). What the methods have in common has one letter and one mark, so it has one
 // colour; what each of them costs is counted in the very formulas of its lines.
+//
+// Long because these are three calculations in full, step by step, and what each of them costs.
 #include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
 #include "geometry/intersect_ray_triangle_cramer.h"
