@@ -14,8 +14,6 @@ class SessionHistory : public QObject, private History {
 public:
   using QObject::QObject;
 
-  using History::canRedo;
-  using History::canUndo;
   using History::count;
   using History::index;
   using History::inGesture;

@@ -34,7 +34,7 @@ void History::record(const Scene &before, const std::string &description, bool r
 
 const HistoryStep *History::undo() {
   endGesture(m_holder);
-  if (!canUndo())
+  if (m_done == 0)
     return nullptr;
   const HistoryStep &step = m_steps[--m_done];
   m_session.scene = step.before;
@@ -43,11 +43,19 @@ const HistoryStep *History::undo() {
 
 const HistoryStep *History::redo() {
   endGesture(m_holder);
-  if (!canRedo())
+  if (m_done == m_steps.size())
     return nullptr;
   const HistoryStep &step = m_steps[m_done++];
   m_session.scene = step.after;
   return &step;
+}
+
+std::optional<std::string> History::undoText() const {
+  return m_done > 0 ? std::optional(m_steps[m_done - 1].description) : std::nullopt;
+}
+
+std::optional<std::string> History::redoText() const {
+  return m_done < m_steps.size() ? std::optional(m_steps[m_done].description) : std::nullopt;
 }
 
 void History::clear() {

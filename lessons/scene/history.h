@@ -47,19 +47,13 @@ public:
 
   [[nodiscard]] int count() const { return static_cast<int>(m_steps.size()); } ///< with those undone
   [[nodiscard]] int index() const { return static_cast<int>(m_done); }         ///< how many are done
-  [[nodiscard]] bool canUndo() const { return m_done > 0; }
-  [[nodiscard]] bool canRedo() const { return m_done < m_steps.size(); }
   /// What the step at an index below `count` does.
   [[nodiscard]] const std::string &text(int index) const {
     return m_steps.at(static_cast<std::size_t>(index)).description;
   }
   /// What undo and redo would undo and do again; nothing where there is no such step.
-  [[nodiscard]] std::optional<std::string> undoText() const {
-    return canUndo() ? std::optional(m_steps[m_done - 1].description) : std::nullopt;
-  }
-  [[nodiscard]] std::optional<std::string> redoText() const {
-    return canRedo() ? std::optional(m_steps[m_done].description) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<std::string> undoText() const;
+  [[nodiscard]] std::optional<std::string> redoText() const;
 
   /// Whether the session is as it was saved.
   [[nodiscard]] bool isClean() const { return m_clean == m_done; }

@@ -249,13 +249,13 @@ private slots:
     fixture.model().setStep(2);
     const Session changed = fixture.model().session();
     fixture.model().openLesson("plane-implicit");
-    QVERIFY(!fixture.model().history().canUndo());
+    QVERIFY(!fixture.model().history().undoText());
     fixture.model().history().undo();
     QCOMPARE(fixture.model().session().lesson, std::string("plane-implicit"));
     QVERIFY(fixture.window.isWindowModified());
     fixture.model().openLesson("signed-distance");
     QVERIFY(fixture.model().session() == changed);
-    QVERIFY(!fixture.model().history().canUndo());
+    QVERIFY(!fixture.model().history().undoText());
   }
 
   void unsavedWork_ofAProgramThatWasCutOff_comesBackWithItsFile() {
@@ -374,7 +374,7 @@ private slots:
       for (const Place &place : placesOf(fixture.model().figure()))
         QVERIFY(view.contains(fixture.pixelOf(place)));
     }
-    while (fixture.model().history().canUndo())
+    while (fixture.model().history().undoText())
       fixture.model().history().undo();
     QVERIFY(fixture.model().session() == before);
   }

@@ -87,7 +87,7 @@ private slots:
     newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
     model.renewLesson(newer);
     QVERIFY(model.session().scene == newer.scene);
-    QVERIFY(!model.history().canUndo());
+    QVERIFY(!model.history().undoText());
   }
 
   void lessonRenewed_whileItsHistoryEnds_isTheLessonOfBeforeToWhoeverLooks() {
@@ -233,9 +233,9 @@ private slots:
     model.history().undo();
     QCOMPARE(told.count(), 2);
     QCOMPARE(clean.count(), 3);
-    QVERIFY(model.history().canRedo());
+    QVERIFY(model.history().redoText());
     model.startWith(model.session());
-    QVERIFY(!model.history().canRedo());
+    QVERIFY(!model.history().redoText());
     QCOMPARE(told.count(), 3);
     QCOMPARE(clean.count(), 3);
   }

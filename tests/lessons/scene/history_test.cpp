@@ -72,7 +72,7 @@ TEST(History, UndoneAndEdited_ForgetsWhatWasUndone) {
   EXPECT_EQ(history.count(), 2);
   ASSERT_FALSE(history.edit({moved("Q", 3)}, "third"));
   EXPECT_EQ(history.count(), 2);
-  EXPECT_FALSE(history.canRedo());
+  EXPECT_FALSE(history.redoText());
   EXPECT_EQ(history.text(1), "third");
 }
 
