@@ -2,7 +2,6 @@
 #include "widgets/formula/set.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace halfspace::math {
@@ -68,6 +67,15 @@ public:
   }
 
 private:
+  struct RowSize {
+    double ascent = 0;
+    double depth = 0;
+  };
+  struct ColumnSize {
+    double left = 0;
+    double width = 0;
+  };
+
   void setCells();
   [[nodiscard]] Box setCell(const Row &cell, std::size_t column);
   void measureRows();
@@ -90,10 +98,8 @@ private:
   double m_em;
   Box m_all;
   std::vector<std::vector<Box>> m_cells;
-  std::vector<double> m_ascents; ///< of the rows
-  std::vector<double> m_depths;
-  std::vector<double> m_widths; ///< of the columns
-  std::vector<double> m_lefts;
+  std::vector<RowSize> m_rows;
+  std::vector<ColumnSize> m_columns;
   double m_width = 0;
   double m_height = 0;
   double m_top = 0; ///< above the baseline
@@ -118,36 +124,34 @@ void TableSetter::setCells() {
     for (const Row &cell : row.cells) {
       const std::size_t column = boxes.size();
       boxes.push_back(setCell(cell, column));
-      m_widths.resize(std::max(m_widths.size(), column + 1));
-      m_widths[column] = std::max(m_widths[column], boxes.back().width);
+      m_columns.resize(std::max(m_columns.size(), column + 1));
+      m_columns[column].width = std::max(m_columns[column].width, boxes.back().width);
     }
   }
 }
 
 void TableSetter::measureRows() {
   for (std::size_t row = 0; row < m_cells.size(); ++row) {
-    double ascent = em(m_spacing.rowHeight * strutAscent);
-    double depth = em(m_spacing.rowHeight * strutDepth);
+    RowSize size{em(m_spacing.rowHeight * strutAscent), em(m_spacing.rowHeight * strutDepth)};
     for (const Box &box : m_cells[row]) {
-      ascent = std::max(ascent, box.ascent + em(m_spacing.rowGap) / 2);
-      depth = std::max(depth, box.depth + em(m_spacing.rowGap) / 2);
+      size.ascent = std::max(size.ascent, box.ascent + em(m_spacing.rowGap) / 2);
+      size.depth = std::max(size.depth, box.depth + em(m_spacing.rowGap) / 2);
     }
-    m_ascents.push_back(ascent);
-    m_depths.push_back(depth + em(m_table.rows[row].roomBelow));
+    size.depth += em(m_table.rows[row].roomBelow);
+    m_rows.push_back(size);
+    m_height += size.ascent + size.depth;
   }
-  m_height = std::accumulate(m_ascents.begin(), m_ascents.end(), 0.0) +
-             std::accumulate(m_depths.begin(), m_depths.end(), 0.0);
   m_top = m_sheet.axis(m_style) + m_height / 2;
 }
 
 void TableSetter::measureColumns() {
   double x = roomAtEdge(0);
-  for (std::size_t column = 0; column < m_widths.size(); ++column) {
+  for (std::size_t column = 0; column < m_columns.size(); ++column) {
     x += column == 0 ? 0 : gapBefore(column);
-    m_lefts.push_back(x);
-    x += m_widths[column];
+    m_columns[column].left = x;
+    x += m_columns[column].width;
   }
-  m_width = x + roomAtEdge(m_widths.size());
+  m_width = x + roomAtEdge(m_columns.size());
 }
 
 double TableSetter::gapBefore(std::size_t column) const {
@@ -181,14 +185,14 @@ Align TableSetter::alignOf(std::size_t column) const {
 void TableSetter::placeCells() {
   double y = m_top;
   for (std::size_t row = 0; row < m_cells.size(); ++row) {
-    y -= m_ascents[row];
+    y -= m_rows[row].ascent;
     for (std::size_t column = 0; column < m_cells[row].size(); ++column) {
-      const double spare = m_widths[column] - m_cells[row][column].width;
+      const double spare = m_columns[column].width - m_cells[row][column].width;
       const Align align = alignOf(column);
       const double right = align == Align::Left ? 0 : align == Align::Right ? spare : spare / 2;
-      m_sheet.place(m_all, m_cells[row][column], m_lefts[column] + right, y);
+      m_sheet.place(m_all, m_cells[row][column], m_columns[column].left + right, y);
     }
-    y -= m_depths[row];
+    y -= m_rows[row].depth;
   }
 }
 
@@ -207,14 +211,14 @@ void TableSetter::putRules(double x, double top, int count, bool isVertical) {
 }
 
 void TableSetter::putColumnRules() {
-  for (std::size_t column = 0; column <= m_widths.size(); ++column) {
+  for (std::size_t column = 0; column <= m_columns.size(); ++column) {
     const int count = rulesBefore(column);
     const double half = (std::max(0, count - 1) * em(doubleRuleGap) + em(ruleThickness)) / 2;
     double x = half;
-    if (column == m_widths.size())
+    if (column == m_columns.size())
       x = m_width - half;
     else if (column > 0)
-      x = m_lefts[column] - gapBefore(column) / 2;
+      x = m_columns[column].left - gapBefore(column) / 2;
     putRules(x, m_top, count, true);
   }
 }
@@ -223,7 +227,7 @@ void TableSetter::putRowRules() {
   double y = m_top;
   for (std::size_t row = 0; row < m_table.rows.size(); ++row) {
     putRules(0, y, m_table.rows[row].rulesAbove, false);
-    y -= m_ascents[row] + m_depths[row];
+    y -= m_rows[row].ascent + m_rows[row].depth;
   }
   putRules(0, y, m_table.rulesBelow, false);
 }

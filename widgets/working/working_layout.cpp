@@ -36,45 +36,21 @@ constexpr double remarkIndent = 0.95;      // for the mark before it, likewise
 constexpr double leastAscent = 0.72;
 constexpr double leastDepth = 0.22;
 
-/// Lays out one line at a time below the last.
-class LinePlacer {
+/// Where formulas may stand; in pixels. Gaps are in its em, whatever the type of a line is.
+struct FormulaRoom {
+  double em;
+  double left;
+  double right;
+};
+
+/// The formulas of one line, in rows below each other.
+class FormulaRows {
 public:
-  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
-      : m_sentences(sentences), m_font(font), m_em(emPixelsOf(font)), m_width(width),
-        m_left(sideMargin * m_em), m_right(width - sideMargin * m_em) {}
+  /// Begins below `top`, in type of a size of its own. `held`: whose rows they are to have; may be null.
+  FormulaRows(const FormulaRoom &room, double top, double typeEm, const PlacedLine *held)
+      : m_room(room), m_typeEm(typeEm), m_held(held), m_x(room.left), m_y(top) {}
 
-  /// `held`: what stands there; may be null.
-  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading,
-                   const PlacedLine *held) {
-    m_placed = {};
-    const double top = m_y;
-    m_placed.heading = placeText(heading, m_left);
-    m_y += lineMargin * m_em;
-    if (!held || !placeInRowsOf(*held, line))
-      placeFormulas(line, emFor(line));
-    m_y = std::max(m_y, top + (held ? held->formulasBottom : 0)); // what is said below stays where it is
-    m_placed.formulasBottom = m_y - top;
-    const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
-    m_placed.remark = placeText(remark, m_left + markRoom);
-    if (!line.isPartial)
-      m_placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_left);
-    m_y += lineMargin * m_em;
-    m_y = std::max(m_y, top + (held ? held->box.height() : 0));
-    m_placed.box = QRectF(0, top, m_width, m_y - top);
-    return std::move(m_placed);
-  }
-
-  [[nodiscard]] double bottom() const { return m_y; }
-  /// Beyond the width where a formula does not fit.
-  [[nodiscard]] double right() const { return std::max(m_width, m_widest + sideMargin * m_em); }
-
-private:
-  void placeFormulas(const TypesetLine &line, double em) {
-    m_placed.formulas.clear();
-    m_placed.blank = {};
-    m_x = m_left;
-    m_rowIsEmpty = true;
-    m_lineEm = em;
+  void place(const TypesetLine &line) {
     startRow();
     for (std::size_t piece = 0; piece < line.pieces.size(); ++piece)
       placePiece(line.pieces[piece], static_cast<LinePiece>(piece));
@@ -85,136 +61,191 @@ private:
     endRow();
   }
 
-  /// False, and nothing is placed, where the line fits into no such rows with type that can be read.
-  bool placeInRowsOf(const PlacedLine &held, const TypesetLine &line) {
-    const double top = m_y;
-    const double widest = m_widest;
-    const double usualRight = m_right;
-    const double usualEm = emFor(line);
-    const double smallestEm = std::max(smallestHeldScale * usualEm, smallestScale * m_em);
-    m_held = &held;
-    const auto fits = [&](double em) {
-      m_y = top;
-      m_widest = widest;
-      placeFormulas(line, em);
-      return hasRowsOf(held);
-    };
-    bool isPlaced = fits(usualEm);
-    m_right = m_width - heldSideMargin * m_em;
-    for (double em = usualEm; !isPlaced && em >= smallestEm; em *= heldScaleStep)
-      isPlaced = fits(em);
-    m_held = nullptr;
-    m_right = usualRight;
-    if (!isPlaced) {
-      m_y = top;
-      m_widest = widest;
-    }
-    return isPlaced;
-  }
-
   /// Whether the formulas fit as they are placed and are broken no more often than those that stood there.
-  [[nodiscard]] bool hasRowsOf(const PlacedLine &held) const {
-    return m_placed.formulas.size() == held.formulas.size() &&
-           std::equal(m_placed.formulas.begin(), m_placed.formulas.end(), held.formulas.begin(),
+  [[nodiscard]] bool haveRowsOf(const PlacedLine &held) const {
+    return m_formulas.size() == held.formulas.size() &&
+           std::equal(m_formulas.begin(), m_formulas.end(), held.formulas.begin(),
                       [&](const PlacedFormula &now, const PlacedFormula &before) {
-                        return now.box().right() <= m_right && now.beginsRow == before.beginsRow &&
+                        return now.box().right() <= m_room.right && now.beginsRow == before.beginsRow &&
                                now.picture->lineCount() <= before.picture->lineCount();
                       });
   }
 
-  /// The size of a line's type: smaller where a piece of it fits into no row of its own, and then for all of
-  /// its pieces.
-  [[nodiscard]] double emFor(const TypesetLine &line) const {
-    double em = m_em;
-    double left = m_left;
-    const auto fit = [&](const Typesetter::Picture &picture) {
-      if (!picture)
-        return;
-      const double room = std::max(m_right - left, 1.0);
-      if (picture->width() * em > room)
-        em = std::min(em, room / std::max(picture->brokenTo(room / m_em).width(), room / em));
-      left = m_left + indent * m_em;
-    };
-    for (const Typesetter::Picture &piece : line.pieces)
-      fit(piece);
-    fit(line.told);
-    return std::max(em, smallestScale * m_em);
+  [[nodiscard]] double bottom() const { return m_y; }
+  /// Of the widest of them.
+  [[nodiscard]] double right() const { return m_widest; }
+  /// Ends its work: a line has them now.
+  void handTo(PlacedLine &line) {
+    line.formulas = std::move(m_formulas);
+    line.blank = m_blank;
   }
 
-  void startRow() {
-    m_rowBegin = m_placed.formulas.size();
-    m_ascent = leastAscent * m_em;
-    m_depth = leastDepth * m_em;
-    m_rowIsFull = false;
-  }
+private:
+  /// The row in work.
+  struct Row {
+    std::size_t begin; ///< its first formula
+    double ascent, depth;
+    bool isEmpty = true;
+    bool isFull = false;
+  };
+
+  void startRow() { m_row = {m_formulas.size(), leastAscent * m_room.em, leastDepth * m_room.em}; }
 
   /// Now that the row's height is known, everything in it comes down to its baseline.
   void endRow() {
-    const double baseline = m_y + m_ascent;
-    for (std::size_t i = m_rowBegin; i < m_placed.formulas.size(); ++i) {
-      PlacedFormula &formula = m_placed.formulas[i];
+    const double baseline = m_y + m_row.ascent;
+    for (std::size_t i = m_row.begin; i < m_formulas.size(); ++i) {
+      PlacedFormula &formula = m_formulas[i];
       formula.baseline.setY(baseline);
       if (const auto &leftOut = formula.picture->leftOut())
-        m_placed.blank = formula.toWorking(*leftOut);
+        m_blank = formula.toWorking(*leftOut);
     }
-    m_y = baseline + m_depth;
+    m_y = baseline + m_row.depth;
   }
 
   void breakRow() {
     endRow();
-    m_y += rowGap * m_em;
-    m_x = m_left + indent * m_em;
-    m_rowIsEmpty = true;
+    m_y += rowGap * m_room.em;
+    m_x = m_room.left + indent * m_room.em;
     startRow();
   }
 
   /// Makes room for something of this width, in a new row if it must be.
   void makeRoom(double width) {
-    if (m_rowIsEmpty)
+    if (m_row.isEmpty)
       return;
     if (breaksBefore(width))
       breakRow();
     else
-      m_x += relationGap * m_em;
+      m_x += relationGap * m_room.em;
   }
 
   [[nodiscard]] bool breaksBefore(double width) const {
-    if (m_held && m_placed.formulas.size() < m_held->formulas.size())
-      return m_held->formulas[m_placed.formulas.size()].beginsRow;
+    if (m_held && m_formulas.size() < m_held->formulas.size())
+      return m_held->formulas[m_formulas.size()].beginsRow;
     // Beside a formula on several lines nothing could be read in its order.
-    return m_rowIsFull || m_x + relationGap * m_em + width > m_right;
-  }
-
-  void advance(double width) {
-    m_x += width;
-    m_widest = std::max(m_widest, m_x);
-    m_rowIsEmpty = false;
+    return m_row.isFull || m_x + relationGap * m_room.em + width > m_room.right;
   }
 
   void placePiece(const Typesetter::Picture &picture, std::optional<LinePiece> piece = {}) {
     if (!picture)
       return;
-    makeRoom(picture->width() * m_lineEm);
-    const bool beginsRow = m_rowIsEmpty;
-    const double room = std::max(m_right - m_x, 1.0);
+    makeRoom(picture->width() * m_typeEm);
+    const double room = std::max(m_room.right - m_x, 1.0);
     const Typesetter::Picture shown =
-        picture->width() * m_lineEm > room
-            ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_lineEm))
+        picture->width() * m_typeEm > room
+            ? std::make_shared<const MathPicture>(picture->brokenTo(room / m_typeEm))
             : picture;
-    m_placed.formulas.push_back({shown, {m_x, 0}, m_lineEm, piece, beginsRow});
-    m_ascent = std::max(m_ascent, shown->ascent() * m_lineEm);
-    m_depth = std::max(m_depth, shown->depth() * m_lineEm);
-    advance(shown->width() * m_lineEm);
-    m_rowIsFull = shown->isBroken();
+    m_formulas.push_back({shown, {m_x, 0}, m_typeEm, piece, m_row.isEmpty});
+    m_row.ascent = std::max(m_row.ascent, shown->ascent() * m_typeEm);
+    m_row.depth = std::max(m_row.depth, shown->depth() * m_typeEm);
+    m_row.isEmpty = false;
+    m_row.isFull = shown->isBroken();
+    m_x += shown->width() * m_typeEm;
+    m_widest = std::max(m_widest, m_x);
+  }
+
+  FormulaRoom m_room;
+  double m_typeEm;
+  const PlacedLine *m_held;
+  double m_x, m_y;
+  double m_widest = 0;
+  Row m_row{};
+  std::vector<PlacedFormula> m_formulas;
+  QRectF m_blank; ///< null when nothing is left out
+};
+
+/// The size of a line's type: smaller where a piece of it fits into no row of its own, and then for all of
+/// its pieces.
+double typeEmFor(const TypesetLine &line, const FormulaRoom &room) {
+  double em = room.em;
+  double left = room.left;
+  const auto fit = [&](const Typesetter::Picture &picture) {
+    if (!picture)
+      return;
+    const double width = std::max(room.right - left, 1.0);
+    if (picture->width() * em > width)
+      em = std::min(em, width / std::max(picture->brokenTo(width / room.em).width(), width / em));
+    left = room.left + indent * room.em;
+  };
+  for (const Typesetter::Picture &piece : line.pieces)
+    fit(piece);
+  fit(line.told);
+  return std::max(em, smallestScale * room.em);
+}
+
+/// Lays out one line at a time below the last.
+class LinePlacer {
+public:
+  LinePlacer(SentenceBreaker &sentences, const QFont &font, double width)
+      : m_sentences(sentences), m_font(font), m_width(width) {
+    const double em = emPixelsOf(font);
+    m_room = {em, sideMargin * em, width - sideMargin * em};
+  }
+
+  /// `held`: what stands there; may be null.
+  PlacedLine place(const TypesetLine &line, const QString &remark, const QString &heading,
+                   const PlacedLine *held) {
+    PlacedLine placed;
+    const double top = m_y;
+    placed.heading = placeText(heading, m_room.left);
+    m_y += lineMargin * m_room.em;
+    FormulaRows rows = rowsOf(line, held);
+    rows.handTo(placed);
+    m_widest = std::max(m_widest, rows.right());
+    // What is said below stays where it is.
+    m_y = std::max(rows.bottom(), top + (held ? held->formulasBottom : 0));
+    placed.formulasBottom = m_y - top;
+    const double markRoom = remarkIndent * QFontMetricsF(m_font).height();
+    placed.remark = placeText(remark, m_room.left + markRoom);
+    if (!line.isPartial)
+      placed.sentence = placeText(QString::fromStdString(line.source.sentence), m_room.left);
+    m_y += lineMargin * m_room.em;
+    m_y = std::max(m_y, top + (held ? held->box.height() : 0));
+    placed.box = QRectF(0, top, m_width, m_y - top);
+    return placed;
+  }
+
+  [[nodiscard]] double bottom() const { return m_y; }
+  /// Beyond the width where a formula does not fit.
+  [[nodiscard]] double right() const { return std::max(m_width, m_widest + sideMargin * m_room.em); }
+
+private:
+  [[nodiscard]] FormulaRows rowsOf(const TypesetLine &line, const PlacedLine *held) const {
+    const double typeEm = typeEmFor(line, m_room);
+    if (held)
+      if (auto rows = rowsAsHeld(*held, line, typeEm))
+        return std::move(*rows);
+    FormulaRows rows(m_room, m_y, typeEm, nullptr);
+    rows.place(line);
+    return rows;
+  }
+
+  /// Nothing where the line fits into no such rows with type that can be read.
+  [[nodiscard]] std::optional<FormulaRows> rowsAsHeld(const PlacedLine &held, const TypesetLine &line,
+                                                      double usualEm) const {
+    const auto rowsIn = [&](const FormulaRoom &room, double typeEm) {
+      FormulaRows rows(room, m_y, typeEm, &held);
+      rows.place(line);
+      return rows.haveRowsOf(held) ? std::optional(std::move(rows)) : std::nullopt;
+    };
+    if (auto rows = rowsIn(m_room, usualEm))
+      return rows;
+    const FormulaRoom wider{m_room.em, m_room.left, m_width - heldSideMargin * m_room.em};
+    const double smallestEm = std::max(smallestHeldScale * usualEm, smallestScale * m_room.em);
+    for (double em = usualEm; em >= smallestEm; em *= heldScaleStep)
+      if (auto rows = rowsIn(wider, em))
+        return rows;
+    return {};
   }
 
   std::vector<PlacedText> placeText(const QString &words, double left) {
     std::vector<PlacedText> placed;
     if (words.isEmpty())
       return placed;
-    m_y += sentenceGap * m_em;
+    m_y += sentenceGap * m_room.em;
     for (const SentenceBreaker::Line &line :
-         m_sentences.lines(words, m_font, std::max(m_right - left, 1.0))) {
+         m_sentences.lines(words, m_font, std::max(m_room.right - left, 1.0))) {
       placed.push_back({line.text, line.runs, {left, m_y + line.ascent}});
       m_y += sentenceLineHeight * line.height;
     }
@@ -224,15 +255,9 @@ private:
 
   SentenceBreaker &m_sentences;
   QFont m_font;
-  double m_em, m_width, m_left, m_right;
-  double m_x = 0, m_y = 0, m_widest = 0;
-  PlacedLine m_placed;
-  const PlacedLine *m_held = nullptr; ///< whose rows the formulas are to have
-  double m_lineEm = 0;                ///< of the line in work
-  // The row in work.
-  std::size_t m_rowBegin = 0;
-  double m_ascent = 0, m_depth = 0;
-  bool m_rowIsEmpty = true, m_rowIsFull = false;
+  double m_width;
+  FormulaRoom m_room{};
+  double m_y = 0, m_widest = 0;
 };
 
 /// Whether a line is the first of its construction's.
