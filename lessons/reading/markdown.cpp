@@ -316,11 +316,6 @@ std::string writtenIn(const MarkdownFormula &formula) {
   return written;
 }
 
-bool hasLiveValue(const MarkdownFormula &formula) {
-  return std::any_of(formula.sides.begin(), formula.sides.end(),
-                     [](const MarkdownFormula::Side &side) { return side.isLive; });
-}
-
 bool isOpenable(std::string_view address) {
   constexpr std::array<std::string_view, 3> schemes{"https://", "http://", "mailto:"};
   return std::any_of(schemes.begin(), schemes.end(),

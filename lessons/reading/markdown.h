@@ -34,8 +34,6 @@ struct MarkdownFormula {
 /// The sides with their relation, each as it was written, a live value in braces.
 [[nodiscard]] std::string writtenIn(const MarkdownFormula &formula);
 
-[[nodiscard]] bool hasLiveValue(const MarkdownFormula &formula);
-
 /// A piece of a line.
 struct MarkdownSpan {
   enum class Kind { Text, Formula, LineBreak, Picture };

@@ -17,6 +17,28 @@ constexpr QMargins choiceMargins(34, 7, 12, 7);
 constexpr double markRadius = 7;
 constexpr double cornerRadius = 6;
 
+/// Words with others before them: in their first paragraph, unless that is a formula alone.
+FilledMarkdown withBefore(const std::vector<MarkdownSpan> &before, FilledMarkdown words) {
+  if (before.empty())
+    return words;
+  const auto isText = [](const MarkdownBlock &block) {
+    return block.kind == MarkdownBlock::Kind::Paragraph &&
+           !(block.spans.size() == 1 && block.spans.front().kind == MarkdownSpan::Kind::Formula);
+  };
+  if (words.blocks.empty() || !isText(words.blocks.front()))
+    words.blocks.insert(words.blocks.begin(), MarkdownBlock());
+  std::vector<MarkdownSpan> &spans = words.blocks.front().spans;
+  spans.insert(spans.begin(), before.begin(), before.end());
+  return words;
+}
+
+MarkdownSpan spanOf(const QString &words, bool strong) {
+  MarkdownSpan span;
+  span.text = words.toStdString() + ' ';
+  span.face.strong = strong;
+  return span;
+}
+
 } // namespace
 
 ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, QWidget *parent)
@@ -89,8 +111,9 @@ void ChoiceButton::paintEvent(QPaintEvent *) {
 }
 
 PredictionBox::PredictionBox(const Typesetter &typesetter, const Prediction &prediction, QWidget *parent)
-    : QWidget(parent), m_prediction(prediction), m_question(new RichLabel(typesetter)),
-      m_reason(new RichLabel(typesetter)), m_again(new QToolButton), m_theme(themes().front()) {
+    : QWidget(parent), m_prediction(prediction), m_reasonWords(withNames(readWords(prediction.reason))),
+      m_question(new RichLabel(typesetter)), m_reason(new RichLabel(typesetter)), m_again(new QToolButton),
+      m_theme(themes().front()) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(7);
@@ -135,11 +158,12 @@ void PredictionBox::setAnswer(const std::optional<GivenAnswer> &answer) {
 }
 
 void PredictionBox::showReason(const GivenAnswer &answer) {
-  const QString verdict = answer.right.empty()            ? QString()
-                          : answer.chosen == answer.right ? tr("**Right.** ")
-                                                          : tr("**Not quite.** ");
-  const QString about = answer.isOfNow ? QString() : tr("That was about the scene before it was changed. ");
-  m_reason->setMarkdown(verdict + about + QString::fromStdString(m_prediction.reason));
+  std::vector<MarkdownSpan> before;
+  if (!answer.right.empty())
+    before.push_back(spanOf(answer.chosen == answer.right ? tr("Right.") : tr("Not quite."), true));
+  if (!answer.isOfNow)
+    before.push_back(spanOf(tr("That was about the scene before it was changed."), false));
+  m_reason->setWords(withBefore(before, m_reasonWords));
 }
 
 void PredictionBox::setTheme(const Theme &theme) {

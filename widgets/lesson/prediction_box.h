@@ -65,6 +65,7 @@ private:
   void showInk();
 
   Prediction m_prediction;
+  FilledMarkdown m_reasonWords;
   RichLabel *m_question;
   QList<ChoiceButton *> m_buttons;
   RichLabel *m_reason;

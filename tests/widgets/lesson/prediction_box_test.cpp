@@ -91,6 +91,19 @@ private slots:
     QCOMPARE(shown.box.choices()[2]->accessibleDescription(), QString("Wrong"));
   }
 
+  void reason_thatBeginsWithAList_staysOneBehindTheVerdict() {
+    Prediction asked = question();
+    asked.reason = "- The sign tells.\n- So does the side.";
+    Typesetter typesetter;
+    PredictionBox box(typesetter, asked);
+    box.show();
+    box.setAnswer(GivenAnswer{"negative", "negative"});
+    const QString reason = box.reason()->accessibleName();
+    QVERIFY2(reason.startsWith("Right."), qPrintable(reason));
+    QVERIFY2(!reason.contains("- The"), "its mark is no letter");
+    QVERIFY2(!reason.startsWith("Right. The sign"), "the list begins in a line of its own");
+  }
+
   void answer_toAnotherScene_keepsItsVerdictAndSaysSo() {
     ShownBox shown;
     shown.box.setAnswer(GivenAnswer{"negative", "negative", false});
