@@ -2,11 +2,8 @@
 
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/hand/snapping.h"
-#include "lessons/scene/scene_letters.h"
 #include "widgets/colors.h"
 #include "widgets/mouse_place.h"
-#include "widgets/picture/hand/grips.h"
-#include "widgets/picture/hand/mark_picker.h"
 #include "widgets/view/staged_scene.h"
 
 #include <QAction>
@@ -28,7 +25,7 @@ constexpr double leastPart = 0.8;
 } // namespace
 
 FlatView::FlatView(SessionModel &model, const Typesetter &typesetter, QWidget *parent)
-    : QFrame(parent), m_model(model), m_painter(typesetter), m_theme(themes().front()),
+    : QFrame(parent), m_model(model), m_painter(typesetter), m_theme(themes().front()), m_picture(model),
       m_unfolded(new QAction(tr("Flat &Picture"), this)), m_title(new QToolButton(this)) {
   setObjectName("flatView");
   setMouseTracking(true);
@@ -60,7 +57,7 @@ void FlatView::setTheme(const Theme &theme) {
 
 void FlatView::setSizeScale(double scale) {
   m_sizeScale = scale;
-  takeView();
+  fit();
   emit sizeChanged();
 }
 
@@ -80,35 +77,24 @@ QSize FlatView::sizeIn(const QSize &room) const {
 bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameWidth(); }
 
 void FlatView::takeOutcome() {
-  const auto &flat = m_model.lesson().flat;
   const bool hadPicture = hasPicture();
-  if (m_model.history().isHeldBy(m_held))
-    m_frame = m_drag->frame(); // the page keeps still under the hand
-  else
-    m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
+  m_picture.take(m_model.history().isHeldBy(m_held) ? &m_drag->frame() : nullptr); // it keeps still under the hand
   setVisible(hasPicture());
   if (hadPicture != hasPicture())
     emit sizeChanged();
   if (!hasPicture())
     return;
-  const Stage &stage = m_model.stage();
-  m_whole = laidFlat(toStage(m_model.figure(), stage), *m_frame);
-  m_content.stage = stage;
-  m_content.figure = laidFlat(toStage(m_model.shown().figure, stage), *m_frame);
   describe();
   // What is held must not jump under the hand.
-  if (!m_drag && (!m_model.history().inGesture() || !showsAll(m_whole, m_view)))
-    takeView();
+  if (!m_drag && (!m_model.history().inGesture() || !m_picture.isInView()))
+    fit();
   update();
 }
 
-void FlatView::takeView() {
+void FlatView::fit() {
   const double part = std::clamp(height() / (roomyHeight * m_sizeScale), leastPart, 1.0);
-  const double ratio = m_sizeScale * smallness * part;
-  m_view.size = {std::max(1, width()), std::max(1, height())};
-  m_view.pixelRatio = ratio;
-  m_view.covered = {{{0, 0}, {m_title->width(), m_title->height()}}};
-  m_view.camera = flatCamera(m_whole, m_view);
+  m_picture.fit({std::max(1, width()), std::max(1, height())}, m_sizeScale * smallness * part,
+                {{0, 0}, {m_title->width(), m_title->height()}});
 }
 
 void FlatView::describe() {
@@ -126,40 +112,32 @@ void FlatView::paintEvent(QPaintEvent *event) {
     return;
   QPainter painter(this);
   painter.setClipRect(contentsRect());
-  SceneContent content = m_content;
-  content.figure = clippedTo(m_view, std::move(content.figure));
+  SceneContent content = m_picture.shown();
   content.highlighted = m_highlighted;
   if (!m_hovered.empty())
     content.highlighted.insert(m_hovered);
-  m_painter.paint(painter, content, m_theme, m_view);
+  m_painter.paint(painter, content, m_theme, view());
 }
 
 void FlatView::resizeEvent(QResizeEvent *event) {
   QFrame::resizeEvent(event);
   m_title->adjustSize();
   m_title->move(frameWidth(), frameWidth());
-  takeView();
-}
-
-std::optional<Handle> FlatView::handleAt(const QPointF &place) const {
-  const std::string upwards = fullName(m_model.session().scene, m_model.lesson().flat->up);
-  const std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_content.stage));
-  const Handle *handle = handleOnPage({place.x(), place.y()}, handles, upwards, *m_frame, m_view,
-                                      missMargin * m_view.pixelRatio);
-  return handle ? std::optional(*handle) : std::nullopt;
+  fit();
 }
 
 void FlatView::mousePressEvent(QMouseEvent *event) {
   event->accept(); // never the scene's below
   if (!isOpen() || m_drag || event->button() != Qt::LeftButton)
     return;
-  const QPointF at = mousePlace(*event);
-  const auto handle = handleAt(at);
+  const QPointF place = mousePlace(*event);
+  const glm::dvec2 at(place.x(), place.y());
+  const auto handle = m_picture.handleAt(at);
   if (!handle)
     return;
-  const GestureToken held = m_model.history().beginGesture(
-      QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
-  m_drag.emplace(stagedScene(m_model, m_content.stage), *handle, *m_frame, glm::dvec2(at.x(), at.y()),
+  const GestureToken held =
+      m_model.history().beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
+  m_drag.emplace(stagedScene(m_model, m_picture.stage()), *handle, m_picture.frame(), at,
                  askedOf(m_model, *handle));
   m_held = held;
   grabKeyboard();
@@ -194,21 +172,20 @@ void FlatView::letGo() {
 void FlatView::mouseMoveEvent(QMouseEvent *event) {
   if (!isOpen())
     return;
-  const QPointF at = mousePlace(*event);
+  const QPointF place = mousePlace(*event);
+  const glm::dvec2 at(place.x(), place.y());
   if (m_drag) {
-    const bool isFree =
-        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
-    if (const auto move =
-            m_drag->moveTo({at.x(), at.y()}, isFree ? finestStep : m_model.snapping().step, m_view))
-      m_model.history().moveGesture(
-          m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_content.stage)});
+    const bool isFree = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
+    if (const auto move = m_drag->moveTo(at, isFree ? finestStep : m_model.snapping().step, view()))
+      m_model.history().moveGesture(m_held,
+                          ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture.stage())});
     return;
   }
-  if (handleAt(at))
+  if (m_picture.handleAt(at))
     setCursor(Qt::OpenHandCursor);
   else
     unsetCursor();
-  hover(markUnder({at.x(), at.y()}, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio));
+  hover(m_picture.markAt(at));
 }
 
 void FlatView::leaveEvent(QEvent *event) {

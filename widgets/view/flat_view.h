@@ -2,9 +2,8 @@
 #pragma once
 
 #include "widgets/picture/hand/flat_drag.h"
-#include "widgets/picture/scene_content.h"
-#include "widgets/session_model.h"
 #include "widgets/typeset/flat_painter.h"
+#include "widgets/view/flat_picture.h"
 
 #include <QFrame>
 
@@ -27,15 +26,15 @@ public:
   void setHighlighted(std::set<std::string> markIds);
 
   /// Whether the open lesson has a flat picture, and its scene what that is made of.
-  [[nodiscard]] bool hasPicture() const { return m_frame.has_value(); }
+  [[nodiscard]] bool hasPicture() const { return m_picture.isThere(); }
   /// Checked while the picture is unfolded.
   [[nodiscard]] QAction &unfolded() { return *m_unfolded; }
   /// What it takes of so much room.
   [[nodiscard]] QSize sizeIn(const QSize &room) const;
 
   /// What is drawn now, and from where.
-  [[nodiscard]] const Figure &figure() const { return m_content.figure; }
-  [[nodiscard]] const View &view() const { return m_view; }
+  [[nodiscard]] const Figure &figure() const { return m_picture.figure(); }
+  [[nodiscard]] const View &view() const { return m_picture.view(); }
 
 signals:
   void markHovered(const QString &markId); ///< empty: none
@@ -55,22 +54,16 @@ private:
   /// Whether there is more of it than its title: unfolded, and not too little room for that.
   [[nodiscard]] bool isOpen() const;
   void takeOutcome();
-  void takeView();
+  void fit();
   void describe();
   void hover(const std::string &mark);
-  /// The session's scene in units of the stage.
-  /// The handle at a place of the picture that can be moved there; nothing for none.
-  [[nodiscard]] std::optional<Handle> handleAt(const QPointF &place) const;
   void letGo();
 
   SessionModel &m_model;
   FlatPainter m_painter;
   Theme m_theme;
   double m_sizeScale = 1;
-  std::optional<FlatFrame> m_frame;
-  Figure m_whole; ///< of all steps: what the view is fitted to
-  SceneContent m_content;
-  View m_view;
+  FlatPicture m_picture;
   std::set<std::string> m_highlighted;
   std::string m_hovered; ///< a mark's id
   std::optional<FlatDrag> m_drag;
