@@ -1,27 +1,19 @@
 // What the scene comes to, in a line of words below it.
 #pragma once
 
+#include "widgets/view/nearby_offer.h"
+
 #include <QTimer>
-#include <QWidget>
 
 #include <chrono>
-#include <vector>
 
 class QLabel;
-class QMenu;
-class QPushButton;
 class QStackedLayout;
 
 namespace halfspace {
 
 class FittedLabel;
-
-/// A special case near the present one.
-struct NearbyCase {
-  QString words;             ///< "The ray would run parallel to the plane."
-  bool canBeReached = false; ///< by numbers without roots
-  bool operator==(const NearbyCase &) const = default;
-};
+class LetterRoom;
 
 /// The case in plain words, and beside it, as long as it holds, what the program has to complain of. Below
 /// them the nearest special case, with a way there and to the others; in its place, for a moment, what the
@@ -44,9 +36,11 @@ public:
   void setCase(const QString &words, bool degenerate);
   /// What is said of the nearest special case, empty for none, and all that there are, the nearest first.
   /// Those that can be reached are offered.
-  void setNearby(const QString &words, const std::vector<NearbyCase> &cases);
+  void setNearby(const QString &words, const std::vector<NearbyCase> &cases) {
+    m_nearby->setCases(words, cases);
+  }
   /// Where the present case lacks what the step speaks of: offers to go back to where it begins.
-  void offerAfresh(bool offered);
+  void offerAfresh(bool offered) { m_nearby->offerAfresh(offered); }
   void say(const QString &sentence);
   /// Where the case is what counts, as in a drag.
   void endMessage();
@@ -61,26 +55,18 @@ protected:
   bool event(QEvent *event) override;
 
 private:
-  [[nodiscard]] QWidget *createNearbyRow();
   [[nodiscard]] QWidget *createColumn();
-  void offer(const std::vector<NearbyCase> &cases);
   /// Shares the room between the case and what stands below it.
   void share();
-  [[nodiscard]] bool hasRoomForNearbyWords() const;
 
   FittedLabel *m_case;
   QLabel *m_message;
-  FittedLabel *m_nearby;
+  NearbyOffer *m_nearby;
   QWidget *m_column = nullptr; ///< of all these
-  // Never seen: as high as the room that there is to be.
-  QLabel *m_roomOfCase;
-  QLabel *m_roomOfNearby;
-  int m_most = 0;        ///< in pixels, but for messages
-  QPushButton *m_there;  ///< leads to the nearest
-  QPushButton *m_others; ///< opens a menu of all
-  QMenu *m_all;
-  QPushButton *m_afresh; ///< leads back to the start
-  std::vector<NearbyCase> m_cases;
+  // As high as the room that there is to be.
+  LetterRoom *m_roomOfCase;
+  LetterRoom *m_roomOfNearby;
+  int m_most = 0; ///< in pixels, but for messages
   QLabel *m_complaint;
   QWidget *m_second = nullptr;       ///< what is near, and a message, one at a time
   QStackedLayout *m_pages = nullptr; ///< of these two

@@ -39,18 +39,22 @@ int FittedLabel::heightOfAll(int width) {
   if (m_whole.width() != width) {
     showWords(*this, m_words);
     m_whole = {width, QLabel::heightForWidth(width)};
-    fit();
+    showWords(*this, m_shown);
   }
   return m_whole.height();
 }
 
 bool FittedLabel::fits() const { return QLabel::heightForWidth(width()) <= height(); }
 
+void FittedLabel::showOnly(const QString &words) {
+  m_shown = words;
+  showWords(*this, words);
+}
+
 void FittedLabel::fit() {
-  showWords(*this, m_words);
-  setToolTip({});
-  if (height() == 0 || fits())
-    return;
+  showOnly(m_words);
+  if (height() == 0 || heightOfAll(width()) <= height())
+    return setToolTip({});
   setToolTip(richTextOf(m_words)); // rich, so that it is wrapped
   const std::vector<int> ends = wordEnds(m_words);
   const auto cut = [&](std::size_t words) { return m_words.left(ends[words]) + QStringLiteral("\u00a0…"); };
@@ -58,10 +62,10 @@ void FittedLabel::fit() {
   std::size_t shown = 0;
   for (std::size_t tooMany = ends.size(); tooMany - shown > 1;) {
     const std::size_t middle = (shown + tooMany) / 2;
-    showWords(*this, cut(middle));
+    showOnly(cut(middle));
     (fits() ? shown : tooMany) = middle;
   }
-  showWords(*this, cut(shown));
+  showOnly(cut(shown));
 }
 
 void FittedLabel::resizeEvent(QResizeEvent *event) {

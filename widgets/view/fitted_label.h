@@ -16,7 +16,7 @@ public:
   void setWords(const QString &words);
   /// All of them, however many are shown.
   [[nodiscard]] const QString &words() const { return m_words; }
-  /// The height that all of them need.
+  /// The height that all of them need. Measured once for a width.
   [[nodiscard]] int heightOfAll(int width);
 
   [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
@@ -30,11 +30,14 @@ protected:
   void changeEvent(QEvent *event) override;
 
 private:
+  /// Whether words that the label shows have room.
   [[nodiscard]] bool fits() const;
   void fit();
+  void showOnly(const QString &words);
 
   QString m_words;
-  QSize m_whole{-1, -1}; ///< all words have this size; invalid while nobody has asked
+  QString m_shown; ///< of these words, those that have room
+  QSize m_whole;   ///< all words have this size; invalid while nobody has asked
 };
 
 } // namespace halfspace
