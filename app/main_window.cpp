@@ -53,7 +53,8 @@ MainWindow::MainWindow(LessonLibrary library)
       m_meshes(m_model, sceneView(), m_step.flight().player(), m_panels.messages()),
       m_files(m_model, m_panels.input(), m_panels.messages()),
       m_autosave(m_model, m_files, m_panels.input(), m_progress, m_panels.messages()),
-      m_leftovers(m_model, m_files, m_autosave, m_panels.input(), sceneView(), m_panels.messages()) {
+      m_leftovers(m_model, m_files, m_autosave, m_panels.input(), sceneView().drawing(),
+                  m_panels.messages()) {
   setObjectName("main");
   setAcceptDrops(true);
   // What goes on by itself belongs to the window.
@@ -80,7 +81,7 @@ SceneView &MainWindow::sceneView() { return m_panels.scene().view(); }
 void MainWindow::createMenus(OwnLessonFolders &ownLessons, ContentsPresenter &contents) {
   auto *pictures =
       new PictureExport(m_model, sceneView(), m_look, m_panels.typesetter(), m_panels.messages(), this);
-  auto *camera = new CameraActions(m_model, sceneView(), this);
+  auto *camera = new CameraActions(m_model, sceneView().viewpoint(), this);
   QMenuBar *bar = menuBar();
   auto *file = new FileMenu(m_files, m_meshes, m_leftovers, *pictures, bar);
   connect(file, &FileMenu::quitWanted, this, &MainWindow::close);

@@ -1,18 +1,18 @@
 #include "app/menus/camera_actions.h"
 
 #include "widgets/session_model.h"
-#include "widgets/view/scene_view.h"
+#include "widgets/view/viewpoint.h"
 
 #include <QActionGroup>
 #include <QMenu>
 
 namespace halfspace {
 
-CameraActions::CameraActions(const SessionModel &model, SceneView &scene, QObject *parent)
-    : QObject(parent), m_model(model), m_scene(scene), m_planeViews(new QActionGroup(this)),
+CameraActions::CameraActions(const SessionModel &model, Viewpoint &viewpoint, QObject *parent)
+    : QObject(parent), m_model(model), m_viewpoint(viewpoint), m_planeViews(new QActionGroup(this)),
       m_alongCourse(new QActionGroup(this)) {
-  m_fit = add(tr("&Fit"), "F", &SceneView::fit);
-  m_home = add(tr("&Home"), "H", &SceneView::goHome);
+  m_fit = add(tr("&Fit"), "F", NamedView::Fit);
+  m_home = add(tr("&Home"), "H", NamedView::Home);
   addPrevious();
   addAxisViews();
   addPlaneViews();
@@ -34,53 +34,50 @@ QAction *CameraActions::add(const QString &text, const char *key) {
   return action;
 }
 
-QAction *CameraActions::add(const QString &text, const char *key, void (SceneView::*look)()) {
+QAction *CameraActions::add(const QString &text, const char *key, NamedView view) {
   QAction *action = add(text, key);
-  connect(action, &QAction::triggered, &m_scene, look);
+  connect(action, &QAction::triggered, &m_viewpoint, [this, view] { m_viewpoint.show(view); });
   return action;
 }
 
 void CameraActions::addPrevious() {
-  QAction *previous = add(tr("Pre&vious View"), "V", &SceneView::showPreviousView);
+  QAction *previous = add(tr("Pre&vious View"), "V");
   previous->setObjectName("previousView");
-  const auto enablePrevious = [this, previous] { previous->setEnabled(m_scene.hasPreviousView()); };
-  connect(&m_scene, &SceneView::previousViewsChanged, this, enablePrevious);
+  connect(previous, &QAction::triggered, &m_viewpoint, &Viewpoint::showPrevious);
+  const auto enablePrevious = [this, previous] { previous->setEnabled(!m_viewpoint.previous().isEmpty()); };
+  connect(&m_viewpoint.previous(), &PreviousViews::changed, this, enablePrevious);
   enablePrevious();
 }
 
 void CameraActions::addAxisViews() {
-  const auto addView = [this](const QString &text, const char *key, AxisView view) {
-    connect(add(text, key), &QAction::triggered, &m_scene, [this, view] { m_scene.setAxisView(view); });
-  };
-  addView(tr("From the &Front (x)"), "1", AxisView::Front);
-  addView(tr("From the &Right (y)"), "2", AxisView::Right);
-  addView(tr("From the &Top (z)"), "3", AxisView::Top);
+  add(tr("From the &Front (x)"), "1", NamedView::Front);
+  add(tr("From the &Right (y)"), "2", NamedView::Right);
+  add(tr("From the &Top (z)"), "3", NamedView::Top);
 }
 
 void CameraActions::addPlaneViews() {
-  m_alongPlane = add(tr("Along the &Plane"), "4", &SceneView::lookAlongPlane);
-  QAction *face = add(tr("Fa&ce the Plane"), "7", &SceneView::facePlane);
+  m_alongPlane = add(tr("Along the &Plane"), "4", NamedView::AlongPlane);
+  QAction *face = add(tr("Fa&ce the Plane"), "7", NamedView::FacingPlane);
   face->setObjectName("facePlane");
   m_planeViews->addAction(m_alongPlane);
   m_planeViews->addAction(face);
 }
 
 void CameraActions::addCourses() {
-  const auto addCourse = [this](const QString &text, const char *key, const char *name, AlongCourse way) {
-    QAction *action = add(text, key);
-    connect(action, &QAction::triggered, &m_scene, [this, way] { m_scene.lookAlongCourse(way); });
+  const auto addCourse = [this](const QString &text, const char *key, const char *name, NamedView view) {
+    QAction *action = add(text, key, view);
     action->setObjectName(name);
     m_alongCourse->addAction(action);
   };
-  addCourse(tr("&Down the Ray or Line"), "5", "downCourse", AlongCourse::Down);
-  addCourse(tr("&Against the Ray or Line"), "8", "againstCourse", AlongCourse::Against);
+  addCourse(tr("&Down the Ray or Line"), "5", "downCourse", NamedView::DownCourse);
+  addCourse(tr("&Against the Ray or Line"), "8", "againstCourse", NamedView::AgainstCourse);
 }
 
 void CameraActions::addOrthographic() {
   QAction *orthographic = add(tr("&Orthographic"), "O");
   orthographic->setCheckable(true);
-  connect(orthographic, &QAction::triggered, &m_scene, &SceneView::setOrthographic);
-  connect(&m_scene, &SceneView::orthographicChanged, orthographic, &QAction::setChecked);
+  connect(orthographic, &QAction::triggered, &m_viewpoint, &Viewpoint::setOrthographic);
+  connect(&m_viewpoint, &Viewpoint::orthographicChanged, orthographic, &QAction::setChecked);
 }
 
 void CameraActions::enable() {

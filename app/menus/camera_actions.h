@@ -11,8 +11,9 @@ class QMenu;
 
 namespace halfspace {
 
-class SceneView;
 class SessionModel;
+class Viewpoint;
+enum class NamedView;
 
 /// The actions that turn and move the camera. Those that need a plane or a ray are disabled where the step
 /// shows none.
@@ -20,7 +21,7 @@ class CameraActions : public QObject {
   Q_OBJECT
 public:
   /// Both must outlive it.
-  CameraActions(const SessionModel &model, SceneView &scene, QObject *parent = nullptr);
+  CameraActions(const SessionModel &model, Viewpoint &viewpoint, QObject *parent = nullptr);
 
   void addTo(QMenu &menu) const;
   [[nodiscard]] QAction &fit() { return *m_fit; }
@@ -28,7 +29,7 @@ public:
   [[nodiscard]] QAction &alongPlane() { return *m_alongPlane; }
 
 private:
-  QAction *add(const QString &text, const char *key, void (SceneView::*look)());
+  QAction *add(const QString &text, const char *key, NamedView view);
   QAction *add(const QString &text, const char *key);
   void addPrevious();
   void addAxisViews();
@@ -38,7 +39,7 @@ private:
   void enable();
 
   const SessionModel &m_model;
-  SceneView &m_scene;
+  Viewpoint &m_viewpoint;
   QAction *m_fit = nullptr;
   QAction *m_home = nullptr;
   QAction *m_alongPlane = nullptr;

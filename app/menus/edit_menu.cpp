@@ -38,7 +38,7 @@ EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, F
   addSeparator();
   addItem(*this, tr("&Start Over"), QKeySequence("Ctrl+R"), this, [&freshStart] { freshStart.startOver(); });
   addCornerItems(scene);
-  addMeshItems(meshes, scene);
+  addMeshItems(meshes, scene.handles());
   addSnapMenu(model.snapping());
 }
 
@@ -52,18 +52,19 @@ void EditMenu::addHistory(SessionHistory &history) {
 }
 
 void EditMenu::addCornerItems(SceneView &scene) {
-  QAction *add = addItem(*this, tr("&Add a Corner Here"), Qt::Key_Insert, &scene, &SceneView::addCorner);
+  HandleEdits &edits = scene.edits();
+  QAction *add = addItem(*this, tr("&Add a Corner Here"), Qt::Key_Insert, &edits, &HandleEdits::addCorner);
   QAction *remove =
-      addItem(*this, tr("Re&move the Corner"), QKeySequence::Delete, &scene, &SceneView::removeCorner);
-  const auto enable = [&scene, add, remove] {
-    add->setEnabled(scene.isCornerSelected());
-    remove->setEnabled(scene.isCornerSelected());
+      addItem(*this, tr("Re&move the Corner"), QKeySequence::Delete, &edits, &HandleEdits::removeCorner);
+  const auto enable = [&edits, add, remove] {
+    add->setEnabled(edits.isCornerSelected());
+    remove->setEnabled(edits.isCornerSelected());
   };
-  connect(&scene, &SceneView::selectionChanged, this, enable);
+  connect(&scene.handles(), &SceneHandles::selectionChanged, this, enable);
   enable();
 }
 
-void EditMenu::addMeshItems(SceneMeshes &meshes, const SceneView &scene) {
+void EditMenu::addMeshItems(SceneMeshes &meshes, const SceneHandles &handles) {
   QAction *copy =
       addItem(*this, tr("A&nother Such Mesh"), QKeySequence("Ctrl+D"), &meshes, &SceneMeshes::copySelected);
   QAction *remove =
@@ -72,7 +73,7 @@ void EditMenu::addMeshItems(SceneMeshes &meshes, const SceneView &scene) {
     copy->setEnabled(meshes.canCopySelected());
     remove->setEnabled(meshes.canRemoveSelected());
   };
-  connect(&scene, &SceneView::selectionChanged, this, enable);
+  connect(&handles, &SceneHandles::selectionChanged, this, enable);
   enable();
 }
 

@@ -7,6 +7,7 @@ namespace halfspace {
 
 class FreshStart;
 class SceneMeshes;
+class SceneHandles;
 class SceneView;
 class SessionHistory;
 class SessionModel;
@@ -24,7 +25,7 @@ private:
   /// For a selected corner of a polygon or a prism.
   void addCornerItems(SceneView &scene);
   /// For a selected mesh.
-  void addMeshItems(SceneMeshes &meshes, const SceneView &scene);
+  void addMeshItems(SceneMeshes &meshes, const SceneHandles &handles);
   void addSnapMenu(Snapping &snapping);
 };
 

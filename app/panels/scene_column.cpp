@@ -21,10 +21,10 @@ SceneColumn::SceneColumn(SessionModel &model, const Typesetter &typesetter, QWid
   column->addWidget(m_frame, 1);
   column->addWidget(m_caseLine);
   connect(m_view, &SceneView::hint, m_card, &NumberCard::setHint);
-  connect(m_view, &SceneView::selectionChanged, m_card,
-          [this] { m_card->setSelection(m_view->selectedCoordinate()); });
+  connect(&m_view->handles(), &SceneHandles::selectionChanged, m_card,
+          [this] { m_card->setSelection(m_view->handles().selectedCoordinate()); });
   connect(m_flat, &FlatView::handleGrabbed, m_view,
-          [this](const QString &id) { m_view->selectHandle(id.toStdString()); });
+          [this](const QString &id) { m_view->handles().select(id.toStdString()); });
 }
 
 void SceneColumn::setLook(const Theme &theme, double sizeScale, const Theme &panels) {

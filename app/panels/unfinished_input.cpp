@@ -1,12 +1,12 @@
 #include "app/panels/unfinished_input.h"
 
 #include "widgets/numbers/coordinate_rows.h"
-#include "widgets/view/scene_view.h"
+#include "widgets/view/scene_input.h"
 #include "widgets/working/working_editor.h"
 
 namespace halfspace {
 
-UnfinishedInput::UnfinishedInput(SceneView &scene, StepWorking &working,
+UnfinishedInput::UnfinishedInput(SceneInput &scene, StepWorking &working,
                                  const std::vector<CoordinateRows *> &lists, const WorkingEditor &editor,
                                  Messages messages)
     : m_scene(scene), m_working(working), m_lists(lists), m_editor(editor), m_messages(messages) {
@@ -16,7 +16,7 @@ UnfinishedInput::UnfinishedInput(SceneView &scene, StepWorking &working,
 }
 
 QString UnfinishedInput::finish() {
-  m_scene.finishDrag();
+  m_scene.finish();
   QString refused = m_working.coordinates().enter();
   for (CoordinateRows *list : m_lists)
     if (const QString other = list->enterTyped(); refused.isEmpty())

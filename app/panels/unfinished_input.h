@@ -12,7 +12,7 @@
 namespace halfspace {
 
 class CoordinateRows;
-class SceneView;
+class SceneInput;
 class StepWorking;
 class WorkingEditor;
 
@@ -21,7 +21,7 @@ class UnfinishedInput : public QObject {
   Q_OBJECT
 public:
   /// Where numbers are typed: in the working and in these lists. All must outlive it.
-  UnfinishedInput(SceneView &scene, StepWorking &working, const std::vector<CoordinateRows *> &lists,
+  UnfinishedInput(SceneInput &scene, StepWorking &working, const std::vector<CoordinateRows *> &lists,
                   const WorkingEditor &editor, Messages messages);
 
   /// Ends a drag and enters what is typed, as if the hand and the keys had left. What cannot be entered and
@@ -39,7 +39,7 @@ signals:
   void typing(); ///< what is typed has changed, and is not entered yet
 
 private:
-  SceneView &m_scene;
+  SceneInput &m_scene;
   StepWorking &m_working;
   std::vector<CoordinateRows *> m_lists;
   const WorkingEditor &m_editor;

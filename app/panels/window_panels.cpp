@@ -7,6 +7,7 @@
 #include "widgets/numbers/inspector.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/typeset/typesetter.h"
+#include "widgets/view/scene_view.h"
 #include "widgets/working/working_editor.h"
 #include "widgets/working/working_practice.h"
 
@@ -40,7 +41,7 @@ WindowPanels::WindowPanels(QMainWindow &window, SessionModel &model)
   m_numbersDock->hide();
   m_contents = new ContentsDrawer(center); // a splitter would make it a third part
   StepWorking &working = m_practice->working();
-  m_input = std::make_unique<UnfinishedInput>(m_scene->view(), working,
+  m_input = std::make_unique<UnfinishedInput>(m_scene->view().input(), working,
                                               std::vector{&m_inspector->given(), &m_scene->card().given()},
                                               *new WorkingEditor(model, working), messages());
 }

@@ -9,12 +9,12 @@
 namespace halfspace {
 
 MarkHighlights::MarkHighlights(SceneView &scene, FlatView &flat, StepWorking &working)
-    : m_scene(scene), m_flat(flat), m_working(working) {
-  connect(&scene, &SceneView::markHovered, this, &MarkHighlights::hover);
+    : m_drawn(scene.drawn()), m_flat(flat), m_working(working) {
+  connect(&scene.handles(), &SceneHandles::markHovered, this, &MarkHighlights::hover);
   connect(&flat, &FlatView::markHovered, this, &MarkHighlights::hover);
   connect(&working, &StepWorking::markHovered, this, &MarkHighlights::hover);
   connect(&working, &StepWorking::traceChanged, this, &MarkHighlights::show);
-  connect(&scene, &SceneView::dismissed, &working, &StepWorking::endTrace);
+  connect(&scene.input(), &SceneInput::dismissed, &working, &StepWorking::endTrace);
 }
 
 void MarkHighlights::setFragment(const std::set<std::string> &marks) {
@@ -35,7 +35,7 @@ void MarkHighlights::show() {
   marks.insert(m_fragment.begin(), m_fragment.end());
   m_working.setHighlighted(marks);
   m_flat.setHighlighted(marks);
-  m_scene.setHighlighted(std::move(marks));
+  m_drawn.setHighlighted(std::move(marks));
 }
 
 } // namespace halfspace

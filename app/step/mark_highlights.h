@@ -8,6 +8,7 @@
 
 namespace halfspace {
 
+class DrawnFigure;
 class FlatView;
 class SceneView;
 class StepWorking;
@@ -30,7 +31,7 @@ private:
   void hover(const QString &markId);
   void show();
 
-  SceneView &m_scene;
+  DrawnFigure &m_drawn;
   FlatView &m_flat;
   StepWorking &m_working;
   QString m_mark; ///< that the pointer is on

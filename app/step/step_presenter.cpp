@@ -37,7 +37,7 @@ void StepPresenter::showAll() {
 
 void StepPresenter::showStep() {
   m_page.showStep();
-  m_scene.selectHandle({}); // its tools would stand in the next step's figure
+  m_scene.handles().select({}); // its tools would stand in the next step's figure
   m_progress.ofStep().tasks.arrive();
   m_question.tellModel();
 }
@@ -46,7 +46,7 @@ void StepPresenter::showOutcome() {
   m_page.showLines();
   const bool hidden = m_question.hidesNumbers();
   m_inspector.setResultsHidden(hidden);
-  m_scene.setNumbersHidden(hidden);
+  m_scene.drawn().setNumbersHidden(hidden);
   m_inspector.showSession();
   m_page.showWords();
   m_flight.show();

@@ -4,7 +4,7 @@
 #include "app/work/autosave.h"
 #include "app/work/session_files.h"
 #include "lessons/scene/file/session_file.h"
-#include "widgets/view/scene_view.h"
+#include "widgets/view/scene_drawing.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -27,8 +27,8 @@ QString whenWritten(const Recovery::Leftover &leftover) {
 } // namespace
 
 LeftoverWork::LeftoverWork(SessionModel &model, SessionFiles &files, Autosave &autosave,
-                           UnfinishedInput &input, const SceneView &scene, Messages messages)
-    : m_model(model), m_files(files), m_autosave(autosave), m_input(input), m_scene(scene),
+                           UnfinishedInput &input, const SceneDrawing &drawing, Messages messages)
+    : m_model(model), m_files(files), m_autosave(autosave), m_input(input), m_drawing(drawing),
       m_messages(messages) {
   m_openedTimer.setSingleShot(true);
   m_openedTimer.setInterval(openedDelay);
@@ -49,7 +49,7 @@ void LeftoverWork::takeUp(const QString &path) {
   if (!work->file || work->file->text != writeSession(work->session))
     m_model.history().resetClean();
   const auto drawn = std::make_shared<QMetaObject::Connection>();
-  *drawn = connect(&m_scene, &SceneView::frameDrawn, this, [this, drawn] {
+  *drawn = connect(&m_drawing, &SceneDrawing::frameDrawn, this, [this, drawn] {
     disconnect(*drawn);
     m_openedTimer.start();
   });

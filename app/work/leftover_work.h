@@ -11,7 +11,7 @@ class QMenu;
 namespace halfspace {
 
 class Autosave;
-class SceneView;
+class SceneDrawing;
 class SessionFiles;
 class SessionModel;
 class UnfinishedInput;
@@ -22,7 +22,7 @@ class LeftoverWork : public QObject {
 public:
   /// All must outlive it.
   LeftoverWork(SessionModel &model, SessionFiles &files, Autosave &autosave, UnfinishedInput &input,
-               const SceneView &scene, Messages messages);
+               const SceneDrawing &drawing, Messages messages);
 
   /// Goes on with the newest work that an earlier run left unsaved, if there is any. Where that run ended
   /// while it opened the work, it is only offered. For the event loop: it may ask.
@@ -42,7 +42,7 @@ private:
   SessionFiles &m_files;
   Autosave &m_autosave;
   UnfinishedInput &m_input;
-  const SceneView &m_scene;
+  const SceneDrawing &m_drawing;
   Messages m_messages;
   QTimer m_openedTimer; ///< what was taken up counts as opened a moment after it is shown
 };

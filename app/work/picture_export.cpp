@@ -30,12 +30,12 @@ PictureExport::PictureExport(const SessionModel &model, SceneView &scene, const 
 
 std::optional<LabelPicture> PictureExport::draw() {
   PictureRequest request;
-  request.content = m_scene.pictureContent();
-  request.camera = m_scene.camera();
+  request.content = m_scene.drawn().pictureContent();
+  request.camera = m_scene.viewpoint().camera();
   request.theme = m_look.theme();
-  const PixelSize size = m_scene.pixelSize();
+  const PixelSize size = m_scene.screen().size();
   const double fitting = std::min(pictureScale, double(maxPictureSide) / std::max(size.width, size.height));
-  request.pixelRatio = m_scene.designRatio() * fitting;
+  request.pixelRatio = m_scene.screen().designRatio() * fitting;
   request.size = {static_cast<int>(size.width * fitting), static_cast<int>(size.height * fitting)};
   // The picture is drawn in a context of its own; two current ones in a thread clash.
   m_scene.doneCurrent();

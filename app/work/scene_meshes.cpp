@@ -79,7 +79,7 @@ void SceneMeshes::take(const LoadedMesh &mesh) {
 }
 
 std::string SceneMeshes::selected() const {
-  std::string name = ownerOf(m_scene.selectedHandle());
+  std::string name = ownerOf(m_scene.handles().selection().selectedId());
   const Object *object = findObject(m_model.session().scene, name);
   return object && kindOf(*object) == MeshObject::kind ? name : std::string();
 }
@@ -96,7 +96,7 @@ void SceneMeshes::copySelected() {
   const QString refusal = m_model.history().editTogether(copy->edits, tr("Another mesh"));
   if (!refusal.isEmpty())
     return m_messages.complain(refusal);
-  m_scene.selectHandle(copy->name + ".P");
+  m_scene.handles().select(copy->name + ".P");
   m_scene.setFocus(); // else the keys would go on with a number of the other
 }
 

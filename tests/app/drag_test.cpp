@@ -33,7 +33,7 @@ class MomentWatch : public QObject {
 public:
   explicit MomentWatch(WindowFixture &fixture) : m_fixture(fixture), m_lines(fixture.lines()) {
     m_lines.installEventFilter(this);
-    connect(&fixture.scene(), &SceneView::frameDrawn, this,
+    connect(&fixture.scene().drawing(), &SceneDrawing::frameDrawn, this,
             [this] { m_drawn = m_fixture.model().session().scene; });
   }
 
@@ -100,7 +100,7 @@ private slots:
     const auto handles = handlesOf(before.scene);
     const auto handle = std::find_if(handles.begin(), handles.end(),
                                      [&](const Handle &h) { return h.id == handleId.toStdString(); });
-    const auto from = fixture.scene().handlePosition(handle->id);
+    const auto from = handlePosition(fixture.scene(), handle->id);
     QVERIFY(from);
     const ExactVec3 target = handle->at + wayOf(*handle);
     const Object expected = movedTo(*findObject(before.scene, handle->object), *handle, target);
@@ -108,7 +108,7 @@ private slots:
     fixture.drag(*from, *from + fixture.pixelOf(shownPlace(*handle) + toDouble(wayOf(*handle))) -
                             fixture.pixelOf(shownPlace(*handle)));
 
-    QCOMPARE(fixture.scene().selectedHandle(), handle->id);
+    QCOMPARE(fixture.scene().handles().selection().selectedId(), handle->id);
     const Scene &after = fixture.model().session().scene;
     for (std::size_t i = 0; i < coordinatesOf(expected).size(); ++i) {
       const ExactVec3 &reached = coordinate(*findObject(after, handle->object), i);
@@ -134,7 +134,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.goToLine("f");
     MomentWatch watch(fixture);
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     for (const QPoint way : {QPoint(60, 30), QPoint(-40, 20), QPoint(0, 0)})
       fixture.moveTo(from + way);
@@ -155,7 +155,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     QVERIFY(!(fixture.model().session() == before));
@@ -170,7 +170,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     const ExactVec3 dragged = fixture.value("Q");
@@ -195,7 +195,7 @@ private slots:
     QCOMPARE(fixture.model().history().edit(ChangeObject{"E", PlaneObject{{5, 4, 7}, {0, 0, 1}}}, "typed"),
              QString());
     const Session before = fixture.model().session();
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     const ExactVec3 dragged = fixture.value("Q");
@@ -209,7 +209,7 @@ private slots:
   void otherButton_releasedDuringADrag_doesNotEndIt() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(40, 20));
     QTest::mousePress(&fixture.scene(), Qt::RightButton, {}, from + QPoint(40, 20));
@@ -239,7 +239,7 @@ private slots:
   void arrow_isGrabbedAnywhereOnItsHead() {
     WindowFixture fixture("plane-implicit");
     QVERIFY(fixture.ready);
-    const QPoint tip = *fixture.scene().handlePosition("E.n");
+    const QPoint tip = *handlePosition(fixture.scene(), "E.n");
     const QPointF back = fixture.pixelOf(Place(5, 4, 7)) - tip;
     const QPoint onHead = tip + (back * (18 / std::hypot(back.x(), back.y()))).toPoint();
     fixture.drag(onHead, onHead + QPoint(40, 0));
@@ -249,7 +249,7 @@ private slots:
   void shift_heldDuringADrag_movesUpAndDownOnly() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from, Qt::ShiftModifier);
     fixture.moveTo(fixture.pixelOf({11, 15, 10}), Qt::ShiftModifier);
     fixture.release(Qt::ShiftModifier);
@@ -259,7 +259,7 @@ private slots:
   void selectedHandle_clickedAgain_movesUpAndDown() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const QPoint at = *fixture.scene().handlePosition("Q");
+    const QPoint at = *handlePosition(fixture.scene(), "Q");
     for (int click = 0; click < 2; ++click) {
       fixture.press(at);
       fixture.release();
@@ -272,7 +272,7 @@ private slots:
   void axisKey_pressedDuringADrag_locksTheAxisAtOnce() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(5, 0));
     QTest::keyClick(&fixture.scene(), Qt::Key_Y);
@@ -286,10 +286,11 @@ private slots:
   void gizmoArrow_dragged_movesAlongItsAxisOnly() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.scene().selectHandle("Q");
+    fixture.scene().handles().select("Q");
     const Place q(11, 15, 8);
     // Half-way along the arrow of z, which has the same length on every screen.
-    const double unitsPerPixel = fixture.scene().camera().unitsPerPixel(q, fixture.scene().pixelSize());
+    const double unitsPerPixel =
+        fixture.scene().viewpoint().camera().unitsPerPixel(q, fixture.scene().screen().size());
     const QPoint grip = fixture.pixelOf(q + Place(0, 0, 50 * unitsPerPixel));
     const QPoint way = fixture.pixelOf(q + Place(0, 0, 3)) - fixture.pixelOf(q);
     fixture.drag(grip, grip + way);
@@ -299,7 +300,7 @@ private slots:
   void arrowKeys_stepTheSelectedHandle_oneUndoStepEach() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.scene().selectHandle("Q");
+    fixture.scene().handles().select("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
     QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 9));
     QTest::keyClick(&fixture.scene(), Qt::Key_Right);
@@ -317,7 +318,7 @@ private slots:
     std::vector<std::string> seen;
     for (int i = 0; i < 4; ++i) {
       QTest::keyClick(&fixture.scene(), Qt::Key_Tab);
-      seen.push_back(fixture.scene().selectedHandle());
+      seen.push_back(fixture.scene().handles().selection().selectedId());
     }
     QVERIFY((seen == std::vector<std::string>{"E.P0", "E.n", "E.offset", "Q"}));
   }
@@ -326,9 +327,9 @@ private slots:
     WindowFixture fixture("plane-implicit");
     QVERIFY(fixture.ready);
     const Session before = fixture.model().session();
-    const double azimuth = fixture.scene().camera().azimuth;
+    const double azimuth = fixture.scene().viewpoint().camera().azimuth;
     fixture.drag({8, 8}, {90, 40});
-    QVERIFY(fixture.scene().camera().azimuth != azimuth);
+    QVERIFY(fixture.scene().viewpoint().camera().azimuth != azimuth);
     QVERIFY(fixture.model().session() == before);
   }
 

@@ -114,7 +114,7 @@ private slots:
     fixture.window.files().open(file);
     QCOMPARE(fixture.model().lesson().id, std::string("mine"));
     QCOMPARE(fixture.window.windowTitle(), QString("A lesson of my own, with a long title[*] — Halfspace"));
-    fixture.scene().selectHandle("Q");
+    fixture.scene().handles().select("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
     QVERIFY(fixture.model().isChanged());
     writeTo(file, lessonText("mine", "  - {name: S, point: [0, 0, 0]}\n"));

@@ -72,7 +72,7 @@ void beginTyping(NumberField &number, const QString &text) {
 }
 
 void moveUp(WindowFixture &fixture, const char *handle) {
-  fixture.scene().selectHandle(handle);
+  fixture.scene().handles().select(handle);
   QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
 }
 
@@ -105,7 +105,7 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      const QPoint from = *fixture.scene().handlePosition("Q");
+      const QPoint from = *handlePosition(fixture.scene(), "Q");
       fixture.press(from);
       fixture.moveTo(from + QPoint(60, 20));
       QVERIFY(!(fixture.value("Q") == ExactVec3(11, 15, 8)));
@@ -235,7 +235,7 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      const QPoint from = *fixture.scene().handlePosition("Q");
+      const QPoint from = *handlePosition(fixture.scene(), "Q");
       fixture.press(from);
       fixture.moveTo(from + QPoint(60, 20));
       follow(fixture, dragged);
@@ -335,9 +335,9 @@ private slots:
     for (const char *text : {"40", "100", "20000", "1000000000", "11"}) {
       beginTyping(*fixture.field("Q", 0), text);
       QTest::keyClick(fixture.field("Q", 0), Qt::Key_Return);
-      fixture.scene().fit();
-      QVERIFY2(fixture.scene().handlePosition("Q"), text);
-      QVERIFY2(fixture.scene().handlePosition("E.P0"), text);
+      fixture.scene().viewpoint().show(NamedView::Fit);
+      QVERIFY2(handlePosition(fixture.scene(), "Q"), text);
+      QVERIFY2(handlePosition(fixture.scene(), "E.P0"), text);
     }
   }
 
@@ -467,7 +467,7 @@ private slots:
     {
       WindowFixture fixture("signed-distance");
       QVERIFY(fixture.ready);
-      const QPoint from = *fixture.scene().handlePosition("Q");
+      const QPoint from = *handlePosition(fixture.scene(), "Q");
       fixture.press(from);
       fixture.moveTo(from + QPoint(60, 20));
       dragged = fixture.value("Q");
@@ -533,7 +533,7 @@ private slots:
     auto *loader = fixture.window.findChild<MeshLoader *>();
     loader->setProgram(MESH_CHILD);
     const QSignalSpy loaded(loader, &MeshLoader::loaded);
-    fixture.press(*fixture.scene().handlePosition("Q")); // in whose hand nothing is put into the scene
+    fixture.press(*handlePosition(fixture.scene(), "Q")); // in whose hand nothing is put into the scene
     fixture.window.meshes().open(file.fileName());
     QTRY_COMPARE(loaded.count(), 1);
     const std::string lesson = fixture.model().session().lesson;

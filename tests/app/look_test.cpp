@@ -22,10 +22,10 @@ QAction &action(MainWindow &window, const char *name) { return *window.findChild
 
 /// Whether a press so far below a handle grabs it.
 bool grabsBelow(WindowFixture &fixture, const std::string &handle, int pixels) {
-  fixture.scene().selectHandle({});
-  fixture.press(*fixture.scene().handlePosition(handle) + QPoint(0, pixels));
+  fixture.scene().handles().select({});
+  fixture.press(*handlePosition(fixture.scene(), handle) + QPoint(0, pixels));
   fixture.release();
-  return fixture.scene().selectedHandle() == handle;
+  return fixture.scene().handles().selection().selectedId() == handle;
 }
 
 /// Waits until nothing is drawn any more.
@@ -55,13 +55,13 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.window.look().setSizeScale(1);
     const double points = QApplication::font().pointSizeF();
-    const double ratio = fixture.scene().designRatio();
+    const double ratio = fixture.scene().screen().designRatio();
     QVERIFY(!grabsBelow(fixture, "Q", 32));
     for (int i = 0; i < 4; ++i)
       action(fixture.window, "larger").trigger();
     QCOMPARE(fixture.window.look().sizeScale(), 2.0);
     QCOMPARE(QApplication::font().pointSizeF(), 2 * points);
-    QCOMPARE(fixture.scene().designRatio(), 2 * ratio);
+    QCOMPARE(fixture.scene().screen().designRatio(), 2 * ratio);
     QVERIFY(grabsBelow(fixture, "Q", 32));
   }
 
@@ -105,7 +105,7 @@ private slots:
   void step_withMotion_fadesItsMarksIn_andThenRests() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
     fixture.model().setStep(3); // so that its labels are there the next time
     waitForRest(drawn);
     const auto framesOfStep = [&](bool motion) {
@@ -127,7 +127,7 @@ private slots:
   void grabbing_duringAFade_endsIt() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
+    QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
     fixture.model().setStep(3);
     waitForRest(drawn);
     fixture.model().setStep(1);
@@ -136,7 +136,7 @@ private slots:
     waitForRest(drawn);
     fixture.model().setStep(3);
     QTRY_VERIFY(drawn.count() > 0);
-    fixture.press(*fixture.scene().handlePosition("Q"));
+    fixture.press(*handlePosition(fixture.scene(), "Q"));
     QTest::qWait(20);
     drawn.clear();
     QTest::qWait(MarkFade::fadeTime);

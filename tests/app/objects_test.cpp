@@ -19,7 +19,7 @@ class SceneFixture : public WindowFixture {
 public:
   explicit SceneFixture(Scene scene) : WindowFixture("signed-distance") {
     model().startWith({"signed-distance", 0, std::move(scene)});
-    window.sceneView().fit();
+    window.sceneView().viewpoint().show(NamedView::Fit);
     QTest::qWait(100);
   }
 
@@ -28,7 +28,7 @@ public:
   }
   /// Drags a handle so that what is seen under the pointer follows it to a place.
   void dragTo(const std::string &handle, const Place &place) {
-    const QPoint from = *scene().handlePosition(handle);
+    const QPoint from = *handlePosition(scene(), handle);
     drag(from, pixelOf(place));
   }
   QAction *actionCalled(const QString &text) {
@@ -53,7 +53,7 @@ private slots:
         {{{"g", LineObject{{0, 0, 2}, {4, 2, 0}}}, {"P", withNumbers("point-on-line", {0}), "g"}}});
     QVERIFY(fixture.ready);
     fixture.dragTo("P", {4, 2, 2});
-    QCOMPARE(fixture.scene().selectedHandle(), std::string("P"));
+    QCOMPARE(fixture.scene().handles().selection().selectedId(), std::string("P"));
     QVERIFY(fixture.value("P.lambda").x == 1);
     QVERIFY(fixture.placeOf("P") == ExactVec3(4, 2, 2));
     QCOMPARE(fixture.model().history().count(), 1);
@@ -95,13 +95,13 @@ private slots:
     SceneFixture fixture({{{"S", sphere}, {"P", withNumbers("point-on-sphere", {1, -1}), "S"}}});
     QVERIFY(fixture.ready);
     fixture.model().snapping().step = Rational(1, 10);
-    const QPoint from = *fixture.scene().handlePosition("P");
+    const QPoint from = *handlePosition(fixture.scene(), "P");
     const ExactVec3 before = fixture.placeOf("P");
     fixture.drag(from, from + QPoint(40, 25));
     const ExactVec3 way = fixture.placeOf("P") - sphere[0];
     QVERIFY(!(fixture.placeOf("P") == before));
     QVERIFY(dot(way, way) == 9);
-    const QPoint now = *fixture.scene().handlePosition("P");
+    const QPoint now = *handlePosition(fixture.scene(), "P");
     QVERIFY2((now - from - QPoint(40, 25)).manhattanLength() < 30, "it follows the pointer");
   }
 
@@ -109,7 +109,7 @@ private slots:
     SceneFixture fixture(
         {{{"g", LineObject{{0, 0, 2}, {4, 2, 0}}}, {"P", withNumbers("point-on-line", {0}), "g"}}});
     QVERIFY(fixture.ready);
-    fixture.scene().selectHandle("P");
+    fixture.scene().handles().select("P");
     QTest::keyClick(&fixture.scene(), Qt::Key_Right);
     QVERIFY(fixture.value("P.lambda").x != 0);
     QTest::keyClick(&fixture.scene(), Qt::Key_Left);
@@ -125,7 +125,7 @@ private slots:
     QVERIFY2(!add->isEnabled() && !remove->isEnabled(), "nothing is selected");
     fixture.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
-    QTest::mouseClick(&fixture.scene(), Qt::LeftButton, {}, *fixture.scene().handlePosition("A.P1"));
+    QTest::mouseClick(&fixture.scene(), Qt::LeftButton, {}, *handlePosition(fixture.scene(), "A.P1"));
     QVERIFY(add->isEnabled() && remove->isEnabled());
     QTest::keyClick(&fixture.scene(), Qt::Key_Insert);
     const auto polygon = [&]() -> const Object & {
@@ -133,11 +133,11 @@ private slots:
     };
     QCOMPARE(polygon().size(), std::size_t(5));
     QVERIFY(polygon()[2] == ExactVec3(6, 3, 0));
-    QCOMPARE(fixture.scene().selectedHandle(), std::string("A.P2"));
+    QCOMPARE(fixture.scene().handles().selection().selectedId(), std::string("A.P2"));
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
     QCOMPARE(polygon().size(), std::size_t(3));
-    fixture.scene().selectHandle("A.P1");
+    fixture.scene().handles().select("A.P1");
     QSignalSpy hints(&fixture.scene(), &SceneView::hint);
     QTest::keyClick(&fixture.scene(), Qt::Key_Delete);
     QCOMPARE(hints.last().first().toString(), QString("It has 3 corners, as few as there can be."));

@@ -240,7 +240,7 @@ private slots:
     };
     const auto before = places();
     const int sceneHeight = fixture.scene().height();
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     for (int i = 0; i < 12; ++i) {
       fixture.moveTo(from + QPoint(8 * i, -5 * i));
@@ -258,7 +258,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     QVERIFY(!fixture.card().given().field("Q", 0));
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.press(from);
     fixture.moveTo(from + QPoint(60, 30));
     QVERIFY(fixture.card().given().field("Q", 0));
@@ -266,7 +266,7 @@ private slots:
                  QString::fromStdString(toText(fixture.value("Q").x)));
     QVERIFY(fixture.card().given().field("Q", 0)->text() != "11");
     fixture.release();
-    fixture.scene().selectHandle({});
+    fixture.scene().handles().select({});
     QVERIFY(!fixture.card().given().field("Q", 0));
   }
 

@@ -389,10 +389,10 @@ private slots:
     m_fixture->window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&m_fixture->window));
     view.setFocus();
-    view.selectHandle("wall.P");
+    view.handles().select("wall.P");
     QTest::keyClick(&view, Qt::Key_D, Qt::ControlModifier);
     const ExactVec3 place = m_fixture->value("wallB.P");
-    QCOMPARE(view.selectedHandle(), std::string("wallB.P"));
+    QCOMPARE(view.handles().selection().selectedId(), std::string("wallB.P"));
     QCOMPARE(m_fixture->model().evaluation().find("nearest")->outcome->crossings->fragments,
              trianglesIn(before).size() + 2);
     const QPoint pixel = m_fixture->pixelOf(toDouble(place));
@@ -401,7 +401,7 @@ private slots:
     QVERIFY(m_fixture->model().session().scene != before);
     QTest::keyClick(&view, Qt::Key_Delete);
     QVERIFY(m_fixture->model().session().scene == before);
-    view.selectHandle("wall.P"); // the lesson speaks of it
+    view.handles().select("wall.P"); // the lesson speaks of it
     QTest::keyClick(&view, Qt::Key_Delete);
     QVERIFY(m_fixture->model().session().scene == before);
   }

@@ -5,6 +5,7 @@
 #include "app/settings.h"
 #include "app/work/progress_file.h"
 #include "app/work/recovery.h"
+#include "tests/widgets/handle_position.h"
 #include "widgets/lesson/prediction_box.h"
 #include "widgets/numbers/number_card.h"
 #include "widgets/numbers/number_field.h"
@@ -53,7 +54,7 @@ public:
   /// The field of a coordinate in the card, after its object is selected.
   NumberField *field(const std::string &name, int axis) {
     if (!card().given().field(name, axis))
-      scene().selectHandle(name);
+      scene().handles().select(name);
     return card().given().field(name, axis);
   }
   WorkingPractice &practice() { return *window.findChild<WorkingPractice *>(); }
@@ -95,7 +96,7 @@ public:
 
   QPoint pixelOf(const Place &place) {
     const double ratio = scene().devicePixelRatioF();
-    const auto projected = scene().camera().project(place, scene().pixelSize());
+    const auto projected = scene().viewpoint().camera().project(place, scene().screen().size());
     return projected ? QPoint(qRound(projected->x / ratio), qRound(projected->y / ratio)) : QPoint(-1, -1);
   }
 

@@ -244,7 +244,7 @@ private slots:
   void undo_afterAnotherLessonWasOpened_staysInIt_andTheChangesAreFoundAgain() {
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.scene().selectHandle("Q");
+    fixture.scene().handles().select("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp);
     fixture.model().setStep(2);
     const Session changed = fixture.model().session();
@@ -587,8 +587,8 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     fixture.model().setStep(1);
-    QSignalSpy hovered(&fixture.scene(), &SceneView::markHovered);
-    QTest::mouseMove(&fixture.scene(), *fixture.scene().handlePosition("Q"));
+    QSignalSpy hovered(&fixture.scene().handles(), &SceneHandles::markHovered);
+    QTest::mouseMove(&fixture.scene(), *handlePosition(fixture.scene(), "Q"));
     QTRY_VERIFY(hovered.count() > 0);
     QCOMPARE(hovered.last().first().toString(), QString("Q"));
   }
@@ -598,7 +598,7 @@ private slots:
     const QString file = folder.filePath("mine.halfspace");
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
-    fixture.scene().selectHandle("Q");
+    fixture.scene().handles().select("Q");
     QTest::keyClick(&fixture.scene(), Qt::Key_PageUp, Qt::ShiftModifier);
     const Session mine = fixture.model().session();
     QVERIFY(fixture.window.files().saveTo(file));
@@ -614,17 +614,17 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     fixture.drag({8, 8}, {90, 40});
-    fixture.scene().setOrthographic(true);
-    const Camera mine = fixture.scene().camera();
+    fixture.scene().viewpoint().setOrthographic(true);
+    const Camera mine = fixture.scene().viewpoint().camera();
     QVERIFY2(!fixture.window.isWindowModified(), "who looks from elsewhere has changed nothing");
     QVERIFY(fixture.window.files().saveTo(file));
     fixture.model().openLesson("plane-implicit");
-    QVERIFY(!fixture.scene().camera().orthographic);
+    QVERIFY(!fixture.scene().viewpoint().camera().orthographic);
     WindowFixture next("ray-plane-dot");
     QVERIFY(next.ready);
     for (WindowFixture *opened : {&fixture, &next}) {
       opened->window.files().open(file);
-      const Camera camera = opened->scene().camera();
+      const Camera camera = opened->scene().viewpoint().camera();
       QVERIFY(camera.orthographic);
       QVERIFY(glm::distance(camera.target, mine.target) < 1e-4);
       QVERIFY(glm::distance(camera.viewDirection(), mine.viewDirection()) < 1e-4);
@@ -662,7 +662,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     const auto twice = [&] {
-      const PixelSize size = fixture.scene().pixelSize();
+      const PixelSize size = fixture.scene().screen().size();
       return 2 * QSize(size.width, size.height);
     };
     const QSize expected = twice();
@@ -672,8 +672,8 @@ private slots:
     fixture.window.findChild<PictureExport *>()->copy();
     QCOMPARE(QApplication::clipboard()->image().size(), expectedCopy);
     // The live view still draws after the other context was current.
-    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
-    fixture.scene().selectHandle("Q");
+    QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
+    fixture.scene().handles().select("Q");
     QTRY_VERIFY(drawn.count() > 0);
   }
 
@@ -684,7 +684,7 @@ private slots:
       fixture.window.look().setThemeNamed(QString::fromStdString(theme.name));
       const auto cornerIs = [&] {
         const QColor corner =
-            fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().pixelSize().height - 3);
+            fixture.scene().grabFramebuffer().pixelColor(2, fixture.scene().screen().size().height - 3);
         return std::abs(corner.red() - theme.backgroundBottom.red) < 8 &&
                std::abs(corner.blue() - theme.backgroundBottom.blue) < 8;
       };
@@ -697,8 +697,8 @@ private slots:
     QVERIFY(fixture.ready);
     QTest::qWait(400); // until labels have come and the view is at rest
     QSignalSpy evaluated(&fixture.model(), &SessionModel::outcomeChanged);
-    QSignalSpy drawn(&fixture.scene(), &SceneView::frameDrawn);
-    const QPoint from = *fixture.scene().handlePosition("T.P1");
+    QSignalSpy drawn(&fixture.scene().drawing(), &SceneDrawing::frameDrawn);
+    const QPoint from = *handlePosition(fixture.scene(), "T.P1");
     fixture.press(from);
     for (int i = 1; i <= 200; ++i) {
       const QPoint at = from + QPoint(i / 2, i / 4);
@@ -710,10 +710,10 @@ private slots:
     QVERIFY(evaluated.count() <= 1);
     QTRY_VERIFY(drawn.count() > 0);
     QVERIFY(evaluated.count() <= drawn.count());
-    const auto reached = fixture.scene().handlePosition("T.P1");
+    const auto reached = handlePosition(fixture.scene(), "T.P1");
     QVERIFY(reached);
     fixture.release();
-    QVERIFY((*fixture.scene().handlePosition("T.P1") - (from + QPoint(100, 50))).manhattanLength() < 60);
+    QVERIFY((*handlePosition(fixture.scene(), "T.P1") - (from + QPoint(100, 50))).manhattanLength() < 60);
     QCOMPARE(fixture.model().history().count(), 1);
   }
 };

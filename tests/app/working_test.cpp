@@ -55,14 +55,14 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.click(fixture.at("distance.distance", "10"));
     QCOMPARE(fixture.tracedLines(), (Ids{"distance.f", "distance.length"}));
-    QCOMPARE(fixture.scene().highlighted(), (Ids{"E.P0", "E.n", "Q"}));
+    QCOMPARE(fixture.scene().drawn().highlighted(), (Ids{"E.P0", "E.n", "Q"}));
     QTest::keyClick(&fixture.lines(), Qt::Key_Escape);
-    QCOMPARE(fixture.scene().highlighted(), Ids());
+    QCOMPARE(fixture.scene().drawn().highlighted(), Ids());
     fixture.click(fixture.at("distance.length", "3"));
-    QCOMPARE(fixture.scene().highlighted(), Ids{"E.n"});
+    QCOMPARE(fixture.scene().drawn().highlighted(), Ids{"E.n"});
     fixture.scene().setFocus();
     QTest::keyClick(&fixture.scene(), Qt::Key_Escape);
-    QCOMPARE(fixture.scene().highlighted(), Ids());
+    QCOMPARE(fixture.scene().drawn().highlighted(), Ids());
   }
 
   void traceOfANumber_endsWithItsStep() {
@@ -70,7 +70,7 @@ private slots:
     QVERIFY(fixture.ready);
     fixture.click(fixture.at("distance.distance", "10"));
     fixture.goToLine("cosine");
-    QCOMPARE(fixture.scene().highlighted(), Ids());
+    QCOMPARE(fixture.scene().drawn().highlighted(), Ids());
     fixture.goToLine("length");
     QCOMPARE(fixture.tracedLines(), Ids());
   }
@@ -79,11 +79,11 @@ private slots:
     LinesFixture fixture;
     QVERIFY(fixture.ready);
     fixture.click(fixture.at("distance.distance", "10"));
-    const QPoint from = *fixture.scene().handlePosition("Q");
+    const QPoint from = *handlePosition(fixture.scene(), "Q");
     fixture.WindowFixture::drag(from, from + QPoint(40, 10));
     QVERIFY(fixture.value("Q") != ExactVec3(11, 15, 8));
     QCOMPARE(fixture.tracedLines(), (Ids{"distance.f", "distance.length"}));
-    QVERIFY(fixture.scene().highlighted().contains("E.n"));
+    QVERIFY(fixture.scene().drawn().highlighted().contains("E.n"));
   }
 
   void coordinate_scrubbedInAFormula_movesTheSceneAsOneUndoStep() {
@@ -234,7 +234,7 @@ private slots:
     for (std::size_t i = 0; i < fixture.lines().placed().lines.size(); ++i)
       QVERIFY(fixture.lines().shownNumbers().inLine(i).empty());
     fixture.click(result);
-    QCOMPARE(fixture.scene().highlighted(), Ids());
+    QCOMPARE(fixture.scene().drawn().highlighted(), Ids());
   }
 };
 

@@ -32,14 +32,14 @@ inline void countRenders(const SceneView &view, int &count) {
 /// A window of bare VTK, as large as the view that it is compared with.
 class BareWindow {
 public:
-  explicit BareWindow(const SceneView &view) {
+  explicit BareWindow(SceneView &view) {
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     m_widget.setRenderWindow(window);
     window->AddRenderer(m_scene.renderer());
     window->SetMultiSamples(0); // as the program has it while something moves
     m_widget.resize(view.size());
     m_widget.move(view.window()->width(), 0);
-    const Camera &camera = view.camera();
+    const Camera &camera = view.viewpoint().camera();
     m_scene.setCamera({camera.eye(), camera.target, Camera::viewAngle});
     m_widget.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&m_widget));

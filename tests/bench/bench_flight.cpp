@@ -98,7 +98,7 @@ public:
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the bar of the step before
     m_bar = m_fixture.window.findChild<FlightBar *>();
     m_bare = std::make_unique<BareWindow>(view());
-    QObject::connect(&view(), &SceneView::frameDrawn, &view(),
+    QObject::connect(&view().drawing(), &SceneDrawing::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
     countRenders(view(), m_renders);
   }
@@ -116,8 +116,9 @@ public:
       while (m_frames == before && millisecondsSince(start) < patience)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
       quiet();
-      const BarePicture picture = bareOf(view().pictureContent(), themes().front(),
-                                         {view().camera(), view().pixelSize(), 1}, m_set, m_paint);
+      const BarePicture picture =
+          bareOf(view().drawn().pictureContent(), themes().front(),
+                 {view().viewpoint().camera(), view().screen().size(), 1}, m_set, m_paint);
       const double bare = m_bare->draw(picture);
       quiet();
       if (i < 0)
@@ -126,7 +127,7 @@ public:
     }
     emit m_bar->playToggled(false);
     std::printf("\na flight over %zu triangles, view of %d x %d pixels\n", meshTriangles,
-                view().pixelSize().width, view().pixelSize().height);
+                view().screen().size().width, view().screen().size().height);
     m_flight.print("on its way");
     m_explosion.print("explosion");
   }
@@ -173,7 +174,7 @@ private:
     double update = 0;
     double render = 0;
     const QMetaObject::Connection frames =
-        QObject::connect(&view(), &SceneView::frameDrawn, &view(), [&](const FrameTimes &times) {
+        QObject::connect(&view().drawing(), &SceneDrawing::frameDrawn, &view(), [&](const FrameTimes &times) {
           update = std::max(update, milliseconds(times.update));
           render = std::max(render, milliseconds(times.render));
         });

@@ -75,7 +75,7 @@ public:
     waitForQuiet();
     m_bare = std::make_unique<BareWindow>(view());
     m_handle = firstHandle();
-    QObject::connect(&view(), &SceneView::frameDrawn, &view(),
+    QObject::connect(&view().drawing(), &SceneDrawing::frameDrawn, &view(),
                      [this](const FrameTimes &times) { take(times); });
     countRenders(view(), m_measured.renders);
     m_lines = &m_fixture.lines();
@@ -129,7 +129,7 @@ private:
 
   Handle firstHandle() {
     for (const Handle &handle : handlesOf(m_fixture.model().session().scene))
-      if (handle.motion == Handle::Motion::Coordinate && view().handlePosition(handle.id))
+      if (handle.motion == Handle::Motion::Coordinate && handlePosition(view(), handle.id))
         return handle;
     return {};
   }
@@ -181,7 +181,8 @@ private:
     while (m_application.paint.all.size() == shownBefore && millisecondsSince(m_moved) < patience)
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
     const BarePicture picture =
-        bareOf(content(), themes().front(), {view().camera(), view().pixelSize(), 1}, m_set, m_paint);
+        bareOf(content(), themes().front(), {view().viewpoint().camera(), view().screen().size(), 1}, m_set,
+               m_paint);
     m_measured.bare.add(m_bare->draw(picture));
     if (!m_measured.frame.all.empty())
       m_measured.ratio.add(m_measured.frame.all.back() / m_measured.bare.all.back());
@@ -189,7 +190,7 @@ private:
 
   /// What the view shows of the scene now, with the tools of the handle that is dragged.
   SceneContent content() {
-    SceneContent content = view().pictureContent();
+    SceneContent content = view().drawn().pictureContent();
     for (const Handle &handle : handlesOf(m_fixture.model().session().scene)) {
       if (handle.id == m_handle.id) {
         content.gizmo = Gizmo{shownPlace(handle), Gizmo::Mode::Horizontal, true, {}, {}, {}, {}, {}};
@@ -289,7 +290,7 @@ int main(int argc, char **argv) {
     Drag drag(lesson.id, application);
     const Measured measured = drag.run(moves);
     std::printf("\n%s, dragging %s, view of %d x %d pixels\n", lesson.id.c_str(), drag.handleId().c_str(),
-                drag.view().pixelSize().width, drag.view().pixelSize().height);
+                drag.view().screen().size().width, drag.view().screen().size().height);
     print(measured);
     printGoals(measured);
     std::fflush(stdout);

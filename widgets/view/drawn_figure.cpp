@@ -5,8 +5,8 @@
 namespace halfspace {
 
 DrawnFigure::DrawnFigure(const SessionModel &model) : m_model(model) {
-  connect(&m_fade, &MarkFade::changed, this, &DrawnFigure::changed);
-  connect(&m_extents, &ExtentGlide::changed, this, &DrawnFigure::changed);
+  connect(&m_fade, &MarkFade::changed, this, &DrawnFigure::moved);
+  connect(&m_extents, &ExtentGlide::changed, this, &DrawnFigure::moved);
 }
 
 void DrawnFigure::takeLesson() {
@@ -51,12 +51,22 @@ void DrawnFigure::takeGesture(bool moving) {
   if (m_fade.arrival().marks.empty())
     return;
   m_fade.finish();
-  emit changed();
+  emit moved();
 }
 
 void DrawnFigure::arrive() {
   m_fade.finish();
   m_extents.arrive();
+}
+
+void DrawnFigure::setHighlighted(std::set<std::string> markIds) {
+  m_highlighted = std::move(markIds);
+  emit changed();
+}
+
+void DrawnFigure::setNumbersHidden(bool hidden) {
+  if (std::exchange(m_areNumbersHidden, hidden) != hidden)
+    emit changed();
 }
 
 SceneContent DrawnFigure::pictureContent() const {

@@ -25,11 +25,11 @@ public:
   /// All that fades or glides is there.
   void arrive();
 
-  /// Marks that stand out.
-  void setHighlighted(std::set<std::string> markIds) { m_highlighted = std::move(markIds); }
+  /// Marks that stand out beside the hovered one, as when their terms are hovered.
+  void setHighlighted(std::set<std::string> markIds);
   [[nodiscard]] const std::set<std::string> &highlighted() const { return m_highlighted; }
-  /// Hides the numbers in labels; false where that is so already.
-  bool setNumbersHidden(bool hidden) { return std::exchange(m_areNumbersHidden, hidden) != hidden; }
+  /// Hides the numbers in labels, while a question asks for them.
+  void setNumbersHidden(bool hidden);
   [[nodiscard]] bool areNumbersHidden() const { return m_areNumbersHidden; }
 
   /// On the stage, with all where it must be.
@@ -42,7 +42,8 @@ public:
   [[nodiscard]] SceneContent drawnContent() const;
 
 signals:
-  void changed(); ///< of what is drawn, while it glides or fades
+  void changed(); ///< others stand out, or numbers come or go
+  void moved();   ///< what is drawn glides or fades
 
 private:
   void holdExtents();

@@ -40,7 +40,7 @@ SceneFrame::SceneFrame(SceneView &view, NumberCard &card, QWidget *parent)
   m_notice->setWordWrap(true);
   m_notice->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_notice->hide();
-  connect(&m_view, &SceneView::noticeChanged, this, &SceneFrame::showNotice);
+  connect(&m_view.drawing(), &SceneDrawing::noticeChanged, this, &SceneFrame::showNotice);
 }
 
 void SceneFrame::addTool(QAction &action, ToolIcon icon) {

@@ -32,9 +32,10 @@ Qt::KeyboardModifiers modifierOf(int key) {
 
 } // namespace
 
-SceneInput::SceneInput(QWidget &view, Viewpoint &viewpoint, SceneHandles &handles, HandleEdits &edits,
-                       HandleHold &hold)
-    : m_view(view), m_viewpoint(viewpoint), m_handles(handles), m_edits(edits), m_hold(hold) {
+SceneInput::SceneInput(QWidget &view, const ViewScreen &screen, Viewpoint &viewpoint, SceneHandles &handles,
+                       HandleEdits &edits, HandleHold &hold)
+    : m_view(view), m_screen(screen), m_viewpoint(viewpoint), m_handles(handles), m_edits(edits),
+      m_hold(hold), m_picture(viewpoint) {
   m_view.setMouseTracking(true);
   m_view.setFocusPolicy(Qt::StrongFocus);
   m_view.installEventFilter(this);
@@ -81,31 +82,27 @@ bool SceneInput::eventFilter(QObject *watched, QEvent *event) {
   }
 }
 
-glm::dvec2 SceneInput::devicePixel(const QPointF &place) const {
-  return glm::dvec2(place.x(), place.y()) * m_view.devicePixelRatioF();
-}
-
 void SceneInput::press(const QMouseEvent &event) {
   if (m_gesture != Gesture::None)
     return;
   m_viewpoint.stop();
-  m_pressed = m_pointer = mousePlace(event);
-  m_hasMoved = false;
+  m_press.place = m_pointer = mousePlace(event);
+  m_press.hasMoved = false;
   const bool shifted = event.modifiers() & Qt::ShiftModifier;
   if (event.button() != Qt::LeftButton)
     pressPicture(Gesture::Pan);
-  else if (!pressHandle(m_pressed, shifted))
+  else if (!pressHandle(m_press.place, shifted))
     pressPicture(shifted ? Gesture::Pan : Gesture::Turn);
-  m_button = event.button(); // last: a gesture from elsewhere that ends here lets go of all
+  m_press.button = event.button(); // last: a gesture from elsewhere that ends here lets go of all
 }
 
 bool SceneInput::pressHandle(const QPointF &place, bool shifted) {
-  const auto grab = m_handles.grabAt(devicePixel(place), shifted);
+  const auto grab = m_handles.grabAt(m_screen.pixelAt(place), shifted);
   if (!grab)
     return false;
-  m_hold.begin(grab->handle, grab->mode, devicePixel(place));
+  m_hold.begin(grab->handle, grab->mode, m_screen.pixelAt(place));
   m_gesture = Gesture::Handle;
-  m_clickSwitches = m_handles.selection().selectedId() == grab->handle.id;
+  m_press.wasOnSelected = m_handles.selection().selectedId() == grab->handle.id;
   m_view.setCursor(Qt::ClosedHandCursor);
   m_handles.select(grab->handle.id);
   return true;
@@ -113,37 +110,37 @@ bool SceneInput::pressHandle(const QPointF &place, bool shifted) {
 
 void SceneInput::pressPicture(Gesture gesture) {
   m_gesture = gesture;
-  m_viewpoint.takeHold();
+  m_picture.begin();
 }
 
 void SceneInput::move(const QMouseEvent &event) {
   const QPointF place = mousePlace(event);
   if (m_gesture == Gesture::None)
-    return m_handles.hover(devicePixel(place));
-  if (!(event.buttons() & m_button))
+    return m_handles.hover(m_screen.pixelAt(place));
+  if (!(event.buttons() & m_press.button))
     return finish(); // the release went elsewhere
-  if ((place - m_pressed).manhattanLength() > clickSlop)
-    m_hasMoved = true;
-  if (!m_hasMoved)
+  if ((place - m_press.place).manhattanLength() > clickSlop)
+    m_press.hasMoved = true;
+  if (!m_press.hasMoved)
     return;
   const QPointF way = place - std::exchange(m_pointer, place);
   if (m_gesture == Gesture::Handle)
-    m_hold.pointTo(devicePixel(place), suspends(event.modifiers()));
+    m_hold.pointTo(m_screen.pixelAt(place), suspends(event.modifiers()));
   else
     movePicture(way);
 }
 
 void SceneInput::movePicture(const QPointF &way) {
   if (m_gesture == Gesture::Turn)
-    m_viewpoint.turn(-way.x() * radiansPerPixel, way.y() * radiansPerPixel);
+    m_picture.turn(-way.x() * radiansPerPixel, way.y() * radiansPerPixel);
   else
-    m_viewpoint.pan(devicePixel(way));
+    m_picture.pan(m_screen.pixelAt(way));
 }
 
 void SceneInput::release(const QMouseEvent &event) {
-  if (event.button() != m_button)
+  if (event.button() != m_press.button)
     return;
-  const bool isClickBeside = m_gesture == Gesture::Turn && !m_hasMoved;
+  const bool isClickBeside = m_gesture == Gesture::Turn && !m_press.hasMoved;
   finish();
   if (isClickBeside)
     dismiss();
@@ -154,8 +151,8 @@ void SceneInput::finish() {
     return;
   if (m_gesture == Gesture::Handle) {
     m_hold.follow(m_viewpoint.view());
-    m_hold.end(m_hasMoved);
-    if (!m_hasMoved && m_clickSwitches)
+    m_hold.end(m_press.hasMoved);
+    if (!m_press.hasMoved && m_press.wasOnSelected)
       m_handles.switchDirection();
   }
   letGo();
@@ -164,14 +161,14 @@ void SceneInput::finish() {
 void SceneInput::letGo() {
   m_hold.letGo();
   m_gesture = Gesture::None;
-  m_button = Qt::NoButton;
+  m_press.button = Qt::NoButton;
   m_view.unsetCursor();
   m_handles.settle();
 }
 
 void SceneInput::turnWheel(const QWheelEvent &event) {
   const double steps = event.angleDelta().y() / anglePerWheelStep;
-  m_viewpoint.zoom(std::pow(zoomPerWheelStep, steps), devicePixel(event.position()));
+  m_picture.zoom(std::pow(zoomPerWheelStep, steps), m_screen.pixelAt(event.position()));
 }
 
 void SceneInput::leave() {

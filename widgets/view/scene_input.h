@@ -2,6 +2,8 @@
 #pragma once
 
 #include "widgets/view/handle_edits.h"
+#include "widgets/view/picture_hold.h"
+#include "widgets/view/view_screen.h"
 
 #include <QWidget>
 
@@ -17,8 +19,8 @@ class SceneInput : public QObject {
   Q_OBJECT
 
 public:
-  SceneInput(QWidget &view, Viewpoint &viewpoint, SceneHandles &handles, HandleEdits &edits,
-             HandleHold &hold);
+  SceneInput(QWidget &view, const ViewScreen &screen, Viewpoint &viewpoint, SceneHandles &handles,
+             HandleEdits &edits, HandleHold &hold);
 
   /// Ends what the mouse began, as its release does.
   void finish();
@@ -33,8 +35,13 @@ protected:
 
 private:
   enum class Gesture { None, Turn, Pan, Handle };
+  struct Press {
+    Qt::MouseButton button = Qt::NoButton;
+    QPointF place;
+    bool hasMoved = false;      ///< whether the pointer has left the place
+    bool wasOnSelected = false; ///< whether it was on the handle that was selected already
+  };
 
-  [[nodiscard]] glm::dvec2 devicePixel(const QPointF &place) const;
   void press(const QMouseEvent &event);
   /// Takes hold of the handle or the part of the tool at a place, if there is one.
   bool pressHandle(const QPointF &place, bool shifted);
@@ -52,15 +59,14 @@ private:
   void showCaught();
 
   QWidget &m_view;
+  const ViewScreen &m_screen;
   Viewpoint &m_viewpoint;
   SceneHandles &m_handles;
   HandleEdits &m_edits;
   HandleHold &m_hold;
+  PictureHold m_picture;
   Gesture m_gesture = Gesture::None;
-  Qt::MouseButton m_button = Qt::NoButton; ///< that began the gesture
-  bool m_clickSwitches = false;            ///< whether the press was on the handle that was selected already
-  bool m_hasMoved = false;                 ///< whether the pointer has left the place of the press
-  QPointF m_pressed;
+  Press m_press;     ///< that began it
   QPointF m_pointer; ///< the newest place
 };
 

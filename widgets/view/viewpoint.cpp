@@ -13,7 +13,6 @@ namespace halfspace {
 
 Viewpoint::Viewpoint(SessionModel &model, std::function<Screen()> screen)
     : m_model(model), m_screen(std::move(screen)), m_camera(model.lesson().camera) {
-  connect(&m_previous, &PreviousViews::changed, this, &Viewpoint::previousChanged);
   connect(&m_glide, &CameraGlide::moved, this, [this](const Camera &camera) {
     m_camera = camera;
     emit moved();
@@ -24,6 +23,8 @@ View Viewpoint::view() const {
   const Screen screen = m_screen();
   return {m_camera, screen.size, screen.pixelRatio, m_covered};
 }
+
+Place Viewpoint::middle() const { return middleInView(view(), placesOf(sight())); }
 
 Sight Viewpoint::sight() const {
   Sight sight{toStage(m_model.figure(), m_stage), toStage(m_model.shown().figure, m_stage)};
@@ -74,37 +75,6 @@ void Viewpoint::glideTo(const Camera &camera) {
     return m_glide.start(m_camera, camera);
   m_camera = camera;
   emit changed();
-}
-
-void Viewpoint::takeHold() {
-  m_pivot = middleInView(view(), placesOf(sight()));
-  m_isHoldNew = true;
-}
-
-void Viewpoint::turn(double azimuthChange, double elevationChange) {
-  Camera camera = m_camera;
-  camera.turnAbout(m_pivot, azimuthChange, elevationChange);
-  moveHeldTo(camera);
-}
-
-void Viewpoint::pan(glm::dvec2 pixels) {
-  Camera camera = m_camera;
-  camera.pan(pixels, m_screen().size);
-  moveHeldTo(camera);
-}
-
-void Viewpoint::moveHeldTo(const Camera &camera) {
-  if (std::exchange(m_isHoldNew, false))
-    m_previous.remember(m_camera);
-  moveTo(camera);
-}
-
-void Viewpoint::zoom(double factor, glm::dvec2 pixel) {
-  stop();
-  m_previous.rememberZoomed(m_camera);
-  Camera camera = m_camera;
-  camera.zoom(factor, pixel, m_screen().size);
-  moveTo(camera);
 }
 
 void Viewpoint::moveTo(const Camera &camera) {

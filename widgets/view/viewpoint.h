@@ -30,6 +30,8 @@ public:
   [[nodiscard]] const Camera &camera() const { return m_camera; }
   /// The camera with its screen and what covers that.
   [[nodiscard]] View view() const;
+  /// Of what is in view.
+  [[nodiscard]] Place middle() const;
 
   /// Goes to a view that is asked for by its name.
   void show(NamedView name);
@@ -38,20 +40,15 @@ public:
   void setOrthographic(bool on);
   /// As before the view was turned, moved or chosen last; step by step further back.
   void showPrevious();
-  [[nodiscard]] bool hasPrevious() const { return !m_previous.isEmpty(); }
+  /// Those that it goes back to, in units of the stage.
+  [[nodiscard]] PreviousViews &previous() { return m_previous; }
 
   /// A camera that is on its way stays where it is.
   void stop() { m_glide.stop(); }
   /// … is where it goes to.
   void arrive() { m_glide.arrive(); }
-  /// A hand takes hold of the picture, to turn it about the middle of what is in view or to move it.
-  void takeHold();
-  /// Turns what is held, by angles in radians.
-  void turn(double azimuthChange, double elevationChange);
-  /// Moves what is held, as a pointer moved by so many pixels.
-  void pan(glm::dvec2 pixels);
-  /// Comes nearer to what is at a pixel (factor < 1), or goes away from it. One step of many in a row.
-  void zoom(double factor, glm::dvec2 pixel);
+  /// A hand has put it there.
+  void moveTo(const Camera &camera);
 
   /// Parts of the view that something lies over: the figure is fitted into the view beside them.
   void setCovered(std::vector<PixelBox> covered);
@@ -71,16 +68,12 @@ signals:
   void moved();   ///< the camera is on the move, by a hand or by itself
   void changed(); ///< it is elsewhere at once, or the screen is another one
   void orthographicChanged(bool on);
-  void previousChanged(); ///< there is a first view to go back to, or none any more
 
 private:
   [[nodiscard]] Sight sight() const;
   /// As a menu asks for it.
   void choose(const Camera &camera);
   void glideTo(const Camera &camera);
-  void moveHeldTo(const Camera &camera);
-  /// A hand has put it there.
-  void moveTo(const Camera &camera);
   /// The session has this view from now on.
   void keep(const Camera &camera);
   /// All of the figure in view, from the direction that the camera has.
@@ -91,12 +84,10 @@ private:
   Stage m_stage; ///< the model's, that the camera is on
   Camera m_camera;
   CameraGlide m_glide;
-  PreviousViews m_previous; ///< on the same stage
+  PreviousViews m_previous;
   ResizedCamera m_resized;
   std::vector<PixelBox> m_covered;
-  Place m_pivot{};          ///< what the picture is turned about
-  bool m_isHoldNew = false; ///< nothing has moved yet since a hand took hold
-  bool m_isAtHome = true;   ///< nobody has moved the camera since the lesson began
+  bool m_isAtHome = true; ///< nobody has moved the camera since the lesson began
   bool m_hasTypedAway = false;
 };
 

@@ -36,8 +36,9 @@ struct Spot {
 /// What is drawn of a handle, looked up among the marks of the figure; not as the hand itself does it.
 class Drawn {
 public:
-  Drawn(const SceneView &view, const Figure &figure, const Handle &handle)
-      : m_camera(view.camera()), m_size(view.pixelSize()), m_scale(designScale(m_camera, m_size, 1)) {
+  Drawn(SceneView &view, const Figure &figure, const Handle &handle)
+      : m_camera(view.viewpoint().camera()), m_size(view.screen().size()),
+        m_scale(designScale(m_camera, m_size, 1)) {
     const Mark *mark = findMark(figure, handle.id);
     if (const auto *point = mark ? std::get_if<PointMark>(mark) : nullptr)
       addBall(point->at, ballRadius(*point) * m_scale / m_camera.unitsPerPixel(point->at, m_size));
@@ -119,9 +120,10 @@ private:
 
 /// Presses, and takes it back; tells which handle it grabbed.
 std::string grabbedAt(ViewFixture &fixture, const std::string &selected, glm::dvec2 pixel) {
-  fixture.view.selectHandle(selected);
+  fixture.view.handles().select(selected);
   fixture.press({qRound(pixel.x), qRound(pixel.y)});
-  const std::string grabbed = fixture.model.history().inGesture() ? fixture.view.selectedHandle() : "nothing";
+  const std::string grabbed =
+      fixture.model.history().inGesture() ? fixture.view.handles().selection().selectedId() : "nothing";
   QTest::keyClick(&fixture.view, Qt::Key_Escape);
   fixture.release({qRound(pixel.x), qRound(pixel.y)});
   return grabbed;
@@ -153,7 +155,7 @@ private slots:
     fixture.view.setFixedSize(viewSize);
     QTRY_COMPARE(fixture.view.size(), viewSize);
     fixture.model.openLesson(lesson.toStdString());
-    fixture.view.goHome();
+    fixture.view.viewpoint().show(NamedView::Home);
     const Figure &figure = fixture.model.shown().figure;
     const auto handles = handlesOf(fixture.model.session().scene);
     std::vector<Drawn> drawn;

@@ -120,14 +120,14 @@ private slots:
     QVERIFY(fixture.ready);
     const auto &notice = *fixture.frame.findChild<QLabel *>("sceneNotice");
     QVERIFY(!notice.isVisible());
-    const Camera camera = fixture.view.camera();
-    emit fixture.view.noticeChanged("Only some are filled.");
+    const Camera camera = fixture.view.viewpoint().camera();
+    emit fixture.view.drawing().noticeChanged("Only some are filled.");
     QVERIFY(notice.isVisible());
     QCOMPARE(notice.text(), QString("Only some are filled."));
     QVERIFY(fixture.frame.rect().contains(fixture.placeOf(notice)));
     QVERIFY(!fixture.placeOf(notice).intersects(fixture.placeOf(*fixture.tools()[0])));
-    QVERIFY(fixture.view.camera() == camera);
-    emit fixture.view.noticeChanged({});
+    QVERIFY(fixture.view.viewpoint().camera() == camera);
+    emit fixture.view.drawing().noticeChanged({});
     QVERIFY(!notice.isVisible());
   }
 

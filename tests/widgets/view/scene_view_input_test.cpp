@@ -19,7 +19,7 @@ private slots:
   void pointer_overAHandle_tellsItsMark_andThatItLeaves() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    QSignalSpy hovered(&fixture.view, &SceneView::markHovered);
+    QSignalSpy hovered(&fixture.view.handles(), &SceneHandles::markHovered);
     movePointer(fixture.view, fixture.at("Q"));
     QCOMPARE(lastOf(hovered), QString("Q"));
     QCOMPARE(fixture.view.cursor().shape(), Qt::OpenHandCursor);
@@ -41,7 +41,7 @@ private slots:
     QVERIFY(fixture.model.history().inGesture());
     movePointer(fixture.view, at + QPoint(2, -1), Qt::LeftButton); // the hand trembles
     fixture.release(at + QPoint(2, -1));
-    QCOMPARE(fixture.view.selectedHandle(), std::string("Q"));
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string("Q"));
     QVERIFY(!fixture.model.history().inGesture());
     QVERIFY(fixture.model.session() == before);
     QCOMPARE(fixture.model.history().count(), 0);
@@ -106,11 +106,11 @@ private slots:
   void escape_withNothingHeld_dismissesTheSelection() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.selectHandle("Q");
-    QSignalSpy dismissed(&fixture.view, &SceneView::dismissed);
+    fixture.view.handles().select("Q");
+    QSignalSpy dismissed(&fixture.view.input(), &SceneInput::dismissed);
     QTest::keyClick(&fixture.view, Qt::Key_Escape);
     QCOMPARE(dismissed.count(), 1);
-    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string());
     fixture.press(fixture.at("Q"));
     QTest::keyClick(&fixture.view, Qt::Key_Escape); // this one is for the drag
     QCOMPARE(dismissed.count(), 1);
@@ -120,33 +120,33 @@ private slots:
   void click_besideTheHandles_dismissesTheSelection_butTurningTheViewDoesNot() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.selectHandle("Q");
+    fixture.view.handles().select("Q");
     const QPoint beside(5, 5);
     fixture.dragBeside({40, 10});
-    QCOMPARE(fixture.view.selectedHandle(), std::string("Q"));
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string("Q"));
     fixture.press(beside);
     fixture.release(beside);
-    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string());
   }
 
   void tab_behindTheLastHandle_leavesTheView() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.selectHandle("Q"); // the last
+    fixture.view.handles().select("Q"); // the last
     QTest::keyClick(&fixture.view, Qt::Key_Tab);
     QCOMPARE(fixture.window.focusWidget(), &fixture.other);
-    QCOMPARE(fixture.view.selectedHandle(), std::string());
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string());
   }
 
   void tab_fromNoHandle_beginsAtTheFirst_andBackwardsAtTheLast() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     QTest::keyClick(&fixture.view, Qt::Key_Tab);
-    QCOMPARE(fixture.view.selectedHandle(), std::string("E.P0"));
-    fixture.view.selectHandle({});
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string("E.P0"));
+    fixture.view.handles().select({});
     for (const char *id : {"Q", "E.offset"}) {
       QTest::keyClick(&fixture.view, Qt::Key_Backtab, Qt::ShiftModifier);
-      QCOMPARE(fixture.view.selectedHandle(), std::string(id));
+      QCOMPARE(fixture.view.handles().selection().selectedId(), std::string(id));
     }
   }
 
@@ -157,7 +157,7 @@ private slots:
       QTest::mouseClick(&fixture.view, Qt::LeftButton, {}, fixture.at("Q"));
     QTest::keyClick(&fixture.view, Qt::Key_Up);
     QVERIFY(fixture.value("Q") == ExactVec3(11, 15, 9));
-    fixture.view.selectHandle("E.P0"); // another handle begins in x and y again
+    fixture.view.handles().select("E.P0"); // another handle begins in x and y again
     QTest::keyClick(&fixture.view, Qt::Key_Up);
     QVERIFY(fixture.value("E").z == 7);
     QVERIFY(fixture.value("E") != ExactVec3(5, 4, 7));
@@ -246,7 +246,8 @@ private slots:
     const QPoint at = fixture.at("Q");
     fixture.press(at);
     // At z = 8 the plane's points are x + 2y = 11.
-    const glm::dvec2 onPlane(*fixture.view.camera().project({3, 4, 8}, fixture.view.pixelSize()));
+    const glm::dvec2 onPlane(
+        *fixture.view.viewpoint().camera().project({3, 4, 8}, fixture.view.screen().size()));
     movePointer(fixture.view, {qRound(onPlane.x), qRound(onPlane.y)}, Qt::LeftButton);
     QTRY_COMPARE(lastOf(hints), QString("plane E"));
     QCOMPARE(QToolTip::text(), QString("plane E"));
@@ -266,7 +267,7 @@ private slots:
       fixture.release(at + QPoint(0, -60));
       QCOMPARE(fixture.model.history().undoText().value(), std::string(said));
     }
-    fixture.view.selectHandle("Q");
+    fixture.view.handles().select("Q");
     QTest::keyClick(&fixture.view, Qt::Key_PageUp);
     QCOMPARE(fixture.model.history().undoText().value(), std::string("Move Q"));
   }
@@ -274,11 +275,11 @@ private slots:
   void note_atATip_tellsTheArrowsOwnNumber() {
     ViewFixture fixture({{planeE(), rayL()}});
     QVERIFY(fixture.ready);
-    fixture.view.setAxisView(AxisView::Top);
-    fixture.view.selectHandle("L.r");
-    QCOMPARE(fixture.view.toolNote(), std::string("r_z = 2\\text{ fixed}")); // its height is 10
-    fixture.view.selectHandle("L.Q");
-    QCOMPARE(fixture.view.toolNote(), std::string("z = 8\\text{ fixed}"));
+    fixture.view.viewpoint().show(NamedView::Top);
+    fixture.view.handles().select("L.r");
+    QCOMPARE(fixture.view.handles().gizmo()->note, std::string("r_z = 2\\text{ fixed}")); // its height is 10
+    fixture.view.handles().select("L.Q");
+    QCOMPARE(fixture.view.handles().gizmo()->note, std::string("z = 8\\text{ fixed}"));
   }
 
   void hint_ofAHandThatHasDragged_saysNoMoreHowToDrag() {
@@ -287,7 +288,7 @@ private slots:
     QSignalSpy hints(&fixture.view, &SceneView::hint);
     const auto dragOnce = [&](int way) {
       dragPointer(fixture.view, fixture.at("Q"), fixture.at("Q") + QPoint(way, 0));
-      fixture.view.selectHandle({});
+      fixture.view.handles().select({});
       return hints.last().front().toString();
     };
     QVERIFY(dragOnce(30).startsWith("Drag a handle"));
@@ -298,32 +299,33 @@ private slots:
   void press_thatJustMissesAHandle_takesIt() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    const Camera before = fixture.view.camera();
+    const Camera before = fixture.view.viewpoint().camera();
     const ExactVec3 start = fixture.value("Q");
     const double ball = 6; // pixels, at most, of its seen radius
     const QPoint beside = fixture.at("Q") + QPoint(0, -static_cast<int>(ball + missMargin - 2));
     dragPointer(fixture.view, beside, beside + QPoint(60, 20));
     QVERIFY(fixture.value("Q") != start);
-    QVERIFY(fixture.view.camera() == before);
+    QVERIFY(fixture.view.viewpoint().camera() == before);
   }
 
   void patch_afterAnEditThatWasTyped_glidesToItsNewSize() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     fixture.view.setMotion(true);
-    const Extents before = extentsOf(fixture.view.drawnFigure());
+    const Extents before = extentsOf(fixture.view.drawn().drawnFigure());
     fixture.model.history().edit(ChangeObject{"Q", PointObject{{25, 15, 8}}}, "typed");
-    QVERIFY2(extentsOf(fixture.view.drawnFigure()) == before, "it does not leap");
-    QTRY_VERIFY(extentsOf(fixture.view.drawnFigure()) == extentsOf(fixture.view.pictureContent().figure));
-    QVERIFY(extentsOf(fixture.view.drawnFigure()) != before);
+    QVERIFY2(extentsOf(fixture.view.drawn().drawnFigure()) == before, "it does not leap");
+    QTRY_VERIFY(extentsOf(fixture.view.drawn().drawnFigure()) ==
+                extentsOf(fixture.view.drawn().pictureContent().figure));
+    QVERIFY(extentsOf(fixture.view.drawn().drawnFigure()) != before);
   }
 
   void others_whileAHandleIsDragged_areDrawnAsFarAsTheyWere() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     const auto patchOf = [](const Figure &figure) { return extentsOf(figure).at("E"); };
-    const auto must = [&] { return patchOf(fixture.view.pictureContent().figure); };
-    const auto drawn = [&] { return patchOf(fixture.view.drawnFigure()); };
+    const auto must = [&] { return patchOf(fixture.view.drawn().pictureContent().figure); };
+    const auto drawn = [&] { return patchOf(fixture.view.drawn().drawnFigure()); };
     const auto before = must();
     const QPoint at = fixture.at("Q");
     fixture.press(at);
@@ -341,13 +343,13 @@ private slots:
     ViewFixture fixture;
     QVERIFY(fixture.ready);
     fixture.view.setMotion(true);
-    const auto drawn = [&] { return extentsOf(fixture.view.drawnFigure()).at("E"); };
+    const auto drawn = [&] { return extentsOf(fixture.view.drawn().drawnFigure()).at("E"); };
     const auto before = drawn();
     const QPoint at = fixture.at("Q");
     fixture.press(at);
     movePointer(fixture.view, at + QPoint(100, 60), Qt::LeftButton);
     fixture.release(at + QPoint(100, 60));
-    const auto must = extentsOf(fixture.view.pictureContent().figure).at("E");
+    const auto must = extentsOf(fixture.view.drawn().pictureContent().figure).at("E");
     QVERIFY(must != before);
     QVERIFY(drawn() == before);
     QTRY_VERIFY(drawn() != before && drawn() != must);
@@ -361,7 +363,8 @@ private slots:
     fixture.press(at);
     movePointer(fixture.view, at + QPoint(-140, -60), Qt::LeftButton);
     QTRY_VERIFY(fixture.value("E") != ExactVec3(5, 4, 7));
-    QVERIFY(extentsOf(fixture.view.drawnFigure()) == extentsOf(fixture.view.pictureContent().figure));
+    QVERIFY(extentsOf(fixture.view.drawn().drawnFigure()) ==
+            extentsOf(fixture.view.drawn().pictureContent().figure));
     fixture.release(at + QPoint(-140, -60));
   }
 
@@ -380,36 +383,36 @@ private slots:
   void handle_thatCanMoveOneWayOnlyAsItIsSeen_isToldHowToLookForTheOther() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.setOrthographic(true);
+    fixture.view.viewpoint().setOrthographic(true);
     QSignalSpy hints(&fixture.view, &SceneView::hint);
-    const auto hintFrom = [&](AxisView view) {
-      fixture.view.setAxisView(view);
-      fixture.view.selectHandle("Q");
+    const auto hintFrom = [&](NamedView view) {
+      fixture.view.viewpoint().show(view);
+      fixture.view.handles().select("Q");
       QTest::qWait(600); // the camera glides
-      fixture.view.selectHandle({});
-      fixture.view.selectHandle("Q");
+      fixture.view.handles().select({});
+      fixture.view.handles().select("Q");
       return lastOf(hints);
     };
-    QVERIFY2(hintFrom(AxisView::Front).contains("Look from higher above"), qPrintable(lastOf(hints)));
-    QVERIFY2(hintFrom(AxisView::Top).contains("Look from the side"), qPrintable(lastOf(hints)));
+    QVERIFY2(hintFrom(NamedView::Front).contains("Look from higher above"), qPrintable(lastOf(hints)));
+    QVERIFY2(hintFrom(NamedView::Top).contains("Look from the side"), qPrintable(lastOf(hints)));
   }
 
   void selection_ofWhatIsRemoved_isGone() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.selectHandle("Q");
+    fixture.view.handles().select("Q");
     QCOMPARE(fixture.model.history().edit(RemoveEntry{"Q", true}, "remove"), QString());
-    QCOMPARE(fixture.view.selectedHandle(), std::string());
-    QVERIFY(!fixture.view.handlePosition("Q"));
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string());
+    QVERIFY(!handlePosition(fixture.view, "Q"));
   }
 
   void selection_inAnotherLesson_isGone() {
     ViewFixture fixture;
     QVERIFY(fixture.ready);
-    fixture.view.selectHandle("Q");
+    fixture.view.handles().select("Q");
     fixture.model.openLesson("lesson1"); // it has a point Q too
-    QCOMPARE(fixture.view.selectedHandle(), std::string());
-    QVERIFY(fixture.view.handlePosition("Q"));
+    QCOMPARE(fixture.view.handles().selection().selectedId(), std::string());
+    QVERIFY(handlePosition(fixture.view, "Q"));
   }
 };
 

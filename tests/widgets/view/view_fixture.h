@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/lessons/scenes.h"
+#include "tests/widgets/handle_position.h"
 #include "tests/widgets/libraries.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/typeset/typesetter.h"
@@ -33,7 +34,7 @@ public:
   ExactVec3 value(const std::string &object, std::size_t index = 0) {
     return coordinate(*findObject(model.session().scene, object), index);
   }
-  QPoint at(const std::string &handle) { return view.handlePosition(handle).value_or(QPoint(-1, -1)); }
+  QPoint at(const std::string &handle) { return handlePosition(view, handle).value_or(QPoint(-1, -1)); }
   void press(QPoint place, Qt::MouseButton button = Qt::LeftButton,
              Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::mousePress(&view, button, modifiers, place);

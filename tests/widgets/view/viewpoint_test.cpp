@@ -3,6 +3,7 @@
 
 #include "tests/lessons/scenes.h"
 #include "tests/widgets/libraries.h"
+#include "widgets/view/picture_hold.h"
 
 #include <QtTest>
 
@@ -15,6 +16,7 @@ struct Fixture {
   Screen screen{{900, 600}, 1, false};
   SessionModel model{libraryOf({distanceScene(), Scene{{pointQ()}}})};
   Viewpoint viewpoint{model, [this] { return screen; }};
+  PictureHold picture{viewpoint};
 
   Fixture() { viewpoint.takeScreen(); }
 
@@ -23,9 +25,9 @@ struct Fixture {
     viewpoint.takeScreen();
   }
   void turnByHand() {
-    viewpoint.takeHold();
-    viewpoint.turn(0.2, 0.1);
-    viewpoint.turn(0.1, 0.1);
+    picture.begin();
+    picture.turn(0.2, 0.1);
+    picture.turn(0.1, 0.1);
   }
   /// Puts Q elsewhere, as a hand or an inspector does.
   void put(const ExactVec3 &place) {
@@ -102,18 +104,18 @@ private slots:
     const Camera home = fixture.viewpoint.camera();
     fixture.turnByHand(); // many moves are one change
     const Camera turned = fixture.viewpoint.camera();
-    fixture.viewpoint.takeHold(); // and then nothing moves
-    fixture.viewpoint.zoom(0.9, {450, 300});
-    fixture.viewpoint.zoom(0.9, {450, 300});
+    fixture.picture.begin(); // and then nothing moves
+    fixture.picture.zoom(0.9, {450, 300});
+    fixture.picture.zoom(0.9, {450, 300});
     const Camera zoomed = fixture.viewpoint.camera();
     fixture.viewpoint.show(NamedView::Top);
     fixture.viewpoint.show(NamedView::Top); // it is there already
     for (const Camera &camera : {zoomed, turned, home}) {
-      QVERIFY(fixture.viewpoint.hasPrevious());
+      QVERIFY(!fixture.viewpoint.previous().isEmpty());
       fixture.viewpoint.showPrevious();
       QVERIFY(fixture.viewpoint.camera() == camera);
     }
-    QVERIFY(!fixture.viewpoint.hasPrevious());
+    QVERIFY(fixture.viewpoint.previous().isEmpty());
     fixture.viewpoint.showPrevious();
     QVERIFY(fixture.viewpoint.camera() == home);
   }
@@ -165,7 +167,7 @@ private slots:
     QVERIFY(fixture.viewpoint.camera().target == close.view.at);
     QVERIFY(fixture.viewpoint.camera().orthographic);
     QCOMPARE(orthographic.last().front().toBool(), true);
-    QVERIFY(!fixture.viewpoint.hasPrevious());
+    QVERIFY(fixture.viewpoint.previous().isEmpty());
     fixture.model.startWith({"lesson0", 0, distanceScene(), {}});
     QVERIFY(!fixture.viewpoint.camera().orthographic);
     QVERIFY(fixture.sees(placeOfQ));
@@ -178,7 +180,7 @@ private slots:
     fixture.viewpoint.showAnother();
     QVERIFY(fixture.viewpoint.camera() == home);
     fixture.turnByHand();
-    fixture.viewpoint.zoom(0.2, {0, 0});
+    fixture.picture.zoom(0.2, {0, 0});
     QVERIFY(!fixture.sees(placeOfQ));
     const double azimuth = fixture.viewpoint.camera().azimuth;
     fixture.viewpoint.showAnother();
@@ -189,13 +191,13 @@ private slots:
   void otherStage_hasAllInView_alsoAwayFromHome() {
     Fixture fixture;
     fixture.turnByHand();
-    QVERIFY(fixture.viewpoint.hasPrevious());
+    QVERIFY(!fixture.viewpoint.previous().isEmpty());
     const Stage before = fixture.model.stage();
     fixture.put({1000000, 15, 8});
     const Stage &stage = fixture.model.stage();
     QVERIFY(!(stage == before));
     QVERIFY(fixture.sees(toDouble(toStage({1000000, 15, 8}, CoordinateRole::Position, stage))));
-    QVERIFY2(!fixture.viewpoint.hasPrevious(), "they would be in other units");
+    QVERIFY2(fixture.viewpoint.previous().isEmpty(), "they would be in other units");
   }
 
   void typedAway_isToldUntilAnotherViewIsChosen() {
