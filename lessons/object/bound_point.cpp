@@ -27,9 +27,10 @@ void guideAlong(const Object &host, Handle &handle) { handle.axis = host[Directi
 
 } // namespace
 
-Kind boundPoint(std::string_view word, std::string_view meaning, std::vector<CoordinateSpec> freedoms,
-                void (*settle)(Object &), const Binding &binding) {
+Kind boundPoint(std::string_view word, std::string (*noun)(), std::string_view meaning,
+                std::vector<CoordinateSpec> freedoms, void (*settle)(Object &), const Binding &binding) {
   return {.word = word,
+          .noun = noun,
           .meaning = meaning,
           .subject = Subject::Point,
           .coordinates = std::move(freedoms),

@@ -7,7 +7,7 @@ namespace halfspace {
 
 /// A kind of points that lie on another object. They are drawn, offered and looked at as the points that they
 /// are.
-[[nodiscard]] Kind boundPoint(std::string_view word, std::string_view meaning,
+[[nodiscard]] Kind boundPoint(std::string_view word, std::string (*noun)(), std::string_view meaning,
                               std::vector<CoordinateSpec> freedoms, void (*settle)(Object &),
                               const Binding &binding);
 

@@ -14,6 +14,7 @@ namespace halfspace {
 /// All that is said of a kind. None of it has a default: what is left out does not compile.
 struct Kind {
   std::string_view word;          ///< in files, in small letters: plane
+  std::string (*noun)();          ///< in sentences, with its article: “a plane”
   std::string_view meaning;       ///< for the documentation, in half a sentence
   std::optional<Subject> subject; ///< of its marks, by which further objects take another look; nothing of a
                                   ///< thing, which needs none, and of what is not drawn
@@ -45,6 +46,10 @@ struct Kind {
 
 /// The kind of this word, or null.
 [[nodiscard]] const Kind *findKind(std::string_view word);
+
+/// What an object, or those that may stand in a role, are called in sentences: “a plane”. The word is that of
+/// a kind, or of solids.
+[[nodiscard]] std::string nounOf(std::string_view kind);
 
 /// The word of the kind that others look at: of a bound object it is a point, of a box a solid.
 [[nodiscard]] std::string_view seenKindOf(const Object &object);

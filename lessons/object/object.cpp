@@ -4,6 +4,7 @@
 #include "lessons/object/kinds/point.h"
 #include "lessons/object/mesh_shape.h"
 #include "lessons/object/solid.h"
+#include "lessons/words.h"
 
 #include <cassert>
 #include <stdexcept>
@@ -52,6 +53,10 @@ const Kind *findKind(std::string_view word) {
     if (kind.word == word)
       return &kind;
   return nullptr;
+}
+
+std::string nounOf(std::string_view kind) {
+  return kind == SolidObject::kind ? words("a solid") : findKind(kind)->noun();
 }
 
 std::string_view seenKindOf(const Object &object) {

@@ -41,9 +41,11 @@ std::optional<Object> footBySides(Object bound, const Object &triangle, const Ex
   return bound;
 }
 
-Kind pointBySides(std::string_view word, std::string_view meaning, void (*settle)(Object &),
+Kind pointBySides(std::string_view word, std::string (*noun)(), std::string_view meaning,
+                  void (*settle)(Object &),
                   Object (*nearest)(Object bound, const Object &triangle, const ExactVec3 &place)) {
-  return boundPoint(word, meaning, {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}}, settle,
+  return boundPoint(word, noun, meaning, {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}},
+                    settle,
                     {.host = TriangleObject::kind,
                      .placeOf = placeBySides,
                      .nearest = nearest,

@@ -21,8 +21,8 @@ struct TriangleSides {
 [[nodiscard]] std::optional<Object> footBySides(Object bound, const Object &triangle, const ExactVec3 &place);
 
 /// A kind of such points.
-[[nodiscard]] Kind pointBySides(std::string_view word, std::string_view meaning, void (*settle)(Object &),
-                                Object (*nearest)(Object bound, const Object &triangle,
-                                                  const ExactVec3 &place));
+[[nodiscard]] Kind
+pointBySides(std::string_view word, std::string (*noun)(), std::string_view meaning, void (*settle)(Object &),
+             Object (*nearest)(Object bound, const Object &triangle, const ExactVec3 &place));
 
 } // namespace halfspace

@@ -34,8 +34,8 @@ struct Applier {
     if (!object)
       return noEntry(edit.name);
     if (kindOf(*object) != kindOf(edit.value))
-      return refused(words("“{name}” is a {kind} and stays one.",
-                           {{"name", edit.name}, {"kind", std::string(kindOf(*object))}}));
+      return refused(
+          words("“{name}” is {kind} and stays one.", {{"name", edit.name}, {"kind", object->kind().noun()}}));
     if (const auto coordinate = refusedCoordinateOf(edit.value))
       return refused(coordinate->sentence);
     Object settled = edit.value;

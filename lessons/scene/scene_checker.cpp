@@ -61,7 +61,7 @@ std::optional<Problem> refuseUnfitting(const Object &object) {
     for (int axis = 0; axis < numbersIn(specs[i].role); ++axis)
       if (const Rational &number = object[i][axis]; number != settled[i][axis])
         return problemWith(std::string(specs[i].name),
-                           words("{name} cannot be {value} here: {fitting} is the nearest that fits.",
+                           words("“{name}” cannot be {value} here: {fitting} is the nearest that fits.",
                                  {{"name", std::string(specs[i].name)},
                                   {"value", toText(number)},
                                   {"fitting", toText(settled[i][axis])}}));
@@ -129,9 +129,9 @@ std::optional<Problem> SceneChecker::checkReference(const std::string &field, co
         field, withGuess(words("Above this entry there is no object “{name}”.", {{"name", shortened(id)}}),
                          id, objectsOfKind(expected)));
   if (kind->second != expected)
-    return problemWith(
-        field, words("Here a {kind} is expected, but “{name}” is a {other}.",
-                     {{"kind", std::string(expected)}, {"name", id}, {"other", std::string(kind->second)}}));
+    return problemWith(field,
+                       words("Here {kind} is expected, but “{name}” is {other}.",
+                             {{"kind", nounOf(expected)}, {"name", id}, {"other", nounOf(kind->second)}}));
   return {};
 }
 
@@ -141,7 +141,8 @@ std::optional<Problem> SceneChecker::checkHost(const Entry &entry, const Object 
     return checkReference(field, entry.on, binding->host);
   if (entry.on.empty())
     return {};
-  return problemWith(field, words("A {kind} lies on nothing.", {{"kind", std::string(kindOf(object))}}));
+  return problemWith(field, words("“{name}” is {kind}, which lies on nothing.",
+                                  {{"name", entry.name}, {"kind", object.kind().noun()}}));
 }
 
 std::optional<Problem> SceneChecker::checkRole(const ConstructionRole &role,
@@ -149,11 +150,11 @@ std::optional<Problem> SceneChecker::checkRole(const ConstructionRole &role,
   const std::string field = "of." + role.name;
   const auto bound = use.roles.find(role.name);
   if (bound == use.roles.end())
-    return problemWith(
-        field, role.isList ? words("This construction looks at a list {role}: name one {kind} or several.",
-                                   {{"kind", std::string(role.kind)}, {"role", role.name}})
-                           : words("This construction looks at a {kind} {role}: name one.",
-                                   {{"kind", std::string(role.kind)}, {"role", role.name}}));
+    return problemWith(field, role.isList
+                                  ? words("This construction looks at a list {role}: name {kind} or several.",
+                                          {{"kind", nounOf(role.kind)}, {"role", role.name}})
+                                  : words("This construction looks at {kind} {role}: name one.",
+                                          {{"kind", nounOf(role.kind)}, {"role", role.name}}));
   const std::vector<std::string> &ids = bound->second.ids;
   if (!isCountOf(role, ids.size()))
     return problemWith(field, role.isList

@@ -85,6 +85,7 @@ SolidKind boxSolid() { return {"box", mesh, corner, way, face}; }
 
 Kind box() {
   return {.word = "box",
+          .noun = [] { return words("a box"); },
           .meaning = "a box along the axes, by its lowest corner and three lengths",
           .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},

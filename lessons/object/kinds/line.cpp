@@ -37,6 +37,7 @@ namespace object_kinds {
 
 Kind line() {
   return {.word = LineObject::kind,
+          .noun = [] { return words("a line"); },
           .meaning = "a line by a point of it and a direction",
           .subject = Subject::Ray,
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction}},

@@ -176,6 +176,7 @@ namespace object_kinds {
 
 Kind mesh() {
   return {.word = MeshObject::kind,
+          .noun = [] { return words("a mesh"); },
           .meaning =
               "a mesh of flat, convex faces by their corners, where it stands, which way it is turned and "
               "how it is scaled",

@@ -1,6 +1,7 @@
 #include "lessons/object/kinds/number.h"
 
 #include "lessons/object/kind.h"
+#include "lessons/words.h"
 
 #include <algorithm>
 
@@ -21,6 +22,7 @@ namespace object_kinds {
 
 Kind number() {
   return {.word = NumberObject::kind,
+          .noun = [] { return words("a number"); },
           .meaning = "a number with bounds and a step",
           .subject = {},
           .coordinates = {{"value", CoordinateRole::Number, true},

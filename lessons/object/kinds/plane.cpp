@@ -6,6 +6,7 @@
 #include "lessons/term/latex.h"
 #include "lessons/term/plain_text.h"
 #include "lessons/term/rewrite.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -66,6 +67,7 @@ namespace object_kinds {
 
 Kind plane() {
   return {.word = PlaneObject::kind,
+          .noun = [] { return words("a plane"); },
           .meaning = "a plane by a point of it and its normal",
           .subject = Subject::Plane,
           .coordinates = {{"P0", CoordinateRole::Position}, {"n", CoordinateRole::Direction}},

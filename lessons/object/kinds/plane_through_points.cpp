@@ -2,6 +2,7 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
 #include "lessons/term/plain_text.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -23,6 +24,7 @@ namespace object_kinds {
 
 Kind plane_through_points() {
   return {.word = "plane-through-points",
+          .noun = [] { return words("a plane through points"); },
           .meaning = "a plane by three points of it",
           .subject = Subject::Plane,
           .coordinates = {{"P0", CoordinateRole::Position},

@@ -22,6 +22,7 @@ namespace object_kinds {
 
 Kind point() {
   return {.word = PointObject::kind,
+          .noun = [] { return words("a point"); },
           .meaning = "a free point",
           .subject = Subject::Point,
           .coordinates = {{"", CoordinateRole::Position}},

@@ -3,6 +3,7 @@
 #include "lessons/object/bound_point.h"
 #include "lessons/object/flat.h"
 #include "lessons/object/kinds/plane.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -55,8 +56,9 @@ namespace object_kinds {
 
 Kind point_on_plane() {
   return boundPoint(
-      "point-on-plane", "a point that slides in a plane: the foot of a place",
-      {{"near", CoordinateRole::Position}}, settleNothing,
+      "point-on-plane", [] { return words("a point on a plane"); },
+      "a point that slides in a plane: the foot of a place", {{"near", CoordinateRole::Position}},
+      settleNothing,
       {.host = PlaneObject::kind, .placeOf = placeOf, .nearest = nearest, .onGrid = onGrid, .guide = guide});
 }
 

@@ -3,6 +3,7 @@
 // is reached but the lowest, to which it comes as near as one likes. s = t = 0 is the highest.
 #include "lessons/object/bound_point.h"
 #include "lessons/object/drawing.h"
+#include "lessons/words.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -78,7 +79,8 @@ namespace object_kinds {
 
 Kind point_on_sphere() {
   return boundPoint(
-      "point-on-sphere", "a point of a sphere: c + R(2s, 2t, 1 − s² − t²)/(1 + s² + t²)",
+      "point-on-sphere", [] { return words("a point of a sphere"); },
+      "a point of a sphere: c + R(2s, 2t, 1 − s² − t²)/(1 + s² + t²)",
       {{"s", CoordinateRole::Number}, {"t", CoordinateRole::Number}}, settle,
       {.host = "sphere", .placeOf = placeOf, .nearest = nearest, .onGrid = onGrid, .guide = guide});
 }

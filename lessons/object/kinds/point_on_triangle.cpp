@@ -1,5 +1,6 @@
 // Points of a triangle, its edges included.
 #include "lessons/object/point_by_sides.h"
+#include "lessons/words.h"
 
 #include <glm/vec2.hpp>
 
@@ -54,8 +55,9 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
 namespace object_kinds {
 
 Kind point_on_triangle() {
-  return pointBySides("point-on-triangle", "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)", settle,
-                      nearest);
+  return pointBySides(
+      "point-on-triangle", [] { return words("a point of a triangle"); },
+      "a point of a triangle: P0 + s(P1 − P0) + t(P2 − P0)", settle, nearest);
 }
 
 } // namespace object_kinds

@@ -1,5 +1,6 @@
 // Points of a triangle's plane, outside the triangle too.
 #include "lessons/object/point_by_sides.h"
+#include "lessons/words.h"
 
 #include <utility>
 
@@ -27,9 +28,9 @@ Object nearest(Object bound, const Object &host, const ExactVec3 &place) {
 namespace object_kinds {
 
 Kind point_on_triangle_plane() {
-  return pointBySides("point-on-triangle-plane",
-                      "a point of a triangle's plane, outside it too: P0 + s(P1 − P0) + t(P2 − P0)",
-                      settleNothing, nearest);
+  return pointBySides(
+      "point-on-triangle-plane", [] { return words("a point of a triangle's plane"); },
+      "a point of a triangle's plane, outside it too: P0 + s(P1 − P0) + t(P2 − P0)", settleNothing, nearest);
 }
 
 } // namespace object_kinds

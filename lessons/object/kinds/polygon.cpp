@@ -5,6 +5,7 @@
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/letters.h"
+#include "lessons/words.h"
 
 #include <algorithm>
 
@@ -50,6 +51,7 @@ namespace object_kinds {
 
 Kind polygon() {
   return {.word = PolygonObject::kind,
+          .noun = [] { return words("a polygon"); },
           .meaning = "a polygon by three to eight corners; filled where it is flat and convex",
           .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},

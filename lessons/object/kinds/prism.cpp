@@ -69,6 +69,7 @@ SolidKind prismSolid() { return {"prism", mesh, corner, way, face}; }
 
 Kind prism() {
   return {.word = "prism",
+          .noun = [] { return words("a prism"); },
           .meaning = "a prism by the corners of its base, three to eight, and the arrow to its top",
           .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},

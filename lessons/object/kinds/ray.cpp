@@ -34,6 +34,7 @@ namespace object_kinds {
 
 Kind ray() {
   return {.word = RayObject::kind,
+          .noun = [] { return words("a ray"); },
           .meaning = "a ray by its start and its direction",
           .subject = Subject::Ray,
           .coordinates = {{"Q", CoordinateRole::Position}, {"r", CoordinateRole::Direction}},

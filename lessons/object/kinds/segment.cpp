@@ -1,6 +1,7 @@
 // Segments: what lies between two points.
 #include "lessons/object/drawing.h"
 #include "lessons/object/kind.h"
+#include "lessons/words.h"
 
 namespace halfspace {
 namespace {
@@ -27,6 +28,7 @@ namespace object_kinds {
 
 Kind segment() {
   return {.word = "segment",
+          .noun = [] { return words("a segment"); },
           .meaning = "a segment by its ends",
           .subject = Subject::Ray,
           .coordinates = {{"A", CoordinateRole::Position}, {"B", CoordinateRole::Position}},

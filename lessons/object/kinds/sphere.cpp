@@ -40,6 +40,7 @@ namespace object_kinds {
 
 Kind sphere() {
   return {.word = SphereObject::kind,
+          .noun = [] { return words("a sphere"); },
           .meaning = "a sphere by its centre and its radius",
           .subject = Subject::Triangle,
           .coordinates = {{"c", CoordinateRole::Position}, {"R", CoordinateRole::Length}},

@@ -43,6 +43,7 @@ SolidKind tetrahedronSolid() { return {"tetrahedron", mesh, corner, way, face}; 
 
 Kind tetrahedron() {
   return {.word = "tetrahedron",
+          .noun = [] { return words("a tetrahedron"); },
           .meaning = "a tetrahedron by its corners",
           .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},

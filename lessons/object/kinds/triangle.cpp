@@ -44,6 +44,7 @@ namespace object_kinds {
 
 Kind triangle() {
   return {.word = TriangleObject::kind,
+          .noun = [] { return words("a triangle"); },
           .meaning = "a triangle by its corners",
           .subject = Subject::Triangle,
           .coordinates = {{"P0", CoordinateRole::Position},

@@ -34,6 +34,7 @@ namespace object_kinds {
 
 Kind ufo() {
   return {.word = UfoObject::kind,
+          .noun = [] { return words("a flying saucer"); },
           .meaning =
               "a flying saucer by where it starts, how far it flies in a hundred frames, where its barrel "
               "points, and how long that is",

@@ -33,6 +33,7 @@ namespace object_kinds {
 
 Kind vector() {
   return {.word = VectorObject::kind,
+          .noun = [] { return words("a vector"); },
           .meaning = "a vector, drawn from a point",
           .subject = Subject::Neutral,
           .coordinates = {{"A", CoordinateRole::Position}, {"v", CoordinateRole::Direction, true}},

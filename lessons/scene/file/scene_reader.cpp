@@ -90,8 +90,8 @@ void readObject(const DocumentNode &node, const std::string &path, FieldReader &
         std::none_of(specs.begin(), specs.end(),
                      [&](const CoordinateSpec &spec) { return spec.name == child.key; }))
       fields.complain(child, fields.pathOf(shortened(child.key)),
-                      words("A {kind} has no such coordinate. Remove it or mend its name.",
-                            {{"kind", std::string(kindOf(object))}}));
+                      words("This is {kind}: it has no such coordinate. Remove it or mend its name.",
+                            {{"kind", object.kind().noun()}}));
   if (fields.problem())
     entry.keep(*fields.problem());
 }
@@ -129,13 +129,15 @@ ConstructionUse readUse(FieldReader &fields) {
 
 /// Complains of an entry that says neither a kind nor a construction.
 void complainOfKind(const DocumentNode &node, FieldReader &fields) {
-  std::vector<std::string> known{"construction"};
+  std::vector<std::string> known;
   std::string list;
   for (const Kind &kind : kinds()) {
     known.emplace_back(kind.word);
     list += known.back() + ", ";
   }
-  std::string sentence = words("It does not say what it is: one of {kinds}construction.", {{"kinds", list}});
+  known.emplace_back("construction");
+  std::string sentence =
+      words("It does not say what it is: one of {known}.", {{"known", list + known.back()}});
   for (const DocumentNode &field : node.children)
     if (field.key != "name")
       sentence = withGuess(sentence, field.key, known);

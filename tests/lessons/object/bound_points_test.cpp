@@ -205,7 +205,7 @@ TEST(PointOnRay, BehindItsStart_IsRefusedWhenTypedAndStopsWhenDragged) {
   const Scene scene{{rayL(), {"P", withNumbers("point-on-ray", {2}), "L"}}};
   EXPECT_EQ(placeOfP(scene), ExactVec3(9, 21, 12));
   EXPECT_EQ(withValue({"x", 0, scene}, "P.lambda=-1").problem().sentence,
-            "lambda cannot be -1 here: 0 is the nearest that fits.");
+            "“lambda” cannot be -1 here: 0 is the nearest that fits.");
   EXPECT_EQ(placeOfP(withValue({"x", 0, scene}, "lambda=1/2")->scene), ExactVec3(q(21, 2), q(33, 2), 9));
   EXPECT_EQ(movedTo(*findObject(scene, "P"), handle(scene, "P"), {100, 0, 0})[0].x, 0);
 }

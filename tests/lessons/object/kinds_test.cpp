@@ -218,7 +218,7 @@ TEST(Number, ChangedBeyondItsBounds_StaysWithinThem) {
   EXPECT_EQ((*findObject(scene, "k"))[0].x, 3);
   EXPECT_EQ((*findObject(withValue({"x", 0, scene}, "k=-1")->scene, "k"))[0].x, -1);
   EXPECT_EQ(withValue({"x", 0, scene}, "k=-9").problem().sentence,
-            "value cannot be -9 here: -2 is the nearest that fits.");
+            "“value” cannot be -9 here: -2 is the nearest that fits.");
   EXPECT_FALSE(withValue({"x", 0, scene}, "k=1,2,3"));
 }
 

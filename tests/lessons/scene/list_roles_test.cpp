@@ -72,7 +72,7 @@ TEST(ListRole, OfOneObject_NeedsNoBrackets) {
 
 TEST(ListRole, ThatCannotBe_IsRefusedWithItsPlace) {
   EXPECT_EQ(problemWith(R"({"L":"L"})").sentence,
-            "This construction looks at a list planes: name one plane or several.");
+            "This construction looks at a list planes: name a plane or several.");
   EXPECT_EQ(problemWith(R"({"planes":[],"L":"L"})").sentence,
             "Here a list of 1 to 8 objects is expected, as [E, F].");
   EXPECT_EQ(problemWith(R"({"planes":["E","E"],"L":"L"})").sentence,
