@@ -19,9 +19,14 @@ namespace halfspace {
 
 struct NamedValue;
 
+struct Word {
+  std::string name; ///< for programs, as in the eval format: in-plane
+  std::string read; ///< as learners read it: “in the plane”, in their language
+};
+
 /// A value by its shape: a number, a list of numbers (a vector too), a word, an index, or a group of named
 /// values.
-using Value = std::variant<Surd, std::vector<Surd>, std::string, int, std::vector<NamedValue>>;
+using Value = std::variant<Surd, std::vector<Surd>, Word, int, std::vector<NamedValue>>;
 
 struct NamedValue {
   std::string name; ///< as in the eval format: signed_distance, foot, t, perp …

@@ -48,7 +48,6 @@ struct ToldValue {
   ToldValue(Value unlabelled) : value(std::move(unlabelled)) {}
   ToldValue(std::variant<std::monostate, Term, std::string> read, Value shown)
       : label(std::move(read)), value(std::move(shown)) {}
-  ToldValue(std::string read, std::string_view word) : label(std::move(read)), value(std::string(word)) {}
 
   std::variant<std::monostate, Term, std::string> label;
   Value value;

@@ -121,7 +121,7 @@ constexpr std::string_view caseName = "case";
 
 std::optional<Value> findOf(const EvaluatedEntry &entry, std::string_view name) {
   if (name == caseName && (entry.isConstruction() || !entry.missing.empty()))
-    return entry.outcome->told->name;
+    return Word{entry.outcome->told->name, entry.outcome->told->name};
   return findIn(*entry.outcome->values, name);
 }
 
@@ -152,9 +152,9 @@ struct Comparison {
     return against && holdsForSign(condition.relation, (number + Rational(-*against)).sign());
   }
   bool operator()(int number) const { return (*this)(Surd(number)); }
-  bool operator()(const std::string &word) const {
+  bool operator()(const Word &word) const {
     return !isOrder(condition.relation) &&
-           (word == condition.against) == (condition.relation == Relation::Equal);
+           (word.name == condition.against) == (condition.relation == Relation::Equal);
   }
   bool operator()(const std::vector<Surd> &) const { return false; }
   bool operator()(const std::vector<NamedValue> &) const { return false; }

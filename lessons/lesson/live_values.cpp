@@ -15,8 +15,8 @@ constexpr const char *noValue = "—";
 constexpr const char *hiddenValue = "?";
 
 LiveValue valueAmongWords(const Value &value) {
-  if (const auto *word = std::get_if<std::string>(&value))
-    return *word;
+  if (const auto *word = std::get_if<Word>(&value))
+    return word->read;
   const auto term = termOf(value);
   if (!term)
     return noValue;

@@ -191,9 +191,9 @@ private:
     if (!value)
       return words("“{value}” has no value at the start: no choice is right there.",
                    {{"value", prediction.value}});
-    const auto *word = std::get_if<std::string>(&*value);
+    const auto *word = std::get_if<Word>(&*value);
     return word ? words("At the start “{value}” is “{word}”, but there is no such choice. Add one.",
-                        {{"value", prediction.value}, {"word", *word}})
+                        {{"value", prediction.value}, {"word", word->name}})
                 : words("At the start “{value}” is none of these choices. Add one for what it is there.",
                         {{"value", prediction.value}});
   }

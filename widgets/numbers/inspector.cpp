@@ -75,8 +75,8 @@ std::optional<WrittenNumber> otherDecimal(const Value &value) {
 void showValue(MathLabel &label, const Value &value) {
   const auto term = termOf(value);
   if (!term) {
-    const auto *word = std::get_if<std::string>(&value);
-    const std::string text = word ? *word : "";
+    const auto *word = std::get_if<Word>(&value);
+    const std::string text = word ? word->read : "";
     return label.setFormula({math::words(text)}, QString::fromStdString(text));
   }
   math::Row formula = relatedFormula(*term);

@@ -1,8 +1,8 @@
-// The values that say where a point lies in a face.
+// What says where a point lies in a face: values, and whole sentences.
 #pragma once
 
-#include "geometry/case_names.h"
 #include "geometry/intersect_ray_triangle.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 namespace halfspace {
@@ -19,8 +19,29 @@ template <class Out> [[nodiscard]] ValueRow<Out> featureRow(When<Out> hasPlace, 
 /// Whether it is inside, on an edge, at a corner or outside, and on which.
 template <class Out> [[nodiscard]] ValueTable<Out> placeRows(When<Out> hasPlace, PlaceIn<Out> place) {
   return {{named::word("location", {"interior", "edge", "vertex", "outside"}), hasPlace,
-           [place](const Out &at) { return ToldValue(words("place"), nameOf(place(at).part)); }},
+           [place](const Out &at) { return ToldValue(words("place"), wordOf(place(at).part)); }},
           featureRow<Out>(hasPlace, place)};
+}
+
+/// A sentence for each part of a face. That of an edge names it as {edge}, that of a corner as {corner}.
+struct PlaceSentences {
+  Sentence inside;
+  Sentence onEdge;
+  Sentence atCorner;
+  Sentence outside{""}; ///< none where it is not said of points outside
+};
+[[nodiscard]] inline const char *sentenceFor(FacePart part, const PlaceSentences &sentences) {
+  switch (part) {
+  case FacePart::Interior:
+    return sentences.inside.english;
+  case FacePart::Edge:
+    return sentences.onEdge.english;
+  case FacePart::Vertex:
+    return sentences.atCorner.english;
+  case FacePart::Outside:
+    break;
+  }
+  return sentences.outside.english;
 }
 
 } // namespace halfspace

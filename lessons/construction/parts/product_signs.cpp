@@ -12,16 +12,16 @@ ProductSigns signsOf(std::span<const Rational> products) {
   return hasPositive || hasNegative ? ProductSigns::Same : ProductSigns::Zero;
 }
 
-std::string nameOf(ProductSigns signs) {
+Word wordOf(ProductSigns signs) {
   switch (signs) {
   case ProductSigns::Same:
-    return "same";
+    return {"same", words("the same")};
   case ProductSigns::Mixed:
-    return "mixed";
+    return {"mixed", words("mixed")};
   case ProductSigns::Zero:
     break;
   }
-  return "zero";
+  return {"zero", words("zero")};
 }
 
 } // namespace halfspace

@@ -13,13 +13,13 @@ enum class ProductSigns : std::uint8_t { Same, Mixed, Zero };
 
 [[nodiscard]] ProductSigns signsOf(std::span<const Rational> products);
 
-/// For programs: same, mixed, zero.
-[[nodiscard]] std::string nameOf(ProductSigns signs);
+/// same, mixed, zero
+[[nodiscard]] Word wordOf(ProductSigns signs);
 
 /// The value that says it.
 template <class Out> [[nodiscard]] ValueRow<Out> signsRow(ProductSigns (*signs)(const Out &)) {
   return {named::word("signs", {"same", "mixed", "zero"}), always,
-          [signs](const Out &at) { return ToldValue(words("signs"), nameOf(signs(at))); }};
+          [signs](const Out &at) { return ToldValue(words("signs"), wordOf(signs(at))); }};
 }
 
 } // namespace halfspace

@@ -1,5 +1,6 @@
 // The dot product of two vectors, and what each is along the other and across it (notes PG 6.1 and RP).
 #include "geometry/project_vector.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/vector.h"
 #include "lessons/term/angle.h"
@@ -84,7 +85,11 @@ CaseWords tell(const Out &at) {
                                          {{"product", product}})};
 }
 
-const char *signName(int sign) { return sign > 0 ? "positive" : sign < 0 ? "negative" : "zero"; }
+Word signWord(int sign) {
+  return sign > 0   ? Word{"positive", words("positive")}
+         : sign < 0 ? Word{"negative", words("negative")}
+                    : Word{"zero", words("zero")};
+}
 
 WorkingLine lengthLine(const Term &vector) {
   return asked(withProducts(norm(vector) == root(dot(vector, vector))));
@@ -248,7 +253,7 @@ Construction dot_product_projection() {
        .values = {{named::number("dot"), always, &Out::product},
                   {named::word("sign", {"positive", "zero", "negative"}), always,
                    [](const Out &at) {
-                     return ToldValue(words("sign of the dot product"), signName(at.sign));
+                     return ToldValue(words("sign of the dot product"), signWord(at.sign));
                    }},
                   {named::number("length_v"), always, [](const Out &at) { return norm(at.v); }},
                   {named::number("length_w"), always, [](const Out &at) { return norm(at.w); }},

@@ -1,6 +1,7 @@
 // On which sides of a plane points lie: the signs of f tell (note PG 3.4).
 #include "geometry/case_names.h"
 #include "geometry/point_plane.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
 
@@ -225,7 +226,7 @@ ValueRow<Out> sideRow(std::size_t index) {
           [index](const Out &at) {
             const Sided &each = at.points.at(index);
             return ToldValue(words("side of {point}", {{"point", plainText(each.point)}}),
-                             nameOf(each.measured.which));
+                             wordOf(each.measured.which));
           }};
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/relate_lines.h"
 #include "lessons/construction/parts/line_moment.h"
 #include "lessons/construction/parts/plucker_edges.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 #include <glm/geometric.hpp>
@@ -280,7 +281,7 @@ Construction line_line() {
        .values = {{named::number("product"), &Out::areLines, &Out::p},
                   {named::word("perpendicular", {"true", "false"}), &Out::areLines,
                    [](const Out &at) {
-                     return ToldValue(words("perpendicular"), at.related.perpendicular ? "true" : "false");
+                     return ToldValue(words("perpendicular"), trueOrFalse(at.related.perpendicular));
                    }},
                   {named::number("distance"), &Out::areLines, &Out::dist},
                   {named::vector("point"),

@@ -3,6 +3,7 @@
 #include "geometry/point_line.h"
 #include "lessons/construction/parts/line_moment.h"
 #include "lessons/construction/parts/plucker_edges.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 namespace halfspace {
@@ -146,7 +147,7 @@ Construction line_pluecker() {
                   {named::number("relation"), &Out::isReal, [](const Out &at) { return dot(at.v, at.m); }},
                   {named::word("through_origin", {"true", "false"}), &Out::isReal,
                    [](const Out &at) {
-                     return ToldValue(words("through the origin"), at.meetsOrigin ? "true" : "false");
+                     return ToldValue(words("through the origin"), trueOrFalse(at.meetsOrigin));
                    }},
                   {named::vector("nearest_to_origin"), &Out::isReal, &Out::N},
                   {named::number("origin_distance"), &Out::isReal, &Out::dist}},

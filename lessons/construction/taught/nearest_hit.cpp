@@ -2,6 +2,7 @@
 // PG 7). The ray's parameter is λ here, because s and t belong to the triangles.
 #include "lessons/construction/parts/fragment_meetings.h"
 #include "lessons/construction/parts/place_rows.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/object/kinds/triangle.h"
@@ -133,10 +134,12 @@ CaseWords tell(const Out &at) {
 
 std::string meshValue(std::size_t place) { return "mesh" + std::to_string(place); }
 
-std::string wordForFirst(const Out &at) {
+Word wordForFirst(const Out &at) {
   if (!at.nearest)
-    return at.along ? "in-plane" : "none";
-  return at.first.fragments.size() > 1 ? "several" : meshValue(at.nearest->fragment.mesh);
+    return at.along ? Word{"in-plane", words("in its plane")} : noneOfThem();
+  const std::size_t mesh = at.nearest->fragment.mesh;
+  return at.first.fragments.size() > 1 ? severalOfThem()
+                                       : Word{meshValue(mesh), plainText(at.in.meshes[mesh].symbol)};
 }
 
 std::size_t countOf(const Out &at, RayTriangleCase which) {
@@ -312,7 +315,7 @@ ValueRow<Out> countRow(const char *name, When<Out> stands, Sentence label,
           }};
 }
 
-std::string soFarWord(const Out &at) { return nearestSoFar(at)->number == at.nearest->number ? "yes" : "no"; }
+Word soFarWord(const Out &at) { return yesOrNo(nearestSoFar(at)->number == at.nearest->number); }
 
 ValueTable<Out> values() {
   std::vector<std::string> firstWords{"none", "several", "in-plane"};
@@ -328,7 +331,7 @@ ValueTable<Out> values() {
       {named::number("lambda"), &Out::isHit, &Out::lambda},
       {named::vector("point"), &Out::isHit, &Out::H},
       {named::word("location", {"interior", "edge", "vertex"}), &Out::isHit,
-       [](const Out &at) { return ToldValue(words("place"), nameOf(at.nearest->meet.location.part)); }},
+       [](const Out &at) { return ToldValue(words("place"), wordOf(at.nearest->meet.location.part)); }},
       countRow("hits", areCounted, says("hits"),
                [](const Out &at) { return countOf(at, RayTriangleCase::Hit); }),
       countRow("behind", areCounted, says("hits behind the start"),
@@ -343,7 +346,7 @@ ValueTable<Out> values() {
       valueGroup<Out>(
           "chosen", [](const Out &at) { return at.hasRay && at.chosen; },
           {{named::word("case", {"hit", "behind", "miss", "parallel", "in-plane", "coincident", "collinear"}),
-            always, [](const Out &at) { return ToldValue(words("case"), nameOf(at.chosen->meet.which)); }}})};
+            always, [](const Out &at) { return ToldValue(words("case"), wordOf(at.chosen->meet.which)); }}})};
 }
 
 } // namespace

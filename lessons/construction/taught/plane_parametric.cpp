@@ -4,6 +4,7 @@
 #include "geometry/point_plane.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 #include <glm/geometric.hpp>
@@ -44,26 +45,22 @@ struct Out : Computed<In>, TriangleTerms {
 
 /// What the signs of the three shares say.
 std::string sharesWords(const Out &at) {
-  const std::string place = placeWords(at.meet.location, at);
-  switch (at.meet.location.part) {
-  case FacePart::Interior:
-    return words("All three are positive: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Edge:
-    return words("One is 0 and the others are positive: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Vertex:
-    return words("Two are 0: {P} is {place}.", at.letters, {{"place", place}});
-  case FacePart::Outside:
-    break;
-  }
-  return words("At least one is negative: {P} is {place}.", at.letters, {{"place", place}});
+  return placeWords(at.meet.location, at,
+                    {says("All three are positive: {P} is inside the triangle."),
+                     says("One is 0 and the others are positive: {P} is on the edge {edge}."),
+                     says("Two are 0: {P} is at the corner {corner}."),
+                     says("At least one is negative: {P} is outside the triangle.")},
+                    at.letters);
 }
 
 CaseWords tell(const Out &at) {
   if (at.isInPlane)
-    return {
-        "in-plane",
-        words("{P} is {place}: {s}, {t}.", at.letters,
-              {{"place", placeWords(at.meet.location, at)}, {"s", equation(at.s)}, {"t", equation(at.t)}})};
+    return {"in-plane", placeWords(at.meet.location, at,
+                                   {says("{P} is inside the triangle: {s}, {t}."),
+                                    says("{P} is on the edge {edge}: {s}, {t}."),
+                                    says("{P} is at the corner {corner}: {s}, {t}."),
+                                    says("{P} is outside the triangle: {s}, {t}.")},
+                                   {{"P", plainText(at.P)}, {"s", equation(at.s)}, {"t", equation(at.t)}})};
   if (at.isTriangle)
     return {"off-plane",
             words("{P} does not lie in the triangle's plane: no s and t lead to it.", at.letters)};
@@ -125,11 +122,11 @@ LineTable<Out> lines() {
 
 ToldValue largerValue(const Out &at) {
   const auto &[s, t] = std::pair(at.meet.s, at.meet.tTriangle);
-  return {words("the larger of s and t"), s > t ? "s" : s < t ? "t" : "none"};
+  return {words("the larger of s and t"), s > t ? Word{"s", "s"} : s < t ? Word{"t", "t"} : noneOfThem()};
 }
 
 ToldValue parallelogramValue(const Out &at) {
-  return {words("in the parallelogram"), isInParallelogram(at.meet.s, at.meet.tTriangle) ? "yes" : "no"};
+  return {words("in the parallelogram"), yesOrNo(isInParallelogram(at.meet.s, at.meet.tTriangle))};
 }
 
 ToldValue primitiveValue(const Out &at) {

@@ -31,7 +31,7 @@ CaseWords tell(const Out &at) {
   switch (at.measured.which) {
   case PointLineCase::Off:
     return {caseName, words("{Q} is beside the line {g}: {distance}.", at.letters,
-                            {{"distance", equation(name(word("distance"), at.dist->value))}})};
+                            {{"distance", equation(name(word(words("distance")), at.dist->value))}})};
   case PointLineCase::On:
     return {caseName, words("{Q} lies on the line {g}, and is its own foot.", at.letters)};
   case PointLineCase::ZeroDirection:

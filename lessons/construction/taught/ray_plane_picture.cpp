@@ -4,6 +4,7 @@
 #include "geometry/case_names.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/ray_at_plane.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 namespace halfspace {
@@ -77,16 +78,19 @@ CaseWords tell(const Out &at) {
 int signOf(const Term &term) { return sign(*numberOf(term)).value(); }
 
 /// Which way the plane lies, seen from the origin.
-const char *wayOf(const Out &at) {
+Word wayOf(const Out &at) {
   const int sign = signOf(at.D);
-  return sign > 0 ? "with-n" : sign < 0 ? "against-n" : "none";
+  return sign > 0   ? Word{"with-n", words("with {n}", at.letters)}
+         : sign < 0 ? Word{"against-n", words("against {n}", at.letters)}
+                    : noneOfThem();
 }
 
 /// What becomes of n in the facing normal.
-const char *turnOf(const Out &at) {
+Word turnOf(const Out &at) {
   if (!at.crosses)
-    return "none";
-  return at.meet.denominator > 0 ? "turned" : "kept";
+    return noneOfThem();
+  return at.meet.denominator > 0 ? Word{"turned", words("{n} turned round", at.letters)}
+                                 : Word{"kept", words("{n} as it is", at.letters)};
 }
 
 /// What belongs to n as a whole: how far a product with it reaches, as a vector.

@@ -2,6 +2,7 @@
 #include "geometry/case_names.h"
 #include "geometry/project_vector.h"
 #include "lessons/construction/parts/ray_at_plane.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 #include <algorithm>
@@ -149,10 +150,11 @@ CaseWords tell(const Out &at) {
 
 std::string planeValue(std::size_t place) { return "plane" + std::to_string(place); }
 
-std::string wordForFirst(const Out &at) {
+Word wordForFirst(const Out &at) {
   if (at.first.empty())
-    return liesInPlane(at) ? "in-plane" : "none";
-  return at.first.size() > 1 ? "several" : planeValue(at.first.front());
+    return liesInPlane(at) ? wordOf(RayPlaneCase::InPlane) : noneOfThem();
+  const std::size_t plane = at.first.front();
+  return at.first.size() > 1 ? severalOfThem() : Word{planeValue(plane), at.meetings[plane].name};
 }
 
 bool hasPlane(const Out &at, std::size_t place) { return at.isSound && place < at.meetings.size(); }
@@ -317,7 +319,7 @@ ValueRow<Out> planeRow(std::size_t place) {
   return valueGroup<Out>(
       planeValue(place), [place](const Out &at) { return hasPlane(at, place); },
       {{named::word("case", {"hit", "behind", "parallel", "in-plane"}), always,
-        [its](const Out &at) { return ToldValue(its(at).name, nameOf(its(at).meet.which)); }},
+        [its](const Out &at) { return ToldValue(its(at).name, wordOf(its(at).meet.which)); }},
        {named::number("t"), isCrossed, [its](const Out &at) { return its(at).t; }},
        {named::vector("point"), isCrossed, [its](const Out &at) { return its(at).H; }}});
 }

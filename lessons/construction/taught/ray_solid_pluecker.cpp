@@ -11,6 +11,7 @@
 #include "lessons/construction/parts/ray_marks.h"
 #include "lessons/construction/parts/shifted_ray.h"
 #include "lessons/construction/parts/solid_edges.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 
 #include <algorithm>
@@ -445,7 +446,7 @@ ValueRow<Out> contactRow(const char *what, std::size_t index) {
        {named::index("face"), always,
         [its](const Out &at) { return Value(static_cast<int>(its(at).crossing.face)); }},
        {named::word("location", {"interior", "edge", "vertex"}), always,
-        [its](const Out &at) { return ToldValue(words("place in the face"), nameOf(its(at).part)); }}});
+        [its](const Out &at) { return ToldValue(words("place in the face"), wordOf(its(at).part)); }}});
 }
 
 MadeRow<Out> madePoint(const char *name, std::size_t index) {
@@ -471,10 +472,10 @@ Construction ray_solid_pluecker() {
                   {named::number("edges"), always, &Out::N},
                   {named::word("origin", {"outside", "on", "inside"}), &Out::isConvex,
                    [](const Out &at) {
-                     return ToldValue(words("place of the start"), nameOf(at.meet.origin));
+                     return ToldValue(words("place of the start"), wordOf(at.meet.origin));
                    }},
                   {named::word("contacts", {"two", "one", "along", "none"}), &Out::hasLine,
-                   [](const Out &at) { return ToldValue(words("common points"), nameOf(at.meet.contacts)); }},
+                   [](const Out &at) { return ToldValue(words("common points"), wordOf(at.meet.contacts)); }},
                   {named::list("t", 2), &Out::isMet,
                    [](const Out &at) {
                      return list({at.entry().t, at.exit().t});

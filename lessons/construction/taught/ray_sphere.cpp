@@ -4,6 +4,7 @@
 #include "geometry/intersect_ray_sphere.h"
 #include "geometry/point_line.h"
 #include "lessons/construction/parts/ray_marks.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/sphere.h"
 
@@ -375,10 +376,10 @@ Construction ray_sphere() {
        .cases = {"hit", "behind", "miss", "zero-direction", "zero-radius"},
        .values = {{named::word("origin", {"outside", "on", "inside"}), &Out::isSphere,
                    [](const Out &at) {
-                     return ToldValue(words("place of the start"), nameOf(at.meet.origin));
+                     return ToldValue(words("place of the start"), wordOf(at.meet.origin));
                    }},
                   {named::word("contacts", {"two", "tangent", "none"}), &Out::hasLine,
-                   [](const Out &at) { return ToldValue(words("common points"), nameOf(at.meet.contacts)); }},
+                   [](const Out &at) { return ToldValue(words("common points"), wordOf(at.meet.contacts)); }},
                   {named::number("discriminant"), &Out::hasLine, &Out::D},
                   {named::vector("nearest"), &Out::hasLine, &Out::M},
                   {named::number("distance"), &Out::hasLine, &Out::h},

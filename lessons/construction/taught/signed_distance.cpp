@@ -1,6 +1,7 @@
 // How far a point is from a plane, and on which side (notes PG 3.4 and 3.5, figure 1).
 #include "geometry/case_names.h"
 #include "geometry/point_plane.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/plane.h"
 #include "lessons/term/angle.h"
@@ -39,7 +40,7 @@ struct Out : Computed<In>, PlaneTerms {
 
 CaseWords tell(const Out &at) {
   const std::string f = equation(at.f);
-  const std::string distance = equation(name(word("signed distance"), at.dist->value));
+  const std::string distance = equation(name(word(words("signed distance")), at.dist->value));
   const std::string caseName(nameOf(at.which));
   switch (at.which) {
   case PointPlaneCase::Positive:
@@ -164,7 +165,7 @@ Construction signed_distance() {
        .values = {{named::number("f"), always, &Out::f},
                   {named::number("signed_distance"), &Out::hasPlane, &Out::dist},
                   {named::word("side", {"positive", "negative", "on"}), &Out::hasPlane,
-                   [](const Out &at) { return ToldValue(words("side"), nameOf(at.which)); }},
+                   [](const Out &at) { return ToldValue(words("side"), wordOf(at.which)); }},
                   {named::vector("foot"), &Out::hasPlane, &Out::F},
                   {named::number("cos_angle"), &Out::hasAngle, &Out::cosine}},
        .lines = {{"f", always, valueLine},

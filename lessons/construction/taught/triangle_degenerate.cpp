@@ -1,6 +1,7 @@
 // Whether three corners make a triangle, by every test of note PG 6.2, and what each of them sees.
 #include "geometry/intersect_ray_triangle.h"
 #include "lessons/construction/parts/ray_triangle_cases.h"
+#include "lessons/construction/parts/value_words.h"
 #include "lessons/construction/taught.h"
 #include "lessons/object/kinds/triangle.h"
 #include "lessons/term/angle.h"
@@ -40,10 +41,15 @@ struct Out : Computed<In>, TriangleTerms {
   Term cosine = applied(word("cos"), theta, cosineOf(perps));
 };
 
-/// What is wrong with the corners, as the end of a sentence.
-std::string faultWords(const Out &at) {
-  return at.same == "none" ? words("{P0}, {P1} and {P2} lie on one line", at.letters)
-                           : coincidentWords(at.in.T.object, at);
+/// Sentences for what is wrong with the corners.
+struct FaultSentences {
+  Sentence onOneLine;
+  CoincidentSentences coincident;
+};
+
+std::string faultWords(const Out &at, const FaultSentences &sentences) {
+  return at.same == "none" ? words(sentences.onOneLine.english, at.letters)
+                           : coincidentWords(at.in.T.object, at, sentences.coincident);
 }
 
 CaseWords tell(const Out &at) {
@@ -52,17 +58,30 @@ CaseWords tell(const Out &at) {
             words("{P0}, {P1} and {P2} are the corners of a triangle: u and v point along different "
                   "lines.",
                   at.letters)};
-  const std::string fault = faultWords(at);
   return {at.same == "none" ? "collinear" : "coincident",
-          at.same != "none" ? words("{fault}: this is no triangle.", {{"fault", fault}})
-          : at.areOpposite  ? words("{fault}, and u and v point in opposite directions: this is no triangle.",
-                                    {{"fault", fault}})
-                            : words("{fault}, and u and v point in the same direction: this is no triangle.",
-                                    {{"fault", fault}}),
+          faultWords(at, {at.areOpposite ? says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
+                                                "opposite directions: this is no triangle.")
+                                         : says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
+                                                "the same direction: this is no triangle."),
+                          {says("{first} and {second} are the same point: this is no triangle."),
+                           says("{first}, {second} and {third} are the same point: this is no triangle.")}}),
           true};
 }
 
-const char *yesOrNo(bool holds) { return holds ? "yes" : "no"; }
+/// Which corners are one point.
+Word sameWord(const Out &at) {
+  const auto both = [&](const Term &first, const Term &second) {
+    return Word{at.same,
+                words("{first} and {second}", {{"first", plainText(first)}, {"second", plainText(second)}})};
+  };
+  if (at.same == "none")
+    return noneOfThem();
+  if (at.same == "all")
+    return {at.same, words("all three")};
+  return at.same == "P0-P1"   ? both(at.P0, at.P1)
+         : at.same == "P0-P2" ? both(at.P0, at.P2)
+                              : both(at.P1, at.P2);
+}
 
 WorkingLine normalLine(const Out &at) {
   return asked(withProducts(at.n == cross(at.u, at.v)), crossProductWords(at.n),
@@ -98,10 +117,15 @@ WorkingLine lagrangeLine(const Out &at) {
 
 /// A test's line: its comparison, and what it sees, as `found` says that.
 WorkingLine testLine(const Out &at, const Chain &comparison, bool sees) {
-  const std::string fault = at.isTriangle ? "" : faultWords(at);
+  constexpr FaultSentences seen{
+      says("It sees that something is wrong: {P0}, {P1} and {P2} lie on one line."),
+      {says("It sees that something is wrong: {first} and {second} are the same point."),
+       says("It sees that something is wrong: {first}, {second} and {third} are the same point.")}};
+  constexpr FaultSentences unseen{says("It is blind: {P0}, {P1} and {P2} lie on one line."),
+                                  {says("It is blind: {first} and {second} are the same point."),
+                                   says("It is blind: {first}, {second} and {third} are the same point.")}};
   return line(comparison, at.isTriangle ? words("It finds nothing wrong, and nothing is.")
-                          : sees ? words("It sees that something is wrong: {fault}.", {{"fault", fault}})
-                                 : words("It is blind: {fault}.", {{"fault", fault}}));
+                                        : faultWords(at, sees ? seen : unseen));
 }
 
 WorkingLine cosineTestLine(const Out &at) {
@@ -109,7 +133,12 @@ WorkingLine cosineTestLine(const Out &at) {
     return testLine(at, compared(at.cosine, 1), cosineOf(at.perps) == Surd(1));
   return line(
       compared(norm(at.u) * norm(at.v), 0),
-      words("There is no cosine, so this test cannot be made: {fault}.", {{"fault", faultWords(at)}}));
+      faultWords(
+          at,
+          {says("There is no cosine, so this test cannot be made: {P0}, {P1} and {P2} lie on one line."),
+           {says("There is no cosine, so this test cannot be made: {first} and {second} are the same point."),
+            says("There is no cosine, so this test cannot be made: {first}, {second} and {third} are the "
+                 "same point.")}}));
 }
 
 WorkingLine squaresTestLine(const Out &at) {
@@ -146,7 +175,8 @@ ValueRow<Out> testRow(const char *name, Sentence label, bool (*finds)(const Tria
 }
 
 ToldValue cosineTestValue(const Out &at) {
-  return {words("cosine = 1"), at.hasAngle ? yesOrNo(cosineOf(at.perps) == Surd(1)) : "undefined"};
+  return {words("cosine = 1"),
+          at.hasAngle ? yesOrNo(cosineOf(at.perps) == Surd(1)) : Word{"undefined", words("undefined")}};
 }
 
 /// The normal is drawn this long in every picture, whatever u×v is: only its direction matters here.
@@ -223,7 +253,9 @@ Construction triangle_degenerate() {
                   {named::vector("normal"), always, &Out::n},
                   {named::number("denominator"), always, &Out::D},
                   {named::word("same_corners", {"none", "P0-P1", "P0-P2", "P1-P2", "all"}), always,
-                   [](const Out &at) { return ToldValue(words("corners that are one point"), at.same); }},
+                   [](const Out &at) {
+                     return ToldValue(words("corners that are one point"), sameWord(at));
+                   }},
                   testRow("test_u", says("u·u = 0"), [](const auto &perps) { return perps.uu == 0; }),
                   testRow("test_v", says("v·v = 0"), [](const auto &perps) { return perps.vv == 0; }),
                   {named::word("test_cosine", {"yes", "no", "undefined"}), always, cosineTestValue},

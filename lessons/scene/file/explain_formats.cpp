@@ -26,7 +26,7 @@ struct ValueWriter {
 
   void operator()(const Surd &number) const { answer.number(name, number); }
   void operator()(const std::vector<Surd> &list) const { answer.numbers(name, list); }
-  void operator()(const std::string &word) const { answer.word(name, word); }
+  void operator()(const Word &word) const { answer.word(name, word.name); }
   void operator()(int index) const { answer.index(name, static_cast<std::size_t>(index)); }
   void operator()(const std::vector<NamedValue> &group) const {
     answer.beginGroup(name);
@@ -53,8 +53,8 @@ std::string labelText(const NamedValue &value) {
 std::string valueText(const Value &value) {
   if (const auto term = termOf(value))
     return relatedText(*term);
-  const auto *word = std::get_if<std::string>(&value);
-  return word ? ": " + *word : "";
+  const auto *word = std::get_if<Word>(&value);
+  return word ? ": " + word->read : "";
 }
 
 /// The values that a learner reads, one to a line, by the names that the worked lines give them.

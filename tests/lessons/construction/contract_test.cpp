@@ -201,8 +201,8 @@ private:
       EXPECT_TRUE(areSame({*number}, expected)) << name;
     else if (const auto *numbers = std::get_if<std::vector<Surd>>(&value))
       EXPECT_TRUE(areSame(*numbers, expected)) << name;
-    else if (const auto *word = std::get_if<std::string>(&value))
-      EXPECT_EQ(*word, std::get<std::string>(expected)) << name;
+    else if (const auto *word = std::get_if<Word>(&value))
+      EXPECT_EQ(word->name, std::get<std::string>(expected)) << name;
     else
       EXPECT_EQ(std::get<int>(value), std::get<int>(expected)) << name;
   }
@@ -478,8 +478,8 @@ private:
       if (const auto *numbers = std::get_if<std::vector<Surd>>(&value.value)) {
         EXPECT_LE(numbers->size(), known->length) << name;
       }
-      if (const auto *word = std::get_if<std::string>(&value.value))
-        names.insert("value " + name + " = " + *word);
+      if (const auto *word = std::get_if<Word>(&value.value))
+        names.insert("value " + name + " = " + word->name);
       if (const auto *members = std::get_if<std::vector<NamedValue>>(&value.value))
         addSeen(*members, known->members, name + ".", names);
     }
@@ -488,7 +488,7 @@ private:
   static ValueShape shapeOf(const Value &value) {
     return std::visit(Overloaded{[](const Surd &) { return ValueShape::Number; },
                                  [](const std::vector<Surd> &) { return ValueShape::List; },
-                                 [](const std::string &) { return ValueShape::Word; },
+                                 [](const Word &) { return ValueShape::Word; },
                                  [](int) { return ValueShape::Index; },
                                  [](const std::vector<NamedValue> &) { return ValueShape::Group; }},
                       value);

@@ -12,7 +12,7 @@ Evaluation outcome() {
   return test::withValues({{"t", "", Surd(Rational(-10, 3))},
                            {"distance", "", Surd::root(2)},
                            {"foot", "", std::vector<Surd>{1, 2, 0}},
-                           {"side", "", std::string("positive")},
+                           {"side", "", Word{"positive", "positive"}},
                            {"feature", "", 2},
                            {"perp", "", std::vector<NamedValue>{{"uu", "", Surd(80)}}}},
                           "hit");

@@ -308,11 +308,11 @@ TEST(Content, EveryFile_IsALessonOfItsNameInItsPlace) {
 
 TEST(Content, TheStartOfTheTriangleLesson_HitsInsideWithShortFractions) {
   const Evaluation outcome = evaluate(library().find("ray-triangle-perp")->scene);
-  EXPECT_EQ(std::get<std::string>(*findValue(outcome, "case")), "hit");
+  EXPECT_EQ(std::get<Word>(*findValue(outcome, "case")).name, "hit");
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "s")), Surd(Rational(1, 4)));
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t_triangle")), Surd(Rational(1, 2)));
   EXPECT_EQ(std::get<Surd>(*findValue(outcome, "t")), Surd(Rational(3, 2)));
-  EXPECT_EQ(std::get<std::string>(*findValue(outcome, "location")), "interior");
+  EXPECT_EQ(std::get<Word>(*findValue(outcome, "location")).name, "interior");
 }
 
 TEST(Content, EveryLineThatAStepNames_IsWorkedAtTheStart) {

@@ -526,7 +526,7 @@ TEST(RightChoice, IsThatOfWhatTheSceneComesTo) {
   const Prediction whichSide{
       "Which side?", "side", {{"positive", "That of n"}, {"negative", "The other"}}, "It is so."};
   const auto rightFor = [&](const char *side) {
-    return rightChoice(whichSide, test::withValues({{"side", "", std::string(side)}}));
+    return rightChoice(whichSide, test::withValues({{"side", "", Word{side, side}}}));
   };
   EXPECT_EQ(rightFor("positive"), "positive");
   EXPECT_EQ(rightFor("negative"), "negative");
@@ -537,7 +537,7 @@ TEST(RightChoice, Otherwise_IsRightWhereNoOtherFits_AlsoWithoutAValue) {
   const Prediction whichSide{
       "Which side?", "side", {{otherwise, "Neither"}, {"positive", "That of n"}}, "It is so."};
   const auto rightFor = [&](const char *value, const char *side) {
-    return rightChoice(whichSide, test::withValues({{value, "", std::string(side)}}));
+    return rightChoice(whichSide, test::withValues({{value, "", Word{side, side}}}));
   };
   EXPECT_EQ(rightFor("side", "positive"), "positive");
   EXPECT_EQ(rightFor("side", "on"), otherwise);

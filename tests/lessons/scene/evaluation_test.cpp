@@ -113,7 +113,7 @@ TEST(Evaluate, AResult_FeedsALaterConstruction) {
   // The foot is (23/3, 25/3, 4/3): its distance from z = 0 is its height.
   EXPECT_EQ(std::get<Surd>(*findValue(evaluation, "beyond.signed_distance")), Surd(Rational(4, 3)));
   EXPECT_EQ(findValue(evaluation, "signed_distance"), std::nullopt) << "two have one";
-  EXPECT_EQ(std::get<std::string>(*findValue(evaluation, "distance.case")), "positive");
+  EXPECT_EQ(std::get<Word>(*findValue(evaluation, "distance.case")).name, "positive");
 }
 
 TEST(Evaluate, WhatTwoEntriesHave_SaysWhoseItIs) {
