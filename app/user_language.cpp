@@ -4,6 +4,7 @@
 #include "lessons/pseudo_language.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTranslator>
 
 #include <cstdlib>
@@ -24,12 +25,15 @@ public:
   }
 };
 
+/// What the user's own keyboard and numbers have.
+char usualDecimalMark() { return QString(QLocale::system().decimalPoint()) == "," ? ',' : '.'; }
+
 } // namespace
 
 void setUserLanguage() {
   const char *asked = std::getenv("HALFSPACE_LANGUAGE");
-  if (asked && std::string_view(asked) == "pseudo")
-    setLanguage(pseudoLanguage());
+  setLanguage(asked && std::string_view(asked) == "pseudo" ? pseudoLanguage()
+                                                           : Language{{}, usualDecimalMark()});
 }
 
 void translateWindows(QCoreApplication &application) {

@@ -8,7 +8,6 @@
 #include "widgets/view/scene_view.h"
 
 #include <QFileDialog>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -27,12 +26,6 @@ QString leftOutWords(const LoadedMesh &mesh) {
   if (mesh.broken > 0)
     parts << SceneMeshes::tr("%1 broken").arg(counted(mesh.broken));
   return parts.isEmpty() ? QString() : SceneMeshes::tr(" Left out: %1.").arg(parts.join(", "));
-}
-
-/// A side of the box around a mesh; after ≈ where it has more digits.
-QString sideWords(double length) {
-  const QString text = roundedText(length, sideDigits);
-  return QLocale(QLocale::English).toDouble(text) == length ? text : "≈ " + text;
 }
 
 } // namespace
@@ -71,7 +64,8 @@ void SceneMeshes::take(const LoadedMesh &mesh) {
     return m_messages.complain(refusal);
   m_messages.say(tr("%1: %2, %3 × %4 × %5 of the file's units.")
                      .arg(QString::fromStdString(mesh.name), trianglesInWords(mesh.triangles),
-                          sideWords(mesh.size.x), sideWords(mesh.size.y), sideWords(mesh.size.z)) +
+                          measuredText(mesh.size.x, sideDigits), measuredText(mesh.size.y, sideDigits),
+                          measuredText(mesh.size.z, sideDigits)) +
                  leftOutWords(mesh) +
                  (isTooLargeToWrite(*findObject(m_model.session().scene, targetName))
                       ? tr(" Too large to be saved with the session.")

@@ -37,12 +37,12 @@ void LinePractice::forgetLines() {
   refresh();
 }
 
-bool LinePractice::answer(const std::string &line, const std::string &typed, char decimalMark) {
+bool LinePractice::answer(const std::string &line, const std::string &typed) {
   const WorkingLine *asking = findLine(m_working, line);
   const auto gap = m_fade.gaps.find(line);
   if (!asking || gap == m_fade.gaps.end())
     return false;
-  const Judgement judgement = judge(*asking, gap->second, typed, decimalMark);
+  const Judgement judgement = judge(*asking, gap->second, typed);
   LineRecord &record = recordOf(line);
   record.remark = {judgement.sentence, judgement.right};
   record.isOpen = judgement.right;

@@ -41,7 +41,7 @@ public:
   /// What was done is about numbers that go; the score stays.
   void forgetLines();
   /// Judges what was typed into a line's blank; false where the line has none.
-  bool answer(const std::string &line, const std::string &typed, char decimalMark = '.');
+  bool answer(const std::string &line, const std::string &typed);
   /// Shows a line, which counts as tried.
   void open(const std::string &line);
 

@@ -1,5 +1,6 @@
 #include "lessons/lesson/practice.h"
 
+#include "lessons/language.h"
 #include "lessons/lesson/usual_mistakes.h"
 #include "lessons/reading/typed_answer.h"
 #include "lessons/term/plain_text.h"
@@ -48,6 +49,14 @@ std::string listed(const std::set<std::string> &letters) {
   for (const std::string &letter : letters)
     list += (list.empty() ? "" : ", ") + letter;
   return list;
+}
+
+/// As a learner types it: (1, 2, 3)
+std::string listOf(std::initializer_list<std::string> entries) {
+  std::string list;
+  for (const std::string &entry : entries)
+    list += (list.empty() ? "(" : listSeparator() + std::string(" ")) + entry;
+  return list + ")";
 }
 
 /// Whether a minus stands before the gap of a question, with or without spaces.
@@ -110,12 +119,13 @@ public:
 
   [[nodiscard]] std::string sentenceForAnotherCount(const TypedAnswer &answer) const {
     if (m_truth.isList)
-      return words("{count} numbers are asked for here: write them as (1, 2, 3).",
-                   {{"count", std::to_string(m_truth.entries.size())}});
+      return words("{count} numbers are asked for here: write them as {list}.",
+                   {{"count", std::to_string(m_truth.entries.size())}, {"list", listOf({"1", "2", "3"})}});
     if (!m_letters.empty())
       return words("One equation is asked for here.");
     const bool hasDecimalComma = answer.entries.size() == 2; // as it seems
-    return hasDecimalComma ? words("One number is asked for here: a decimal is written as 2.5.")
+    return hasDecimalComma ? words("One number is asked for here: a decimal is written as {decimal}.",
+                                   {{"decimal", withDecimalMark("2.5")}})
                            : words("One number is asked for here.");
   }
 
@@ -123,8 +133,10 @@ public:
     if (!m_letters.empty())
       return words("“{answer}” cannot be read: write it with {letters} and numbers, as 2{letter} − 1/3 = 0.",
                    {{"letters", listed(m_letters)}, {"letter", *m_letters.begin()}});
-    return m_truth.isList ? words("“{answer}” is no list of numbers: write it as (1, −10/3, 2.5).")
-                          : words("“{answer}” is not a number: write it as 10, −10/3, 3.33 or 2√43/3.");
+    return m_truth.isList ? words("“{answer}” is no list of numbers: write it as {list}.",
+                                  {{"list", listOf({"1", "−10/3", withDecimalMark("2.5")})}})
+                          : words("“{answer}” is not a number: write it as 10, −10/3, {decimal} or 2√43/3.",
+                                  {{"decimal", withDecimalMark("3.33")}});
   }
 
   /// Whether the answer is of the kind that is asked for: no letters but those that are there.
@@ -264,9 +276,9 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
   return told;
 }
 
-Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed, char decimalMark) {
+Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed) {
   const Question question(line, gap);
-  const auto answer = readAnswer(typed, decimalMark);
+  const auto answer = readAnswer(typed, language().decimalMark);
   if (!answer || !question.canBe(*answer))
     return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
   if (question.isRight(*answer))

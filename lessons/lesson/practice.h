@@ -50,8 +50,8 @@ struct Judgement {
 };
 
 /// Compares a typed answer with what is left out, then with what the usual mistakes come to. A decimal is
-/// right when the number rounds to it; the sentence says that it is rounded. See readAnswer for the mark.
-[[nodiscard]] Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed,
-                              char decimalMark = '.');
+/// right when the number rounds to it; the sentence says that it is rounded. It is typed with
+/// the language's mark.
+[[nodiscard]] Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed);
 
 } // namespace halfspace

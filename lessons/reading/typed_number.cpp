@@ -86,7 +86,7 @@ std::optional<std::string> refuseCoordinate(const Rational &value) {
   return {};
 }
 
-std::string sentenceForNotRead(std::string_view text) {
+std::string sentenceForNotRead(std::string_view text, char decimalMark) {
   switch (whyNotRead(text)) {
   case NotRead::TooLarge:
     return sentenceForTooLarge();
@@ -95,7 +95,8 @@ std::string sentenceForNotRead(std::string_view text) {
   case NotRead::NoNumber:
     break;
   }
-  return words("“{text}” is not a number: write it as 3, -1.5 or -10/3.", {{"text", shortened(text)}});
+  return words("“{text}” is not a number: write it as 3, {decimal} or -10/3.",
+               {{"text", shortened(text)}, {"decimal", std::string("-1") + decimalMark + "5"}});
 }
 
 Result<Rational> readCoordinate(std::string_view text) {

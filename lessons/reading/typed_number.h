@@ -32,8 +32,8 @@ inline constexpr std::size_t coordinateDigits = 40;
 /// A coordinate as it is typed or written: a number that parseRational reads and refuseCoordinate takes.
 [[nodiscard]] Result<Rational> readCoordinate(std::string_view text);
 
-/// Why a text that parseRational does not read is no coordinate: it is not a number, or one beyond the
-/// limits.
-[[nodiscard]] std::string sentenceForNotRead(std::string_view text);
+/// Why a text that parseRational does not read is no coordinate: it is not a number, as one is written with
+/// this mark, or one beyond the limits.
+[[nodiscard]] std::string sentenceForNotRead(std::string_view text, char decimalMark = '.');
 
 } // namespace halfspace

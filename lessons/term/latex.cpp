@@ -41,11 +41,7 @@ public:
   }
 
   [[nodiscard]] std::string digits(const std::string &decimal) const override {
-    const std::string text = letterLatex(decimal);
-    const auto point = text.find('.');
-    return point == std::string::npos || language().decimalMark == '.'
-               ? text
-               : text.substr(0, point) + "{,}" + text.substr(point + 1);
+    return latexDecimal(letterLatex(decimal));
   }
 
   [[nodiscard]] std::string symbol(const Symbol &symbol) const override { return latexOf(symbol); }
@@ -170,6 +166,13 @@ std::string latexOf(const Symbol &symbol) {
 
 std::string latexOf(const Term &term, LatexMarks marks, Fractions fractions) {
   return TermWriter(LatexNotation(marks, fractions)).write(term);
+}
+
+std::string latexDecimal(const std::string &decimal) {
+  const auto point = decimal.find('.');
+  return point == std::string::npos || language().decimalMark == '.'
+             ? decimal
+             : decimal.substr(0, point) + "{,}" + decimal.substr(point + 1);
 }
 
 std::string relatedLatex(const Term &value, Fractions fractions) {

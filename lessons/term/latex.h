@@ -21,6 +21,9 @@ enum class LatexMarks : std::uint8_t { Without, With };
                                   Fractions fractions = Fractions::Stacked);
 [[nodiscard]] std::string latexOf(const Symbol &symbol);
 
+/// A decimal with the language's mark: 3.14, or 3{,}14, as behind a comma LaTeX leaves a gap else.
+[[nodiscard]] std::string latexDecimal(const std::string &decimal);
+
 /// The value behind the relation that it allows: ` = 10`, ` \approx 3.16228`.
 [[nodiscard]] std::string relatedLatex(const Term &value, Fractions fractions = Fractions::Stacked);
 

@@ -1,11 +1,11 @@
 #include "widgets/numbers/number_field.h"
 
+#include "lessons/language.h"
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/file/scene_reader.h"
 #include "widgets/repolish.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
@@ -24,13 +24,12 @@ constexpr int mostShownDigits = 12;
 /// What Qt keeps free beside the text of a line edit, in pixels.
 constexpr int textMargin = 2;
 
-QChar decimalPoint(const QLocale &locale) { return QString(locale.decimalPoint()).at(0); }
-
 /// The number rounded to so many digits: 1.2346, or 1.23·10⁻⁷ where it is very large or very small.
-QString roundedTo(int digits, const Rational &value, const QLocale &locale) {
+QString roundedTo(int digits, const Rational &value) {
   static const QString superscripts = QString::fromUtf8("⁰¹²³⁴⁵⁶⁷⁸⁹");
-  const QString text = locale.toString(toDouble(value), 'g', digits);
-  const int mark = text.indexOf(locale.exponential(), 0, Qt::CaseInsensitive);
+  const std::string plain = QString::number(toDouble(value), 'g', digits).toStdString();
+  const QString text = QString::fromStdString(withDecimalMark(plain));
+  const int mark = text.indexOf('e');
   if (mark < 0)
     return text;
   const int exponent = text.mid(mark + 1).toInt();
@@ -50,23 +49,21 @@ bool isDecimalOf(int digits, const Rational &value) {
 Rational inLastPlaces(const Rational &value) { return value * powerOfTen(shownPlaces); }
 
 /// What was typed, in the one spelling that files have too.
-std::string fileSpelling(const QString &text, const QLocale &locale) {
-  return plainSpelling(text.toStdString(), decimalPoint(locale).toLatin1());
+std::string fileSpelling(const QString &text) {
+  return plainSpelling(text.toStdString(), language().decimalMark);
 }
 
 } // namespace
 
-std::optional<Rational> parseTyped(const QString &text, const QLocale &locale) {
-  return parseRational(fileSpelling(text, locale));
-}
+std::optional<Rational> parseTyped(const QString &text) { return parseRational(fileSpelling(text)); }
 
-QString typedText(const Rational &value, const QLocale &locale, NumberLook look) {
+QString typedText(const Rational &value, NumberLook look) {
   const Rational scaled = inLastPlaces(value);
   if (look == NumberLook::Fraction || value.denominator() == 1 || scaled.denominator() != 1)
     return QString::fromStdString(toText(value));
   QString digits = QString::fromStdString(toText(abs(scaled)));
   digits = digits.rightJustified(shownPlaces + 1, '0');
-  digits.insert(digits.size() - shownPlaces, decimalPoint(locale));
+  digits.insert(digits.size() - shownPlaces, language().decimalMark);
   while (digits.endsWith('0'))
     digits.chop(1);
   return (value < 0 ? "-" : "") + digits;
@@ -102,7 +99,7 @@ void NumberField::setValue(const Rational &value, NumberLook look) {
     showValue();
 }
 
-QString NumberField::ownText() const { return typedText(m_value, locale(), m_look); }
+QString NumberField::ownText() const { return typedText(m_value, m_look); }
 
 void NumberField::showValue() {
   mark(false);
@@ -124,7 +121,7 @@ void NumberField::mark(bool wrong) {
 }
 
 std::optional<Rational> NumberField::typed() const {
-  const auto value = text() == ownText() ? std::nullopt : parseTyped(text(), locale());
+  const auto value = text() == ownText() ? std::nullopt : parseTyped(text());
   return value && !refuseCoordinate(*value) ? value : std::nullopt;
 }
 
@@ -134,9 +131,10 @@ QString NumberField::enter() {
     showValue();
     return {};
   }
-  const auto value = parseTyped(text(), locale());
+  const auto value = parseTyped(text());
   if (!value)
-    return refuse(QString::fromStdString(sentenceForNotRead(fileSpelling(text(), locale()))));
+    return refuse(QString::fromStdString(
+        sentenceForNotRead(withDecimalMark(fileSpelling(text())), language().decimalMark)));
   if (const auto why = refuseCoordinate(*value))
     return refuse(QString::fromStdString(*why));
   m_value = *value;
@@ -211,7 +209,7 @@ QString NumberField::shownText() const {
     return fontMetrics().elidedText(text(), Qt::ElideRight, width);
   QString rounded;
   for (int digits = mostShownDigits; digits > 0; --digits) {
-    rounded = roundedTo(digits, m_value, locale());
+    rounded = roundedTo(digits, m_value);
     if (!isDecimalOf(digits, m_value))
       rounded.prepend(QString::fromUtf8("≈ "));
     if (fits(rounded))

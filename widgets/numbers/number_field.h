@@ -70,11 +70,10 @@ private:
 };
 
 /// A number as a user types it, with the decimal comma where the language has it: see plainSpelling.
-[[nodiscard]] std::optional<Rational> parseTyped(const QString &text, const QLocale &locale);
+[[nodiscard]] std::optional<Rational> parseTyped(const QString &text);
 
 /// The exact text of a number for typing.
-[[nodiscard]] QString typedText(const Rational &value, const QLocale &locale,
-                                NumberLook look = NumberLook::Decimal);
+[[nodiscard]] QString typedText(const Rational &value, NumberLook look = NumberLook::Decimal);
 
 /// One look for the numbers of a point: decimals where all end soon, else fractions.
 [[nodiscard]] NumberLook lookOf(const ExactVec3 &numbers);

@@ -1,5 +1,7 @@
 #include "widgets/text/figures.h"
 
+#include "lessons/language.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -11,18 +13,16 @@ namespace {
 
 constexpr int mostDigitsBehind = 9;
 
-} // namespace
-
-QString counted(std::size_t count) {
-  return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));
+/// A number as English has it, with the marks of the user's language: 1.234,5 for 1,234.5.
+QString inUsersMarks(QString number) {
+  if (language().decimalMark == ',')
+    std::transform(number.begin(), number.end(), number.begin(), [](QChar each) {
+      return each == ',' ? QChar('.') : each == '.' ? QChar(',') : each;
+    });
+  return number;
 }
 
-QString trianglesInWords(std::size_t count) {
-  return count == 1 ? QCoreApplication::translate("figures", "1 triangle")
-                    : QCoreApplication::translate("figures", "%1 triangles").arg(counted(count));
-}
-
-QString roundedText(double value, int digits) {
+QString englishText(double value, int digits) {
   const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
   const double unit = std::pow(10.0, before - digits);
   const double rounded = before > digits ? std::round(value / unit) * unit : value;
@@ -31,6 +31,24 @@ QString roundedText(double value, int digits) {
   while (text.contains('.') && (text.endsWith('0') || text.endsWith('.')))
     text.chop(1);
   return text;
+}
+
+} // namespace
+
+QString counted(std::size_t count) {
+  return inUsersMarks(QLocale(QLocale::English).toString(static_cast<qulonglong>(count)));
+}
+
+QString trianglesInWords(std::size_t count) {
+  return count == 1 ? QCoreApplication::translate("figures", "1 triangle")
+                    : QCoreApplication::translate("figures", "%1 triangles").arg(counted(count));
+}
+
+QString roundedText(double value, int digits) { return inUsersMarks(englishText(value, digits)); }
+
+QString measuredText(double value, int digits) {
+  const QString text = englishText(value, digits);
+  return (QLocale(QLocale::English).toDouble(text) == value ? "" : "≈ ") + inUsersMarks(text);
 }
 
 } // namespace halfspace

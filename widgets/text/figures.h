@@ -1,5 +1,4 @@
-// Counts and measurements in sentences, as the program writes numbers: in English, whatever the desktop
-// speaks.
+// Counts and measurements in sentences, with the marks of the language that the user is addressed in.
 #pragma once
 
 #include <QString>
@@ -14,5 +13,7 @@ namespace halfspace {
 [[nodiscard]] QString trianglesInWords(std::size_t count);
 /// A measurement ≥ 0 to so many digits at the most, without powers of ten: 0.012, 12,300.
 [[nodiscard]] QString roundedText(double value, int digits);
+/// The same, after ≈ where it has more digits.
+[[nodiscard]] QString measuredText(double value, int digits);
 
 } // namespace halfspace

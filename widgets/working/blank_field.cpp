@@ -1,5 +1,6 @@
 #include "widgets/working/blank_field.h"
 
+#include "lessons/language.h"
 #include "widgets/repolish.h"
 
 #include <QEvent>
@@ -33,8 +34,9 @@ BlankField::BlankField(int letters, QWidget *parent)
   layout->setSpacing(gapBeforeShow);
   layout->addWidget(m_edit);
   m_edit->setPlaceholderText(QStringLiteral("?"));
-  m_edit->setToolTip(tr("A number, as 10, −10/3, 3.33 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
-                        "(1, 2, 3); an equation as x + 2y = 3. Enter checks it."));
+  m_edit->setToolTip(tr("A number, as 10, −10/3, %1 or 2√43/3 (also written 2*sqrt(43)/3); coordinates as "
+                        "(1%2 2%2 3); an equation as x + 2y = 3. Enter checks it.")
+                         .arg(QString::fromStdString(withDecimalMark("3.33")), QChar(listSeparator())));
   connect(m_edit, &QLineEdit::returnPressed, this, &BlankField::answer);
   connect(m_edit, &QLineEdit::textEdited, this, [this] { mark(false); });
   m_show->setText(tr("Show"));

@@ -5,7 +5,6 @@
 
 #include <QActionGroup>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 
@@ -132,8 +131,7 @@ void WorkingPractice::renewNumbers() {
 }
 
 void WorkingPractice::answer(const QString &line, const QString &text) {
-  const char decimalMark = QString(locale().decimalPoint()).at(0).toLatin1();
-  if (!m_practice.answer(line.toStdString(), text.toStdString(), decimalMark))
+  if (!m_practice.answer(line.toStdString(), text.toStdString()))
     return;
   refresh();
   emit blanksChanged();

@@ -5,6 +5,7 @@
 #include "lessons/term/rewrite.h"
 
 #include "tests/lessons/scenes.h"
+#include "tests/lessons/spoken_to_in.h"
 
 #include <gtest/gtest.h>
 
@@ -158,7 +159,10 @@ TEST(Judge, OfNoNumber_SaysHowToWriteOne) {
 TEST(Judge, OfADecimalCommaWhereItParts_SaysHowToWriteADecimal) {
   const WorkingLine line = lineTo(Rational(1, 2));
   EXPECT_NE(judged(line, "0,5").sentence.find("written as 2.5"), std::string::npos);
-  EXPECT_TRUE(judge(line, resultGap(line), "0,5", ',').right);
+  {
+    const test::SpokenToIn german(test::withDecimalComma());
+    EXPECT_TRUE(judge(line, resultGap(line), "0,5").right);
+  }
   for (const char *right : {"0.5", ".5", "1/2", "2/4", "4/8", "0.50", "1 / 2"})
     EXPECT_EQ(judged(line, right).sentence, "Right.") << right;
 }

@@ -81,7 +81,7 @@ private slots:
     QFETCH(QString, object);
     QFETCH(QString, value);
     const CoordinateNumber number{{object.toStdString(), 0}, 0};
-    m_editor->change(number, *parseTyped(value, QLocale::c()));
+    m_editor->change(number, *parseTyped(value));
     m_editor->step(number, object == "Q" ? 2000000000 : 1);
     m_editor->beginScrub(number);
     m_editor->scrub(object == "Q" ? 2000000000 : 1);
@@ -103,9 +103,9 @@ private slots:
     QFETCH(QString, snap);
     QFETCH(int, steps);
     QFETCH(QString, moved);
-    m_model->snapping().step = *parseTyped(snap, QLocale::c());
+    m_model->snapping().step = *parseTyped(snap);
     m_editor->step({q0, 0}, steps);
-    QVERIFY(valueOf(*m_model, q0) == ExactVec3(11 + *parseTyped(moved, QLocale::c()), 15, 8));
+    QVERIFY(valueOf(*m_model, q0) == ExactVec3(11 + *parseTyped(moved), 15, 8));
     QCOMPARE(m_model->history().count(), steps == 0 ? 0 : 1);
   }
 
@@ -129,12 +129,12 @@ private slots:
   void stepOfADirectionSuitsItsOwnLength() {
     QFETCH(QString, length);
     QFETCH(QString, step);
-    const Rational z = *parseTyped(length, QLocale::c());
+    const Rational z = *parseTyped(length);
     start(*m_model, {{{"E", PlaneObject{{5, 4, 7}, {0, 0, -z}}}, test::pointQ()}});
     m_editor->step({{"E", 1}, 0}, 1);
     const Rational moved = valueOf(*m_model, {"E", 1}).x;
     // A power of ten that leaves the longest number some steps and not too many.
-    QVERIFY2(moved == *parseTyped(step, QLocale::c()), toText(moved).c_str());
+    QVERIFY2(moved == *parseTyped(step), toText(moved).c_str());
   }
 
   void stepOfANumberIsItsOwn_orElseTheSnapping() {

@@ -2,6 +2,7 @@
 #include "widgets/numbers/number_field.h"
 
 #include "lessons/reading/typed_number.h"
+#include "tests/lessons/spoken_to_in.h"
 #include "tests/widgets/pointer.h"
 
 #include <QSignalSpy>
@@ -13,9 +14,6 @@ Q_DECLARE_METATYPE(halfspace::Rational)
 
 namespace {
 
-const QLocale english(QLocale::English);
-const QLocale german(QLocale::German);
-
 QString textOf(const Rational &value) { return QString::fromStdString(toText(value)); }
 
 /// A shown field of the value 3/2, beside another widget that can have the focus.
@@ -24,7 +22,6 @@ struct ShownField {
     auto *layout = new QVBoxLayout(&window);
     layout->addWidget(&other);
     layout->addWidget(&field);
-    field.setLocale(english);
     field.setFixedWidth(width);
     field.setValue(Rational(3, 2));
     window.show();
@@ -77,16 +74,18 @@ private slots:
     QFETCH(QString, englishText);
     QFETCH(QString, germanText);
     const Rational value = *parseRational(exact.toStdString());
-    QCOMPARE(typedText(value, english), englishText);
-    QCOMPARE(typedText(value, german), germanText);
-    QVERIFY(parseTyped(englishText, english) == value);
-    QVERIFY(parseTyped(germanText, german) == value);
+    QCOMPARE(typedText(value), englishText);
+    QVERIFY(parseTyped(englishText) == value);
+    const test::SpokenToIn german(test::withDecimalComma());
+    QCOMPARE(typedText(value), germanText);
+    QVERIFY(parseTyped(germanText) == value);
   }
 
   void commas_inALanguageWithPoints_areNoDecimals() {
-    QVERIFY(!parseTyped("1,5", english));
-    QVERIFY(parseTyped("1,5", german) == Rational(3, 2));
-    QVERIFY(parseTyped("1.5", german) == Rational(3, 2));
+    QVERIFY(!parseTyped("1,5"));
+    const test::SpokenToIn german(test::withDecimalComma());
+    QVERIFY(parseTyped("1,5") == Rational(3, 2));
+    QVERIFY(parseTyped("1.5") == Rational(3, 2));
   }
 
   void text_enteredByReturn_isTheValueOnce() {

@@ -1,6 +1,8 @@
 // Counts and measurements in sentences.
 #include "widgets/text/figures.h"
 
+#include "tests/lessons/spoken_to_in.h"
+
 #include <QtTest>
 
 using namespace halfspace;
@@ -26,6 +28,15 @@ private slots:
     QCOMPARE(roundedText(1.2345e-7, 4), QString("0.000000123"));
     QCOMPARE(roundedText(2.5, 4), QString("2.5"));
     QCOMPARE(roundedText(123456.7, 4), QString("123,500"));
+    QCOMPARE(measuredText(2.5, 4), QString("2.5"));
+    QCOMPARE(measuredText(123456.7, 4), QString("≈ 123,500"));
+  }
+
+  void marks_areThoseOfTheLanguage() {
+    const test::SpokenToIn german(test::withDecimalComma());
+    QCOMPARE(counted(1'234'567), QString("1.234.567"));
+    QCOMPARE(measuredText(1.26, 2), QString("≈ 1,3"));
+    QCOMPARE(measuredText(1234.5, 5), QString("1.234,5"));
   }
 };
 

@@ -1,5 +1,6 @@
 // Worked lines that the learner fills in, with real keys and clicks.
 #include "tests/lessons/called_line.h"
+#include "tests/lessons/spoken_to_in.h"
 #include "widgets/working/working_practice.h"
 
 #include "lessons/object/object.h"
@@ -156,14 +157,14 @@ private slots:
 
   void answerIsReadAndToldInTheLanguageOfTheLearner() {
     ShownPractice practice(m_typesetter);
-    practice.setLocale(QLocale(QLocale::German));
+    const test::SpokenToIn german(test::withDecimalComma());
     Working working = someWorking();
     working.lines.push_back(
         called("G", asked(withResult(name(letter("G"), ExactVec3(Rational(3, 2), 2, 3))))));
     practice.setWorking(working);
     practice.choose("Last blank");
     answer(practice.fields().first(), "1,25");
-    QVERIFY(text(practice.line(3).remark).contains("(1, 2, 3)")); // so many are asked for …
+    QVERIFY(text(practice.line(3).remark).contains("(1; 2; 3)")); // so many are asked for …
     answer(practice.fields().first(), "(1, 2, 3)");
     QVERIFY(text(practice.line(3).remark).contains("(1, 2, 3) is not right")); // … and these can be typed
     answer(practice.fields().first(), "(1,5; 2; 3)");

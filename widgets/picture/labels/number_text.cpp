@@ -1,5 +1,7 @@
 #include "widgets/picture/labels/number_text.h"
 
+#include "lessons/term/latex.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -31,7 +33,7 @@ std::string decimalText(double number) {
   digits.erase(digits.find_last_not_of('0') + 1);
   if (digits.back() == '.')
     digits.pop_back();
-  return isExact ? digits : "\\approx " + digits;
+  return (isExact ? "" : "\\approx ") + latexDecimal(digits);
 }
 
 } // namespace
