@@ -2,6 +2,7 @@
 
 #include "app/completion.h"
 #include "app/manual_page.h"
+#include "app/parse_refusal.h"
 #include "lessons/guess.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
@@ -266,9 +267,8 @@ std::string commandMeant(const CLI::App &app, const std::optional<std::string> &
                        : words("Perhaps the command “{command}” is meant.", {{"command", meant}});
 }
 
-/// What CLI11 says of an error is English.
 std::string refusalOf(const CLI::ParseError &error, const std::string &guess) {
-  const std::string problem = error.what();
+  const std::string problem = parseRefusal(error.what());
   return guess.empty()
              ? words("{problem}. Try halfspace --help.", {{"problem", problem}})
              : words("{problem}. {guess} Try halfspace --help.", {{"problem", problem}, {"guess", guess}});
@@ -324,9 +324,12 @@ Command parseCommandLine(int argc, const char *const *argv) {
                    words("The file with the questions; standard input without one"))
       ->type_name("FILE");
   auto *readMesh = addReadMesh(app, arguments.readMesh);
-  for (CLI::App *command : app.get_subcommands({}))
+  for (CLI::App *command : app.get_subcommands({})) {
     if (!command->get_group().empty())
       command->group(words("Subcommands"));
+    command->get_help_ptr()->group(
+        words("Options")); // CLI11 adds it before it asks what options have in common
+  }
   app.require_subcommand(0, 1);
   if (auto asked = aboutItself(app, argc, argv))
     return *asked;

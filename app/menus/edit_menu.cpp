@@ -14,15 +14,15 @@ namespace halfspace {
 namespace {
 
 /// An item for a step back or forth: it says what that does, and can be chosen where there is one.
-QAction *addHistoryItem(QMenu &menu, const QString &name, SessionHistory &history,
+QAction *addHistoryItem(QMenu &menu, const QString &name, const QString &nameOfWhat, SessionHistory &history,
                         void (SessionHistory::*step)(),
                         const std::function<std::optional<std::string>()> &textOfStep) {
   QAction *item = menu.addAction(name);
   QObject::connect(item, &QAction::triggered, &history, step);
-  const auto follow = [item, name, textOfStep] {
+  const auto follow = [item, name, nameOfWhat, textOfStep] {
     const auto what = textOfStep();
     item->setEnabled(what.has_value());
-    item->setText(what ? name + u' ' + QString::fromStdString(*what) : name);
+    item->setText(what ? nameOfWhat.arg(QString::fromStdString(*what)) : name);
   };
   QObject::connect(&history, &SessionHistory::stepsChanged, item, follow);
   follow();
@@ -43,10 +43,10 @@ EditMenu::EditMenu(SessionModel &model, SceneView &scene, SceneMeshes &meshes, F
 }
 
 void EditMenu::addHistory(SessionHistory &history) {
-  addHistoryItem(*this, tr("&Undo"), history, &SessionHistory::undo, [&history] {
+  addHistoryItem(*this, tr("&Undo"), tr("&Undo %1"), history, &SessionHistory::undo, [&history] {
     return history.undoText();
   })->setShortcut(QKeySequence::Undo);
-  addHistoryItem(*this, tr("&Redo"), history, &SessionHistory::redo, [&history] {
+  addHistoryItem(*this, tr("&Redo"), tr("&Redo %1"), history, &SessionHistory::redo, [&history] {
     return history.redoText();
   })->setShortcuts({QKeySequence::Redo, QKeySequence("Ctrl+Y")});
 }

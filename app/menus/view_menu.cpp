@@ -10,6 +10,7 @@
 
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QMap>
 
 namespace halfspace {
 
@@ -55,9 +56,11 @@ void ViewMenu::addSizeMenu(WindowLook &look, Messages messages) {
 void ViewMenu::addThemeMenu(WindowLook &look) {
   QMenu &menu = *addMenu(tr("Th&eme"));
   auto *group = new QActionGroup(this);
+  const QMap<QString, QString> titles{
+      {"light", tr("Light")}, {"dark", tr("Dark")}, {"print", tr("Print")}, {"projector", tr("Projector")}};
   for (const Theme &theme : themes()) {
     QString name = QString::fromStdString(theme.name);
-    QAction *action = menu.addAction(name.left(1).toUpper() + name.mid(1));
+    QAction *action = menu.addAction(titles.value(name));
     action->setCheckable(true);
     action->setData(name);
     group->addAction(action);
