@@ -1,6 +1,9 @@
 // `halfspace check` as a shell meets it: what is wrong with lessons, a line for each problem.
 #include "tests/app/command_fixture.h"
+#include "tests/untranslated.h"
 
+#include <regex>
+#include <sstream>
 #include <vector>
 
 namespace halfspace {
@@ -228,6 +231,27 @@ TEST_F(Program, Check_OfALessonWithOneMistake_TellsItWithItsLineAndNothingElse) 
     EXPECT_TRUE(tells(ran.out, "base.md:" + std::to_string(mistake.line) + ": " + mistake.told)) << ran.out;
     EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
   }
+}
+
+TEST_F(Program, Check_OfALessonWithOneMistake_SaysNothingInEnglishToThoseWhoSpeakAnotherLanguage) {
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  const std::string base = contentOf(inFolder("base.md"));
+  std::string files;
+  for (std::size_t i = 0; i < mistakes().size(); ++i) {
+    const Mistake &mistake = mistakes()[i];
+    const std::string file = "a" + std::to_string(i) + ".md";
+    write(file, std::string(base).replace(base.find(mistake.right), mistake.right.size(), mistake.wrong));
+    files += " " + file;
+  }
+  const Ran ran = run("check" + files, "HALFSPACE_LANGUAGE=pseudo");
+  EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), std::ptrdiff_t(mistakes().size())) << ran.out;
+  const std::regex place("^[^⟦]*");                         // in the file
+  const std::regex reason("(YÁML ás ít shóúld bé: )[^.]*"); // from a library, which speaks English
+  std::istringstream lines(ran.out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_EQ(test::untranslatedIn(std::regex_replace(std::regex_replace(line, place, ""), reason, "$1")),
+              std::vector<std::string>())
+        << line;
 }
 
 TEST_F(Program, Check_OfPicturesThatAPageHasNoRoomFor_TellsThem_StepByStep) {

@@ -32,7 +32,8 @@ inline void forgetStarts() {
 
 class WindowFixture {
 public:
-  explicit WindowFixture(const std::string &lesson) : window(readLessons(TEST_LESSONS_FOLDER)) {
+  explicit WindowFixture(const std::string &lesson, LessonLibrary library = readLessons(TEST_LESSONS_FOLDER))
+      : window(std::move(library)) {
     window.sceneView().setMotion(false);
     window.model().openLesson(lesson);
     window.model().startWith(window.model().session());

@@ -1,0 +1,81 @@
+// The command line in a language that nobody speaks: nothing that it prints is English.
+#include "tests/app/command_fixture.h"
+#include "tests/untranslated.h"
+
+namespace halfspace {
+namespace {
+
+/// What commands, their arguments, the values of these and objects of our lessons are called.
+const test::Names names{"LESSON",    "FILE",          "FOLDER", "ID",        "NAME",      "VALUE",
+                        "INT",       "FORMAT",        "THEME",  "Halfspace", "halfspace", "subject",
+                        "output",    "paths",         "file",   "size",      "distance",  "lessons",
+                        "new",       "constructions", "check",  "explain",   "render",    "eval",
+                        "text",      "latex",         "json",   "light",     "dark",      "print",
+                        "projector", "WIDTHxHEIGHT",  "NUMBER", "nobody",    "nowhere"};
+
+class ProgramInAnotherLanguage : public Program {
+protected:
+  void expectTranslated(const std::string &arguments) const {
+    SCOPED_TRACE("halfspace " + arguments);
+    const Ran ran = run(arguments, "HALFSPACE_LANGUAGE=pseudo");
+    EXPECT_NE(ran.out + ran.err, "");
+    for (const std::string &text : {ran.out, ran.err})
+      EXPECT_EQ(test::untranslatedIn(text, names), std::vector<std::string>()) << text;
+  }
+};
+
+TEST_F(ProgramInAnotherLanguage, Help_SaysNothingInEnglish) {
+  expectTranslated("--help");
+  for (const char *command : {"lessons", "new-lesson", "constructions", "check", "explain", "render", "eval"})
+    expectTranslated(command + std::string(" --help"));
+}
+
+TEST_F(ProgramInAnotherLanguage, Refusals_SayNothingInEnglish) {
+  for (const char *arguments : {"--nope",
+                                "explain",
+                                "explain a b c",
+                                "render x",
+                                "render x -o",
+                                "render x -o a.png --step x",
+                                "render x -o a.png --step 0",
+                                "render x -o a.jpg",
+                                "render x -o a.png --theme blue",
+                                "render x -o a.png --size 0x0",
+                                "render x -o a.png --frame 1.5",
+                                "render x -o a.png --frame 1 --frames 0:3",
+                                "explain x --format xml",
+                                "lessons explain x",
+                                "x explain",
+                                "explin x",
+                                "--mesh a.stl lessons",
+                                "new-lesson A",
+                                "new-lesson ray-sphere",
+                                "explain nowhere",
+                                "explain nowhere.md",
+                                "explain ray-sphere --set Q",
+                                "explain ray-sphere --set Q=1",
+                                "explain ray-sphere --set nobody=1",
+                                "explain ray-sphere --set Q=1,2,x",
+                                "eval nowhere",
+                                "render ray-sphere -o no/where.png",
+                                "render ray-sphere -o a.png --step 99",
+                                "render ray-sphere -o a.png --flat",
+                                "render ray-sphere -o a.png --frame 1",
+                                ""})
+    expectTranslated(arguments);
+}
+
+TEST_F(ProgramInAnotherLanguage, Check_SaysNothingInEnglish) {
+  expectTranslated("check");
+  ASSERT_EQ(run("new-lesson base").status, 0);
+  expectTranslated("new-lesson base");
+}
+
+TEST_F(Program, InALocaleWithADecimalComma_WritesIt) {
+  EXPECT_NE(run("explain plane-implicit --set n=1/10,1,1", "LC_ALL=de_DE.UTF-8").out.find("0,1"),
+            std::string::npos);
+  EXPECT_NE(run("explain plane-implicit --set n=1/10,1,1", "LC_ALL=C").out.find("0.1"), std::string::npos);
+}
+
+} // namespace
+} // namespace halfspace
