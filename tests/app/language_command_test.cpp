@@ -72,9 +72,9 @@ TEST_F(ProgramInAnotherLanguage, Check_SaysNothingInEnglish) {
 }
 
 TEST_F(Program, InALocaleWithADecimalComma_WritesIt) {
-  EXPECT_NE(run("explain plane-implicit --set n=1/10,1,1", "LC_ALL=de_DE.UTF-8").out.find("0,1"),
-            std::string::npos);
-  EXPECT_NE(run("explain plane-implicit --set n=1/10,1,1", "LC_ALL=C").out.find("0.1"), std::string::npos);
+  const std::string rounded = "explain plane-implicit --set n=1,1,2";
+  EXPECT_NE(run(rounded, "LC_ALL=de_DE.UTF-8").out.find("103,1°"), std::string::npos);
+  EXPECT_NE(run(rounded, "LC_ALL=C").out.find("103.1°"), std::string::npos);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "tests/untranslated.h"
 
 #include "lessons/lesson/lesson.h"
+#include "lessons/pseudo_language.h"
 #include "lessons/scene/change_words.h"
 #include "lessons/scene/file/explain_formats.h"
 #include "lessons/scene/file/session_file.h"

@@ -41,15 +41,10 @@ struct Out : Computed<In>, TriangleTerms {
   Term cosine = applied(word("cos"), theta, cosineOf(perps));
 };
 
-/// Sentences for what is wrong with the corners.
-struct FaultSentences {
-  Sentence onOneLine;
-  CoincidentSentences coincident;
-};
-
-std::string faultWords(const Out &at, const FaultSentences &sentences) {
-  return at.same == "none" ? words(sentences.onOneLine.english, at.letters)
-                           : coincidentWords(at.in.T.object, at, sentences.coincident);
+/// What is wrong with the corners, as the end of a sentence.
+std::string faultWords(const Out &at) {
+  return at.same == "none" ? words("{P0}, {P1} and {P2} lie on one line", at.letters)
+                           : coincidentWords(at.in.T.object, at);
 }
 
 CaseWords tell(const Out &at) {
@@ -58,13 +53,13 @@ CaseWords tell(const Out &at) {
             words("{P0}, {P1} and {P2} are the corners of a triangle: u and v point along different "
                   "lines.",
                   at.letters)};
+  const std::string fault = faultWords(at);
   return {at.same == "none" ? "collinear" : "coincident",
-          faultWords(at, {at.areOpposite ? says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
-                                                "opposite directions: this is no triangle.")
-                                         : says("{P0}, {P1} and {P2} lie on one line, and u and v point in "
-                                                "the same direction: this is no triangle."),
-                          {says("{first} and {second} are the same point: this is no triangle."),
-                           says("{first}, {second} and {third} are the same point: this is no triangle.")}}),
+          at.same != "none" ? words("{fault}: this is no triangle.", {{"fault", fault}})
+          : at.areOpposite  ? words("{fault}, and u and v point in opposite directions: this is no triangle.",
+                                    {{"fault", fault}})
+                            : words("{fault}, and u and v point in the same direction: this is no triangle.",
+                                    {{"fault", fault}}),
           true};
 }
 
@@ -117,15 +112,10 @@ WorkingLine lagrangeLine(const Out &at) {
 
 /// A test's line: its comparison, and what it sees, as `found` says that.
 WorkingLine testLine(const Out &at, const Chain &comparison, bool sees) {
-  constexpr FaultSentences seen{
-      says("It sees that something is wrong: {P0}, {P1} and {P2} lie on one line."),
-      {says("It sees that something is wrong: {first} and {second} are the same point."),
-       says("It sees that something is wrong: {first}, {second} and {third} are the same point.")}};
-  constexpr FaultSentences unseen{says("It is blind: {P0}, {P1} and {P2} lie on one line."),
-                                  {says("It is blind: {first} and {second} are the same point."),
-                                   says("It is blind: {first}, {second} and {third} are the same point.")}};
+  const std::string fault = at.isTriangle ? "" : faultWords(at);
   return line(comparison, at.isTriangle ? words("It finds nothing wrong, and nothing is.")
-                                        : faultWords(at, sees ? seen : unseen));
+                          : sees ? words("It sees that something is wrong: {fault}.", {{"fault", fault}})
+                                 : words("It is blind: {fault}.", {{"fault", fault}}));
 }
 
 WorkingLine cosineTestLine(const Out &at) {
@@ -133,12 +123,7 @@ WorkingLine cosineTestLine(const Out &at) {
     return testLine(at, compared(at.cosine, 1), cosineOf(at.perps) == Surd(1));
   return line(
       compared(norm(at.u) * norm(at.v), 0),
-      faultWords(
-          at,
-          {says("There is no cosine, so this test cannot be made: {P0}, {P1} and {P2} lie on one line."),
-           {says("There is no cosine, so this test cannot be made: {first} and {second} are the same point."),
-            says("There is no cosine, so this test cannot be made: {first}, {second} and {third} are the "
-                 "same point.")}}));
+      words("There is no cosine, so this test cannot be made: {fault}.", {{"fault", faultWords(at)}}));
 }
 
 WorkingLine squaresTestLine(const Out &at) {

@@ -31,6 +31,7 @@ Claims point_line() {
        [](const PointAtLine &at) { return at.isLine() && at.isOnLine(); }},
       {"The direction {v} is the zero vector: it points nowhere, so there is no line.",
        [](const PointAtLine &at) { return !at.isLine(); }},
+      {"distance", always}, // in {distance}
       {"From {A} to {Q}.", always},
       {"So many steps {v} lead from {A} to the foot: how far w reaches along {v}.", isLine},
       {"The foot: the line's point nearest to {Q}.", isLine},

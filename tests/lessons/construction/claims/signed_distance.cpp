@@ -40,6 +40,7 @@ Claims signed_distance() {
        [](const Distance &at) { return at.f < 0; }},
       {"Zero: {Q} satisfies the plane's equation, so it lies in the plane.",
        [](const Distance &at) { return at.f == 0 && at.nn != 0; }},
+      {"signed distance", always}, // in {distance}
       {"The length of the normal.", always},
       {"f({Q}) is 0, and so is the distance: 0 divided by any length is 0.",
        [](const Distance &at) { return at.f == 0 && at.nn != 0; }},

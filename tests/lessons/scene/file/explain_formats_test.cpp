@@ -24,7 +24,7 @@ Evaluation sample() {
                                        {"huge", {}, Surd(powerOfTen(400))},
                                        listed("foot", F),
                                        listed("t", name(letter("λ"), Surd::root(3, Rational(-1, 3)))),
-                                       {"side", std::string("side"), std::string("on")},
+                                       {"side", std::string("side"), Word{"on", "in the plane"}},
                                        {"feature", {}, 2},
                                        {"perp", {}, std::vector<NamedValue>{listed("uu", dot(u, u))}}};
   const CaseWords told{"hit", "100% done_ok {now}: λ ≈ −2·10⁻³°", false};
@@ -68,9 +68,9 @@ TEST(ExplanationJson, OfValues_FollowsTheEvalFormatInOrder) {
 
 TEST(ExplanationText, CallsTheValuesAsTheLinesDoOneToALine) {
   const std::string text = explanationText("A title", sample());
-  for (const char *part :
-       {"A title\n", "t = a/b = (2/7)/(3/1000000007) = 2000000014/21\n", "It is < 1 & so on.",
-        "\nF = (1, 1/2, −3)\n", "\nλ = −√3/3\n", "\nside: on\n", "\nu·u = 80\n", "100% done_ok {now}"})
+  for (const char *part : {"A title\n", "t = a/b = (2/7)/(3/1000000007) = 2000000014/21\n",
+                           "It is < 1 & so on.", "\nF = (1, 1/2, −3)\n", "\nλ = −√3/3\n",
+                           "\nside: in the plane\n", "\nu·u = 80\n", "100% done_ok {now}"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   for (const char *part : {"tenth", "feature", "perp"})
     EXPECT_EQ(text.find(part), std::string::npos) << part << " has no name for a learner";
