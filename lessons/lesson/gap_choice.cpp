@@ -30,9 +30,9 @@ const Term &meaning(const Term &term) {
 
 /// Whether the chain says in symbols what the term is.
 bool says(const Chain &chain, const Term &term) {
-  const auto symbolsEnd = chain.sides().begin() + static_cast<std::ptrdiff_t>(chain.symbolic());
-  return chain.isIdentity() && std::any_of(chain.sides().begin(), symbolsEnd,
-                                           [&](const Term &side) { return readAlike(side, term); });
+  const auto symbols = chain.symbols();
+  return chain.isIdentity() &&
+         std::any_of(symbols.begin(), symbols.end(), [&](const Term &side) { return readAlike(side, term); });
 }
 
 /// Whether both formulas are the same, or a line says that they come to the same: f(Q) = n·(Q − P₀).

@@ -213,10 +213,8 @@ bool says(const WorkingLine &line, const Term &term) {
 /// Whether the line begins with what a line with a gap is about: cos θ < 1 beside cos θ = 1/2.
 bool repeatsOneOf(const WorkingLine &line, const std::map<std::string, Gap> &gaps, const Working &working) {
   return std::any_of(gaps.begin(), gaps.end(), [&](const auto &each) {
-    const Chain &asking = askedChain(*findLine(working, each.first));
-    const auto symbolsEnd = asking.sides().begin() + static_cast<std::ptrdiff_t>(asking.symbolic());
-    return std::any_of(asking.sides().begin(), symbolsEnd,
-                       [&](const Term &side) { return says(line, side); });
+    const auto symbols = askedChain(*findLine(working, each.first)).symbols();
+    return std::any_of(symbols.begin(), symbols.end(), [&](const Term &side) { return says(line, side); });
   });
 }
 

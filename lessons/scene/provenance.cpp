@@ -64,12 +64,12 @@ private:
 
   void followLinesThatTell(const Term &term, const std::string &entry) {
     for (const Told &told : m_told[entry]) {
-      const auto &sides = told.chain->sides();
-      if (!readAlike(sides.front(), term))
+      const auto symbols = told.chain->symbols();
+      if (!readAlike(symbols.front(), term))
         continue;
       m_found.lines.insert(told.line->id);
-      for (std::size_t i = 0; i < told.chain->symbolic(); ++i)
-        follow(sides[i], entry);
+      for (const Term &side : symbols)
+        follow(side, entry);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include "lessons/term/term.h"
 
+#include <span>
 #include <vector>
 
 namespace halfspace {
@@ -25,6 +26,7 @@ public:
   [[nodiscard]] const Term &last() const { return m_sides.back(); }
   /// How many sides stand there in symbols; those behind them were calculated from them.
   [[nodiscard]] std::size_t symbolic() const { return m_symbolic; }
+  [[nodiscard]] std::span<const Term> symbols() const { return std::span(m_sides).first(m_symbolic); }
   /// Whether its sides are the same whatever the unknowns are: neither a condition nor a comparison.
   [[nodiscard]] bool isIdentity() const { return m_claim == Claim::Identity; }
   /// The chain, and where it is a condition, nothing of whether anything can fulfil it.
