@@ -78,7 +78,8 @@ bool FlatView::isOpen() const { return height() > m_title->height() + 2 * frameW
 
 void FlatView::takeOutcome() {
   const bool hadPicture = hasPicture();
-  m_picture.take(m_model.history().isHeldBy(m_held) ? &m_drag->frame() : nullptr); // it keeps still under the hand
+  m_picture.take(m_model.history().isHeldBy(m_held) ? &m_drag->frame()
+                                                    : nullptr); // it keeps still under the hand
   setVisible(hasPicture());
   if (hadPicture != hasPicture())
     emit sizeChanged();
@@ -135,8 +136,8 @@ void FlatView::mousePressEvent(QMouseEvent *event) {
   const auto handle = m_picture.handleAt(at);
   if (!handle)
     return;
-  const GestureToken held =
-      m_model.history().beginGesture(QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
+  const GestureToken held = m_model.history().beginGesture(
+      QString::fromStdString(wordsForMoving(m_model.session().scene, *handle)));
   m_drag.emplace(stagedScene(m_model, m_picture.stage()), *handle, m_picture.frame(), at,
                  askedOf(m_model, *handle));
   m_held = held;
@@ -175,10 +176,11 @@ void FlatView::mouseMoveEvent(QMouseEvent *event) {
   const QPointF place = mousePlace(*event);
   const glm::dvec2 at(place.x(), place.y());
   if (m_drag) {
-    const bool isFree = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
+    const bool isFree =
+        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
     if (const auto move = m_drag->moveTo(at, isFree ? finestStep : m_model.snapping().step, view()))
-      m_model.history().moveGesture(m_held,
-                          ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture.stage())});
+      m_model.history().moveGesture(
+          m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture.stage())});
     return;
   }
   if (m_picture.handleAt(at))
