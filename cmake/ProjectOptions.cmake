@@ -12,8 +12,8 @@ set(checked_compiler $<OR:$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMP
 add_library(halfspace_warnings INTERFACE)
 add_library(Halfspace::warnings ALIAS halfspace_warnings)
 # False alarms of GCC 12, which come and go with what it inlines: it takes the union in Boost's small integers for
-# uninitialized, sees overlapping copies in "text" + std::string, and null pointers in every vector that grows. What it says of
-# lengths is told, but keeps nobody from building. For null pointers clang-tidy looks along whole paths.
+# uninitialized, sees overlapping copies in "text" + std::string, and with -Wnull-dereference null pointers in every vector that
+# grows. What it says of lengths is told, but keeps nobody from building.
 target_compile_options(
   halfspace_warnings
   INTERFACE -Wall

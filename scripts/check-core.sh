@@ -10,4 +10,5 @@ installMissing build core
 say "Building the core with clang and the sanitizers"
 cmake --preset core >&2
 cmake --build --preset core >&2
-ctest --preset core --timeout 1500 --parallel "$(nproc)" "$@"
+# Remembering where each piece of memory came from, thirty calls deep, would take an eighth of the time.
+ASAN_OPTIONS=malloc_context_size=3 ctest --preset core --timeout 1500 --parallel "$(nproc)" "$@"
