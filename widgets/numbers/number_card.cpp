@@ -66,6 +66,7 @@ NumberCard::NumberCard(SessionModel &model, const Typesetter &typesetter, QWidge
     m_complaint->setText(sentence);
     m_complaint->setVisible(!sentence.isEmpty());
   });
+  connect(&model, &SessionModel::outcomeChanged, this, &NumberCard::showSession);
   setAccessibleName(tr("Numbers of the selected object"));
   setSelection({});
 }

@@ -11,8 +11,8 @@ namespace halfspace {
 
 class FlowLayout;
 
-/// Fields for the coordinates of what is selected, and below them what can be done with it. Without a
-/// selection it is a line of words.
+/// Fields for the coordinates of what is selected, and below them what can be done with it. It follows the
+/// session; what is not there any more is not shown. Without a selection it is a line of words.
 class NumberCard : public QFrame {
   Q_OBJECT
 public:
@@ -21,8 +21,6 @@ public:
 
   /// Shows the object of this coordinate; only the coordinate itself where the object has many.
   void setSelection(const std::optional<CoordinateId> &selected);
-  /// Writes the numbers as they are in the session; what is not there any more is not shown.
-  void showSession();
   void setHint(const QString &words);
   void setTheme(const Theme &theme);
 
@@ -39,6 +37,7 @@ protected:
 
 private:
   [[nodiscard]] std::vector<CoordinateId> shownCoordinates() const;
+  void showSession();
   void build(const std::vector<CoordinateId> &ids);
   void showHint();
   void elideHint();

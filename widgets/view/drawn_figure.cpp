@@ -19,11 +19,12 @@ void DrawnFigure::takeOutcome(bool moving) {
     m_stage = m_model.stage();
     m_extents.release(false); // they are in units of the stage before
   }
-  Extents before = extentsOf(drawnFigure());
+  Figure figure = toStage(m_model.shown().figure, m_stage);
   if (m_model.history().inGesture())
     holdExtents();
-  m_figure = toStage(m_model.shown().figure, m_stage);
-  glideFrom(std::move(before), moving);
+  else
+    glideTo(extentsOf(figure), moving);
+  m_figure = std::move(figure);
   m_fade.show(m_model.session(), m_model.shown().figure, moving);
 }
 
@@ -38,10 +39,11 @@ void DrawnFigure::holdExtents() {
     m_extents.leave(moved);
 }
 
-void DrawnFigure::glideFrom(Extents before, bool moving) {
-  if (m_model.history().inGesture() || before == extentsOf(m_figure))
+void DrawnFigure::glideTo(const Extents &next, bool moving) {
+  Extents now = extentsOf(drawnFigure());
+  if (now == next)
     return;
-  m_extents.hold(std::move(before));
+  m_extents.hold(std::move(now));
   m_extents.release(moving);
 }
 

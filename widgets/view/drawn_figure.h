@@ -48,7 +48,7 @@ signals:
 private:
   void holdExtents();
   /// After an edit that is no gesture others glide to where they must.
-  void glideFrom(Extents before, bool moving);
+  void glideTo(const Extents &next, bool moving);
 
   const SessionModel &m_model;
   Stage m_stage; ///< the model's, that the figure is on

@@ -32,14 +32,22 @@ void SceneHandles::takeLesson() {
 }
 
 void SceneHandles::takeOutcome() {
+  const std::string selected = m_selection.selectedId();
+  if (m_model.history().inGesture())
+    takeHandles();
+  else
+    takeOthers();
+  if (!m_model.history().inGesture() || m_selection.selectedId() != selected)
+    emit selectionChanged();
+  emit changed();
+  emit hintChanged(); // from its new place a handle may move otherwise
+}
+
+void SceneHandles::takeOthers() {
   const std::vector<Handle> before = m_selection.handles();
   takeHandles();
   // The view stays where it is when a position is typed out of it; the hint then tells the way there.
-  if (!m_model.history().inGesture())
-    m_viewpoint.noticeTyped(movedPositions(before, m_selection.handles()));
-  emit selectionChanged();
-  emit changed();
-  emit hintChanged(); // from its new place a handle may move otherwise
+  m_viewpoint.noticeTyped(movedPositions(before, m_selection.handles()));
 }
 
 void SceneHandles::settle() {

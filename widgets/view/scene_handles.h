@@ -66,6 +66,8 @@ private:
   [[nodiscard]] Touched touchedAt(glm::dvec2 pixel) const;
   [[nodiscard]] std::string markOf(const Handle &handle) const;
   void takeHandles();
+  /// Those after an edit that is no gesture, or of another lesson.
+  void takeOthers();
 
   SessionModel &m_model;
   Viewpoint &m_viewpoint;

@@ -24,7 +24,6 @@ LessonLibrary libraryOf(Scene scene) {
 struct ShownCard {
   explicit ShownCard(Scene scene = distanceScene())
       : model(libraryOf(std::move(scene))), card(model, typesetter) {
-    QObject::connect(&model, &SessionModel::outcomeChanged, &card, &NumberCard::showSession);
     card.resize(700, 90);
     card.show();
     ready = QTest::qWaitForWindowActive(&card);
