@@ -62,10 +62,13 @@ void Composer::setTools(std::optional<Gizmo> gizmo, std::vector<Knob> knobs) {
   m_changes.tools = true;
 }
 
-void Composer::setView(View view) {
+bool Composer::setView(View view) {
   view.size = {std::max(view.size.width, 1), std::max(view.size.height, 1)};
-  m_changes.view = m_changes.view || !(view == m_view);
+  if (view == m_view)
+    return false;
   m_view = std::move(view);
+  m_changes.view = true;
+  return true;
 }
 
 void Composer::forgetLabels() {

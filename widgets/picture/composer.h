@@ -22,8 +22,8 @@ public:
   void setContent(SceneContent content);
   /// Other tools for the same content: nothing of the figure is made anew.
   void setTools(std::optional<Gizmo> gizmo, std::vector<Knob> knobs);
-  /// Where it is looked at from, and on how many pixels; at least one each way.
-  void setView(View view);
+  /// Where it is looked at from, and on how many pixels; at least one each way. Whether that is another view.
+  bool setView(View view);
   /// The next labels are placed as in a first picture: not where others stood before them.
   void forgetLabels();
 

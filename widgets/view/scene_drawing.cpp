@@ -74,15 +74,14 @@ void SceneDrawing::frame() {
 }
 
 void SceneDrawing::prepare() {
+  const bool isSeenOtherwise = m_composer.setView(m_viewpoint.view());
   if (m_frames.takeNew()) {
     SceneContent content = m_drawn.drawnContent();
     m_handles.addTo(content);
     m_composer.setContent(std::move(content));
-  } else {
-    m_composer.setTools(m_handles.gizmo(),
-                        m_handles.knobs()); // how a handle can be moved depends on the camera
+  } else if (isSeenOtherwise) { // how a handle can be moved depends on the camera
+    m_composer.setTools(m_handles.gizmo(), m_handles.knobs());
   }
-  m_composer.setView(m_viewpoint.view());
   const ShapeList &shapes = m_composer.compose();
   m_scene.show(shapes);
   tellNotice(shapes.leavesOutSurfaces);

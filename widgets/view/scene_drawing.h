@@ -41,10 +41,15 @@ public:
   void requestNew() { m_frames.requestNew(); }
   /// The camera moves, or what is held.
   void requestMoving() { m_frames.requestMoving(); }
+  /// What is drawn glides or fades.
+  void requestNewMoving() {
+    m_frames.requestNew();
+    m_frames.requestMoving();
+  }
   /// All that belongs to the view has taken up a new outcome.
   void takeOutcome(bool inGesture);
 
-  /// To be called before VTK draws by itself, and after it.
+  /// To be called before the view is painted, as VTK draws by itself after a change of size, and after it.
   void prepare();
   void painted() { m_frames.painted(); }
 

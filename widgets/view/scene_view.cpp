@@ -28,18 +28,16 @@ void SceneView::followModel() {
 }
 
 void SceneView::joinParts() {
-  connect(&m_viewpoint, &Viewpoint::moved, this, &SceneView::showMoving);
-  connect(&m_viewpoint, &Viewpoint::changed, this, [this] {
-    tellHint(); // from elsewhere a handle may move otherwise
-    m_drawing.request();
-  });
+  // From elsewhere a handle may move otherwise.
+  connect(&m_viewpoint, &Viewpoint::moved, this, &SceneView::tellHint);
+  connect(&m_viewpoint, &Viewpoint::moved, &m_drawing, &SceneDrawing::requestMoving);
+  connect(&m_viewpoint, &Viewpoint::changed, this, &SceneView::tellHint);
+  connect(&m_viewpoint, &Viewpoint::changed, &m_drawing, &SceneDrawing::request);
   connect(&m_drawn, &DrawnFigure::changed, &m_drawing, &SceneDrawing::requestNew);
-  connect(&m_drawn, &DrawnFigure::moved, this, [this] {
-    m_drawing.requestNew();
-    showMoving();
-  });
-  connect(&m_hold, &HandleHold::pointed, this, &SceneView::showMoving);
-  connect(&m_hold, &HandleHold::modeChanged, this, &SceneView::showNew);
+  connect(&m_drawn, &DrawnFigure::moved, &m_drawing, &SceneDrawing::requestNewMoving);
+  connect(&m_hold, &HandleHold::pointed, &m_drawing, &SceneDrawing::requestMoving);
+  connect(&m_hold, &HandleHold::modeChanged, this, &SceneView::tellHint);
+  connect(&m_hold, &HandleHold::modeChanged, &m_drawing, &SceneDrawing::requestNew);
   connect(&m_hold, &HandleHold::caughtChanged, this, &SceneView::tellHint);
   connect(&m_handles, &SceneHandles::changed, &m_drawing, &SceneDrawing::requestNew);
   connect(&m_handles, &SceneHandles::hintChanged, this, &SceneView::tellHint);
@@ -92,18 +90,8 @@ void SceneView::takeOutcome() {
   m_drawing.takeOutcome(m_model.history().inGesture());
 }
 
-void SceneView::showNew() {
-  m_drawing.requestNew();
-  tellHint();
-}
-
-void SceneView::showMoving() {
-  tellHint(); // from elsewhere a handle may move otherwise
-  m_drawing.requestMoving();
-}
-
 void SceneView::paintGL() {
-  m_drawing.prepare(); // VTK draws by itself after a change of size
+  m_drawing.prepare();
   QVTKOpenGLNativeWidget::paintGL();
   m_drawing.painted();
 }

@@ -50,8 +50,6 @@ private:
   void joinParts();
   void takeLesson();
   void takeOutcome();
-  void showNew();
-  void showMoving();
   void tellHint() { emit hint(m_handles.hint()); }
 
   SessionModel &m_model;
