@@ -4,6 +4,7 @@
 #include "lessons/lesson/lesson.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/scene/hand/snap_targets.h"
+#include "lessons/scene/hand/snapping.h"
 #include "widgets/session_history.h"
 #include "widgets/shown_scene.h"
 
@@ -15,6 +16,11 @@ namespace halfspace {
 struct Snapping {
   Rational step = 1; ///< in which handles move when dragged or stepped by keys, in units of the stage
   bool isOn = true;  ///< whether what is dragged snaps; keys go in steps all the same
+
+  /// The step of a drag: the finest while keys suspend snapping.
+  [[nodiscard]] const Rational &dragStep(bool isSuspended) const {
+    return isOn && !isSuspended ? step : finestStep;
+  }
 };
 
 /// Owns the window's one session. Views are written from `evaluation()` and send edits back to its history;

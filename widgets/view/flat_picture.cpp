@@ -17,35 +17,41 @@ void FlatPicture::take(const FlatFrame *held) {
     m_frame = flat ? flatFrame(*flat, m_model.session().scene) : std::nullopt;
   if (!m_frame)
     return;
-  const Stage &stage = m_model.stage();
-  m_whole = laidFlat(toStage(m_model.figure(), stage), *m_frame);
-  m_content.stage = stage;
-  m_content.figure = laidFlat(toStage(m_model.shown().figure, stage), *m_frame);
+  m_stage = m_model.stage();
+  m_whole = laid(m_model.figure());
+  m_figure = laid(m_model.shown().figure);
+}
+
+Lazy<Figure> FlatPicture::laid(const Figure &figure) const {
+  return Lazy<Figure>([figure, stage = m_stage, frame = m_frame] {
+    return frame ? laidFlat(toStage(figure, stage), *frame) : Figure();
+  });
 }
 
 void FlatPicture::fit(PixelSize screen, double pixelRatio, const PixelBox &covered) {
   m_view.size = screen;
   m_view.pixelRatio = pixelRatio;
   m_view.covered = {covered};
-  m_view.camera = flatCamera(m_whole, m_view);
+  m_view.camera = flatCamera(*m_whole, m_view);
 }
 
 SceneContent FlatPicture::shown() const {
-  SceneContent content = m_content;
-  content.figure = clippedTo(m_view, std::move(content.figure));
+  SceneContent content;
+  content.stage = m_stage;
+  content.figure = clippedTo(m_view, *m_figure);
   return content;
 }
 
 std::optional<Handle> FlatPicture::handleAt(glm::dvec2 pixel) const {
   const std::string upwards = fullName(m_model.session().scene, m_model.lesson().flat->up);
-  const std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_content.stage));
+  const std::vector<Handle> handles = handlesOf(stagedScene(m_model, m_stage));
   const Handle *handle =
       handleOnPage(pixel, handles, upwards, *m_frame, m_view, missMargin * m_view.pixelRatio);
   return handle ? std::optional(*handle) : std::nullopt;
 }
 
 std::string FlatPicture::markAt(glm::dvec2 pixel) const {
-  return markUnder(pixel, m_content.figure, m_view.camera, m_view.size, m_view.pixelRatio);
+  return markUnder(pixel, *m_figure, m_view.camera, m_view.size, m_view.pixelRatio);
 }
 
 } // namespace halfspace

@@ -1,6 +1,7 @@
 // The session's scene on the page of its lesson's flat picture.
 #pragma once
 
+#include "lessons/lazy.h"
 #include "widgets/picture/flat_page.h"
 #include "widgets/picture/scene_content.h"
 #include "widgets/session_model.h"
@@ -8,7 +9,7 @@
 namespace halfspace {
 
 /// Follows the session. There is none where the lesson has no flat picture, or its scene not what that is
-/// made of. Pixels are those that it is fitted to.
+/// made of. Its figures are made when somebody looks at them. Pixels are those that it is fitted to.
 class FlatPicture {
 public:
   explicit FlatPicture(const SessionModel &model) : m_model(model) {}
@@ -23,11 +24,11 @@ public:
   /// Looks at the whole of it, of all steps, from a screen that is covered in part.
   void fit(PixelSize screen, double pixelRatio, const PixelBox &covered);
   /// Whether the whole of it is in view.
-  [[nodiscard]] bool isInView() const { return showsAll(m_whole, m_view); }
+  [[nodiscard]] bool isInView() const { return showsAll(*m_whole, m_view); }
 
   [[nodiscard]] const FlatFrame &frame() const { return *m_frame; }
-  [[nodiscard]] const Figure &figure() const { return m_content.figure; }
-  [[nodiscard]] const Stage &stage() const { return m_content.stage; }
+  [[nodiscard]] const Figure &figure() const { return *m_figure; }
+  [[nodiscard]] const Stage &stage() const { return m_stage; }
   [[nodiscard]] const View &view() const { return m_view; }
   /// What is seen of it.
   [[nodiscard]] SceneContent shown() const;
@@ -37,10 +38,14 @@ public:
   [[nodiscard]] std::string markAt(glm::dvec2 pixel) const;
 
 private:
+  /// A figure of the scene, as it lies on the page.
+  [[nodiscard]] Lazy<Figure> laid(const Figure &figure) const;
+
   const SessionModel &m_model;
   std::optional<FlatFrame> m_frame;
-  Figure m_whole; ///< of all steps
-  SceneContent m_content;
+  Stage m_stage;
+  Lazy<Figure> m_whole = laid({}); ///< of all steps
+  Lazy<Figure> m_figure = laid({});
   View m_view;
 };
 

@@ -1,9 +1,9 @@
 #include "widgets/view/flat_view.h"
 
 #include "lessons/scene/change_words.h"
-#include "lessons/scene/hand/snapping.h"
 #include "widgets/colors.h"
 #include "widgets/mouse_place.h"
+#include "widgets/view/snapping_keys.h"
 #include "widgets/view/staged_scene.h"
 
 #include <QAction>
@@ -87,12 +87,14 @@ void FlatView::takeOutcome() {
     return;
   describe();
   // What is held must not jump under the hand.
-  if (!m_drag && (!m_model.history().inGesture() || !m_picture.isInView()))
+  if (isOpen() && !m_drag && (!m_model.history().inGesture() || !m_picture.isInView()))
     fit();
   update();
 }
 
 void FlatView::fit() {
+  if (!isOpen() || !hasPicture())
+    return;
   const double part = std::clamp(height() / (roomyHeight * m_sizeScale), leastPart, 1.0);
   m_picture.fit({std::max(1, width()), std::max(1, height())}, m_sizeScale * smallness * part,
                 {{0, 0}, {m_title->width(), m_title->height()}});
@@ -176,9 +178,8 @@ void FlatView::mouseMoveEvent(QMouseEvent *event) {
   const QPointF place = mousePlace(*event);
   const glm::dvec2 at(place.x(), place.y());
   if (m_drag) {
-    const bool isFree =
-        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier) || !m_model.snapping().isOn;
-    if (const auto move = m_drag->moveTo(at, isFree ? finestStep : m_model.snapping().step, view()))
+    const Rational &step = m_model.snapping().dragStep(suspendsSnapping(event->modifiers()));
+    if (const auto move = m_drag->moveTo(at, step, view()))
       m_model.history().moveGesture(
           m_held, ChangeObject{m_drag->handle().object, fromStage(move->object, m_picture.stage())});
     return;

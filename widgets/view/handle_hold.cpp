@@ -2,7 +2,6 @@
 #include "widgets/view/staged_scene.h"
 
 #include "lessons/scene/change_words.h"
-#include "lessons/scene/hand/snapping.h"
 
 #include <utility>
 
@@ -43,8 +42,7 @@ void HandleHold::follow(const View &view) {
   if (!m_drag || !std::exchange(m_isPending, false))
     return;
   emit aboutToMove();
-  const bool isFree = m_isSuspended || !m_model.snapping().isOn;
-  const auto move = m_drag->moveTo(*m_pointer, isFree ? finestStep : m_model.snapping().step, view);
+  const auto move = m_drag->moveTo(*m_pointer, m_model.snapping().dragStep(m_isSuspended), view);
   if (!move)
     return;
   m_model.history().moveGesture(

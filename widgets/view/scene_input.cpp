@@ -1,6 +1,7 @@
 #include "widgets/view/scene_input.h"
 
 #include "widgets/mouse_place.h"
+#include "widgets/view/snapping_keys.h"
 
 #include <QKeyEvent>
 #include <QToolTip>
@@ -20,10 +21,6 @@ constexpr double zoomPerWheelStep = 0.88;
 constexpr double anglePerWheelStep = 120;
 /// Where no picture is.
 constexpr glm::dvec2 nowhere{-1e6, -1e6};
-
-/// Whether snapping is suspended while one of these keys is held. Alt too, where the window manager leaves it
-/// to us.
-bool suspends(Qt::KeyboardModifiers held) { return held & (Qt::ControlModifier | Qt::AltModifier); }
 
 /// The modifier that a key is; for other keys none.
 Qt::KeyboardModifiers modifierOf(int key) {
@@ -125,7 +122,7 @@ void SceneInput::move(const QMouseEvent &event) {
     return;
   const QPointF way = place - std::exchange(m_pointer, place);
   if (m_gesture == Gesture::Handle)
-    m_hold.pointTo(m_screen.pixelAt(place), suspends(event.modifiers()));
+    m_hold.pointTo(m_screen.pixelAt(place), suspendsSnapping(event.modifiers()));
   else
     movePicture(way);
 }
@@ -187,7 +184,7 @@ bool SceneInput::pressKey(const QKeyEvent &event) {
     dismiss();
     return true;
   }
-  if (m_hold.isHolding() && suspends(modifierOf(key))) {
+  if (m_hold.isHolding() && suspendsSnapping(modifierOf(key))) {
     m_hold.setSuspended(true);
     return true;
   }
@@ -202,8 +199,8 @@ bool SceneInput::pressKey(const QKeyEvent &event) {
 
 bool SceneInput::releaseKey(const QKeyEvent &event) {
   const int key = event.key();
-  if (m_hold.isHolding() && suspends(modifierOf(key))) {
-    m_hold.setSuspended(suspends(event.modifiers() & ~modifierOf(key)));
+  if (m_hold.isHolding() && suspendsSnapping(modifierOf(key))) {
+    m_hold.setSuspended(suspendsSnapping(event.modifiers() & ~modifierOf(key)));
     return true;
   }
   if (key != Qt::Key_Shift || m_hold.mode() != DragMode::Vertical || m_handles.selection().isVertical())
