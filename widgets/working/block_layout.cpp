@@ -15,6 +15,11 @@ QString textOf(const LineRemark &remark) {
 
 } // namespace
 
+void BlockLayout::clear() {
+  m_lines.clear();
+  m_placed = {};
+}
+
 void BlockLayout::setRemarks(LineRemarks remarks) {
   m_remarks = std::move(remarks);
   m_remarkTexts.clear();

@@ -15,6 +15,8 @@ using LineRemarks = std::map<std::string, LineRemark>;
 class BlockLayout {
 public:
   void setLines(std::vector<TypesetLine> lines) { m_lines = std::move(lines); }
+  /// Nothing stands anywhere.
+  void clear();
   void setRemarks(LineRemarks remarks);
   void setHeld(bool held);
   [[nodiscard]] bool isHeld() const { return m_held.has_value(); }

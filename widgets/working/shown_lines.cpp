@@ -31,22 +31,19 @@ std::vector<Chain> ShownLines::toldFor(const WorkingLine &line, const Gap &gap) 
   return halfspace::toldFor(line, gap, m_working);
 }
 
-QString ShownLines::text() const {
-  QStringList texts;
+QString ShownLines::spoken() const {
+  QStringList lines;
   for (const WorkingLine &line : m_lines)
-    texts << textOf(line);
-  return texts.join(u'\n');
+    lines << QString::fromStdString(spokenOf(line));
+  return lines.join(u'\n');
 }
 
-QString ShownLines::textOf(const WorkingLine &line) const {
+std::string ShownLines::spokenOf(const WorkingLine &line) const {
   if (const Gap *gap = gapOf(line.id))
-    return QString::fromStdString(questionText(line, *gap));
+    return questionText(line, *gap);
   if (hides(line.id))
-    return QString::fromStdString(symbolsText(line));
-  QString text = QString::fromStdString(plainText(line));
-  if (!line.sentence.empty())
-    text += QStringLiteral(". ") + QString::fromStdString(line.sentence);
-  return text;
+    return symbolsText(line);
+  return halfspace::spoken(line) + (line.sentence.empty() ? "" : ". " + line.sentence);
 }
 
 QString ShownLines::latexOf(std::size_t line) const {

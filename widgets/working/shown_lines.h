@@ -28,14 +28,14 @@ public:
   /// What is told beside a line's gap, as no line of the step's working says it.
   [[nodiscard]] std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap) const;
 
-  /// The lines in plain text, one below the other.
-  [[nodiscard]] QString text() const;
+  /// The lines to be read aloud, one below the other.
+  [[nodiscard]] QString spoken() const;
   /// A line as LaTeX, and all of them, one below the other.
   [[nodiscard]] QString latexOf(std::size_t line) const;
   [[nodiscard]] QString latex() const;
 
 private:
-  [[nodiscard]] QString textOf(const WorkingLine &line) const;
+  [[nodiscard]] std::string spokenOf(const WorkingLine &line) const;
 
   Working m_working; ///< of the step
   Fade m_fade;

@@ -4,6 +4,7 @@
 #include "widgets/speak_by.h"
 #include "widgets/working/copy_lines.h"
 #include "widgets/working/typeset_lines.h"
+#include "widgets/would_be_seen.h"
 
 #include <QAccessibleWidget>
 #include <QApplication>
@@ -77,6 +78,8 @@ void WorkingBlock::setWorking(const Working &working, Fade fade, LineRemarks rem
   m_lines = ShownLines(working, shown, std::move(fade));
   const bool saysMore = remarks != m_remarks;
   m_remarks = std::move(remarks);
+  if (!wouldBeSeen(*this))
+    return m_layout.clear(); // they are set in type once somebody sees them
   showLines();
   if (saysMore)
     m_blanks.followFocus(QApplication::focusWidget()); // what is said about a line makes it taller
@@ -128,7 +131,7 @@ void WorkingBlock::setTrace(ShownTrace trace) {
 
 QString WorkingBlock::spoken() const {
   const Term *chosen = m_cursor.chosenNumber();
-  return chosen ? spokenWithOrigin(*chosen) : m_lines.text();
+  return chosen ? spokenWithOrigin(*chosen) : m_lines.spoken();
 }
 
 int WorkingBlock::heightForWidth(int width) const {
@@ -157,7 +160,9 @@ void WorkingBlock::resizeEvent(QResizeEvent *) {
 bool WorkingBlock::event(QEvent *event) {
   // A field has another size, or may have got one while nobody saw it, of which nothing is told.
   const bool mayChangeFields = event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show;
-  if (event->type() == QEvent::FontChange || (mayChangeFields && !m_blanks.isEmpty()))
+  const bool comesIntoSight = (event->type() == QEvent::Show || event->type() == QEvent::ShowToParent) &&
+                              m_layout.lines().empty() && wouldBeSeen(*this);
+  if (event->type() == QEvent::FontChange || (mayChangeFields && !m_blanks.isEmpty()) || comesIntoSight)
     showLines();
   return QWidget::event(event);
 }

@@ -80,17 +80,19 @@ private slots:
     ShownBlocks shown(tracedWorking());
     QCOMPARE(spokenIn(shown.first()).size(), 1);
     QCOMPARE(spokenIn(shown.second()).size(), 2);
-    QVERIFY(spokenIn(shown.second())[0].startsWith("a ="));
+    QVERIFY(spokenIn(shown.second())[0].startsWith("a equals"));
     shown.lines.setWorking(tracedWorking(), {2, 1});
     QCOMPARE(spokenIn(shown.first()).size(), 2);
-    QVERIFY(spokenIn(shown.second())[0].startsWith("b ="));
+    QVERIFY(spokenIn(shown.second())[0].startsWith("b equals"));
   }
 
   void block_withoutLines_isNotThereUntilItHasSome() {
     ShownBlocks shown(tracedWorking(), {3, 0});
     QVERIFY(shown.first().isVisible() && !shown.second().isVisible());
+    shown.lines.setWorking(tracedWorking(), {2, 1});
     shown.lines.setWorking(tracedWorking(), {3}); // nothing is said about the second
     QVERIFY(!shown.second().isVisible());
+    QVERIFY(shown.second().placed().lines.empty());
     shown.lines.setWorking(tracedWorking(), {2, 1});
     QVERIFY(shown.second().isVisible());
   }

@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -159,6 +160,20 @@ private slots:
     QVERIFY(spoken->text(QAccessible::Description).contains("30"));
     block.setWorking(someWorking(), blankIn(someWorking(), "t"));
     QCOMPARE(spoken->text(QAccessible::Description), block.spoken());
+  }
+
+  void hiddenBlock_setsItsLinesInTypeOnceItIsSeen() {
+    QWidget page;
+    auto *block = new WorkingBlock(m_typesetter);
+    (new QVBoxLayout(&page))->addWidget(block);
+    page.resize(900, 500);
+    page.show();
+    block->hide();
+    block->setWorking(someWorking());
+    QVERIFY(block->placed().lines.empty());
+    QVERIFY(block->spoken().contains("30")); // whoever asks is told
+    block->show();
+    QCOMPARE(block->placed().lines.size(), std::size_t(2));
   }
 
   void blockIsAsTallAsItsLines_atEveryWidth() {
