@@ -41,8 +41,8 @@ void PagePresenter::showLines() {
 }
 
 void PagePresenter::showWords() {
-  const LiveValues shown = m_question.hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
-  m_page.showWords([&](const std::string &name) {
+  m_page.showWords([this](const std::string &name) {
+    const LiveValues shown = m_question.hidesNumbers() ? LiveValues::Hidden : LiveValues::Shown;
     return liveValue(name, m_model.session().scene, m_model.evaluation(), shown);
   });
   if (!m_model.history().inGesture()) // what is only passed in a drag does not count

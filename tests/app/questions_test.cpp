@@ -124,7 +124,7 @@ private slots:
         return each->verdict() == Verdict::Right;
       });
       QCOMPARE(int(told), 1);
-      const QString reason = box().reason()->accessibleName();
+      const QString reason = box().reason()->plain();
       QVERIFY2(reason.startsWith(isRight ? "Right." : "Not quite."), qPrintable(reason));
       QVERIFY2(!m_fixture->window.findChild<QToolButton *>("again")->isVisible(), "the right one is shown");
       if (!isRight)

@@ -475,9 +475,7 @@ private slots:
     WindowFixture fixture("signed-distance");
     QVERIFY(fixture.ready);
     fixture.answer(0);
-    const auto reason = [&] {
-      return fixture.window.findChild<PredictionBox *>()->reason()->accessibleName();
-    };
+    const auto reason = [&] { return fixture.window.findChild<PredictionBox *>()->reason()->plain(); };
     const QString before = reason();
     QVERIFY(fixture.model().history().edit(ChangeObject{"Q", PointObject{{1, 1, 1}}}, "move").isEmpty());
     QTRY_VERIFY(reason() != before);

@@ -27,8 +27,9 @@ public:
   void setStep(int step);
   /// What the way on leads to behind the last step; empty: nowhere.
   void setNextLesson(const QString &title) { m_foot->setNextLesson(title); }
-  /// Sets the step's words with what their live values are now. Keeps the place that was scrolled to.
-  void showWords(const LiveValueOf &valueOf) { m_blocks->showWords(valueOf); }
+  /// Sets the step's words with what their live values are now, which are asked for again where words come
+  /// into sight. Keeps the place that was scrolled to.
+  void showWords(LiveValueOf valueOf) { m_blocks->showWords(std::move(valueOf)); }
   /// The blocks about a flight, of the step that is shown.
   [[nodiscard]] FlightBlocks &flight() { return m_flight; }
   /// Of the step's tasks in their order; of those behind them nothing is known. The task that is due once

@@ -48,7 +48,7 @@ ChoiceButton::ChoiceButton(const Typesetter &typesetter, const QString &words, Q
   layout->addWidget(m_label);
   m_label->setMarkdown(words);
   m_label->setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAccessibleName(m_label->accessibleName());
+  setAccessibleName(m_label->plain());
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_Hover);
   setCursor(Qt::PointingHandCursor);

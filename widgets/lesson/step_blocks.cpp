@@ -2,6 +2,7 @@
 
 #include "widgets/lesson/note_fold.h"
 #include "widgets/working/step_working.h"
+#include "widgets/would_be_seen.h"
 
 #include <QCoreApplication>
 #include <QVBoxLayout>
@@ -34,7 +35,10 @@ QWidget *StepBlocks::blockOf(const StepNote &note) {
   auto *fold = new NoteFold(m_typesetter, QString::fromStdString(note.title));
   m_notes.push_back(fold);
   add(note.words, fold->words());
-  connect(fold, &NoteFold::opened, this, [this, fold] { emit reached(fold); });
+  connect(fold, &NoteFold::opened, this, [this, fold] {
+    setWords();
+    emit reached(fold);
+  });
   return fold;
 }
 
@@ -62,13 +66,31 @@ void StepBlocks::add(const StepWords &words, RichLabel &label) {
   label.setPictures(m_pictures);
 }
 
-void StepBlocks::showWords(const LiveValueOf &valueOf) {
-  for (const auto &[words, label] : m_words)
-    label->setWords(filledIn(words, valueOf));
-  for (const auto &[instruction, now, answer, row] : m_tasks)
-    row->setWords(filledIn(instruction, valueOf), filledIn(now, valueOf), filledIn(answer, valueOf));
+void StepBlocks::showWords(LiveValueOf valueOf) {
+  m_valueOf = std::move(valueOf);
+  setWords();
   // What needs another place has it before it is seen.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+}
+
+void StepBlocks::setWords() {
+  if (!m_valueOf)
+    return;
+  for (const auto &[words, label] : m_words)
+    if (wouldBeSeen(*label))
+      label->setWords(filledIn(words, m_valueOf));
+  for (const auto &[instruction, now, answer, row] : m_tasks)
+    if (wouldBeSeen(*row))
+      row->setWords(filledIn(instruction, m_valueOf), filledWhenSeen(now), filledWhenSeen(answer));
+}
+
+Lazy<FilledMarkdown> StepBlocks::filledWhenSeen(const Markdown &words) const {
+  return Lazy<FilledMarkdown>([this, &words] { return filledIn(words, m_valueOf); });
+}
+
+void StepBlocks::showEvent(QShowEvent *event) {
+  setWords();
+  QWidget::showEvent(event);
 }
 
 void StepBlocks::setTaskStates(const std::vector<TaskState> &states) {

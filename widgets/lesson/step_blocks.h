@@ -20,8 +20,9 @@ public:
   StepBlocks(const Typesetter &typesetter, const LessonStep &step, LessonPictures pictures,
              StepWorking &working, FlightBlocks &flight);
 
-  /// Sets the words with what their live values are now.
-  void showWords(const LiveValueOf &valueOf);
+  /// Sets the words with what their live values are now, which are asked for again where words come into
+  /// sight.
+  void showWords(LiveValueOf valueOf);
   /// Of the tasks in their order; of those behind them nothing is known. The task that is due once another is
   /// done is to be in view.
   void setTaskStates(const std::vector<TaskState> &states);
@@ -37,6 +38,9 @@ signals:
   /// A part has something new to read: it is to be in view.
   void reached(const QWidget *part);
 
+protected:
+  void showEvent(QShowEvent *event) override;
+
 private:
   [[nodiscard]] QWidget *blockOf(const StepWords &words);
   [[nodiscard]] QWidget *blockOf(const StepLines &lines);
@@ -48,6 +52,10 @@ private:
   }
   /// A label is to show these words.
   void add(const StepWords &words, RichLabel &label);
+  /// Of all that would be seen.
+  void setWords();
+  /// Words of a task of this step.
+  [[nodiscard]] Lazy<FilledMarkdown> filledWhenSeen(const Markdown &words) const;
 
   /// Words as they were read, with the label that they are set in.
   struct SetWords {
@@ -65,6 +73,7 @@ private:
   LessonPictures m_pictures;
   StepWorking &m_working;
   FlightBlocks &m_flight;
+  LiveValueOf m_valueOf; ///< empty before the first are shown
   std::vector<SetWords> m_words;
   std::vector<NoteFold *> m_notes;
   std::vector<SetTask> m_tasks;

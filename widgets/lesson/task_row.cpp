@@ -1,8 +1,10 @@
 #include "widgets/lesson/task_row.h"
 
 #include "widgets/colors.h"
+#include "widgets/speak_by.h"
 #include "widgets/verdict.h"
 
+#include <QAccessibleWidget>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -22,13 +24,32 @@ QMargins marginsAt(const Theme &theme) {
   return QMarginsF(markRoom, edgeMargin, edgeMargin, edgeMargin).toMargins() * theme.textScale;
 }
 
+FilledMarkdown noWords() { return {}; }
+
+/// Tells a screen reader of the task.
+class SpokenTask : public QAccessibleWidget {
+public:
+  explicit SpokenTask(TaskRow &row) : QAccessibleWidget(&row), m_row(row) {}
+
+  [[nodiscard]] QString text(QAccessible::Text text) const override {
+    return text == QAccessible::Name          ? m_row.spokenName()
+           : text == QAccessible::Description ? m_row.spokenDescription()
+                                              : QAccessibleWidget::text(text);
+  }
+
+private:
+  const TaskRow &m_row;
+};
+
 } // namespace
 
 TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_words(new RichLabel(typesetter)), m_remark(new RichLabel(typesetter)),
+      m_now(noWords), m_answer(noWords),
       m_holdsAlready(withNames(
           readWords(tr("It is so already. Change that, then bring it about again.").toStdString()))),
       m_theme(themes().front()) {
+  speakBy<TaskRow, SpokenTask>();
   auto *layout = new QVBoxLayout(this);
   layout->addWidget(m_words);
   layout->addWidget(m_remark);
@@ -36,12 +57,12 @@ TaskRow::TaskRow(const Typesetter &typesetter, QWidget *parent)
   setTheme(m_theme);
 }
 
-void TaskRow::setWords(FilledMarkdown instruction, FilledMarkdown now, FilledMarkdown answer) {
-  m_words->setWords(std::move(instruction));
+void TaskRow::setWords(FilledMarkdown instruction, Lazy<FilledMarkdown> now, Lazy<FilledMarkdown> answer) {
+  const bool isOther = m_words->setWords(std::move(instruction));
   m_now = std::move(now);
   m_answer = std::move(answer);
-  showRemark();
-  tellAccessibly();
+  if (showRemark() || isOther)
+    tellSpoken();
 }
 
 void TaskRow::setHeld(bool held) {
@@ -49,12 +70,12 @@ void TaskRow::setHeld(bool held) {
   m_remark->setHeld(held);
 }
 
-void TaskRow::showRemark() {
-  const FilledMarkdown &remark = m_state == TaskState::Done           ? m_answer
+bool TaskRow::showRemark() {
+  const FilledMarkdown &remark = m_state == TaskState::Done           ? *m_answer
                                  : m_state == TaskState::HoldsAlready ? m_holdsAlready
-                                                                      : m_now;
-  m_remark->setWords(remark);
+                                                                      : *m_now;
   m_remark->setVisible(!remark.blocks.empty());
+  return m_remark->setWords(remark);
 }
 
 void TaskRow::setState(TaskState state) {
@@ -63,7 +84,8 @@ void TaskRow::setState(TaskState state) {
   m_state = state;
   showRemark();
   setInks();
-  tellAccessibly();
+  setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
+  tellSpoken();
   update();
 }
 
@@ -80,12 +102,19 @@ void TaskRow::setInks() {
   m_remark->setInk(m_state == TaskState::Done ? m_theme.ink : m_theme.mutedInk, m_theme);
 }
 
-void TaskRow::tellAccessibly() {
-  const QString instruction = m_words->accessibleName();
-  setAccessibleName((m_state == TaskState::Done ? tr("Done: %1") : tr("To do: %1")).arg(instruction));
-  setAccessibleDescription(m_state == TaskState::Waiting ? tr("after those above")
-                                                         : m_remark->accessibleName());
-  setToolTip(m_state == TaskState::Waiting ? tr("Do those above first.") : QString());
+QString TaskRow::spokenName() const {
+  return (m_state == TaskState::Done ? tr("Done: %1") : tr("To do: %1")).arg(m_words->plain());
+}
+
+QString TaskRow::spokenDescription() const {
+  return m_state == TaskState::Waiting ? tr("after those above") : m_remark->plain();
+}
+
+void TaskRow::tellSpoken() {
+  for (const QAccessible::Event what : {QAccessible::NameChanged, QAccessible::DescriptionChanged}) {
+    QAccessibleEvent changed(this, what);
+    QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
+  }
 }
 
 void TaskRow::paintEvent(QPaintEvent *) {

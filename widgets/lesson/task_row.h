@@ -1,6 +1,7 @@
 // A task of a lesson with the mark that says whether it is done.
 #pragma once
 
+#include "lessons/lazy.h"
 #include "lessons/lesson/task_progress.h"
 #include "widgets/picture/theme.h"
 #include "widgets/text/rich_label.h"
@@ -15,27 +16,31 @@ class TaskRow : public QWidget {
 public:
   explicit TaskRow(const Typesetter &typesetter, QWidget *parent = nullptr);
 
-  /// All but the instruction may be empty.
-  void setWords(FilledMarkdown instruction, FilledMarkdown now, FilledMarkdown answer);
+  /// All but the instruction may be empty, and are made when they are shown.
+  void setWords(FilledMarkdown instruction, Lazy<FilledMarkdown> now, Lazy<FilledMarkdown> answer);
   /// While it is held it becomes no less high.
   void setHeld(bool held);
   void setState(TaskState state);
   [[nodiscard]] TaskState state() const { return m_state; }
   void setTheme(const Theme &theme);
 
+  /// What a screen reader is told: what is to be done, and how far it is.
+  [[nodiscard]] QString spokenName() const;
+  [[nodiscard]] QString spokenDescription() const;
+
 protected:
   void paintEvent(QPaintEvent *event) override;
 
 private:
-  /// What is said below the instruction.
-  void showRemark();
+  /// Says below the instruction what is said there now; whether that is something else.
+  bool showRemark();
   void setInks();
-  void tellAccessibly();
+  void tellSpoken();
 
   RichLabel *m_words;
   RichLabel *m_remark;
-  FilledMarkdown m_now;
-  FilledMarkdown m_answer;
+  Lazy<FilledMarkdown> m_now;
+  Lazy<FilledMarkdown> m_answer;
   FilledMarkdown m_holdsAlready; ///< the sentence that says so
   TaskState m_state = TaskState::Open;
   Theme m_theme;

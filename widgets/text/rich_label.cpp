@@ -1,8 +1,10 @@
 #include "widgets/text/rich_label.h"
 
 #include "widgets/colors.h"
+#include "widgets/speak_by.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QAccessibleWidget>
 #include <QDesktopServices>
 #include <QHelpEvent>
 #include <QPainter>
@@ -21,11 +23,26 @@ namespace {
 constexpr int usualLetters = 46;
 constexpr int fewestLetters = 16;
 
+/// Tells a screen reader of the words.
+class SpokenLabel : public QAccessibleWidget {
+public:
+  explicit SpokenLabel(RichLabel &label)
+      : QAccessibleWidget(&label, QAccessible::StaticText), m_label(label) {}
+
+  [[nodiscard]] QString text(QAccessible::Text text) const override {
+    return text == QAccessible::Name ? m_label.plain() : QAccessibleWidget::text(text);
+  }
+
+private:
+  const RichLabel &m_label;
+};
+
 } // namespace
 
 RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
     : QWidget(parent), m_typesetter(typesetter), m_style{font(), palette().color(QPalette::WindowText)},
       m_text(FilledMarkdown(), typesetter, m_style) {
+  speakBy<RichLabel, SpokenLabel>();
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -33,18 +50,20 @@ RichLabel::RichLabel(const Typesetter &typesetter, QWidget *parent)
 
 RichLabel::~RichLabel() = default;
 
-void RichLabel::setWords(FilledMarkdown words) {
+bool RichLabel::setWords(FilledMarkdown words) {
   if (words == m_text.words())
-    return;
+    return false;
   const int before = heightForWidth(width());
   m_text.setWords(std::move(words));
   lookForLinks();
-  setAccessibleName(m_text.plain());
+  QAccessibleEvent changed(this, QAccessible::NameChanged);
+  QAccessible::updateAccessibility(&changed); // nothing is made where nobody listens
   if (heightForWidth(width()) != before)
     updateGeometry();
   if (m_held)
     setMinimumHeight(std::max(minimumHeight(), heightForWidth(width())));
   update();
+  return true;
 }
 
 void RichLabel::setHeld(bool held) {

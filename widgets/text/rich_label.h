@@ -18,9 +18,12 @@ public:
   explicit RichLabel(const Typesetter &typesetter, QWidget *parent = nullptr);
   ~RichLabel() override;
 
-  void setWords(FilledMarkdown words);
+  /// Whether they are others than before.
+  bool setWords(FilledMarkdown words);
   /// The same of Markdown in which live values stand as they are written.
   void setMarkdown(const QString &markdown) { setWords(withNames(readWords(markdown.toStdString()))); }
+  /// The words in plain text, as a screen reader tells them.
+  [[nodiscard]] QString plain() const { return m_text.plain(); }
   /// While it is held it becomes no less high, whatever its words are.
   void setHeld(bool held);
   /// The colour of words; the theme tells that of links and of what cannot be read.

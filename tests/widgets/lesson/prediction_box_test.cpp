@@ -32,7 +32,7 @@ struct ShownBox {
       each.push_back(choice->verdict());
     return each;
   }
-  QString reason() const { return box.reason()->isVisible() ? box.reason()->accessibleName() : QString(); }
+  QString reason() const { return box.reason()->isVisible() ? box.reason()->plain() : QString(); }
 
   Typesetter typesetter;
   PredictionBox box{typesetter, question()};
@@ -98,7 +98,7 @@ private slots:
     PredictionBox box(typesetter, asked);
     box.show();
     box.setAnswer(GivenAnswer{"negative", "negative"});
-    const QString reason = box.reason()->accessibleName();
+    const QString reason = box.reason()->plain();
     QVERIFY2(reason.startsWith("Right."), qPrintable(reason));
     QVERIFY2(!reason.contains("- The"), "its mark is no letter");
     QVERIFY2(!reason.startsWith("Right. The sign"), "the list begins in a line of its own");

@@ -17,6 +17,10 @@ QColor rightInk() { return toQColor(theme().inkOf(Subject::Triangle)); }
 
 FilledMarkdown filled(const char *markdown) { return withNames(readWords(markdown)); }
 
+Lazy<FilledMarkdown> later(const char *markdown) {
+  return Lazy<FilledMarkdown>([markdown] { return filled(markdown); });
+}
+
 QImage painted(Verdict verdict) {
   QImage image(40, 40, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -58,12 +62,12 @@ private slots:
 
   void row_ofATaskThatIsDone_paintsTheMarkAndSaysSo() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
     row.resize(300, 40);
-    QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
+    QCOMPARE(row.spokenName(), QString("To do: Make f(Q) = 0."));
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
     row.setState(TaskState::Done);
-    QCOMPARE(row.accessibleName(), QString("Done: Make f(Q) = 0."));
+    QCOMPARE(row.spokenName(), QString("Done: Make f(Q) = 0."));
     QVERIFY(pixelsOf(row.grab().toImage(), rightInk()) > 40);
     row.setState(TaskState::Open); // the scene was moved on
     QCOMPARE(pixelsOf(row.grab().toImage(), rightInk()), 0);
@@ -71,42 +75,42 @@ private slots:
 
   void row_ofATaskThatHoldsAlready_saysSoInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
     const int alone = row.heightForWidth(400);
     row.setState(TaskState::HoldsAlready);
     QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
-    QVERIFY(row.accessibleDescription().contains("already"));
-    QCOMPARE(row.accessibleName(), QString("To do: Make f(Q) = 0."));
+    QVERIFY(row.spokenDescription().contains("already"));
+    QCOMPARE(row.spokenName(), QString("To do: Make f(Q) = 0."));
     row.setState(TaskState::Done);
     QCOMPARE(row.heightForWidth(400), alone);
-    QCOMPARE(row.accessibleDescription(), QString());
+    QCOMPARE(row.spokenDescription(), QString());
   }
 
   void row_ofATaskThatIsDone_tellsTheAnswerInALineOfItsOwn() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$. Where is $Q$?"), {}, filled("In the plane."));
+    row.setWords(filled("Make $f(Q) = 0$. Where is $Q$?"), later(""), later("In the plane."));
     const int alone = row.heightForWidth(400);
-    QCOMPARE(row.accessibleDescription(), QString());
+    QCOMPARE(row.spokenDescription(), QString());
     row.setState(TaskState::Done);
     QVERIFY(row.heightForWidth(400) >= alone + row.fontMetrics().height());
-    QCOMPARE(row.accessibleDescription(), QString("In the plane."));
+    QCOMPARE(row.spokenDescription(), QString("In the plane."));
     row.setState(TaskState::Open);
     QCOMPARE(row.heightForWidth(400), alone);
   }
 
   void row_tellsHowFarTheLearnerIs_untilItIsDone() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make it 3."), filled("Now it is 2."), {});
-    QCOMPARE(row.accessibleDescription(), QString("Now it is 2."));
+    row.setWords(filled("Make it 3."), later("Now it is 2."), later(""));
+    QCOMPARE(row.spokenDescription(), QString("Now it is 2."));
     const int withNow = row.heightForWidth(400);
     row.setState(TaskState::Done);
-    QCOMPARE(row.accessibleDescription(), QString());
+    QCOMPARE(row.spokenDescription(), QString());
     QVERIFY(row.heightForWidth(400) < withNow);
   }
 
   void row_ofATaskThatWaits_isPalerAndSaysWhy() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Make $f(Q) = 0$."), {}, {});
+    row.setWords(filled("Make $f(Q) = 0$."), later(""), later(""));
     row.resize(300, 40);
     const QColor ink = toQColor(theme().ink);
     const int before = pixelsOf(row.grab().toImage(), ink);
@@ -121,7 +125,7 @@ private slots:
 
   void mark_besideAnyType_leavesTheWordsTheirRoom() {
     TaskRow row(m_typesetter);
-    row.setWords(filled("Drag Q."), {}, {});
+    row.setWords(filled("Drag Q."), later(""), later(""));
     for (const double textScale : {1.0, 2.0}) {
       Theme large = theme();
       large.textScale = textScale;
