@@ -8,6 +8,7 @@
 #include "lessons/reading/typed_number.h"
 #include "lessons/scene/evaluation.h"
 #include "tests/geometry/random_numbers.h"
+#include "tests/picture/shapes/mesh_of.h"
 #include "tests/scene/pictures.h"
 #include "widgets/picture/camera_views.h"
 #include "widgets/picture/design_scale.h"
@@ -16,7 +17,6 @@
 #include "widgets/picture/shapes/ground.h"
 #include "widgets/picture/shapes/mark_outline.h"
 #include "widgets/picture/shapes/mark_shapes.h"
-#include "widgets/picture/shapes/shape_mesh.h"
 #include "widgets/picture/shapes/translucent_faces.h"
 
 #include <gtest/gtest.h>

@@ -46,7 +46,7 @@ Place placeAt(vtkPolyData *data, vtkIdType point) {
 
 TEST(VtkMesh, OfTriangles_HasTheirCornersNormalsAndColours) {
   vtkNew<vtkPolyData> data;
-  write(squareMesh(), data);
+  MeshWriter(data).write(squareMesh());
   ASSERT_EQ(data->GetNumberOfPoints(), 4);
   ASSERT_EQ(data->GetNumberOfCells(), 2);
   EXPECT_EQ(placeAt(data, 3), Place(0, 1, 0.5));
@@ -72,10 +72,17 @@ TEST(VtkMesh, OfOneTriangleInThree_BeginsWithTheFirst) {
 
 TEST(VtkMesh, WrittenAgain_HoldsOnlyWhatIsNew) {
   vtkNew<vtkPolyData> data;
-  write(squareMesh(), data);
-  write(Mesh(), data);
+  MeshWriter writer(data);
+  writer.write(squareMesh());
+  writer.write(Mesh());
   EXPECT_EQ(data->GetNumberOfPoints(), 0);
   EXPECT_EQ(data->GetNumberOfCells(), 0);
+  const vtkMTimeType before = data->GetMTime();
+  writer.write(squareMesh());
+  EXPECT_EQ(data->GetNumberOfPoints(), 4);
+  EXPECT_EQ(data->GetNumberOfCells(), 2);
+  EXPECT_EQ(data->GetCell(1)->GetPointId(2), 3);
+  EXPECT_GT(data->GetMTime(), before) << "it is drawn anew";
 }
 
 TEST(VtkFaces, InTheirOrder_HaveTheirColoursAndOpacities) {

@@ -1,8 +1,6 @@
 #include "widgets/scene/scene_actors.h"
 
-#include "widgets/picture/shapes/shape_mesh.h"
 #include "widgets/scene/depthless_mapper.h"
-#include "widgets/scene/vtk_mesh.h"
 
 #include <vtkActor.h>
 #include <vtkCameraPass.h>
@@ -90,7 +88,10 @@ SceneActors::Shadow::Shadow(const MeshActor &drawn, vtkMatrix4x4 *ontoGround) {
 }
 
 SceneActors::SceneActors()
-    : m_solidShadow(m_solids, m_ontoGround), m_faceShadow(m_faces, m_ontoGround),
+    : m_solidShadow(m_solids, m_ontoGround),
+      m_faceShadow(m_faces, m_ontoGround), m_meshes{{{Layer::Solids, m_solids.data},
+                                                     {Layer::Axes, m_axes.data},
+                                                     {Layer::Tools, m_tools.data}}},
       m_bodies(std::make_unique<BodyActors>(*m_renderer, *m_ontoGround, *m_grid.actor)) {
   flattenOntoGround(m_ontoGround);
   for (const MeshActor *solid : {&m_solids, &m_axes, &m_tools})
@@ -119,11 +120,9 @@ void SceneActors::show(const ShapeList &list) {
   const auto isNew = [&](Layer layer) {
     return m_shown[static_cast<std::size_t>(layer)] != list.layer(layer);
   };
-  const std::pair<Layer, vtkPolyData *> meshes[] = {
-      {Layer::Solids, m_solids.data}, {Layer::Axes, m_axes.data}, {Layer::Tools, m_tools.data}};
-  for (const auto &[layer, data] : meshes)
-    if (isNew(layer))
-      write(meshOf(*list.layer(layer)), data);
+  for (LayerMesh &mesh : m_meshes)
+    if (isNew(mesh.layer))
+      mesh.writer.write(mesh.sequence.meshOf(list.layer(mesh.layer)));
   if (isNew(Layer::Ground))
     showGrid(*list.layer(Layer::Ground));
   if (isNew(Layer::Bodies))

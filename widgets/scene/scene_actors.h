@@ -1,7 +1,9 @@
 // The few VTK objects that draw shapes in space, and how they are lit.
 #pragma once
 
+#include "widgets/picture/shapes/shape_mesh.h"
 #include "widgets/scene/body_actors.h"
+#include "widgets/scene/vtk_mesh.h"
 
 #include <vtkNew.h>
 
@@ -52,6 +54,14 @@ private:
     Shadow(const MeshActor &drawn, vtkMatrix4x4 *ontoGround);
   };
 
+  /// The mesh of a layer in an actor, and how it gets there.
+  struct LayerMesh {
+    Layer layer;
+    MeshSequence sequence{};
+    MeshWriter writer;
+    LayerMesh(Layer of, vtkPolyData *data) : layer(of), writer(data) {}
+  };
+
   void showGrid(const std::vector<Shape> &lines);
   void showShadows(const std::optional<Shadows> &shadows);
 
@@ -64,6 +74,7 @@ private:
   MeshActor m_tools;
   Shadow m_solidShadow;
   Shadow m_faceShadow;
+  std::array<LayerMesh, 3> m_meshes;
   std::unique_ptr<BodyActors> m_bodies; ///< their shadows lie below the grid
   std::array<ShapeLayer, layerCount> m_shown;
 };

@@ -11,46 +11,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
 namespace halfspace {
 namespace {
 
-vtkNew<vtkFloatArray> floatArray(const std::vector<glm::vec3> &values) {
-  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-  vtkNew<vtkFloatArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+/// Makes an array of three numbers a tuple hold these values.
+template <class Array, class Value> void fill(Array &array, const std::vector<Value> &values) {
+  static_assert(std::is_trivially_copyable_v<Value> &&
+                sizeof(Value) == 3 * sizeof(typename Array::ValueType));
+  array.SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   if (!values.empty())
-    std::copy_n(&values.front().x, values.size() * 3, array->GetPointer(0));
-  return array;
+    std::memcpy(array.GetVoidPointer(0), values.data(), values.size() * sizeof(Value));
+  array.Modified();
 }
 
-vtkNew<vtkUnsignedCharArray> colorArray(const std::vector<Color> &colors) {
-  static_assert(sizeof(Color) == 3);
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
-  if (!colors.empty())
-    std::copy_n(&colors.front().red, colors.size() * 3, array->GetPointer(0));
-  return array;
-}
-
-/// Of one in `stride` of triangles that are three numbers of corners each.
+/// Makes them say one in `stride` of triangles that are three numbers of corners each.
 template <class Triangles>
-vtkNew<vtkCellArray> triangleArray(const Triangles &triangles, std::size_t stride = 1) {
+void fillTriangles(vtkTypeInt32Array &offsets, vtkTypeInt32Array &connectivity, const Triangles &triangles,
+                   std::size_t stride = 1) {
   static_assert(sizeof(triangles.front()) == 3 * sizeof(vtkTypeInt32));
   const std::size_t count = (triangles.size() + stride - 1) / stride;
-  vtkNew<vtkTypeInt32Array> offsets;
-  vtkTypeInt32 *offset = offsets->WritePointer(0, static_cast<vtkIdType>(count + 1));
+  offsets.SetNumberOfValues(static_cast<vtkIdType>(count + 1));
   for (std::size_t i = 0; i <= count; ++i)
-    offset[i] = static_cast<vtkTypeInt32>(3 * i);
-  vtkNew<vtkTypeInt32Array> connectivity;
-  vtkTypeInt32 *corner = connectivity->WritePointer(0, static_cast<vtkIdType>(3 * count));
+    offsets.SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
+  offsets.Modified();
+  connectivity.SetNumberOfValues(static_cast<vtkIdType>(3 * count));
+  vtkTypeInt32 *corner = connectivity.GetPointer(0);
   for (std::size_t i = 0; i < count; ++i)
     corner = std::copy_n(&triangles[i * stride][0], 3, corner);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  return cells;
+  connectivity.Modified();
 }
 
 /// Points with a colour and an opacity each, gathered one by one.
@@ -71,21 +62,43 @@ struct ColoredPoints {
 
 } // namespace
 
-void write(const Mesh &mesh, vtkPolyData *data) {
+MeshWriter::MeshWriter(vtkPolyData *data) : m_data(data) {
+  m_positions->SetNumberOfComponents(3);
+  m_normals->SetNumberOfComponents(3);
+  m_colors->SetNumberOfComponents(3);
   vtkNew<vtkPoints> points;
-  points->SetData(floatArray(mesh.positions));
-  data->SetPoints(points);
-  data->SetPolys(triangleArray(mesh.triangles));
-  data->GetPointData()->SetNormals(floatArray(mesh.normals));
-  data->GetPointData()->SetScalars(colorArray(mesh.colors));
+  points->SetData(m_positions);
+  m_data->SetPoints(points);
+  m_data->GetPointData()->SetNormals(m_normals);
+  m_data->GetPointData()->SetScalars(m_colors);
+}
+
+MeshWriter::~MeshWriter() = default;
+
+void MeshWriter::write(const Mesh &mesh) {
+  fill(*m_positions, mesh.positions);
+  fill(*m_normals, mesh.normals);
+  fill(*m_colors, mesh.colors);
+  fillTriangles(*m_offsets, *m_connectivity, mesh.triangles);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(m_offsets, m_connectivity);
+  m_data->SetPolys(cells);
+  m_data->GetPoints()->Modified();
 }
 
 void write(const TriangleMesh &mesh, std::size_t stride, vtkPolyData *data) {
-  const std::vector<glm::vec3> corners(mesh.corners.begin(), mesh.corners.end());
+  vtkNew<vtkFloatArray> corners;
+  corners->SetNumberOfComponents(3);
+  fill(*corners, std::vector<glm::vec3>(mesh.corners.begin(), mesh.corners.end()));
   vtkNew<vtkPoints> points;
-  points->SetData(floatArray(corners));
+  points->SetData(corners);
   data->SetPoints(points);
-  data->SetPolys(triangleArray(mesh.triangles, stride));
+  vtkNew<vtkTypeInt32Array> offsets;
+  vtkNew<vtkTypeInt32Array> connectivity;
+  fillTriangles(*offsets, *connectivity, mesh.triangles, stride);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  data->SetPolys(cells);
 }
 
 void writeFaces(const std::vector<Shape> &shapes, vtkPolyData *data) {

@@ -1,8 +1,8 @@
+#include "tests/picture/shapes/mesh_of.h"
 #include "widgets/picture/shapes/ground.h"
 
 #include "tests/picture/marks.h"
 #include "widgets/picture/labels/number_text.h"
-#include "widgets/picture/shapes/shape_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "widgets/picture/shapes/shape_mesh.h"
 
+#include "tests/picture/shapes/mesh_of.h"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -56,6 +58,24 @@ TEST(ShapeMesh, OfShapes_HasThemInTheirOrderAndColours) {
                             {"", blue, ArrowShape{{0, 0, 0}, {0, 0, 5}, 0.1}}});
   EXPECT_EQ(mesh.colors.front(), red);
   EXPECT_EQ(mesh.colors.back(), blue);
+}
+
+bool areSame(const Mesh &a, const Mesh &b) {
+  return a.positions == b.positions && a.normals == b.normals && a.colors == b.colors &&
+         a.triangles == b.triangles;
+}
+
+TEST(MeshSequence, OfListsThatFollowOneAnother_HasTheMeshOfEach) {
+  const Shape ball{"A", red, BallShape{{0, 0, 0}, 1}};
+  const Shape line{"B", red, LineShape{{{0, 0, 0}, {4, 0, 0}}, 0.1}};
+  const Shape longerLine{"B", red, LineShape{{{0, 0, 0}, {4, 0, 0}, {9, 9, 0}}, 0.1}};
+  const Shape arrow{"C", white, ArrowShape{{0, 0, 0}, {0, 0, 5}, 0.1}};
+  MeshSequence meshes;
+  const std::vector<std::vector<Shape>> lists{
+      {ball, line, arrow}, {ball, longerLine, arrow}, {longerLine, arrow}, {longerLine, arrow, ball}, {},
+      {line, ball}};
+  for (const std::vector<Shape> &list : lists)
+    EXPECT_TRUE(areSame(meshes.meshOf(std::make_shared<const std::vector<Shape>>(list)), meshOf(list)));
 }
 
 TEST(ShapeMesh, OfWhatIsNoSolid_IsEmpty) {

@@ -1,6 +1,5 @@
+#include "tests/picture/shapes/mesh_of.h"
 #include "widgets/picture/shapes/silhouette.h"
-
-#include "widgets/picture/shapes/shape_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

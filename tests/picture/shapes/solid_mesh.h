@@ -1,8 +1,8 @@
 // The solid parts of a figure as triangles.
 #pragma once
 
+#include "tests/picture/shapes/mesh_of.h"
 #include "widgets/picture/shapes/mark_shapes.h"
-#include "widgets/picture/shapes/shape_mesh.h"
 
 namespace halfspace {
 

@@ -1,8 +1,8 @@
 // What is drawn for the hand: as large on the screen however near the camera is, and where it belongs.
+#include "tests/picture/shapes/mesh_of.h"
 #include "widgets/picture/shapes/tool_shapes.h"
 
 #include "widgets/picture/shapes/gizmo_shape.h"
-#include "widgets/picture/shapes/shape_mesh.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -154,11 +154,11 @@ Frame turned(Frame frame, Place in, Place out) {
 
 } // namespace
 
-void makeRoom(Mesh &mesh, std::size_t corners) {
-  mesh.positions.reserve(corners);
-  mesh.normals.reserve(corners);
-  mesh.colors.reserve(corners);
-  mesh.triangles.reserve(2 * corners); // each corner belongs to six of them, each of them has three
+void clear(Mesh &mesh) {
+  mesh.positions.clear();
+  mesh.normals.clear();
+  mesh.colors.clear();
+  mesh.triangles.clear();
 }
 
 void addTube(Mesh &mesh, std::span<const Place> path, double radius, Color color) {

@@ -21,8 +21,8 @@ struct Mesh {
   std::vector<glm::ivec3> triangles;
 };
 
-/// Makes room for so many corners at once, and for the triangles between them.
-void makeRoom(Mesh &mesh, std::size_t corners);
+/// Leaves it empty, with the room that it had.
+void clear(Mesh &mesh);
 
 /// A tube around a path with mitred corners and flat ends. Repeated points of the path are left out; a path
 /// without length gives nothing.

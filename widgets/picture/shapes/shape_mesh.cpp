@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
-
-/// About what a shape has: more in a ball or a dashed line, fewer in a tube.
-constexpr std::size_t usualCorners = 400;
 
 void addPieces(Mesh &mesh, const LineShape &line, Color color) {
   for (std::size_t i = 1; i < line.path.size(); ++i)
@@ -74,14 +72,47 @@ void add(Mesh &, const HairlineShape &, Color) {}
 void add(Mesh &, const LeaderShape &, Color) {}
 void add(Mesh &, const LabelShape &, Color) {}
 
+void add(Mesh &mesh, const Shape &shape) {
+  std::visit([&](const auto &form) { add(mesh, form, shape.color); }, shape.form);
+}
+
+/// Appends values of [begin, end).
+template <class Value>
+void append(std::vector<Value> &to, const std::vector<Value> &from, std::size_t begin, std::size_t end) {
+  to.insert(to.end(), from.data() + begin, from.data() + end);
+}
+
 } // namespace
 
-Mesh meshOf(const std::vector<Shape> &shapes) {
-  Mesh mesh;
-  makeRoom(mesh, shapes.size() * usualCorners);
-  for (const Shape &shape : shapes)
-    std::visit([&](const auto &form) { add(mesh, form, shape.color); }, shape.form);
-  return mesh;
+const Mesh &MeshSequence::meshOf(const ShapeLayer &shapes) {
+  std::swap(m_now, m_before);
+  m_now.shapes = shapes;
+  m_now.begins.clear();
+  clear(m_now.mesh);
+  for (std::size_t i = 0; i < shapes->size(); ++i) {
+    m_now.begins.push_back({m_now.mesh.positions.size(), m_now.mesh.triangles.size()});
+    if (i < m_before.shapes->size() && (*m_before.shapes)[i] == (*shapes)[i])
+      appendBefore(i);
+    else
+      add(m_now.mesh, (*shapes)[i]);
+  }
+  m_now.begins.push_back({m_now.mesh.positions.size(), m_now.mesh.triangles.size()});
+  return m_now.mesh;
+}
+
+void MeshSequence::appendBefore(std::size_t shape) {
+  const Begin begin = m_before.begins[shape];
+  const Begin end = m_before.begins[shape + 1];
+  Mesh &mesh = m_now.mesh;
+  const auto shift =
+      static_cast<std::int32_t>(mesh.positions.size()) - static_cast<std::int32_t>(begin.corner);
+  append(mesh.positions, m_before.mesh.positions, begin.corner, end.corner);
+  append(mesh.normals, m_before.mesh.normals, begin.corner, end.corner);
+  append(mesh.colors, m_before.mesh.colors, begin.corner, end.corner);
+  append(mesh.triangles, m_before.mesh.triangles, begin.triangle, end.triangle);
+  for (std::size_t i = mesh.triangles.size() - (end.triangle - begin.triangle); i < mesh.triangles.size();
+       ++i)
+    mesh.triangles[i] += shift;
 }
 
 } // namespace halfspace
