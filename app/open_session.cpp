@@ -17,14 +17,13 @@ Problem unknownLesson(const LessonLibrary &library, const std::string &name) {
           "", 0, ""};
 }
 
-/// Puts a lesson of a file into the library, in the place of one with its id; the id.
+/// Puts a lesson of a file into the library; the id.
 Result<std::string> addLessonFile(LessonLibrary &library, const std::string &file) {
   auto lesson = readLesson(file);
   if (!lesson)
     return lesson.problem();
   std::string id = lesson->id;
-  std::erase_if(library.lessons, [&](const Lesson &each) { return each.id == id; });
-  library.lessons.push_back(std::move(*lesson));
+  library.put(std::move(*lesson));
   return id;
 }
 

@@ -60,15 +60,6 @@ void SessionModel::setLibrary(LessonLibrary library) {
   show(std::move(renewed));
 }
 
-void SessionModel::renewLesson(Lesson lesson) {
-  LessonLibrary library = m_library;
-  const auto same = std::find_if(library.lessons.begin(), library.lessons.end(),
-                                 [&](const Lesson &each) { return each.id == lesson.id; });
-  if (same != library.lessons.end())
-    *same = std::move(lesson);
-  setLibrary(std::move(library));
-}
-
 void SessionModel::openLesson(const std::string &id) {
   const Lesson *lesson = m_library.find(id);
   if (!lesson || id == session().lesson)

@@ -55,8 +55,6 @@ public:
   /// Other lessons, or newer ones. The lesson that is open stays, as it was where it is not among them; its
   /// step and its scene stay as far as they fit the new one.
   void setLibrary(LessonLibrary library);
-  /// Puts a newer lesson in the place of the one with its id, likewise.
-  void renewLesson(Lesson lesson);
   /// Opens another lesson where it was left, or from its start; the one that is open stays as it is. The
   /// history begins anew, and not clean: what was changed is still not saved.
   void openLesson(const std::string &id);

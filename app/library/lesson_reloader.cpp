@@ -22,9 +22,10 @@ void LessonReloader::reload() {
     return m_messages.say(QString::fromStdString(lesson.problem().text()));
   if (lesson->id != m_model.lesson().id)
     return m_messages.say(tr("The lesson has another id now: it is read at the next start."));
-  lesson->chapter = m_model.lesson().chapter;
   const std::vector<Problem> problems = problemsIn(*lesson);
-  m_model.renewLesson(std::move(*lesson));
+  LessonLibrary library = m_model.library();
+  library.put(std::move(*lesson));
+  m_model.setLibrary(std::move(library));
   m_messages.say(problems.empty() ? tr("The lesson's file has changed: it is read anew.")
                                   : QString::fromStdString(problems.front().text()));
 }

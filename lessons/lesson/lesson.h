@@ -237,6 +237,9 @@ struct LessonLibrary {
   std::vector<Problem> problems;
 
   [[nodiscard]] const Lesson *find(std::string_view id) const;
+  /// Puts a lesson into the place of the one with its id, in whose chapter it stands then, or behind all
+  /// others.
+  void put(Lesson lesson);
 };
 [[nodiscard]] LessonLibrary readLessons(const std::filesystem::path &folder);
 

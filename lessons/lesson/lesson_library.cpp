@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace halfspace {
 
@@ -12,6 +13,16 @@ const Lesson *LessonLibrary::find(std::string_view id) const {
     if (lesson.id == id)
       return &lesson;
   return nullptr;
+}
+
+void LessonLibrary::put(Lesson lesson) {
+  for (Lesson &each : lessons)
+    if (each.id == lesson.id) {
+      lesson.chapter = each.chapter;
+      each = std::move(lesson);
+      return;
+    }
+  lessons.push_back(std::move(lesson));
 }
 
 namespace {

@@ -17,6 +17,11 @@ LessonLibrary library() { return readLessons(TEST_LESSONS_FOLDER); }
 
 constexpr int editsPerSeed = 300;
 
+LessonLibrary with(LessonLibrary library, const Lesson &newer) {
+  library.put(newer);
+  return library;
+}
+
 } // namespace
 
 class SessionModelTest : public QObject {
@@ -63,7 +68,7 @@ private slots:
     newer.steps[2].title = "Other words";
     setObject(newer.scene, "Q", PointObject{{9, 9, 9}});
     QSignalSpy shown(&model, &SessionModel::lessonChanged);
-    model.renewLesson(newer);
+    model.setLibrary(with(model.library(), newer));
     QCOMPARE(shown.count(), 1);
     QVERIFY(model.session() == before);
     QCOMPARE(model.step().title, std::string("Other words"));
@@ -80,12 +85,12 @@ private slots:
     Lesson newer = model.lesson();
     setObject(newer.scene, "Q", PointObject{{9, 9, 9}});
     newer.steps.resize(2);
-    model.renewLesson(newer);
+    model.setLibrary(with(model.library(), newer));
     QVERIFY(model.session().scene == newer.scene);
     QCOMPARE(model.session().step, 1);
     model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
     newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
-    model.renewLesson(newer);
+    model.setLibrary(with(model.library(), newer));
     QVERIFY(model.session().scene == newer.scene);
     QVERIFY(!model.history().undoText());
   }
@@ -96,7 +101,7 @@ private slots:
     Lesson newer = model.lesson();
     const std::string title = "A title that is too long to stand within its string";
     newer.title = title;
-    model.renewLesson(newer);
+    model.setLibrary(with(model.library(), newer));
     model.history().edit(ChangeObject{"Q", PointObject{{1, 2, 3}}}, "edit");
     model.history().setClean();
     model.history().undo();
@@ -107,7 +112,7 @@ private slots:
     });
     newer.title = "Another title that is too long to stand within its string";
     newer.scene.entries.push_back({"S", PointObject{{0, 0, 0}}});
-    model.renewLesson(newer);
+    model.setLibrary(with(model.library(), newer));
     QCOMPARE(looks, 1);
     QCOMPARE(model.lesson().title, newer.title);
   }
