@@ -36,17 +36,10 @@ Result<LabelPicture> drawFlatly(const RenderCommand &command, const OpenedSessio
   if (!frame)
     return Problem{words("Here is no flat picture: the lesson has none, or not of this scene."), "", 0,
                    "--flat"};
-  View view{{}, command.size, command.size.height / designHeight};
+  View view{{}, command.size, ownPixelRatio(command.size)};
   view.camera = flatCamera(laidFlat(whole, *frame), view);
   content.figure = clippedTo(view, laidFlat(content.figure, *frame));
   return drawFlat(content, *findTheme(command.theme), view, command.transparent, typesetter);
-}
-
-/// Where somebody had put the camera when the session was saved.
-Camera cameraOf(const ChosenView &chosen) {
-  Camera camera(chosen.view);
-  camera.orthographic = chosen.orthographic;
-  return camera;
 }
 
 /// How a scene is put into all of its pictures: those of a flight are seen from one place, and their labels
@@ -61,11 +54,11 @@ Setting settingOf(const RenderCommand &command, const OpenedSession &opened, con
   const Scene &scene = opened.session.scene;
   const Stage stage = stageOf(scene, boundObjectsOf(scene, evaluation));
   const CameraView view = opened.lesson ? opened.lesson->camera : CameraView{};
-  if (opened.session.view)
+  if (opened.session.view) // where somebody had put the camera when the session was saved
     return {stage, cameraOf(*opened.session.view), {}};
   return {stage,
           homeView(view, toStage(figureOf(evaluation), stage), stage.hasAxes(), command.size,
-                   command.size.height / designHeight),
+                   ownPixelRatio(command.size)),
           {}};
 }
 

@@ -145,8 +145,7 @@ Prepared prepared(const Scene &scene) {
   Prepared made;
   made.content.stage = stageOf(scene);
   made.content.figure = toStage(figureOf(evaluate(scene)), made.content.stage);
-  made.camera =
-      homeView({}, made.content.figure, made.content.stage.hasAxes(), size, size.height / designHeight);
+  made.camera = homeView({}, made.content.figure, made.content.stage.hasAxes(), size, ownPixelRatio(size));
   return made;
 }
 
@@ -178,7 +177,7 @@ std::size_t mostFacesOf(const Figure &figure) {
 void expectAllIsBounded(const Prepared &made) {
   const Figure &figure = made.content.figure;
   const Theme &theme = themes().front();
-  const View view{made.camera, size, size.height / designHeight};
+  const View view{made.camera, size, ownPixelRatio(size)};
   const double scale = designScale(view.camera, size, view.pixelRatio);
   EXPECT_FALSE(figure.marks.empty());
   for (const Mark &mark : figure.marks)

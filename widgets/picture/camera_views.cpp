@@ -116,6 +116,16 @@ std::vector<Place> placesNearGiven(const Figure &figure, bool axes) {
   return places;
 }
 
+Camera cameraOf(const ChosenView &chosen) {
+  Camera camera(chosen.view);
+  camera.orthographic = chosen.orthographic;
+  return camera;
+}
+
+ChosenView chosenViewOf(const Camera &camera) {
+  return {{-camera.viewDirection(), camera.target, camera.height}, camera.orthographic};
+}
+
 Camera fitted(const View &view, const std::vector<Place> &places) {
   const int side = std::min(view.size.width, view.size.height);
   const double margin = std::min(labelMargin * view.pixelRatio, largestMargin * side);

@@ -10,6 +10,10 @@ namespace halfspace {
 
 // Figures, scenes and cameras are those of a stage.
 
+/// A chosen view as a camera, and back.
+[[nodiscard]] Camera cameraOf(const ChosenView &chosen);
+[[nodiscard]] ChosenView chosenViewOf(const Camera &camera);
+
 /// The camera of a view, turned as it is, that shows all places as large as they fit beside what covers the
 /// view, with room for labels around them; the same camera for no places.
 [[nodiscard]] Camera fitted(const View &view, const std::vector<Place> &places);

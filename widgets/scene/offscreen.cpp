@@ -109,7 +109,7 @@ public:
 
 private:
   const ShapeList &compose(const PictureRequest &request) {
-    const double usualRatio = request.size.height / designHeight;
+    const double usualRatio = ownPixelRatio(request.size);
     m_composer.forgetLabels();
     m_composer.setTheme(request.theme);
     m_composer.setBackgroundVisible(!request.transparent);

@@ -86,7 +86,7 @@ void Viewpoint::moveTo(const Camera &camera) {
 
 void Viewpoint::keep(const Camera &camera) {
   m_hasTypedAway = false;
-  m_model.setView(ChosenView{{-camera.viewDirection(), camera.target, camera.height}, camera.orthographic});
+  m_model.setView(chosenViewOf(camera));
 }
 
 void Viewpoint::showAll() {
@@ -124,8 +124,7 @@ void Viewpoint::takeLesson() {
   if (chosen) {
     stop();
     m_isAtHome = false;
-    m_camera = Camera(chosen->view);
-    m_camera.orthographic = chosen->orthographic;
+    m_camera = cameraOf(*chosen);
     emit changed();
   } else {
     show(NamedView::Home);
