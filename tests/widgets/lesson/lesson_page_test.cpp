@@ -65,7 +65,7 @@ public:
 
   /// Words with a value in place of each live one.
   void fill(const LiveValue &value = {}) {
-    page.showWords([&](const std::string &) { return value; });
+    page.showWords([value](const std::string &) { return value; });
     QCoreApplication::processEvents(); // new blocks are shown by their layout
   }
   void setWorking(const Working &working, const std::vector<std::size_t> &linesIn) {
@@ -175,6 +175,26 @@ private slots:
     QVERIFY(!shown.words("More words"));
   }
 
+  void wordsThatNobodySees_askForNoValues() {
+    ShownPage shown(lessonOf({{"All", {StepWords{"Here {a}."}, StepNote{"For readers", {"Folded {b}."}}}}}));
+    QStringList asked;
+    const auto value = [&asked](const std::string &name) {
+      asked << QString::fromStdString(name);
+      return LiveValue(name);
+    };
+    shown.page.showWords(value);
+    QCOMPARE(asked, QStringList("a"));
+    shown.shown<NoteFold>().first()->findChild<QToolButton *>()->click();
+    QVERIFY(shown.words("Folded b."));
+    StepBlocks *all = shown.shown<StepBlocks>().first();
+    all->hide();
+    asked.clear();
+    shown.page.showWords(value);
+    QCOMPARE(asked, QStringList());
+    all->show();
+    QCOMPARE(asked, (QStringList{"a", "b"}));
+  }
+
   void picturesOfAStep_shareTheRoomOfItsPage_inHoweverManyPieces() {
     const QTemporaryDir folder;
     QImage(4096, 4096, QImage::Format_Mono).save(folder.filePath("large.png"));
@@ -183,10 +203,8 @@ private slots:
         lessonOf({{"One", {four, StepNote{"A note", four}, StepLines(), four, four}}, {"Two", {four}}});
     lesson.file = folder.filePath("lesson.md").toStdString();
     ShownPage shown(lesson);
-    shown.shown<NoteFold>()
-        .first()
-        ->findChild<QToolButton *>()
-        ->click(); // nothing is set in type while it is folded
+    auto *note = shown.shown<NoteFold>().first();
+    note->findChild<QToolButton *>()->click(); // nothing is set in type while it is folded
     const auto told = [&] {
       QStringList names;
       for (const auto *label : shown.page.findChildren<RichLabel *>())
