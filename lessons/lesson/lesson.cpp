@@ -10,6 +10,7 @@
 #include "lessons/words.h"
 
 #include <algorithm>
+#include <array>
 
 namespace halfspace {
 namespace {
@@ -92,12 +93,24 @@ Result<StepNote> readNote(const TextBlock &block, const std::string &file) {
   return note;
 }
 
-/// Puts what a block of a step holds in its place; or why it cannot be read.
-template <class T> std::optional<Problem> addBlock(Result<T> read, LessonStep &step) {
-  if (!read)
-    return read.problem();
-  step.blocks.emplace_back(std::move(*read));
+/// Puts what a block holds into its step; or why it cannot be read.
+using BlockReader = std::optional<Problem> (*)(const TextBlock &, const std::string &file, LessonStep &);
+
+/// Of what stands on the page, by what reads it.
+template <auto read>
+std::optional<Problem> addBlock(const TextBlock &block, const std::string &file, LessonStep &step) {
+  auto made = read(block, file);
+  if (!made)
+    return made.problem();
+  step.blocks.emplace_back(std::move(*made));
   return {};
+}
+
+std::optional<Problem> addQuestion(const TextBlock &block, const std::string &file, LessonStep &step) {
+  if (predictionOf(step))
+    return Problem{words("A step asks one question. Move the second into a step of its own."), file,
+                   block.firstLine - 1, "predict"};
+  return addBlock<readPrediction>(block, file, step);
 }
 
 std::optional<Problem> readBlank(const TextBlock &block, const std::string &file, LessonStep &step) {
@@ -108,30 +121,27 @@ std::optional<Problem> readBlank(const TextBlock &block, const std::string &file
   return {};
 }
 
+/// A sort of blocks that are no code, by the word behind their fence.
+struct Instruction {
+  std::string_view word;
+  BlockReader read;
+};
+
+constexpr std::array instructions{Instruction{"lines", &addBlock<readLines>},
+                                  Instruction{"note", &addBlock<readNote>},
+                                  Instruction{"task", &addBlock<readTask>},
+                                  Instruction{"predict", &addQuestion},
+                                  Instruction{"flight", &addBlock<readFlight>},
+                                  Instruction{"fragments", &addBlock<readFragments>},
+                                  Instruction{"cost", &addBlock<readCost>},
+                                  Instruction{"blank", &readBlank},
+                                  Instruction{"draw", &readMarkIds}};
+
 /// Puts a fenced block where it belongs in the step.
 std::optional<Problem> addFence(const Fence &fence, LessonStep &step, const std::string &file) {
-  if (fence.word == "lines")
-    return addBlock(readLines(fence.content, file), step);
-  if (fence.word == "note")
-    return addBlock(readNote(fence.content, file), step);
-  if (fence.word == "task")
-    return addBlock(readTask(fence.content, file), step);
-  if (fence.word == "predict") {
-    if (predictionOf(step))
-      return Problem{words("A step asks one question. Move the second into a step of its own."), file,
-                     fence.content.firstLine - 1, "predict"};
-    return addBlock(readPrediction(fence.content, file), step);
-  }
-  if (fence.word == "flight")
-    return addBlock(readFlight(fence.content, file), step);
-  if (fence.word == "fragments")
-    return addBlock(readFragments(fence.content, file), step);
-  if (fence.word == "cost")
-    return addBlock(readCost(fence.content, file), step);
-  if (fence.word == "blank")
-    return readBlank(fence.content, file, step);
-  if (fence.word == "draw")
-    return readMarkIds(fence.content, file, step);
+  for (const Instruction &instruction : instructions)
+    if (instruction.word == fence.word)
+      return instruction.read(fence.content, file, step);
   addLines(wordsAtEnd(step), {fence.whole, fence.content.firstLine - 1}); // code
   return {};
 }
@@ -225,8 +235,12 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
 } // namespace
 
 const std::vector<std::string> &instructionBlocks() {
-  static const std::vector<std::string> names{"lines",     "note", "task",  "predict", "flight",
-                                              "fragments", "cost", "blank", "draw"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Instruction &instruction : instructions)
+      all.emplace_back(instruction.word);
+    return all;
+  }();
   return names;
 }
 
