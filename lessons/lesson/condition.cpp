@@ -185,10 +185,9 @@ Result<std::vector<Condition>> parseConditions(std::string_view text) {
 }
 
 std::optional<Value> findValue(const Evaluation &evaluation, std::string_view name) {
-  const auto dot = name.find('.');
-  if (const EvaluatedEntry *entry = evaluation.find(name.substr(0, dot));
-      entry && dot != std::string_view::npos)
-    return findOf(*entry, name.substr(dot + 1));
+  const QualifiedName ofEntry = qualified(name);
+  if (const EvaluatedEntry *entry = evaluation.find(ofEntry.entry))
+    return findOf(*entry, ofEntry.own);
   if (name == caseName) {
     const EvaluatedEntry *last = evaluation.lastConstruction();
     return last ? findOf(*last, name) : std::nullopt;

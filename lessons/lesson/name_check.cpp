@@ -213,24 +213,19 @@ private:
     return words("“{name}” is no construction of the scene that looks at many triangles.", {{"name", name}});
   }
 
-  /// The entry that a name begins with, or null; `rest` is then what follows.
-  [[nodiscard]] const EntryNames *ownerIn(const std::string &name, std::string &rest) const {
-    const auto dot = name.find('.');
-    const auto owner = std::find_if(m_entries.begin(), m_entries.end(),
-                                    [&](const EntryNames &each) { return each.name == name.substr(0, dot); });
-    if (dot == std::string::npos || owner == m_entries.end())
-      return nullptr;
-    rest = name.substr(dot + 1);
-    return &*owner;
+  /// The entry of this name, or null.
+  [[nodiscard]] const EntryNames *findEntry(std::string_view name) const {
+    const auto found = std::ranges::find(m_entries, name, &EntryNames::name);
+    return found == m_entries.end() ? nullptr : &*found;
   }
 
   [[nodiscard]] std::string whyNoLine(const std::string &name) const {
-    const auto hasIt = [](const EntryNames &entry, const std::string &id) {
+    const auto hasIt = [](const EntryNames &entry, std::string_view id) {
       return std::find(entry.lines.begin(), entry.lines.end(), id) != entry.lines.end();
     };
-    std::string rest;
-    if (const EntryNames *owner = ownerIn(name, rest);
-        owner && ((rest == "*" && !owner->lines.empty()) || hasIt(*owner, rest)))
+    const auto [owner, id] = qualified(name);
+    if (const EntryNames *entry = findEntry(owner);
+        entry && ((id == "*" && !entry->lines.empty()) || hasIt(*entry, id)))
       return {};
     Names bearers;
     Names known;
@@ -253,7 +248,7 @@ private:
       for (const std::string &mark : entry.marks) {
         if (mark == name)
           return {};
-        const std::string own = mark.substr(mark.find('.') + 1);
+        const std::string own(qualified(mark).own);
         if (own == name)
           bearers.push_back(entry.name);
         known.push_back(own);
@@ -270,7 +265,7 @@ private:
     if (!bearers.empty())
       return {};
     // Perhaps it is another entry's: d.F where only distance has an F.
-    const std::string own = name.substr(name.rfind('.') + 1);
+    const std::string own(qualified(name).own);
     const bool isAnothers = nearestOf(name, known).empty() && std::ranges::find(known, own) != known.end();
     return withGuess(sentence, isAnothers ? own : name, known);
   }
@@ -282,9 +277,9 @@ private:
   };
 
   [[nodiscard]] Meant valueOf(const std::string &name) const {
-    std::string rest;
-    if (const EntryNames *owner = ownerIn(name, rest))
-      if (auto value = findIn(owner->values, rest))
+    const auto [owner, path] = qualified(name);
+    if (const EntryNames *entry = findEntry(owner))
+      if (auto value = findIn(entry->values, path))
         return {std::move(value)};
     Names bearers;
     Names known;

@@ -120,9 +120,6 @@ Marks marksNamedIn(const Working &working) {
   return named;
 }
 
-/// The id that a mark has within its entry: F of `distance.F`.
-std::string_view ownId(std::string_view mark) { return mark.substr(mark.find('.') + 1); }
-
 /// The marks that a step draws by name: `distance.F`, or F where only one entry has it.
 Marks marksDrawn(const Names &drawn, const Figure &figure) {
   std::unordered_map<std::string_view, std::set<std::string_view>> bearers;
@@ -133,7 +130,7 @@ Marks marksDrawn(const Names &drawn, const Figure &figure) {
     const std::string_view mark = leadingId(baseOf(figure.marks[place]));
     if (bearers.contains(mark))
       found.emplace(mark);
-    else if (const auto known = bearers.find(ownId(mark)); known != bearers.end())
+    else if (const auto known = bearers.find(qualified(mark).own); known != bearers.end())
       known->second.insert(mark);
   }
   for (const auto &[name, marks] : bearers)

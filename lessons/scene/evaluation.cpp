@@ -122,11 +122,11 @@ private:
 
   /// The object above that goes by an id, or null.
   [[nodiscard]] const OfferedObject *findOffered(const std::string &id) const {
-    const std::string owner = ownerOf(id);
-    const EvaluatedEntry *entry = m_found.entries.find(owner);
+    const EvaluatedEntry *entry = m_found.entries.find(ownerOf(id));
     if (!entry)
       return nullptr;
-    const std::string_view name = std::string_view(id).substr(std::min(owner.size() + 1, id.size()));
+    const QualifiedName qualifiedId = qualified(id);
+    const std::string_view name = qualifiedId.entry.empty() ? std::string_view() : qualifiedId.own;
     const auto found = std::find_if(entry->offers.begin(), entry->offers.end(),
                                     [&](const OfferedObject &each) { return each.name == name; });
     return found == entry->offers.end() ? nullptr : &*found;
@@ -284,10 +284,7 @@ WorkingLine lineOf(const EvaluatedEntry &entry, const std::string &id) {
   return line;
 }
 
-std::string entryOf(const std::string &lineId) {
-  const auto dot = lineId.find('.');
-  return dot == std::string::npos ? std::string() : lineId.substr(0, dot);
-}
+std::string entryOf(const std::string &lineId) { return std::string(qualified(lineId).entry); }
 
 Working workingOf(const Evaluation &evaluation) {
   Working working;

@@ -106,7 +106,7 @@ std::string shortName(const Scene &scene, const CoordinateId &id) {
 }
 
 std::optional<CoordinateId> findCoordinate(const Scene &scene, std::string_view name) {
-  for (const CoordinateId &id : coordinatesOf(scene, name.substr(0, name.find('.'))))
+  for (const CoordinateId &id : coordinatesOf(scene, ownerOf(name)))
     if (fullName(scene, id) == name)
       return id;
   return onlyOneCalled(scene, name);

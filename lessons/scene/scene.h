@@ -3,6 +3,7 @@
 
 #include "lessons/figure/look.h"
 #include "lessons/object/object.h"
+#include "lessons/scene/qualified_name.h"
 #include "lessons/shared_list.h"
 
 #include <map>
@@ -57,8 +58,9 @@ struct Scene {
 };
 
 /// The name of the entry that has an object: `distance` for the id `distance.F`, `Q` for `Q`.
-[[nodiscard]] inline std::string ownerOf(const std::string &objectId) {
-  return objectId.substr(0, objectId.find('.'));
+[[nodiscard]] inline std::string ownerOf(std::string_view objectId) {
+  const std::string_view entry = qualified(objectId).entry;
+  return std::string(entry.empty() ? objectId : entry);
 }
 
 /// The ids of the objects that an entry looks at: those of its construction's roles, what it lies on.

@@ -1,5 +1,6 @@
 #include "widgets/picture/shapes/tool_shapes.h"
 
+#include "lessons/scene/scene.h"
 #include "widgets/picture/shapes/gizmo_shape.h"
 #include "widgets/picture/shapes/mesh.h"
 
@@ -101,7 +102,7 @@ void addGizmo(std::vector<Shape> &shapes, const Gizmo &gizmo, const Theme &theme
 
 /// The hue that the whole object has, where it has one of its own.
 Hue knobHue(const Knob &knob, const Figure &figure) {
-  const Mark *whole = findMark(figure, knob.id.substr(0, knob.id.find('.')));
+  const Mark *whole = findMark(figure, ownerOf(knob.id));
   const Hue usual = hueOf(knob.subject);
   return whole ? baseOf(*whole).look.hue.value_or(usual) : usual;
 }
