@@ -159,6 +159,15 @@ TEST(Words, WithAFormulaInside_GoBackToWords) {
   EXPECT_EQ(read("\\text ab"), "error 1: The words are missing: put them into `{}`.");
 }
 
+TEST(Words, WithAnAlphabetSwitchedToInside_HaveItUpToTheEndOfTheGroup) {
+  EXPECT_EQ(read("\\text{a\\bf b}C"), "{\"a\" \"b\"} C") << "not behind it";
+  EXPECT_EQ(read("\\text{a{\\bf\\beta}\\beta}"), "{\"a\" 𝛃 𝛽}");
+  std::vector<Alphabet> alphabets;
+  for (const Node &node : only<Group>("\\text{a\\bf b{\\it c}d}").row)
+    alphabets.push_back(std::get<Words>(node.content).alphabet);
+  EXPECT_EQ(alphabets, (std::vector{Alphabet::Upright, Alphabet::Bold, Alphabet::Italic, Alphabet::Bold}));
+}
+
 TEST(Environments, OfEachKind_HaveTheirFencesAndColumns) {
   EXPECT_EQ(read("\\begin{rcases}a\\end{rcases}"), "fenced(.|table[a]|}):Inner");
   EXPECT_EQ(read("\\begin{bsmallmatrix}a\\end{bsmallmatrix}"), "fenced([|table[a]|]):Inner");

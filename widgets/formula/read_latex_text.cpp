@@ -33,10 +33,12 @@ public:
   [[nodiscard]] Row read(std::size_t column);
 
 private:
-  /// Behind a `{` at `column`, up to its `}`.
+  /// Behind a `{` at `column`, up to its `}`. An alphabet that is switched to inside ends with it.
   void readGroup(std::size_t column);
   void readCommand();
   void readFormula(std::size_t column);
+  /// The alphabet of the words that follow.
+  void switchTo(Alphabet alphabet);
   /// The words so far become a part of the row.
   void flush();
 
@@ -63,6 +65,8 @@ void TextReader::flush() {
 
 void TextReader::readGroup(std::size_t column) {
   const Nesting nesting = m_reader.nested();
+  const Within ofSymbols(m_reader.surroundings().alphabet, m_reader.surroundings().alphabet);
+  const Alphabet outside = m_alphabet;
   TokenStream &tokens = m_reader.tokens();
   while (!tokens.peek().is('}')) {
     const Token &next = tokens.peek();
@@ -83,6 +87,13 @@ void TextReader::readGroup(std::size_t column) {
     }
   }
   tokens.take();
+  switchTo(outside);
+}
+
+void TextReader::switchTo(Alphabet alphabet) {
+  if (alphabet != m_alphabet)
+    flush();
+  m_alphabet = alphabet;
 }
 
 void TextReader::readFormula(std::size_t column) {
@@ -102,6 +113,8 @@ void TextReader::readCommand() {
   }
   flush();
   m_reader.readCommand(m_row, token);
+  if (const Command *command = commandNamed(token.name); command && command->read == &readAlphabetSwitch)
+    switchTo(command->alphabet);
 }
 
 } // namespace
