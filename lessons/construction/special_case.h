@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/surd.h"
+#include "lessons/construction/condition.h"
 #include "lessons/object/object.h"
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace halfspace {
 /// A special case of a construction that one change of one object leads to: parallel, through a corner, on
 /// the plane.
 struct SpecialCase {
-  std::string when;     ///< what holds there, as tasks say it: `case = parallel`, `t = 0`
+  Conditions when;      ///< what holds there, by the construction's own names
   std::string sentence; ///< what it is, in plain words: "the ray runs parallel to the plane"
   std::string role;     ///< of the object that changes
   /// What it would be: the nearest of its kind for which that holds. Nothing where that has roots, as no

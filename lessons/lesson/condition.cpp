@@ -57,9 +57,9 @@ Result<Condition> parseComparison(std::string_view text) {
   return notAComparison(text);
 }
 
-Result<std::vector<Condition>> parseComparisons(std::string_view text) {
+Result<Conditions> parseComparisons(std::string_view text) {
   constexpr std::string_view joint = " and ";
-  std::vector<Condition> conditions;
+  Conditions conditions;
   while (true) {
     const auto end = text.find(joint);
     auto condition = parseComparison(trimmed(text.substr(0, end)));
@@ -173,7 +173,7 @@ std::optional<std::size_t> componentIndex(std::string_view name) {
   return isIndex ? std::optional<std::size_t>(std::stoul(std::string(name))) : std::nullopt;
 }
 
-Result<std::vector<Condition>> parseConditions(std::string_view text) {
+Result<Conditions> parseConditions(std::string_view text) {
   auto conditions = parseComparisons(text);
   if (conditions)
     return conditions;

@@ -6,7 +6,7 @@
 namespace halfspace {
 
 /// Reads `side = negative and t < 0`. Relations: = != < <= > >=. A problem has only its sentence.
-[[nodiscard]] Result<std::vector<Condition>> parseConditions(std::string_view text);
+[[nodiscard]] Result<Conditions> parseConditions(std::string_view text);
 
 /// The value that goes by a name: `distance.f` of the entry `distance`, or `f` where only one construction
 /// has an f among its values; `perp.uu` inside a group, `foot.z` of a vector. `case` is the last

@@ -51,6 +51,7 @@
 //   ```
 #pragma once
 
+#include "lessons/construction/condition.h"
 #include "lessons/lesson/macros.h"
 #include "lessons/lesson/practice.h"
 #include "lessons/result.h"
@@ -62,20 +63,12 @@
 
 namespace halfspace {
 
-/// One comparison of a named value with a number or a word; `when:` lines join them with `and`.
-struct Condition {
-  enum class Relation { Equal, NotEqual, Less, LessOrEqual, Greater, GreaterOrEqual };
-  std::string value; ///< the name of a value, see findValue
-  Relation relation = Relation::Equal;
-  std::string against; ///< a word, or a number as parseRational reads it
-};
-
 /// Something to bring about in the scene; it is done once all conditions hold.
 struct Task {
   std::string instruction;
-  std::vector<Condition> conditions;
-  std::string now{};    ///< how far the learner is, told until the task is done; may be empty
-  std::string answer{}; ///< to what the instruction asks, told once it is done; empty where it asks nothing
+  Conditions conditions; ///< of values as findValue finds them; `when:` lines join them with `and`
+  std::string now{};     ///< how far the learner is, told until the task is done; may be empty
+  std::string answer{};  ///< to what the instruction asks, told once it is done; empty where it asks nothing
   // In the file:
   int line = 0; ///< of the instruction
   int conditionsLine = 0;
@@ -247,7 +240,7 @@ struct LessonLibrary {
 /// of their own; one whose id is taken is a problem.
 void addOwnLessons(LessonLibrary &library, const std::filesystem::path &folder);
 
-/// Whether a condition holds; false for a value that the case does not have.
+/// Whether a condition holds of a value as findValue finds it; false for one that the case does not have.
 [[nodiscard]] bool holds(const Condition &condition, const Evaluation &evaluation);
 [[nodiscard]] bool isDone(const Task &task, const Evaluation &evaluation);
 

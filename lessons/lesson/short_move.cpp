@@ -1,6 +1,6 @@
 #include "lessons/lesson/short_move.h"
 
-#include "lessons/lesson/condition.h"
+#include "lessons/lesson/lesson.h"
 #include "lessons/object/coordinate_limits.h"
 
 #include <algorithm>
@@ -59,17 +59,17 @@ ChangeObject shortMoveTo(const NearSpecialCase &near, const Scene &scene, const 
   const ChangeObject &least = *near.change;
   const Object &now = *findObject(scene, least.name);
   const auto index = movedCoordinate(now, least.value);
-  auto conditions = parseConditions(near.when);
-  if (!index || !conditions)
+  if (!index)
     return least;
-  for (Condition &condition : *conditions)
+  Conditions conditions = near.when;
+  for (Condition &condition : conditions)
     condition.value = near.entry + "." + condition.value;
   const Evaluation before = evaluate(scene);
   const auto isThere = [&](const Object &moved) {
     Scene after = scene;
     setObject(after, least.name, moved);
     const Evaluation evaluation = evaluate(after, before);
-    return std::all_of(conditions->begin(), conditions->end(),
+    return std::all_of(conditions.begin(), conditions.end(),
                        [&](const Condition &condition) { return holds(condition, evaluation); });
   };
   const ExactVec3 leastWay = least.value[*index] - now[*index];

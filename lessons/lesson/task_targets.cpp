@@ -104,7 +104,7 @@ bool isOneOfSeveral(const std::string &value) {
 }
 
 /// `signed distance = 5, t = 1`
-std::string wordsOf(const std::vector<Condition> &conditions) {
+std::string wordsOf(const Conditions &conditions) {
   std::string told;
   for (const Condition &condition : conditions) {
     if (isOneOfSeveral(condition.value))
@@ -119,7 +119,7 @@ std::string wordsOf(const std::vector<Condition> &conditions) {
 std::optional<SnapTarget> targetOf(const Task &task, const std::shared_ptr<const Tried> &tried,
                                    const ExactVec3 &start) {
   SnapTarget target;
-  std::vector<Condition> met;
+  Conditions met;
   for (const Condition &condition : task.conditions) {
     if (!asksForANumber(condition))
       continue;

@@ -15,7 +15,7 @@ namespace halfspace {
 /// A special case that a move of one free object leads to.
 struct NearSpecialCase {
   std::string entry;                  ///< the construction that names it
-  std::string when;                   ///< what holds of that there, as tasks say it: `case = parallel`
+  Conditions when;                    ///< what holds of that there, by its own names
   std::string sentence;               ///< "The ray would run parallel to the plane."
   Surd squareOfWay;                   ///< by which a coordinate moves to get there; above 0
   std::optional<ChangeObject> change; ///< the least; nothing where a coordinate would have a root there

@@ -33,11 +33,11 @@ void addRaysAtPlane(const RayObject &ray, const PlaneObject &plane, const RayAtP
   const bool startsInPlane = isZero(offPlane);
   const bool crosses = dot(direction, plane.normal) != 0;
   if (!startsInPlane)
-    all.push_back({group + (crosses ? "t = 0" : "case = in-plane"),
+    all.push_back({crosses ? is(group + "t", "0") : is(group + "case", "in-plane"),
                    crosses ? sentences.starts : sentences.lies, "L",
                    RayObject{origin - offPlane, direction}});
   if (const ExactVec3 turned = projectVector(direction, plane.normal).rejection; crosses && !isZero(turned))
-    all.push_back({group + (startsInPlane ? "case = in-plane" : "case = parallel"),
+    all.push_back({is(group + "case", startsInPlane ? "in-plane" : "parallel"),
                    startsInPlane ? sentences.lies : sentences.isParallel, "L", RayObject{origin, turned}});
 }
 

@@ -32,7 +32,7 @@ void addShifted(const RayAtTriangle &at, std::vector<SpecialCase> &all) {
   const auto corners = placesOf(at.in.T.object);
   const CornerTerms names = termsIn(at);
   const auto place = [](const std::string &location, std::size_t feature) {
-    return "location = " + location + " and feature = " + std::to_string(feature);
+    return both(is("location", location), is("feature", std::to_string(feature)));
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
@@ -95,8 +95,9 @@ void addFlattened(const TriangleObject &triangle, const Naming &naming, std::vec
     std::array flat = corners;
     flat.at(i) = measurePointLine(corners.at(i), from, ExactVec3(to - from)).foot;
     if (flat.at(i) != from && flat.at(i) != to)
-      all.push_back({"case = collinear", words("{P0}, {P1} and {P2} would lie on one line.", naming.letters),
-                     "T", TriangleObject{flat[0], flat[1], flat[2]}});
+      all.push_back({is("case", "collinear"),
+                     words("{P0}, {P1} and {P2} would lie on one line.", naming.letters), "T",
+                     TriangleObject{flat[0], flat[1], flat[2]}});
   }
 }
 

@@ -22,7 +22,7 @@ std::optional<ExactVec3> shiftOntoSegment(const RayObject &ray, const ExactVec3 
   return projectVector(way, across).projection;
 }
 
-void add(const RayObject &ray, const ExactVec3 &shift, std::string when, std::string sentence,
+void add(const RayObject &ray, const ExactVec3 &shift, Conditions when, std::string sentence,
          std::vector<SpecialCase> &all) {
   if (!isZero(shift))
     all.push_back({std::move(when), std::move(sentence), "L", RayObject{ray.origin + shift, ray.direction}});
@@ -30,13 +30,13 @@ void add(const RayObject &ray, const ExactVec3 &shift, std::string when, std::st
 
 } // namespace
 
-void addRayThrough(const RayObject &ray, const ExactVec3 &point, std::string when, std::string sentence,
+void addRayThrough(const RayObject &ray, const ExactVec3 &point, Conditions when, std::string sentence,
                    std::vector<SpecialCase> &all) {
   add(ray, projectVector(ExactVec3(point - ray.origin), ray.direction).rejection, std::move(when),
       std::move(sentence), all);
 }
 
-void addRayThrough(const RayObject &ray, const std::pair<ExactVec3, ExactVec3> &segment, std::string when,
+void addRayThrough(const RayObject &ray, const std::pair<ExactVec3, ExactVec3> &segment, Conditions when,
                    std::string sentence, std::vector<SpecialCase> &all) {
   if (const auto shift = shiftOntoSegment(ray, segment.first, segment.second))
     add(ray, *shift, std::move(when), std::move(sentence), all);

@@ -12,9 +12,9 @@ namespace halfspace {
 
 /// Adds the ray moved sideways until its line meets a point, or a segment between its ends; nothing where it
 /// does already, or never would. `when` and `sentence` say what holds then.
-void addRayThrough(const RayObject &ray, const ExactVec3 &point, std::string when, std::string sentence,
+void addRayThrough(const RayObject &ray, const ExactVec3 &point, Conditions when, std::string sentence,
                    std::vector<SpecialCase> &all);
-void addRayThrough(const RayObject &ray, const std::pair<ExactVec3, ExactVec3> &segment, std::string when,
+void addRayThrough(const RayObject &ray, const std::pair<ExactVec3, ExactVec3> &segment, Conditions when,
                    std::string sentence, std::vector<SpecialCase> &all);
 
 } // namespace halfspace

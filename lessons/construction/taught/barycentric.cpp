@@ -247,7 +247,7 @@ void addMoved(const Out &at, std::vector<SpecialCase> &all) {
   const auto add = [&](const ExactVec3 &to, const std::string &part, std::size_t feature,
                        std::string sentence) {
     if (to != point)
-      all.push_back({"case = " + part + " and feature = " + std::to_string(feature), std::move(sentence), "Q",
+      all.push_back({both(is("case", part), is("feature", std::to_string(feature))), std::move(sentence), "Q",
                      PointObject{to}});
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -272,7 +272,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   }
   const ExactVec3 &point = at.in.Q.object.at;
   const ExactVec3 height = projectVector(ExactVec3(point - at.in.T.object.p0), at.weighed.normal).projection;
-  all.push_back({"case != off-plane", words("{Q} would lie in the triangle's plane.", at.letters), "Q",
+  all.push_back({isNot("case", "off-plane"), words("{Q} would lie in the triangle's plane.", at.letters), "Q",
                  PointObject{ExactVec3(point - height)}});
   return all;
 }

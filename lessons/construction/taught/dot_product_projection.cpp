@@ -221,9 +221,9 @@ std::vector<SpecialCase> nearby(const Out &at) {
   if (!at.hasAngle || at.sign == 0 || at.areParallel)
     return {};
   const ExactVec3 &start = at.in.w.object.start;
-  return {{"case = right", words("{v} and {w} would be perpendicular.", at.letters), "w",
+  return {{is("case", "right"), words("{v} and {w} would be perpendicular.", at.letters), "w",
            VectorObject{start, at.wOntoV.rejection}},
-          {at.sign > 0 ? "case = same-direction" : "case = opposite",
+          {is("case", at.sign > 0 ? "same-direction" : "opposite"),
            words("{v} and {w} would lie along one line.", at.letters), "w",
            VectorObject{start, at.wOntoV.projection}}};
 }

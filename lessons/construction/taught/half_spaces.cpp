@@ -184,7 +184,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   for (const Sided &each : at.points) {
     if (each.measured.which == PointPlaneCase::On)
       continue;
-    const std::string when = "side_" + each.role + " = on";
+    const Conditions when = is("side_" + each.role, "on");
     const WordValues letters{{"point", plainText(each.point)}};
     const ExactVec3 point = vectorOf(each.point);
     all.push_back({when, words("{point} would lie in the plane.", letters), each.role,

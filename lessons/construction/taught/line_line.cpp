@@ -239,13 +239,13 @@ void addTurned(const Out &at, std::vector<SpecialCase> &all) {
   const auto parts = projectVector(direction, at.in.g.object.direction);
   if (at.related.perpendicular)
     return; // it is perpendicular already, and would vanish along the first
-  all.push_back({"perpendicular = true", words("The lines would be perpendicular."), "h",
+  all.push_back({is("perpendicular", "true"), words("The lines would be perpendicular."), "h",
                  LineObject{point, parts.rejection}});
   const LineObject turned{point, parts.projection};
   const auto which = relateLines(lineAlong(at.in.g.object.point, at.in.g.object.direction),
                                  lineAlong(turned.point, turned.direction))
                          .which;
-  all.push_back({"case = " + std::string(nameOf(which)),
+  all.push_back({is("case", nameOf(which)),
                  which == LineLineCase::Parallel ? words("The lines would be parallel.")
                                                  : words("{g} and {h} would be the same line.", at.letters),
                  "h", turned});
@@ -255,14 +255,14 @@ std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   const auto &[point, direction] = at.in.h.object;
   if (at.related.which == LineLineCase::Skew)
-    all.push_back({"case = intersecting", words("The lines would meet."), "h",
+    all.push_back({is("case", "intersecting"), words("The lines would meet."), "h",
                    LineObject{point - ExactVec3(at.nearest.second - at.nearest.first), direction}});
   if (at.isCrossing)
     addTurned(at, all);
   if (at.related.which == LineLineCase::Parallel) {
     const ExactVec3 foot = measurePointLine(point, at.in.g.object.point, at.in.g.object.direction).foot;
     const bool isSame = dot(direction, at.in.g.object.direction) > 0;
-    all.push_back({isSame ? "case = same" : "case = opposite",
+    all.push_back({is("case", isSame ? "same" : "opposite"),
                    words("{g} and {h} would be the same line.", at.letters), "h",
                    LineObject{foot, direction}});
   }

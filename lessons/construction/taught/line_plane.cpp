@@ -98,14 +98,14 @@ std::vector<SpecialCase> nearby(const Out &at) {
   PlaneObject changed = at.in.E.object;
   if (at.meet.which == LinePlaneCase::Parallel) {
     changed.point += projectVector(ExactVec3(point - changed.point), changed.normal).projection;
-    return {{"case = in-plane", words("The line would lie in the plane."), "E", changed}};
+    return {{is("case", "in-plane"), words("The line would lie in the plane."), "E", changed}};
   }
   changed.normal = projectVector(changed.normal, direction).rejection;
   if (isZero(changed.normal))
     return {};
   const auto which =
       intersectLinePlane(lineAlong(point, direction), planeThrough(changed.point, changed.normal)).which;
-  return {{"case = " + std::string(nameOf(which)),
+  return {{is("case", nameOf(which)),
            which == LinePlaneCase::Parallel ? words("The line would be parallel to the plane.")
                                             : words("The line would lie in the plane."),
            "E", changed}};

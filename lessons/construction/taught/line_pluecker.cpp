@@ -131,7 +131,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   if (!at.isReal || at.meetsOrigin)
     return {};
   const auto &[point, direction] = at.in.g.object;
-  return {{"through_origin = true", words("The line would go through the origin."), "g",
+  return {{is("through_origin", "true"), words("The line would go through the origin."), "g",
            LineObject{point - nearestToOrigin(at.line), direction}}};
 }
 

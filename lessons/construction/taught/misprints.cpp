@@ -365,7 +365,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   auto all = rayTriangleNearby(at);
   const auto &[p0, p1, p2] = at.in.T.object;
   if (at.isTriangle)
-    all.push_back({"cosine = fails", words("{P0} would lie between {P1} and {P2}.", at.letters), "T",
+    all.push_back({is("cosine", "fails"), words("{P0} would lie between {P1} and {P2}.", at.letters), "T",
                    TriangleObject{(p1 + p2) / Rational(2), p1, p2}});
   return all;
 }

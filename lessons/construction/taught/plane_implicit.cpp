@@ -129,7 +129,7 @@ SpecialCase parallelToAxis(const In &in, int axis) {
   const std::array<std::string, 3> sentences{words("The plane would run parallel to the x-axis."),
                                              words("The plane would run parallel to the y-axis."),
                                              words("The plane would run parallel to the z-axis.")};
-  return {"coefficients." + std::to_string(axis) + " = 0", sentences.at(static_cast<std::size_t>(axis)), "E",
+  return {is("coefficients." + std::to_string(axis), "0"), sentences.at(static_cast<std::size_t>(axis)), "E",
           tilted};
 }
 
@@ -139,7 +139,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
     return all;
   const auto &[point, normal] = at.in.E.object;
   if (at.equation.offset != 0)
-    all.push_back({"origin_distance = 0", words("The plane would go through the origin."), "E",
+    all.push_back({is("origin_distance", "0"), words("The plane would go through the origin."), "E",
                    PlaneObject{projectVector(point, normal).rejection, normal}});
   for (int axis = 0; axis < 3; ++axis)
     if (SpecialCase tilted = parallelToAxis(at.in, axis);

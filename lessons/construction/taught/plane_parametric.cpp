@@ -199,13 +199,13 @@ std::vector<SpecialCase> nearby(const Out &at) {
   std::vector<SpecialCase> all;
   if (!at.isTriangle)
     return all;
-  const auto add = [&](const char *when, std::string sentence, const ExactVec3 &place) {
-    all.push_back({when, std::move(sentence), "P", PointObject{place}});
+  const auto add = [&](Conditions when, std::string sentence, const ExactVec3 &place) {
+    all.push_back({std::move(when), std::move(sentence), "P", PointObject{place}});
   };
   const ExactVec3 &p = at.in.P.object.at;
   if (!at.isInPlane) {
     const ExactVec3 way = p - at.in.T.object.p0;
-    add("case = in-plane", words("{P} would lie in the triangle's plane.", at.letters),
+    add(is("case", "in-plane"), words("{P} would lie in the triangle's plane.", at.letters),
         p - projectVector(way, at.plane.normal).projection);
     return all;
   }
@@ -220,11 +220,11 @@ std::vector<SpecialCase> nearby(const Out &at) {
                  {{"from", plainText(from)}, {"to", plainText(to)}});
   };
   if (at.meet.s != 0)
-    add("s = 0", edge(at.P0, at.P2), onto(at.in.T.object.p0, v));
+    add(is("s", "0"), edge(at.P0, at.P2), onto(at.in.T.object.p0, v));
   if (at.meet.tTriangle != 0)
-    add("t = 0", edge(at.P0, at.P1), onto(at.in.T.object.p0, u));
+    add(is("t", "0"), edge(at.P0, at.P1), onto(at.in.T.object.p0, u));
   if (at.meet.s + at.meet.tTriangle != 1)
-    add("barycentric.0 = 0", edge(at.P1, at.P2), onto(at.in.T.object.p1, ExactVec3(v - u)));
+    add(is("barycentric.0", "0"), edge(at.P1, at.P2), onto(at.in.T.object.p1, ExactVec3(v - u)));
   return all;
 }
 

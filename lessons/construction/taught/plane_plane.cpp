@@ -134,12 +134,12 @@ std::vector<SpecialCase> turned(const Out &at) {
   const ExactVec3 &point = at.in.E.object.point;
   const bool isInBoth = evaluate(planeThrough(at.in.F.object.point, at.in.F.object.normal), point) == 0;
   if (!isZero(parts.projection))
-    all.push_back({isInBoth ? "case = coincident" : "case = parallel",
+    all.push_back({is("case", isInBoth ? "coincident" : "parallel"),
                    isInBoth ? words("{E} and {F} would be the same plane.", at.letters)
                             : words("The planes would be parallel."),
                    "E", PlaneObject{point, parts.projection}});
   if (!isZero(parts.rejection) && !isZero(parts.projection))
-    all.push_back({"cos_angle = 0", words("The planes would stand at a right angle to each other."), "E",
+    all.push_back({is("cos_angle", "0"), words("The planes would stand at a right angle to each other."), "E",
                    PlaneObject{point, parts.rejection}});
   return all;
 }
@@ -150,7 +150,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   case PlanePlaneCase::Line:
     return turned(at);
   case PlanePlaneCase::Parallel:
-    return {{"case = coincident", words("{E} and {F} would be the same plane.", at.letters), "E",
+    return {{is("case", "coincident"), words("{E} and {F} would be the same plane.", at.letters), "E",
              PlaneObject{point - projectVector(ExactVec3(point - at.in.F.object.point), normal).projection,
                          normal}}};
   case PlanePlaneCase::Coincident:

@@ -83,10 +83,10 @@ std::vector<SpecialCase> nearby(const Out &at) {
   const auto &[through, direction] = at.in.g.object;
   const ExactVec3 &point = at.in.Q.object.at;
   if (at.measured.which == PointLineCase::Off)
-    all.push_back(
-        {"case = on", words("{Q} would lie on the line.", at.letters), "Q", PointObject{at.measured.foot}});
+    all.push_back({is("case", "on"), words("{Q} would lie on the line.", at.letters), "Q",
+                   PointObject{at.measured.foot}});
   if (at.measured.t != 0)
-    all.push_back({"t = 0", words("The foot of {Q} would be {A}.", at.letters), "Q",
+    all.push_back({is("t", "0"), words("The foot of {Q} would be {A}.", at.letters), "Q",
                    PointObject{ExactVec3(point - direction * at.measured.t)}});
   return all;
 }

@@ -283,7 +283,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
                   words("The ray would run parallel to the plane.")},
                  all);
   if (!isZero(at.toPlane))
-    all.push_back({"D = 0", words("The plane would pass through the origin."), "G",
+    all.push_back({is("D", "0"), words("The plane would pass through the origin."), "G",
                    PlaneObject{point - at.toPlane, normal}});
   return all;
 }

@@ -290,7 +290,7 @@ void addPlaneNear(std::vector<SpecialCase> &all, std::size_t place, const Out &a
     return;
   const auto &[point, normal] = at.in.planes[place].object;
   all.push_back(
-      {"first = several",
+      {is("first", "several"),
        words("The ray would hit {one} and {other} at one point.",
              {{"one", first->name}, {"other", meeting.name}}),
        "planes",

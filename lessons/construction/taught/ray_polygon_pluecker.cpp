@@ -290,14 +290,14 @@ Figure draw(const Out &at) {
 void addShifted(const Out &at, std::vector<SpecialCase> &all) {
   const RayObject &ray = at.in.L.object;
   for (std::size_t i = 0; i < at.places.size(); ++i) {
-    const std::string feature = " and feature = " + std::to_string(i);
+    const Conditions feature = is("feature", std::to_string(i));
     addRayThrough(
-        ray, at.places[i], "location = vertex" + feature,
+        ray, at.places[i], both(is("location", "vertex"), feature),
         words("The ray's line would go through the corner {corner}.", {{"corner", plainText(at.corner(i))}}),
         all);
-    addRayThrough(ray, {at.places[i], at.places[(i + 1) % at.places.size()]}, "location = edge" + feature,
-                  words("The ray's line would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}),
-                  all);
+    addRayThrough(
+        ray, {at.places[i], at.places[(i + 1) % at.places.size()]}, both(is("location", "edge"), feature),
+        words("The ray's line would go through the edge {edge}.", {{"edge", at.edgeNamed(i)}}), all);
   }
 }
 
@@ -307,7 +307,7 @@ SpecialCase flattened(const In &in) {
   const Plane<Rational> plane = planeOf<Rational>(weighted(flat.corners));
   for (ExactVec3 &corner : flat.corners)
     corner -= plane.normal * Rational(evaluate(plane, corner) / dot(plane.normal, plane.normal));
-  return {"case != not-planar", words("The corners would lie in one plane."), "W", flat};
+  return {isNot("case", "not-planar"), words("The corners would lie in one plane."), "W", flat};
 }
 
 std::vector<SpecialCase> nearby(const Out &at) {

@@ -408,12 +408,12 @@ Figure draw(const Out &at) {
 void addShifted(const Out &at, std::vector<SpecialCase> &all) {
   const RayObject &ray = at.in.L.object;
   const auto &vertices = at.mesh.vertices;
-  const auto isZeroAt = [](std::size_t edge) { return "products." + std::to_string(edge) + " = 0"; };
+  const auto isZeroAt = [](std::size_t edge) { return is("products." + std::to_string(edge), "0"); };
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    std::string when;
+    Conditions when;
     for (std::size_t k = 0; k < at.edges.size(); ++k)
       if (at.edges[k].from == i || at.edges[k].to == i)
-        when += (when.empty() ? "" : " and ") + isZeroAt(k);
+        when = both(std::move(when), isZeroAt(k));
     addRayThrough(ray, vertices[i], when,
                   words("The ray's line would go through the corner {corner}.",
                         {{"corner", plainText(withResult(at.corners[i]).last())}}),
@@ -433,7 +433,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   addShifted(at, all);
   if (at.meet.origin != SolidLocation::On)
     for (const Contact &contact : at.contacts)
-      all.push_back({"origin = on", words("{Q} would lie on the solid.", at.letters), "L",
+      all.push_back({is("origin", "on"), words("{Q} would lie on the solid.", at.letters), "L",
                      RayObject{contact.crossing.point, at.in.L.object.direction}});
   return all;
 }

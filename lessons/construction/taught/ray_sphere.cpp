@@ -311,7 +311,7 @@ void addTangent(const Out &at, std::vector<SpecialCase> &all) {
   const Rational &radius = at.in.S.object.radius;
   if (at.meet.contacts == SphereContacts::Tangent || distance == Surd())
     return;
-  SpecialCase tangent{"contacts = tangent", words("The ray's line would touch the sphere."), "L", {}};
+  SpecialCase tangent{is("contacts", "tangent"), words("The ray's line would touch the sphere."), "L", {}};
   const ExactVec3 aside = at.nearest.foot - at.in.S.object.center;
   const auto &[origin, direction] = at.in.L.object;
   if (distance.isRational())
@@ -325,7 +325,7 @@ void addTangent(const Out &at, std::vector<SpecialCase> &all) {
 void addStartOnSphere(const Out &at, std::vector<SpecialCase> &all) {
   if (!at.isMet || at.meet.origin == SolidLocation::On)
     return;
-  SpecialCase start{"origin = on", words("{Q} would lie on the sphere.", at.letters), "L", {}};
+  SpecialCase start{is("origin", "on"), words("{Q} would lie on the sphere.", at.letters), "L", {}};
   const Surd &first = at.meet.along.front().t;
   const Surd &last = at.meet.along.back().t;
   const Surd &nearer = first.squared() <= last.squared() ? first : last;
@@ -345,8 +345,8 @@ std::vector<SpecialCase> nearby(const Out &at) {
   addStartOnSphere(at, all);
   if (at.nearest.which == PointLineCase::Off) {
     const auto &[origin, direction] = at.in.L.object;
-    all.push_back({"distance = 0", words("The ray's line would go through the centre {c}.", at.letters), "L",
-                   RayObject{origin + at.in.S.object.center - at.nearest.foot, direction}});
+    all.push_back({is("distance", "0"), words("The ray's line would go through the centre {c}.", at.letters),
+                   "L", RayObject{origin + at.in.S.object.center - at.nearest.foot, direction}});
   }
   return all;
 }

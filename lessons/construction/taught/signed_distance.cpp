@@ -149,8 +149,8 @@ Figure draw(const Out &at) {
 std::vector<SpecialCase> nearby(const Out &at) {
   if (!at.hasPlane || at.which == PointPlaneCase::On)
     return {};
-  return {
-      {"side = on", words("{Q} would lie in the plane.", at.letters), "Q", PointObject{at.measured.foot}}};
+  return {{is("side", "on"), words("{Q} would lie in the plane.", at.letters), "Q",
+           PointObject{at.measured.foot}}};
 }
 
 } // namespace

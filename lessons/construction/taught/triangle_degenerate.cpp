@@ -211,7 +211,7 @@ std::vector<SpecialCase> nearby(const Out &at) {
   const auto &[p0, p1, p2] = at.in.T.object;
   const auto addSame = [&](const char *same, const Term &first, const Term &second,
                            const TriangleObject &triangle) {
-    all.push_back({std::string("same_corners = ") + same,
+    all.push_back({is("same_corners", same),
                    words("{first} and {second} would be the same point.",
                          {{"first", plainText(first)}, {"second", plainText(second)}}),
                    "T", triangle});

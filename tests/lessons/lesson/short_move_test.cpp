@@ -12,17 +12,17 @@ namespace {
 
 using namespace test;
 
-NearSpecialCase nearIn(const Scene &scene, const std::string &entry, const std::string &when) {
+NearSpecialCase nearIn(const Scene &scene, const std::string &entry, const Conditions &when) {
   for (const NearSpecialCase &near : specialCasesNear(scene, evaluate(scene), {entry}))
     if (near.when == when && near.change)
       return near;
-  ADD_FAILURE() << when << " is not near";
+  ADD_FAILURE() << when.front().value << " is not near";
   return {};
 }
 
 TEST(ShortMove, WhereTheLeastHasFractions_LeadsToTheGrid) {
   const Scene scene = distanceScene();
-  const NearSpecialCase near = nearIn(scene, "distance", "side = on");
+  const NearSpecialCase near = nearIn(scene, "distance", is("side", "on"));
   ASSERT_EQ(near.change->value[0].x.denominator(), 3);
   const ChangeObject change = shortMoveTo(near, scene, 1);
   for (int axis = 0; axis < 3; ++axis)
@@ -33,7 +33,7 @@ TEST(ShortMove, WhereTheLeastHasFractions_LeadsToTheGrid) {
 TEST(ShortMove, WhereTheGridHasNone_GoesAlongAnAxis) {
   Scene scene = distanceScene();
   setCoordinate(scene, {"E", 0}, {q(1, 2), q(1, 3), q(1, 5)}); // no whole numbers lie in the plane
-  const NearSpecialCase near = nearIn(scene, "distance", "side = on");
+  const NearSpecialCase near = nearIn(scene, "distance", is("side", "on"));
   const ChangeObject change = shortMoveTo(near, scene, 1);
   const ExactVec3 way = change.value[0] - findObject(scene, "Q")->operator[](0);
   EXPECT_EQ((way.x != 0) + (way.y != 0) + (way.z != 0), 1);

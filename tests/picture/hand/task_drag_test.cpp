@@ -221,10 +221,6 @@ const std::vector<Asked> &tableOfTasks() {
   return table;
 }
 
-bool operator==(const Condition &a, const Condition &b) {
-  return a.value == b.value && a.relation == b.relation && a.against == b.against;
-}
-
 const Asked *rowOf(const Lesson &lesson, const Task &task) {
   const auto &table = tableOfTasks();
   const auto row = std::find_if(table.begin(), table.end(), [&](const Asked &asked) {
