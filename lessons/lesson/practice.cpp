@@ -59,21 +59,13 @@ std::string listOf(std::initializer_list<std::string> entries) {
   return list + ")";
 }
 
-/// Whether a minus stands before the gap of a question, with or without spaces.
-bool isBehindMinus(std::string_view question) {
-  std::string_view before = question.substr(0, question.find('?'));
-  while (before.ends_with(' '))
-    before.remove_suffix(1);
-  return before.ends_with("−");
-}
-
 /// What is asked for in a gap, and how answers are compared with it.
 class Question {
 public:
   Question(const WorkingLine &line, const Gap &gap)
       : m_gap(gap), m_truth(gap.hidden->value.value()),
         m_isEquation(gap.isResult && line.asked == Asked::Equation),
-        m_isBehindMinus(!gap.isResult && isBehindMinus(questionText(line, gap))) {
+        m_isBehindMinus(!gap.isResult && isBehindMinus(gap.hidden, askedChain(line))) {
     if (gap.isResult)
       m_mistakes = line.mistakes;
     addLetters(m_truth.entries, m_letters);

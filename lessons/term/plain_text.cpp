@@ -2,6 +2,7 @@
 
 #include "lessons/language.h"
 #include "lessons/term/term_writer.h"
+#include "lessons/text.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,8 @@ std::string inForm(const std::array<std::string_view, 10> &forms, std::string_vi
     text += forms.at(static_cast<std::size_t>(digit - '0'));
   return text;
 }
+
+constexpr std::string_view minus = "−";
 
 class PlainNotation : public Notation<std::string> {
 public:
@@ -46,7 +49,7 @@ public:
     case TermSign::Minus:
       return " − ";
     case TermSign::Negative:
-      return "−";
+      return std::string(minus);
     case TermSign::Dot:
     case TermSign::Times:
       return "·";
@@ -88,7 +91,6 @@ public:
   [[nodiscard]] std::string norm(std::string vector) const override { return "|" + vector + "|"; }
 
   [[nodiscard]] std::string power(std::string base, std::string exponent) const override {
-    constexpr std::string_view minus = "−";
     const bool negative = exponent.starts_with(minus);
     const std::string_view magnitude = std::string_view(exponent).substr(negative ? minus.size() : 0);
     return areDigits(magnitude) ? base + (negative ? "⁻" : "") + inForm(raisedDigits, magnitude)
@@ -157,6 +159,12 @@ std::string plainTextWithout(const Term &part, const Chain &chain) {
   TermWriter writer(notation);
   writer.leaveOut(part);
   return writer.write(chain);
+}
+
+bool isBehindMinus(const Term &part, const Chain &chain) {
+  const std::string text = plainTextWithout(part, chain);
+  const std::string_view before = std::string_view(text).substr(0, text.find(PlainNotation().blank()));
+  return trimmed(before).ends_with(minus);
 }
 
 } // namespace halfspace

@@ -14,6 +14,8 @@ namespace halfspace {
 [[nodiscard]] std::string plainText(const Chain &chain, std::size_t begin, std::size_t end);
 /// The whole chain with a question mark in place of a part of it.
 [[nodiscard]] std::string plainTextWithout(const Term &part, const Chain &chain);
+/// Whether a minus stands right before that question mark, which who fills it in is not to write once more.
+[[nodiscard]] bool isBehindMinus(const Term &part, const Chain &chain);
 [[nodiscard]] std::string plainText(const Symbol &symbol);
 
 /// The value behind the relation that it allows: ` = 10`, ` ≈ 3.16228`.
