@@ -55,7 +55,7 @@ std::string plainText(const LiveNumber &number) {
 }
 
 std::string latexOf(const LiveNumber &number) {
-  const auto latex = [](const Term &term) { return latexOf(term, LatexMarks::Without, Fractions::Flat); };
+  const auto latex = [](const Term &term) { return latexOf(term, Fractions::Flat); };
   return (showsRounded(number.term) ? "\\approx " : "") + latex(number.term) +
          (number.size ? "\\approx " + latex(*number.size) : "");
 }

@@ -31,7 +31,7 @@ std::string wordLatex(const std::string &word) {
 
 class LatexNotation : public Notation<std::string> {
 public:
-  LatexNotation(LatexMarks marks, Fractions fractions) : m_marks(marks), m_fractions(fractions) {}
+  explicit LatexNotation(Fractions fractions) : m_fractions(fractions) {}
 
   [[nodiscard]] std::string row(std::vector<std::string> parts) const override {
     std::string text;
@@ -124,11 +124,6 @@ public:
     return inParentheses ? function + "(" + argument + ")" : row({std::move(function), std::move(argument)});
   }
 
-  [[nodiscard]] std::string touchable(const Term &term, std::string text) const override {
-    return m_marks == LatexMarks::With && !term->mark.empty() ? "\\mark{" + term->mark + "}{" + text + "}"
-                                                              : text;
-  }
-
   [[nodiscard]] bool isFlat() const override { return m_fractions == Fractions::Flat; }
   [[nodiscard]] bool hasBareRoots() const override { return false; }
 
@@ -140,7 +135,6 @@ private:
     text += (endsInCommand && !next.empty() && isLetter(next.front()) ? " " : "") + next;
   }
 
-  LatexMarks m_marks;
   Fractions m_fractions;
 };
 
@@ -164,8 +158,8 @@ std::string latexOf(const Symbol &symbol) {
   return symbol.isPerp ? text + "^{\\perp}" : text;
 }
 
-std::string latexOf(const Term &term, LatexMarks marks, Fractions fractions) {
-  return TermWriter(LatexNotation(marks, fractions)).write(term);
+std::string latexOf(const Term &term, Fractions fractions) {
+  return TermWriter(LatexNotation(fractions)).write(term);
 }
 
 std::string latexDecimal(const std::string &decimal) {
@@ -176,16 +170,15 @@ std::string latexDecimal(const std::string &decimal) {
 }
 
 std::string relatedLatex(const Term &value, Fractions fractions) {
-  return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, LatexMarks::Without, fractions);
+  return (showsRounded(value) ? " \\approx " : " = ") + latexOf(value, fractions);
 }
 
-std::string latexOf(const Chain &chain, LatexMarks marks, Fractions fractions) {
-  return TermWriter(LatexNotation(marks, fractions)).write(chain);
+std::string latexOf(const Chain &chain, Fractions fractions) {
+  return TermWriter(LatexNotation(fractions)).write(chain);
 }
 
-std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end, LatexMarks marks,
-                    Fractions fractions) {
-  return TermWriter(LatexNotation(marks, fractions)).write(chain, begin, end);
+std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end, Fractions fractions) {
+  return TermWriter(LatexNotation(fractions)).write(chain, begin, end);
 }
 
 } // namespace halfspace

@@ -8,16 +8,10 @@
 
 namespace halfspace {
 
-/// Whether terms that are marks of the figure say so by `\mark{id}{…}`, which only this program knows.
-enum class LatexMarks : std::uint8_t { Without, With };
-
-[[nodiscard]] std::string latexOf(const Term &term, LatexMarks marks = LatexMarks::Without,
-                                  Fractions fractions = Fractions::Stacked);
-[[nodiscard]] std::string latexOf(const Chain &chain, LatexMarks marks = LatexMarks::Without,
-                                  Fractions fractions = Fractions::Stacked);
+[[nodiscard]] std::string latexOf(const Term &term, Fractions fractions = Fractions::Stacked);
+[[nodiscard]] std::string latexOf(const Chain &chain, Fractions fractions = Fractions::Stacked);
 /// The sides from `begin` on, each but the chain's first with the relation before it.
 [[nodiscard]] std::string latexOf(const Chain &chain, std::size_t begin, std::size_t end,
-                                  LatexMarks marks = LatexMarks::Without,
                                   Fractions fractions = Fractions::Stacked);
 [[nodiscard]] std::string latexOf(const Symbol &symbol);
 

@@ -30,7 +30,7 @@ bool tells(const std::string &text, const std::string &answer) {
 
 bool tells(const std::string &text, const Term &answer) {
   return tells(text, plainText(answer)) || tells(text, latexOf(answer)) ||
-         tells(text, latexOf(answer, LatexMarks::Without, Fractions::Flat));
+         tells(text, latexOf(answer, Fractions::Flat));
 }
 
 /// A lesson at one of its steps, with one of its lines left to the learner.

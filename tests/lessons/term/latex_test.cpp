@@ -88,7 +88,7 @@ TEST(Latex, OfFractions_NeedsNoParentheses) {
 }
 
 TEST(Latex, OfFlatFractions_HasParenthesesWhereTheyAreNeeded) {
-  const auto flat = [](const Term &term) { return latexOf(term, LatexMarks::Without, Fractions::Flat); };
+  const auto flat = [](const Term &term) { return latexOf(term, Fractions::Flat); };
   EXPECT_EQ(flat(a / b), "a/b");
   EXPECT_EQ(flat(list({Rational(-1, 2), 3})), "\\left(-1/2,\\,3\\right)");
   EXPECT_EQ(flat(written(Real(Surd::root(6, Rational(1, 6)))).term), "\\sqrt{6}/6");
@@ -116,14 +116,13 @@ TEST(Latex, OfDeterminantsAndPermutedProducts_KeepsRowsAndPairs) {
 
 TEST(Latex, WithADecimalComma_PartsListsBySemicolons) {
   const test::SpokenToIn language(test::withDecimalComma());
-  EXPECT_EQ(latexOf(list({Rational(637, 100), 2}), LatexMarks::Without), "\\left(6{,}37;\\,2\\right)");
+  EXPECT_EQ(latexOf(list({Rational(637, 100), 2})), "\\left(6{,}37;\\,2\\right)");
   EXPECT_EQ(relatedLatex(Rational(637, 100)), " = 6{,}37");
 }
 
-TEST(Latex, WithMarks_NamesThoseOfTheFigure) {
-  EXPECT_EQ(latexOf(at.Q - at.P0, LatexMarks::With), "\\mark{Q}{Q} - \\mark{P0}{P_0}");
+TEST(Latex, OfTermsThatAreMarks_HasNoMoreThanTheTerms) {
   EXPECT_EQ(latexOf(at.Q - at.P0), "Q - P_0");
-  EXPECT_EQ(latexOf(1 - Term(2).marked("two"), LatexMarks::With), "1 - \\mark{two}{2}");
+  EXPECT_EQ(latexOf(1 - Term(2).marked("two")), "1 - 2");
 }
 
 TEST(Latex, OfAChain_HasTheRelationsBetweenItsSides) {
