@@ -3,11 +3,9 @@
 #include "app/check.h"
 #include "app/lessons_folder.h"
 #include "app/new_lesson.h"
-#include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/construction/reference.h"
 #include "lessons/scene/file/explain_formats.h"
-#include "lessons/scene/file/session_file.h"
 #include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/mesh_files/serve_mesh.h"
@@ -31,12 +29,12 @@ std::optional<Lesson> lessonOfOurs(const std::string &id) {
   return lesson && lesson->id == id ? std::optional(std::move(*lesson)) : std::nullopt;
 }
 
-/// The id of the lesson that a session's file belongs to; empty for what is none.
-std::string lessonOfFile(const std::string &name) {
+/// The session's file of this name; nothing where there is none that can be read.
+std::optional<SessionFile> sessionFileNamed(const std::string &name) {
   if (!namesFile({}, name))
     return {};
-  const auto file = readSessionFile(name);
-  return file ? file->session.lesson : std::string();
+  auto file = readSessionFile(name);
+  return file ? std::optional(std::move(*file)) : std::nullopt;
 }
 
 /// All lessons of the program and of a teacher; what is wrong with some is told.
@@ -49,17 +47,20 @@ LessonLibrary openLibrary(const OwnLessons &own) {
 
 } // namespace
 
-LessonLibrary libraryFor(const std::string &subject, const OwnLessons &own) {
+Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &subject, const OwnLessons &own,
+                                  const std::vector<std::string> &assignments) {
   if (subject.ends_with(".md")) // it is its own lesson
-    return {};
+    return openSession(library, subject, assignments);
   auto lesson = lessonOfOurs(subject);
-  if (!lesson)
-    lesson = lessonOfOurs(lessonOfFile(subject));
-  if (!lesson)
-    return openLibrary(own);
-  LessonLibrary library;
-  library.lessons.push_back(std::move(*lesson));
-  return library;
+  auto file = lesson ? std::nullopt : sessionFileNamed(subject);
+  if (file)
+    lesson = lessonOfOurs(file->session.lesson);
+  if (lesson)
+    library.lessons.push_back(std::move(*lesson));
+  else
+    library = openLibrary(own);
+  return file && namesFile(library, subject) ? openSession(library, std::move(*file), assignments)
+                                             : openSession(library, subject, assignments);
 }
 
 int runLessons(const LessonsCommand &command) {
@@ -134,8 +135,8 @@ int runCheck(const CheckCommand &command) {
 }
 
 int runExplain(const ExplainCommand &command) {
-  LessonLibrary library = libraryFor(command.subject, command.ownLessons);
-  const auto opened = openSession(library, command.subject, command.assignments);
+  LessonLibrary library;
+  const auto opened = openSubject(library, command.subject, command.ownLessons, command.assignments);
   if (!opened)
     return fail(opened.problem());
   const Scene &scene = opened->session.scene;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/command_line.h"
-#include "lessons/lesson/lesson.h"
+#include "app/open_session.h"
 
 namespace halfspace {
 
@@ -29,9 +29,11 @@ namespace halfspace {
 /// none 0, and exitRefused after a sentence on standard error where the lines cannot be written.
 [[nodiscard]] int runCheck(const CheckCommand &command);
 
-/// The one lesson that a subject needs, where that is one of the program's or a file of its own; else the
-/// program's lessons and a teacher's own. What is wrong with some is told on standard error; the others
-/// serve.
-[[nodiscard]] LessonLibrary libraryFor(const std::string &subject, const OwnLessons &own);
+/// Opens what a command names with the one lesson that it needs, where that is one of the program's or a file
+/// of its own; else among the program's lessons and a teacher's own. What is wrong with some is told on
+/// standard error; the others serve. `library` is empty before, and has the lessons from then on.
+[[nodiscard]] Result<OpenedSession> openSubject(LessonLibrary &library, const std::string &subject,
+                                                const OwnLessons &own,
+                                                const std::vector<std::string> &assignments);
 
 } // namespace halfspace

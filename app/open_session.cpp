@@ -1,6 +1,5 @@
 #include "app/open_session.h"
 
-#include "lessons/scene/file/session_file.h"
 #include "lessons/words.h"
 
 #include <utility>
@@ -34,12 +33,9 @@ Result<OpenedSession> openLesson(const LessonLibrary &library, const std::string
   return OpenedSession{{lesson->id, 0, lesson->scene}, lesson, {}};
 }
 
-Result<OpenedSession> openSessionFile(const LessonLibrary &library, const std::string &name) {
-  auto file = readSessionFile(name);
-  if (!file)
-    return file.problem();
-  const Lesson *lesson = library.find(file->session.lesson);
-  return OpenedSession{std::move(file->session), lesson, std::move(file->text)};
+OpenedSession openedFile(const LessonLibrary &library, SessionFile file) {
+  const Lesson *lesson = library.find(file.session.lesson);
+  return {std::move(file.session), lesson, std::move(file.text)};
 }
 
 Result<OpenedSession> open(LessonLibrary &library, const std::string &name) {
@@ -47,7 +43,29 @@ Result<OpenedSession> open(LessonLibrary &library, const std::string &name) {
     const auto id = addLessonFile(library, name);
     return id ? openLesson(library, *id) : id.problem();
   }
-  return namesFile(library, name) ? openSessionFile(library, name) : openLesson(library, name);
+  if (!namesFile(library, name))
+    return openLesson(library, name);
+  auto file = readSessionFile(name);
+  return file ? openedFile(library, std::move(*file)) : Result<OpenedSession>(file.problem());
+}
+
+/// Why no session can be opened at all; nothing where there are lessons.
+std::optional<Problem> lackOfLessons(const LessonLibrary &library) {
+  if (!library.lessons.empty())
+    return {};
+  return library.problems.empty()
+             ? Problem{words("No lessons were found: the program is not installed completely."), "", 0, ""}
+             : library.problems.front();
+}
+
+Result<OpenedSession> withValues(OpenedSession opened, const std::vector<std::string> &assignments) {
+  for (const std::string &assignment : assignments) {
+    auto changed = withValue(std::move(opened.session), assignment);
+    if (!changed)
+      return changed.problem();
+    opened.session = std::move(*changed);
+  }
+  return opened;
 }
 
 } // namespace
@@ -61,20 +79,17 @@ bool namesFile(const LessonLibrary &library, const std::string &name) {
 
 Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
                                   const std::vector<std::string> &assignments) {
-  if (library.lessons.empty() && !name.ends_with(".md")) // such a file is its own lesson
-    return library.problems.empty()
-               ? Problem{words("No lessons were found: the program is not installed completely."), "", 0, ""}
-               : library.problems.front();
+  const auto lack = lackOfLessons(library);
+  if (lack && !name.ends_with(".md")) // such a file is its own lesson
+    return *lack;
   auto opened = open(library, name);
-  if (!opened)
-    return opened;
-  for (const std::string &assignment : assignments) {
-    auto changed = withValue(std::move(opened->session), assignment);
-    if (!changed)
-      return changed.problem();
-    opened->session = std::move(*changed);
-  }
-  return opened;
+  return opened ? withValues(std::move(*opened), assignments) : opened;
+}
+
+Result<OpenedSession> openSession(const LessonLibrary &library, SessionFile file,
+                                  const std::vector<std::string> &assignments) {
+  const auto lack = lackOfLessons(library);
+  return lack ? Result<OpenedSession>(*lack) : withValues(openedFile(library, std::move(file)), assignments);
 }
 
 } // namespace halfspace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/lesson/lesson.h"
-#include "lessons/scene/session.h"
+#include "lessons/scene/file/session_file.h"
 
 namespace halfspace {
 
@@ -22,5 +22,9 @@ struct OpenedSession {
 /// The lesson of a file stands in the library from then on, also in the place of another with its id.
 [[nodiscard]] Result<OpenedSession> openSession(LessonLibrary &library, const std::string &name,
                                                 const std::vector<std::string> &assignments = {});
+
+/// The same of a .halfspace file that has been read.
+[[nodiscard]] Result<OpenedSession> openSession(const LessonLibrary &library, SessionFile file,
+                                                const std::vector<std::string> &assignments);
 
 } // namespace halfspace

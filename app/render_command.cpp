@@ -1,6 +1,5 @@
 // Pictures of a figure in files, one or as many as a flight has frames.
 #include "app/commands.h"
-#include "app/open_session.h"
 #include "app/standard_streams.h"
 #include "lessons/lesson/shown.h"
 #include "lessons/object/kind.h"
@@ -201,8 +200,8 @@ std::optional<Problem> writePicture(const RenderCommand &command, const Evaluati
 } // namespace
 
 int runRender(RenderCommand command) {
-  LessonLibrary library = libraryFor(command.subject, command.ownLessons);
-  auto opened = openSession(library, command.subject, command.assignments);
+  LessonLibrary library;
+  auto opened = openSubject(library, command.subject, command.ownLessons, command.assignments);
   if (!opened)
     return fail(opened.problem());
   if (const auto refused = refuseStep(command, *opened))
