@@ -79,9 +79,9 @@ int showWindow(LessonLibrary library, const OpenedSession &opened, const std::op
   // Not with the last window: a message that comes a moment later must not keep the program alone.
   QApplication::setQuitOnLastWindowClosed(false);
   QObject::connect(&window, &MainWindow::closed, &window, [] { QApplication::exit(); });
-  std::optional<KnownFile> file; // of a name that cannot be told: Save asks
+  std::shared_ptr<const KnownFile> file; // null for a name that cannot be told: Save asks
   if (const auto path = opened.text ? absolutePathOf(*command.subject) : std::nullopt)
-    file = {*path, *opened.text, opened.session.lesson};
+    file = std::make_shared<KnownFile>(KnownFile{*path, *opened.text, opened.session.lesson});
   window.files().startWith(opened.session, std::move(file));
   window.showFitting();
   // Questions belong into the event loop: a signal that comes meanwhile ends the program all the same.

@@ -41,7 +41,7 @@ bool Autosave::hasLeftSessions() const {
 }
 
 UnsavedWork Autosave::work() const {
-  return {m_model.session(), m_model.leftSessions(), m_files.belongsToFile() ? m_files.file() : std::nullopt};
+  return {m_model.session(), m_model.leftSessions(), m_files.belongsToFile() ? m_files.file() : nullptr};
 }
 
 void Autosave::prepare() {

@@ -69,7 +69,7 @@ std::string whyNotLocked(const QLockFile &lock) {
 
 QString textOf(const Session &session) { return QString::fromStdString(writeSession(session)); }
 
-QJsonValue toJson(const std::optional<KnownFile> &file) {
+QJsonValue toJson(const KnownFile *file) {
   if (!file)
     return {};
   return QJsonObject{{"path", file->path},
@@ -77,19 +77,20 @@ QJsonValue toJson(const std::optional<KnownFile> &file) {
                      {"lesson", QString::fromStdString(file->lesson)}};
 }
 
-std::optional<KnownFile> fileFrom(const QJsonValue &json) {
+std::shared_ptr<const KnownFile> fileFrom(const QJsonValue &json) {
   if (!json["path"].isString())
     return {};
-  return KnownFile{json["path"].toString(), json["text"].toString().toStdString(),
-                   json["lesson"].toString().toStdString()};
+  return std::make_shared<KnownFile>(KnownFile{json["path"].toString(), json["text"].toString().toStdString(),
+                                               json["lesson"].toString().toStdString()});
 }
 
 std::string toText(const UnsavedWork &work) {
   QJsonArray left;
   for (const auto &[lesson, session] : work.left)
     left.append(textOf(session));
-  return QJsonDocument(
-             QJsonObject{{"session", textOf(work.session)}, {"left", left}, {"file", toJson(work.file)}})
+  return QJsonDocument(QJsonObject{{"session", textOf(work.session)},
+                                   {"left", left},
+                                   {"file", toJson(work.file.get())}})
       .toJson()
       .toStdString();
 }

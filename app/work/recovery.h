@@ -21,7 +21,8 @@ namespace halfspace {
 struct UnsavedWork {
   Session session;
   std::map<std::string, Session> left; ///< sessions of other lessons that were left with changes
-  std::optional<KnownFile> file;       ///< where Save would write the session; nothing: it asks
+  /// Where Save would write the session; null: it asks. Shared, as work is prepared at every change.
+  std::shared_ptr<const KnownFile> file;
 };
 
 /// Keeps unsaved work in a file of its own, which nobody but the user may read. A lock beside the file tells

@@ -47,7 +47,7 @@ bool mayReplace(const KnownFile &file, const std::string &text) {
 SessionFiles::SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages)
     : m_model(model), m_input(input), m_messages(messages) {}
 
-void SessionFiles::startWith(const Session &session, std::optional<KnownFile> file) {
+void SessionFiles::startWith(const Session &session, std::shared_ptr<const KnownFile> file) {
   m_file = std::move(file);
   m_model.startWith(session);
   emit changed();
@@ -58,9 +58,10 @@ void SessionFiles::open(const QString &file) {
   auto opened = openSession(library, file.toStdString());
   if (!opened)
     return m_messages.complain(QString::fromStdString(opened.problem().text()));
-  std::optional<KnownFile> known;
+  std::shared_ptr<const KnownFile> known;
   if (opened->text)
-    known = KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson};
+    known = std::make_shared<KnownFile>(
+        KnownFile{QFileInfo(file).absoluteFilePath(), std::move(*opened->text), opened->session.lesson});
   else
     m_model.setLibrary(std::move(library)); // with the lesson
   startWith(opened->session, std::move(known));
@@ -106,7 +107,8 @@ bool SessionFiles::saveTo(const QString &file) {
     m_messages.complain(tr("The session is not saved.") + "\n" + QString::fromStdString(problem->text()));
     return false;
   }
-  m_file = {QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson};
+  m_file = std::make_shared<KnownFile>(
+      KnownFile{QFileInfo(file).absoluteFilePath(), text, m_model.session().lesson});
   m_model.history().setClean();
   emit changed();
   m_messages.say(savedWords(m_model.session().scene));
@@ -163,7 +165,7 @@ bool SessionFiles::askToReplace(const KnownFile &file) {
 
 void SessionFiles::dropChanges() {
   if (const auto saved = readSession(m_file->text, m_file->path.toStdString()))
-    startWith(*saved, KnownFile(*m_file));
+    startWith(*saved, m_file);
 }
 
 } // namespace halfspace

@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-#include <optional>
+#include <memory>
 
 namespace halfspace {
 
@@ -20,8 +20,8 @@ public:
   /// Model and input must outlive it.
   SessionFiles(SessionModel &model, UnfinishedInput &input, Messages messages);
 
-  /// Starts with a session; `file` is where Save writes it (nothing: Save asks).
-  void startWith(const Session &session, std::optional<KnownFile> file = {});
+  /// Starts with a session; `file` is where Save writes it (null: Save asks).
+  void startWith(const Session &session, std::shared_ptr<const KnownFile> file = {});
   /// Opens a .halfspace file, or the .md file of a lesson; on failure says why and leaves the session as it
   /// is.
   void open(const QString &file);
@@ -36,8 +36,8 @@ public:
   /// Writes the session; on failure says why and returns false.
   bool saveTo(const QString &file);
 
-  /// Where Save writes; nothing: it asks.
-  [[nodiscard]] const std::optional<KnownFile> &file() const { return m_file; }
+  /// Where Save writes; null: it asks.
+  [[nodiscard]] const std::shared_ptr<const KnownFile> &file() const { return m_file; }
   /// What the session is called: its file, or its lesson where it has none.
   [[nodiscard]] QString name() const;
   /// Whether Save may write the session to the window's file: another lesson asks for a file of its own.
@@ -66,7 +66,7 @@ private:
   SessionModel &m_model;
   UnfinishedInput &m_input;
   Messages m_messages;
-  std::optional<KnownFile> m_file;
+  std::shared_ptr<const KnownFile> m_file;
 };
 
 } // namespace halfspace

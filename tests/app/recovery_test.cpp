@@ -152,7 +152,7 @@ TEST_F(RecoveryTest, AfterTheFirstChange_LeavesAnotherLeftoverAsItWas) {
 
 TEST_F(RecoveryTest, KeepsFileViewAndOtherLessons) {
   UnsavedWork work = workAt(4);
-  work.file = {"/somewhere/mine.halfspace", "{}", "signed-distance"};
+  work.file = std::make_shared<KnownFile>(KnownFile{"/somewhere/mine.halfspace", "{}", "signed-distance"});
   work.left["plane-implicit"] = {"plane-implicit", 1, workAt(9).session.scene};
   work.session.view = ChosenView{{{1, 2, 3}, {4, 5, 6}, 7}, true};
   EXPECT_FALSE(Recovery(folder.path()).keep(work));
@@ -160,7 +160,8 @@ TEST_F(RecoveryTest, KeepsFileViewAndOtherLessons) {
   ASSERT_EQ(leftovers.size(), 1U);
   const UnsavedWork &found = leftovers.front().work;
   EXPECT_EQ(found.session, work.session);
-  EXPECT_EQ(found.file, work.file);
+  ASSERT_TRUE(found.file);
+  EXPECT_EQ(*found.file, *work.file);
   EXPECT_EQ(found.left, work.left);
   EXPECT_EQ(found.session.view, work.session.view);
 }

@@ -267,7 +267,7 @@ private slots:
       work.session = fixture.model().session();
     }
     setObject(work.session.scene, "Q", PointObject{ExactVec3(1, 2, Rational(-10, 3))});
-    work.file = {file, "", work.session.lesson};
+    work.file = std::make_shared<KnownFile>(KnownFile{file, "", work.session.lesson});
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work)); // ends without forgetting it
     WindowFixture fixture("plane-implicit");
     fixture.window.leftovers().restoreNewest();
@@ -291,7 +291,7 @@ private slots:
     }
     const std::string textInFile = writeSession(work.session);
     setObject(work.session.scene, "Q", PointObject{ExactVec3(1, 2, 3)});
-    work.file = {file, textInFile, work.session.lesson};
+    work.file = std::make_shared<KnownFile>(KnownFile{file, textInFile, work.session.lesson});
     QVERIFY(!Recovery(Recovery::standardFolder()).keep(work));
     WindowFixture fixture("plane-implicit");
     fixture.window.files().open(file);
