@@ -4,6 +4,7 @@
 #include "widgets/text/indices.h"
 #include "widgets/view/fitted_label.h"
 #include "widgets/view/letter_room.h"
+#include "widgets/view/wrapped_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -15,18 +16,9 @@
 namespace halfspace {
 namespace {
 
-QLabel *wrappedLabel(const char *name) {
-  auto *label = new QLabel;
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  label->setIndent(0); // it begins where the others do
-  return label;
-}
-
 /// Words that are never cut short, in all the width that there is.
-QLabel *wholeLabel(const char *name) {
-  QLabel *label = wrappedLabel(name);
+WrappedLabel *wholeLabel(const char *name) {
+  auto *label = new WrappedLabel(name);
   QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   label->setSizePolicy(policy);
@@ -49,7 +41,7 @@ constexpr int linesInWindow = 4;
 CaseLine::CaseLine(std::chrono::milliseconds readingTime, QWidget *parent)
     : QWidget(parent), m_case(new FittedLabel("case")), m_message(wholeLabel("message")),
       m_nearby(new NearbyOffer), m_roomOfCase(new LetterRoom("usualCase", this)),
-      m_roomOfNearby(new LetterRoom("usualNearby", this)), m_complaint(wrappedLabel("complaint")) {
+      m_roomOfNearby(new LetterRoom("usualNearby", this)), m_complaint(new WrappedLabel("complaint")) {
   m_case->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_column = createColumn();
   auto *layout = new QHBoxLayout(this);
@@ -107,7 +99,7 @@ void CaseLine::share() {
   const int whole = std::min(m_roomOfCase->heightIn(width) + ofNearby, m_most);
   const bool isTelling = m_pages->currentWidget() == m_message;
   const int ofSecond = isTelling ? std::max(m_message->heightForWidth(width), ofButtons) : ofButtons;
-  const int ofCase = std::min(std::max(m_case->heightOfAll(width), m_case->fontMetrics().height()), whole);
+  const int ofCase = std::min(std::max(m_case->heightIn(width), m_case->fontMetrics().height()), whole);
   const bool hasRoomForBoth = ofCase + ofSecond <= whole;
   m_second->setVisible(hasRoomForBoth || isTelling || m_nearby->offersAfresh());
   m_second->setFixedHeight(hasRoomForBoth ? whole - ofCase : ofSecond);

@@ -2,8 +2,6 @@
 
 #include "widgets/text/indices.h"
 
-#include <QEvent>
-
 #include <vector>
 
 namespace halfspace {
@@ -20,28 +18,21 @@ std::vector<int> wordEnds(const QString &words) {
 
 } // namespace
 
-FittedLabel::FittedLabel(const char *name) {
-  setObjectName(name);
-  setTextFormat(Qt::PlainText);
-  setWordWrap(true);
-  setIndent(0); // where it is not centred Qt would leave some room above or below
-}
+FittedLabel::FittedLabel(const char *name) : WrappedLabel(name) {}
 
 void FittedLabel::setWords(const QString &words) {
   if (words == m_words)
     return;
   m_words = words;
-  m_whole = {};
+  forgetHeight();
   fit();
 }
 
-int FittedLabel::heightOfAll(int width) {
-  if (m_whole.width() != width) {
-    showWords(*this, m_words);
-    m_whole = {width, QLabel::heightForWidth(width)};
-    showWords(*this, m_shown);
-  }
-  return m_whole.height();
+int FittedLabel::measuredHeight(int width) {
+  showWords(*this, m_words);
+  const int height = QLabel::heightForWidth(width);
+  showWords(*this, m_shown);
+  return height;
 }
 
 bool FittedLabel::fits() const { return QLabel::heightForWidth(width()) <= height(); }
@@ -53,7 +44,7 @@ void FittedLabel::showOnly(const QString &words) {
 
 void FittedLabel::fit() {
   showOnly(m_words);
-  if (height() == 0 || heightOfAll(width()) <= height())
+  if (height() == 0 || heightIn(width()) <= height())
     return setToolTip({});
   setToolTip(richTextOf(m_words)); // rich, so that it is wrapped
   const std::vector<int> ends = wordEnds(m_words);
@@ -74,11 +65,9 @@ void FittedLabel::resizeEvent(QResizeEvent *event) {
 }
 
 void FittedLabel::changeEvent(QEvent *event) {
-  QLabel::changeEvent(event);
-  if (event->type() != QEvent::FontChange && event->type() != QEvent::StyleChange)
-    return;
-  m_whole = {};
-  fit();
+  WrappedLabel::changeEvent(event);
+  if (changesType(*event))
+    fit();
 }
 
 } // namespace halfspace

@@ -1,13 +1,13 @@
 // Words in a room that does not grow with them.
 #pragma once
 
-#include <QLabel>
+#include "widgets/view/wrapped_label.h"
 
 namespace halfspace {
 
 /// A label that takes the room that others leave it. Words that do not fit are cut short, and stand in full
 /// where the pointer rests on them.
-class FittedLabel : public QLabel {
+class FittedLabel : public WrappedLabel {
   Q_OBJECT
 public:
   explicit FittedLabel(const char *name);
@@ -16,8 +16,6 @@ public:
   void setWords(const QString &words);
   /// All of them, however many are shown.
   [[nodiscard]] const QString &words() const { return m_words; }
-  /// The height that all of them need. Measured once for a width.
-  [[nodiscard]] int heightOfAll(int width);
 
   [[nodiscard]] QSize sizeHint() const override { return {0, 0}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
@@ -28,6 +26,7 @@ public:
 protected:
   void resizeEvent(QResizeEvent *event) override;
   void changeEvent(QEvent *event) override;
+  [[nodiscard]] int measuredHeight(int width) override;
 
 private:
   /// Whether words that the label shows have room.
@@ -37,7 +36,6 @@ private:
 
   QString m_words;
   QString m_shown; ///< of these words, those that have room
-  QSize m_whole;   ///< all words have this size; invalid while nobody has asked
 };
 
 } // namespace halfspace
