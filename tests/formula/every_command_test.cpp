@@ -1,6 +1,8 @@
 // Every command and environment is laid out, and each of its characters is in a font.
+#include "tests/formula/described.h"
 #include "tests/formula/laid_out.h"
 
+#include "lessons/term/greek.h"
 #include "widgets/formula/latex_command_readers.h"
 #include "widgets/formula/latex_symbols.h"
 #include "widgets/formula/latex_tokens.h"
@@ -81,6 +83,16 @@ TEST(EverySymbol, ItsName_IsNoOtherCommands) {
   for (const SymbolCommand &command : symbolCommands()) {
     EXPECT_EQ(commandNamed(command.name), nullptr) << command.name;
     EXPECT_EQ(symbolNamed(command.name)->character, command.character) << command.name;
+  }
+}
+
+TEST(EveryGreekLetter, ByItsCommand_IsTheLetter) {
+  for (const GreekLetter &each : greekLetters) {
+    const std::string command(each.latex);
+    expectComplete("a\\" + command + " b");
+    EXPECT_EQ(read("\\" + command), read(each.letter)) << command;
+    EXPECT_EQ(commandNamed(command), nullptr) << command;
+    EXPECT_EQ(symbolNamed(command), nullptr) << command;
   }
 }
 

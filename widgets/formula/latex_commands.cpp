@@ -87,15 +87,10 @@ constexpr auto byName(auto commands) {
 }
 
 constexpr Command listed[]{
-    // Small Greek letters
-    letter("alpha", U'α'), letter("beta", U'β'), letter("gamma", U'γ'), letter("delta", U'δ'),
-    letter("epsilon", U'ϵ'), letter("varepsilon", U'ε'), letter("zeta", U'ζ'), letter("eta", U'η'),
-    letter("theta", U'θ'), letter("vartheta", U'ϑ'), letter("iota", U'ι'), letter("kappa", U'κ'),
-    letter("varkappa", U'ϰ'), letter("lambda", U'λ'), letter("mu", U'μ'), letter("nu", U'ν'),
-    letter("xi", U'ξ'), letter("omicron", U'ο'), letter("pi", U'π'), letter("varpi", U'ϖ'),
-    letter("rho", U'ρ'), letter("varrho", U'ϱ'), letter("sigma", U'σ'), letter("varsigma", U'ς'),
-    letter("tau", U'τ'), letter("upsilon", U'υ'), letter("phi", U'ϕ'), letter("varphi", U'φ'),
-    letter("chi", U'χ'), letter("psi", U'ψ'), letter("omega", U'ω'),
+    // Small Greek letters that lessons/term/greek.h does not have
+    letter("epsilon", U'ϵ'), letter("vartheta", U'ϑ'), letter("varkappa", U'ϰ'), letter("omicron", U'ο'),
+    letter("varpi", U'ϖ'), letter("varrho", U'ϱ'), letter("varsigma", U'ς'), letter("upsilon", U'υ'),
+    letter("phi", U'ϕ'),
     // Large operators and functions
     large("sum", U'∑'), large("prod", U'∏'), large("coprod", U'∐'), large("bigcup", U'⋃'),
     large("bigcap", U'⋂'), large("bigsqcup", U'⨆'), large("biguplus", U'⨄'), large("bigoplus", U'⨁'),

@@ -1,5 +1,7 @@
 #include "widgets/formula/latex_reader.h"
 
+#include "lessons/term/greek.h"
+#include "lessons/text.h"
 #include "lessons/words.h"
 #include "widgets/formula/latex_command_readers.h"
 #include "widgets/formula/latex_errors.h"
@@ -139,6 +141,10 @@ void LatexReader::readBraces(Row &row, const Token &open) {
 void LatexReader::readCommand(Row &row, const Token &token) {
   if (const Command *command = commandNamed(token.name)) {
     command->read(*this, row, {*command, token.column});
+    return;
+  }
+  if (const GreekLetter *greek = greekCommand(token.name)) {
+    readPlainCharacter(row, firstCharacter(greek->letter).code);
     return;
   }
   const SymbolCommand *found = symbolNamed(token.name);
