@@ -1,8 +1,8 @@
 #include "lessons/lesson/lesson.h"
 
 #include "lessons/files/read_file.h"
-#include "lessons/lesson/lesson_lines.h"
-#include "lessons/lesson/lesson_reader.h"
+#include "lessons/lesson/lesson_fields.h"
+#include "lessons/lesson/lesson_markup.h"
 #include "lessons/lesson/macro_work.h"
 #include "lessons/reading/document.h"
 #include "lessons/reading/markdown.h"
@@ -232,18 +232,7 @@ std::optional<Problem> problemOfWords(const Lesson &lesson) {
   return {};
 }
 
-} // namespace
-
-const std::vector<std::string> &instructionBlocks() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const Instruction &instruction : instructions)
-      all.emplace_back(instruction.word);
-    return all;
-  }();
-  return names;
-}
-
+/// Reads all that follows the front matter.
 Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file) {
   std::vector<LessonStep> steps;
   LineScanner lines(block.text, block.firstLine);
@@ -274,6 +263,18 @@ Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::str
   for (LessonStep &step : steps)
     finish(step);
   return steps;
+}
+
+} // namespace
+
+const std::vector<std::string> &instructionBlocks() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Instruction &instruction : instructions)
+      all.emplace_back(instruction.word);
+    return all;
+  }();
+  return names;
 }
 
 Result<Lesson> parseLesson(std::string_view text, const std::string &file) {

@@ -212,6 +212,9 @@ struct LessonWords {
 [[nodiscard]] std::vector<LessonWords> wordsOf(const LessonStep &step);
 [[nodiscard]] std::vector<LessonWords> wordsOf(const Lesson &lesson);
 
+/// The words behind the fences of blocks that are no code: `lines`, `task`.
+[[nodiscard]] const std::vector<std::string> &instructionBlocks();
+
 /// Reads a lesson from the text of a file; `file` is only named in problems.
 [[nodiscard]] Result<Lesson> parseLesson(std::string_view text, const std::string &file);
 

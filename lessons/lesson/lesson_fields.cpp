@@ -1,6 +1,6 @@
-// The YAML parts of a lesson: its front matter, its tasks and its questions.
+#include "lessons/lesson/lesson_fields.h"
+
 #include "lessons/lesson/condition.h"
-#include "lessons/lesson/lesson_reader.h"
 #include "lessons/reading/value_name.h"
 #include "lessons/scene/file/camera_reader.h"
 #include "lessons/scene/file/scene_reader.h"

@@ -2,7 +2,7 @@
 
 #include "lessons/guess.h"
 #include "lessons/lesson/condition.h"
-#include "lessons/lesson/lesson_lines.h"
+#include "lessons/lesson/lesson_markup.h"
 #include "lessons/object/kind.h"
 #include "lessons/object/kinds/number.h"
 #include "lessons/reading/markdown_formulas.h"

@@ -1,8 +1,7 @@
 #include "lessons/lesson/words_check.h"
 
 #include "lessons/guess.h"
-#include "lessons/lesson/lesson_lines.h"
-#include "lessons/lesson/lesson_reader.h"
+#include "lessons/lesson/lesson_markup.h"
 #include "lessons/reading/markdown_formulas.h"
 #include "lessons/reading/yaml_hint.h"
 #include "lessons/text.h"

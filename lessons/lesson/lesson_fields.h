@@ -1,4 +1,4 @@
-// The parts of a lesson file.
+// The fields of a lesson file: its front matter and its blocks.
 #pragma once
 
 #include "lessons/lesson/lesson.h"
@@ -10,9 +10,6 @@ struct TextBlock {
   std::string text;
   int firstLine = 1;
 };
-
-/// The words behind the fences of blocks that are no code.
-[[nodiscard]] const std::vector<std::string> &instructionBlocks();
 
 /// Reads the front matter into a lesson without steps.
 [[nodiscard]] Result<Lesson> readFrontMatter(const TextBlock &block, const std::string &file);
@@ -41,8 +38,5 @@ struct TextBlock {
 
 /// Reads a ```blank block: none, gaps, last or all.
 [[nodiscard]] Result<Fading> readFading(const TextBlock &block, const std::string &file);
-
-/// Reads all that follows the front matter.
-[[nodiscard]] Result<std::vector<LessonStep>> readSteps(const TextBlock &block, const std::string &file);
 
 } // namespace halfspace

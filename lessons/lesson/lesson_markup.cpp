@@ -1,4 +1,4 @@
-#include "lessons/lesson/lesson_lines.h"
+#include "lessons/lesson/lesson_markup.h"
 
 #include "lessons/text.h"
 #include "lessons/words.h"

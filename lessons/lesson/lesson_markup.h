@@ -1,4 +1,4 @@
-// A lesson file by its lines: fences of blocks, and what looks like the heading of a step.
+// The markup of a lesson file, line by line: fences of blocks, and what looks like the heading of a step.
 #pragma once
 
 #include <optional>
