@@ -60,9 +60,9 @@ std::string listOf(std::initializer_list<std::string> entries) {
 }
 
 /// What is asked for in a gap, and how answers are compared with it.
-class Question {
+class AskedGap {
 public:
-  Question(const WorkingLine &line, const Gap &gap)
+  AskedGap(const WorkingLine &line, const Gap &gap)
       : m_gap(gap), m_truth(gap.hidden->value.value()),
         m_isEquation(gap.isResult && line.asked == Asked::Equation),
         m_isBehindMinus(!gap.isResult && isBehindMinus(gap.hidden, askedChain(line))) {
@@ -267,15 +267,15 @@ std::vector<Chain> toldFor(const WorkingLine &line, const Gap &gap, const Workin
 }
 
 Judgement judge(const WorkingLine &line, const Gap &gap, std::string_view typed) {
-  const Question question(line, gap);
+  const AskedGap asked(line, gap);
   const auto answer = readAnswer(typed, language().decimalMark);
-  if (!answer || !question.canBe(*answer))
-    return {false, withAnswer(question.sentenceForNoAnswer(), shortened(typed)), false};
-  if (question.isRight(*answer))
-    return {true, question.praise(*answer)};
-  if (!question.hasAsManyNumbers(*answer))
-    return {false, withAnswer(question.sentenceForAnotherCount(*answer), typed), false};
-  return {false, withAnswer(question.diagnosis(*answer), typed)};
+  if (!answer || !asked.canBe(*answer))
+    return {false, withAnswer(asked.sentenceForNoAnswer(), shortened(typed)), false};
+  if (asked.isRight(*answer))
+    return {true, asked.praise(*answer)};
+  if (!asked.hasAsManyNumbers(*answer))
+    return {false, withAnswer(asked.sentenceForAnotherCount(*answer), typed), false};
+  return {false, withAnswer(asked.diagnosis(*answer), typed)};
 }
 
 } // namespace halfspace
